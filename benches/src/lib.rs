@@ -1,0 +1,1 @@
+//! Benchmarks: generated kernels against hand-written twins.

@@ -1,0 +1,2 @@
+//! The `whirl` command.
+fn main() {}

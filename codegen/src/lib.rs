@@ -1,0 +1,1 @@
+//! From spec files to Rust kernels: formulas, derivatives, schedules, emission and tape.

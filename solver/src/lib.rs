@@ -1,0 +1,1 @@
+//! From meshes and kernels to histories: assembly, reduction, Newmark–Newton.

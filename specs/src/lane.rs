@@ -1,0 +1,150 @@
+//! Lanes: the number type over which kernels are written, one value or several side by side.
+
+/// A lane of numbers. Kernels are generic over it: `f64` computes one cell or spring at a time, wider
+/// lanes compute several, and a dual number differentiates the same text.
+///
+/// No operation is fused: the same formula gives the same bits on every lane type.
+pub trait Lane: Copy {
+    /// Result of a comparison, one truth value a lane.
+    type Mask: Copy;
+
+    /// The same value in every lane.
+    fn splat(value: f64) -> Self;
+    /// a + b.
+    fn add(self, other: Self) -> Self;
+    /// a − b.
+    fn sub(self, other: Self) -> Self;
+    /// a · b.
+    fn mul(self, other: Self) -> Self;
+    /// a / b.
+    fn div(self, other: Self) -> Self;
+    /// −a.
+    fn neg(self) -> Self;
+    /// √a.
+    fn sqrt(self) -> Self;
+    /// |a|.
+    fn abs(self) -> Self;
+    /// eᵃ.
+    fn exp(self) -> Self;
+    /// ln a.
+    fn ln(self) -> Self;
+    /// sin a.
+    fn sin(self) -> Self;
+    /// cos a.
+    fn cos(self) -> Self;
+    /// tan a.
+    fn tan(self) -> Self;
+    /// arctan a.
+    fn atan(self) -> Self;
+    /// tanh a.
+    fn tanh(self) -> Self;
+    /// aᵇ for a real exponent b, a > 0.
+    fn powf(self, exponent: Self) -> Self;
+    /// a < b.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// a ≤ b.
+    fn le(self, other: Self) -> Self::Mask;
+    /// Both.
+    fn and(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Either.
+    fn or(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Not.
+    fn not(a: Self::Mask) -> Self::Mask;
+    /// `a` where the mask holds, else `b`.
+    fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+}
+
+impl Lane for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self + other
+    }
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self - other
+    }
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self * other
+    }
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self / other
+    }
+    #[inline(always)]
+    fn neg(self) -> Self {
+        -self
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    // Transcendental functions come from one pinned implementation, so that every lane type, the tape
+    // and every platform give the same bits.
+    #[inline(always)]
+    fn exp(self) -> Self {
+        libm::exp(self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        libm::log(self)
+    }
+    #[inline(always)]
+    fn sin(self) -> Self {
+        libm::sin(self)
+    }
+    #[inline(always)]
+    fn cos(self) -> Self {
+        libm::cos(self)
+    }
+    #[inline(always)]
+    fn tan(self) -> Self {
+        libm::tan(self)
+    }
+    #[inline(always)]
+    fn atan(self) -> Self {
+        libm::atan(self)
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        libm::tanh(self)
+    }
+    #[inline(always)]
+    fn powf(self, exponent: Self) -> Self {
+        libm::pow(self, exponent)
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> bool {
+        self <= other
+    }
+    #[inline(always)]
+    fn and(a: bool, b: bool) -> bool {
+        a & b
+    }
+    #[inline(always)]
+    fn or(a: bool, b: bool) -> bool {
+        a | b
+    }
+    #[inline(always)]
+    fn not(a: bool) -> bool {
+        !a
+    }
+    #[inline(always)]
+    fn select(mask: bool, a: Self, b: Self) -> Self {
+        if mask { a } else { b }
+    }
+}

@@ -1,0 +1,13 @@
+//! The physics as spec files, and the kernels generated from them.
+//!
+//! The files under `elements/`, `forms/`, `laws/` and `motion/` are the source; the build script hands
+//! them to `whirl-codegen` and this crate includes the text it writes. [`ELEMENTS`], [`LAWS`],
+//! [`MOTIONS`] and [`CLEARANCES`] list what was found, each entry with its facts and its functions.
+
+pub mod lane;
+mod registry;
+
+pub use lane::Lane;
+pub use registry::*;
+
+include!(concat!(env!("OUT_DIR"), "/kernels.rs"));

@@ -1,0 +1,312 @@
+//! The shapes of the registries: what the generator states about each spec, beside its functions.
+
+/// Where an entry comes from.
+#[derive(Debug, Clone, Copy)]
+pub struct Origin {
+    /// The name by which cases refer to it.
+    pub name: &'static str,
+    /// One line for people.
+    pub title: &'static str,
+    /// Paper and equation, standard, or book.
+    pub source: &'static str,
+    /// Path of the spec file inside this crate, such as `laws/hu2003-linear.toml`.
+    pub spec: &'static str,
+    /// The whole spec file.
+    pub text: &'static str,
+    /// Hash (hex) of the spec file and of everything else that its kernels were made from.
+    pub hash: &'static str,
+}
+
+/// A named scalar with its unit, at the surface of a kernel.
+#[derive(Debug, Clone, Copy)]
+pub struct Variable {
+    /// Symbol used in the spec, such as `h`.
+    pub name: &'static str,
+    /// SI unit in which the kernel takes or gives it, such as `m` or `m/s`.
+    pub unit: &'static str,
+    /// One line for people.
+    pub title: &'static str,
+}
+
+/// A finite element and the kernels of every form on it.
+#[derive(Debug, Clone, Copy)]
+pub struct Element {
+    /// Where it comes from.
+    pub origin: Origin,
+    /// Nodes of one cell; every node has three translations.
+    pub nodes: usize,
+    /// Reference coordinates (ξ, η, ζ) of the nodes, in the spec's order.
+    pub reference_nodes: &'static [[f64; 3]],
+    /// Element types of Abaqus and CalculiX that are read as this element.
+    pub abaqus: &'static [&'static str],
+    /// `abaqus_order[i]` is the node of this element that stands at place i of an Abaqus line.
+    pub abaqus_order: &'static [usize],
+    /// VTK cell type.
+    pub vtk: u8,
+    /// `vtk_order[i]` is the node of this element at place i of a VTK cell.
+    pub vtk_order: &'static [usize],
+    /// One kernel a form.
+    pub forms: &'static [FormKernel],
+}
+
+impl Element {
+    /// The kernel of the form called `form`, if the specs declare one.
+    pub fn form(&self, form: &str) -> Option<&'static FormKernel> {
+        self.forms.iter().find(|kernel| kernel.form == form)
+    }
+}
+
+/// How the matrix of one cell is stored; found by the generator from the form.
+/// Degree of freedom 3a + i is component i of node a.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Structure {
+    /// Symmetric, upper triangle by rows: (0,0), (0,1), …, (0,n−1), (1,1), …; n = 3·nodes.
+    Symmetric,
+    /// All n × n entries by rows.
+    Full,
+    /// A symmetric scalar matrix s (nodes × nodes, upper triangle by rows) times a 3 × 3 pattern:
+    /// entry (3a+i, 3b+j) = s[a,b] · pattern[i][j].
+    Kronecker {
+        /// `pattern[i][j]`; symmetric or skew.
+        pattern: [[f64; 3]; 3],
+    },
+}
+
+impl Structure {
+    /// Number of stored values of one cell with `nodes` nodes.
+    pub fn len(&self, nodes: usize) -> usize {
+        let n = 3 * nodes;
+        match self {
+            Structure::Symmetric => n * (n + 1) / 2,
+            Structure::Full => n * n,
+            Structure::Kronecker { .. } => nodes * (nodes + 1) / 2,
+        }
+    }
+}
+
+/// Computes the matrices of a block of cells.
+///
+/// `coordinates`: cells × nodes × 3, in m. `material`: the values named by [`FormKernel::material`], SI.
+/// `matrices`: cells × [`Structure::len`]. `jacobians`: cells; the smallest det J over the cell's
+/// quadrature points, so that the caller can name an inverted cell (det J ≤ 0; its matrix is then
+/// meaningless, not an error of the kernel).
+pub type CellKernel =
+    fn(coordinates: &[f64], material: &[f64], matrices: &mut [f64], jacobians: &mut [f64]);
+
+/// One bilinear form on one element.
+#[derive(Debug, Clone, Copy)]
+pub struct FormKernel {
+    /// Name of the form in its spec: `stiffness`, `mass`, `spin_inertia` (Y), `spin_coupling` (H).
+    pub form: &'static str,
+    /// Material properties in the order the kernel takes them, such as `E`, `nu`, `rho`.
+    pub material: &'static [Variable],
+    /// Storage of a cell's matrix.
+    pub structure: Structure,
+    /// The kernel.
+    pub evaluate: CellKernel,
+}
+
+/// Computes a law and its derivatives over a row of springs.
+///
+/// `inputs`: one row of `springs` values an input. `outputs`: for every output o the rows
+/// o, ∂o/∂input₀, ∂o/∂input₁, … of `springs` values each. All SI.
+pub type LawKernel = fn(springs: usize, inputs: &[f64], outputs: &mut [f64]);
+
+/// A bearing law: named inputs to named outputs with all first derivatives.
+#[derive(Debug, Clone, Copy)]
+pub struct Law {
+    /// Where it comes from.
+    pub origin: Origin,
+    /// Inputs in kernel order, such as `h`, `h_dot`. Only those that the law uses.
+    pub inputs: &'static [Variable],
+    /// Outputs in kernel order, such as `Q`.
+    pub outputs: &'static [Variable],
+    /// The kernel.
+    pub evaluate: LawKernel,
+}
+
+/// The clearance h of a ring of springs as a function of ring coordinates (shared by the springs:
+/// θ, ε_x, ε_y) and of one spring coordinate (δ, the radial displacement of the bore at the spring's
+/// angle), with everything that follows from it by differentiation. Rows have `springs` values.
+#[derive(Debug, Clone, Copy)]
+pub struct Clearance {
+    /// Where it comes from.
+    pub origin: Origin,
+    /// Values a spring in the table that `prepare` fills.
+    pub table: usize,
+    /// Fills `table` (rows × springs) from the springs' fixed angles ψ in rad. Once a machine.
+    pub prepare: fn(psi: &[f64], table: &mut [f64]),
+    /// h (m) and ḣ (m/s) of every spring.
+    pub clearance: fn(
+        springs: usize,
+        table: &[f64],
+        ring: &Ring,
+        delta: &[f64],
+        delta_dot: &[f64],
+        h: &mut [f64],
+        h_dot: &mut [f64],
+    ),
+    /// Generalised forces Σ_j Q_j ∂h_j/∂(θ, ε_x, ε_y) into `ring_force`, Q_j ∂h_j/∂δ_j into `spring_force`.
+    pub force: fn(
+        springs: usize,
+        table: &[f64],
+        ring: &Ring,
+        delta: &[f64],
+        q: &[f64],
+        ring_force: &mut [f64; 3],
+        spring_force: &mut [f64],
+    ),
+    /// B + a1·P of the springs (PHYSICS: tangent of section 4): derivatives of the generalised forces.
+    pub tangent: fn(
+        springs: usize,
+        table: &[f64],
+        ring: &Ring,
+        delta: &[f64],
+        delta_dot: &[f64],
+        law: &SpringForce,
+        a1: f64,
+        tangent: &mut RingTangent,
+    ),
+    /// The axial interpolation A₁, A₂, A₃ of eq. (13) at z/L_b.
+    pub axial: fn(z_over_length: f64) -> [f64; 3],
+}
+
+/// State of one ring: coordinates in the order θ (rad), ε_x, ε_y (m, body frame), their rates, and c (m).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Ring {
+    /// θ, ε_x, ε_y.
+    pub position: [f64; 3],
+    /// θ̇, ε̇_x, ε̇_y.
+    pub velocity: [f64; 3],
+    /// Radial clearance of the undeformed bearing.
+    pub c: f64,
+}
+
+/// Normal force of every spring of a ring and its derivatives, as a law gives them.
+#[derive(Debug, Clone, Copy)]
+pub struct SpringForce<'a> {
+    /// Q (N).
+    pub q: &'a [f64],
+    /// ∂Q/∂h (N/m).
+    pub dq_dh: &'a [f64],
+    /// ∂Q/∂ḣ (N·s/m).
+    pub dq_dh_dot: &'a [f64],
+}
+
+/// Derivatives of a ring's generalised forces. "ring" stands for (θ, ε_x, ε_y), "spring" for δ_j.
+#[derive(Debug, Clone, Default)]
+pub struct RingTangent {
+    /// ∂(ring force)/∂(ring), row by row.
+    pub ring_ring: [[f64; 3]; 3],
+    /// ∂(ring force i)/∂δ_j: three rows of `springs` values.
+    pub ring_spring: [Vec<f64>; 3],
+    /// ∂(spring force j)/∂(ring coordinate i): three rows of `springs` values.
+    pub spring_ring: [Vec<f64>; 3],
+    /// ∂(spring force j)/∂δ_j.
+    pub spring_spring: Vec<f64>,
+}
+
+impl RingTangent {
+    /// Zeros for a ring of `springs` springs.
+    pub fn new(springs: usize) -> Self {
+        let rows = || [vec![0.0; springs], vec![0.0; springs], vec![0.0; springs]];
+        RingTangent {
+            ring_ring: [[0.0; 3]; 3],
+            ring_spring: rows(),
+            spring_ring: rows(),
+            spring_spring: vec![0.0; springs],
+        }
+    }
+}
+
+/// Shape of a constant tensor of a motion; n is the number of flexible coordinates η.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TensorShape {
+    /// One value.
+    Scalar,
+    /// n values.
+    Vector,
+    /// n × n values, column after column.
+    Matrix,
+}
+
+/// What is known of a tensor under transposition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Symmetry {
+    /// Nothing.
+    None,
+    /// Aᵀ = A.
+    Symmetric,
+    /// Aᵀ = −A.
+    Skew,
+}
+
+/// A constant tensor that a motion takes, such as Ȳ.
+#[derive(Debug, Clone, Copy)]
+pub struct Tensor {
+    /// Name in the spec: `J0`, `y0`, `g0`, `M`, `Y`, `H`.
+    pub name: &'static str,
+    /// Shape.
+    pub shape: TensorShape,
+    /// Symmetry.
+    pub symmetry: Symmetry,
+}
+
+/// The moving state of a shaft: θ and the flexible coordinates η (n values each) with rates.
+#[derive(Debug, Clone, Copy)]
+pub struct MotionState<'a> {
+    /// θ (rad).
+    pub theta: f64,
+    /// θ̇ (rad/s).
+    pub theta_dot: f64,
+    /// θ̈ (rad/s²).
+    pub theta_ddot: f64,
+    /// η.
+    pub eta: &'a [f64],
+    /// η̇.
+    pub eta_dot: &'a [f64],
+    /// η̈.
+    pub eta_ddot: &'a [f64],
+}
+
+/// Writes a vector of 1 + n values (row θ first) or a (1+n) × (1+n) matrix, column after column.
+///
+/// `tensors`: in the order of [`Motion::tensors`]. `workspace`: [`Motion::workspace`] values.
+pub type MotionKernel =
+    fn(tensors: &[&[f64]], state: &MotionState, workspace: &mut [f64], out: &mut [f64]);
+
+/// The rigid rotation θ of a shaft coupled to its flexible coordinates η.
+#[derive(Debug, Clone, Copy)]
+pub struct Motion {
+    /// Where it comes from.
+    pub origin: Origin,
+    /// The constant tensors, in kernel order.
+    pub tensors: &'static [Tensor],
+    /// Length of the workspace for n flexible coordinates.
+    pub workspace: fn(n: usize) -> usize,
+    /// Kinetic energy T (J); absent where a spec declares terms instead of an energy.
+    pub kinetic_energy: Option<fn(tensors: &[&[f64]], state: &MotionState, workspace: &mut [f64]) -> f64>,
+    /// Momenta ∂T/∂q̇ (1 + n); the first is the angular momentum about z. Absent as above.
+    pub momentum: Option<MotionKernel>,
+    /// Q_v − M q̈ (1 + n values).
+    pub inertia_force: MotionKernel,
+    /// Q_v (1 + n values), eq. (27).
+    pub quadratic_velocity: MotionKernel,
+    /// M(q), eq. (31).
+    pub mass: MotionKernel,
+    /// PF = ∂(M q̈)/∂q, eqs. (37), (40).
+    pub pf: MotionKernel,
+    /// B = ∂Q_v/∂q, eqs. (38), (41).
+    pub b: MotionKernel,
+    /// P = ∂Q_v/∂q̇, eqs. (39), (42).
+    pub p: MotionKernel,
+    /// a2·M + PF − a1·P − B, in one pass.
+    pub tangent: fn(
+        tensors: &[&[f64]],
+        state: &MotionState,
+        a1: f64,
+        a2: f64,
+        workspace: &mut [f64],
+        out: &mut [f64],
+    ),
+}

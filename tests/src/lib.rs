@@ -1,0 +1,1 @@
+//! Verification, validation and golden tests across the crates.
