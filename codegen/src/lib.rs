@@ -1,1 +1,3 @@
 //! From spec files to Rust kernels: formulas, derivatives, schedules, emission and tape.
+
+pub mod expression;

@@ -285,7 +285,8 @@ pub struct Motion {
     /// Length of the workspace for n flexible coordinates.
     pub workspace: fn(n: usize) -> usize,
     /// Kinetic energy T (J); absent where a spec declares terms instead of an energy.
-    pub kinetic_energy: Option<fn(tensors: &[&[f64]], state: &MotionState, workspace: &mut [f64]) -> f64>,
+    pub kinetic_energy:
+        Option<fn(tensors: &[&[f64]], state: &MotionState, workspace: &mut [f64]) -> f64>,
     /// Momenta ∂T/∂q̇ (1 + n); the first is the angular momentum about z. Absent as above.
     pub momentum: Option<MotionKernel>,
     /// Q_v − M q̈ (1 + n values).

@@ -1,0 +1,158 @@
+//! Symbolic derivatives.
+
+use std::collections::BTreeMap;
+
+use num_traits::One;
+
+use super::graph::Graph;
+use super::node::{Function, Id, Node, Rational, Shape};
+
+/// Why a derivative has no form that the graph can hold.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum DifferentiateError {
+    /// A derivative that needs the product of two stored matrices.
+    #[error("the derivative needs the product of two matrices; declare that product as a tensor")]
+    MatrixProduct,
+    /// The derivative of a matrix by a vector has three indices.
+    #[error(
+        "the derivative of a matrix by a vector has three indices; write it applied to a vector"
+    )]
+    ThirdOrder,
+}
+
+impl Graph {
+    /// ∂(expression)/∂(symbol). By a scalar the shape stays; a scalar by a vector is its gradient, a
+    /// vector by a vector its Jacobian J[i,j] = ∂a_i/∂x_j.
+    pub fn differentiate(&mut self, expression: Id, symbol: Id) -> Result<Id, DifferentiateError> {
+        let by_vector = self.shape(symbol) == Shape::Vector;
+        let mut derivatives: BTreeMap<Id, Id> = BTreeMap::new();
+        for id in self.reachable(&[expression]) {
+            let derivative = if id == symbol {
+                if by_vector { self.identity() } else { self.integer(1) }
+            } else {
+                self.rule(id, by_vector, &derivatives)?
+            };
+            derivatives.insert(id, derivative);
+        }
+        Ok(derivatives[&expression])
+    }
+
+    /// Shape of the derivative of something of shape `shape`.
+    fn derivative_zero(&mut self, shape: Shape, by_vector: bool) -> Result<Id, DifferentiateError> {
+        Ok(match (shape, by_vector) {
+            (Shape::Scalar, true) => self.zero(Shape::Vector),
+            (Shape::Vector, true) => self.zero(Shape::Matrix),
+            // The derivative of a constant matrix by a vector is only ever used as "nothing".
+            (shape, _) => self.zero(shape),
+        })
+    }
+
+    fn rule(
+        &mut self,
+        id: Id,
+        by_vector: bool,
+        of: &BTreeMap<Id, Id>,
+    ) -> Result<Id, DifferentiateError> {
+        let shape = self.shape(id);
+        let node = self.node(id).clone();
+        let mut constant = true;
+        node.operands(|operand| {
+            let derivative = of[&operand];
+            constant &= self.is_zero(derivative) || self.shape(operand) == Shape::Truth;
+        });
+        if constant {
+            return self.derivative_zero(shape, by_vector);
+        }
+        if shape == Shape::Matrix && by_vector {
+            return Err(DifferentiateError::ThirdOrder);
+        }
+        Ok(match node {
+            Node::Sum(terms) => {
+                let parts: Vec<_> = terms.into_iter().map(|(term, c)| (of[&term], c)).collect();
+                self.sum(&parts)
+            }
+            Node::Product(factors) => {
+                let mut parts = Vec::with_capacity(factors.len());
+                for (place, (base, exponent)) in factors.iter().enumerate() {
+                    if self.is_zero(of[base]) {
+                        continue;
+                    }
+                    let mut rest = factors.clone();
+                    rest[place].1 = exponent - Rational::one();
+                    let rest = self.product(&rest);
+                    parts.push((self.mul(rest, of[base]), exponent.clone()));
+                }
+                self.sum(&parts)
+            }
+            Node::Function(function, a) => {
+                let slope = self.slope(function, a, id);
+                self.mul(slope, of[&a])
+            }
+            Node::Select(mask, a, b) => self.select(mask, of[&a], of[&b]),
+            Node::Scale(scalar, x) => {
+                let rest = self.scale(scalar, of[&x]);
+                let along =
+                    if by_vector { self.outer(x, of[&scalar]) } else { self.scale(of[&scalar], x) };
+                self.add(along, rest)
+            }
+            Node::Dot(a, b) => {
+                let (left, right) = if by_vector {
+                    let (ja, jb) = (self.transpose(of[&a]), self.transpose(of[&b]));
+                    (self.apply(ja, b), self.apply(jb, a))
+                } else {
+                    (self.dot(of[&a], b), self.dot(a, of[&b]))
+                };
+                self.add(left, right)
+            }
+            Node::Apply(matrix, x) if by_vector => {
+                if !self.is_zero(of[&matrix]) {
+                    return Err(DifferentiateError::ThirdOrder);
+                }
+                self.compose(matrix, of[&x]).ok_or(DifferentiateError::MatrixProduct)?
+            }
+            Node::Apply(matrix, x) => {
+                let (left, right) = (self.apply(of[&matrix], x), self.apply(matrix, of[&x]));
+                self.add(left, right)
+            }
+            Node::Transpose(matrix) => self.transpose(of[&matrix]),
+            Node::Outer(a, b) => {
+                let (left, right) = (self.outer(of[&a], b), self.outer(a, of[&b]));
+                self.add(left, right)
+            }
+            other => unreachable!("{other:?} has no operand that varies"),
+        })
+    }
+
+    /// f′(a), with `value` = f(a) reused where it serves.
+    fn slope(&mut self, function: Function, a: Id, value: Id) -> Id {
+        let one = self.integer(1);
+        match function {
+            Function::Exp => value,
+            Function::Ln => self.power(a, -Rational::one()),
+            Function::Sin => self.function(Function::Cos, a),
+            Function::Cos => {
+                let sine = self.function(Function::Sin, a);
+                self.neg(sine)
+            }
+            Function::Tan => {
+                let square = self.power(value, Rational::from_integer(2.into()));
+                self.add(one, square)
+            }
+            Function::Atan => {
+                let square = self.power(a, Rational::from_integer(2.into()));
+                let denominator = self.add(one, square);
+                self.power(denominator, -Rational::one())
+            }
+            Function::Tanh => {
+                let square = self.power(value, Rational::from_integer(2.into()));
+                self.sub(one, square)
+            }
+            Function::Abs => {
+                let zero = self.integer(0);
+                let minus = self.integer(-1);
+                let below = self.compare(super::Relation::Less, a, zero);
+                self.select(below, minus, one)
+            }
+        }
+    }
+}

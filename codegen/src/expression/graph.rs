@@ -1,0 +1,208 @@
+//! The store of nodes.
+
+use std::collections::HashMap;
+
+use num_traits::{One, Zero};
+
+use super::node::{Id, Node, Rational, Shape, Symbol, Symmetry};
+use super::signature::{self, Value};
+
+/// Most bits of a numerator or denominator, and most nodes: a formula that grows past them is refused
+/// ([`Graph::exceeded`]) instead of filling the memory.
+pub(super) const NUMBER_BITS: u64 = 4096;
+const NODES: usize = 2_000_000;
+
+/// A hash-consed expression graph. Nodes are only added; equal nodes are stored once.
+#[derive(Debug, Clone, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    shapes: Vec<Shape>,
+    signatures: Vec<[Value; signature::POINTS]>,
+    index: HashMap<Node, Id>,
+    exceeded: bool,
+}
+
+impl Graph {
+    /// An empty graph.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The node behind an id.
+    pub fn node(&self, id: Id) -> &Node {
+        &self.nodes[id.index()]
+    }
+
+    /// Its shape.
+    pub fn shape(&self, id: Id) -> Shape {
+        self.shapes[id.index()]
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there is no node.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// True once a number or the graph grew past its bounds; what was built since then is meaningless.
+    pub fn exceeded(&self) -> bool {
+        self.exceeded
+    }
+
+    /// Marks the graph as grown past its bounds.
+    pub(super) fn overflow(&mut self) {
+        self.exceeded = true;
+    }
+
+    /// The value of a node at fixed random points; passes that keep the meaning keep it.
+    pub fn signature(&self, id: Id) -> &[Value; signature::POINTS] {
+        &self.signatures[id.index()]
+    }
+
+    /// Whether two nodes agree at the fixed random points, to rounding.
+    pub fn same_signature(&self, a: Id, b: Id) -> bool {
+        signature::agree(self.signature(a), self.signature(b))
+    }
+
+    /// A named quantity. The same name with the same facts is always the same node.
+    pub fn symbol(&mut self, name: &str, shape: Shape, symmetry: Symmetry) -> Id {
+        self.intern(Node::Symbol(Symbol { name: name.to_string(), shape, symmetry }))
+    }
+
+    /// A named scalar.
+    pub fn scalar(&mut self, name: &str) -> Id {
+        self.symbol(name, Shape::Scalar, Symmetry::None)
+    }
+
+    /// A named vector.
+    pub fn vector(&mut self, name: &str) -> Id {
+        self.symbol(name, Shape::Vector, Symmetry::None)
+    }
+
+    /// A named matrix.
+    pub fn matrix(&mut self, name: &str, symmetry: Symmetry) -> Id {
+        self.symbol(name, Shape::Matrix, symmetry)
+    }
+
+    /// An exact number.
+    pub fn number(&mut self, value: Rational) -> Id {
+        if value.numer().bits().max(value.denom().bits()) > NUMBER_BITS {
+            self.exceeded = true;
+            return self.intern(Node::Number(Rational::one()));
+        }
+        self.intern(Node::Number(value))
+    }
+
+    /// A whole number.
+    pub fn integer(&mut self, value: i64) -> Id {
+        self.number(Rational::from_integer(value.into()))
+    }
+
+    /// Zero of a shape.
+    pub fn zero(&mut self, shape: Shape) -> Id {
+        match shape {
+            Shape::Scalar => self.number(Rational::zero()),
+            Shape::Truth => self.intern(Node::Truth(false)),
+            Shape::Vector | Shape::Matrix => self.intern(Node::Zero(shape)),
+        }
+    }
+
+    /// The unit matrix.
+    pub fn identity(&mut self) -> Id {
+        self.intern(Node::Identity)
+    }
+
+    /// The number behind an id, if it is one.
+    pub fn as_number(&self, id: Id) -> Option<&Rational> {
+        match self.node(id) {
+            Node::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether the node is a zero of any shape.
+    pub fn is_zero(&self, id: Id) -> bool {
+        match self.node(id) {
+            Node::Number(value) => value.is_zero(),
+            Node::Zero(_) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether the node is the number 1.
+    pub fn is_one(&self, id: Id) -> bool {
+        self.as_number(id).is_some_and(One::is_one)
+    }
+
+    /// Whether `id` depends on `symbol`.
+    pub fn depends(&self, id: Id, symbol: Id) -> bool {
+        let mut seen = vec![false; id.index() + 1];
+        let mut stack = vec![id];
+        while let Some(next) = stack.pop() {
+            if next == symbol {
+                return true;
+            }
+            if next < symbol || std::mem::replace(&mut seen[next.index()], true) {
+                continue;
+            }
+            self.node(next).operands(|operand| stack.push(operand));
+        }
+        false
+    }
+
+    /// All nodes that `roots` need, operands before users.
+    pub fn reachable(&self, roots: &[Id]) -> Vec<Id> {
+        let Some(last) = roots.iter().max() else {
+            return Vec::new();
+        };
+        let mut needed = vec![false; last.index() + 1];
+        roots.iter().for_each(|root| needed[root.index()] = true);
+        for place in (0..needed.len()).rev() {
+            if needed[place] {
+                self.nodes[place].operands(|operand| needed[operand.index()] = true);
+            }
+        }
+        (0..needed.len()).filter(|&place| needed[place]).map(|place| Id(place as u32)).collect()
+    }
+
+    /// Stores a node that is already in canonical form.
+    pub(super) fn intern(&mut self, node: Node) -> Id {
+        if let Some(id) = self.index.get(&node) {
+            return *id;
+        }
+        if self.nodes.len() >= NODES {
+            self.exceeded = true;
+            return Id(0);
+        }
+        let shape = self.shape_of(&node);
+        let id = Id(self.nodes.len() as u32);
+        let values = signature::evaluate(&node, |operand| &self.signatures[operand.index()]);
+        self.signatures.push(values);
+        self.shapes.push(shape);
+        self.nodes.push(node.clone());
+        self.index.insert(node, id);
+        id
+    }
+
+    fn shape_of(&self, node: &Node) -> Shape {
+        match node {
+            Node::Number(_) | Node::Product(_) | Node::Function(..) | Node::Dot(..) => {
+                Shape::Scalar
+            }
+            Node::Zero(shape) => *shape,
+            Node::Identity | Node::Transpose(_) | Node::Outer(..) => Shape::Matrix,
+            Node::Symbol(symbol) => symbol.shape,
+            Node::Sum(terms) => self.shape(terms[0].0),
+            Node::Compare(..) | Node::Truth(_) | Node::And(..) | Node::Or(..) | Node::Not(_) => {
+                Shape::Truth
+            }
+            Node::Select(_, a, _) => self.shape(*a),
+            Node::Scale(_, x) => self.shape(*x),
+            Node::Apply(..) => Shape::Vector,
+        }
+    }
+}

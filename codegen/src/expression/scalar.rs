@@ -1,0 +1,303 @@
+//! Constructors of sums (of any shape), products, functions and choices, in canonical form.
+
+use std::collections::BTreeMap;
+
+use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
+
+use super::graph::{Graph, NUMBER_BITS};
+use super::node::{Function, Id, Node, Rational, Relation, Shape};
+
+impl Graph {
+    /// Σ coefficient·term; the terms have one shape and there is at least one.
+    pub fn sum(&mut self, terms: &[(Id, Rational)]) -> Id {
+        let shape = self.shape(terms[0].0);
+        let one = self.integer(1);
+        let mut parts: BTreeMap<Id, Rational> = BTreeMap::new();
+        let mut gather = |id: Id, coefficient: Rational| {
+            *parts.entry(id).or_insert_with(Rational::zero) += coefficient;
+        };
+        for (id, coefficient) in terms {
+            debug_assert_eq!(self.shape(*id), shape);
+            match self.node(*id) {
+                Node::Number(value) => gather(one, coefficient * value),
+                Node::Zero(_) => {}
+                Node::Sum(inner) => {
+                    inner.iter().for_each(|(id, c)| gather(*id, coefficient * c));
+                }
+                _ => gather(*id, coefficient.clone()),
+            }
+        }
+        parts.retain(|_, coefficient| !coefficient.is_zero());
+        match parts.len() {
+            0 => self.zero(shape),
+            1 => {
+                let (id, coefficient) = parts.pop_first().expect("one part");
+                if id == one {
+                    self.number(coefficient)
+                } else if coefficient.is_one() {
+                    id
+                } else {
+                    self.bounded_sum(vec![(id, coefficient)])
+                }
+            }
+            _ => self.bounded_sum(parts.into_iter().collect()),
+        }
+    }
+
+    fn bounded_sum(&mut self, terms: Vec<(Id, Rational)>) -> Id {
+        // Passing each coefficient through `number` applies the bound on its size.
+        terms.iter().for_each(|(_, coefficient)| {
+            self.number(coefficient.clone());
+        });
+        self.intern(Node::Sum(terms))
+    }
+
+    /// a + b, of one shape.
+    pub fn add(&mut self, a: Id, b: Id) -> Id {
+        self.sum(&[(a, Rational::one()), (b, Rational::one())])
+    }
+
+    /// a − b, of one shape.
+    pub fn sub(&mut self, a: Id, b: Id) -> Id {
+        self.sum(&[(a, Rational::one()), (b, -Rational::one())])
+    }
+
+    /// −a, of any shape.
+    pub fn neg(&mut self, a: Id) -> Id {
+        self.times(-Rational::one(), a)
+    }
+
+    /// coefficient · a, of any shape.
+    pub fn times(&mut self, coefficient: Rational, a: Id) -> Id {
+        self.sum(&[(a, coefficient)])
+    }
+
+    /// The terms of a sum, or the node itself once.
+    pub fn terms(&self, id: Id) -> Vec<(Id, Rational)> {
+        match self.node(id) {
+            Node::Sum(terms) => terms.clone(),
+            _ => vec![(id, Rational::one())],
+        }
+    }
+
+    /// coefficient and rest of a single-term sum; (1, node) of anything else.
+    pub(super) fn split_coefficient(&self, id: Id) -> (Rational, Id) {
+        match self.node(id) {
+            Node::Sum(terms) if terms.len() == 1 => (terms[0].1.clone(), terms[0].0),
+            _ => (Rational::one(), id),
+        }
+    }
+
+    /// Π base^exponent of scalars.
+    pub fn product(&mut self, factors: &[(Id, Rational)]) -> Id {
+        let mut coefficient = Rational::one();
+        let mut parts: BTreeMap<Id, Rational> = BTreeMap::new();
+        let mut open: Vec<(Id, Rational)> = factors.to_vec();
+        // A base can fall apart (products, numbers) once its exponent becomes whole by merging.
+        while !open.is_empty() {
+            for (base, exponent) in open.drain(..) {
+                *parts.entry(base).or_insert_with(Rational::zero) += exponent;
+            }
+            parts.retain(|_, exponent| !exponent.is_zero());
+            let splitting: Vec<Id> = parts
+                .iter()
+                .filter(|(base, exponent)| self.falls_apart(**base, exponent))
+                .map(|(base, _)| *base)
+                .collect();
+            for base in splitting {
+                let exponent = parts.remove(&base).expect("just listed");
+                match self.node(base).clone() {
+                    Node::Number(value) => match self.number_power(&value, &exponent) {
+                        Some(power) => coefficient *= power,
+                        None => {
+                            self.overflow();
+                            return self.integer(1);
+                        }
+                    },
+                    Node::Product(inner) => {
+                        open.extend(inner.into_iter().map(|(b, e)| (b, e * &exponent)));
+                    }
+                    Node::Sum(terms) => {
+                        let (term, factor) = terms.into_iter().next().expect("a single term");
+                        let factor = self.number(factor);
+                        open.push((factor, exponent.clone()));
+                        open.push((term, exponent));
+                    }
+                    _ => unreachable!("only numbers, products and single-term sums fall apart"),
+                }
+            }
+        }
+        let product = match parts.len() {
+            0 => return self.number(coefficient),
+            1 if parts.values().all(One::is_one) => *parts.keys().next().expect("one part"),
+            _ => self.intern(Node::Product(parts.into_iter().collect())),
+        };
+        self.times(coefficient, product)
+    }
+
+    fn falls_apart(&self, base: Id, exponent: &Rational) -> bool {
+        match self.node(base) {
+            Node::Number(value) => {
+                if exponent.is_integer() {
+                    !(value.is_zero() && exponent.is_negative())
+                } else {
+                    value.is_one() || is_half(exponent) && root(value).is_some()
+                }
+            }
+            Node::Product(_) => exponent.is_integer(),
+            Node::Sum(terms) => {
+                terms.len() == 1 && (exponent.is_integer() || terms[0].1.is_positive())
+            }
+            _ => false,
+        }
+    }
+
+    /// value^exponent where it is exact; `None` past the bounds.
+    fn number_power(&self, value: &Rational, exponent: &Rational) -> Option<Rational> {
+        if value.is_one() {
+            return Some(Rational::one());
+        }
+        let (value, exponent) = if exponent.is_integer() {
+            (value.clone(), exponent.to_integer().to_i32()?)
+        } else {
+            (root(value)?, (exponent * Rational::from_integer(2.into())).to_integer().to_i32()?)
+        };
+        let bits = value.numer().bits().max(value.denom().bits());
+        if bits.saturating_mul(u64::from(exponent.unsigned_abs())) > 2 * NUMBER_BITS {
+            return None;
+        }
+        Some(value.pow(exponent))
+    }
+
+    /// baseᵉ of a scalar.
+    pub fn power(&mut self, base: Id, exponent: Rational) -> Id {
+        self.product(&[(base, exponent)])
+    }
+
+    /// √a of a scalar.
+    pub fn sqrt(&mut self, a: Id) -> Id {
+        self.power(a, Rational::new(1.into(), 2.into()))
+    }
+
+    /// a·b: scalar with anything, or matrix with vector.
+    pub fn mul(&mut self, a: Id, b: Id) -> Id {
+        match (self.shape(a), self.shape(b)) {
+            (Shape::Scalar, Shape::Scalar) => {
+                self.product(&[(a, Rational::one()), (b, Rational::one())])
+            }
+            (Shape::Scalar, _) => self.scale(a, b),
+            (_, Shape::Scalar) => self.scale(b, a),
+            (Shape::Matrix, Shape::Vector) => self.apply(a, b),
+            shapes => panic!("no product of {shapes:?}"),
+        }
+    }
+
+    /// a/b for a scalar b.
+    pub fn div(&mut self, a: Id, b: Id) -> Id {
+        let inverse = self.power(b, -Rational::one());
+        self.mul(inverse, a)
+    }
+
+    /// A function of a scalar.
+    pub fn function(&mut self, function: Function, a: Id) -> Id {
+        if let Some(value) = self.as_number(a).cloned() {
+            match function {
+                Function::Abs => return self.number(value.abs()),
+                Function::Exp | Function::Cos if value.is_zero() => return self.integer(1),
+                Function::Sin | Function::Tan | Function::Atan | Function::Tanh
+                    if value.is_zero() =>
+                {
+                    return self.integer(0);
+                }
+                Function::Ln if value.is_one() => return self.integer(0),
+                _ => {}
+            }
+        }
+        let negative = match self.node(a) {
+            Node::Number(value) => value.is_negative(),
+            Node::Sum(terms) => terms.len() == 1 && terms[0].1.is_negative(),
+            _ => false,
+        };
+        match function {
+            Function::Sin | Function::Tan | Function::Atan | Function::Tanh if negative => {
+                let positive = self.neg(a);
+                let value = self.intern(Node::Function(function, positive));
+                self.neg(value)
+            }
+            Function::Cos | Function::Abs if negative => {
+                let positive = self.neg(a);
+                self.intern(Node::Function(function, positive))
+            }
+            _ => self.intern(Node::Function(function, a)),
+        }
+    }
+
+    /// A comparison of scalars.
+    pub fn compare(&mut self, relation: Relation, a: Id, b: Id) -> Id {
+        let known = match (self.as_number(a), self.as_number(b)) {
+            (Some(a), Some(b)) => Some(match relation {
+                Relation::Less => a < b,
+                Relation::LessOrEqual => a <= b,
+            }),
+            _ if a == b => Some(relation == Relation::LessOrEqual),
+            _ => None,
+        };
+        match known {
+            Some(value) => self.intern(Node::Truth(value)),
+            None => self.intern(Node::Compare(relation, a, b)),
+        }
+    }
+
+    /// Both.
+    pub fn and(&mut self, a: Id, b: Id) -> Id {
+        match (self.node(a), self.node(b)) {
+            (Node::Truth(false), _) | (_, Node::Truth(true)) => a,
+            (_, Node::Truth(false)) | (Node::Truth(true), _) => b,
+            _ if a == b => a,
+            _ => self.intern(Node::And(a.min(b), a.max(b))),
+        }
+    }
+
+    /// Either.
+    pub fn or(&mut self, a: Id, b: Id) -> Id {
+        match (self.node(a), self.node(b)) {
+            (Node::Truth(true), _) | (_, Node::Truth(false)) => a,
+            (_, Node::Truth(true)) | (Node::Truth(false), _) => b,
+            _ if a == b => a,
+            _ => self.intern(Node::Or(a.min(b), a.max(b))),
+        }
+    }
+
+    /// Negation.
+    pub fn not(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Truth(value) => self.intern(Node::Truth(!value)),
+            Node::Not(inner) => inner,
+            _ => self.intern(Node::Not(a)),
+        }
+    }
+
+    /// `a` where `mask` holds, else `b`.
+    pub fn select(&mut self, mask: Id, a: Id, b: Id) -> Id {
+        match *self.node(mask) {
+            Node::Truth(value) => return if value { a } else { b },
+            Node::Not(inner) => return self.select(inner, b, a),
+            _ => {}
+        }
+        if a == b { a } else { self.intern(Node::Select(mask, a, b)) }
+    }
+}
+
+fn is_half(exponent: &Rational) -> bool {
+    *exponent.denom() == 2.into()
+}
+
+/// √value where it is rational.
+fn root(value: &Rational) -> Option<Rational> {
+    if value.is_negative() {
+        return None;
+    }
+    let (numer, denom) = (value.numer().sqrt(), value.denom().sqrt());
+    (&numer * &numer == *value.numer() && &denom * &denom == *value.denom())
+        .then(|| Rational::new(numer, denom))
+}
