@@ -1,1 +1,3 @@
 //! From meshes and kernels to histories: assembly, reduction, Newmark–Newton.
+
+pub mod linalg;

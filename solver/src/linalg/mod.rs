@@ -1,0 +1,73 @@
+//! Linear algebra in concrete `f64`, column-major. The only module that names faer.
+//!
+//! Everything runs on one thread: at the sizes of a step (n ≈ 230) threads inside one solve cost more
+//! than they give, and independent cases run side by side instead.
+
+mod cholesky;
+mod eigen;
+mod lu;
+mod matrix;
+mod product;
+
+pub use cholesky::Cholesky;
+pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
+pub use lu::Lu;
+pub use matrix::{Columns, Matrix};
+pub use product::{congruence, multiply, multiply_add, transpose_multiply};
+
+use faer::{MatMut, MatRef};
+
+/// Why a factorisation or a decomposition was refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LinearAlgebraError {
+    /// A pivot of an LU factorisation is zero or not finite.
+    #[error(
+        "the matrix is singular or holds a value that is not finite: pivot {pivot:e} in column {column} of {size}"
+    )]
+    Singular {
+        /// Column (after elimination of those before it) whose pivot failed.
+        column: usize,
+        /// The pivot.
+        pivot: f64,
+        /// Rows of the matrix.
+        size: usize,
+    },
+    /// A symmetric matrix has a pivot that is not positive.
+    #[error(
+        "the matrix is not positive definite: the pivot of row {row} of {size} is not positive"
+    )]
+    NotPositiveDefinite {
+        /// Row, in the caller's numbering, at which the factorisation stopped.
+        row: usize,
+        /// Rows of the matrix.
+        size: usize,
+    },
+    /// A factor would need more memory than allowed.
+    #[error(
+        "the factor of the sparse matrix ({size} rows) needs {bytes} bytes, the limit is {limit}"
+    )]
+    TooLarge {
+        /// Rows of the matrix.
+        size: usize,
+        /// Bytes of the factor's values.
+        bytes: usize,
+        /// Bytes allowed.
+        limit: usize,
+    },
+    /// An iteration for eigenvalues did not converge, which happens when the matrix is not finite.
+    #[error(
+        "the eigenvalues of a {size} × {size} matrix were not found; does it hold a value that is not finite?"
+    )]
+    NoConvergence {
+        /// Rows of the matrix.
+        size: usize,
+    },
+}
+
+fn view(rows: usize, cols: usize, data: &[f64]) -> MatRef<'_, f64> {
+    MatRef::from_column_major_slice(data, rows, cols)
+}
+
+fn view_mut(rows: usize, cols: usize, data: &mut [f64]) -> MatMut<'_, f64> {
+    MatMut::from_column_major_slice_mut(data, rows, cols)
+}

@@ -1,0 +1,42 @@
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Par};
+
+use super::{Columns, Matrix, view, view_mut};
+
+/// A·B.
+pub fn multiply(a: Columns, b: Columns) -> Matrix {
+    let mut c = Matrix::zeros(a.rows, b.cols);
+    multiply_add(&mut c.data, 1.0, a, b);
+    c
+}
+
+/// C += α·A·B, with C (a.rows × b.cols) as a column-major slice.
+pub fn multiply_add(c: &mut [f64], alpha: f64, a: Columns, b: Columns) {
+    matmul(
+        view_mut(a.rows, b.cols, c),
+        Accum::Add,
+        view(a.rows, a.cols, a.data),
+        view(b.rows, b.cols, b.data),
+        alpha,
+        Par::Seq,
+    );
+}
+
+/// Aᵀ·B.
+pub fn transpose_multiply(a: Columns, b: Columns) -> Matrix {
+    let mut c = Matrix::zeros(a.cols, b.cols);
+    matmul(
+        view_mut(a.cols, b.cols, &mut c.data),
+        Accum::Replace,
+        view(a.rows, a.cols, a.data).transpose(),
+        view(b.rows, b.cols, b.data),
+        1.0,
+        Par::Seq,
+    );
+    c
+}
+
+/// TᵀAT.
+pub fn congruence(a: &Matrix, t: &Matrix) -> Matrix {
+    transpose_multiply(t.view(), multiply(a.view(), t.view()).view())
+}
