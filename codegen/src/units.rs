@@ -1,0 +1,268 @@
+//! Units and quantities: exact factors to SI, dimensions, and errors that name what was meant.
+
+mod dimension;
+mod factor;
+mod read;
+
+use std::ops::Range;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+pub use dimension::{Dimension, Exponent};
+pub use factor::Factor;
+
+use crate::diagnostic::{Code, Diagnostic, Source};
+use std::sync::Arc;
+
+/// What is wrong with a unit or a quantity, and where in its text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnitError {
+    /// Byte range in the text that was parsed.
+    pub span: Range<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// How to mend it.
+    pub help: Option<String>,
+    /// [`Code::UNKNOWN_UNIT`], [`Code::WRONG_UNIT`] or [`Code::BAD_VALUE`].
+    pub code: Code,
+}
+
+impl UnitError {
+    /// The same error in a file where the parsed text starts at byte `start`.
+    pub fn at(self, source: &Arc<Source>, start: usize) -> Diagnostic {
+        let span = start + self.span.start..start + self.span.end;
+        Diagnostic::new(source, self.code, span, self.message).maybe_help(self.help)
+    }
+}
+
+/// A unit such as `N/mm`: an exact factor to SI, and a dimension.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unit {
+    text: String,
+    factor: Factor,
+    dimension: Dimension,
+}
+
+impl Unit {
+    /// Reads a unit: names joined by `*` and `/`, with powers, such as `N*s/mm`, `kg/m^3`, `N/mm^1.5`,
+    /// `1/s` or `1`.
+    ///
+    /// # Errors
+    /// An unknown name (with the nearest known one), or text that is no unit.
+    pub fn parse(text: &str) -> Result<Self, UnitError> {
+        let (factor, dimension) = read::unit(text, 0)?;
+        Ok(Unit {
+            text: text.trim().to_owned(),
+            factor,
+            dimension,
+        })
+    }
+
+    /// The unit as it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// One of this unit in SI units.
+    pub fn factor(&self) -> &Factor {
+        &self.factor
+    }
+
+    /// What it measures.
+    pub fn dimension(&self) -> &Dimension {
+        &self.dimension
+    }
+
+    /// A value in this unit as a value in SI units, rounded once where the factor is rational.
+    pub fn to_si(&self, value: f64) -> f64 {
+        match (self.factor.to_rational(), BigRational::from_float(value)) {
+            (Some(factor), Some(value)) => nearest(&(value * factor)),
+            _ => value * self.factor.to_f64(),
+        }
+    }
+}
+
+impl std::fmt::Display for Unit {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// A number with a unit, such as `1404 mm`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    text: String,
+    si: f64,
+    dimension: Dimension,
+}
+
+impl Quantity {
+    /// Reads a number followed by a unit; a number alone has the unit `1`.
+    ///
+    /// # Errors
+    /// No number at the start, a number too large, or a unit that is not known.
+    pub fn parse(text: &str) -> Result<Self, UnitError> {
+        let (value, rest) = read::number(text)?;
+        let (factor, dimension) = if text[rest..].trim().is_empty() {
+            (Factor::one(), Dimension::NUMBER)
+        } else {
+            read::unit(&text[rest..], rest)?
+        };
+        let si = match factor.to_rational() {
+            Some(factor) => nearest(&(value * factor)),
+            None => nearest(&value) * factor.to_f64(),
+        };
+        if !si.is_finite() {
+            return Err(UnitError {
+                span: 0..text.len(),
+                message: "the number is too large".to_owned(),
+                help: None,
+                code: Code::BAD_VALUE,
+            });
+        }
+        Ok(Quantity {
+            text: text.trim().to_owned(),
+            si,
+            dimension,
+        })
+    }
+
+    /// The value in SI units (rad for angles, rad/s for rotation).
+    pub fn si(&self) -> f64 {
+        self.si
+    }
+
+    /// What it measures.
+    pub fn dimension(&self) -> &Dimension {
+        &self.dimension
+    }
+
+    /// The value in SI units if this measures what is wanted.
+    ///
+    /// # Errors
+    /// [`Code::WRONG_UNIT`], such as "expected a length, such as `1 mm`, found a force".
+    pub fn expect(&self, wanted: &Dimension) -> Result<f64, UnitError> {
+        if self.dimension.fits(wanted) {
+            return Ok(self.si);
+        }
+        let message = if self.dimension == Dimension::NUMBER && !self.has_unit() {
+            format!("expected {wanted}, but `{}` has no unit", self.text)
+        } else {
+            format!("expected {wanted}, but `{}` is {}", self.text, self.dimension)
+        };
+        Err(UnitError {
+            span: 0..self.text.len(),
+            message,
+            help: wanted.example().map(|e| format!("write for example `{e}`")),
+            code: Code::WRONG_UNIT,
+        })
+    }
+
+    fn has_unit(&self) -> bool {
+        self.text.contains(char::is_whitespace) || self.text.ends_with(char::is_alphabetic)
+    }
+}
+
+/// The f64 nearest to a rational; infinite beyond the range of f64.
+pub(crate) fn nearest(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn si(text: &str) -> f64 {
+        Quantity::parse(text).unwrap().si()
+    }
+
+    #[test]
+    fn quantities_are_rounded_once() {
+        assert_eq!(si("1404 mm"), 1.404);
+        assert_eq!(si("34.035687 mm"), 0.034035687);
+        assert_eq!(si("0.1mm"), 1e-4);
+        assert_eq!(si("7860 kg/m^3"), 7860.0);
+        assert_eq!(si("200 GPa"), 2e11);
+        assert_eq!(si("-7.4e-5 s"), -7.4e-5);
+        assert_eq!(si("12 um"), 12e-6);
+        assert_eq!(si("12 µm"), 12e-6);
+        assert_eq!(si("12 μm"), 12e-6);
+        assert_eq!(si("1e4 N/mm"), 1e7);
+        assert_eq!(si("1 N*s/mm"), 1e3);
+        assert_eq!(si("0.3"), 0.3);
+        assert_eq!(si("3 1/s"), 3.0);
+    }
+
+    #[test]
+    fn angles_carry_pi() {
+        use std::f64::consts::PI;
+        assert_eq!(si("180 deg"), PI);
+        assert!((si("4500 rpm") - 150.0 * PI).abs() <= 1e-15 * 150.0 * PI);
+        assert_eq!(Unit::parse("rpm").unwrap().factor().to_rational(), None);
+    }
+
+    #[test]
+    fn fractional_powers_have_factors() {
+        let hertz = Unit::parse("N/mm^1.5").unwrap();
+        let expected = 1e3f64.powf(1.5);
+        assert!((hertz.factor().to_f64() - expected).abs() < 1e-9 * expected);
+        let squared = hertz.factor().times(hertz.factor());
+        assert_eq!(squared.to_f64(), 1e9);
+    }
+
+    #[test]
+    fn the_wanted_dimension_is_named() {
+        let force = Quantity::parse("3 N").unwrap();
+        let error = force.expect(&Dimension::LENGTH).unwrap_err();
+        assert_eq!(error.message, "expected a length, but `3 N` is a force");
+        assert_eq!(error.help.unwrap(), "write for example `1 mm`");
+        let bare = Quantity::parse("7860").unwrap();
+        let error = bare.expect(&Dimension::DENSITY).unwrap_err();
+        assert_eq!(error.message, "expected a density, but `7860` has no unit");
+        assert_eq!(force.expect(&Dimension::FORCE), Ok(3.0));
+        let odd = Quantity::parse("3 m^2*s").unwrap();
+        let error = odd.expect(&Dimension::FORCE).unwrap_err();
+        assert_eq!(error.message, "expected a force, but `3 m^2*s` is a quantity in m^2*s");
+    }
+
+    #[test]
+    fn rotation_and_frequency_are_not_mixed_up() {
+        let speed = Quantity::parse("4500 rpm").unwrap();
+        assert!(speed.expect(&Dimension::ANGULAR_SPEED).is_ok());
+        assert_eq!(
+            speed.expect(&Dimension::FREQUENCY).unwrap_err().message,
+            "expected a frequency, but `4500 rpm` is an angular speed"
+        );
+        let torque = Quantity::parse("3 N*m/rad").unwrap();
+        assert!(torque.expect(&Dimension::TORQUE).is_ok());
+    }
+
+    #[test]
+    fn errors_name_the_unit_and_the_nearest_known() {
+        let error = Quantity::parse("12 N/milimeter").unwrap_err();
+        assert_eq!(error.message, "unknown unit `milimeter`");
+        assert_eq!(error.span, 5..14);
+        let error = Unit::parse("Gpa").unwrap_err();
+        assert_eq!(error.message, "unknown unit `Gpa`");
+        assert_eq!(error.help.unwrap(), "did you mean `GPa`?");
+        for (text, message) in [
+            ("", "expected a number"),
+            ("mm", "expected a number"),
+            ("1 mm^", "expected a power after `^`, such as `^2` or `^1.5`"),
+            ("1 mm^99", "a power of a unit is at most 12"),
+            ("1 N/", "expected a unit"),
+            ("1 N//m", "expected a unit"),
+            ("1 N m", "expected `*`, `/` or the end of the unit"),
+            ("1e999 mm", "the number is too large or too long"),
+            ("1e308 km", "the number is too large"),
+        ] {
+            assert_eq!(Quantity::parse(text).unwrap_err().message, message, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_value_is_converted() {
+        assert_eq!(Unit::parse("mm").unwrap().to_si(0.1), 1e-4);
+    }
+}

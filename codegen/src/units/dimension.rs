@@ -1,0 +1,231 @@
+//! What a quantity measures: exponents of the SI base quantities, and of the angle.
+
+use std::fmt;
+
+use num_rational::Ratio;
+use num_traits::{One, Zero};
+
+/// An exponent of a unit: rational, as in N/mm^1.5.
+pub type Exponent = Ratio<i32>;
+
+const fn exponent(n: i32) -> Exponent {
+    Exponent::new_raw(n, 1)
+}
+
+/// Exponents of m, kg, s, K and rad. The angle is a number in SI; it is kept to tell rotation from
+/// frequency, and ignored wherever other dimensions stand beside it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Dimension {
+    exponents: [Exponent; 5],
+}
+
+/// Number of base quantities without the angle.
+pub(crate) const BASES: usize = 4;
+const ANGLE: usize = 4;
+const BASE_NAMES: [&str; 5] = ["m", "kg", "s", "K", "rad"];
+
+impl Dimension {
+    /// A pure number.
+    pub const NUMBER: Dimension = Dimension::of(0, 0, 0);
+    /// m.
+    pub const LENGTH: Dimension = Dimension::of(1, 0, 0);
+    /// m².
+    pub const AREA: Dimension = Dimension::of(2, 0, 0);
+    /// kg.
+    pub const MASS: Dimension = Dimension::of(0, 1, 0);
+    /// s.
+    pub const TIME: Dimension = Dimension::of(0, 0, 1);
+    /// K.
+    pub const TEMPERATURE: Dimension = Dimension::of(0, 0, 0).with(3, 1);
+    /// rad.
+    pub const ANGLE: Dimension = Dimension::of(0, 0, 0).with(ANGLE, 1);
+    /// rad/s.
+    pub const ANGULAR_SPEED: Dimension = Dimension::of(0, 0, -1).with(ANGLE, 1);
+    /// Hz.
+    pub const FREQUENCY: Dimension = Dimension::of(0, 0, -1);
+    /// m/s.
+    pub const SPEED: Dimension = Dimension::of(1, 0, -1);
+    /// m/s².
+    pub const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
+    /// N.
+    pub const FORCE: Dimension = Dimension::of(1, 1, -2);
+    /// N·m.
+    pub const TORQUE: Dimension = Dimension::of(2, 1, -2);
+    /// N/m.
+    pub const STIFFNESS: Dimension = Dimension::of(0, 1, -2);
+    /// N·s/m.
+    pub const DAMPING: Dimension = Dimension::of(0, 1, -1);
+    /// Pa.
+    pub const PRESSURE: Dimension = Dimension::of(-1, 1, -2);
+    /// Pa·s.
+    pub const VISCOSITY: Dimension = Dimension::of(-1, 1, -1);
+    /// kg/m³.
+    pub const DENSITY: Dimension = Dimension::of(-3, 1, 0);
+    /// kg·m².
+    pub const INERTIA: Dimension = Dimension::of(2, 1, 0);
+
+    const fn of(length: i32, mass: i32, time: i32) -> Self {
+        Dimension {
+            exponents: [
+                exponent(length),
+                exponent(mass),
+                exponent(time),
+                exponent(0),
+                exponent(0),
+            ],
+        }
+    }
+
+    const fn with(mut self, base: usize, n: i32) -> Self {
+        self.exponents[base] = exponent(n);
+        self
+    }
+
+    /// The exponents of m, kg, s and K.
+    pub(crate) fn bases(&self) -> [Exponent; BASES] {
+        std::array::from_fn(|base| self.exponents[base])
+    }
+
+    /// Of a product.
+    pub fn times(&self, other: &Dimension) -> Dimension {
+        let exponents = std::array::from_fn(|i| self.exponents[i] + other.exponents[i]);
+        Dimension { exponents }
+    }
+
+    /// Of a quotient.
+    pub fn over(&self, other: &Dimension) -> Dimension {
+        let exponents = std::array::from_fn(|i| self.exponents[i] - other.exponents[i]);
+        Dimension { exponents }
+    }
+
+    /// Of a power.
+    pub fn power(&self, exponent: Exponent) -> Dimension {
+        Dimension {
+            exponents: self.exponents.map(|e| e * exponent),
+        }
+    }
+
+    /// Whether the largest exponent and denominator are small enough to go on computing with.
+    pub fn is_sane(&self) -> bool {
+        const LARGEST: i32 = 1000;
+        let small = |e: &Exponent| e.numer().abs() <= LARGEST && *e.denom() <= LARGEST;
+        self.exponents.iter().all(small)
+    }
+
+    /// The same dimension with angles as pure numbers, as formulas see it.
+    pub fn without_angle(&self) -> Dimension {
+        self.with(ANGLE, 0)
+    }
+
+    /// Whether a quantity of this dimension may stand where `wanted` is expected: equal, where angles
+    /// count only if nothing but time stands beside them (rpm is not Hz, but N·m/rad is N·m).
+    pub fn fits(&self, wanted: &Dimension) -> bool {
+        let rotation = [0, 1, 3].iter().all(|&base| self.exponents[base].is_zero());
+        if rotation {
+            self == wanted
+        } else {
+            self.without_angle() == wanted.without_angle()
+        }
+    }
+
+    fn known(&self) -> Option<(&'static str, &'static str)> {
+        KNOWN
+            .iter()
+            .find(|(dimension, _, _)| dimension == self)
+            .or_else(|| KNOWN.iter().find(|(d, _, _)| *d == self.without_angle()))
+            .map(|(_, name, example)| (*name, *example))
+    }
+
+    /// A quantity of this dimension, such as `1 mm` for a length.
+    pub fn example(&self) -> Option<String> {
+        self.known().map(|(_, example)| example.to_owned())
+    }
+
+    /// SI unit of this dimension, such as `kg/m^3`; `1` for a number.
+    pub fn si_unit(&self) -> String {
+        if let Some((_, symbol)) = SYMBOLS.iter().find(|(dimension, _)| dimension == self) {
+            return (*symbol).to_owned();
+        }
+        let part = |sign: i32| -> Vec<String> {
+            let wanted = |e: &Exponent| e.numer().signum() == sign;
+            (BASE_NAMES.iter().zip(self.exponents))
+                .filter(|(_, e)| wanted(e))
+                .map(|(name, e)| match e * sign {
+                    e if e.is_one() => (*name).to_owned(),
+                    e if e.is_integer() => format!("{name}^{e}"),
+                    e => format!("{name}^({e})"),
+                })
+                .collect()
+        };
+        let (above, below) = (part(1), part(-1));
+        let mut text = if above.is_empty() {
+            "1".to_owned()
+        } else {
+            above.join("*")
+        };
+        for unit in below {
+            text.push('/');
+            text.push_str(&unit);
+        }
+        text
+    }
+}
+
+/// With an article: "a length", "an angular speed", "a quantity in m^2*s".
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.known() {
+            Some((name, _)) => f.write_str(name),
+            None => write!(f, "a quantity in {}", self.si_unit()),
+        }
+    }
+}
+
+const KNOWN: &[(Dimension, &str, &str)] = &[
+    (Dimension::NUMBER, "a number without unit", "0.3"),
+    (Dimension::LENGTH, "a length", "1 mm"),
+    (Dimension::AREA, "an area", "1 mm^2"),
+    (Dimension::MASS, "a mass", "1 kg"),
+    (Dimension::TIME, "a time", "1 ms"),
+    (Dimension::TEMPERATURE, "a temperature", "293 K"),
+    (Dimension::ANGLE, "an angle", "30 deg"),
+    (Dimension::ANGULAR_SPEED, "an angular speed", "4500 rpm"),
+    (Dimension::FREQUENCY, "a frequency", "50 Hz"),
+    (Dimension::SPEED, "a speed", "1 m/s"),
+    (Dimension::ACCELERATION, "an acceleration", "9.81 m/s^2"),
+    (Dimension::FORCE, "a force", "1000 N"),
+    (Dimension::TORQUE, "a torque", "109 N*m"),
+    (Dimension::STIFFNESS, "a stiffness", "1e8 N/m"),
+    (Dimension::DAMPING, "a damping", "100 N*s/m"),
+    (Dimension::PRESSURE, "a pressure", "200 GPa"),
+    (Dimension::VISCOSITY, "a viscosity", "0.02 Pa*s"),
+    (Dimension::DENSITY, "a density", "7860 kg/m^3"),
+    (Dimension::INERTIA, "a moment of inertia", "1 kg*m^2"),
+];
+
+const SYMBOLS: &[(Dimension, &str)] = &[
+    (Dimension::FREQUENCY, "1/s"),
+    (Dimension::FORCE, "N"),
+    (Dimension::TORQUE, "N*m"),
+    (Dimension::STIFFNESS, "N/m"),
+    (Dimension::DAMPING, "N*s/m"),
+    (Dimension::PRESSURE, "Pa"),
+    (Dimension::VISCOSITY, "Pa*s"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_spelt_so_that_they_can_be_read_back() {
+        let half = Exponent::new(3, 2);
+        let hertz = Dimension::FORCE.over(&Dimension::LENGTH.power(half));
+        assert_eq!(hertz.si_unit(), "kg/m^(1/2)/s^2");
+        for dimension in [hertz, Dimension::DENSITY, Dimension::ANGULAR_SPEED, Dimension::DAMPING] {
+            let unit = super::super::Unit::parse(&dimension.si_unit()).unwrap();
+            assert_eq!(*unit.dimension(), dimension);
+            assert!(unit.factor().is_one());
+        }
+    }
+}

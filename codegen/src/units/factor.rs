@@ -1,0 +1,128 @@
+//! Exact factors between units: products of rational powers of primes and π.
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::{Exponent, nearest};
+
+/// A positive number Π pᵢ^eᵢ · π^e with rational exponents: closed under products and rational powers,
+/// and equal factors are equal values.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Factor {
+    primes: BTreeMap<u32, Exponent>,
+    pi: Exponent,
+}
+
+impl Factor {
+    /// 1.
+    pub fn one() -> Self {
+        Self::default()
+    }
+
+    /// π.
+    pub fn pi() -> Self {
+        Factor {
+            primes: BTreeMap::new(),
+            pi: Exponent::one(),
+        }
+    }
+
+    /// The factor n/d.
+    ///
+    /// # Panics
+    /// If either is zero.
+    pub fn ratio(n: u32, d: u32) -> Self {
+        Factor::integer(n).over(&Factor::integer(d))
+    }
+
+    /// 10ⁿ.
+    pub fn ten(n: i32) -> Self {
+        Factor::integer(10).power(Exponent::from_integer(n))
+    }
+
+    fn integer(mut n: u32) -> Self {
+        assert!(n > 0, "a factor between units is positive");
+        let mut primes = BTreeMap::new();
+        let mut p = 2;
+        while n > 1 {
+            while n.is_multiple_of(p) {
+                *primes.entry(p).or_insert_with(Exponent::zero) += Exponent::one();
+                n /= p;
+            }
+            p += 1;
+        }
+        Factor {
+            primes,
+            pi: Exponent::zero(),
+        }
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Factor) -> Factor {
+        let mut product = self.clone();
+        for (p, e) in &other.primes {
+            *product.primes.entry(*p).or_insert_with(Exponent::zero) += e;
+        }
+        product.primes.retain(|_, e| !e.is_zero());
+        product.pi += other.pi;
+        product
+    }
+
+    /// The quotient.
+    pub fn over(&self, other: &Factor) -> Factor {
+        self.times(&other.power(-Exponent::one()))
+    }
+
+    /// The power.
+    pub fn power(&self, exponent: Exponent) -> Factor {
+        if exponent.is_zero() {
+            return Factor::one();
+        }
+        Factor {
+            primes: self.primes.iter().map(|(p, e)| (*p, e * exponent)).collect(),
+            pi: self.pi * exponent,
+        }
+    }
+
+    /// Whether this is 1.
+    pub fn is_one(&self) -> bool {
+        self.primes.is_empty() && self.pi.is_zero()
+    }
+
+    /// The exact value, if it is rational.
+    pub fn to_rational(&self) -> Option<BigRational> {
+        let integers = self.primes.values().all(|e| e.is_integer());
+        (integers && self.pi.is_zero()).then(|| self.whole_part())
+    }
+
+    /// The value: the integer powers exactly, then rounded, then what is left.
+    pub fn to_f64(&self) -> f64 {
+        let mut value = nearest(&self.whole_part());
+        for (p, e) in &self.primes {
+            let rest = e.fract();
+            if !rest.is_zero() {
+                value *= libm::pow(f64::from(*p), as_f64(rest));
+            }
+        }
+        if !self.pi.is_zero() {
+            value *= libm::pow(std::f64::consts::PI, as_f64(self.pi));
+        }
+        value
+    }
+
+    fn whole_part(&self) -> BigRational {
+        let mut value = BigRational::one();
+        for (p, e) in &self.primes {
+            let power = BigRational::from(BigInt::from(*p)).pow(e.to_integer());
+            value *= power;
+        }
+        value
+    }
+}
+
+fn as_f64(exponent: Exponent) -> f64 {
+    f64::from(*exponent.numer()) / f64::from(*exponent.denom())
+}
