@@ -21,10 +21,7 @@ pub struct Source {
 impl Source {
     /// A source with `path` (shown in messages, never opened) and `text`.
     pub fn new(path: impl Into<PathBuf>, text: impl Into<String>) -> Arc<Self> {
-        Arc::new(Source {
-            path: path.into(),
-            text: text.into(),
-        })
+        Arc::new(Source { path: path.into(), text: text.into() })
     }
 
     /// Line and column of a byte offset, both from 1; columns count characters.
@@ -209,8 +206,7 @@ impl Diagnostics {
     /// Sorts by file and place; what belongs to a whole file comes last.
     pub fn sort(&mut self) {
         let place = |d: &Diagnostic| d.span.as_ref().map_or(usize::MAX, |span| span.start);
-        self.list
-            .sort_by(|a, b| (a.path(), place(a)).cmp(&(b.path(), place(b))));
+        self.list.sort_by(|a, b| (a.path(), place(a)).cmp(&(b.path(), place(b))));
     }
 
     /// All errors as text: see [`render`].
@@ -229,9 +225,7 @@ impl std::error::Error for Diagnostics {}
 
 impl From<Diagnostic> for Diagnostics {
     fn from(diagnostic: Diagnostic) -> Self {
-        Diagnostics {
-            list: vec![diagnostic],
-        }
+        Diagnostics { list: vec![diagnostic] }
     }
 }
 
@@ -332,11 +326,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
             .iter()
             .flat_map(|c| c.to_lowercase())
             .eq(other.iter().flat_map(|c| c.to_lowercase()));
-        let distance = if same_but_case {
-            0
-        } else {
-            edit_distance(&name, &other)
-        };
+        let distance = if same_but_case { 0 } else { edit_distance(&name, &other) };
         if distance <= enough && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
         }
@@ -370,9 +360,7 @@ fn edit_distance(a: &[char], b: &[char]) -> usize {
         let mut row = vec![i; b.len() + 1];
         for j in 1..=b.len() {
             let change = usize::from(a[i - 1] != b[j - 1]);
-            row[j] = (above[j] + 1)
-                .min(row[j - 1] + 1)
-                .min(above[j - 1] + change);
+            row[j] = (above[j] + 1).min(row[j - 1] + 1).min(above[j - 1] + change);
             if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
                 row[j] = row[j].min(before[j - 2] + 1);
             }
@@ -416,7 +404,7 @@ error[E010]: unexpected `×`
             assert!(text.contains("x:1:"), "{text}");
         }
         let whole = Diagnostics::from(Diagnostic::new(&source, Code::TOML, None, "m")).render();
-        assert_eq!(whole, "error[E001]: m\n --> x\n");
+        assert_eq!(whole, "error[E001]: m\n--> x\n");
     }
 
     #[test]

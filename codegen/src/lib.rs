@@ -1,3 +1,5 @@
 //! From spec files to Rust kernels: formulas, derivatives, schedules, emission and tape.
 
+pub mod diagnostic;
 pub mod expression;
+pub mod units;

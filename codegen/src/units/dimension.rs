@@ -19,8 +19,6 @@ pub struct Dimension {
     exponents: [Exponent; 5],
 }
 
-/// Number of base quantities without the angle.
-pub(crate) const BASES: usize = 4;
 const ANGLE: usize = 4;
 const BASE_NAMES: [&str; 5] = ["m", "kg", "s", "K", "rad"];
 
@@ -66,13 +64,7 @@ impl Dimension {
 
     const fn of(length: i32, mass: i32, time: i32) -> Self {
         Dimension {
-            exponents: [
-                exponent(length),
-                exponent(mass),
-                exponent(time),
-                exponent(0),
-                exponent(0),
-            ],
+            exponents: [exponent(length), exponent(mass), exponent(time), exponent(0), exponent(0)],
         }
     }
 
@@ -82,7 +74,7 @@ impl Dimension {
     }
 
     /// The exponents of m, kg, s and K.
-    pub(crate) fn bases(&self) -> [Exponent; BASES] {
+    pub fn bases(&self) -> [Exponent; 4] {
         std::array::from_fn(|base| self.exponents[base])
     }
 
@@ -100,9 +92,7 @@ impl Dimension {
 
     /// Of a power.
     pub fn power(&self, exponent: Exponent) -> Dimension {
-        Dimension {
-            exponents: self.exponents.map(|e| e * exponent),
-        }
+        Dimension { exponents: self.exponents.map(|e| e * exponent) }
     }
 
     /// Whether the largest exponent and denominator are small enough to go on computing with.
@@ -121,11 +111,7 @@ impl Dimension {
     /// count only if nothing but time stands beside them (rpm is not Hz, but N·m/rad is N·m).
     pub fn fits(&self, wanted: &Dimension) -> bool {
         let rotation = [0, 1, 3].iter().all(|&base| self.exponents[base].is_zero());
-        if rotation {
-            self == wanted
-        } else {
-            self.without_angle() == wanted.without_angle()
-        }
+        if rotation { self == wanted } else { self.without_angle() == wanted.without_angle() }
     }
 
     fn known(&self) -> Option<(&'static str, &'static str)> {
@@ -158,11 +144,7 @@ impl Dimension {
                 .collect()
         };
         let (above, below) = (part(1), part(-1));
-        let mut text = if above.is_empty() {
-            "1".to_owned()
-        } else {
-            above.join("*")
-        };
+        let mut text = if above.is_empty() { "1".to_owned() } else { above.join("*") };
         for unit in below {
             text.push('/');
             text.push_str(&unit);

@@ -24,10 +24,7 @@ impl Factor {
 
     /// π.
     pub fn pi() -> Self {
-        Factor {
-            primes: BTreeMap::new(),
-            pi: Exponent::one(),
-        }
+        Factor { primes: BTreeMap::new(), pi: Exponent::one() }
     }
 
     /// The factor n/d.
@@ -54,10 +51,7 @@ impl Factor {
             }
             p += 1;
         }
-        Factor {
-            primes,
-            pi: Exponent::zero(),
-        }
+        Factor { primes, pi: Exponent::zero() }
     }
 
     /// The product.

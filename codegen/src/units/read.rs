@@ -68,12 +68,7 @@ fn unit_named(name: &str) -> Option<(Factor, Dimension)> {
 }
 
 fn error(code: Code, span: std::ops::Range<usize>, message: impl Into<String>) -> UnitError {
-    UnitError {
-        span,
-        message: message.into(),
-        help: None,
-        code,
-    }
+    UnitError { span, message: message.into(), help: None, code }
 }
 
 /// Splits off the first token of `text` made of characters that satisfy `wanted`.
@@ -132,7 +127,11 @@ pub(super) fn unit(text: &str, start: usize) -> Result<(Factor, Dimension), Unit
             None if dimension.is_sane() => return Ok((factor, dimension)),
             None => {
                 let span = start..start + whole.len();
-                return Err(error(Code::UNKNOWN_UNIT, span, "the powers of this unit are too high"));
+                return Err(error(
+                    Code::UNKNOWN_UNIT,
+                    span,
+                    "the powers of this unit are too high",
+                ));
             }
             Some('*' | '·' | '⋅') => false,
             Some('/') => true,
@@ -168,7 +167,9 @@ fn power(text: &str, start: usize) -> Result<Option<(Exponent, &str)>, UnitError
         let message = "expected a power after `^`, such as `^2` or `^1.5`";
         return Err(error(Code::UNKNOWN_UNIT, span, message));
     };
-    if exponent.numer().abs() > LARGEST_POWER * exponent.denom() || *exponent.denom() > LARGEST_POWER {
+    if exponent.numer().abs() > LARGEST_POWER * exponent.denom()
+        || *exponent.denom() > LARGEST_POWER
+    {
         let message = format!("a power of a unit is at most {LARGEST_POWER}");
         return Err(error(Code::UNKNOWN_UNIT, span, message));
     }

@@ -52,11 +52,7 @@ impl Unit {
     /// An unknown name (with the nearest known one), or text that is no unit.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
         let (factor, dimension) = read::unit(text, 0)?;
-        Ok(Unit {
-            text: text.trim().to_owned(),
-            factor,
-            dimension,
-        })
+        Ok(Unit { text: text.trim().to_owned(), factor, dimension })
     }
 
     /// The unit as it was written.
@@ -121,11 +117,7 @@ impl Quantity {
                 code: Code::BAD_VALUE,
             });
         }
-        Ok(Quantity {
-            text: text.trim().to_owned(),
-            si,
-            dimension,
-        })
+        Ok(Quantity { text: text.trim().to_owned(), si, dimension })
     }
 
     /// The value in SI units (rad for angles, rad/s for rotation).
