@@ -2,4 +2,5 @@
 
 pub mod diagnostic;
 pub mod expression;
+pub mod spec;
 pub mod units;

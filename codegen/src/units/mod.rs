@@ -11,6 +11,7 @@ use num_traits::ToPrimitive;
 
 pub use dimension::{Dimension, Exponent};
 pub use factor::Factor;
+pub(crate) use read::decimal;
 
 use crate::diagnostic::{Code, Diagnostic, Source};
 use std::sync::Arc;

@@ -4,34 +4,16 @@
 
 use std::fmt;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+mod nearest;
+mod render;
+mod source;
 
-/// A file that was read: its path as the user wrote it, and its text.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Source {
-    /// Path as shown to the user.
-    pub path: PathBuf,
-    /// The whole text; spans of diagnostics are byte ranges in it.
-    pub text: String,
-}
-
-impl Source {
-    /// A source with `path` (shown in messages, never opened) and `text`.
-    pub fn new(path: impl Into<PathBuf>, text: impl Into<String>) -> Arc<Self> {
-        Arc::new(Source { path: path.into(), text: text.into() })
-    }
-
-    /// Line and column of a byte offset, both from 1; columns count characters.
-    pub fn line_column(&self, offset: usize) -> (usize, usize) {
-        let before = &self.text[..floor_boundary(&self.text, offset)];
-        let line = before.matches('\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        (line, before[start..].chars().count() + 1)
-    }
-}
+pub use nearest::{nearest, suggest};
+pub use render::{Colours, render};
+pub use source::{Located, Source};
 
 /// A stable code, such as `E010`, under which an error can be looked up.
 ///
@@ -238,138 +220,6 @@ impl IntoIterator for Diagnostics {
     }
 }
 
-/// Whether rendered text carries terminal colours.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Colours {
-    /// Plain text.
-    #[default]
-    Never,
-    /// ANSI escapes.
-    Always,
-}
-
-/// More errors than this are counted, not shown.
-const MOST_SHOWN: usize = 50;
-
-/// Errors as text: code, message, `file:line:column`, the line with a caret under the place, help.
-/// Ends with a newline unless there is nothing to show.
-pub fn render(diagnostics: &[Diagnostic], colours: Colours) -> String {
-    let renderer = match colours {
-        Colours::Never => Renderer::plain(),
-        Colours::Always => Renderer::styled(),
-    };
-    let mut out = String::new();
-    for diagnostic in diagnostics.iter().take(MOST_SHOWN) {
-        if !out.is_empty() {
-            out.push('\n');
-        }
-        out.push_str(&renderer.render(&[group(diagnostic)]));
-        out.push('\n');
-    }
-    if diagnostics.len() > MOST_SHOWN {
-        let rest = diagnostics.len() - MOST_SHOWN;
-        out.push_str(&format!("\n… and {rest} more errors\n"));
-    }
-    out
-}
-
-fn group(diagnostic: &Diagnostic) -> Group<'_> {
-    let mut title = Level::ERROR.primary_title(diagnostic.message.as_str());
-    if let Some(code) = diagnostic.code {
-        title = title.id(code.0);
-    }
-    let path = diagnostic.path().display().to_string();
-    let text = diagnostic.source.text.as_str();
-    let mut group = match &diagnostic.span {
-        Some(span) => {
-            let start = floor_boundary(text, span.start);
-            let end = floor_boundary(text, span.end).max(start);
-            let mut annotation = AnnotationKind::Primary.span(start..end);
-            if !diagnostic.label.is_empty() {
-                annotation = annotation.label(diagnostic.label.as_str());
-            }
-            title.element(Snippet::source(text).path(path).annotation(annotation))
-        }
-        None => title.element(annotate_snippets::Origin::path(path)),
-    };
-    if let Some(help) = &diagnostic.help {
-        group = group.element(Level::HELP.message(help.as_str()));
-    }
-    group
-}
-
-fn floor_boundary(text: &str, offset: usize) -> usize {
-    let mut offset = offset.min(text.len());
-    while !text.is_char_boundary(offset) {
-        offset -= 1;
-    }
-    offset
-}
-
-/// The candidate most like `name`, if one is near enough to be meant: at most a third of its
-/// characters inserted, deleted, changed or swapped with their neighbour, or equal but for case.
-pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    const LONGEST: usize = 64;
-    let name: Vec<char> = name.chars().take(LONGEST + 1).collect();
-    if name.len() > LONGEST {
-        return None;
-    }
-    let mut best: Option<(usize, &str)> = None;
-    for candidate in candidates {
-        let other: Vec<char> = candidate.chars().take(LONGEST + 1).collect();
-        let longest = name.len().max(other.len());
-        let enough = (longest / 3).max(1);
-        if other.len().abs_diff(name.len()) > enough || other.len() > LONGEST || longest < 2 {
-            continue;
-        }
-        let same_but_case = name
-            .iter()
-            .flat_map(|c| c.to_lowercase())
-            .eq(other.iter().flat_map(|c| c.to_lowercase()));
-        let distance = if same_but_case { 0 } else { edit_distance(&name, &other) };
-        if distance <= enough && best.is_none_or(|(least, _)| distance < least) {
-            best = Some((distance, candidate));
-        }
-    }
-    best.map(|(_, candidate)| candidate)
-}
-
-/// "did you mean `x`?" or the list of what is known, for the help of an unknown name.
-pub fn suggest(name: &str, candidates: &[&str]) -> Option<String> {
-    const MOST_LISTED: usize = 16;
-    if let Some(near) = nearest(name, candidates.iter().copied()) {
-        return Some(format!("did you mean `{near}`?"));
-    }
-    match candidates.len() {
-        0 => None,
-        1..=MOST_LISTED => Some(format!("known: {}", quoted(candidates))),
-        _ => Some(format!("known: {}, …", quoted(&candidates[..MOST_LISTED]))),
-    }
-}
-
-fn quoted(names: &[&str]) -> String {
-    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-    quoted.join(", ")
-}
-
-/// Insertions, deletions, changes and swaps of neighbours that lead from `a` to `b`.
-fn edit_distance(a: &[char], b: &[char]) -> usize {
-    let mut before = vec![0; b.len() + 1];
-    let mut above: Vec<usize> = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        let mut row = vec![i; b.len() + 1];
-        for j in 1..=b.len() {
-            let change = usize::from(a[i - 1] != b[j - 1]);
-            row[j] = (above[j] + 1).min(row[j - 1] + 1).min(above[j - 1] + change);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                row[j] = row[j].min(before[j - 2] + 1);
-            }
-        }
-        before = std::mem::replace(&mut above, row);
-    }
-    above[b.len()]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -417,17 +267,5 @@ error[E010]: unexpected `×`
         let sorted = all.into_result(()).unwrap_err();
         let messages: Vec<&str> = sorted.iter().map(|d| d.message.as_str()).collect();
         assert_eq!(messages, ["early", "late", "whole"]);
-    }
-
-    #[test]
-    fn the_nearest_name_is_found() {
-        let known = ["title", "source", "inputs", "parameters", "h", "h_dot"];
-        assert_eq!(nearest("tilte", known), Some("title"));
-        assert_eq!(nearest("input", known), Some("inputs"));
-        assert_eq!(nearest("Title", known), Some("title"));
-        assert_eq!(nearest("h_dto", known), Some("h_dot"));
-        assert_eq!(nearest("k", known), None);
-        assert_eq!(nearest("stiffness", known), None);
-        assert_eq!(nearest(&"t".repeat(100_000), known), None);
     }
 }

@@ -1,0 +1,3 @@
+//! What a spec file may say, read with every error at once.
+
+pub mod read;
