@@ -2,5 +2,6 @@
 
 pub mod diagnostic;
 pub mod expression;
+pub mod schedule;
 pub mod spec;
 pub mod units;

@@ -1,25 +1,24 @@
 //! Lanes: the number type over which kernels are written, one value or several side by side.
 
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
 /// A lane of numbers. Kernels are generic over it: `f64` computes one cell or spring at a time, wider
 /// lanes compute several, and a dual number differentiates the same text.
 ///
 /// No operation is fused: the same formula gives the same bits on every lane type.
-pub trait Lane: Copy {
+pub trait Lane:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
     /// Result of a comparison, one truth value a lane.
     type Mask: Copy;
 
     /// The same value in every lane.
     fn splat(value: f64) -> Self;
-    /// a + b.
-    fn add(self, other: Self) -> Self;
-    /// a − b.
-    fn sub(self, other: Self) -> Self;
-    /// a · b.
-    fn mul(self, other: Self) -> Self;
-    /// a / b.
-    fn div(self, other: Self) -> Self;
-    /// −a.
-    fn neg(self) -> Self;
     /// √a.
     fn sqrt(self) -> Self;
     /// |a|.
@@ -60,26 +59,6 @@ impl Lane for f64 {
     #[inline(always)]
     fn splat(value: f64) -> Self {
         value
-    }
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self + other
-    }
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self - other
-    }
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self * other
-    }
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        self / other
-    }
-    #[inline(always)]
-    fn neg(self) -> Self {
-        -self
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

@@ -1,0 +1,286 @@
+//! What a schedule is: straight-line three-address code over scalars, in stages.
+
+use std::fmt;
+
+use crate::expression::{Function, Relation};
+
+/// A group of instructions that run equally often, such as once a ring or once a spring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stage {
+    /// Name, such as `ring`.
+    pub name: String,
+    /// Earlier stages whose values this one can use.
+    pub sees: Vec<usize>,
+    /// How often it runs relative to the other stages; guides what is worth hoisting.
+    pub runs: f64,
+}
+
+impl Stage {
+    /// A stage that sees all of `sees`.
+    pub fn new(name: &str, sees: &[usize], runs: f64) -> Self {
+        Stage { name: name.to_string(), sees: sees.to_vec(), runs }
+    }
+}
+
+/// A named value that a program takes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProgramInput {
+    /// The spec's own name.
+    pub name: String,
+    /// Stage at which it is known.
+    pub stage: usize,
+}
+
+/// A named value that a program gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProgramOutput {
+    /// Its name.
+    pub name: String,
+    /// Where it is found.
+    pub operand: Operand,
+}
+
+/// What an instruction works on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Operand {
+    /// The f64 nearest to an exact number, or one folded from such numbers.
+    Constant(f64),
+    /// An input, by its place in [`Program::inputs`].
+    Input(usize),
+    /// The value of an instruction, by its place in [`Program::instructions`].
+    Value(usize),
+}
+
+/// What an instruction does. No operation is fused.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Operation {
+    /// a + b
+    Add(Operand, Operand),
+    /// a − b
+    Sub(Operand, Operand),
+    /// a · b
+    Mul(Operand, Operand),
+    /// a / b
+    Div(Operand, Operand),
+    /// −a
+    Neg(Operand),
+    /// √a
+    Sqrt(Operand),
+    /// A function of one scalar.
+    Function(Function, Operand),
+    /// aᵇ for an exponent that is neither whole nor half.
+    Power(Operand, Operand),
+    /// A comparison; the value is a truth.
+    Compare(Relation, Operand, Operand),
+    /// Both.
+    And(Operand, Operand),
+    /// Either.
+    Or(Operand, Operand),
+    /// Not.
+    Not(Operand),
+    /// The second where the first holds, else the third. Both are computed in any case.
+    Select(Operand, Operand, Operand),
+}
+
+impl Operation {
+    /// The operands, in order.
+    pub fn operands(&self) -> Vec<Operand> {
+        match *self {
+            Operation::Neg(a)
+            | Operation::Sqrt(a)
+            | Operation::Function(_, a)
+            | Operation::Not(a) => vec![a],
+            Operation::Add(a, b)
+            | Operation::Sub(a, b)
+            | Operation::Mul(a, b)
+            | Operation::Div(a, b)
+            | Operation::Power(a, b)
+            | Operation::Compare(_, a, b)
+            | Operation::And(a, b)
+            | Operation::Or(a, b) => vec![a, b],
+            Operation::Select(mask, a, b) => vec![mask, a, b],
+        }
+    }
+
+    /// The same operation on other operands.
+    pub fn map(self, mut of: impl FnMut(Operand) -> Operand) -> Self {
+        match self {
+            Operation::Add(a, b) => Operation::Add(of(a), of(b)),
+            Operation::Sub(a, b) => Operation::Sub(of(a), of(b)),
+            Operation::Mul(a, b) => Operation::Mul(of(a), of(b)),
+            Operation::Div(a, b) => Operation::Div(of(a), of(b)),
+            Operation::Neg(a) => Operation::Neg(of(a)),
+            Operation::Sqrt(a) => Operation::Sqrt(of(a)),
+            Operation::Function(function, a) => Operation::Function(function, of(a)),
+            Operation::Power(a, b) => Operation::Power(of(a), of(b)),
+            Operation::Compare(relation, a, b) => Operation::Compare(relation, of(a), of(b)),
+            Operation::And(a, b) => Operation::And(of(a), of(b)),
+            Operation::Or(a, b) => Operation::Or(of(a), of(b)),
+            Operation::Not(a) => Operation::Not(of(a)),
+            Operation::Select(mask, a, b) => Operation::Select(of(mask), of(a), of(b)),
+        }
+    }
+
+    /// Whether the value is a truth.
+    pub fn is_truth(&self) -> bool {
+        matches!(
+            self,
+            Operation::Compare(..) | Operation::And(..) | Operation::Or(..) | Operation::Not(_)
+        )
+    }
+}
+
+/// One instruction: `name` = operation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Instruction {
+    /// Readable name, from the symbols of the spec; unique in the program, its inputs included.
+    pub name: String,
+    /// Stage in which it runs.
+    pub stage: usize,
+    /// What it does.
+    pub operation: Operation,
+}
+
+/// Straight-line code. Instructions ascend in stage; an instruction uses only values before it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Program {
+    /// Stages in the order in which they run.
+    pub stages: Vec<Stage>,
+    /// Inputs, in the order of the request.
+    pub inputs: Vec<ProgramInput>,
+    /// Instructions.
+    pub instructions: Vec<Instruction>,
+    /// Outputs, in the order of the request.
+    pub outputs: Vec<ProgramOutput>,
+}
+
+impl Program {
+    /// Places of the instructions of a stage.
+    pub fn stage(&self, stage: usize) -> std::ops::Range<usize> {
+        let start = self.instructions.partition_point(|instruction| instruction.stage < stage);
+        let end = self.instructions.partition_point(|instruction| instruction.stage <= stage);
+        start..end
+    }
+
+    /// Stage at which an operand is known; constants belong to the first.
+    pub fn stage_of(&self, operand: Operand) -> usize {
+        match operand {
+            Operand::Constant(_) => 0,
+            Operand::Input(place) => self.inputs[place].stage,
+            Operand::Value(place) => self.instructions[place].stage,
+        }
+    }
+
+    /// Name of an input or value; `None` of a constant.
+    pub fn name_of(&self, operand: Operand) -> Option<&str> {
+        match operand {
+            Operand::Constant(_) => None,
+            Operand::Input(place) => Some(&self.inputs[place].name),
+            Operand::Value(place) => Some(&self.instructions[place].name),
+        }
+    }
+
+    /// Inputs and values of `stage` that `later` stages (or the outputs, if `outputs`) use, inputs first:
+    /// what has to be kept between them.
+    pub fn carried(&self, stage: usize, later: &[usize], outputs: bool) -> Vec<Operand> {
+        let mut inputs = vec![false; self.inputs.len()];
+        let mut values = vec![false; self.instructions.len()];
+        let mut mark = |operand: Operand| match operand {
+            Operand::Input(place) => inputs[place] |= self.inputs[place].stage == stage,
+            Operand::Value(place) => values[place] |= self.instructions[place].stage == stage,
+            Operand::Constant(_) => {}
+        };
+        for instruction in self.instructions.iter().filter(|i| later.contains(&i.stage)) {
+            instruction.operation.operands().into_iter().for_each(&mut mark);
+        }
+        if outputs {
+            self.outputs.iter().for_each(|output| mark(output.operand));
+        }
+        let inputs = inputs.iter().enumerate().filter(|(_, used)| **used);
+        let values = values.iter().enumerate().filter(|(_, used)| **used);
+        let inputs = inputs.map(|(place, _)| Operand::Input(place));
+        inputs.chain(values.map(|(place, _)| Operand::Value(place))).collect()
+    }
+
+    /// Operation counts of a stage.
+    pub fn counts(&self, stage: usize) -> Counts {
+        Counts::of(&self.instructions[self.stage(stage)])
+    }
+
+    /// Operation counts of all stages together.
+    pub fn total_counts(&self) -> Counts {
+        Counts::of(&self.instructions)
+    }
+
+    /// Σ over the stages of operations × runs.
+    pub fn cost(&self) -> f64 {
+        (0..self.stages.len())
+            .map(|stage| self.stages[stage].runs * self.counts(stage).weighted())
+            .sum()
+    }
+}
+
+/// How many operations of each kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counts {
+    /// Additions, subtractions and changes of sign.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Other functions and real powers.
+    pub function: usize,
+    /// Comparisons and operations on truth values.
+    pub compare: usize,
+    /// Selections.
+    pub select: usize,
+}
+
+impl Counts {
+    fn of(instructions: &[Instruction]) -> Self {
+        let mut counts = Counts::default();
+        for instruction in instructions {
+            match instruction.operation {
+                Operation::Add(..) | Operation::Sub(..) | Operation::Neg(_) => counts.add += 1,
+                Operation::Mul(..) => counts.mul += 1,
+                Operation::Div(..) => counts.div += 1,
+                Operation::Sqrt(_) => counts.sqrt += 1,
+                Operation::Function(Function::Abs, _) => counts.select += 1,
+                Operation::Function(..) | Operation::Power(..) => counts.function += 1,
+                Operation::Select(..) => counts.select += 1,
+                operation if operation.is_truth() => counts.compare += 1,
+                _ => {}
+            }
+        }
+        counts
+    }
+
+    /// One figure: cheap operations count 1, divisions and roots 8, functions 40.
+    fn weighted(&self) -> f64 {
+        let cheap = self.add + self.mul + self.compare + self.select;
+        (cheap + 8 * (self.div + self.sqrt) + 40 * self.function) as f64
+    }
+}
+
+impl fmt::Display for Counts {
+    /// `4 add, 3 mul, 1 select`; `no operations` where there is none.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<String> = [
+            (self.add, "add"),
+            (self.mul, "mul"),
+            (self.div, "div"),
+            (self.sqrt, "sqrt"),
+            (self.function, "function"),
+            (self.compare, "compare"),
+            (self.select, "select"),
+        ]
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, name)| format!("{count} {name}"))
+        .collect();
+        f.write_str(&if parts.is_empty() { "no operations".to_string() } else { parts.join(", ") })
+    }
+}
