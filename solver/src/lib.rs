@@ -1,3 +1,7 @@
 //! From meshes and kernels to histories: assembly, reduction, Newmark–Newton.
 
+pub mod error;
 pub mod linalg;
+pub mod mesh;
+
+pub use error::Error;

@@ -49,10 +49,7 @@ impl Cholesky {
             Default::default(),
         );
         if let Err(LltError::NonPositivePivot { index }) = outcome {
-            return Err(LinearAlgebraError::NotPositiveDefinite {
-                row: index,
-                size: n,
-            });
+            return Err(LinearAlgebraError::NotPositiveDefinite { row: index, size: n });
         }
         match (0..n).find(|&j| !self.values[j * (n + 1)].is_finite()) {
             Some(row) => Err(LinearAlgebraError::NotPositiveDefinite { row, size: n }),
@@ -129,19 +126,11 @@ mod tests {
             .collect::<Vec<_>>();
         let mut cholesky = Cholesky::new(n);
         cholesky.factor(&a).unwrap();
-        let a = Matrix {
-            rows: n,
-            cols: n,
-            data: a,
-        };
+        let a = Matrix { rows: n, cols: n, data: a };
         let x: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
         let mut b = a.apply(&x);
         cholesky.solve_in_place(&mut b);
-        assert!(
-            b.iter()
-                .zip(&x)
-                .all(|(got, want)| (got - want).abs() < 1e-13)
-        );
+        assert!(b.iter().zip(&x).all(|(got, want)| (got - want).abs() < 1e-13));
         let mut w = Matrix::identity(n);
         cholesky.orthonormalise(&mut w.data, n);
         let gram = crate::linalg::congruence(&a, &w);

@@ -35,11 +35,7 @@ pub fn symmetric_eigen(a: &Matrix) -> Result<SymmetricEigen, LinearAlgebraError>
     if a.data.iter().any(|value| !value.is_finite()) {
         return Err(failure);
     }
-    let exponent = if norm > 0.0 {
-        -norm.log2().round() as i32
-    } else {
-        0
-    };
+    let exponent = if norm > 0.0 { -norm.log2().round() as i32 } else { 0 };
     // Two factors, because a single power of two may overflow where the product does not.
     let (half, rest) = (2f64.powi(exponent / 2), 2f64.powi(exponent - exponent / 2));
     let scaled: Vec<f64> = a.data.iter().map(|value| value * half * rest).collect();
@@ -81,10 +77,7 @@ pub fn generalised_symmetric_eigen(
     cholesky.solve_lower_in_place(&mut c.data);
     c = c.transpose();
     cholesky.solve_lower_in_place(&mut c.data);
-    let SymmetricEigen {
-        values,
-        mut vectors,
-    } = symmetric_eigen(&c.symmetric_part())?;
+    let SymmetricEigen { values, mut vectors } = symmetric_eigen(&c.symmetric_part())?;
     cholesky.solve_upper_in_place(&mut vectors.data);
     Ok(GeneralisedEigen { values, vectors })
 }
@@ -113,10 +106,7 @@ mod tests {
             for k in 0..n {
                 let angle = (k + 1) as f64 * std::f64::consts::PI / (2 * n + 2) as f64;
                 let exact = 4.0 * angle.sin().powi(2);
-                assert!(
-                    (eigen.values[k] / scale - exact).abs() < 1e-13,
-                    "{scale} {k}"
-                );
+                assert!((eigen.values[k] / scale - exact).abs() < 1e-13, "{scale} {k}");
                 for i in 0..n {
                     let residual = product[(i, k)] - eigen.values[k] * eigen.vectors[(i, k)];
                     assert!((residual / scale).abs() < 1e-13, "{scale} {k}");
@@ -129,10 +119,7 @@ mod tests {
     fn a_value_that_is_not_finite_is_an_error() {
         let mut a = string(5, 1.0);
         a[(3, 1)] = f64::NAN;
-        assert_eq!(
-            symmetric_eigen(&a).unwrap_err(),
-            LinearAlgebraError::NoConvergence { size: 5 }
-        );
+        assert_eq!(symmetric_eigen(&a).unwrap_err(), LinearAlgebraError::NoConvergence { size: 5 });
     }
 
     #[test]
@@ -145,17 +132,10 @@ mod tests {
             _ => 0.0,
         });
         let eigen = generalised_symmetric_eigen(&a, &b).unwrap();
-        let (gram, rayleigh) = (
-            congruence(&b, &eigen.vectors),
-            congruence(&a, &eigen.vectors),
-        );
+        let (gram, rayleigh) = (congruence(&b, &eigen.vectors), congruence(&a, &eigen.vectors));
         for i in 0..n {
             for j in 0..n {
-                let (one, value) = if i == j {
-                    (1.0, eigen.values[i])
-                } else {
-                    (0.0, 0.0)
-                };
+                let (one, value) = if i == j { (1.0, eigen.values[i]) } else { (0.0, 0.0) };
                 assert!((gram[(i, j)] - one).abs() < 1e-13);
                 assert!((rayleigh[(i, j)] - value).abs() < 1e-12 * eigen.values[n - 1]);
             }

@@ -70,11 +70,7 @@ impl Lu {
         for column in 0..n {
             let pivot = self.values[column * (n + 1)];
             if pivot == 0.0 || !pivot.is_finite() {
-                return Err(LinearAlgebraError::Singular {
-                    column,
-                    pivot,
-                    size: n,
-                });
+                return Err(LinearAlgebraError::Singular { column, pivot, size: n });
             }
         }
         Ok(())
@@ -87,10 +83,7 @@ impl Lu {
             return;
         }
         let cols = rhs.len() / n;
-        assert!(
-            cols * n == rhs.len() && cols <= n,
-            "rhs has whole columns, at most n"
-        );
+        assert!(cols * n == rhs.len() && cols <= n, "rhs has whole columns, at most n");
         let factors = view(n, n, &self.values);
         solve::solve_in_place(
             factors,
@@ -111,9 +104,7 @@ mod tests {
     fn wild(n: usize, seed: u64) -> Matrix {
         let mut state = seed;
         Matrix::from_fn(n, n, |_, _| {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
         })
     }
@@ -139,14 +130,7 @@ mod tests {
         let n = 150;
         let mut lu = Lu::new(n);
         for bad in [f64::NAN, f64::INFINITY] {
-            for place in [
-                (0, 0),
-                (0, n - 1),
-                (n - 1, 0),
-                (n - 1, n - 1),
-                (40, 90),
-                (90, 40),
-            ] {
+            for place in [(0, 0), (0, n - 1), (n - 1, 0), (n - 1, n - 1), (40, 90), (90, 40)] {
                 let mut a = wild(n, 7);
                 a[place] = bad;
                 assert!(lu.factor(&a.data).is_err(), "{bad} at {place:?}");
@@ -158,13 +142,6 @@ mod tests {
     fn a_singular_matrix_is_an_error() {
         let mut lu = Lu::new(2);
         let error = lu.factor(&[1.0, 2.0, 2.0, 4.0]).unwrap_err();
-        assert_eq!(
-            error,
-            LinearAlgebraError::Singular {
-                column: 1,
-                pivot: 0.0,
-                size: 2
-            }
-        );
+        assert_eq!(error, LinearAlgebraError::Singular { column: 1, pivot: 0.0, size: 2 });
     }
 }

@@ -27,11 +27,7 @@ pub struct Columns<'a> {
 impl Matrix {
     /// All zeros.
     pub fn zeros(rows: usize, cols: usize) -> Self {
-        Matrix {
-            rows,
-            cols,
-            data: vec![0.0; rows * cols],
-        }
+        Matrix { rows, cols, data: vec![0.0; rows * cols] }
     }
 
     /// The identity of size n.
@@ -41,9 +37,7 @@ impl Matrix {
 
     /// A square matrix with these values on its diagonal.
     pub fn from_diagonal(values: &[f64]) -> Self {
-        Matrix::from_fn(values.len(), values.len(), |i, j| {
-            if i == j { values[i] } else { 0.0 }
-        })
+        Matrix::from_fn(values.len(), values.len(), |i, j| if i == j { values[i] } else { 0.0 })
     }
 
     /// Entry (i, j) from `entry(i, j)`.
@@ -107,23 +101,17 @@ impl Matrix {
 
     /// Largest |entry|; 0 for an empty matrix.
     pub fn norm_max(&self) -> f64 {
-        self.data
-            .iter()
-            .fold(0.0, |norm, value| norm.max(value.abs()))
+        self.data.iter().fold(0.0, |norm, value| norm.max(value.abs()))
     }
 
     /// The mean of a square matrix and its transpose.
     pub fn symmetric_part(&self) -> Matrix {
-        Matrix::from_fn(self.rows, self.cols, |i, j| {
-            0.5 * (self[(i, j)] + self[(j, i)])
-        })
+        Matrix::from_fn(self.rows, self.cols, |i, j| 0.5 * (self[(i, j)] + self[(j, i)]))
     }
 
     /// Half the difference of a square matrix and its transpose.
     pub fn skew_part(&self) -> Matrix {
-        Matrix::from_fn(self.rows, self.cols, |i, j| {
-            0.5 * (self[(i, j)] - self[(j, i)])
-        })
+        Matrix::from_fn(self.rows, self.cols, |i, j| 0.5 * (self[(i, j)] - self[(j, i)]))
     }
 }
 

@@ -1,0 +1,236 @@
+//! The error type of the solver, and what the readers of files say about their input.
+
+use std::fmt;
+
+use crate::linalg::LinearAlgebraError;
+
+/// One thing wrong in a file: where, what, and how to mend it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InputError {
+    /// Path of the file as the user gave it.
+    pub file: String,
+    /// Line, from 1; 0 where the whole file is meant.
+    pub line: usize,
+    /// Column in characters, from 1; 0 where the whole line is meant.
+    pub column: usize,
+    /// What is wrong, in the names of the file.
+    pub what: String,
+    /// How to mend it.
+    pub help: String,
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.file)?;
+        if self.line > 0 {
+            write!(out, ":{}", self.line)?;
+            if self.column > 0 {
+                write!(out, ":{}", self.column)?;
+            }
+        }
+        write!(out, ": {}", self.what)?;
+        if !self.help.is_empty() {
+            write!(out, "\n  help: {}", self.help)?;
+        }
+        Ok(())
+    }
+}
+
+/// Everything wrong in a file, in the order of its lines.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InputErrors(pub Vec<InputError>);
+
+impl fmt::Display for InputErrors {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, error) in self.0.iter().enumerate() {
+            if i > 0 {
+                out.write_str("\n")?;
+            }
+            write!(out, "{error}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for InputErrors {}
+
+/// What can go wrong between a mesh and a history.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// A file of a mesh is wrong.
+    #[error("{0}")]
+    Input(#[from] InputErrors),
+    /// A mesh names a set that it does not have.
+    #[error("{origin} has no {kind} set called {name}{}", suggestion(.nearest))]
+    MissingSet {
+        /// File or maker of the mesh.
+        origin: String,
+        /// `node` or `element`.
+        kind: &'static str,
+        /// The name asked for.
+        name: String,
+        /// The nearest name that the mesh has.
+        nearest: Option<String>,
+    },
+    /// A mesh whose parts do not fit together.
+    #[error("{origin}: {what}")]
+    Mesh {
+        /// File or maker of the mesh.
+        origin: String,
+        /// What does not fit.
+        what: String,
+    },
+    /// An element has no kernel for a form.
+    #[error(
+        "element {element} has no form called {form} (it has: {known}); is specs/forms/{form}.toml there?"
+    )]
+    MissingForm {
+        /// Name of the element.
+        element: String,
+        /// Name of the form.
+        form: String,
+        /// Forms of the element.
+        known: String,
+    },
+    /// A material lacks a property that a form needs.
+    #[error("{origin}: material {material} has no {property}, which the form {form} needs")]
+    MissingProperty {
+        /// File or maker of the mesh.
+        origin: String,
+        /// Name of the material.
+        material: String,
+        /// Symbol of the property, such as `rho`.
+        property: String,
+        /// Name of the form.
+        form: String,
+    },
+    /// Cells turned inside out.
+    #[error("{}", inverted(.origin, .cells, *.count))]
+    InvertedCells {
+        /// File or maker of the mesh.
+        origin: String,
+        /// The first few, by label.
+        cells: Vec<InvertedCell>,
+        /// How many in all.
+        count: usize,
+    },
+    /// A dimension of a made mesh cannot be.
+    #[error("{dimension} = {value}: {what}")]
+    Dimension {
+        /// Name of the dimension, such as `bore_radius`.
+        dimension: String,
+        /// Its value with the unit.
+        value: String,
+        /// Why not, and what would do.
+        what: String,
+    },
+    /// A constraint that repeats or contradicts others.
+    #[error("{constraint} {what}")]
+    Constraint {
+        /// The constraint, by the name it was given.
+        constraint: String,
+        /// What is wrong with it, naming the others.
+        what: String,
+    },
+    /// Linear algebra failed.
+    #[error(transparent)]
+    LinearAlgebra(#[from] LinearAlgebraError),
+}
+
+/// A cell with det J ≤ 0 at one of its quadrature points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InvertedCell {
+    /// Label in the source of the mesh.
+    pub label: u64,
+    /// Name of the element.
+    pub element: String,
+    /// The smallest det J over the quadrature points, m³.
+    pub jacobian: f64,
+}
+
+fn suggestion(nearest: &Option<String>) -> String {
+    match nearest {
+        Some(name) => format!("; did you mean {name}?"),
+        None => String::new(),
+    }
+}
+
+fn inverted(origin: &str, cells: &[InvertedCell], count: usize) -> String {
+    let list: Vec<String> = cells
+        .iter()
+        .map(|cell| {
+            format!(
+                "cell {} ({}, smallest det J = {:.3e})",
+                cell.label, cell.element, cell.jacobian
+            )
+        })
+        .collect();
+    let more = match count - cells.len() {
+        0 => String::new(),
+        rest => format!(" and {rest} more"),
+    };
+    format!(
+        "{origin}: {}{more}: turned inside out or flat; usual reasons: nodes listed in another order \
+         (Abaqus wants the second face on the side to which the first face's normal points), \
+         a wrong node label, two nodes at one place, or a strongly distorted cell",
+        list.join(", ")
+    )
+}
+
+/// The name among `known` nearest to `name` (letters changed, added, left out or swapped; case does
+/// not count), if any is near enough to be meant.
+pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let name = name.to_lowercase();
+    let limit = (name.chars().count() / 3).max(1);
+    known
+        .into_iter()
+        .map(|candidate| (distance(&name, &candidate.to_lowercase()), candidate))
+        .filter(|&(distance, _)| distance <= limit)
+        .min()
+        .map(|(_, candidate)| candidate)
+}
+
+/// Edit distance with swaps of neighbours (optimal string alignment).
+fn distance(a: &str, b: &str) -> usize {
+    let a: Vec<char> = a.chars().collect();
+    let b: Vec<char> = b.chars().collect();
+    let mut before = vec![0; b.len() + 1];
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            row[j] = (last[j] + 1).min(row[j - 1] + 1).min(last[j - 1] + change);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                row[j] = row[j].min(before[j - 2] + 1);
+            }
+        }
+        before = std::mem::replace(&mut last, row);
+    }
+    last[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nearest_name_ignores_case_and_forgives_a_slip() {
+        let known = ["JOURNAL1_LEFT", "JOURNAL2_LEFT", "MOUNTS"];
+        assert_eq!(nearest("mounst", known), Some("MOUNTS"));
+        assert_eq!(nearest("journal1left", known), Some("JOURNAL1_LEFT"));
+        assert_eq!(nearest("LOAD1", known), None);
+    }
+
+    #[test]
+    fn input_error_reads_as_place_then_words() {
+        let error = InputError {
+            file: "a.inp".into(),
+            line: 3,
+            column: 7,
+            what: "node 4 is not defined".into(),
+            help: "define it".into(),
+        };
+        assert_eq!(error.to_string(), "a.inp:3:7: node 4 is not defined\n  help: define it");
+    }
+}

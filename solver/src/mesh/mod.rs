@@ -1,0 +1,213 @@
+//! Meshes of solid bodies: nodes, blocks of cells of one element and material, named sets.
+//!
+//! A mesh is read from a file or made from a few dimensions and does not change
+//! afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
+
+use std::collections::BTreeMap;
+
+use whirl_specs::Element;
+
+use crate::error::{Error, nearest};
+
+/// A material with its properties by the symbols that the forms use.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// Name in the source of the mesh.
+    pub name: String,
+    /// SI values by symbol: `E` (Pa), `nu` (1), `rho` (kg/m³).
+    pub properties: BTreeMap<String, f64>,
+}
+
+/// Cells of one element and one material.
+#[derive(Debug, Clone)]
+pub struct Block {
+    /// The element, with its kernels.
+    pub element: &'static Element,
+    /// Index into [`Mesh::materials`].
+    pub material: usize,
+    /// Labels of the cells in the source of the mesh.
+    pub labels: Vec<u64>,
+    /// Node indices, cells × nodes of the element, in the element's own node order.
+    pub connectivity: Vec<usize>,
+}
+
+impl Block {
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.labels.len()
+    }
+
+    /// Whether there are no cells.
+    pub fn is_empty(&self) -> bool {
+        self.labels.is_empty()
+    }
+
+    /// Node indices of every cell, in the element's own order.
+    pub fn cells(&self) -> impl ExactSizeIterator<Item = &[usize]> {
+        self.connectivity.chunks_exact(self.element.nodes)
+    }
+}
+
+/// A cell of a mesh: its block and its place there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Cell {
+    /// Index into [`Mesh::blocks`].
+    pub block: usize,
+    /// Index into the block.
+    pub cell: usize,
+}
+
+/// What a mesh is made of; [`Mesh::new`] checks that it fits together.
+#[derive(Debug, Clone, Default)]
+pub struct MeshParts {
+    /// Path of the file, or words such as `shaft made from dimensions`.
+    pub origin: String,
+    /// Positions in m.
+    pub nodes: Vec<[f64; 3]>,
+    /// Labels of the nodes in the source.
+    pub labels: Vec<u64>,
+    /// Cells.
+    pub blocks: Vec<Block>,
+    /// Materials.
+    pub materials: Vec<Material>,
+    /// Indices of nodes by the set's name, in the order of the source.
+    pub node_sets: BTreeMap<String, Vec<usize>>,
+    /// Cells by the set's name.
+    pub element_sets: BTreeMap<String, Vec<Cell>>,
+}
+
+/// A mesh of solid cells, in m, kg, s.
+#[derive(Debug, Clone)]
+pub struct Mesh {
+    parts: MeshParts,
+}
+
+impl Mesh {
+    /// A mesh of these parts.
+    ///
+    /// Errors: an index out of range, lengths that do not fit, or a position that is not finite.
+    pub fn new(parts: MeshParts) -> Result<Mesh, Error> {
+        let mesh = Mesh { parts };
+        match mesh.misfit() {
+            None => Ok(mesh),
+            Some(what) => Err(Error::Mesh { origin: mesh.parts.origin, what }),
+        }
+    }
+
+    fn misfit(&self) -> Option<String> {
+        let parts = &self.parts;
+        let nodes = parts.nodes.len();
+        if parts.labels.len() != nodes {
+            return Some(format!("{nodes} nodes but {} labels", parts.labels.len()));
+        }
+        if let Some(bad) = parts.nodes.iter().position(|x| x.iter().any(|x| !x.is_finite())) {
+            return Some(format!("the position of node {} is not finite", parts.labels[bad]));
+        }
+        for block in &parts.blocks {
+            if block.connectivity.len() != block.len() * block.element.nodes {
+                return Some(format!(
+                    "{} cells of {} need {} nodes each, but {} are listed",
+                    block.len(),
+                    block.element.origin.name,
+                    block.element.nodes,
+                    block.connectivity.len()
+                ));
+            }
+            if block.material >= parts.materials.len() {
+                return Some(format!("a block of {} has no material", block.element.origin.name));
+            }
+            for (cell, label) in block.cells().zip(&block.labels) {
+                if cell.iter().any(|&node| node >= nodes) {
+                    return Some(format!("cell {label} names a node that is not there"));
+                }
+            }
+        }
+        for (name, set) in &parts.node_sets {
+            if set.iter().any(|&node| node >= nodes) {
+                return Some(format!("node set {name} names a node that is not there"));
+            }
+        }
+        for (name, set) in &parts.element_sets {
+            let missing =
+                |cell: &Cell| parts.blocks.get(cell.block).is_none_or(|b| cell.cell >= b.len());
+            if set.iter().any(missing) {
+                return Some(format!("element set {name} names a cell that is not there"));
+            }
+        }
+        None
+    }
+
+    /// Path of the file, or the maker of the mesh.
+    pub fn origin(&self) -> &str {
+        &self.parts.origin
+    }
+
+    /// Positions of the nodes in m.
+    pub fn nodes(&self) -> &[[f64; 3]] {
+        &self.parts.nodes
+    }
+
+    /// Labels of the nodes in the source.
+    pub fn labels(&self) -> &[u64] {
+        &self.parts.labels
+    }
+
+    /// Blocks of cells.
+    pub fn blocks(&self) -> &[Block] {
+        &self.parts.blocks
+    }
+
+    /// Materials.
+    pub fn materials(&self) -> &[Material] {
+        &self.parts.materials
+    }
+
+    /// Node indices by the set's name.
+    pub fn node_sets(&self) -> &BTreeMap<String, Vec<usize>> {
+        &self.parts.node_sets
+    }
+
+    /// Cells by the set's name.
+    pub fn element_sets(&self) -> &BTreeMap<String, Vec<Cell>> {
+        &self.parts.element_sets
+    }
+
+    /// Number of cells.
+    pub fn cell_count(&self) -> usize {
+        self.parts.blocks.iter().map(Block::len).sum()
+    }
+
+    /// Number of degrees of freedom: three translations a node.
+    pub fn dof_count(&self) -> usize {
+        3 * self.parts.nodes.len()
+    }
+
+    /// Indices of the nodes of a set; names are compared without regard to case.
+    ///
+    /// Errors: [`Error::MissingSet`] with the nearest name.
+    pub fn node_set(&self, name: &str) -> Result<&[usize], Error> {
+        let sets = &self.parts.node_sets;
+        let found = sets.get(name).or_else(|| {
+            sets.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, set)| set)
+        });
+        found.map(Vec::as_slice).ok_or_else(|| Error::MissingSet {
+            origin: self.parts.origin.clone(),
+            kind: "node",
+            name: name.to_owned(),
+            nearest: nearest(name, sets.keys().map(String::as_str)).map(str::to_owned),
+        })
+    }
+
+    /// The only node of a set.
+    ///
+    /// Errors: as [`Mesh::node_set`], or the set has another number of nodes.
+    pub fn single_node(&self, name: &str) -> Result<usize, Error> {
+        match self.node_set(name)? {
+            [node] => Ok(*node),
+            set => Err(Error::Mesh {
+                origin: self.parts.origin.clone(),
+                what: format!("node set {name} must have one node, it has {}", set.len()),
+            }),
+        }
+    }
+}
