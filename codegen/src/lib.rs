@@ -2,6 +2,7 @@
 
 pub mod diagnostic;
 pub mod expression;
+pub mod formula;
 pub mod schedule;
 pub mod spec;
 pub mod units;

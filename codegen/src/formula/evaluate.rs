@@ -1,0 +1,343 @@
+//! Direct evaluation of terms over any [`Number`]: no graph, no rewriting. Everything that the generator
+//! makes of a formula is compared with this.
+
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::{Builtin, Comparison, Formula, Kind, Number, PI, Side, Term};
+use crate::diagnostic::{Code, Diagnostic};
+
+/// The value of a term.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value<N> {
+    /// A number.
+    Scalar(N),
+    /// The entries of a vector.
+    Vector(Vec<N>),
+    /// The rows of a matrix.
+    Matrix(Vec<Vec<N>>),
+    /// A condition.
+    Truth(bool),
+}
+
+impl<N> Value<N> {
+    /// The number, if it is one.
+    pub fn scalar(self) -> Option<N> {
+        match self {
+            Value::Scalar(value) => Some(value),
+            _ => None,
+        }
+    }
+}
+
+/// The value of a formula where names have the given values.
+///
+/// # Errors
+/// A name without a value, or values whose shapes do not fit (see [`super::check`] for better words).
+pub fn evaluate<N: Number>(
+    formula: &Formula,
+    names: &BTreeMap<String, Value<N>>,
+) -> Result<Value<N>, Diagnostic> {
+    let evaluation = Evaluation { formula, names };
+    evaluation.term(&formula.root).map_err(|error| *error)
+}
+
+struct Evaluation<'f, N> {
+    formula: &'f Formula,
+    names: &'f BTreeMap<String, Value<N>>,
+}
+
+type Evaluated<N> = Result<Value<N>, Box<Diagnostic>>;
+
+impl<N: Number> Evaluation<'_, N> {
+    fn misfit(&self, term: &Term) -> Box<Diagnostic> {
+        let message = "the shapes of these values do not fit";
+        Box::new(self.formula.text.error(Code::SHAPE, term.span.clone(), message))
+    }
+
+    fn scalar(&self, term: &Term) -> Result<N, Box<Diagnostic>> {
+        self.term(term)?.scalar().ok_or_else(|| self.misfit(term))
+    }
+
+    fn truth(&self, term: &Term) -> Result<bool, Box<Diagnostic>> {
+        match self.term(term)? {
+            Value::Truth(truth) => Ok(truth),
+            _ => Err(self.misfit(term)),
+        }
+    }
+
+    fn vector(&self, term: &Term) -> Result<Vec<N>, Box<Diagnostic>> {
+        match self.term(term)? {
+            Value::Vector(entries) => Ok(entries),
+            _ => Err(self.misfit(term)),
+        }
+    }
+
+    fn term(&self, term: &Term) -> Evaluated<N> {
+        Ok(match &term.kind {
+            Kind::Number(value) => Value::Scalar(N::exact(value)),
+            Kind::Name(name) => match self.names.get(name) {
+                Some(value) => value.clone(),
+                None if name == PI => Value::Scalar(N::exact(&pi())),
+                None => {
+                    let message = format!("`{name}` has no value");
+                    let error =
+                        self.formula.text.error(Code::UNKNOWN_NAME, term.span.clone(), message);
+                    return Err(Box::new(error));
+                }
+            },
+            Kind::Negate(inner) => {
+                let zero = N::exact(&BigRational::zero());
+                map(self.term(inner)?, &|x| zero.sub(x)).ok_or_else(|| self.misfit(inner))?
+            }
+            Kind::Sum(parts) => {
+                let mut sum = self.term(&parts[0].1)?;
+                for (side, part) in &parts[1..] {
+                    let operation = match side {
+                        Side::With => N::add,
+                        Side::Against => N::sub,
+                    };
+                    sum = zip(sum, self.term(part)?, operation).ok_or_else(|| self.misfit(part))?;
+                }
+                sum
+            }
+            Kind::Product(parts) => self.product(term, parts)?,
+            Kind::Power(base, exponent) => {
+                Value::Scalar(self.scalar(base)?.power(&self.scalar(exponent)?))
+            }
+            Kind::Call { function, arguments, .. } => self.call(term, function, arguments)?,
+            Kind::Compare(first, rest) => {
+                let mut left = self.scalar(first)?.value();
+                let mut holds = true;
+                for (comparison, part) in rest {
+                    let right = self.scalar(part)?.value();
+                    holds &= match comparison {
+                        Comparison::Less => left < right,
+                        Comparison::LessOrEqual => left <= right,
+                        Comparison::Greater => left > right,
+                        Comparison::GreaterOrEqual => left >= right,
+                    };
+                    left = right;
+                }
+                Value::Truth(holds)
+            }
+            Kind::And(parts) => {
+                let parts: Result<Vec<bool>, _> = parts.iter().map(|p| self.truth(p)).collect();
+                Value::Truth(parts?.into_iter().all(|truth| truth))
+            }
+            Kind::Or(parts) => {
+                let parts: Result<Vec<bool>, _> = parts.iter().map(|p| self.truth(p)).collect();
+                Value::Truth(parts?.into_iter().any(|truth| truth))
+            }
+            Kind::Not(inner) => Value::Truth(!self.truth(inner)?),
+        })
+    }
+
+    /// Numbers from the left; vectors and matrices from the right, so that A*B*x is A(Bx).
+    fn product(&self, term: &Term, parts: &[(Side, Term)]) -> Evaluated<N> {
+        let mut scale: Option<N> = None;
+        let mut tensors = Vec::new();
+        for (side, part) in parts {
+            match (self.term(part)?, side) {
+                (Value::Scalar(factor), side) => {
+                    scale = Some(match (scale, side) {
+                        (None, Side::With) => factor,
+                        (Some(so_far), Side::With) => so_far.mul(&factor),
+                        (so_far, Side::Against) => {
+                            so_far.unwrap_or_else(|| N::exact(&one())).div(&factor)
+                        }
+                    });
+                }
+                (tensor, Side::With) => tensors.push(tensor),
+                _ => return Err(self.misfit(part)),
+            }
+        }
+        let Some(mut value) = tensors.pop() else {
+            return scale.map(Value::Scalar).ok_or_else(|| self.misfit(term));
+        };
+        while let Some(left) = tensors.pop() {
+            value = match (left, value) {
+                (Value::Matrix(rows), Value::Vector(x)) => {
+                    let entries: Option<Vec<N>> = rows.iter().map(|row| dot(row, &x)).collect();
+                    Value::Vector(entries.ok_or_else(|| self.misfit(term))?)
+                }
+                _ => return Err(self.misfit(term)),
+            };
+        }
+        match scale {
+            Some(scale) => map(value, &|x| scale.mul(x)).ok_or_else(|| self.misfit(term)),
+            None => Ok(value),
+        }
+    }
+
+    fn call(&self, term: &Term, function: &str, arguments: &[Term]) -> Evaluated<N> {
+        let builtin = Builtin::named(function).ok_or_else(|| self.misfit(term))?;
+        let argument = |i: usize| arguments.get(i).ok_or_else(|| self.misfit(term));
+        let choose = |better: fn(f64, f64) -> bool| {
+            let mut best = self.scalar(argument(0)?)?;
+            for other in &arguments[1..] {
+                let other = self.scalar(other)?;
+                if better(other.value(), best.value()) {
+                    best = other;
+                }
+            }
+            Ok(Value::Scalar(best))
+        };
+        match builtin {
+            Builtin::Min => return choose(|a, b| a < b),
+            Builtin::Max => return choose(|a, b| a > b),
+            Builtin::Dot => {
+                let (a, b) = (self.vector(argument(0)?)?, self.vector(argument(1)?)?);
+                return dot(&a, &b).map(Value::Scalar).ok_or_else(|| self.misfit(term));
+            }
+            Builtin::Outer => {
+                let (a, b) = (self.vector(argument(0)?)?, self.vector(argument(1)?)?);
+                let row = |x: &N| b.iter().map(|y| x.mul(y)).collect();
+                return Ok(Value::Matrix(a.iter().map(row).collect()));
+            }
+            Builtin::Transpose => {
+                let Value::Matrix(rows) = self.term(argument(0)?)? else {
+                    return Err(self.misfit(term));
+                };
+                let column = |j: usize| rows.iter().map(|row| row[j].clone()).collect();
+                let columns = rows.first().map_or(0, Vec::len);
+                return Ok(Value::Matrix((0..columns).map(column).collect()));
+            }
+            _ => {}
+        }
+        let x = self.scalar(argument(0)?)?;
+        let half = N::exact(&BigRational::new(1.into(), 2.into()));
+        let inverse = || N::exact(&one()).div(&x.exp());
+        Ok(Value::Scalar(match builtin {
+            Builtin::Sqrt => x.sqrt(),
+            Builtin::Exp => x.exp(),
+            Builtin::Log => x.ln(),
+            Builtin::Sin => x.sin(),
+            Builtin::Cos => x.cos(),
+            Builtin::Tan => x.tan(),
+            Builtin::Atan => x.atan(),
+            Builtin::Tanh => x.tanh(),
+            Builtin::Sinh => x.exp().sub(&inverse()).mul(&half),
+            Builtin::Cosh => x.exp().add(&inverse()).mul(&half),
+            _ => x.abs(),
+        }))
+    }
+}
+
+fn one() -> BigRational {
+    BigRational::from_integer(1.into())
+}
+
+/// The f64 nearest to π, as an exact number.
+pub(super) fn pi() -> BigRational {
+    BigRational::from_float(std::f64::consts::PI).unwrap_or_else(one)
+}
+
+fn map<N>(value: Value<N>, f: &impl Fn(&N) -> N) -> Option<Value<N>> {
+    Some(match value {
+        Value::Scalar(x) => Value::Scalar(f(&x)),
+        Value::Vector(x) => Value::Vector(x.iter().map(f).collect()),
+        Value::Matrix(rows) => {
+            Value::Matrix(rows.iter().map(|row| row.iter().map(f).collect()).collect())
+        }
+        Value::Truth(_) => return None,
+    })
+}
+
+fn zip<N>(a: Value<N>, b: Value<N>, f: fn(&N, &N) -> N) -> Option<Value<N>> {
+    let entries = |a: &[N], b: &[N]| -> Option<Vec<N>> {
+        (a.len() == b.len()).then(|| a.iter().zip(b).map(|(x, y)| f(x, y)).collect())
+    };
+    Some(match (a, b) {
+        (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(f(&a, &b)),
+        (Value::Vector(a), Value::Vector(b)) => Value::Vector(entries(&a, &b)?),
+        (Value::Matrix(a), Value::Matrix(b)) if a.len() == b.len() => {
+            let rows: Option<_> = a.iter().zip(&b).map(|(a, b)| entries(a, b)).collect();
+            Value::Matrix(rows?)
+        }
+        _ => return None,
+    })
+}
+
+fn dot<N: Number>(a: &[N], b: &[N]) -> Option<N> {
+    let zero = N::exact(&BigRational::zero());
+    (a.len() == b.len()).then(|| a.iter().zip(b).fold(zero, |sum, (x, y)| sum.add(&x.mul(y))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Located;
+    use crate::formula::{Dual, parse};
+
+    fn value(text: &str) -> f64 {
+        let formula = parse(&Located::alone("f", text)).unwrap();
+        let x = BTreeMap::from([("x".to_owned(), Value::Scalar(2.0))]);
+        evaluate(&formula, &x).unwrap().scalar().unwrap()
+    }
+
+    #[test]
+    fn precedence_is_that_of_mathematics() {
+        assert_eq!(value("-2^2"), -4.0);
+        assert_eq!(value("2^3^2"), 512.0);
+        assert_eq!(value("2^-1"), 0.5);
+        assert_eq!(value("2^-x^2"), 0.0625);
+        assert_eq!(value("1 - 2 - 3"), -4.0);
+        assert_eq!(value("8/4/2"), 1.0);
+        assert_eq!(value("8/4*2"), 4.0);
+        assert_eq!(value("1/2*x"), 1.0);
+        assert_eq!(value("-x^2 + 3*-x"), -10.0);
+        assert_eq!(value("2*(3 + 4)^2"), 98.0);
+        assert_eq!(value("+x"), 2.0);
+        assert_eq!(value("1e3 + 2.5E-1"), 1000.25);
+    }
+
+    #[test]
+    fn functions_have_their_values() {
+        assert_eq!(value("sqrt(16) + abs(-3) + min(x, 1, 5) + max(x, 7)"), 15.0);
+        assert_eq!(value("exp(0) + log(1) + sin(0) + cos(0) + tan(0) + atan(0) + tanh(0)"), 2.0);
+        assert!((value("sinh(x)^2 - cosh(x)^2") + 1.0).abs() < 1e-14);
+        assert_eq!(value("pi"), std::f64::consts::PI);
+    }
+
+    #[test]
+    fn vectors_and_matrices_multiply() {
+        let names = BTreeMap::from([
+            ("v".to_owned(), Value::Vector(vec![1.0, 2.0])),
+            ("A".to_owned(), Value::Matrix(vec![vec![1.0, 2.0], vec![3.0, 4.0]])),
+        ]);
+        let at =
+            |text: &str| evaluate(&parse(&Located::alone("f", text)).unwrap(), &names).unwrap();
+        assert_eq!(at("2*A*A*v/4 - v"), Value::Vector(vec![12.5, 27.5]));
+        assert_eq!(at("dot(v, transpose(A)*v)"), Value::Scalar(27.0));
+        assert_eq!(at("outer(v, v)"), Value::Matrix(vec![vec![1.0, 2.0], vec![2.0, 4.0]]));
+        assert_eq!(at("1 < 2 <= 2 and not 3 < 2"), Value::Truth(true));
+    }
+
+    #[test]
+    fn duals_differentiate_every_function() {
+        for text in [
+            "x^3 - 2/x",
+            "sqrt(x)*exp(-x)",
+            "log(x)^2 + x^1.5 + 2^x + x^x",
+            "sin(x)*cos(x) + tan(x/3)",
+            "atan(x) + tanh(x) + sinh(x)/cosh(x)",
+            "abs(x - 3) + min(x, 3)*max(x, 1)",
+        ] {
+            let formula = parse(&Located::alone("f", text)).unwrap();
+            let at = |x: f64| {
+                let names = BTreeMap::from([("x".to_owned(), Value::Scalar(x))]);
+                evaluate(&formula, &names).unwrap().scalar().unwrap()
+            };
+            let names = BTreeMap::from([("x".to_owned(), Value::Scalar(Dual::variable(1.7)))]);
+            let dual = evaluate(&formula, &names).unwrap().scalar().unwrap();
+            let step = 1e-5;
+            let central = (at(1.7 + step) - at(1.7 - step)) / (2.0 * step);
+            assert_eq!(dual.value, at(1.7), "{text}");
+            // step² times a third derivative of order 10, and rounding over the step.
+            assert!((dual.slope - central).abs() < 1e-8, "{text}: {} {central}", dual.slope);
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! The formula language: text → tokens → terms with byte spans → shapes and dimensions checked →
+//! expression graph; and the direct evaluation of terms, against which everything else is tested.
+//!
+//! ```text
+//! condition = "or"-chain of "and"-chains of ["not"] comparison
+//! comparison = sum { ("<" | "<=" | ">" | ">=") sum }          0 < h < c is a chain
+//! sum        = product { ("+" | "-") product }
+//! product    = unary { ("*" | "/") unary }
+//! unary      = ("-" | "+") unary | power
+//! power      = atom [ "^" unary ]                             −2^2 = −4, 2^3^2 = 512
+//! atom       = number | name | name "(" condition { "," condition } ")" | "(" condition ")"
+//! ```
+//!
+//! Names are ASCII; Greek letters, a dot above and subscript digits stand for their ASCII spelling
+//! (θ̇ is `theta_dot`, c₀ is `c0`).
+
+mod check;
+mod evaluate;
+mod function;
+mod lower;
+mod number;
+mod parse;
+mod token;
+mod unit;
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use num_rational::BigRational;
+
+pub use check::{Scope, check};
+pub use evaluate::{Value, evaluate};
+pub use function::{Builtin, FUNCTIONS};
+pub use lower::lower;
+pub use number::{Dual, Number};
+pub use parse::parse;
+pub use unit::{Meaning, dimension};
+
+use crate::diagnostic::Located;
+
+/// What a formula may cost; beyond it, an error (`E015`).
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Bytes of text, which bounds the number of terms.
+    pub length: usize,
+    /// Parentheses, signs and powers inside one another.
+    pub depth: usize,
+    /// Largest absolute constant exponent.
+    pub exponent: u32,
+}
+
+/// The limits of every formula. (Digits and powers of ten of a number are bounded with the units; bits of
+/// exact numbers, and nodes, by the graph.)
+pub const LIMITS: Limits = Limits { length: 8192, depth: 64, exponent: 100 };
+
+/// Name of the number π in formulas.
+pub const PI: &str = "pi";
+
+/// Words that cannot be names.
+pub const RESERVED: [&str; 4] = ["and", "or", "not", PI];
+
+/// A formula: its text, where it stands, and what it says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Formula {
+    /// The text and its place in the file.
+    pub text: Located,
+    /// What it says.
+    pub root: Term,
+}
+
+/// A part of a formula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Term {
+    /// What it says.
+    pub kind: Kind,
+    /// Byte range in the formula's text.
+    pub span: Range<usize>,
+}
+
+/// Whether a part of a sum is added, or of a product multiplied, or the opposite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// `+` or `*`.
+    With,
+    /// `-` or `/`.
+    Against,
+}
+
+/// `<`, `<=`, `>` and `>=`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Comparison {
+    /// a < b
+    Less,
+    /// a ≤ b
+    LessOrEqual,
+    /// a > b
+    Greater,
+    /// a ≥ b
+    GreaterOrEqual,
+}
+
+/// What a term says. Chains are kept as lists, so that long sums are not deep.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Kind {
+    /// A number, exactly.
+    Number(BigRational),
+    /// A name, in its ASCII spelling.
+    Name(String),
+    /// −a
+    Negate(Box<Term>),
+    /// a + b − c …; at least two parts.
+    Sum(Vec<(Side, Term)>),
+    /// a·b / c …, from the left; at least two parts.
+    Product(Vec<(Side, Term)>),
+    /// aᵇ
+    Power(Box<Term>, Box<Term>),
+    /// f(a, b, …)
+    Call {
+        /// Name of the function, in its ASCII spelling.
+        function: String,
+        /// Where the name stands.
+        name: Range<usize>,
+        /// The arguments.
+        arguments: Vec<Term>,
+    },
+    /// first < second ≤ …; at least one comparison.
+    Compare(Box<Term>, Vec<(Comparison, Term)>),
+    /// All of them; at least two.
+    And(Vec<Term>),
+    /// Any of them; at least two.
+    Or(Vec<Term>),
+    /// The opposite.
+    Not(Box<Term>),
+}
+
+impl Term {
+    /// Calls `visit` for this term and every term inside, in the order of the text.
+    pub fn visit<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
+        visit(self);
+        match &self.kind {
+            Kind::Number(_) | Kind::Name(_) => {}
+            Kind::Negate(a) | Kind::Not(a) => a.visit(visit),
+            Kind::Sum(parts) | Kind::Product(parts) => {
+                parts.iter().for_each(|(_, part)| part.visit(visit));
+            }
+            Kind::Power(a, b) => {
+                a.visit(visit);
+                b.visit(visit);
+            }
+            Kind::Call { arguments, .. } => arguments.iter().for_each(|a| a.visit(visit)),
+            Kind::Compare(first, rest) => {
+                first.visit(visit);
+                rest.iter().for_each(|(_, part)| part.visit(visit));
+            }
+            Kind::And(parts) | Kind::Or(parts) => parts.iter().for_each(|part| part.visit(visit)),
+        }
+    }
+}
+
+impl Formula {
+    /// Every name in the formula, with the first place where it stands in the text.
+    pub fn names(&self) -> BTreeMap<&str, Range<usize>> {
+        let mut names = BTreeMap::new();
+        self.root.visit(&mut |term| {
+            if let Kind::Name(name) = &term.kind {
+                names.entry(name.as_str()).or_insert_with(|| term.span.clone());
+            }
+        });
+        names
+    }
+}
+
+/// The ASCII spelling of a name as it may be written in a spec: `θ̇` → `theta_dot`.
+///
+/// # Errors
+/// What is wrong, if the text is no name or a word of the grammar.
+pub fn name(text: &str) -> Result<String, String> {
+    let name = token::name(text).ok_or_else(|| {
+        format!("`{text}` is not a name: a letter, then letters, digits and `_` are wanted")
+    })?;
+    if RESERVED.contains(&name.as_str()) {
+        return Err(format!("`{name}` is a word of the formula language and cannot be a name"));
+    }
+    Ok(name)
+}

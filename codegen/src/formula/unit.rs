@@ -1,0 +1,262 @@
+//! Dimensions of terms: what has a declared unit may only be added to, and compared with, its like.
+//! A number written in a formula takes whatever unit its place wants, as coefficients of a polynomial do.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::{Builtin, Formula, Kind, Side, Term};
+use crate::diagnostic::{Code, Diagnostics};
+use crate::units::{Dimension, Exponent};
+
+/// What is known of a name: its dimension, and its value if it is a constant (for exponents).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Meaning {
+    /// What it measures.
+    pub dimension: Dimension,
+    /// The value of a constant.
+    pub value: Option<BigRational>,
+}
+
+/// The dimension of a formula; `None` if the numbers in it leave it open, or for a condition. Names that
+/// are not in `names` are left open too.
+///
+/// # Errors
+/// Every place where dimensions do not fit.
+pub fn dimension(
+    formula: &Formula,
+    names: &BTreeMap<String, Meaning>,
+) -> Result<Option<Dimension>, Diagnostics> {
+    let mut checker = Checker { formula, names, errors: Diagnostics::new() };
+    let dimension = checker.term(&formula.root);
+    checker.errors.into_result(dimension)
+}
+
+struct Checker<'f> {
+    formula: &'f Formula,
+    names: &'f BTreeMap<String, Meaning>,
+    errors: Diagnostics,
+}
+
+impl Checker<'_> {
+    fn error(&mut self, span: &Range<usize>, message: String) {
+        self.errors.push(self.formula.text.error(Code::DIMENSION, span.clone(), message));
+    }
+
+    fn written(&self, term: &Term) -> &str {
+        &self.formula.text.text()[term.span.clone()]
+    }
+
+    /// The dimension of a term; `None` if it is open, or if something inside it is wrong.
+    fn term(&mut self, term: &Term) -> Option<Dimension> {
+        match &term.kind {
+            Kind::Number(_) => None,
+            Kind::Name(name) => self.names.get(name).map(|m| m.dimension.without_angle()),
+            Kind::Negate(inner) => self.term(inner),
+            Kind::Sum(parts) => self.alike(parts.iter().map(|(_, part)| part), "added to"),
+            Kind::Product(parts) => {
+                let dimensions: Vec<_> = parts.iter().map(|(_, part)| self.term(part)).collect();
+                let mut product = Dimension::NUMBER;
+                for ((side, _), dimension) in parts.iter().zip(dimensions) {
+                    product = match side {
+                        Side::With => product.times(&dimension?),
+                        Side::Against => product.over(&dimension?),
+                    };
+                }
+                self.sane(term, product)
+            }
+            Kind::Power(base, exponent) => self.power(term, base, exponent),
+            Kind::Call { function, arguments, .. } => self.call(term, function, arguments),
+            Kind::Compare(first, rest) => {
+                let parts = std::iter::once(&**first).chain(rest.iter().map(|(_, part)| part));
+                self.alike(parts, "compared with");
+                None
+            }
+            Kind::And(parts) | Kind::Or(parts) => {
+                parts.iter().for_each(|part| {
+                    self.term(part);
+                });
+                None
+            }
+            Kind::Not(inner) => {
+                self.term(inner);
+                None
+            }
+        }
+    }
+
+    fn sane(&mut self, term: &Term, dimension: Dimension) -> Option<Dimension> {
+        if dimension.is_sane() {
+            return Some(dimension);
+        }
+        self.error(&term.span, "the powers of the unit are too high".to_owned());
+        None
+    }
+
+    /// The common dimension of parts that must be alike.
+    fn alike<'t>(
+        &mut self,
+        parts: impl Iterator<Item = &'t Term>,
+        verb: &str,
+    ) -> Option<Dimension> {
+        let mut first: Option<(&Term, Dimension)> = None;
+        for part in parts {
+            match (self.term(part), first) {
+                (Some(found), Some((other, wanted))) if found != wanted => {
+                    let (a, b) = (self.written(part), self.written(other));
+                    let message =
+                        format!("`{a}` is {found} and cannot be {verb} `{b}`, which is {wanted}");
+                    self.error(&part.span, message);
+                }
+                (Some(found), None) => first = Some((part, found)),
+                _ => {}
+            }
+        }
+        first.map(|(_, dimension)| dimension)
+    }
+
+    /// A term that must be a pure number.
+    fn pure(&mut self, term: &Term, place: &str) {
+        if let Some(found) = self.term(term).filter(|found| *found != Dimension::NUMBER) {
+            let message = format!("{place} must be a pure number, not {found}");
+            self.error(&term.span, message);
+        }
+    }
+
+    fn power(&mut self, term: &Term, base: &Term, exponent: &Term) -> Option<Dimension> {
+        self.pure(exponent, "an exponent");
+        let dimension = self.term(base)?;
+        if dimension == Dimension::NUMBER {
+            return Some(dimension);
+        }
+        match self.constant(exponent).as_ref().map(small) {
+            Some(Some(exponent)) => self.sane(term, dimension.power(exponent)),
+            Some(None) => {
+                let message = format!("{dimension} cannot be raised to such a power");
+                self.error(&term.span, message);
+                None
+            }
+            None => {
+                let message = format!("{dimension} cannot be raised to a power that varies");
+                self.error(&term.span, message);
+                None
+            }
+        }
+    }
+
+    /// The exact value of a term made of small numbers and constants.
+    fn constant(&self, term: &Term) -> Option<BigRational> {
+        match &term.kind {
+            Kind::Number(value) => Some(value.clone()),
+            Kind::Name(name) => self.names.get(name)?.value.clone(),
+            Kind::Negate(inner) => Some(-self.constant(inner)?),
+            Kind::Sum(parts) => {
+                let mut sum = BigRational::zero();
+                for (side, part) in parts {
+                    match side {
+                        Side::With => sum += self.constant(part)?,
+                        Side::Against => sum -= self.constant(part)?,
+                    }
+                }
+                Some(sum)
+            }
+            Kind::Product(parts) => {
+                let mut product = BigRational::one();
+                for (side, part) in parts {
+                    let factor = self.constant(part)?;
+                    match side {
+                        Side::With => product *= factor,
+                        Side::Against if factor.is_zero() => return None,
+                        Side::Against => product /= factor,
+                    }
+                }
+                Some(product)
+            }
+            _ => None,
+        }
+    }
+
+    fn call(&mut self, term: &Term, function: &str, arguments: &[Term]) -> Option<Dimension> {
+        match Builtin::named(function)? {
+            Builtin::Sqrt => {
+                let dimension = self.term(&arguments[0])?;
+                self.sane(term, dimension.power(Exponent::new(1, 2)))
+            }
+            Builtin::Abs | Builtin::Transpose => self.term(&arguments[0]),
+            Builtin::Min | Builtin::Max => self.alike(arguments.iter(), "compared with"),
+            Builtin::Dot | Builtin::Outer => {
+                let (a, b) = (self.term(&arguments[0]), self.term(&arguments[1]));
+                self.sane(term, a?.times(&b?))
+            }
+            _ => {
+                self.pure(&arguments[0], &format!("the argument of `{function}`"));
+                Some(Dimension::NUMBER)
+            }
+        }
+    }
+}
+
+/// A rational as the exponent of a unit, if it is small enough.
+fn small(value: &BigRational) -> Option<Exponent> {
+    let (n, d) = (value.numer().to_i32()?, value.denom().to_i32()?);
+    (n.abs() <= 1000 && d <= 1000).then(|| Exponent::new(n, d))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Located;
+    use crate::formula::parse;
+
+    fn found(text: &str) -> Result<Option<Dimension>, Vec<String>> {
+        let meaning = |dimension, value: Option<(i32, i32)>| Meaning {
+            dimension,
+            value: value.map(|(n, d)| BigRational::new(n.into(), d.into())),
+        };
+        let hertz = Dimension::FORCE.over(&Dimension::LENGTH.power(Exponent::new(3, 2)));
+        let names = BTreeMap::from([
+            ("h".to_owned(), meaning(Dimension::LENGTH, None)),
+            ("c".to_owned(), meaning(Dimension::LENGTH, None)),
+            ("v".to_owned(), meaning(Dimension::SPEED, None)),
+            ("K".to_owned(), meaning(hertz, None)),
+            ("n".to_owned(), meaning(Dimension::NUMBER, Some((3, 2)))),
+            ("theta".to_owned(), meaning(Dimension::ANGLE, None)),
+        ]);
+        dimension(&parse(&Located::alone("f", text)).unwrap(), &names)
+            .map_err(|errors| errors.iter().map(ToString::to_string).collect())
+    }
+
+    #[test]
+    fn numbers_take_the_unit_of_their_place() {
+        assert_eq!(found("388 - 18632*h + 217550*h^2"), Ok(None));
+        assert_eq!(found("h - 3"), Ok(Some(Dimension::LENGTH)));
+        assert_eq!(found("K*(c - h)^n"), Ok(Some(Dimension::FORCE)));
+        assert_eq!(found("1 - h/c"), Ok(Some(Dimension::NUMBER)));
+        assert_eq!(found("sqrt(h*c)*sin(theta)"), Ok(Some(Dimension::LENGTH)));
+        assert_eq!(found("max(h, 0) < 1 and exp(h/c) > 2"), Ok(None));
+    }
+
+    #[test]
+    fn unlike_quantities_are_not_added() {
+        for (text, expected) in [
+            ("h + v", "f:1:5: `v` is a speed and cannot be added to `h`, which is a length"),
+            (
+                "v < c - h",
+                "f:1:5: `c - h` is a length and cannot be compared with `v`, which is a speed",
+            ),
+            ("exp(h)", "f:1:5: the argument of `exp` must be a pure number, not a length"),
+            ("2^h", "f:1:3: an exponent must be a pure number, not a length"),
+            ("h^(h/c)", "f:1:1: a length cannot be raised to a power that varies"),
+            ("h^1001", "f:1:1: a length cannot be raised to such a power"),
+            (
+                "max(h, v)",
+                "f:1:8: `v` is a speed and cannot be compared with `h`, which is a length",
+            ),
+        ] {
+            assert_eq!(found(text), Err(vec![expected.to_owned()]), "{text}");
+        }
+        assert_eq!(found("(h + v)*(c + v)").unwrap_err().len(), 2);
+    }
+}
