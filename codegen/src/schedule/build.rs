@@ -1,0 +1,243 @@
+//! Builds instructions: folds constants, shares equal instructions, places each in its stage.
+
+use std::collections::HashMap;
+
+use super::program::{Operand, Operation, Stage};
+use crate::expression::{Function, Relation};
+
+/// ±operand. Constants carry their own sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Signed {
+    pub(super) operand: Operand,
+    pub(super) negative: bool,
+}
+
+impl Signed {
+    pub(super) fn constant(value: f64) -> Self {
+        Signed { operand: Operand::Constant(value), negative: false }
+    }
+
+    pub(super) fn plus(operand: Operand) -> Self {
+        Signed { operand, negative: false }
+    }
+
+    pub(super) fn negated_if(self, condition: bool) -> Self {
+        match self.operand {
+            _ if !condition => self,
+            Operand::Constant(value) => Signed::constant(-value),
+            _ => Signed { negative: !self.negative, ..self },
+        }
+    }
+}
+
+/// Stages on which a value depends, one bit each.
+pub(super) type Needs = u64;
+
+/// First stage that has everything in `needs`.
+pub(super) fn first_stage(covers: &[Needs], needs: Needs) -> Option<usize> {
+    covers.iter().position(|cover| needs & !cover == 0)
+}
+
+/// What each stage can use: itself and, through the stages it sees, all that those can use.
+pub(super) fn covers(stages: &[Stage]) -> Vec<Needs> {
+    let mut covers: Vec<Needs> = Vec::with_capacity(stages.len());
+    for (place, stage) in stages.iter().enumerate() {
+        let seen = stage.sees.iter().filter(|&&seen| seen < place);
+        covers.push(seen.fold(1 << place, |cover, &seen| cover | covers[seen]));
+    }
+    covers
+}
+
+pub(super) struct Builder {
+    covers: Vec<Needs>,
+    inputs: Vec<Needs>,
+    pub(super) operations: Vec<Operation>,
+    needs: Vec<Needs>,
+    shared: HashMap<Key, Operand>,
+}
+
+impl Builder {
+    pub(super) fn new(stages: &[Stage], inputs: impl Iterator<Item = usize>) -> Self {
+        Builder {
+            covers: covers(stages),
+            inputs: inputs.map(|stage| 1 << stage).collect(),
+            operations: Vec::new(),
+            needs: Vec::new(),
+            shared: HashMap::new(),
+        }
+    }
+
+    pub(super) fn needs(&self, operand: Operand) -> Needs {
+        match operand {
+            Operand::Constant(_) => 0,
+            Operand::Input(place) => self.inputs[place],
+            Operand::Value(place) => self.needs[place],
+        }
+    }
+
+    /// Stage of a value with these needs; past the last stage if none has them all.
+    pub(super) fn stage(&self, needs: Needs) -> usize {
+        first_stage(&self.covers, needs).unwrap_or(self.covers.len())
+    }
+
+    pub(super) fn stage_of(&self, operand: Operand) -> usize {
+        self.stage(self.needs(operand))
+    }
+
+    /// The value of an operation: folded, shared with an equal one, or a new instruction.
+    pub(super) fn emit(&mut self, operation: Operation) -> Operand {
+        if let Some(known) = folded(operation) {
+            return known;
+        }
+        let key = Key::of(operation);
+        if let Some(operand) = self.shared.get(&key) {
+            return *operand;
+        }
+        let needs = operation.operands().into_iter().fold(0, |all, one| all | self.needs(one));
+        let operand = Operand::Value(self.operations.len());
+        self.operations.push(operation);
+        self.needs.push(needs);
+        self.shared.insert(key, operand);
+        operand
+    }
+
+    /// A signed value as a plain operand.
+    pub(super) fn plain(&mut self, value: Signed) -> Operand {
+        if value.negative { self.emit(Operation::Neg(value.operand)) } else { value.operand }
+    }
+
+    pub(super) fn add(&mut self, a: Signed, b: Signed) -> Signed {
+        if let Operand::Constant(value) = b.operand
+            && value < 0.0
+            && !a.negative
+        {
+            return Signed::plus(self.emit(Operation::Sub(a.operand, Operand::Constant(-value))));
+        }
+        match (a.negative, b.negative) {
+            (false, false) => Signed::plus(self.emit(Operation::Add(a.operand, b.operand))),
+            (false, true) => Signed::plus(self.emit(Operation::Sub(a.operand, b.operand))),
+            (true, false) => Signed::plus(self.emit(Operation::Sub(b.operand, a.operand))),
+            (true, true) => {
+                let sum = Signed::plus(self.emit(Operation::Add(a.operand, b.operand)));
+                sum.negated_if(true)
+            }
+        }
+    }
+
+    pub(super) fn mul(&mut self, a: Signed, b: Signed) -> Signed {
+        let product = self.emit(Operation::Mul(a.operand, b.operand));
+        Signed::plus(product).negated_if(a.negative != b.negative)
+    }
+
+    pub(super) fn div(&mut self, a: Signed, b: Signed) -> Signed {
+        let quotient = self.emit(Operation::Div(a.operand, b.operand));
+        Signed::plus(quotient).negated_if(a.negative != b.negative)
+    }
+
+    /// valueⁿ by squaring, n ≥ 1; the powers on the way are shared.
+    pub(super) fn whole_power(&mut self, value: Signed, n: u64) -> Signed {
+        let half = |n: u64| if n.is_multiple_of(2) { n / 2 } else { n - 1 };
+        let mut way = vec![n];
+        while let Some(&last) = way.last()
+            && last > 1
+        {
+            way.push(half(last));
+        }
+        let mut power = value.operand;
+        for &next in way.iter().rev().skip(1) {
+            let other = if next.is_multiple_of(2) { power } else { value.operand };
+            power = self.emit(Operation::Mul(power, other));
+        }
+        Signed::plus(power).negated_if(value.negative && !n.is_multiple_of(2))
+    }
+}
+
+/// The result where all operands are constants, or where a constant makes the operation trivial.
+fn folded(operation: Operation) -> Option<Operand> {
+    use Operand::Constant;
+    let truth = |value: bool| Some(Constant(f64::from(value)));
+    match operation {
+        Operation::Add(Constant(a), Constant(b)) => Some(Constant(a + b)),
+        Operation::Sub(Constant(a), Constant(b)) => Some(Constant(a - b)),
+        Operation::Mul(Constant(a), Constant(b)) => Some(Constant(a * b)),
+        Operation::Div(Constant(a), Constant(b)) => Some(Constant(a / b)),
+        Operation::Neg(Constant(a)) => Some(Constant(-a)),
+        Operation::Sqrt(Constant(a)) => Some(Constant(a.sqrt())),
+        Operation::Function(function, Constant(a)) => Some(Constant(function.value(a))),
+        Operation::Power(Constant(a), Constant(b)) => Some(Constant(libm::pow(a, b))),
+        Operation::Compare(Relation::Less, Constant(a), Constant(b)) => truth(a < b),
+        Operation::Compare(Relation::LessOrEqual, Constant(a), Constant(b)) => truth(a <= b),
+        Operation::Mul(Constant(1.0), other) | Operation::Mul(other, Constant(1.0)) => Some(other),
+        Operation::Div(other, Constant(1.0)) => Some(other),
+        Operation::And(Constant(a), other) | Operation::And(other, Constant(a)) => {
+            Some(if a == 0.0 { Constant(0.0) } else { other })
+        }
+        Operation::Or(Constant(a), other) | Operation::Or(other, Constant(a)) => {
+            Some(if a == 0.0 { other } else { Constant(1.0) })
+        }
+        Operation::Not(Constant(a)) => truth(a == 0.0),
+        Operation::Select(Constant(mask), a, b) => Some(if mask == 0.0 { b } else { a }),
+        Operation::Select(_, a, b) if atom(a) == atom(b) => Some(a),
+        _ => None,
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+enum Atom {
+    Constant(u64),
+    Input(usize),
+    Value(usize),
+}
+
+fn atom(operand: Operand) -> Atom {
+    match operand {
+        Operand::Constant(value) => Atom::Constant(value.to_bits()),
+        Operand::Input(place) => Atom::Input(place),
+        Operand::Value(place) => Atom::Value(place),
+    }
+}
+
+/// Equal keys: equal bits of the result. Addition and multiplication commute.
+#[derive(Debug, PartialEq, Eq, Hash)]
+enum Key {
+    Add(Atom, Atom),
+    Sub(Atom, Atom),
+    Mul(Atom, Atom),
+    Div(Atom, Atom),
+    Neg(Atom),
+    Sqrt(Atom),
+    Function(Function, Atom),
+    Power(Atom, Atom),
+    Compare(Relation, Atom, Atom),
+    And(Atom, Atom),
+    Or(Atom, Atom),
+    Not(Atom),
+    Select(Atom, Atom, Atom),
+}
+
+impl Key {
+    fn of(operation: Operation) -> Self {
+        let ordered = |a: Operand, b: Operand| (atom(a).min(atom(b)), atom(a).max(atom(b)));
+        match operation {
+            Operation::Add(a, b) => {
+                let (a, b) = ordered(a, b);
+                Key::Add(a, b)
+            }
+            Operation::Mul(a, b) => {
+                let (a, b) = ordered(a, b);
+                Key::Mul(a, b)
+            }
+            Operation::Sub(a, b) => Key::Sub(atom(a), atom(b)),
+            Operation::Div(a, b) => Key::Div(atom(a), atom(b)),
+            Operation::Neg(a) => Key::Neg(atom(a)),
+            Operation::Sqrt(a) => Key::Sqrt(atom(a)),
+            Operation::Function(function, a) => Key::Function(function, atom(a)),
+            Operation::Power(a, b) => Key::Power(atom(a), atom(b)),
+            Operation::Compare(relation, a, b) => Key::Compare(relation, atom(a), atom(b)),
+            Operation::And(a, b) => Key::And(atom(a), atom(b)),
+            Operation::Or(a, b) => Key::Or(atom(a), atom(b)),
+            Operation::Not(a) => Key::Not(atom(a)),
+            Operation::Select(mask, a, b) => Key::Select(atom(mask), atom(a), atom(b)),
+        }
+    }
+}

@@ -1,0 +1,376 @@
+//! From the graph to instructions: sums and products of many operands become chains of binary
+//! operations, ordered by stage so that what is known early is computed early.
+
+use std::collections::{BTreeMap, HashMap};
+
+use num_traits::{One, Signed as _, ToPrimitive};
+
+use super::build::{Builder, Signed};
+use super::program::{Operand, Operation};
+use super::request::{Request, ScheduleError};
+use crate::expression::{Function, Graph, Id, Node, Rational, Relation};
+
+/// Nearest f64 of an exact number.
+pub(super) fn nearest(value: &Rational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
+}
+
+/// Instructions in the order of the graph, with the operand of every output and of every named node.
+pub(super) struct Lowered {
+    pub(super) operations: Vec<Operation>,
+    pub(super) stages: Vec<usize>,
+    pub(super) outputs: Vec<Operand>,
+    pub(super) names: Vec<(Operand, String)>,
+}
+
+/// Lowers `outputs` (in place of the request's own expressions, which they equal).
+pub(super) fn lower(
+    graph: &Graph,
+    request: &Request,
+    outputs: &[Id],
+    names: &[(Id, String)],
+) -> Result<Lowered, ScheduleError> {
+    let reachable = graph.reachable(outputs);
+    let inputs = request.inputs.iter().enumerate();
+    let mut lowering = Lowering {
+        graph,
+        builder: Builder::new(&request.stages, request.inputs.iter().map(|input| input.stage)),
+        inputs: inputs.map(|(place, input)| (input.symbol, Operand::Input(place))).collect(),
+        uses: Uses::of(graph, &reachable, outputs),
+        values: BTreeMap::new(),
+        sums: HashMap::new(),
+    };
+    for id in &reachable {
+        if !lowering.uses.written_in_place(graph, *id) {
+            let value = lowering.node(*id).map_err(|refusal| refusal.at(graph, request, *id))?;
+            lowering.values.insert(*id, value);
+        }
+    }
+    let mut operands = Vec::with_capacity(outputs.len());
+    for (output, asked) in outputs.iter().zip(&request.outputs) {
+        let operand = lowering.builder.plain(lowering.values[output]);
+        if lowering.builder.stage_of(operand) >= request.stages.len() {
+            return Err(ScheduleError::NoStage { output: asked.name.clone() });
+        }
+        operands.push(operand);
+    }
+    let named = names.iter().filter_map(|(id, name)| {
+        let value = lowering.values.get(id)?;
+        (!value.negative).then(|| (value.operand, name.clone()))
+    });
+    let names = named.collect();
+    let stages = (0..lowering.builder.operations.len())
+        .map(|place| lowering.builder.stage_of(Operand::Value(place)))
+        .collect();
+    Ok(Lowered { operations: lowering.builder.operations, stages, outputs: operands, names })
+}
+
+/// Why one node has no instructions.
+enum Refusal {
+    Unbound(String),
+    NotScalar,
+}
+
+impl Refusal {
+    fn at(self, graph: &Graph, request: &Request, id: Id) -> ScheduleError {
+        let user = request.outputs.iter().find(|output| graph.depends(output.expression, id));
+        let output = user.map_or_else(String::new, |output| output.name.clone());
+        match self {
+            Refusal::Unbound(symbol) => ScheduleError::Unbound { symbol, output },
+            Refusal::NotScalar => ScheduleError::NotScalar { output },
+        }
+    }
+}
+
+/// How often nodes are used, and how.
+struct Uses {
+    /// Users of a node, counting outputs.
+    count: BTreeMap<Id, usize>,
+    /// Products whose users include a sum that multiplies them by a number other than ±1.
+    multiplied: BTreeMap<Id, bool>,
+    /// In how many products a base stands in the denominator.
+    below: BTreeMap<Id, usize>,
+}
+
+impl Uses {
+    fn of(graph: &Graph, reachable: &[Id], outputs: &[Id]) -> Self {
+        let mut uses =
+            Uses { count: BTreeMap::new(), multiplied: BTreeMap::new(), below: BTreeMap::new() };
+        outputs.iter().for_each(|output| *uses.count.entry(*output).or_default() += 1);
+        for id in reachable {
+            graph.node(*id).operands(|operand| *uses.count.entry(operand).or_default() += 1);
+            match graph.node(*id) {
+                Node::Sum(terms) => {
+                    for (term, _) in terms.iter().filter(|(_, c)| !c.abs().is_one()) {
+                        uses.multiplied.insert(*term, true);
+                    }
+                }
+                Node::Product(factors) => {
+                    for (base, _) in factors.iter().filter(|(_, e)| e.is_negative()) {
+                        *uses.below.entry(*base).or_default() += 1;
+                    }
+                }
+                _ => {}
+            }
+        }
+        uses
+    }
+
+    /// Whether the node is a product that only one sum uses, with a coefficient: the coefficient then
+    /// goes into the factors that are known first.
+    fn written_in_place(&self, graph: &Graph, id: Id) -> bool {
+        matches!(graph.node(id), Node::Product(_))
+            && self.count.get(&id) == Some(&1)
+            && self.multiplied.contains_key(&id)
+    }
+}
+
+struct Lowering<'a> {
+    graph: &'a Graph,
+    builder: Builder,
+    inputs: BTreeMap<Id, Operand>,
+    uses: Uses,
+    values: BTreeMap<Id, Signed>,
+    /// Values of sums by their terms, to find the negative of a sum that is already there.
+    sums: HashMap<Vec<(Id, Rational)>, Signed>,
+}
+
+impl Lowering<'_> {
+    fn node(&mut self, id: Id) -> Result<Signed, Refusal> {
+        let graph = self.graph;
+        let of = |values: &BTreeMap<Id, Signed>, id: &Id| values[id];
+        Ok(match graph.node(id) {
+            Node::Number(value) => Signed::constant(nearest(value)),
+            Node::Truth(value) => Signed::constant(f64::from(*value)),
+            Node::Symbol(symbol) => match self.inputs.get(&id) {
+                Some(operand) => Signed::plus(*operand),
+                None => return Err(Refusal::Unbound(symbol.name.clone())),
+            },
+            Node::Sum(terms) => {
+                let opposite: Vec<_> = terms.iter().map(|(term, c)| (*term, -c)).collect();
+                match self.sums.get(&opposite) {
+                    Some(value) => value.negated_if(true),
+                    None => {
+                        let value = self.sum(terms);
+                        self.sums.insert(terms.clone(), value);
+                        value
+                    }
+                }
+            }
+            Node::Product(factors) => self.product(factors, 1.0),
+            Node::Function(function, a) => self.function(*function, of(&self.values, a)),
+            Node::Compare(relation, a, b) => {
+                self.compare(*relation, of(&self.values, a), of(&self.values, b))
+            }
+            Node::And(a, b) => {
+                let (a, b) = (of(&self.values, a), of(&self.values, b));
+                Signed::plus(self.builder.emit(Operation::And(a.operand, b.operand)))
+            }
+            Node::Or(a, b) => {
+                let (a, b) = (of(&self.values, a), of(&self.values, b));
+                Signed::plus(self.builder.emit(Operation::Or(a.operand, b.operand)))
+            }
+            Node::Not(a) => {
+                let a = of(&self.values, a);
+                Signed::plus(self.builder.emit(Operation::Not(a.operand)))
+            }
+            Node::Select(mask, a, b) => {
+                let mask = of(&self.values, mask).operand;
+                self.select(mask, of(&self.values, a), of(&self.values, b))
+            }
+            Node::Zero(_)
+            | Node::Identity
+            | Node::Scale(..)
+            | Node::Dot(..)
+            | Node::Apply(..)
+            | Node::Transpose(_)
+            | Node::Outer(..) => return Err(Refusal::NotScalar),
+        })
+    }
+
+    /// Σ c·term. Terms of one stage are added among themselves first, earlier stages before later ones;
+    /// within a stage, terms with one |c| ≠ 1 are added before they are multiplied.
+    fn sum(&mut self, terms: &[(Id, Rational)]) -> Signed {
+        let mut groups: BTreeMap<usize, Vec<(Id, Rational)>> = BTreeMap::new();
+        for (term, coefficient) in terms {
+            let stage = self.stage_of_term(*term);
+            groups.entry(stage).or_default().push((*term, coefficient.clone()));
+        }
+        let mut total: Option<Signed> = None;
+        for group in groups.values() {
+            let part = self.sum_in_stage(group);
+            total = Some(match total {
+                Some(total) => self.builder.add(total, part),
+                None => part,
+            });
+        }
+        total.expect("a sum has terms")
+    }
+
+    fn sum_in_stage(&mut self, terms: &[(Id, Rational)]) -> Signed {
+        let mut parts: Vec<Signed> = Vec::with_capacity(terms.len());
+        let mut done = vec![false; terms.len()];
+        for place in 0..terms.len() {
+            if done[place] {
+                continue;
+            }
+            let size = terms[place].1.abs();
+            let alike: Vec<usize> = (place..terms.len())
+                .filter(|&other| terms[other].1.abs() == size && !self.is_number(terms[other].0))
+                .collect();
+            if size.is_one() || alike.len() < 2 || self.is_number(terms[place].0) {
+                parts.push(self.term(terms[place].0, &terms[place].1));
+                continue;
+            }
+            let members: Vec<Signed> = alike
+                .iter()
+                .map(|&other| {
+                    done[other] = true;
+                    let sign = Rational::from_integer(terms[other].1.signum().to_integer());
+                    self.term(terms[other].0, &sign)
+                })
+                .collect();
+            let inner = self.chain(&members);
+            parts.push(self.builder.mul(inner, Signed::constant(nearest(&size))));
+        }
+        self.chain(&parts)
+    }
+
+    /// a ± b ± …, beginning with a term that is not subtracted where there is one.
+    fn chain(&mut self, parts: &[Signed]) -> Signed {
+        let head = parts.iter().position(|part| !part.negative).unwrap_or(0);
+        let rest = parts.iter().enumerate().filter(|(place, _)| *place != head);
+        rest.fold(parts[head], |total, (_, part)| self.builder.add(total, *part))
+    }
+
+    /// coefficient · term.
+    fn term(&mut self, term: Id, coefficient: &Rational) -> Signed {
+        let graph = self.graph;
+        if let Node::Number(value) = graph.node(term) {
+            return Signed::constant(nearest(&(value * coefficient)));
+        }
+        let negative = coefficient.is_negative();
+        let size = nearest(&coefficient.abs());
+        let value = match (self.values.get(&term), graph.node(term)) {
+            (Some(value), _) => self.builder.mul(*value, Signed::constant(size)),
+            (None, Node::Product(factors)) => self.product(factors, size),
+            (None, _) => unreachable!("only products are written in place"),
+        };
+        value.negated_if(negative)
+    }
+
+    /// coefficient · Π base^exponent. Factors of one stage are multiplied among themselves first; the
+    /// coefficient joins the earliest.
+    fn product(&mut self, factors: &[(Id, Rational)], coefficient: f64) -> Signed {
+        let mut groups: BTreeMap<usize, (Vec<Signed>, Vec<Signed>)> = BTreeMap::new();
+        for (base, exponent) in factors {
+            let value = self.values[base];
+            let stage = self.builder.stage_of(value.operand);
+            let shared = self.uses.below.get(base).is_some_and(|count| *count > 1);
+            let (above, below) = groups.entry(stage).or_default();
+            if !exponent.is_negative() || is_real_power(exponent) {
+                above.push(power(&mut self.builder, value, exponent));
+            } else if shared {
+                // Several products divide by this base: one reciprocal serves them all.
+                let inverse = self.builder.div(Signed::constant(1.0), value);
+                above.push(power(&mut self.builder, inverse, &-exponent));
+            } else {
+                below.push(power(&mut self.builder, value, &-exponent));
+            }
+        }
+        let last = groups.keys().next_back().copied();
+        let mut total = Signed::constant(coefficient);
+        for (stage, (above, below)) in groups {
+            let builder = &mut self.builder;
+            let above = above.into_iter().reduce(|a, b| builder.mul(a, b));
+            let below = below.into_iter().reduce(|a, b| builder.mul(a, b));
+            let early = matches!(total.operand, Operand::Constant(_));
+            // A quotient known before the whole product is computed there, not with the product.
+            total = match (above, below) {
+                (Some(above), Some(below)) if !early && Some(stage) != last => {
+                    let quotient = builder.div(above, below);
+                    builder.mul(total, quotient)
+                }
+                (None, Some(below)) if !early && Some(stage) != last => {
+                    let inverse = builder.div(Signed::constant(1.0), below);
+                    builder.mul(total, inverse)
+                }
+                (above, below) => {
+                    let above = above.map_or(total, |above| builder.mul(above, total));
+                    below.map_or(above, |below| builder.div(above, below))
+                }
+            };
+        }
+        total
+    }
+
+    fn function(&mut self, function: Function, a: Signed) -> Signed {
+        let (operand, negative) = match function {
+            Function::Sin | Function::Tan | Function::Atan | Function::Tanh => {
+                (a.operand, a.negative)
+            }
+            Function::Cos | Function::Abs => (a.operand, false),
+            Function::Exp | Function::Ln => (self.builder.plain(a), false),
+        };
+        Signed::plus(self.builder.emit(Operation::Function(function, operand))).negated_if(negative)
+    }
+
+    fn compare(&mut self, relation: Relation, a: Signed, b: Signed) -> Signed {
+        let (a, b) = match (a.negative, b.negative, a.operand, b.operand) {
+            (true, true, a, b) => (b, a),
+            (true, false, a, Operand::Constant(b)) => (Operand::Constant(-b), a),
+            (false, true, Operand::Constant(a), b) => (b, Operand::Constant(-a)),
+            _ => (self.builder.plain(a), self.builder.plain(b)),
+        };
+        Signed::plus(self.builder.emit(Operation::Compare(relation, a, b)))
+    }
+
+    fn select(&mut self, mask: Operand, a: Signed, b: Signed) -> Signed {
+        let constant = |value: Signed| matches!(value.operand, Operand::Constant(_));
+        let negative = a.negative && (b.negative || constant(b)) || b.negative && constant(a);
+        let (a, b) = (a.negated_if(negative), b.negated_if(negative));
+        let (a, b) = (self.builder.plain(a), self.builder.plain(b));
+        Signed::plus(self.builder.emit(Operation::Select(mask, a, b))).negated_if(negative)
+    }
+
+    fn is_number(&self, id: Id) -> bool {
+        self.graph.as_number(id).is_some()
+    }
+
+    fn stage_of_term(&self, term: Id) -> usize {
+        match (self.values.get(&term), self.graph.node(term)) {
+            (Some(value), _) => self.builder.stage_of(value.operand),
+            (None, node) => {
+                let mut needs = 0;
+                node.operands(|base| needs |= self.builder.needs(self.values[&base].operand));
+                self.builder.stage(needs)
+            }
+        }
+    }
+}
+
+/// Whether the exponent is neither whole nor half, or past all sense.
+fn is_real_power(exponent: &Rational) -> bool {
+    let twice = exponent * Rational::from_integer(2.into());
+    !twice.is_integer() || twice.to_i64().is_none()
+}
+
+/// value^exponent; the exponent is positive unless it is a real power.
+fn power(builder: &mut Builder, value: Signed, exponent: &Rational) -> Signed {
+    if is_real_power(exponent) {
+        let base = builder.plain(value);
+        let exponent = Operand::Constant(nearest(exponent));
+        return Signed::plus(builder.emit(Operation::Power(base, exponent)));
+    }
+    let whole = exponent.to_integer().to_u64().expect("checked above");
+    if exponent.is_integer() {
+        return builder.whole_power(value, whole);
+    }
+    let base = builder.plain(value);
+    let root = Signed::plus(builder.emit(Operation::Sqrt(base)));
+    if whole == 0 {
+        return root;
+    }
+    let power = builder.whole_power(Signed::plus(base), whole);
+    builder.mul(power, root)
+}
