@@ -1,2 +1,9 @@
 //! The `whirl` command.
-fn main() {}
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    whirl_cli::execute(&whirl_cli::arguments::Arguments::parse())
+}

@@ -1,0 +1,59 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Transient dynamics of a rotating flexible shaft on a flexible support with clearances.
+#[derive(Debug, Parser)]
+#[command(name = "whirl", version = crate::version::LONG, propagate_version = true)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// March a case in time and write its history, summary and figures
+    Run(RunArguments),
+    /// Say what a case would run, and whether anything is wrong with it, without marching
+    Check(CheckArguments),
+    /// List the built-in cases, laws, elements and motions
+    List,
+}
+
+/// Arguments of `whirl run`.
+#[derive(Debug, Args)]
+pub struct RunArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub case: String,
+    /// Folder for the results [default: results/<name of the case>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Write no figures
+    #[arg(long)]
+    pub no_figures: bool,
+    /// Where reduced machines are kept
+    #[command(flatten)]
+    pub cache: CacheArguments,
+}
+
+/// Arguments of `whirl check`.
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub case: String,
+}
+
+/// Where reduced machines are kept between runs.
+#[derive(Debug, Args)]
+pub struct CacheArguments {
+    /// Folder in which reduced machines are kept [default: the platform's cache folder]
+    #[arg(long, value_name = "DIR", conflicts_with = "no_cache")]
+    pub cache: Option<PathBuf>,
+    /// Neither use nor keep reduced machines
+    #[arg(long)]
+    pub no_cache: bool,
+}

@@ -1,0 +1,192 @@
+//! Where case files come from: the disk, or the cases built into the program.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
+
+use super::tree::{self, Node, Place, Table, Value};
+
+macro_rules! embedded {
+    ($($file:literal),* $(,)?) => {
+        /// Files of specs/cases by name.
+        const EMBEDDED: &[(&str, &str)] =
+            &[$(($file, include_str!(concat!("../../../specs/cases/", $file)))),*];
+    };
+}
+
+embedded![
+    "hu2003-1.toml",
+    "hu2003-2.toml",
+    "hu2003-3.toml",
+    "hu2003-4.toml",
+    "hu2003-5.toml",
+    "hu2003.machine.toml",
+];
+
+/// Folder under which the built-in files are shown in messages.
+const EMBEDDED_FOLDER: &str = "specs/cases";
+
+/// Names of the built-in cases, in alphabetical order.
+pub fn embedded_cases() -> impl Iterator<Item = &'static str> {
+    EMBEDDED
+        .iter()
+        .filter_map(|(file, _)| file.strip_suffix(".toml"))
+        .filter(|name| !name.contains('.'))
+}
+
+/// Whether files are looked up on the disk or among the built-in ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shelf {
+    /// Files of the user.
+    Disk,
+    /// Files built into the program.
+    Embedded,
+}
+
+impl Shelf {
+    /// The shelf and the path of the case that the user called `case`: a path, or a built-in name.
+    ///
+    /// # Errors
+    /// Neither a file nor a built-in case is called so.
+    pub(crate) fn find(case: &str) -> Result<(Shelf, PathBuf), Diagnostics> {
+        let path = Path::new(case);
+        if path.is_file() {
+            return Ok((Shelf::Disk, path.to_path_buf()));
+        }
+        if embedded_cases().any(|name| name == case) {
+            return Ok((Shelf::Embedded, Path::new(EMBEDDED_FOLDER).join(format!("{case}.toml"))));
+        }
+        let names: Vec<&str> = embedded_cases().collect();
+        let message = if path.is_dir() {
+            format!("`{case}` is a folder, not a case file")
+        } else {
+            format!("there is no file `{case}` and no built-in case of this name")
+        };
+        let source = Source::new(path, "");
+        Err(Diagnostic::new(&source, Code::BAD_VALUE, None, message)
+            .maybe_help(suggest(case, &names))
+            .into())
+    }
+
+    /// Text of the file at `path`.
+    ///
+    /// # Errors
+    /// Why it cannot be read, for people.
+    pub(crate) fn read(self, path: &Path) -> Result<Arc<Source>, String> {
+        match self {
+            Shelf::Disk => match fs::read_to_string(path) {
+                Ok(text) => Ok(Source::new(path, text)),
+                Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
+            },
+            Shelf::Embedded => {
+                let wanted = path.strip_prefix(EMBEDDED_FOLDER).unwrap_or(path);
+                EMBEDDED
+                    .iter()
+                    .find(|(file, _)| Path::new(file) == wanted)
+                    .map(|(_, text)| Source::new(path, *text))
+                    .ok_or_else(|| format!("no built-in file `{}`", path.display()))
+            }
+        }
+    }
+}
+
+/// A path as `beside` names it: relative to the folder of that file.
+pub(crate) fn resolve(beside: &Source, path: &str) -> PathBuf {
+    beside.path.parent().unwrap_or(Path::new("")).join(path)
+}
+
+/// Files that include each other deeper than this do so in a circle or by mistake.
+const DEEPEST_INCLUDE: usize = 8;
+
+/// The tree of `path` with everything it includes, and the files read, the case first.
+///
+/// # Errors
+/// Every file that cannot be read or is not TOML.
+pub(crate) fn load(shelf: Shelf, path: &Path) -> Result<(Table, Vec<Arc<Source>>), Diagnostics> {
+    let source = shelf.read(path).map_err(|message| {
+        Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
+    })?;
+    let mut sources = vec![source.clone()];
+    let mut errors = Diagnostics::new();
+    let table = load_source(shelf, &source, 0, &mut sources, &mut errors);
+    errors.into_result((table, sources))
+}
+
+fn load_source(
+    shelf: Shelf,
+    source: &Arc<Source>,
+    depth: usize,
+    sources: &mut Vec<Arc<Source>>,
+    errors: &mut Diagnostics,
+) -> Table {
+    let mut table = match tree::parse(source) {
+        Ok(table) => table,
+        Err(found) => {
+            errors.append(found);
+            return Table::default();
+        }
+    };
+    let Some((_, include)) = table.entries.remove("include") else {
+        return table;
+    };
+    for (place, name) in include_names(include, errors) {
+        if depth == DEEPEST_INCLUDE {
+            errors.push(
+                place
+                    .error(Code::BAD_VALUE, "files include each other too deeply")
+                    .help("look for a file that includes itself"),
+            );
+            continue;
+        }
+        match shelf.read(&resolve(source, &name)) {
+            Ok(included) => {
+                sources.push(included.clone());
+                let included = load_source(shelf, &included, depth + 1, sources, errors);
+                table.merge(included);
+            }
+            Err(message) => errors.push(
+                place
+                    .error(Code::BAD_VALUE, message)
+                    .help("paths are relative to the file that names them"),
+            ),
+        }
+    }
+    table
+}
+
+fn include_names(include: Node, errors: &mut Diagnostics) -> Vec<(Place, String)> {
+    let list = match include.value {
+        Value::List(list) => list,
+        _ => vec![include],
+    };
+    let mut names = Vec::with_capacity(list.len());
+    for node in list {
+        match node.value {
+            Value::Text(name) => names.push((node.place, name)),
+            other => errors.push(node.place.error(
+                Code::BAD_VALUE,
+                format!("`include` takes the path of a file, not {}", other.kind()),
+            )),
+        }
+    }
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_of_the_folder_is_built_in() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/cases");
+        let mut files: Vec<String> = fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        files.sort();
+        let built_in: Vec<&str> = EMBEDDED.iter().map(|(file, _)| *file).collect();
+        assert_eq!(built_in, files);
+    }
+}

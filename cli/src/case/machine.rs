@@ -1,0 +1,218 @@
+//! The tables that describe a rotating machine.
+
+use std::collections::BTreeMap;
+
+use whirl_codegen::diagnostic::{Code, suggest};
+use whirl_specs::{MOTIONS, Motion};
+
+use super::law;
+use super::library::{Shelf, resolve};
+use super::loads;
+use super::reader::{
+    DAMPING_TIME, DENSITY, LENGTH, MODULUS, POSITION, ROTATION, Reader, STIFFNESS, TORQUE,
+};
+use super::rotor::{
+    BarDimensions, BeamDimensions, Bearing, Drive, GroundSpring, Material, Mesh, MeshFile, Rotor,
+    Shaft, Support,
+};
+
+type Materials = BTreeMap<String, Material>;
+
+/// Left, middle and right of a bearing.
+const STATIONS: usize = 3;
+/// Fewer springs leave directions without one.
+const FEWEST_SPRINGS: usize = 3;
+/// The motion derived from the kinetic energy.
+const DEFAULT_MOTION: &str = "consistent";
+
+pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Rotor> {
+    let materials: Materials = file
+        .named_tables("material")
+        .into_iter()
+        .map(|(name, table)| (name, material(&table)))
+        .collect();
+    let (shaft, support) = (shaft(shelf, file, &materials), support(shelf, file, &materials));
+    let (bearings, drive) = (bearings(shelf, file), drive(file));
+    let (loads, motion) = (loads::read(file), motion(file));
+    Some(Rotor {
+        shaft: shaft?,
+        support: support?,
+        bearings,
+        drive: drive?,
+        loads,
+        motion: motion?,
+    })
+}
+
+fn material(table: &Reader) -> Material {
+    Material {
+        youngs_modulus: table.needed("youngs_modulus", &MODULUS),
+        poissons_ratio: table.needed_number("poissons_ratio", (-1.0, 0.5), "0.3"),
+        density: table.needed("density", &DENSITY),
+    }
+}
+
+fn material_of(table: &Reader, materials: &Materials) -> Option<Material> {
+    let name = table.text("material")?;
+    let found = materials.get(name.text());
+    if found.is_none() {
+        let known: Vec<&str> = materials.keys().map(String::as_str).collect();
+        let message = format!("there is no material `{}`", name.text());
+        let help = suggest(name.text(), &known)
+            .unwrap_or_else(|| format!("describe it in a table `[material.{}]`", name.text()));
+        table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    found.copied()
+}
+
+/// A mesh by the file named as `mesh`, or made from the table `dimensions`.
+fn mesh<D>(shelf: Shelf, table: &Reader, made: impl Fn(&Reader) -> D) -> Option<Mesh<D>> {
+    let dimensions = table.table("dimensions");
+    match (table.text("mesh"), dimensions) {
+        (Some(_), Some(_)) => {
+            table.conflict("mesh", "dimensions");
+            None
+        }
+        (Some(name), None) => {
+            let path = resolve(name.source(), name.text());
+            if shelf == Shelf::Disk && !path.is_file() {
+                let message = format!("there is no file `{}`", path.display());
+                let error = name.error_here(Code::BAD_VALUE, message);
+                table.push(error.help("paths are relative to the file that names them"));
+            }
+            Some(Mesh::File(MeshFile { path, name }))
+        }
+        (None, Some(dimensions)) => Some(Mesh::Made(made(&dimensions))),
+        (None, None) => {
+            if !table.has("mesh") && !table.has("dimensions") {
+                let help = "add `mesh = \"body.inp\"`, or a table of `dimensions`";
+                table.absent("mesh", help);
+            }
+            None
+        }
+    }
+}
+
+fn bar(table: &Reader) -> BarDimensions {
+    BarDimensions {
+        length: table.needed("length", &LENGTH),
+        diameter: table.needed("diameter", &LENGTH),
+        supports: table.needed_quantities("supports", &POSITION),
+        support_length: table.needed("support_length", &LENGTH),
+        layers_in_support: table.needed_count("layers_in_support", 1),
+        layers_between: table.needed_count("layers_between", 1),
+        loads: table.quantities("loads", &POSITION).unwrap_or_default(),
+    }
+}
+
+fn beam(table: &Reader) -> BeamDimensions {
+    BeamDimensions {
+        start: table.needed("start", &POSITION),
+        length: table.needed("length", &LENGTH),
+        height: table.needed("height", &LENGTH),
+        width: table.needed("width", &LENGTH),
+        pedestal_height: table.needed("pedestal_height", &LENGTH),
+        rings: table.needed_quantities("rings", &POSITION),
+        ring_length: table.needed("ring_length", &LENGTH),
+        ring_thickness: table.needed("ring_thickness", &LENGTH),
+        bore_radius: table.needed("bore_radius", &LENGTH),
+        layers_in_ring: table.needed_count("layers_in_ring", 1),
+        layers_between: table.needed_count("layers_between", 1),
+    }
+}
+
+fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
+    let table = file.needed_table("shaft")?;
+    let mesh = mesh(shelf, &table, bar);
+    let material = material_of(&table, materials);
+    let shaft = Shaft {
+        modes: table.needed_count("modes", 0),
+        damping: table.quantity("damping", &DAMPING_TIME).unwrap_or(0.0),
+        axial_restraint: table.needed_text("axial_restraint", "\"NAME_OF_A_NODE_SET\""),
+        material,
+        mesh: mesh?,
+    };
+    Some(shaft)
+}
+
+fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support> {
+    let table = file.needed_table("support")?;
+    let mesh = mesh(shelf, &table, beam);
+    let material = material_of(&table, materials);
+    let directions = [("x", 0), ("y", 1), ("z", 2)];
+    let ground_spring = |spring: Reader| GroundSpring {
+        set: spring.needed_text("set", "\"NAME_OF_A_NODE_SET\""),
+        direction: spring.choice("direction", &directions).unwrap_or(0),
+        stiffness: spring.needed("stiffness", &STIFFNESS),
+    };
+    let support = Support {
+        modes: table.needed_count("modes", 0),
+        damping: table.quantity("damping", &DAMPING_TIME).unwrap_or(0.0),
+        mounts: table.needed_text("mounts", "\"NAME_OF_A_NODE_SET\""),
+        ground_springs: table.tables("ground_spring").into_iter().map(ground_spring).collect(),
+        material,
+        mesh: mesh?,
+    };
+    Some(support)
+}
+
+/// What the bearings share stands in `[springs]`; a `[[bearing]]` may say otherwise.
+fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
+    let shared = file.table("springs");
+    let shared_law = shared.as_ref().and_then(|table| law::read(shelf, table));
+    let shared_number = shared.as_ref().and_then(|t| t.count("number", FEWEST_SPRINGS));
+    let shared_clearance = shared.as_ref().and_then(|t| t.quantity("radial_clearance", &LENGTH));
+    let shares = |key| shared.as_ref().is_some_and(|table| table.has(key));
+    let each = |table: Reader| {
+        let names = |key, example| table.needed_names(key, Some(STATIONS), example);
+        let journal =
+            names("journal", "[\"JOURNAL1_LEFT\", \"JOURNAL1_MIDDLE\", \"JOURNAL1_RIGHT\"]");
+        let bore = names("bore", "[\"BORE1_LEFT\", \"BORE1_MIDDLE\", \"BORE1_RIGHT\"]");
+        let own_law = law::read(shelf, &table);
+        let own_number = table.count("number", FEWEST_SPRINGS);
+        let own_clearance = table.quantity("radial_clearance", &LENGTH);
+        for (key, example) in
+            [("number", "24"), ("radial_clearance", "\"35 um\""), ("law", "\"hu2003-nonlinear\"")]
+        {
+            if !table.has(key) && !shares(key) {
+                table.absent(key, &format!("add `{key} = {example}` here, or to `[springs]`"));
+            }
+        }
+        Some(Bearing {
+            journal,
+            bore,
+            springs: own_number.or(shared_number)?,
+            radial_clearance: own_clearance.or(shared_clearance)?,
+            law: own_law.or_else(|| shared_law.clone())?,
+        })
+    };
+    let tables = file.tables("bearing");
+    if tables.is_empty() && !file.has("bearing") {
+        file.absent("bearing", "add a table `[[bearing]]` for each place where the shaft runs");
+    }
+    tables.into_iter().filter_map(each).collect()
+}
+
+fn drive(file: &Reader) -> Option<Drive> {
+    let table = file.needed_table("drive")?;
+    Some(Drive {
+        top: table.needed_text("top", "\"DRIVE_TOP\""),
+        bottom: table.needed_text("bottom", "\"DRIVE_BOTTOM\""),
+        torque: table.needed("torque", &TORQUE),
+        target_speed: table.needed("target_speed", &ROTATION),
+        acts: table.flag("acts").unwrap_or(true),
+    })
+}
+
+fn motion(file: &Reader) -> Option<&'static Motion> {
+    let name = file.text("motion");
+    let wanted = name.as_ref().map_or(DEFAULT_MOTION, |name| name.text()).to_string();
+    let found = MOTIONS.iter().find(|motion| motion.origin.name == wanted);
+    if found.is_none() {
+        let known: Vec<&str> = MOTIONS.iter().map(|motion| motion.origin.name).collect();
+        let place = name.unwrap_or_else(|| file.place().text(""));
+        let error = place.error_here(Code::BAD_VALUE, format!("there is no motion `{wanted}`"));
+        file.push(error.maybe_help(suggest(&wanted, &known)));
+    }
+    found
+}

@@ -1,0 +1,64 @@
+//! Time step, duration and tolerances.
+
+use std::f64::consts::TAU;
+
+use super::System;
+use super::reader::{FREQUENCY, Reader, TIME, TOLERANCE};
+
+/// How a case is marched in time.
+#[derive(Debug, Clone)]
+pub struct March {
+    /// Δt in s.
+    pub time_step: f64,
+    /// Steps.
+    pub steps: usize,
+    /// Largest change of a spring force between iterations, in N, at which a step has converged.
+    pub force_tolerance: f64,
+    /// Period over which steady state is judged and results are summed up, in s.
+    pub cycle: f64,
+}
+
+impl March {
+    /// End of the analysis in s.
+    pub fn duration(&self) -> f64 {
+        self.time_step * self.steps as f64
+    }
+}
+
+/// Of the reference histories: far below every force of interest, far above rounding.
+const FORCE_TOLERANCE: f64 = 1e-3;
+
+pub(super) fn read(file: &Reader, system: Option<&System>) -> Option<March> {
+    let march = file.needed_table("march")?;
+    let time_step = march.needed("time_step", &TIME);
+    let steps = steps(&march, time_step);
+    let force_tolerance = march.quantity("force_tolerance", &TOLERANCE).unwrap_or(FORCE_TOLERANCE);
+    let cycle = match march.quantity("cycle_frequency", &FREQUENCY) {
+        Some(frequency) => 1.0 / frequency,
+        None => system.and_then(natural_cycle).unwrap_or(time_step * steps as f64),
+    };
+    Some(March { time_step, steps, force_tolerance, cycle })
+}
+
+/// The longest period of the loads, or else two revolutions at the speed that the drive aims at.
+fn natural_cycle(system: &System) -> Option<f64> {
+    let System::Rotor(rotor) = system else {
+        return None;
+    };
+    let lowest = rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::min);
+    let drive = &rotor.drive;
+    let turns = drive.acts && drive.target_speed != 0.0;
+    let two_revolutions = turns.then(|| 2.0 * TAU / drive.target_speed.abs());
+    lowest.map(|frequency| 1.0 / frequency).or(two_revolutions)
+}
+
+fn steps(march: &Reader, time_step: f64) -> usize {
+    let (steps, duration) = (march.count("steps", 1), march.quantity("duration", &TIME));
+    match (march.has("steps"), march.has("duration")) {
+        (true, true) => march.conflict("steps", "duration"),
+        (false, false) => march.absent("steps", "add `steps = 1000` or `duration = \"0.1 s\"`"),
+        _ => {}
+    }
+    let whole = |duration: f64| (duration / time_step).round().max(1.0) as usize;
+    steps.or(duration.map(whole)).unwrap_or(1)
+}

@@ -1,0 +1,68 @@
+//! A case: what a case file says, in SI, checked as far as it can be without building the machine.
+
+mod law;
+mod library;
+mod loads;
+mod lumped;
+mod machine;
+mod march;
+mod read;
+mod reader;
+mod rotor;
+mod tree;
+
+use std::sync::Arc;
+
+use whirl_codegen::diagnostic::Source;
+
+pub use law::LawSpec;
+pub use library::embedded_cases;
+pub use loads::Load;
+pub use lumped::{Lumped, Side, Stop};
+pub use march::March;
+pub use read::read;
+pub use rotor::{
+    BarDimensions, BeamDimensions, Bearing, Drive, GroundSpring, Material, Mesh, MeshFile, Rotor,
+    Shaft, Support,
+};
+
+/// One case, ready to be built.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Name under which results are kept: that of the file without its ending.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Paper, standard or book; empty if the case does not say.
+    pub origin: String,
+    /// The files read, the case itself first.
+    pub sources: Vec<Arc<Source>>,
+    /// What is marched.
+    pub system: System,
+    /// Time step, duration and tolerances.
+    pub march: March,
+    /// Numbers of the paper's figures that this case draws.
+    pub figures: FigureNumbers,
+}
+
+/// What is marched.
+#[derive(Debug, Clone)]
+pub enum System {
+    /// A flexible shaft in clearances on a flexible support.
+    Rotor(Box<Rotor>),
+    /// One mass between stops.
+    Lumped(Lumped),
+}
+
+/// Numbers of the figures in the paper, for titles; a figure without number is drawn all the same.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct FigureNumbers {
+    /// Q–h of the laws.
+    pub law: Option<usize>,
+    /// Reactions RX, RY.
+    pub reactions: Option<usize>,
+    /// Eccentricity orbits.
+    pub eccentricity: Option<usize>,
+    /// Angle and speed of rotation.
+    pub rotation: Option<usize>,
+}

@@ -1,0 +1,74 @@
+//! From a case's name or path to a checked [`Case`].
+
+use std::cell::RefCell;
+use std::path::Path;
+use std::sync::Arc;
+
+use whirl_codegen::diagnostic::{Code, Diagnostics, Source};
+
+use super::library::{Shelf, load};
+use super::reader::Reader;
+use super::{Case, FigureNumbers, System, lumped, machine, march};
+
+/// Reads the case that the user called `name`: the path of a file, or a built-in case.
+///
+/// # Errors
+/// Everything that is wrong with the case and the files it includes, each with its place.
+pub fn read(name: &str) -> Result<Case, Diagnostics> {
+    let (shelf, path) = Shelf::find(name)?;
+    let (table, sources) = load(shelf, &path)?;
+    let errors = RefCell::new(Diagnostics::new());
+    let case = assemble(shelf, &path, &sources, &Reader::file(&sources[0], &table, &errors));
+    let case = errors.into_inner().into_result(case)?;
+    case.ok_or_else(|| unreachable!("whatever is missing has been noted"))
+}
+
+fn assemble(shelf: Shelf, path: &Path, sources: &[Arc<Source>], file: &Reader) -> Option<Case> {
+    let title = file.needed_text("title", "\"what this case is\"");
+    let origin = file.text("source");
+    let figures = figure_numbers(file);
+    let system = system(shelf, file);
+    let march = march::read(file, system.as_ref());
+    Some(Case {
+        name: case_name(path),
+        title: title.text().to_string(),
+        origin: origin.map_or(String::new(), |text| text.text().to_string()),
+        sources: sources.to_vec(),
+        system: system?,
+        march: march?,
+        figures,
+    })
+}
+
+fn case_name(path: &Path) -> String {
+    path.file_stem().map_or_else(|| "case".to_string(), |stem| stem.to_string_lossy().into_owned())
+}
+
+fn system(shelf: Shelf, file: &Reader) -> Option<System> {
+    let lumped = file.has("mass");
+    if lumped && file.has("shaft") {
+        file.note(
+            file.place(),
+            Code::BAD_VALUE,
+            "a case has either a `[mass]` or a `[shaft]`, not both".to_string(),
+            None,
+        );
+    }
+    if lumped {
+        lumped::read(shelf, file).map(System::Lumped)
+    } else {
+        machine::read(shelf, file).map(|rotor| System::Rotor(Box::new(rotor)))
+    }
+}
+
+fn figure_numbers(file: &Reader) -> FigureNumbers {
+    let Some(figures) = file.table("figures") else {
+        return FigureNumbers::default();
+    };
+    FigureNumbers {
+        law: figures.count("law", 1),
+        reactions: figures.count("reactions", 1),
+        eccentricity: figures.count("eccentricity", 1),
+        rotation: figures.count("rotation", 1),
+    }
+}

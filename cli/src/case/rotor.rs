@@ -1,0 +1,174 @@
+//! A flexible shaft in clearances on a flexible support: the machine file's tables.
+
+use std::path::PathBuf;
+
+use whirl_codegen::diagnostic::Located;
+use whirl_specs::Motion;
+
+use super::law::LawSpec;
+use super::loads::Load;
+
+/// Shaft, support, what lies between, and what drives and loads them.
+#[derive(Debug, Clone)]
+pub struct Rotor {
+    /// The rotating body.
+    pub shaft: Shaft,
+    /// The standing body.
+    pub support: Support,
+    /// Where the shaft runs in the support, in the order of the case.
+    pub bearings: Vec<Bearing>,
+    /// What turns the shaft, and ties the flexible shaft to its frame.
+    pub drive: Drive,
+    /// Forces on the shaft.
+    pub loads: Vec<Load>,
+    /// How rotation is coupled to deformation.
+    pub motion: &'static Motion,
+}
+
+/// Isotropic elasticity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// E in Pa.
+    pub youngs_modulus: f64,
+    /// ν.
+    pub poissons_ratio: f64,
+    /// ρ in kg/m³.
+    pub density: f64,
+}
+
+/// Where a mesh comes from.
+#[derive(Debug, Clone)]
+pub enum Mesh<D> {
+    /// An Abaqus or CalculiX input file.
+    File(MeshFile),
+    /// Made from a few dimensions.
+    Made(D),
+}
+
+/// A mesh file named by a case.
+#[derive(Debug, Clone)]
+pub struct MeshFile {
+    /// Resolved path.
+    pub path: PathBuf,
+    /// The name as written.
+    pub name: Located,
+}
+
+/// The rotating body.
+#[derive(Debug, Clone)]
+pub struct Shaft {
+    /// Mesh.
+    pub mesh: Mesh<BarDimensions>,
+    /// Material of every cell; a mesh file may bring its own.
+    pub material: Option<Material>,
+    /// Fixed-interface modes kept.
+    pub modes: usize,
+    /// C = damping · K, in s.
+    pub damping: f64,
+    /// Set of one node held along z.
+    pub axial_restraint: Located,
+}
+
+/// The standing body.
+#[derive(Debug, Clone)]
+pub struct Support {
+    /// Mesh.
+    pub mesh: Mesh<BeamDimensions>,
+    /// Material of every cell; a mesh file may bring its own.
+    pub material: Option<Material>,
+    /// Fixed-interface modes kept.
+    pub modes: usize,
+    /// C = damping · K, in s; K with the ground springs.
+    pub damping: f64,
+    /// Set of nodes held in all directions.
+    pub mounts: Located,
+    /// Springs to the ground.
+    pub ground_springs: Vec<GroundSpring>,
+}
+
+/// A spring from every node of a set to the ground.
+#[derive(Debug, Clone)]
+pub struct GroundSpring {
+    /// Set of the support's mesh.
+    pub set: Located,
+    /// 0, 1, 2 for x, y, z.
+    pub direction: usize,
+    /// N/m each.
+    pub stiffness: f64,
+}
+
+/// A round bar along z from z = 0, with a mesh refined at its supports.
+#[derive(Debug, Clone)]
+pub struct BarDimensions {
+    /// m.
+    pub length: f64,
+    /// m.
+    pub diameter: f64,
+    /// z of the middle of each support, m.
+    pub supports: Vec<f64>,
+    /// Length of each support along z, m.
+    pub support_length: f64,
+    /// Layers of cells in a support.
+    pub layers_in_support: usize,
+    /// Layers of cells between two supports.
+    pub layers_between: usize,
+    /// z of the loaded nodes on the centre line, m.
+    pub loads: Vec<f64>,
+}
+
+/// A beam above rings: pedestals join the beam to each ring.
+#[derive(Debug, Clone)]
+pub struct BeamDimensions {
+    /// z of the beam's start, m.
+    pub start: f64,
+    /// m, along z.
+    pub length: f64,
+    /// m, along x.
+    pub height: f64,
+    /// m, along y.
+    pub width: f64,
+    /// From a ring's top to the beam, m.
+    pub pedestal_height: f64,
+    /// z of the middle of each ring, m.
+    pub rings: Vec<f64>,
+    /// m, along z.
+    pub ring_length: f64,
+    /// m.
+    pub ring_thickness: f64,
+    /// m.
+    pub bore_radius: f64,
+    /// Layers of cells in a ring along z.
+    pub layers_in_ring: usize,
+    /// Layers of cells of the beam between two rings.
+    pub layers_between: usize,
+}
+
+/// One place where the shaft runs in the support.
+#[derive(Debug, Clone)]
+pub struct Bearing {
+    /// Sets of one node each on the shaft's centre line: left, middle, right.
+    pub journal: Vec<Located>,
+    /// Sets of nodes around the bore: left, middle, right.
+    pub bore: Vec<Located>,
+    /// Springs in a ring.
+    pub springs: usize,
+    /// Radial clearance c in m.
+    pub radial_clearance: f64,
+    /// Q(h, ḣ) of one spring.
+    pub law: LawSpec,
+}
+
+/// A couple of forces fixed to the shaft, acting until a speed is reached.
+#[derive(Debug, Clone)]
+pub struct Drive {
+    /// Set of one node: +y.
+    pub top: Located,
+    /// Set of one node: −y.
+    pub bottom: Located,
+    /// N·m about +z.
+    pub torque: f64,
+    /// rad/s.
+    pub target_speed: f64,
+    /// Whether the couple acts; without it the nodes still tie the flexible shaft to its frame.
+    pub acts: bool,
+}

@@ -1,0 +1,32 @@
+//! `whirl list`: what is built in.
+
+use std::fmt::Write;
+
+use whirl_specs::{ELEMENTS, LAWS, MOTIONS, Origin};
+
+use crate::case::{self, embedded_cases};
+
+/// Cases, laws, elements and motions, one a line with its title.
+pub(crate) fn list() -> String {
+    let mut text = String::new();
+    let cases = embedded_cases()
+        .map(|name| (name, case::read(name).map_or(String::new(), |case| case.title)));
+    section(&mut text, "Cases", cases);
+    let facts = |origin: &'static Origin| (origin.name, origin.title.to_string());
+    section(&mut text, "Laws", LAWS.iter().map(|law| facts(&law.origin)));
+    section(&mut text, "Elements", ELEMENTS.iter().map(|element| facts(&element.origin)));
+    section(&mut text, "Motions", MOTIONS.iter().map(|motion| facts(&motion.origin)));
+    text
+}
+
+fn section<'a>(text: &mut String, heading: &str, entries: impl Iterator<Item = (&'a str, String)>) {
+    let entries: Vec<_> = entries.collect();
+    let widest = entries.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    writeln!(text, "{heading}").expect("text can be written");
+    for (name, title) in entries {
+        writeln!(text, "  {name:widest$}  {title}").expect("text can be written");
+    }
+}

@@ -1,0 +1,10 @@
+//! Which program this is.
+
+/// Version of the package.
+pub const PACKAGE: &str = env!("CARGO_PKG_VERSION");
+
+/// Commit from which the program was built, if the build knew it.
+pub const COMMIT: Option<&str> = option_env!("WHIRL_COMMIT");
+
+/// Version and commit, for `--version`.
+pub const LONG: &str = env!("WHIRL_VERSION");
