@@ -3,5 +3,6 @@
 pub mod error;
 pub mod linalg;
 pub mod mesh;
+pub mod ordering;
 
 pub use error::Error;

@@ -5,15 +5,19 @@
 
 mod cholesky;
 mod eigen;
+mod lower;
 mod lu;
 mod matrix;
 mod product;
+mod sparse;
 
 pub use cholesky::Cholesky;
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
+pub use lower::LowerTriangle;
 pub use lu::Lu;
 pub use matrix::{Columns, Matrix};
 pub use product::{congruence, multiply, multiply_add, transpose_multiply};
+pub use sparse::{Inertia, SparseCholesky, inertia};
 
 use faer::{MatMut, MatRef};
 

@@ -1,0 +1,230 @@
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltError;
+use faer::perm::PermRef;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, Par, Side};
+
+use super::{LinearAlgebraError, LowerTriangle, view_mut};
+
+/// Sparse Cholesky factorisation PAPᵀ = LLᵀ of a symmetric positive definite matrix.
+#[derive(Debug)]
+pub struct SparseCholesky {
+    symbolic: SymbolicCholesky<usize>,
+    values: Vec<f64>,
+}
+
+/// How many eigenvalues of a symmetric matrix are negative and positive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Inertia {
+    /// Number of negative eigenvalues.
+    pub negative: usize,
+    /// Number of positive eigenvalues.
+    pub positive: usize,
+}
+
+impl SparseCholesky {
+    /// Factors `a`, eliminating the unknowns in the order given (`order[0]` first).
+    ///
+    /// # Errors
+    /// [`LinearAlgebraError::TooLarge`] before anything large is allocated, if the factor's values would
+    /// need more than `limit` bytes; [`LinearAlgebraError::NotPositiveDefinite`], also for a value that
+    /// is not finite.
+    pub fn new(
+        a: &LowerTriangle,
+        order: &[usize],
+        limit: usize,
+    ) -> Result<Self, LinearAlgebraError> {
+        let symbolic = symbolic(a, order, limit)?;
+        let mut values = vec![0.0; symbolic.len_val()];
+        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        let outcome = symbolic
+            .factorize_numeric_llt(
+                &mut values,
+                matrix(a),
+                Side::Lower,
+                Default::default(),
+                Par::Seq,
+                MemStack::new(&mut MemBuffer::new(scratch)),
+                Default::default(),
+            )
+            .map(|_| ());
+        let row = |index: usize| match symbolic.perm() {
+            Some(permutation) => permutation.arrays().0[index],
+            None => index,
+        };
+        match outcome {
+            Err(LltError::NonPositivePivot { index }) => {
+                Err(LinearAlgebraError::NotPositiveDefinite { row: row(index), size: a.size })
+            }
+            Ok(()) if values.iter().any(|value| !value.is_finite()) => {
+                Err(LinearAlgebraError::NotPositiveDefinite { row: row(0), size: a.size })
+            }
+            Ok(()) => Ok(SparseCholesky { symbolic, values }),
+        }
+    }
+
+    /// Bytes of the factor's values.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.values[..])
+    }
+
+    /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b.
+    pub fn solve_in_place(&self, rhs: &mut [f64]) {
+        let n = self.symbolic.nrows();
+        let cols = rhs.len().checked_div(n).unwrap_or(0);
+        let scratch = self.symbolic.solve_in_place_scratch::<f64>(cols, Par::Seq);
+        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            view_mut(n, cols, rhs),
+            Par::Seq,
+            MemStack::new(&mut MemBuffer::new(scratch)),
+        );
+    }
+}
+
+/// The inertia of a symmetric matrix, by LDLᵀ without pivoting (Sylvester's law); `None` if a leading
+/// minor is singular to rounding, so that the signs of the pivots cannot be trusted.
+///
+/// # Errors
+/// As [`SparseCholesky::new`], but for definiteness.
+pub fn inertia(
+    a: &LowerTriangle,
+    order: &[usize],
+    limit: usize,
+) -> Result<Option<Inertia>, LinearAlgebraError> {
+    let symbolic = symbolic(a, order, limit)?;
+    let mut values = vec![0.0; symbolic.len_val()];
+    let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
+    let outcome = symbolic.factorize_numeric_ldlt(
+        &mut values,
+        matrix(a),
+        Side::Lower,
+        Default::default(),
+        Par::Seq,
+        MemStack::new(&mut MemBuffer::new(scratch)),
+        Default::default(),
+    );
+    if outcome.is_err() {
+        return Ok(None);
+    }
+    let SymbolicCholeskyRaw::Supernodal(supernodes) = symbolic.raw() else {
+        unreachable!("the symbolic factorisation is forced to be supernodal");
+    };
+    let factor: SupernodalLdltRef<usize, f64> = SupernodalLdltRef::new(supernodes, &values);
+    let mut count = Inertia { negative: 0, positive: 0 };
+    for s in 0..supernodes.n_supernodes() {
+        let block = factor.supernode(s).val();
+        for j in 0..block.ncols() {
+            let pivot: f64 = block[(j, j)];
+            if !pivot.is_finite() || pivot == 0.0 {
+                return Ok(None);
+            }
+            if pivot < 0.0 {
+                count.negative += 1;
+            } else {
+                count.positive += 1;
+            }
+        }
+    }
+    Ok(Some(count))
+}
+
+fn symbolic(
+    a: &LowerTriangle,
+    order: &[usize],
+    limit: usize,
+) -> Result<SymbolicCholesky<usize>, LinearAlgebraError> {
+    let mut inverse = vec![0; a.size];
+    for (place, &row) in order.iter().enumerate() {
+        inverse[row] = place;
+    }
+    let parameters = CholeskySymbolicParams {
+        supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+        ..Default::default()
+    };
+    let symbolic = factorize_symbolic_cholesky(
+        matrix(a).symbolic(),
+        Side::Lower,
+        SymmetricOrdering::Custom(PermRef::new_checked(order, &inverse, a.size)),
+        parameters,
+    )
+    .map_err(|_| too_large(a, usize::MAX / size_of::<f64>(), limit))?;
+    let length = symbolic.len_val();
+    if length.saturating_mul(size_of::<f64>()) > limit {
+        return Err(too_large(a, length, limit));
+    }
+    Ok(symbolic)
+}
+
+fn too_large(a: &LowerTriangle, length: usize, limit: usize) -> LinearAlgebraError {
+    LinearAlgebraError::TooLarge {
+        size: a.size,
+        bytes: length.saturating_mul(size_of::<f64>()),
+        limit,
+    }
+}
+
+fn matrix(a: &LowerTriangle) -> SparseColMatRef<'_, usize, f64> {
+    let pattern = SymbolicSparseColMatRef::new_checked(a.size, a.size, &a.starts, None, &a.rows);
+    SparseColMatRef::new(pattern, &a.values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn string(n: usize, diagonal: f64) -> LowerTriangle {
+        LowerTriangle::from_columns(n, |j| {
+            [(j, diagonal), (j + 1, -1.0)].into_iter().filter(move |&(i, _)| i < n)
+        })
+    }
+
+    #[test]
+    fn solves_in_any_order() {
+        let n = 500;
+        let a = string(n, 2.0);
+        let x: Vec<f64> = (0..2 * n).map(|i| (i as f64).cos()).collect();
+        let mut b = vec![0.0; 2 * n];
+        a.multiply(&x, &mut b);
+        let order: Vec<usize> = (0..n).map(|i| (i * 7) % n).collect();
+        let factor = SparseCholesky::new(&a, &order, usize::MAX).unwrap();
+        factor.solve_in_place(&mut b);
+        // Condition 4n²/π² ≈ 1e5.
+        assert!(b.iter().zip(&x).all(|(got, want)| (got - want).abs() < 1e-10));
+    }
+
+    #[test]
+    fn inertia_counts_the_eigenvalues_on_either_side() {
+        let n = 300;
+        let order: Vec<usize> = (0..n).map(|i| (i * 11) % n).collect();
+        for shift in [0.01, 0.5, 1.7, 3.9] {
+            let angle = |k: usize| k as f64 * std::f64::consts::PI / (2 * n + 2) as f64;
+            let below = (1..=n).filter(|&k| 4.0 * angle(k).sin().powi(2) < shift).count();
+            let inertia = inertia(&string(n, 2.0 - shift), &order, usize::MAX).unwrap();
+            assert_eq!(inertia, Some(Inertia { negative: below, positive: n - below }));
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_factored_is_an_error() {
+        let order: Vec<usize> = (0..4).rev().collect();
+        let mut a = string(4, 2.0);
+        assert!(matches!(
+            SparseCholesky::new(&a, &order, 8),
+            Err(LinearAlgebraError::TooLarge { size: 4, limit: 8, .. })
+        ));
+        a.values[a.starts[1]] = -1.0;
+        assert_eq!(
+            SparseCholesky::new(&a, &order, usize::MAX).err(),
+            Some(LinearAlgebraError::NotPositiveDefinite { row: 1, size: 4 })
+        );
+        a.values[a.starts[1]] = f64::NAN;
+        assert!(SparseCholesky::new(&a, &order, usize::MAX).is_err());
+    }
+}
