@@ -1,0 +1,306 @@
+//! From a mesh and a form to a sparse matrix: kernels evaluated block by block, then scattered.
+
+use whirl_specs::{FormKernel, Structure};
+
+use crate::error::{Error, InvertedCell};
+use crate::linalg::LowerTriangle;
+use crate::mesh::{Block, Mesh};
+use crate::sparse::{SparseColumns, SparseMatrix};
+
+/// Cells evaluated by one call of a kernel: many lanes' worth, few enough to stay in cache.
+const BATCH: usize = 256;
+
+/// Inverted cells that an error lists.
+const LISTED: usize = 5;
+
+/// The matrix of the form called `form` (`stiffness` K, `mass` M, `spin_inertia` Y, `spin_coupling` H)
+/// over all cells of a mesh, `3·nodes` rows, SI.
+///
+/// # Errors
+/// [`Error::MissingForm`], [`Error::MissingProperty`], or [`Error::InvertedCells`] naming the cells.
+pub fn assemble(mesh: &Mesh, form: &str) -> Result<SparseMatrix, Error> {
+    let kernels = kernels(mesh, form)?;
+    let mut scatter = Scatter::new(mesh, common_structure(&kernels));
+    evaluate(mesh, &kernels, |block, cell, values| scatter.add(block, cell, values))?;
+    Ok(scatter.finish())
+}
+
+/// Mass, centre and second moments of a body, by the cells' own quadrature.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MassProperties {
+    /// ∫ρ dV (kg).
+    pub mass: f64,
+    /// ∫dV (m³).
+    pub volume: f64,
+    /// ∫ρ x dV / mass (m).
+    pub centre: [f64; 3],
+    /// ∫ρ xᵢ xⱼ dV about the origin (kg·m²); the polar inertia about z is [0][0] + [1][1].
+    pub second_moment: [[f64; 3]; 3],
+}
+
+/// Mass, centre and second moments of a body.
+///
+/// # Errors
+/// As [`assemble`].
+pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
+    let kernels = kernels(mesh, "mass")?;
+    let (mut mass, mut volume, mut first, mut second) = (0.0, 0.0, [0.0; 3], [[0.0; 3]; 3]);
+    evaluate(mesh, &kernels, |block, cell, values| {
+        let entry = Entries { structure: block.kernel.structure, nodes: cell.len(), values };
+        let mut cell_mass = 0.0;
+        for (a, &node) in cell.iter().enumerate() {
+            let x = mesh.nodes()[node];
+            for (b, &other) in cell.iter().enumerate() {
+                // ρ Nₐ N_b stands on the diagonal of the 3 × 3 block; Σₐ Nₐ xₐ = x.
+                let m = entry.get(a, 0, b, 0);
+                let y = mesh.nodes()[other];
+                cell_mass += m;
+                for i in 0..3 {
+                    first[i] += m * x[i];
+                    for j in 0..3 {
+                        second[i][j] += m * x[i] * y[j];
+                    }
+                }
+            }
+        }
+        mass += cell_mass;
+        volume += cell_mass / block.density;
+    })?;
+    Ok(MassProperties { mass, volume, centre: first.map(|m| m / mass), second_moment: second })
+}
+
+/// A block of cells with the kernel of one form and its material values.
+struct BlockKernel<'a> {
+    block: &'a Block,
+    kernel: &'static FormKernel,
+    material: Vec<f64>,
+    /// kg/m³; 1 where the material has none.
+    density: f64,
+}
+
+fn kernels<'a>(mesh: &'a Mesh, form: &str) -> Result<Vec<BlockKernel<'a>>, Error> {
+    let with_kernel = |block: &'a Block| {
+        let element = block.element;
+        let kernel = element.form(form).ok_or_else(|| Error::MissingForm {
+            element: element.origin.name.to_owned(),
+            form: form.to_owned(),
+            known: element.forms.iter().map(|kernel| kernel.form).collect::<Vec<_>>().join(", "),
+        })?;
+        let material = &mesh.materials()[block.material];
+        let value = |name: &str| {
+            material.properties.get(name).copied().ok_or_else(|| Error::MissingProperty {
+                origin: mesh.origin().to_owned(),
+                material: material.name.clone(),
+                property: name.to_owned(),
+                form: form.to_owned(),
+            })
+        };
+        Ok(BlockKernel {
+            block,
+            kernel,
+            material: kernel.material.iter().map(|v| value(v.name)).collect::<Result<_, _>>()?,
+            density: material.properties.get("rho").copied().unwrap_or(1.0),
+        })
+    };
+    mesh.blocks().iter().map(with_kernel).collect()
+}
+
+/// Evaluates the kernels and hands each cell's nodes and values to `take`.
+fn evaluate(
+    mesh: &Mesh,
+    kernels: &[BlockKernel],
+    mut take: impl FnMut(&BlockKernel, &[usize], &[f64]),
+) -> Result<(), Error> {
+    let mut inverted = Vec::new();
+    let mut count = 0;
+    for block in kernels {
+        let nodes = block.block.element.nodes;
+        let stored = block.kernel.structure.len(nodes);
+        let mut coordinates = Vec::with_capacity(BATCH * nodes * 3);
+        let mut matrices = vec![0.0; BATCH * stored];
+        let mut jacobians = vec![0.0; BATCH];
+        let batches = block.block.connectivity.chunks(BATCH * nodes);
+        for (connectivity, labels) in batches.zip(block.block.labels.chunks(BATCH)) {
+            let cells = labels.len();
+            coordinates.clear();
+            coordinates.extend(connectivity.iter().flat_map(|&node| mesh.nodes()[node]));
+            let matrices = &mut matrices[..cells * stored];
+            let jacobians = &mut jacobians[..cells];
+            (block.kernel.evaluate)(&coordinates, &block.material, matrices, jacobians);
+            for (&jacobian, &label) in jacobians.iter().zip(labels) {
+                let upright = jacobian > 0.0;
+                if !upright {
+                    count += 1;
+                    if inverted.len() < LISTED {
+                        let element = block.block.element.origin.name.to_owned();
+                        inverted.push(InvertedCell { label, element, jacobian });
+                    }
+                }
+            }
+            let cells = connectivity.chunks_exact(nodes).zip(matrices.chunks_exact(stored));
+            cells.for_each(|(cell, values)| take(block, cell, values));
+        }
+    }
+    if count > 0 {
+        let origin = mesh.origin().to_owned();
+        return Err(Error::InvertedCells { origin, cells: inverted, count });
+    }
+    Ok(())
+}
+
+/// The most special structure that holds the matrices of all blocks.
+fn common_structure(kernels: &[BlockKernel]) -> Structure {
+    let structures = || kernels.iter().map(|block| block.kernel.structure);
+    let Some(first) = structures().next() else { return Structure::Symmetric };
+    let symmetric = |structure: Structure| match structure {
+        Structure::Symmetric => true,
+        Structure::Full => false,
+        Structure::Kronecker { pattern } => {
+            (0..3).all(|i| (0..i).all(|j| pattern[i][j] == pattern[j][i]))
+        }
+    };
+    if structures().all(|structure| structure == first) {
+        first
+    } else if structures().all(symmetric) {
+        Structure::Symmetric
+    } else {
+        Structure::Full
+    }
+}
+
+/// The entries of one cell's matrix, whatever its storage.
+struct Entries<'a> {
+    structure: Structure,
+    nodes: usize,
+    values: &'a [f64],
+}
+
+/// Place of (r, c), r ≤ c, in an upper triangle of n rows stored by rows.
+#[inline]
+fn upper(n: usize, r: usize, c: usize) -> usize {
+    r * (2 * n - r + 1) / 2 + c - r
+}
+
+impl Entries<'_> {
+    /// Entry (3a+i, 3b+j).
+    #[inline]
+    fn get(&self, a: usize, i: usize, b: usize, j: usize) -> f64 {
+        let (row, column) = (3 * a + i, 3 * b + j);
+        match self.structure {
+            Structure::Symmetric => {
+                self.values[upper(3 * self.nodes, row.min(column), row.max(column))]
+            }
+            Structure::Full => self.values[row * 3 * self.nodes + column],
+            Structure::Kronecker { pattern } => self.scalar(a, b) * pattern[i][j],
+        }
+    }
+
+    /// s[a,b] of a Kronecker structure.
+    #[inline]
+    fn scalar(&self, a: usize, b: usize) -> f64 {
+        self.values[upper(self.nodes, a.min(b), a.max(b))]
+    }
+}
+
+/// Sums the cells' matrices into a sparse one.
+enum Scatter {
+    Symmetric { graph: LowerTriangle, matrix: LowerTriangle },
+    Kronecker { scalar: LowerTriangle, pattern: [[f64; 3]; 3] },
+    Full { size: usize, triplets: Vec<(usize, usize, f64)> },
+}
+
+impl Scatter {
+    fn new(mesh: &Mesh, structure: Structure) -> Scatter {
+        match structure {
+            Structure::Kronecker { pattern } => {
+                Scatter::Kronecker { scalar: node_graph(mesh), pattern }
+            }
+            Structure::Symmetric => {
+                let graph = node_graph(mesh);
+                let matrix = LowerTriangle::from_columns(3 * graph.size, |dof| {
+                    let (b, j) = (dof / 3, dof % 3);
+                    let entries = move |(a, _)| (0..3).map(move |i| (3 * a + i, 0.0));
+                    graph.column(b).flat_map(entries).filter(move |&(row, _)| row >= 3 * b + j)
+                });
+                Scatter::Symmetric { graph, matrix }
+            }
+            Structure::Full => Scatter::Full { size: mesh.dof_count(), triplets: Vec::new() },
+        }
+    }
+
+    fn add(&mut self, block: &BlockKernel, cell: &[usize], values: &[f64]) {
+        let entries = Entries { structure: block.kernel.structure, nodes: cell.len(), values };
+        match self {
+            Scatter::Kronecker { scalar, .. } => {
+                for_lower_pairs(cell, |a, b| {
+                    let place = place(scalar, cell[a], cell[b]);
+                    scalar.values[place] += entries.scalar(a, b);
+                });
+            }
+            Scatter::Symmetric { graph, matrix } => {
+                for_lower_pairs(cell, |a, b| {
+                    let ahead = place(graph, cell[a], cell[b]) - graph.starts[cell[b]];
+                    for j in 0..3 {
+                        // Column 3b+j begins at row 3b+j, so it has lost j entries of its first block.
+                        let start = matrix.starts[3 * cell[b] + j] + 3 * ahead;
+                        for i in if ahead == 0 { j } else { 0 }..3 {
+                            matrix.values[start + i - j] += entries.get(a, i, b, j);
+                        }
+                    }
+                });
+            }
+            Scatter::Full { triplets, .. } => {
+                for (a, &node) in cell.iter().enumerate() {
+                    for (b, &other) in cell.iter().enumerate() {
+                        for (i, j) in (0..9).map(|k| (k / 3, k % 3)) {
+                            let value = entries.get(a, i, b, j);
+                            triplets.push((3 * node + i, 3 * other + j, value));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn finish(self) -> SparseMatrix {
+        match self {
+            Scatter::Symmetric { matrix, .. } => SparseMatrix::Symmetric(matrix),
+            Scatter::Kronecker { scalar, pattern } => SparseMatrix::Kronecker { scalar, pattern },
+            Scatter::Full { size, triplets } => {
+                SparseMatrix::General(SparseColumns::from_triplets(size, size, triplets))
+            }
+        }
+    }
+}
+
+/// Pairs (a, b) of a cell's nodes for which node a is not above node b in the mesh's numbering.
+fn for_lower_pairs(cell: &[usize], mut pair: impl FnMut(usize, usize)) {
+    for b in 0..cell.len() {
+        for a in 0..cell.len() {
+            if cell[a] >= cell[b] {
+                pair(a, b);
+            }
+        }
+    }
+}
+
+/// Place of entry (row, column) among the values.
+fn place(matrix: &LowerTriangle, row: usize, column: usize) -> usize {
+    let start = matrix.starts[column];
+    let rows = &matrix.rows[start..matrix.starts[column + 1]];
+    start + rows.binary_search(&row).expect("the graph has every pair of nodes of every cell")
+}
+
+/// Zeros at every pair of nodes that share a cell.
+fn node_graph(mesh: &Mesh) -> LowerTriangle {
+    let nodes = mesh.nodes().len();
+    let mut neighbours: Vec<Vec<usize>> = (0..nodes).map(|node| vec![node]).collect();
+    for cell in mesh.blocks().iter().flat_map(Block::cells) {
+        for_lower_pairs(cell, |a, b| neighbours[cell[b]].push(cell[a]));
+    }
+    for list in &mut neighbours {
+        list.sort_unstable();
+        list.dedup();
+    }
+    LowerTriangle::from_columns(nodes, |b| neighbours[b].iter().map(|&a| (a, 0.0)))
+}
