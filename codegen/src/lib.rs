@@ -1,6 +1,8 @@
 //! From spec files to Rust kernels: formulas, derivatives, schedules, emission and tape.
 
 pub mod diagnostic;
+#[cfg(feature = "emit")]
+pub mod emit;
 pub mod expression;
 pub mod formula;
 pub mod schedule;

@@ -3,7 +3,8 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A lane of numbers. Kernels are generic over it: `f64` computes one cell or spring at a time, wider
-/// lanes compute several, and a dual number differentiates the same text.
+/// lanes compute several, and a dual number differentiates the same text. An `f64` operand stands for
+/// the same value in every lane.
 ///
 /// No operation is fused: the same formula gives the same bits on every lane type.
 pub trait Lane:
@@ -13,6 +14,10 @@ pub trait Lane:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
 {
     /// Result of a comparison, one truth value a lane.
     type Mask: Copy;

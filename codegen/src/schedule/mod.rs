@@ -90,12 +90,20 @@ fn assemble(request: &Request, lowered: Lowered) -> Program {
     let inputs: Vec<&str> = request.inputs.iter().map(|input| input.name.as_str()).collect();
     let names = name::names(&operations, &inputs, &given);
 
+    let mut is_given = vec![false; order.len()];
+    for (operand, _) in &given {
+        if let Operand::Value(place) = operand {
+            is_given[*place] = true;
+        }
+    }
     let instructions = order
         .iter()
         .zip(operations)
         .zip(names)
-        .map(|((old, operation), name)| Instruction {
+        .enumerate()
+        .map(|(place, ((old, operation), name))| Instruction {
             name,
+            given: is_given[place],
             stage: lowered.stages[*old],
             operation,
         })

@@ -135,6 +135,8 @@ impl Operation {
 pub struct Instruction {
     /// Readable name, from the symbols of the spec; unique in the program, its inputs included.
     pub name: String,
+    /// Whether the name is that of an output or of a definition of the spec, not a made one.
+    pub given: bool,
     /// Stage in which it runs.
     pub stage: usize,
     /// What it does.

@@ -1,0 +1,49 @@
+//! Identifiers: only characters that make a Rust identifier reach generated code.
+
+use proc_macro2::{Ident, Span};
+
+/// The identifier of a spec's name. Other characters than ASCII letters, digits and underscores become
+/// their code point, keywords are escaped.
+pub fn identifier(name: &str) -> Ident {
+    let mut text = String::with_capacity(name.len());
+    for character in name.chars() {
+        match character {
+            'a'..='z' | 'A'..='Z' | '_' => text.push(character),
+            '0'..='9' if !text.is_empty() => text.push(character),
+            '-' if !text.is_empty() => text.push('_'),
+            other => text.push_str(&format!("u{:x}_", u32::from(other))),
+        }
+    }
+    if text.chars().all(|c| c == '_')
+        || matches!(text.as_str(), "self" | "Self" | "super" | "crate")
+    {
+        text.push_str("_name");
+    }
+    if syn::parse_str::<Ident>(&text).is_ok() {
+        Ident::new(&text, Span::call_site())
+    } else {
+        Ident::new_raw(&text, Span::call_site())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::identifier;
+
+    #[test]
+    fn names_become_identifiers() {
+        for (name, expected) in [
+            ("h_dot", "h_dot"),
+            ("hu2003-linear", "hu2003_linear"),
+            ("type", "r#type"),
+            ("self", "self_name"),
+            ("_", "__name"),
+            ("2x", "u32_x"),
+            ("", "_name"),
+            ("a; panic!()", "au3b_u20_panicu21_u28_u29_"),
+            ("θ", "u3b8_"),
+        ] {
+            assert_eq!(identifier(name).to_string(), expected);
+        }
+    }
+}
