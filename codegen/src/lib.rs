@@ -7,4 +7,5 @@ pub mod expression;
 pub mod formula;
 pub mod schedule;
 pub mod spec;
+pub mod tape;
 pub mod units;

@@ -285,8 +285,7 @@ mod tests {
             body(&program, Numbers::Lanes),
             [
                 "let h_below = L::lt(h, L::splat(0.03571428571428571));",
-                "let Q_part3 = h * (h * 217550.0 - 18632.0);",
-                "let Q_part4 = Q_part3 + 388.0;",
+                "let Q_part4 = h * (h * 217550.0 - 18632.0) + 388.0;",
                 "let Q = L::select(h_below, Q_part4, L::splat(0.0));",
             ]
         );
@@ -307,7 +306,7 @@ mod tests {
         let program = schedule(&mut g, &Request::flat(&inputs, &outputs)).expect("a program");
         assert_eq!(
             body(&program, Numbers::Plain),
-            ["let q_part = b + c;", "let q = d / (a * q_part);", "let s = Lane::sin(e - q_part);",]
+            ["let q = d / (a * (b + c));", "let s = Lane::sin(e - b - c);"]
         );
     }
 }

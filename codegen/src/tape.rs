@@ -1,0 +1,225 @@
+//! A schedule evaluated at run time, without a compiler: one instruction at a time over 64 springs.
+//! It gives the same bits as the emitted code, because both follow the same schedule, no operation is
+//! fused, and functions come from the same implementation.
+
+use crate::expression::{Function, Relation};
+use crate::schedule::{Operand, Operation, Program};
+
+/// Springs that one instruction covers.
+pub const WIDTH: usize = 64;
+
+/// One value of every spring of a block. Truth values are 1 and 0.
+type Register = [f64; WIDTH];
+
+/// A program ready to be evaluated over rows of springs.
+#[derive(Debug, Clone)]
+pub struct Tape {
+    constants: Vec<f64>,
+    inputs: usize,
+    steps: Vec<Step>,
+    outputs: Vec<usize>,
+}
+
+/// An instruction between registers; its result goes to the register behind those of the steps before.
+/// Operands are places of registers: constants, then inputs, then results.
+#[derive(Debug, Clone, Copy)]
+enum Step {
+    Add(usize, usize),
+    Sub(usize, usize),
+    Mul(usize, usize),
+    Div(usize, usize),
+    Neg(usize),
+    Sqrt(usize),
+    Function(Function, usize),
+    Power(usize, usize),
+    Less(usize, usize),
+    LessOrEqual(usize, usize),
+    And(usize, usize),
+    Or(usize, usize),
+    Not(usize),
+    Select(usize, usize, usize),
+}
+
+impl Tape {
+    /// The tape of a program; its stages are run as one.
+    pub fn new(program: &Program) -> Self {
+        let mut constants: Vec<f64> = Vec::new();
+        let mut place_of = |value: f64| {
+            let found = constants.iter().position(|known| known.to_bits() == value.to_bits());
+            found.unwrap_or_else(|| {
+                constants.push(value);
+                constants.len() - 1
+            })
+        };
+        let operands = program.instructions.iter().flat_map(|i| i.operation.operands());
+        for operand in operands.chain(program.outputs.iter().map(|output| output.operand)) {
+            if let Operand::Constant(value) = operand {
+                place_of(value);
+            }
+        }
+        let first_result = constants.len() + program.inputs.len();
+        let register = |operand: Operand| match operand {
+            Operand::Constant(value) => {
+                let same = |known: &f64| known.to_bits() == value.to_bits();
+                constants.iter().position(same).expect("all constants are listed")
+            }
+            Operand::Input(place) => constants.len() + place,
+            Operand::Value(place) => first_result + place,
+        };
+        let steps = program.instructions.iter().map(|i| Step::new(i.operation, register)).collect();
+        let outputs = program.outputs.iter().map(|output| register(output.operand)).collect();
+        Tape { inputs: program.inputs.len(), steps, outputs, constants }
+    }
+
+    /// Number of input rows.
+    pub fn inputs(&self) -> usize {
+        self.inputs
+    }
+
+    /// Number of output rows.
+    pub fn outputs(&self) -> usize {
+        self.outputs.len()
+    }
+
+    /// Length of the workspace that [`Tape::evaluate`] needs, whatever the number of springs.
+    pub fn workspace(&self) -> usize {
+        WIDTH * (self.constants.len() + self.inputs + self.steps.len())
+    }
+
+    /// Evaluates all springs. `inputs`: one row of `springs` values an input; `outputs`: one row an output;
+    /// `workspace`: at least [`Tape::workspace`] values, whose contents do not matter. Allocates nothing.
+    ///
+    /// # Panics
+    /// If a slice is shorter than that.
+    pub fn evaluate(
+        &self,
+        springs: usize,
+        inputs: &[f64],
+        outputs: &mut [f64],
+        workspace: &mut [f64],
+    ) {
+        let inputs = &inputs[..springs * self.inputs];
+        let outputs = &mut outputs[..springs * self.outputs.len()];
+        let (registers, _) = workspace[..self.workspace()].as_chunks_mut::<WIDTH>();
+        for (register, constant) in registers.iter_mut().zip(&self.constants) {
+            register.fill(*constant);
+        }
+        let first_result = self.constants.len() + self.inputs;
+        for start in (0..springs).step_by(WIDTH) {
+            let count = WIDTH.min(springs - start);
+            let given = &mut registers[self.constants.len()..first_result];
+            for (place, register) in given.iter_mut().enumerate() {
+                let row = springs * place + start;
+                register[..count].copy_from_slice(&inputs[row..row + count]);
+                // The rest of the last block computes on copies; what it gives is not used.
+                register[count..].fill(inputs[row]);
+            }
+            for (place, step) in self.steps.iter().enumerate() {
+                let (known, rest) = registers.split_at_mut(first_result + place);
+                step.run(known, &mut rest[0]);
+            }
+            for (place, register) in self.outputs.iter().enumerate() {
+                let row = springs * place + start;
+                outputs[row..row + count].copy_from_slice(&registers[*register][..count]);
+            }
+        }
+    }
+}
+
+impl Step {
+    fn new(operation: Operation, of: impl Fn(Operand) -> usize) -> Self {
+        match operation {
+            Operation::Add(a, b) => Step::Add(of(a), of(b)),
+            Operation::Sub(a, b) => Step::Sub(of(a), of(b)),
+            Operation::Mul(a, b) => Step::Mul(of(a), of(b)),
+            Operation::Div(a, b) => Step::Div(of(a), of(b)),
+            Operation::Neg(a) => Step::Neg(of(a)),
+            Operation::Sqrt(a) => Step::Sqrt(of(a)),
+            Operation::Function(function, a) => Step::Function(function, of(a)),
+            Operation::Power(a, b) => Step::Power(of(a), of(b)),
+            Operation::Compare(Relation::Less, a, b) => Step::Less(of(a), of(b)),
+            Operation::Compare(Relation::LessOrEqual, a, b) => Step::LessOrEqual(of(a), of(b)),
+            Operation::And(a, b) => Step::And(of(a), of(b)),
+            Operation::Or(a, b) => Step::Or(of(a), of(b)),
+            Operation::Not(a) => Step::Not(of(a)),
+            Operation::Select(mask, a, b) => Step::Select(of(mask), of(a), of(b)),
+        }
+    }
+
+    fn run(self, known: &[Register], out: &mut Register) {
+        match self {
+            Step::Add(a, b) => binary(&known[a], &known[b], out, |a, b| a + b),
+            Step::Sub(a, b) => binary(&known[a], &known[b], out, |a, b| a - b),
+            Step::Mul(a, b) => binary(&known[a], &known[b], out, |a, b| a * b),
+            Step::Div(a, b) => binary(&known[a], &known[b], out, |a, b| a / b),
+            Step::Neg(a) => unary(&known[a], out, |a| -a),
+            Step::Sqrt(a) => unary(&known[a], out, f64::sqrt),
+            Step::Function(Function::Abs, a) => unary(&known[a], out, f64::abs),
+            Step::Function(function, a) => unary(&known[a], out, |a| function.value(a)),
+            Step::Power(a, b) => binary(&known[a], &known[b], out, libm::pow),
+            Step::Less(a, b) => binary(&known[a], &known[b], out, |a, b| truth(a < b)),
+            Step::LessOrEqual(a, b) => binary(&known[a], &known[b], out, |a, b| truth(a <= b)),
+            Step::And(a, b) => binary(&known[a], &known[b], out, |a, b| a * b),
+            Step::Or(a, b) => binary(&known[a], &known[b], out, |a, b| truth(a + b > 0.0)),
+            Step::Not(a) => unary(&known[a], out, |a| 1.0 - a),
+            Step::Select(mask, a, b) => {
+                let (mask, a, b) = (&known[mask], &known[a], &known[b]);
+                for i in 0..WIDTH {
+                    out[i] = if mask[i] != 0.0 { a[i] } else { b[i] };
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn truth(value: bool) -> f64 {
+    if value { 1.0 } else { 0.0 }
+}
+
+#[inline(always)]
+fn unary(a: &Register, out: &mut Register, f: impl Fn(f64) -> f64) {
+    for i in 0..WIDTH {
+        out[i] = f(a[i]);
+    }
+}
+
+#[inline(always)]
+fn binary(a: &Register, b: &Register, out: &mut Register, f: impl Fn(f64, f64) -> f64) {
+    for i in 0..WIDTH {
+        out[i] = f(a[i], b[i]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::{Graph, Rational};
+    use crate::schedule::{Request, schedule};
+
+    #[test]
+    fn every_spring_of_every_block_is_evaluated() {
+        let mut g = Graph::new();
+        let (x, y) = (g.scalar("x"), g.scalar("y"));
+        let (half, zero) = (g.number(Rational::new(1.into(), 2.into())), g.integer(0));
+        let mask = g.compare(Relation::Less, x, half);
+        let sine = g.function(Function::Sin, y);
+        let product = g.mul(x, sine);
+        let chosen = g.select(mask, product, zero);
+        let request = Request::flat(&[("x", x), ("y", y)], &[("a", chosen), ("b", half)]);
+        let tape = Tape::new(&schedule(&mut g, &request).expect("a program"));
+        let springs = 150;
+        let inputs: Vec<f64> = (0..2 * springs).map(|i| f64::from(i) * 0.01 - 0.3).collect();
+        let springs = springs as usize;
+        let mut outputs = vec![f64::NAN; 2 * springs];
+        let mut workspace = vec![f64::NAN; tape.workspace()];
+        tape.evaluate(springs, &inputs, &mut outputs, &mut workspace);
+        for j in 0..springs {
+            let (x, y) = (inputs[j], inputs[springs + j]);
+            let expected = if x < 0.5 { x * libm::sin(y) } else { 0.0 };
+            assert_eq!(outputs[j].to_bits(), expected.to_bits());
+            assert_eq!(outputs[springs + j], 0.5);
+        }
+        tape.evaluate(0, &[], &mut [], &mut workspace);
+    }
+}
