@@ -5,6 +5,7 @@ pub mod error;
 pub mod linalg;
 pub mod mesh;
 pub mod ordering;
+pub mod reduction;
 pub mod sparse;
 
 pub use error::Error;

@@ -15,8 +15,9 @@ pub use cholesky::Cholesky;
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
 pub use lower::LowerTriangle;
 pub use lu::Lu;
+pub(crate) use matrix::dot;
 pub use matrix::{Columns, Matrix};
-pub use product::{congruence, multiply, multiply_add, transpose_multiply};
+pub use product::{congruence, congruence_diagonal, multiply, multiply_add, transpose_multiply};
 pub use sparse::{Inertia, SparseCholesky, inertia};
 
 use faer::{MatMut, MatRef};

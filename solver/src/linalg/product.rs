@@ -40,3 +40,15 @@ pub fn transpose_multiply(a: Columns, b: Columns) -> Matrix {
 pub fn congruence(a: &Matrix, t: &Matrix) -> Matrix {
     transpose_multiply(t.view(), multiply(a.view(), t.view()).view())
 }
+
+/// AᵀDA, where D is diagonal.
+pub fn congruence_diagonal(a: Columns, diagonal: &[f64]) -> Matrix {
+    let mut scaled = a.data.to_vec();
+    for column in scaled.chunks_exact_mut(a.rows.max(1)) {
+        for (value, d) in column.iter_mut().zip(diagonal) {
+            *value *= d;
+        }
+    }
+    let scaled = Columns { data: &scaled, ..a };
+    transpose_multiply(a, scaled).symmetric_part()
+}

@@ -1,0 +1,275 @@
+use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, transpose_multiply};
+use crate::ordering::{Neighbours, nested_dissection};
+
+use super::modes::{Modes, Pencil, hertz};
+use super::rigid::RigidMotions;
+use super::{FreeMotion, ReductionError};
+
+/// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
+#[derive(Debug, Clone, Copy)]
+pub struct Solid<'a> {
+    /// K (N/m), 3·nodes.
+    pub stiffness: &'a LowerTriangle,
+    /// M (kg), 3·nodes.
+    pub mass: &'a LowerTriangle,
+    /// Node coordinates (m).
+    pub coordinates: &'a [[f64; 3]],
+    /// Bytes that the factor of K may take.
+    pub memory: usize,
+}
+
+/// A body in Craig–Bampton coordinates: amplitudes of its fixed-interface modes, then the displacements
+/// of its retained dofs. Source: Craig, Bampton, AIAA J. 6 (1968) 1313–1319.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CraigBampton {
+    /// Frequencies of the fixed-interface modes (Hz), ascending.
+    pub hertz: Vec<f64>,
+    /// Retained dofs, in the order of their coordinates.
+    pub retained: Vec<usize>,
+    /// φ = [X Y; 0 I]: displacement of each dof (3·nodes rows) by a unit of each coordinate; the modes
+    /// X come first, then the constraint modes Y.
+    pub shapes: Matrix,
+    /// M̄ = φᵀMφ.
+    pub mass: Matrix,
+    /// K̄ = φᵀKφ: diagonal ω² for the modes, coupled to nothing, then that of the retained dofs.
+    pub stiffness: Matrix,
+}
+
+impl CraigBampton {
+    /// Number of fixed-interface modes.
+    pub fn modes(&self) -> usize {
+        self.hertz.len()
+    }
+
+    /// Number of coordinates, modes and retained dofs.
+    pub fn coordinates(&self) -> usize {
+        self.shapes.cols
+    }
+
+    /// φᵀAφ for a further matrix of the body, given by `multiply(x, y)`: y = A x.
+    pub fn reduce(&self, mut multiply: impl FnMut(&[f64], &mut [f64])) -> Matrix {
+        let mut product = Matrix::zeros(self.shapes.rows, self.shapes.cols);
+        for j in 0..self.shapes.cols {
+            multiply(self.shapes.col(j), product.col_mut(j));
+        }
+        transpose_multiply(self.shapes.view(), product.view())
+    }
+
+    /// The rows of φ of one node: 3 × coordinates.
+    pub fn node(&self, node: usize) -> Matrix {
+        Matrix::from_fn(3, self.shapes.cols, |i, j| self.shapes[(3 * node + i, j)])
+    }
+}
+
+impl Solid<'_> {
+    /// The Craig–Bampton reduction with `modes` fixed-interface modes.
+    ///
+    /// # Errors
+    /// See [`ReductionError`].
+    pub fn craig_bampton(
+        &self,
+        retained: &[usize],
+        modes: usize,
+    ) -> Result<CraigBampton, ReductionError> {
+        let partition = Partition::new(self.mass.size, retained)?;
+        let motions = RigidMotions::new(self.coordinates).free(self.stiffness, retained)?;
+        if !motions.is_empty() {
+            return Err(ReductionError::Mechanism { motions });
+        }
+        let stiffness = partition.inner(self.stiffness);
+        let mass = partition.inner(self.mass);
+        let order = self.order(&partition.inner);
+        let components: Vec<usize> = partition.inner.iter().map(|dof| dof % 3).collect();
+        let pencil = Pencil {
+            stiffness: &stiffness,
+            mass: &mass,
+            order: &order,
+            components: &components,
+            memory: self.memory,
+        };
+        let loose = |row: usize| ReductionError::Mechanism {
+            motions: vec![FreeMotion::Part { node: partition.inner[row] / 3 }],
+        };
+        let (fixed, factor) = pencil.lowest_modes(modes).map_err(|error| match error {
+            ReductionError::LinearAlgebra(LinearAlgebraError::NotPositiveDefinite {
+                row, ..
+            }) => loose(row),
+            error => error,
+        })?;
+        if let Some(row) = moves_freely(&fixed, &pencil) {
+            return Err(loose(row));
+        }
+
+        let (coupling, held) = partition.coupling(self.stiffness);
+        let mut constraint = coupling.clone();
+        constraint.data.iter_mut().for_each(|value| *value = -*value);
+        factor.solve_in_place(&mut constraint.data);
+
+        // K̄ of the retained dofs is the Schur complement K_rr − K_ri K_ii⁻¹ K_ir.
+        let mut condensed = transpose_multiply(coupling.view(), constraint.view());
+        for (value, k) in condensed.data.iter_mut().zip(&held.data) {
+            *value += k;
+        }
+        let condensed = condensed.symmetric_part();
+        let size = modes + retained.len();
+        let stiffness = Matrix::from_fn(size, size, |i, j| {
+            match (i.checked_sub(modes), j.checked_sub(modes)) {
+                (Some(i), Some(j)) => condensed[(i, j)],
+                (None, None) if i == j => fixed.eigenvalues[i],
+                _ => 0.0,
+            }
+        });
+        let shapes = partition.shapes(&fixed.vectors, &constraint);
+        let mut reduced = CraigBampton {
+            hertz: fixed.hertz(),
+            retained: retained.to_vec(),
+            shapes,
+            mass: Matrix::default(),
+            stiffness,
+        };
+        let mass = reduced.reduce(|x, y| self.mass.multiply(x, y)).symmetric_part();
+        reduced.mass = Matrix::from_fn(size, size, |i, j| match (i < modes, j < modes) {
+            (true, true) if i == j => 1.0,
+            (true, true) => 0.0,
+            _ => mass[(i, j)],
+        });
+        Ok(reduced)
+    }
+
+    /// The `count` lowest modes of the body with no dof held, rigid motions first.
+    ///
+    /// # Errors
+    /// See [`ReductionError`].
+    pub fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
+        let all: Vec<usize> = (0..self.mass.size).collect();
+        let components: Vec<usize> = all.iter().map(|dof| dof % 3).collect();
+        let pencil = Pencil {
+            stiffness: self.stiffness,
+            mass: self.mass,
+            order: &self.order(&all),
+            components: &components,
+            memory: self.memory,
+        };
+        pencil.free_modes(count)
+    }
+
+    /// Order of elimination of the dofs listed (ascending), as places in that list.
+    fn order(&self, dofs: &[usize]) -> Vec<usize> {
+        let nodes = self.coordinates.len();
+        let mut neighbours: Neighbours = vec![Vec::new(); nodes];
+        for dof in 0..self.stiffness.size {
+            for (other, _) in self.stiffness.column(dof) {
+                let (a, b) = (dof / 3, other / 3);
+                if a != b {
+                    neighbours[a].push(b);
+                    neighbours[b].push(a);
+                }
+            }
+        }
+        for row in &mut neighbours {
+            row.sort_unstable();
+            row.dedup();
+        }
+        let mut place = vec![None; self.mass.size];
+        for (index, &dof) in dofs.iter().enumerate() {
+            place[dof] = Some(index);
+        }
+        nested_dissection(self.coordinates, &neighbours)
+            .into_iter()
+            .flat_map(|node| [3 * node, 3 * node + 1, 3 * node + 2])
+            .filter_map(|dof| place[dof])
+            .collect()
+    }
+}
+
+/// The row of largest motion in the first mode, if that mode costs no more than rounding.
+fn moves_freely(fixed: &Modes, pencil: &Pencil) -> Option<usize> {
+    let (k, m) = (pencil.stiffness.diagonal(), pencil.mass.diagonal());
+    let highest = k.iter().zip(&m).map(|(k, m)| k / m).fold(0.0, f64::max);
+    let first = *fixed.eigenvalues.first()?;
+    if hertz(first) > 0.0 && first > 16.0 * f64::EPSILON * highest {
+        return None;
+    }
+    let shape = fixed.vectors.col(0);
+    (0..shape.len()).max_by(|&a, &b| shape[a].abs().total_cmp(&shape[b].abs()))
+}
+
+/// The dofs of a body, parted into the retained and the inner ones.
+struct Partition {
+    /// Inner dofs, ascending.
+    inner: Vec<usize>,
+    retained: Vec<usize>,
+    /// For each dof, its place among the inner ones (`Ok`) or the retained ones (`Err`).
+    place: Vec<Result<usize, usize>>,
+}
+
+impl Partition {
+    fn new(dofs: usize, retained: &[usize]) -> Result<Self, ReductionError> {
+        let mut place = vec![Ok(0); dofs];
+        for (index, &dof) in retained.iter().enumerate() {
+            match place.get_mut(dof) {
+                Some(slot @ Ok(_)) => *slot = Err(index),
+                _ => {
+                    return Err(ReductionError::Retained {
+                        dof,
+                        node: dof / 3,
+                        component: dof % 3,
+                        dofs,
+                    });
+                }
+            }
+        }
+        let inner: Vec<usize> = (0..dofs).filter(|&dof| place[dof].is_ok()).collect();
+        for (index, &dof) in inner.iter().enumerate() {
+            place[dof] = Ok(index);
+        }
+        Ok(Partition { inner, retained: retained.to_vec(), place })
+    }
+
+    /// The block of the inner dofs.
+    fn inner(&self, whole: &LowerTriangle) -> LowerTriangle {
+        LowerTriangle::from_columns(self.inner.len(), |j| {
+            whole
+                .column(self.inner[j])
+                .filter_map(|(row, value)| Some((self.place[row].ok()?, value)))
+        })
+    }
+
+    /// The blocks (inner, retained) and (retained, retained).
+    fn coupling(&self, whole: &LowerTriangle) -> (Matrix, Matrix) {
+        let count = self.retained.len();
+        let mut coupling = Matrix::zeros(self.inner.len(), count);
+        let mut held = Matrix::zeros(count, count);
+        for column in 0..whole.size {
+            for (row, value) in whole.column(column) {
+                match (self.place[row], self.place[column]) {
+                    (Ok(i), Err(j)) | (Err(j), Ok(i)) => coupling[(i, j)] = value,
+                    (Err(i), Err(j)) => {
+                        held[(i, j)] = value;
+                        held[(j, i)] = value;
+                    }
+                    (Ok(_), Ok(_)) => {}
+                }
+            }
+        }
+        (coupling, held)
+    }
+
+    /// φ = [X Y; 0 I], rows in the body's numbering.
+    fn shapes(&self, modes: &Matrix, constraint: &Matrix) -> Matrix {
+        let (count, dofs) = (modes.cols, self.place.len());
+        let mut shapes = Matrix::zeros(dofs, count + self.retained.len());
+        for (place, &dof) in self.inner.iter().enumerate() {
+            for j in 0..count {
+                shapes[(dof, j)] = modes[(place, j)];
+            }
+            for j in 0..self.retained.len() {
+                shapes[(dof, count + j)] = constraint[(place, j)];
+            }
+        }
+        for (j, &dof) in self.retained.iter().enumerate() {
+            shapes[(dof, count + j)] = 1.0;
+        }
+        shapes
+    }
+}

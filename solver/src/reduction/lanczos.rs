@@ -1,0 +1,328 @@
+//! Block Lanczos iteration with thick restarts and full reorthogonalisation, for the largest
+//! eigenvalues θ of A⁻¹M x = θ x, in the inner product of M.
+//!
+//! With A = K + sM these are the lowest ω² = 1/θ − s of K x = ω² M x. Source: Grimes, Lewis, Simon,
+//! SIAM J. Matrix Anal. Appl. 15 (1994) 228–272; restarts: Wu, Simon, ibid. 22 (2000) 602–616.
+
+use crate::linalg::{
+    Cholesky, LinearAlgebraError, LowerTriangle, Matrix, SparseCholesky, multiply, multiply_add,
+    symmetric_eigen, transpose_multiply,
+};
+
+use super::ReductionError;
+
+/// Vectors of a block. One pass over the factor serves them all, and a multiple eigenvalue shows up to
+/// this many of its vectors at once.
+const BLOCK: usize = 8;
+/// Blocks between two looks at the Ritz values.
+const STRIDE: usize = 4;
+/// A Ritz pair has converged when its residual is below this part of θ: the eigenvalue is then right to
+/// the square of this part over the relative gap, the vector to this part over the relative gap.
+const RESIDUAL: f64 = 1e-10;
+/// What is left of a vector after orthogonalisation is noise below this part of it.
+const NOISE: f64 = 1e-14;
+const RESTARTS: usize = 60;
+
+/// Dofs below which a dense decomposition of the whole is as quick as `count` vectors by iteration, and
+/// for which the iteration might run out of dimensions.
+pub(super) fn dense_limit(count: usize) -> usize {
+    3 * capacity(count)
+}
+
+/// Vectors kept at most.
+fn capacity(count: usize) -> usize {
+    (2 * count).max(count + 8 * BLOCK).next_multiple_of(BLOCK)
+}
+
+/// The state of the iteration: an M-orthonormal basis V and T = VᵀM A⁻¹M V.
+pub(super) struct Lanczos<'a> {
+    factor: &'a SparseCholesky,
+    mass: &'a LowerTriangle,
+    wanted: usize,
+    /// V: n × (capacity + BLOCK); columns `..size + BLOCK` are set.
+    basis: Matrix,
+    /// T, of which `..size` rows and columns are set.
+    projected: Matrix,
+    /// Columns of V to which A⁻¹M has been applied.
+    size: usize,
+    /// Coupling of the last applied block to the next: A⁻¹M V = V T + W·coupling in those columns.
+    coupling: Matrix,
+    random: Random,
+}
+
+/// Approximate eigenpairs out of the basis, θ descending.
+struct Ritz {
+    theta: Vec<f64>,
+    vectors: Matrix,
+    /// How many of the first have converged.
+    converged: usize,
+}
+
+impl<'a> Lanczos<'a> {
+    /// An iteration for the `wanted` largest θ, where `factor` is that of A.
+    pub(super) fn new(
+        factor: &'a SparseCholesky,
+        mass: &'a LowerTriangle,
+        wanted: usize,
+    ) -> Result<Self, ReductionError> {
+        let (n, capacity) = (mass.size, capacity(wanted));
+        let mut lanczos = Lanczos {
+            factor,
+            mass,
+            wanted,
+            basis: Matrix::zeros(n, capacity + BLOCK),
+            projected: Matrix::zeros(capacity + BLOCK, capacity + BLOCK),
+            size: 0,
+            coupling: Matrix::zeros(BLOCK, BLOCK),
+            random: Random(0x9E37_79B9_7F4A_7C15),
+        };
+        lanczos.start_block()?;
+        Ok(lanczos)
+    }
+
+    /// Iterates until the wanted pairs have converged: θ descending and their vectors, M-orthonormal.
+    pub(super) fn run(&mut self) -> Result<(Vec<f64>, Matrix), ReductionError> {
+        for restart in 0..=RESTARTS {
+            let ritz = self.expand()?;
+            if ritz.converged >= self.wanted {
+                let vectors = multiply(
+                    self.basis.columns(0..self.size),
+                    ritz.vectors.columns(0..self.wanted),
+                );
+                return Ok((ritz.theta[..self.wanted].to_vec(), vectors));
+            }
+            if restart == RESTARTS {
+                return Err(ReductionError::NotConverged {
+                    converged: ritz.converged,
+                    asked: self.wanted,
+                    restarts: RESTARTS,
+                });
+            }
+            let keep = (self.wanted + self.size) / 2;
+            self.compress(&ritz, keep);
+        }
+        unreachable!("the last restart returns")
+    }
+
+    /// After [`Lanczos::run`]: keeps the converged pairs and begins anew beside them, in search of
+    /// vectors that the start block had no part of.
+    pub(super) fn search_again(&mut self) -> Result<(), ReductionError> {
+        let ritz = self.ritz()?;
+        self.compress(&ritz, ritz.converged.min(self.wanted));
+        self.start_block()
+    }
+
+    /// Enlarges the basis until the wanted pairs have converged or it is full.
+    fn expand(&mut self) -> Result<Ritz, ReductionError> {
+        let capacity = self.basis.cols - BLOCK;
+        for block in 1.. {
+            self.step()?;
+            let full = self.size + BLOCK > capacity;
+            let look = self.size >= self.wanted + BLOCK && block % STRIDE == 0;
+            if full || look {
+                let ritz = self.ritz()?;
+                if full || ritz.converged >= self.wanted {
+                    return Ok(ritz);
+                }
+            }
+        }
+        unreachable!("the basis is full after finitely many blocks")
+    }
+
+    /// Applies A⁻¹M to the newest block and appends what is new in the result.
+    fn step(&mut self) -> Result<(), ReductionError> {
+        let (n, size) = (self.basis.rows, self.size);
+        let mut block = vec![0.0; n * BLOCK];
+        self.mass.multiply(self.basis.columns(size..size + BLOCK).data, &mut block);
+        self.factor.solve_in_place(&mut block);
+        let known = size + BLOCK;
+        let h = self.orthogonalise(known, &mut block);
+        for j in 0..BLOCK {
+            for i in 0..known {
+                self.projected[(i, size + j)] = h[(i, j)];
+                self.projected[(size + j, i)] = h[(i, j)];
+            }
+        }
+        for j in 0..BLOCK {
+            for i in 0..j {
+                let mean = 0.5 * (h[(size + i, j)] + h[(size + j, i)]);
+                self.projected[(size + i, size + j)] = mean;
+                self.projected[(size + j, size + i)] = mean;
+            }
+        }
+        self.coupling = self.orthonormalise(known, &mut block)?;
+        self.basis.data[known * n..(known + BLOCK) * n].copy_from_slice(&block);
+        self.size = known;
+        Ok(())
+    }
+
+    /// W ← W − V(VᵀMW) over the first `known` columns of V, twice; the sum of both VᵀMW.
+    fn orthogonalise(&self, known: usize, block: &mut [f64]) -> Matrix {
+        let n = self.basis.rows;
+        let cols = block.len() / n;
+        let basis = self.basis.columns(0..known);
+        let mut total = Matrix::zeros(known, cols);
+        let mut product = Matrix::zeros(n, cols);
+        for _ in 0..2 {
+            self.mass.multiply(block, &mut product.data);
+            let h = transpose_multiply(basis, product.view());
+            multiply_add(block, -1.0, basis, h.view());
+            for (sum, value) in total.data.iter_mut().zip(&h.data) {
+                *sum += value;
+            }
+        }
+        total
+    }
+
+    /// W ← W R⁻¹ with orthonormal columns; R.
+    fn orthonormalise(
+        &mut self,
+        known: usize,
+        block: &mut [f64],
+    ) -> Result<Matrix, ReductionError> {
+        let n = self.basis.rows;
+        let original = block.to_vec();
+        let mut r = Matrix::identity(BLOCK);
+        let mut cholesky = Cholesky::new(BLOCK);
+        let mut product = Matrix::zeros(n, BLOCK);
+        // Cholesky QR, twice, is orthonormal to rounding if the first factor exists.
+        for _ in 0..2 {
+            self.mass.multiply(block, &mut product.data);
+            let whole = Matrix { rows: n, cols: BLOCK, data: block.to_vec() };
+            let gram = transpose_multiply(whole.view(), product.view()).symmetric_part();
+            if cholesky.factor(&gram.data).is_err() {
+                block.copy_from_slice(&original);
+                return self.orthonormalise_by_columns(known, block);
+            }
+            cholesky.orthonormalise(block, n);
+            let upper =
+                Matrix::from_fn(
+                    BLOCK,
+                    BLOCK,
+                    |i, j| {
+                        if i <= j { cholesky.lower(j, i) } else { 0.0 }
+                    },
+                );
+            r = multiply(upper.view(), r.view());
+        }
+        Ok(r)
+    }
+
+    /// As [`Lanczos::orthonormalise`] for a block that is rank-deficient: a column that holds nothing
+    /// new is replaced by a random one, with zeros in R.
+    fn orthonormalise_by_columns(
+        &mut self,
+        known: usize,
+        block: &mut [f64],
+    ) -> Result<Matrix, ReductionError> {
+        let n = self.basis.rows;
+        let mut r = Matrix::zeros(BLOCK, BLOCK);
+        for j in 0..BLOCK {
+            let (before, rest) = block.split_at_mut(j * n);
+            let column = &mut rest[..n];
+            let norm = self.norm(column);
+            let h = self.remove(known, before, column);
+            let left = self.norm(column);
+            r.col_mut(j)[..j].copy_from_slice(&h);
+            if left > NOISE * norm {
+                r[(j, j)] = left;
+            } else {
+                column.fill_with(|| self.random.next());
+                self.remove(known, before, column);
+            }
+            let length = self.norm(column);
+            if length == 0.0 || !length.is_finite() {
+                // No direction is left, or the matrices are not finite.
+                return Err(LinearAlgebraError::NoConvergence { size: n }.into());
+            }
+            column.iter_mut().for_each(|value| *value /= length);
+        }
+        Ok(r)
+    }
+
+    /// Makes `column` orthogonal to the first `known` of the basis and to the columns `before`; the
+    /// components along the latter.
+    fn remove(&self, known: usize, before: &[f64], column: &mut [f64]) -> Vec<f64> {
+        let n = column.len();
+        let earlier = Matrix { rows: n, cols: before.len() / n, data: before.to_vec() };
+        let mut total = vec![0.0; earlier.cols];
+        let mut product = vec![0.0; n];
+        for _ in 0..2 {
+            self.orthogonalise(known, column);
+            self.mass.multiply(column, &mut product);
+            for (k, component) in earlier.apply_transpose(&product).into_iter().enumerate() {
+                total[k] += component;
+                for (value, &w) in column.iter_mut().zip(earlier.col(k)) {
+                    *value -= component * w;
+                }
+            }
+        }
+        total
+    }
+
+    /// √(xᵀMx).
+    fn norm(&self, x: &[f64]) -> f64 {
+        let mut product = vec![0.0; x.len()];
+        self.mass.multiply(x, &mut product);
+        crate::linalg::dot(x, &product).max(0.0).sqrt()
+    }
+
+    /// The pairs of T with residuals ‖coupling · (last rows of the vector)‖.
+    fn ritz(&self) -> Result<Ritz, ReductionError> {
+        let size = self.size;
+        let all: Vec<usize> = (0..size).collect();
+        let eigen = symmetric_eigen(&self.projected.select(&all, &all))?;
+        let descending: Vec<usize> = (0..size).rev().collect();
+        let vectors = eigen.vectors.select(&all, &descending);
+        let theta: Vec<f64> = descending.iter().map(|&i| eigen.values[i]).collect();
+        // Rounding of the products with T leaves this much, however long the iteration.
+        let floor = f64::EPSILON * theta[0] * (size as f64).sqrt();
+        let converged = (0..size.min(self.wanted))
+            .take_while(|&i| {
+                let tail = &vectors.col(i)[size - BLOCK..];
+                let residual = self.coupling.apply(tail).iter().map(|r| r * r).sum::<f64>().sqrt();
+                residual <= (RESIDUAL * theta[i]).max(floor)
+            })
+            .count();
+        Ok(Ritz { theta, vectors, converged })
+    }
+
+    /// Replaces the basis by the first `keep` Ritz vectors, followed by the newest block.
+    fn compress(&mut self, ritz: &Ritz, keep: usize) {
+        let (n, size) = (self.basis.rows, self.size);
+        let kept = multiply(self.basis.columns(0..size), ritz.vectors.columns(0..keep));
+        self.basis.data.copy_within(size * n..(size + BLOCK) * n, keep * n);
+        self.basis.data[..keep * n].copy_from_slice(&kept.data);
+        self.projected.data.fill(0.0);
+        for i in 0..keep {
+            self.projected[(i, i)] = ritz.theta[i];
+        }
+        self.size = keep;
+    }
+
+    /// Puts a random block, smoothed by one application of A⁻¹M, after the `size` columns of the basis.
+    fn start_block(&mut self) -> Result<(), ReductionError> {
+        let (n, size) = (self.basis.rows, self.size);
+        let mut raw = vec![0.0; n * BLOCK];
+        raw.fill_with(|| self.random.next());
+        let mut block = vec![0.0; n * BLOCK];
+        self.mass.multiply(&raw, &mut block);
+        self.factor.solve_in_place(&mut block);
+        self.orthogonalise(size, &mut block);
+        self.orthonormalise(size, &mut block)?;
+        self.basis.data[size * n..(size + BLOCK) * n].copy_from_slice(&block);
+        Ok(())
+    }
+}
+
+/// Uniform numbers in [−½, ½), always the same ones (xorshift64, Marsaglia 2003).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    }
+}

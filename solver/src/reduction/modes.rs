@@ -1,0 +1,197 @@
+use crate::linalg::{
+    LinearAlgebraError, LowerTriangle, Matrix, SparseCholesky, generalised_symmetric_eigen,
+};
+
+use super::lanczos::{Lanczos, dense_limit};
+use super::{ReductionError, convention, sturm};
+
+/// Modes found beyond those asked for, so that there is a gap to cut in after the last one.
+const GUARD: usize = 4;
+/// Searches for modes that the Sturm count says are missing, before giving up.
+const SEARCHES: usize = 4;
+
+/// Natural modes of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Modes {
+    /// ω² (rad²/s²), ascending. Rigid motions have values near 0 of either sign.
+    pub eigenvalues: Vec<f64>,
+    /// Mode shapes as columns, xᵀMx = 1.
+    pub vectors: Matrix,
+}
+
+impl Modes {
+    /// Frequencies in Hz.
+    pub fn hertz(&self) -> Vec<f64> {
+        self.eigenvalues.iter().map(|&value| hertz(value)).collect()
+    }
+}
+
+/// The frequency (Hz) of ω² (rad²/s²); 0 for a negative value, which a rigid motion may have by rounding.
+pub fn hertz(omega_squared: f64) -> f64 {
+    omega_squared.max(0.0).sqrt() / std::f64::consts::TAU
+}
+
+/// Stiffness and mass of a body with what it takes to factor them.
+#[derive(Debug, Clone, Copy)]
+pub struct Pencil<'a> {
+    /// K (N/m).
+    pub stiffness: &'a LowerTriangle,
+    /// M (kg).
+    pub mass: &'a LowerTriangle,
+    /// Order of elimination.
+    pub order: &'a [usize],
+    /// Direction of each dof: 0 x, 1 y, 2 z.
+    pub components: &'a [usize],
+    /// Bytes that a factor may take.
+    pub memory: usize,
+}
+
+impl Pencil<'_> {
+    /// The `count` lowest modes of K x = ω² M x for a positive definite K, with K's factor.
+    ///
+    /// # Errors
+    /// See [`ReductionError`]; none of the modes asked for is ever missing.
+    pub fn lowest_modes(&self, count: usize) -> Result<(Modes, SparseCholesky), ReductionError> {
+        self.shifted_modes(count, 0.0)
+    }
+
+    /// The `count` lowest modes of a body that may move freely (K positive semidefinite), rigid motions
+    /// first.
+    ///
+    /// # Errors
+    /// As [`Pencil::lowest_modes`].
+    pub fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
+        let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
+        let highest = k.iter().zip(&m).map(|(k, m)| k / m).fold(0.0, f64::max);
+        // K is singular to ε·λ_max; the shift stands well clear of that, and as far below the first
+        // elastic modes of any mesh that resolves them.
+        Ok(self.shifted_modes(count, 1e-10 * highest)?.0)
+    }
+
+    /// Modes by the factor of K + shift·M.
+    fn shifted_modes(
+        &self,
+        count: usize,
+        shift: f64,
+    ) -> Result<(Modes, SparseCholesky), ReductionError> {
+        let n = self.mass.size;
+        if count > n {
+            return Err(ReductionError::TooManyModes { asked: count, available: n });
+        }
+        let definite = if shift == 0.0 {
+            self.stiffness.clone()
+        } else {
+            self.stiffness.plus(shift, self.mass)
+        };
+        let factor = SparseCholesky::new(&definite, self.order, self.memory)?;
+        let mut modes = if n <= dense_limit(count + GUARD) {
+            self.all_dense(&definite, shift, count)?
+        } else {
+            self.by_iteration(&factor, &definite, shift, count)?
+        };
+        // With the guard modes: a multiple eigenvalue at the end has all its vectors when it is settled.
+        convention::settle(&modes.eigenvalues, shift, &mut modes.vectors, self.components)?;
+        modes.eigenvalues.truncate(count);
+        modes.vectors.cols = count;
+        modes.vectors.data.truncate(n * count);
+        Ok((modes, factor))
+    }
+
+    /// By decomposition of M x = θ (K + shift·M) x, which gives the lowest ω² with the most digits.
+    fn all_dense(
+        &self,
+        definite: &LowerTriangle,
+        shift: f64,
+        count: usize,
+    ) -> Result<Modes, ReductionError> {
+        let n = self.mass.size;
+        let wanted = (count + GUARD).min(n);
+        let eigen = generalised_symmetric_eigen(&dense(self.mass), &dense(definite))?;
+        let mut modes =
+            Modes { eigenvalues: Vec::with_capacity(wanted), vectors: Matrix::zeros(n, wanted) };
+        for i in 0..wanted {
+            let theta = eigen.values[n - 1 - i];
+            if theta <= 0.0 {
+                if i < count {
+                    return Err(ReductionError::TooManyModes { asked: count, available: i });
+                }
+                modes.vectors.cols = i;
+                modes.vectors.data.truncate(n * i);
+                break;
+            }
+            modes.eigenvalues.push(1.0 / theta - shift);
+            let column = eigen.vectors.col(n - 1 - i);
+            for (value, x) in modes.vectors.col_mut(i).iter_mut().zip(column) {
+                *value = x / theta.sqrt();
+            }
+        }
+        Ok(modes)
+    }
+
+    /// By block Lanczos, until the Sturm count agrees.
+    fn by_iteration(
+        &self,
+        factor: &SparseCholesky,
+        definite: &LowerTriangle,
+        shift: f64,
+        count: usize,
+    ) -> Result<Modes, ReductionError> {
+        let mut wanted = count + GUARD;
+        let mut lanczos = Lanczos::new(factor, self.mass, wanted)?;
+        let mut searches = 0;
+        loop {
+            let (theta, vectors) = lanczos.run()?;
+            let eigenvalues: Vec<f64> = theta.iter().map(|theta| 1.0 / theta - shift).collect();
+            let modes = Modes { eigenvalues, vectors };
+            let Some((below, cut, counted)) = self.count(&modes.eigenvalues, shift, count)? else {
+                // A multiple eigenvalue reaches beyond the guard: look further up.
+                wanted *= 2;
+                if self.mass.size <= dense_limit(wanted) {
+                    return self.all_dense(definite, shift, count);
+                }
+                lanczos = Lanczos::new(factor, self.mass, wanted)?;
+                continue;
+            };
+            if counted == below {
+                return Ok(modes);
+            }
+            if counted < below || searches == SEARCHES {
+                return Err(ReductionError::Miscounted {
+                    found: below,
+                    counted,
+                    hertz: hertz(cut),
+                });
+            }
+            searches += 1;
+            lanczos.search_again()?;
+        }
+    }
+
+    /// The first safe cut after `count` modes: (modes found below, λ of the cut, modes there are below).
+    fn count(
+        &self,
+        eigenvalues: &[f64],
+        shift: f64,
+        count: usize,
+    ) -> Result<Option<(usize, f64, usize)>, LinearAlgebraError> {
+        for (below, cut) in sturm::cuts(eigenvalues, shift, count) {
+            if let Some(counted) =
+                sturm::count_below(self.stiffness, self.mass, self.order, cut, self.memory)?
+            {
+                return Ok(Some((below, cut, counted)));
+            }
+        }
+        Ok(None)
+    }
+}
+
+fn dense(a: &LowerTriangle) -> Matrix {
+    let mut full = Matrix::zeros(a.size, a.size);
+    for j in 0..a.size {
+        for (i, value) in a.column(j) {
+            full[(i, j)] = value;
+            full[(j, i)] = value;
+        }
+    }
+    full
+}
