@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::linalg::LinearAlgebraError;
+use crate::reduction::ReductionError;
 
 /// One thing wrong in a file: where, what, and how to mend it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -135,6 +136,9 @@ pub enum Error {
     /// Linear algebra failed.
     #[error(transparent)]
     LinearAlgebra(#[from] LinearAlgebraError),
+    /// A body could not be reduced to modes and retained dofs.
+    #[error(transparent)]
+    Reduction(#[from] ReductionError),
 }
 
 /// A cell with det J ≤ 0 at one of its quadrature points.

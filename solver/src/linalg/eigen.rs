@@ -29,6 +29,9 @@ pub struct GeneralisedEigen {
 /// [`LinearAlgebraError::NoConvergence`] if the matrix holds a value that is not finite.
 pub fn symmetric_eigen(a: &Matrix) -> Result<SymmetricEigen, LinearAlgebraError> {
     let n = a.rows;
+    if n == 0 {
+        return Ok(SymmetricEigen { values: Vec::new(), vectors: Matrix::zeros(0, 0) });
+    }
     let failure = LinearAlgebraError::NoConvergence { size: n };
     // faer loses digits for n ≥ 129 unless ‖A‖ ≈ 1. A power of two scales without rounding.
     let norm = a.norm_max();

@@ -14,10 +14,10 @@ const GENERIC: f64 = 1e-6;
 /// has extreme motion along x (so that of a pair of bending modes the first moves along x, the other along
 /// y), and the first of the largest components of each vector is positive.
 ///
-/// `components`: for each row its direction, 0 x, 1 y, 2 z.
+/// `blur`: rounding of the eigenvalues. `components`: for each row its direction, 0 x, 1 y, 2 z.
 pub(super) fn settle(
     eigenvalues: &[f64],
-    shift: f64,
+    blur: f64,
     vectors: &mut Matrix,
     components: &[usize],
 ) -> Result<(), LinearAlgebraError> {
@@ -33,7 +33,7 @@ pub(super) fn settle(
     while first < eigenvalues.len() {
         let mut end = first + 1;
         while end < eigenvalues.len()
-            && eigenvalues[end] - eigenvalues[end - 1] <= CLUSTER * (eigenvalues[end] + shift).abs()
+            && eigenvalues[end] - eigenvalues[end - 1] <= CLUSTER * eigenvalues[end].abs() + blur
         {
             end += 1;
         }

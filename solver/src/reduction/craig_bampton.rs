@@ -1,7 +1,7 @@
 use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, transpose_multiply};
 use crate::ordering::{Neighbours, nested_dissection};
 
-use super::modes::{Modes, Pencil, hertz};
+use super::modes::{Modes, Pencil};
 use super::rigid::RigidMotions;
 use super::{FreeMotion, ReductionError};
 
@@ -184,10 +184,7 @@ impl Solid<'_> {
 
 /// The row of largest motion in the first mode, if that mode costs no more than rounding.
 fn moves_freely(fixed: &Modes, pencil: &Pencil) -> Option<usize> {
-    let (k, m) = (pencil.stiffness.diagonal(), pencil.mass.diagonal());
-    let highest = k.iter().zip(&m).map(|(k, m)| k / m).fold(0.0, f64::max);
-    let first = *fixed.eigenvalues.first()?;
-    if hertz(first) > 0.0 && first > 16.0 * f64::EPSILON * highest {
+    if *fixed.eigenvalues.first()? > pencil.blur() {
         return None;
     }
     let shape = fixed.vectors.col(0);

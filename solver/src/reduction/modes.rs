@@ -61,11 +61,20 @@ impl Pencil<'_> {
     /// # Errors
     /// As [`Pencil::lowest_modes`].
     pub fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
-        let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
-        let highest = k.iter().zip(&m).map(|(k, m)| k / m).fold(0.0, f64::max);
         // K is singular to ε·λ_max; the shift stands well clear of that, and as far below the first
         // elastic modes of any mesh that resolves them.
-        Ok(self.shifted_modes(count, 1e-10 * highest)?.0)
+        Ok(self.shifted_modes(count, 1e-10 * self.highest())?.0)
+    }
+
+    /// The size of the largest ω² of the mesh (rad²/s²), by its diagonals.
+    fn highest(&self) -> f64 {
+        let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
+        k.iter().zip(&m).map(|(k, m)| k / m).fold(0.0, f64::max)
+    }
+
+    /// How far rounding moves an ω² (rad²/s²): K is only known to ε of its largest entries.
+    pub(super) fn blur(&self) -> f64 {
+        16.0 * f64::EPSILON * self.highest()
     }
 
     /// Modes by the factor of K + shift·M.
@@ -90,7 +99,7 @@ impl Pencil<'_> {
             self.by_iteration(&factor, &definite, shift, count)?
         };
         // With the guard modes: a multiple eigenvalue at the end has all its vectors when it is settled.
-        convention::settle(&modes.eigenvalues, shift, &mut modes.vectors, self.components)?;
+        convention::settle(&modes.eigenvalues, self.blur(), &mut modes.vectors, self.components)?;
         modes.eigenvalues.truncate(count);
         modes.vectors.cols = count;
         modes.vectors.data.truncate(n * count);
@@ -143,7 +152,7 @@ impl Pencil<'_> {
             let (theta, vectors) = lanczos.run()?;
             let eigenvalues: Vec<f64> = theta.iter().map(|theta| 1.0 / theta - shift).collect();
             let modes = Modes { eigenvalues, vectors };
-            let Some((below, cut, counted)) = self.count(&modes.eigenvalues, shift, count)? else {
+            let Some((below, cut, counted)) = self.count(&modes.eigenvalues, count)? else {
                 // A multiple eigenvalue reaches beyond the guard: look further up.
                 wanted *= 2;
                 if self.mass.size <= dense_limit(wanted) {
@@ -171,10 +180,9 @@ impl Pencil<'_> {
     fn count(
         &self,
         eigenvalues: &[f64],
-        shift: f64,
         count: usize,
     ) -> Result<Option<(usize, f64, usize)>, LinearAlgebraError> {
-        for (below, cut) in sturm::cuts(eigenvalues, shift, count) {
+        for (below, cut) in sturm::cuts(eigenvalues, self.blur(), count) {
             if let Some(counted) =
                 sturm::count_below(self.stiffness, self.mass, self.order, cut, self.memory)?
             {

@@ -2,10 +2,11 @@
 
 use crate::linalg::{LinearAlgebraError, LowerTriangle, inertia};
 
-/// A cut is put into a gap at least this wide, relative to the eigenvalues. The pivots of LDLᵀ are those
-/// of a matrix that differs by rounding, ε·λ_max of the mesh; λ_max/λ of the modes in question is
-/// below 1e8 for meshes that resolve them, so a cut in the middle of this gap is on the right side.
+/// A cut is put into a gap at least this wide, relative to the eigenvalues: much wider than a multiple
+/// eigenvalue is spread by the mesh's own digits.
 const GAP: f64 = 1e-6;
+/// Pivots of LDLᵀ are those of a matrix that differs by rounding; a gap must exceed it this many times.
+const SAFETY: f64 = 1e3;
 
 /// The number of eigenvalues of K x = λ M x below `cut`.
 pub(super) fn count_below(
@@ -22,15 +23,15 @@ pub(super) fn count_below(
 /// Places for a cut between consecutive ascending eigenvalues: (how many are below, λ of the cut). Only
 /// gaps wide enough to cut in safely, at or after `from` eigenvalues.
 ///
-/// `shift` > −λ₁ makes the gaps relative to λ + shift, where rigid motions have λ ≈ 0.
+/// `blur`: rounding of the eigenvalues.
 pub(super) fn cuts(
     eigenvalues: &[f64],
-    shift: f64,
+    blur: f64,
     from: usize,
 ) -> impl Iterator<Item = (usize, f64)> + '_ {
     (from.max(1)..eigenvalues.len()).filter_map(move |below| {
         let (low, high) = (eigenvalues[below - 1], eigenvalues[below]);
-        (high - low > GAP * (high + shift).abs()).then_some((below, 0.5 * (low + high)))
+        (high - low > GAP * high.abs() + SAFETY * blur).then_some((below, 0.5 * (low + high)))
     })
 }
 

@@ -1,0 +1,3 @@
+//! Verification: each layer against exact solutions, other methods, or its own definition.
+
+mod reduction;
