@@ -105,7 +105,7 @@ mod tests {
     use super::*;
 
     fn lower(entries: &[&[(usize, f64)]]) -> LowerTriangle {
-        LowerTriangle::from_columns(entries.len(), |j| entries[j].to_vec().into_iter())
+        LowerTriangle::from_columns(entries.len(), |j| entries[j].iter().copied())
     }
 
     #[test]
