@@ -5,6 +5,7 @@ pub mod diagnostic;
 pub mod emit;
 pub mod expression;
 pub mod formula;
+pub mod lagrange;
 pub mod schedule;
 pub mod spec;
 pub mod tape;
