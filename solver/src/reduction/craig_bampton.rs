@@ -1,5 +1,8 @@
+use std::borrow::Cow;
+
 use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, transpose_multiply};
 use crate::ordering::{Neighbours, nested_dissection};
+use crate::sparse::SparseMatrix;
 
 use super::modes::{Modes, Pencil};
 use super::rigid::RigidMotions;
@@ -8,10 +11,10 @@ use super::{FreeMotion, ReductionError};
 /// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
 #[derive(Debug, Clone, Copy)]
 pub struct Solid<'a> {
-    /// K (N/m), 3·nodes.
-    pub stiffness: &'a LowerTriangle,
-    /// M (kg), 3·nodes.
-    pub mass: &'a LowerTriangle,
+    /// K (N/m), 3·nodes, symmetric.
+    pub stiffness: &'a SparseMatrix,
+    /// M (kg), 3·nodes, symmetric.
+    pub mass: &'a SparseMatrix,
     /// Node coordinates (m).
     pub coordinates: &'a [[f64; 3]],
     /// Bytes that the factor of K may take.
@@ -46,12 +49,10 @@ impl CraigBampton {
         self.shapes.cols
     }
 
-    /// φᵀAφ for a further matrix of the body, given by `multiply(x, y)`: y = A x.
-    pub fn reduce(&self, mut multiply: impl FnMut(&[f64], &mut [f64])) -> Matrix {
+    /// φᵀAφ for a matrix A of the body.
+    pub fn reduce(&self, matrix: &SparseMatrix) -> Matrix {
         let mut product = Matrix::zeros(self.shapes.rows, self.shapes.cols);
-        for j in 0..self.shapes.cols {
-            multiply(self.shapes.col(j), product.col_mut(j));
-        }
+        matrix.multiply(&self.shapes.data, &mut product.data);
         transpose_multiply(self.shapes.view(), product.view())
     }
 
@@ -71,14 +72,15 @@ impl Solid<'_> {
         retained: &[usize],
         modes: usize,
     ) -> Result<CraigBampton, ReductionError> {
-        let partition = Partition::new(self.mass.size, retained)?;
-        let motions = RigidMotions::new(self.coordinates).free(self.stiffness, retained)?;
+        let partition = Partition::new(self.mass.size(), retained)?;
+        let whole = lower(self.stiffness, "stiffness")?;
+        let motions = RigidMotions::new(self.coordinates).free(&whole, retained)?;
         if !motions.is_empty() {
             return Err(ReductionError::Mechanism { motions });
         }
-        let stiffness = partition.inner(self.stiffness);
-        let mass = partition.inner(self.mass);
-        let order = self.order(&partition.inner);
+        let stiffness = partition.inner(&whole);
+        let mass = partition.inner(&*lower(self.mass, "mass")?);
+        let order = self.order(&whole, &partition.inner);
         let components: Vec<usize> = partition.inner.iter().map(|dof| dof % 3).collect();
         let pencil = Pencil {
             stiffness: &stiffness,
@@ -100,7 +102,7 @@ impl Solid<'_> {
             return Err(loose(row));
         }
 
-        let (coupling, held) = partition.coupling(self.stiffness);
+        let (coupling, held) = partition.coupling(&whole);
         let mut constraint = coupling.clone();
         constraint.data.iter_mut().for_each(|value| *value = -*value);
         factor.solve_in_place(&mut constraint.data);
@@ -127,7 +129,7 @@ impl Solid<'_> {
             mass: Matrix::default(),
             stiffness,
         };
-        let mass = reduced.reduce(|x, y| self.mass.multiply(x, y)).symmetric_part();
+        let mass = reduced.reduce(self.mass).symmetric_part();
         reduced.mass = Matrix::from_fn(size, size, |i, j| match (i < modes, j < modes) {
             (true, true) if i == j => 1.0,
             (true, true) => 0.0,
@@ -141,12 +143,13 @@ impl Solid<'_> {
     /// # Errors
     /// See [`ReductionError`].
     pub fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
-        let all: Vec<usize> = (0..self.mass.size).collect();
+        let all: Vec<usize> = (0..self.mass.size()).collect();
+        let (stiffness, mass) = (lower(self.stiffness, "stiffness")?, lower(self.mass, "mass")?);
         let components: Vec<usize> = all.iter().map(|dof| dof % 3).collect();
         let pencil = Pencil {
-            stiffness: self.stiffness,
-            mass: self.mass,
-            order: &self.order(&all),
+            stiffness: &stiffness,
+            mass: &mass,
+            order: &self.order(&stiffness, &all),
             components: &components,
             memory: self.memory,
         };
@@ -154,11 +157,11 @@ impl Solid<'_> {
     }
 
     /// Order of elimination of the dofs listed (ascending), as places in that list.
-    fn order(&self, dofs: &[usize]) -> Vec<usize> {
+    fn order(&self, stiffness: &LowerTriangle, dofs: &[usize]) -> Vec<usize> {
         let nodes = self.coordinates.len();
         let mut neighbours: Neighbours = vec![Vec::new(); nodes];
-        for dof in 0..self.stiffness.size {
-            for (other, _) in self.stiffness.column(dof) {
+        for dof in 0..stiffness.size {
+            for (other, _) in stiffness.column(dof) {
                 let (a, b) = (dof / 3, other / 3);
                 if a != b {
                     neighbours[a].push(b);
@@ -170,7 +173,7 @@ impl Solid<'_> {
             row.sort_unstable();
             row.dedup();
         }
-        let mut place = vec![None; self.mass.size];
+        let mut place = vec![None; stiffness.size];
         for (index, &dof) in dofs.iter().enumerate() {
             place[dof] = Some(index);
         }
@@ -180,6 +183,13 @@ impl Solid<'_> {
             .filter_map(|dof| place[dof])
             .collect()
     }
+}
+
+fn lower<'a>(
+    matrix: &'a SparseMatrix,
+    name: &'static str,
+) -> Result<Cow<'a, LowerTriangle>, ReductionError> {
+    matrix.lower().ok_or(ReductionError::NotSymmetric { matrix: name })
 }
 
 /// The row of largest motion in the first mode, if that mode costs no more than rounding.

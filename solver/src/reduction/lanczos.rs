@@ -5,9 +5,11 @@
 //! SIAM J. Matrix Anal. Appl. 15 (1994) 228–272; restarts: Wu, Simon, ibid. 22 (2000) 602–616.
 
 use crate::linalg::{
-    Cholesky, LinearAlgebraError, LowerTriangle, Matrix, SparseCholesky, multiply, multiply_add,
-    symmetric_eigen, transpose_multiply,
+    Cholesky, LinearAlgebraError, Matrix, SparseCholesky, multiply, multiply_add, symmetric_eigen,
+    transpose_multiply,
 };
+
+use crate::sparse::SparseMatrix;
 
 use super::ReductionError;
 
@@ -37,7 +39,7 @@ fn capacity(count: usize) -> usize {
 /// The state of the iteration: an M-orthonormal basis V and T = VᵀM A⁻¹M V.
 pub(super) struct Lanczos<'a> {
     factor: &'a SparseCholesky,
-    mass: &'a LowerTriangle,
+    mass: &'a SparseMatrix,
     wanted: usize,
     /// V: n × (capacity + BLOCK); columns `..size + BLOCK` are set.
     basis: Matrix,
@@ -62,10 +64,10 @@ impl<'a> Lanczos<'a> {
     /// An iteration for the `wanted` largest θ, where `factor` is that of A.
     pub(super) fn new(
         factor: &'a SparseCholesky,
-        mass: &'a LowerTriangle,
+        mass: &'a SparseMatrix,
         wanted: usize,
     ) -> Result<Self, ReductionError> {
-        let (n, capacity) = (mass.size, capacity(wanted));
+        let (n, capacity) = (mass.size(), capacity(wanted));
         let mut lanczos = Lanczos {
             factor,
             mass,

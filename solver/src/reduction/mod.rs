@@ -19,6 +19,14 @@ pub enum ReductionError {
     /// The linear algebra failed.
     #[error(transparent)]
     LinearAlgebra(#[from] LinearAlgebraError),
+    /// A matrix that must be symmetric is not known to be.
+    #[error(
+        "the {matrix} matrix is not symmetric by its structure; is its form symmetric in u and v?"
+    )]
+    NotSymmetric {
+        /// `stiffness` or `mass`.
+        matrix: &'static str,
+    },
     /// More modes asked for than there are dofs that can move.
     #[error(
         "{asked} modes asked for, but only {available} dofs can move once the retained ones are held; ask for fewer modes"

@@ -2,6 +2,8 @@ use crate::linalg::{
     LinearAlgebraError, LowerTriangle, Matrix, SparseCholesky, generalised_symmetric_eigen,
 };
 
+use crate::sparse::SparseMatrix;
+
 use super::lanczos::{Lanczos, dense_limit};
 use super::{ReductionError, convention, sturm};
 
@@ -146,7 +148,8 @@ impl Pencil<'_> {
         count: usize,
     ) -> Result<Modes, ReductionError> {
         let mut wanted = count + GUARD;
-        let mut lanczos = Lanczos::new(factor, self.mass, wanted)?;
+        let mass = SparseMatrix::Symmetric(self.mass.clone());
+        let mut lanczos = Lanczos::new(factor, &mass, wanted)?;
         let mut searches = 0;
         loop {
             let (theta, vectors) = lanczos.run()?;
@@ -158,7 +161,7 @@ impl Pencil<'_> {
                 if self.mass.size <= dense_limit(wanted) {
                     return self.all_dense(definite, shift, count);
                 }
-                lanczos = Lanczos::new(factor, self.mass, wanted)?;
+                lanczos = Lanczos::new(factor, &mass, wanted)?;
                 continue;
             };
             if counted == below {
