@@ -32,6 +32,8 @@ impl Code {
     pub const BAD_VALUE: Code = Code("E004");
     /// A name declared twice, or one that the grammar keeps for itself.
     pub const BAD_NAME: Code = Code("E005");
+    /// A declared name that nothing uses.
+    pub const UNUSED: Code = Code("E006");
     /// A formula that the grammar does not allow.
     pub const SYNTAX: Code = Code("E010");
     /// A name in a formula that nothing declares.

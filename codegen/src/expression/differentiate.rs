@@ -54,6 +54,10 @@ impl Graph {
         of: &BTreeMap<Id, Id>,
     ) -> Result<Id, DifferentiateError> {
         let shape = self.shape(id);
+        if shape == Shape::Truth {
+            // What a truth value chooses has the derivative of the choice; it has none itself.
+            return Ok(self.zero(shape));
+        }
         let node = self.node(id).clone();
         let mut constant = true;
         node.operands(|operand| {

@@ -20,6 +20,7 @@ mod function;
 mod lower;
 mod number;
 mod parse;
+mod rounding;
 mod token;
 mod unit;
 
@@ -34,6 +35,7 @@ pub use function::{Builtin, FUNCTIONS};
 pub use lower::lower;
 pub use number::{Dual, Number};
 pub use parse::parse;
+pub use rounding::Rounded;
 pub use unit::{Meaning, dimension};
 
 use crate::diagnostic::Located;

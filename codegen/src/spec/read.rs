@@ -11,72 +11,9 @@ use num_traits::ToPrimitive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
-use crate::units::{Dimension, Quantity, decimal};
-
-/// A TOML file being read, and what is wrong with it so far.
-#[derive(Debug)]
-pub struct Document<'s> {
-    source: &'s Arc<Source>,
-    root: Spanned<DeTable<'s>>,
-    errors: RefCell<Diagnostics>,
-}
-
-impl<'s> Document<'s> {
-    /// Parses the text; errors of TOML itself are collected like all others.
-    pub fn parse(source: &'s Arc<Source>) -> Self {
-        let (root, errors) = DeTable::parse_recoverable(&source.text);
-        let mut diagnostics = Diagnostics::new();
-        for error in errors {
-            diagnostics.push(Diagnostic::new(source, Code::TOML, error.span(), error.message()));
-        }
-        Document { source, root, errors: RefCell::new(diagnostics) }
-    }
-
-    /// Whether the text is TOML; if not, what its tables say is not worth reading.
-    pub fn is_toml(&self) -> bool {
-        !self.errors.borrow().iter().any(|error| error.code == Some(Code::TOML))
-    }
-
-    /// The table of the whole file.
-    pub fn root(&self) -> Table<'_> {
-        Table {
-            document: self,
-            entries: self.root.get_ref(),
-            span: self.root.span(),
-            place: String::new(),
-            asked: RefCell::default(),
-        }
-    }
-
-    /// Adds an error.
-    pub fn push(&self, error: Diagnostic) {
-        self.errors.borrow_mut().push(error);
-    }
-
-    /// Adds errors.
-    pub fn append(&self, errors: Diagnostics) {
-        self.errors.borrow_mut().append(errors);
-    }
-
-    /// Whether an error was found so far.
-    pub fn has_errors(&self) -> bool {
-        !self.errors.borrow().is_empty()
-    }
-
-    /// The value read, or every error found.
-    pub fn into_result<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
-        let errors = self.errors.into_inner();
-        match value {
-            Some(value) => errors.into_result(value),
-            None if errors.is_empty() => {
-                let message = "this file cannot be read";
-                Err(Diagnostic::new(self.source, Code::BAD_VALUE, None, message).into())
-            }
-            None => Err(errors.into_result(()).expect_err("there are errors")),
-        }
-    }
-}
+pub use super::document::{Document, Item, Value};
+use crate::diagnostic::{Code, Diagnostic, Located, Source, suggest};
+use crate::units::{Dimension, Quantity};
 
 /// A table of the file.
 #[derive(Debug)]
@@ -89,131 +26,16 @@ pub struct Table<'d> {
     asked: RefCell<Vec<String>>,
 }
 
-/// A value of any type, for keys that allow several.
-#[derive(Debug, Clone)]
-pub enum Value<'d> {
-    /// A string.
-    String(Located),
-    /// An integer or float, exactly, and where it stands.
-    Number(BigRational, Range<usize>),
-    /// A truth value, and where it stands.
-    Boolean(bool, Range<usize>),
-    /// An array: see [`Table::items`].
-    Array(Vec<Item<'d>>, Range<usize>),
-    /// A table: see [`Table::table`].
-    Table(Range<usize>),
-    /// A date, which no spec uses, or a number that is not finite.
-    Other(Range<usize>),
-}
-
-impl Value<'_> {
-    fn what(&self) -> &'static str {
-        match self {
-            Value::String(_) => "a string",
-            Value::Number(..) => "a number",
-            Value::Boolean(..) => "a truth value",
-            Value::Array(..) => "an array",
-            Value::Table(_) => "a table",
-            Value::Other(_) => "something else",
-        }
-    }
-
-    /// Where it stands.
-    pub fn span(&self) -> Range<usize> {
-        match self {
-            Value::String(text) => text.span(),
-            Value::Number(_, span)
-            | Value::Boolean(_, span)
-            | Value::Array(_, span)
-            | Value::Table(span)
-            | Value::Other(span) => span.clone(),
-        }
-    }
-}
-
-/// An element of an array.
-#[derive(Debug, Clone, Copy)]
-pub struct Item<'d> {
-    document: &'d Document<'d>,
-    value: &'d Spanned<DeValue<'d>>,
-}
-
-impl<'d> Item<'d> {
-    /// What it is.
-    pub fn value(&self) -> Value<'d> {
-        self.document.value(self.value)
-    }
-
-    /// The element as a table called `place` in messages; another type is an error.
-    pub fn table(&self, place: &str) -> Option<Table<'d>> {
-        self.document.table(self.value, place.to_owned())
-    }
-}
-
-impl<'s> Document<'s> {
-    fn value<'d>(&'d self, value: &'d Spanned<DeValue<'d>>) -> Value<'d>
-    where
-        's: 'd,
-    {
-        let span = value.span();
-        match value.get_ref() {
-            DeValue::String(text) => Value::String(Located::new(self.source, span, text.as_ref())),
-            DeValue::Integer(number) if number.radix() == 10 => exact(number.as_str(), span),
-            DeValue::Integer(number) => {
-                match i64::from_str_radix(number.as_str(), number.radix()) {
-                    Ok(value) => Value::Number(BigRational::from_integer(value.into()), span),
-                    Err(_) => Value::Other(span),
-                }
-            }
-            DeValue::Float(number) => exact(number.as_str(), span),
-            DeValue::Boolean(truth) => Value::Boolean(*truth, span),
-            DeValue::Datetime(_) => Value::Other(span),
-            DeValue::Array(items) => {
-                let items = items.iter().map(|value| Item { document: self, value });
-                Value::Array(items.collect(), span)
-            }
-            DeValue::Table(_) => Value::Table(span),
-        }
-    }
-
-    fn table<'d>(&'d self, value: &'d Spanned<DeValue<'d>>, place: String) -> Option<Table<'d>>
-    where
-        's: 'd,
-    {
-        match value.get_ref() {
-            DeValue::Table(entries) => Some(Table {
-                document: self,
-                entries,
-                span: value.span(),
-                place,
-                asked: RefCell::default(),
-            }),
-            _ => {
-                self.wrong_type(&place, "a table", &self.value(value));
-                None
-            }
-        }
-    }
-
-    fn wrong_type(&self, key: &str, wanted: &str, found: &Value<'_>) {
-        let message = format!("`{key}` must be {wanted}, not {}", found.what());
-        self.push(Diagnostic::new(self.source, Code::BAD_VALUE, found.span(), message));
-    }
-}
-
-fn exact<'d>(text: &str, span: Range<usize>) -> Value<'d> {
-    let plain: String = text.chars().filter(|c| *c != '_').collect();
-    let unsigned = plain.strip_prefix(['+', '-']).unwrap_or(&plain);
-    match decimal(unsigned) {
-        Some((Some(value), length)) if length == unsigned.len() => {
-            let value = if plain.starts_with('-') { -value } else { value };
-            Value::Number(value, span)
-        }
-        _ => Value::Other(span),
-    }
-}
-
 impl<'d> Table<'d> {
+    pub(super) fn new(
+        document: &'d Document<'d>,
+        entries: &'d DeTable<'d>,
+        span: Range<usize>,
+        place: String,
+    ) -> Self {
+        Table { document, entries, span, place, asked: RefCell::default() }
+    }
+
     /// The document it belongs to.
     pub fn document(&self) -> &'d Document<'d> {
         self.document
@@ -294,6 +116,15 @@ impl<'d> Table<'d> {
             self.document.push(error.maybe_help(suggest(text.text(), words)));
         }
         word
+    }
+
+    /// One of a few words, which must be there.
+    pub fn word(&self, key: &str, words: &[&'static str]) -> Option<&'static str> {
+        if !self.has(key) {
+            let word = words.first().copied().unwrap_or("…");
+            self.missing(key, &format!("write `{key} = \"{word}\"`"));
+        }
+        self.optional_word(key, words)
     }
 
     /// An exact number, if the key is there, and where it stands.

@@ -1,0 +1,312 @@
+//! A law file as it was written: keys, names and units checked, formulas parsed.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use num_rational::BigRational;
+
+use super::{INPUTS, OUTPUTS};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
+use crate::formula::{self, Formula};
+use crate::spec::read::{Document, Table, Value};
+use crate::units::{Dimension, Unit};
+
+/// A law file as it was written.
+pub(super) struct Draft {
+    pub(super) file: Arc<Source>,
+    pub(super) name: String,
+    pub(super) title: String,
+    pub(super) reference: String,
+    pub(super) inputs: Vec<Variable>,
+    pub(super) parameters: Vec<Constant>,
+    pub(super) definitions: Vec<(Located, String, Formula)>,
+    pub(super) outputs: Vec<Output>,
+}
+
+/// An input, or the head of an output.
+pub(super) struct Variable {
+    pub(super) key: Located,
+    pub(super) name: String,
+    pub(super) title: String,
+    pub(super) unit: Unit,
+    pub(super) unit_place: Located,
+    pub(super) range: Option<[BigRational; 2]>,
+}
+
+pub(super) struct Constant {
+    pub(super) key: Located,
+    pub(super) name: String,
+    pub(super) title: String,
+    pub(super) unit: Unit,
+    pub(super) value: BigRational,
+}
+
+/// What becomes of a jump between two pieces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Jumps {
+    Refused,
+    Accepted,
+    /// The break moves to the nearest root of the difference of the two pieces.
+    Engaged,
+}
+
+pub(super) struct Output {
+    pub(super) variable: Variable,
+    pub(super) pieces: Vec<(Option<Formula>, Formula)>,
+    pub(super) jumps: Jumps,
+    /// Where `engage` or `jump` stands, or else the output.
+    pub(super) place: Range<usize>,
+}
+
+/// Reads the file; formulas are parsed but their names are not looked up yet.
+pub(super) fn read(file: &Arc<Source>) -> Result<Draft, Diagnostics> {
+    let document = Document::parse(file);
+    if !document.is_toml() {
+        return document.into_result(None);
+    }
+    let root = document.root();
+    root.word("kind", &["law"]);
+    let (name, title, reference) =
+        (root.string("name"), root.string("title"), root.string("source"));
+    if let Some(name) = &name {
+        let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+        if name.text().is_empty() || !name.text().chars().all(fine) {
+            let message = "a law's name is made of letters, digits, `-`, `_` and `.`";
+            document.push(name.error_here(Code::BAD_NAME, message));
+        }
+    }
+    let mut names = Names { taken: BTreeMap::new(), document: &document };
+    let mut inputs = Vec::new();
+    if let Some(table) = root.table("inputs") {
+        for key in table.names() {
+            let entry = table.table(key.text());
+            let name = names.take(&key);
+            let (Some(entry), Some(name)) = (entry, name) else { continue };
+            inputs.extend(variable(&entry, &key, name, INPUTS, "an input"));
+            entry.finish();
+        }
+        table.finish();
+    }
+    let mut parameters = Vec::new();
+    if let Some(table) = root.optional_table("parameters") {
+        for key in table.names() {
+            let entry = table.table(key.text());
+            let name = names.take(&key);
+            let (Some(entry), Some(name)) = (entry, name) else { continue };
+            let value = entry.number("value");
+            let title = entry.optional_string("title").map_or(String::new(), |t| t.text().into());
+            let unit = entry.string("unit").and_then(|text| unit(&document, &text));
+            if let (Some((value, _)), Some(unit)) = (value, unit) {
+                parameters.push(Constant { key, name, title, unit, value });
+            }
+            entry.finish();
+        }
+        table.finish();
+    }
+    let mut definitions = Vec::new();
+    if let Some(table) = root.optional_table("definitions") {
+        for key in table.names() {
+            let name = names.take(&key);
+            let formula = table.string(key.text()).and_then(|text| parse(&document, &text));
+            if let (Some(name), Some(formula)) = (name, formula) {
+                definitions.push((key, name, formula));
+            }
+        }
+        table.finish();
+    }
+    let mut outputs = Vec::new();
+    if let Some(table) = root.table("outputs") {
+        if table.names().is_empty() {
+            let message = "a law has at least one output, such as `Q`".to_owned();
+            table.error(Code::MISSING_KEY, table.span(), message);
+        }
+        for key in table.names() {
+            let entry = table.table(key.text());
+            let name = names.take(&key);
+            let (Some(entry), Some(name)) = (entry, name) else { continue };
+            outputs.extend(output(&entry, &key, name));
+            entry.finish();
+        }
+        table.finish();
+    }
+    root.finish();
+    let text = |text: Option<Located>| text.map(|text| text.text().to_owned()).unwrap_or_default();
+    document.into_result(Some(Draft {
+        file: file.clone(),
+        name: text(name),
+        title: text(title),
+        reference: text(reference),
+        inputs,
+        parameters,
+        definitions,
+        outputs,
+    }))
+}
+
+/// The names declared so far.
+struct Names<'d> {
+    taken: BTreeMap<String, Range<usize>>,
+    document: &'d Document<'d>,
+}
+
+impl Names<'_> {
+    fn take(&mut self, key: &Located) -> Option<String> {
+        let name = match formula::name(key.text()) {
+            Ok(name) => name,
+            Err(message) => {
+                self.document.push(key.error_here(Code::BAD_NAME, message));
+                return None;
+            }
+        };
+        if let Some(first) = self.taken.get(&name) {
+            let (line, _) = key.source().line_column(first.start);
+            let message = format!("the name `{name}` is taken since line {line}");
+            self.document.push(key.error_here(Code::BAD_NAME, message));
+            return None;
+        }
+        self.taken.insert(name.clone(), key.span());
+        Some(name)
+    }
+}
+
+fn unit(document: &Document<'_>, text: &Located) -> Option<Unit> {
+    match Unit::parse(text.text()) {
+        Ok(unit) => Some(unit),
+        Err(error) => {
+            let found = text.error(error.code, error.span, error.message);
+            document.push(found.maybe_help(error.help));
+            None
+        }
+    }
+}
+
+fn parse(document: &Document<'_>, text: &Located) -> Option<Formula> {
+    formula::parse(text).map_err(|errors| document.append(errors)).ok()
+}
+
+/// Reads unit, title and range of a variable that the solver must know.
+fn variable(
+    table: &Table<'_>,
+    key: &Located,
+    name: String,
+    known: &[(&str, Dimension, &str)],
+    role: &str,
+) -> Option<Variable> {
+    let document = table.document();
+    let title = table.optional_string("title");
+    let range = range(table);
+    let unit_place = table.string("unit");
+    let unit = unit_place.as_ref().and_then(|text| unit(document, text));
+    let Some((_, dimension, meaning)) = known.iter().find(|(known, ..)| *known == name) else {
+        let names: Vec<&str> = known.iter().map(|(name, ..)| *name).collect();
+        let error = key.error_here(Code::UNKNOWN_NAME, format!("`{name}` is not {role} of laws"));
+        document.push(error.maybe_help(suggest(&name, &names)));
+        return None;
+    };
+    let (unit, unit_place) = (unit?, unit_place?);
+    if !unit.dimension().fits(dimension) {
+        let found = unit.dimension();
+        let message = format!("`{name}` is {dimension}, but `{unit}` is the unit of {found}");
+        let si = dimension.si_unit();
+        let error = unit_place.error_here(Code::WRONG_UNIT, message);
+        document.push(error.help(format!("write for example `unit = \"{si}\"`")));
+        return None;
+    }
+    let title = title.map_or_else(|| (*meaning).to_owned(), |title| title.text().to_owned());
+    Some(Variable { key: key.clone(), name, title, unit, unit_place, range })
+}
+
+fn range(table: &Table<'_>) -> Option<[BigRational; 2]> {
+    let items = table.optional_items("range")?;
+    let ends: Vec<_> = items.iter().map(|item| item.value()).collect();
+    match ends.as_slice() {
+        [Value::Number(low, _), Value::Number(high, _)] if low < high => {
+            Some([low.clone(), high.clone()])
+        }
+        _ => {
+            let span = ends.first().map_or(table.span(), |end| end.span());
+            let message = "`range` must be two numbers, the lower first".to_owned();
+            table.error(Code::BAD_VALUE, span, message);
+            None
+        }
+    }
+}
+
+fn output(table: &Table<'_>, key: &Located, name: String) -> Option<Output> {
+    let document = table.document();
+    let engage = table.optional_word("engage", &["root"]);
+    let jump = table.optional_word("jump", &["accept"]);
+    let place = ["engage", "jump"]
+        .iter()
+        .find_map(|key| table.value(key).map(|value| value.span()))
+        .unwrap_or_else(|| key.span());
+    let jumps = match (engage, jump) {
+        (Some(_), Some(_)) => {
+            let message = "`engage` removes the jump that `jump` would accept".to_owned();
+            let error = Diagnostic::new(table.source(), Code::BAD_VALUE, place.clone(), message);
+            document.push(error.help("keep one of them"));
+            Jumps::Accepted
+        }
+        (Some(_), None) => Jumps::Engaged,
+        (None, Some(_)) => Jumps::Accepted,
+        (None, None) => Jumps::Refused,
+    };
+    let pieces = match (table.has("value"), table.has("pieces")) {
+        (true, true) => {
+            let message = format!("`{name}` has both a `value` and `pieces`");
+            document.push(key.error_here(Code::PIECES, message).help("keep one of them"));
+            None
+        }
+        (false, false) => {
+            let message = format!("`{name}` has neither a `value` nor `pieces`");
+            let error = key.error_here(Code::MISSING_KEY, message);
+            document.push(error.help("write for example `value = '1000*h'`"));
+            None
+        }
+        (true, false) => {
+            let text = table.string("value");
+            text.and_then(|text| parse(document, &text)).map(|value| vec![(None, value)])
+        }
+        (false, true) => pieces(table, key, &name),
+    };
+    // Read before any early return, so that none of its keys is unknown.
+    let variable = variable(table, key, name, OUTPUTS, "an output");
+    Some(Output { variable: variable?, pieces: pieces?, jumps, place })
+}
+
+fn pieces(table: &Table<'_>, key: &Located, name: &str) -> Option<Vec<(Option<Formula>, Formula)>> {
+    let document = table.document();
+    let items = table.items("pieces")?;
+    let mut pieces = Vec::with_capacity(items.len());
+    let mut fine = true;
+    for (place, item) in items.iter().enumerate() {
+        let Some(entry) = item.table(&format!("pieces[{}]", place + 1)) else {
+            fine = false;
+            continue;
+        };
+        let when = entry.optional_string("when");
+        let value = entry.string("value").and_then(|text| parse(document, &text));
+        let last = place + 1 == items.len();
+        if when.is_none() && !last {
+            let message = "this piece has no `when`, so that none after it ever applies";
+            entry.error(Code::PIECES, entry.span(), message.to_owned());
+        }
+        if let (Some(when), true) = (&when, last) {
+            let error = when.error_here(Code::PIECES, "the last piece must apply everywhere else");
+            let help = "leave its `when` out, or add a piece `{ value = '0' }`";
+            document.push(error.help(help));
+        }
+        let condition = when.as_ref().map(|text| parse(document, text));
+        entry.finish();
+        match (value, condition) {
+            (Some(value), None) => pieces.push((None, value)),
+            (Some(value), Some(Some(condition))) => pieces.push((Some(condition), value)),
+            _ => fine = false,
+        }
+    }
+    if items.is_empty() {
+        document.push(key.error_here(Code::PIECES, format!("`{name}` has no pieces")));
+    }
+    (fine && !pieces.is_empty()).then_some(pieces)
+}

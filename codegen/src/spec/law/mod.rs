@@ -1,0 +1,261 @@
+//! Bearing laws: named inputs to named outputs, in pieces, with units; read, checked, lowered and
+//! differentiated.
+//!
+//! ```toml
+//! kind = "law"
+//! name = "hu2003-linear"
+//! title = "…"
+//! source = "paper and equation"
+//!
+//! [inputs.h]
+//! unit = "mm"
+//!
+//! [parameters.c0]
+//! value = 0.035687
+//! unit = "mm"
+//!
+//! [outputs.Q]
+//! unit = "N"
+//! engage = "root"
+//! pieces = [
+//!   { when = 'h < c0', value = '233 - 6517*h' },
+//!   { value = '0' },
+//! ]
+//! ```
+//!
+//! Formulas work in the units of the file: a bare number takes the unit that its place wants, a parameter
+//! is converted to the system of the inputs' and outputs' units. Kernels work in SI.
+
+mod build;
+mod draft;
+mod report;
+mod root;
+mod scan;
+mod system;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use num_rational::BigRational;
+
+pub use report::{Break, LawReport, OutputReport, Trend};
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
+use crate::expression::{Graph, Id};
+use crate::formula::{Formula, Number, Value, evaluate};
+use crate::units::{Dimension, Unit, nearest};
+
+/// Inputs that the solver can give to a law, with what they measure.
+pub const INPUTS: &[(&str, Dimension, &str)] =
+    &[("h", Dimension::LENGTH, "clearance"), ("h_dot", Dimension::SPEED, "rate of the clearance")];
+
+/// Outputs that the solver takes from a law, with what they measure.
+pub const OUTPUTS: &[(&str, Dimension, &str)] = &[("Q", Dimension::FORCE, "normal force")];
+
+/// A law, ready to be scheduled: see the module for the file.
+#[derive(Debug, Clone)]
+pub struct LawSpec {
+    /// Name by which cases refer to it.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Paper and equation.
+    pub reference: String,
+    /// The file.
+    pub file: Arc<Source>,
+    /// The inputs, in the order of the file.
+    pub inputs: Vec<LawInput>,
+    /// The parameters, in the order of the file.
+    pub parameters: Vec<Parameter>,
+    /// The definitions, in the order of the file.
+    pub definitions: Vec<Definition>,
+    /// The outputs, in the order of the file.
+    pub outputs: Vec<LawOutput>,
+    /// The graph that holds symbols, values and derivatives, all SI.
+    pub graph: Graph,
+    /// What was found about the law.
+    pub report: LawReport,
+}
+
+/// An input of a law.
+#[derive(Debug, Clone)]
+pub struct LawInput {
+    /// Symbol, such as `h`.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Unit in which the file's formulas take it.
+    pub unit: Unit,
+    /// The symbol in the graph, SI.
+    pub symbol: Id,
+    /// Range over which the law is meant to be used, in SI, if the file says so.
+    pub range: Option<[f64; 2]>,
+}
+
+/// A constant of a law.
+#[derive(Debug, Clone)]
+pub struct Parameter {
+    /// Symbol, such as `c0`.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Unit in which the file gives it.
+    pub unit: Unit,
+    /// Value in the system of units of the file's inputs and outputs.
+    pub value: BigRational,
+}
+
+/// A named formula that others use.
+#[derive(Debug, Clone)]
+pub struct Definition {
+    /// Symbol.
+    pub name: String,
+    /// What it stands for, in the units of the file.
+    pub formula: Formula,
+}
+
+/// An output of a law.
+#[derive(Debug, Clone)]
+pub struct LawOutput {
+    /// Symbol, such as `Q`.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Unit in which the file's formulas give it.
+    pub unit: Unit,
+    /// Whether the file accepts jumps of the value.
+    pub accepts_jumps: bool,
+    /// The pieces; the first whose condition holds applies, the last has none.
+    pub pieces: Vec<Piece>,
+    /// The value in the graph, SI.
+    pub value: Id,
+    /// Its derivatives by [`LawSpec::inputs`], SI.
+    pub derivatives: Vec<Id>,
+}
+
+/// A piece of an output.
+#[derive(Debug, Clone)]
+pub struct Piece {
+    /// When it applies; `None` for the last.
+    pub when: Option<Condition>,
+    /// What it gives, in the units of the file.
+    pub value: Formula,
+    /// The same in the graph, SI.
+    pub node: Id,
+}
+
+/// When a piece applies.
+#[derive(Debug, Clone)]
+pub enum Condition {
+    /// On one side of a value of one input.
+    Threshold {
+        /// Place of the input in [`LawSpec::inputs`].
+        input: usize,
+        /// The value, SI, exactly or to 2⁻¹²⁰.
+        at: BigRational,
+        /// Whether the piece applies below it.
+        below: bool,
+        /// Whether it applies at the value itself.
+        inclusive: bool,
+        /// The value that the file gives, if `engage` moved it.
+        moved_from: Option<BigRational>,
+        /// The condition as the file gives it.
+        text: Located,
+    },
+    /// Where a formula holds.
+    Formula(Formula),
+}
+
+impl LawSpec {
+    /// Reads a law file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, each with its place.
+    pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
+        let draft = draft::read(file)?;
+        let mut law = build::build(draft)?;
+        law.report = report::report(&law)?;
+        Ok(law)
+    }
+
+    /// The outputs where the inputs (SI, in the order of [`LawSpec::inputs`]) have the given values, by
+    /// direct evaluation of the file's formulas: neither graph nor derivative is used.
+    ///
+    /// # Errors
+    /// None for a law that was read without errors.
+    pub fn evaluate<N: Number>(&self, inputs: &[N]) -> Result<Vec<N>, Diagnostic> {
+        let names = self.names(inputs)?;
+        let value = |output: &LawOutput| {
+            let piece = output.active(inputs, &names)?;
+            output.value_of(piece, &names)
+        };
+        self.outputs.iter().map(value).collect()
+    }
+
+    /// Values of all names in the units of the file.
+    fn names<N: Number>(&self, inputs: &[N]) -> Result<BTreeMap<String, Value<N>>, Diagnostic> {
+        let mut names = BTreeMap::new();
+        for (input, value) in self.inputs.iter().zip(inputs) {
+            let value = value.mul(&N::exact(&in_si(&input.unit).recip()));
+            names.insert(input.name.clone(), Value::Scalar(value));
+        }
+        for parameter in &self.parameters {
+            names.insert(parameter.name.clone(), Value::Scalar(N::exact(&parameter.value)));
+        }
+        for definition in &self.definitions {
+            let value = evaluate(&definition.formula, &names)?;
+            names.insert(definition.name.clone(), value);
+        }
+        Ok(names)
+    }
+}
+
+impl LawOutput {
+    /// Place of the piece that applies.
+    fn active<N: Number>(
+        &self,
+        inputs: &[N],
+        names: &BTreeMap<String, Value<N>>,
+    ) -> Result<usize, Diagnostic> {
+        for (place, piece) in self.pieces.iter().enumerate() {
+            let holds = match &piece.when {
+                None => true,
+                Some(Condition::Threshold { input, at, below, inclusive, .. }) => {
+                    let (x, at) = (inputs[*input].value(), nearest(at));
+                    let strictly = if *below { x < at } else { x > at };
+                    strictly || *inclusive && x == at
+                }
+                Some(Condition::Formula(formula)) => {
+                    matches!(evaluate(formula, names)?, Value::Truth(true))
+                }
+            };
+            if holds {
+                return Ok(place);
+            }
+        }
+        Ok(self.pieces.len() - 1)
+    }
+
+    /// Value of a piece, SI, whether it applies or not.
+    fn value_of<N: Number>(
+        &self,
+        piece: usize,
+        names: &BTreeMap<String, Value<N>>,
+    ) -> Result<N, Diagnostic> {
+        let formula = &self.pieces[piece].value;
+        let value = evaluate(formula, names)?.scalar().ok_or_else(|| {
+            formula.text.error_here(Code::SHAPE, "expected a number, found a condition")
+        })?;
+        Ok(value.mul(&N::exact(&in_si(&self.unit))))
+    }
+}
+
+/// Factor of a unit to SI; the units of inputs and outputs were checked to have rational ones.
+fn in_si(unit: &Unit) -> BigRational {
+    let factor = unit.factor();
+    let inexact = || BigRational::from_float(factor.to_f64());
+    factor.to_rational().or_else(inexact).unwrap_or_else(|| BigRational::from_integer(1.into()))
+}
+
+#[cfg(test)]
+mod tests;

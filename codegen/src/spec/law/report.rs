@@ -1,0 +1,405 @@
+//! What can be said of a law before it is used: values and slopes at its breaks, sign, monotonicity,
+//! poles, and where all this was looked at. Works on the file's formulas by direct evaluation.
+
+use std::fmt;
+
+use super::scan::{self, Line};
+use super::{Condition, LawOutput, LawSpec};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::formula::{Dual, Formula, Rounded, evaluate};
+use crate::units::{Unit, nearest};
+
+/// What was found about a law.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LawReport {
+    /// Name, unit and range of every input over which the law was looked at, in the file's units.
+    pub ranges: Vec<(String, String, [f64; 2])>,
+    /// One for every output.
+    pub outputs: Vec<OutputReport>,
+}
+
+/// What was found about an output, in the file's units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OutputReport {
+    /// Symbol.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// Number of points at which it was evaluated.
+    pub points: usize,
+    /// Least and largest value found.
+    pub extent: [f64; 2],
+    /// How it changes with each input.
+    pub trends: Vec<(String, Trend)>,
+    /// Where pieces meet.
+    pub breaks: Vec<Break>,
+    /// Where a divisor passes through zero: input and value.
+    pub poles: Vec<(String, f64)>,
+    /// Inputs at the first point without a finite value, if there is one.
+    pub undefined: Option<Vec<f64>>,
+}
+
+/// How an output changes with an input, at the points looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Trend {
+    /// Not at all.
+    Constant,
+    /// It never falls.
+    Rising,
+    /// It never rises.
+    Falling,
+    /// It does both.
+    Mixed,
+}
+
+/// A place where two pieces meet, in the file's units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Break {
+    /// The input that crosses it.
+    pub input: String,
+    /// Its unit.
+    pub unit: String,
+    /// Value of the input.
+    pub at: f64,
+    /// Value in the file, if `engage` moved the break.
+    pub moved_from: Option<f64>,
+    /// Value of the output below and above; a difference below rounding is not a jump.
+    pub values: [f64; 2],
+    /// Bound of the rounding error of their difference.
+    pub rounding: f64,
+    /// Slope of the output along the input below and above.
+    pub slopes: [f64; 2],
+}
+
+impl Break {
+    /// Whether the value jumps, beyond rounding.
+    pub fn jumps(&self) -> bool {
+        let jump = self.values[1] - self.values[0];
+        // Infinite or undefined on one side is a jump too.
+        jump.is_nan() || jump.abs() > self.rounding
+    }
+}
+
+/// Looks at a law; a jump that is not accepted, and a point in a declared range without a finite value,
+/// are errors.
+pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
+    let ranges = scan::ranges(law);
+    let lines = scan::lines(&ranges);
+    let mut errors = Diagnostics::new();
+    let mut outputs = Vec::new();
+    for output in &law.outputs {
+        match Look::new(law, output).over(&lines) {
+            Ok(found) => {
+                check(law, output, &found, &mut errors);
+                outputs.push(found.report);
+            }
+            Err(error) => errors.push(error),
+        }
+    }
+    let named = law.inputs.iter().zip(&ranges).map(|(input, range)| {
+        let range = range.map(|end| in_file(end, &input.unit));
+        (input.name.clone(), input.unit.to_string(), range)
+    });
+    errors.into_result(LawReport { ranges: named.collect(), outputs })
+}
+
+/// What was seen of an output, and between which pieces each of its breaks lies.
+struct Seen {
+    report: OutputReport,
+    between: Vec<[usize; 2]>,
+}
+
+/// One output being looked at.
+struct Look<'l> {
+    law: &'l LawSpec,
+    output: &'l LawOutput,
+    divisors: Vec<Vec<Formula>>,
+    seen: Seen,
+}
+
+fn in_file(si: f64, unit: &Unit) -> f64 {
+    si / unit.factor().to_f64()
+}
+
+impl<'l> Look<'l> {
+    fn new(law: &'l LawSpec, output: &'l LawOutput) -> Self {
+        let report = OutputReport {
+            name: output.name.clone(),
+            unit: output.unit.to_string(),
+            points: 0,
+            extent: [f64::INFINITY, f64::NEG_INFINITY],
+            trends: Vec::new(),
+            breaks: Vec::new(),
+            poles: Vec::new(),
+            undefined: None,
+        };
+        let divisors = output.pieces.iter().map(|piece| scan::divisors(&piece.value)).collect();
+        Look { law, output, divisors, seen: Seen { report, between: Vec::new() } }
+    }
+
+    fn over(mut self, lines: &[Line]) -> Result<Seen, Diagnostic> {
+        for input in 0..self.law.inputs.len() {
+            let (mut rises, mut falls) = (false, false);
+            for line in lines.iter().filter(|line| line.input == input) {
+                self.along(line, &mut rises, &mut falls)?;
+            }
+            let trend = match (rises, falls) {
+                (false, false) => Trend::Constant,
+                (true, false) => Trend::Rising,
+                (false, true) => Trend::Falling,
+                (true, true) => Trend::Mixed,
+            };
+            self.seen.report.trends.push((self.law.inputs[input].name.clone(), trend));
+        }
+        Ok(self.seen)
+    }
+
+    fn along(&mut self, line: &Line, rises: &mut bool, falls: &mut bool) -> Result<(), Diagnostic> {
+        let mut before: Option<(f64, usize, Rounded)> = None;
+        for &x in &line.points {
+            let inputs: Vec<Rounded> = line.at(x).into_iter().map(Rounded::new).collect();
+            let names = self.law.names(&inputs)?;
+            let piece = self.output.active(&inputs, &names)?;
+            let value = self.output.value_of(piece, &names)?;
+            self.record(line, x, value.value);
+            if let Some((low, other, last)) = before {
+                let rounding = value.error + last.error;
+                *rises |= value.value - last.value > rounding;
+                *falls |= last.value - value.value > rounding;
+                if other == piece {
+                    self.poles(line, piece, low, x)?;
+                } else {
+                    self.breaks(line, low, x)?;
+                }
+            }
+            before = Some((x, piece, value));
+        }
+        Ok(())
+    }
+
+    fn record(&mut self, line: &Line, x: f64, si: f64) {
+        let report = &mut self.seen.report;
+        report.points += 1;
+        let value = in_file(si, &self.output.unit);
+        if value.is_finite() {
+            report.extent = [report.extent[0].min(value), report.extent[1].max(value)];
+        } else if report.undefined.is_none() {
+            let inputs = line.at(x).into_iter().zip(&self.law.inputs);
+            report.undefined = Some(inputs.map(|(x, input)| in_file(x, &input.unit)).collect());
+        }
+    }
+
+    fn active(&self, line: &Line, x: f64) -> Result<usize, Diagnostic> {
+        let inputs = line.at(x);
+        self.output.active(&inputs, &self.law.names(&inputs)?)
+    }
+
+    /// Finds every break between two points by bisection.
+    fn breaks(&mut self, line: &Line, mut low: f64, high: f64) -> Result<(), Diagnostic> {
+        let last = self.active(line, high)?;
+        loop {
+            let first = self.active(line, low)?;
+            if first == last {
+                return Ok(());
+            }
+            let (a, b) = scan::bisect(low, high, |x| Ok(self.active(line, x)? == first))?;
+            let second = self.active(line, b)?;
+            self.meet(line, a, b, [first, second])?;
+            low = b;
+        }
+    }
+
+    /// Records the break between neighbours `a` and `b` where `pieces` meet.
+    fn meet(&mut self, line: &Line, a: f64, b: f64, pieces: [usize; 2]) -> Result<(), Diagnostic> {
+        let threshold = pieces.iter().find_map(|piece| match &self.output.pieces[*piece].when {
+            Some(Condition::Threshold { input, at, moved_from, .. })
+                if *input == line.input && (a..=b).contains(&nearest(at)) =>
+            {
+                Some((nearest(at), moved_from.as_ref().map(nearest)))
+            }
+            _ => None,
+        });
+        let (at, moved_from) = threshold.unwrap_or((b, None));
+        let input = &self.law.inputs[line.input];
+        let unit = &self.output.unit;
+        let mut values = [0.0; 2];
+        let mut slopes = [0.0; 2];
+        let mut rounding = 0.0;
+        for (side, piece) in pieces.into_iter().enumerate() {
+            let rounded: Vec<Rounded> = line.at(at).into_iter().map(Rounded::new).collect();
+            let value = self.output.value_of(piece, &self.law.names(&rounded)?)?;
+            values[side] = in_file(value.value, unit);
+            rounding += in_file(value.error, unit);
+            let duals: Vec<Dual> = (line.at(at).into_iter().enumerate())
+                .map(|(i, x)| Dual { value: x, slope: f64::from(i == line.input) })
+                .collect();
+            let value = self.output.value_of(piece, &self.law.names(&duals)?)?;
+            slopes[side] = in_file(value.slope, unit) * input.unit.factor().to_f64();
+        }
+        let found = Break {
+            input: input.name.clone(),
+            unit: input.unit.to_string(),
+            at: in_file(at, &input.unit),
+            moved_from: moved_from.map(|at| in_file(at, &input.unit)),
+            values,
+            rounding,
+            slopes,
+        };
+        let size = |b: &Break| if b.jumps() { (b.values[1] - b.values[0]).abs() } else { 0.0 };
+        let (breaks, between) = (&mut self.seen.report.breaks, &mut self.seen.between);
+        let same =
+            (0..breaks.len()).find(|&i| breaks[i].input == found.input && between[i] == pieces);
+        match same {
+            Some(i) if size(&breaks[i]) >= size(&found) => {}
+            Some(i) => breaks[i] = found,
+            None => {
+                breaks.push(found);
+                between.push(pieces);
+            }
+        }
+        Ok(())
+    }
+
+    /// Records divisors of a piece that change sign between two points.
+    fn poles(&mut self, line: &Line, piece: usize, low: f64, high: f64) -> Result<(), Diagnostic> {
+        for divisor in &self.divisors[piece] {
+            let sign = |x: f64| -> Result<bool, Diagnostic> {
+                let names = self.law.names(&line.at(x))?;
+                let value = evaluate(divisor, &names)?.scalar();
+                Ok(value.is_some_and(|value| value.is_sign_negative()))
+            };
+            let first = sign(low)?;
+            if first == sign(high)? {
+                continue;
+            }
+            let (_, at) = scan::bisect(low, high, |x| Ok(sign(x)? == first))?;
+            let input = &self.law.inputs[line.input];
+            let pole = (input.name.clone(), in_file(at, &input.unit));
+            if !self.seen.report.poles.contains(&pole) {
+                self.seen.report.poles.push(pole);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check(law: &LawSpec, output: &LawOutput, seen: &Seen, errors: &mut Diagnostics) {
+    for (found, pieces) in seen.report.breaks.iter().zip(&seen.between) {
+        if output.accepts_jumps || !found.jumps() {
+            continue;
+        }
+        let piece = pieces[0].min(pieces[1]);
+        let (unit, at) = (&output.unit, short(found.at));
+        let [below, above] = found.values.map(short);
+        let size = short((found.values[1] - found.values[0]).abs());
+        let message = format!(
+            "`{}` jumps by {size} {unit} at {} = {at} {}: {below} {unit} below, {above} {unit} above",
+            output.name, found.input, found.unit
+        );
+        let root = root_beside(law, output, piece, found);
+        let help = match root {
+            Some(root) => format!(
+                "`engage = \"root\"` moves the break to {} = {} {}, where the pieces meet; \
+                 `jump = \"accept\"` keeps the jump",
+                found.input,
+                short(root),
+                found.unit
+            ),
+            None => "change the pieces so that they meet, or keep the jump by `jump = \"accept\"`"
+                .to_owned(),
+        };
+        let place = scan::place_of(&output.pieces[piece]);
+        errors.push(place.error_here(Code::JUMP, message).help(help));
+    }
+    let declared = law.inputs.iter().all(|input| input.range.is_some());
+    if let (Some(point), true) = (&seen.report.undefined, declared) {
+        let point: Vec<String> = (law.inputs.iter().zip(point))
+            .map(|(input, x)| format!("{} = {} {}", input.name, short(*x), input.unit))
+            .collect();
+        let message = format!("`{}` has no finite value at {}", output.name, point.join(", "));
+        let place = scan::place_of(&output.pieces[0]);
+        let help = "give this place a piece of its own, or make the `range` of the inputs smaller";
+        errors.push(place.error_here(Code::UNDEFINED, message).help(help));
+    }
+}
+
+/// Where `engage` would move a break to, in the file's unit.
+fn root_beside(law: &LawSpec, output: &LawOutput, piece: usize, found: &Break) -> Option<f64> {
+    let root = super::build::engaged(law, &output.pieces, piece)?;
+    let input = law.inputs.iter().find(|input| input.name == found.input)?;
+    Some(in_file(nearest(&root), &input.unit))
+}
+
+/// A number to 6 digits.
+pub(super) fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    if rounded != 0.0 && !(1e-5..1e7).contains(&rounded.abs()) {
+        format!("{rounded:e}")
+    } else {
+        format!("{rounded}")
+    }
+}
+
+impl fmt::Display for Trend {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Trend::Constant => "does not change",
+            Trend::Rising => "never falls",
+            Trend::Falling => "never rises",
+            Trend::Mixed => "rises and falls",
+        })
+    }
+}
+
+/// One fact a line.
+impl fmt::Display for LawReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ranges: Vec<String> = (self.ranges.iter())
+            .map(|(name, unit, [low, high])| {
+                format!("{name} from {} to {} {unit}", short(*low), short(*high))
+            })
+            .collect();
+        for output in &self.outputs {
+            let OutputReport { name, unit, points, extent: [least, most], .. } = output;
+            writeln!(f, "{name} over {} ({points} points):", ranges.join(", "))?;
+            let sign = if *least >= 0.0 {
+                "never negative"
+            } else if *most <= 0.0 {
+                "never positive"
+            } else {
+                "of both signs"
+            };
+            writeln!(f, "  {} to {} {unit}, {sign}", short(*least), short(*most))?;
+            for (input, trend) in &output.trends {
+                writeln!(f, "  {trend} with rising {input}")?;
+            }
+            for found in &output.breaks {
+                writeln!(f, "  {found}, {unit}")?;
+            }
+            for (input, at) in &output.poles {
+                writeln!(f, "  pole at {input} = {}", short(*at))?;
+            }
+            if let Some(point) = &output.undefined {
+                let point: Vec<String> = point.iter().map(|x| short(*x)).collect();
+                writeln!(f, "  no finite value at ({})", point.join(", "))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Break {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "break at {} = {} {}", self.input, short(self.at), self.unit)?;
+        if let Some(from) = self.moved_from {
+            write!(f, " (moved from {})", short(from))?;
+        }
+        let [below, above] = self.values.map(short);
+        if self.jumps() {
+            write!(f, ": value {below} to {above}")?;
+        } else {
+            write!(f, ": no jump")?;
+        }
+        write!(f, ", slope {} to {}", short(self.slopes[0]), short(self.slopes[1]))
+    }
+}

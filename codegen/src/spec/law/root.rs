@@ -1,0 +1,228 @@
+//! Roots of polynomials with exact coefficients, to any precision.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use crate::expression::{Graph, Id, Node, normal};
+
+/// Highest degree whose roots are looked for, and most bits of a coefficient: the numbers of Sturm's
+/// chain grow with both.
+const HIGHEST_DEGREE: usize = 12;
+const MOST_BITS: u64 = 256;
+
+/// A polynomial Σ cᵢ xⁱ; the last coefficient is not zero.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Polynomial {
+    coefficients: Vec<BigRational>,
+}
+
+impl Polynomial {
+    fn new(mut coefficients: Vec<BigRational>) -> Self {
+        while coefficients.last().is_some_and(Zero::is_zero) {
+            coefficients.pop();
+        }
+        Polynomial { coefficients }
+    }
+
+    /// The expression as a polynomial in `x`, if it is one.
+    pub(super) fn of(graph: &mut Graph, expression: Id, x: Id) -> Option<Self> {
+        let expanded = normal::expand(graph, expression);
+        if graph.exceeded() {
+            return None;
+        }
+        let mut coefficients: Vec<BigRational> = Vec::new();
+        for (term, coefficient) in graph.terms(expanded) {
+            let (degree, coefficient) = match graph.node(term) {
+                Node::Number(value) => (0, coefficient * value),
+                _ if term == x => (1, coefficient),
+                Node::Product(factors) if factors.len() == 1 && factors[0].0 == x => {
+                    let degree = &factors[0].1;
+                    let whole = degree.is_integer() && degree.is_positive();
+                    let degree: usize = whole.then(|| degree.to_integer().try_into().ok())??;
+                    (degree, coefficient)
+                }
+                _ => return None,
+            };
+            if degree > HIGHEST_DEGREE {
+                return None;
+            }
+            if coefficients.len() <= degree {
+                coefficients.resize(degree + 1, BigRational::zero());
+            }
+            coefficients[degree] += coefficient;
+        }
+        let bits = |c: &BigRational| c.numer().bits().max(c.denom().bits());
+        let short = coefficients.iter().all(|c| bits(c) <= MOST_BITS);
+        short.then(|| Polynomial::new(coefficients))
+    }
+
+    /// Slope and root of a polynomial of degree 1.
+    pub(super) fn linear(&self) -> Option<(BigRational, BigRational)> {
+        match self.coefficients.as_slice() {
+            [constant, slope] => Some((slope.clone(), -constant / slope)),
+            _ => None,
+        }
+    }
+
+    fn degree(&self) -> usize {
+        self.coefficients.len().saturating_sub(1)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.coefficients.is_empty()
+    }
+
+    /// p(x)
+    fn at(&self, x: &BigRational) -> BigRational {
+        self.coefficients.iter().rev().fold(BigRational::zero(), |sum, c| sum * x + c)
+    }
+
+    fn derivative(&self) -> Polynomial {
+        let slopes = self.coefficients.iter().enumerate().skip(1);
+        Polynomial::new(slopes.map(|(i, c)| c * BigRational::from_integer(i.into())).collect())
+    }
+
+    /// The remainder of the division by `divisor`, which is not zero.
+    fn remainder(&self, divisor: &Polynomial) -> Polynomial {
+        let mut rest = self.coefficients.clone();
+        let lead = &divisor.coefficients[divisor.degree()];
+        while rest.len() > divisor.degree() && !rest.is_empty() {
+            let factor = &rest[rest.len() - 1] / lead;
+            let shift = rest.len() - 1 - divisor.degree();
+            for (i, c) in divisor.coefficients.iter().enumerate() {
+                rest[shift + i] -= &factor * c;
+            }
+            rest.pop();
+        }
+        Polynomial::new(rest)
+    }
+
+    /// p, p′, and the negated remainders of the Euclidean algorithm on them, each scaled to a leading
+    /// coefficient of ±1 to keep the numbers short.
+    fn sturm_chain(&self) -> Vec<Polynomial> {
+        let mut chain = vec![self.scaled(), self.derivative().scaled()];
+        while chain[chain.len() - 1].degree() > 0 {
+            let last = chain.len() - 1;
+            let rest = chain[last - 1].remainder(&chain[last]);
+            if rest.is_zero() {
+                break;
+            }
+            let negated = rest.coefficients.iter().map(|c| -c).collect();
+            chain.push(Polynomial::new(negated).scaled());
+        }
+        chain
+    }
+
+    fn scaled(&self) -> Polynomial {
+        let Some(lead) = self.coefficients.last() else {
+            return self.clone();
+        };
+        let lead = lead.abs();
+        Polynomial::new(self.coefficients.iter().map(|c| c / &lead).collect())
+    }
+
+    /// The root nearest to `place` to a relative accuracy of 2⁻¹²⁰ (exactly, for degree 1), and of two
+    /// equally near ones the lower; `None` if there is no real root.
+    pub(super) fn root_nearest(&self, place: &BigRational) -> Option<BigRational> {
+        match self.degree() {
+            0 => None,
+            1 => Some(-&self.coefficients[0] / &self.coefficients[1]),
+            _ => self.isolated_root(place),
+        }
+    }
+
+    fn isolated_root(&self, place: &BigRational) -> Option<BigRational> {
+        if self.at(place).is_zero() {
+            return Some(place.clone());
+        }
+        let chain = self.sturm_chain();
+        let changes = |x: &BigRational| -> usize {
+            let signs = chain.iter().map(|p| p.at(x)).filter(|value| !value.is_zero());
+            let signs: Vec<bool> = signs.map(|value| value.is_positive()).collect();
+            signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+        };
+        // Number of different roots in (low, high].
+        let count = |low: &BigRational, high: &BigRational| changes(low) - changes(high);
+        let lead = self.coefficients[self.degree()].abs();
+        let others = self.coefficients.iter().map(|c| c.abs() / &lead);
+        let bound = others.fold(BigRational::one(), |sum, c| sum + c);
+        // Distances from the place: no root nearer than `near`, one within `far`.
+        let (mut near, mut far) = (BigRational::zero(), bound + place.abs());
+        let within = |d: &BigRational| count(&(place - d), &(place + d)) > 0;
+        if !within(&far) {
+            return None;
+        }
+        let two = BigRational::from_integer(2.into());
+        let smallest = |d: &BigRational| {
+            let scale = place.abs().max(d.clone());
+            scale / BigRational::from_integer(BigInt::one() << 124)
+        };
+        while &far - &near > smallest(&far) {
+            let middle = (&near + &far) / &two;
+            if within(&middle) { far = middle } else { near = middle }
+        }
+        let middle = (near + &far) / &two;
+        let below = count(&(place - &far), place) > 0;
+        Some(if below { place - middle } else { place + middle })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::nearest;
+
+    fn polynomial(coefficients: &[i64]) -> Polynomial {
+        Polynomial::new(
+            coefficients.iter().map(|c| BigRational::from_integer((*c).into())).collect(),
+        )
+    }
+
+    fn exact(n: i64, d: i64) -> BigRational {
+        BigRational::new(n.into(), d.into())
+    }
+
+    #[test]
+    fn the_papers_polynomials_have_their_roots() {
+        let c0 = exact(35687, 1_000_000);
+        let linear = polynomial(&[233, -6517]).root_nearest(&c0).unwrap();
+        assert_eq!(linear, exact(233, 6517));
+        let root = polynomial(&[388, -18632, 217_550]).root_nearest(&c0).unwrap();
+        // (18632 − √(18632² − 4·388·217550))/(2·217550) in 29 digits.
+        let digits = "35733282612761347904256322711";
+        let expected = BigRational::new(digits.parse().unwrap(), BigInt::from(10).pow(30));
+        assert_eq!(nearest(&root), nearest(&expected));
+        let other = polynomial(&[388, -18632, 217_550]).root_nearest(&exact(1, 20)).unwrap();
+        assert!((nearest(&other) - 0.04991).abs() < 1e-5);
+    }
+
+    #[test]
+    fn roots_are_found_wherever_they_lie() {
+        let cubic = polynomial(&[-6, 11, -6, 1]);
+        for (place, root) in [(exact(9, 10), 1.0), (exact(21, 10), 2.0), (exact(1000, 1), 3.0)] {
+            assert_eq!(nearest(&cubic.root_nearest(&place).unwrap()), root);
+        }
+        assert_eq!(cubic.root_nearest(&exact(2, 1)), Some(exact(2, 1)));
+        let double = polynomial(&[1, -2, 1]).root_nearest(&exact(3, 1)).unwrap();
+        assert_eq!(nearest(&double), 1.0);
+        assert_eq!(polynomial(&[1, 0, 1]).root_nearest(&exact(3, 1)), None);
+        assert_eq!(polynomial(&[5]).root_nearest(&exact(3, 1)), None);
+        let root_two = polynomial(&[-2, 0, 1]).root_nearest(&exact(1, 1)).unwrap();
+        assert_eq!(nearest(&root_two), std::f64::consts::SQRT_2);
+    }
+
+    #[test]
+    fn expressions_are_recognised() {
+        let mut graph = Graph::new();
+        let (x, y) = (graph.scalar("x"), graph.scalar("y"));
+        let one = graph.integer(1);
+        let sum = graph.add(x, one);
+        let cube = graph.power(sum, exact(3, 1));
+        assert_eq!(Polynomial::of(&mut graph, cube, x), Some(polynomial(&[1, 3, 3, 1])));
+        let mixed = graph.mul(x, y);
+        assert_eq!(Polynomial::of(&mut graph, mixed, x), None);
+        let root = graph.sqrt(x);
+        assert_eq!(Polynomial::of(&mut graph, root, x), None);
+    }
+}

@@ -1,0 +1,150 @@
+//! The points at which a law is looked at.
+
+use num_traits::ToPrimitive;
+
+use super::{Condition, LawSpec, Piece};
+use crate::diagnostic::{Diagnostic, Located};
+use crate::expression::Node;
+use crate::formula::{Formula, Kind, Side, Term};
+use crate::units::nearest;
+
+/// Points along a line, and values of each other input, where an input varies alone.
+const POINTS: usize = 1001;
+const LEVELS: usize = 3;
+/// Most lines an input.
+const LINES: usize = 81;
+
+/// Points that differ in one input only.
+pub(super) struct Line {
+    /// The input that varies.
+    pub(super) input: usize,
+    /// Its values, ascending, SI.
+    pub(super) points: Vec<f64>,
+    /// The values of all inputs, of which the varying one is replaced.
+    rest: Vec<f64>,
+}
+
+impl Line {
+    /// All inputs where the varying one is `x`.
+    pub(super) fn at(&self, x: f64) -> Vec<f64> {
+        let mut inputs = self.rest.clone();
+        inputs[self.input] = x;
+        inputs
+    }
+}
+
+/// The range of every input, SI: what the file says, or what shows the thresholds with as much on their
+/// other side.
+pub(super) fn ranges(law: &LawSpec) -> Vec<[f64; 2]> {
+    let mut ranges = Vec::with_capacity(law.inputs.len());
+    for (place, input) in law.inputs.iter().enumerate() {
+        let thresholds: Vec<f64> = thresholds(law, place);
+        let low = thresholds.iter().fold(0.0_f64, |low, at| low.min(2.0 * at));
+        let high = thresholds.iter().fold(0.0_f64, |high, at| high.max(2.0 * at));
+        let unit = input.unit.factor().to_f64();
+        ranges.push(match input.range {
+            Some(range) => range,
+            None if low < high => [low, high],
+            None => [-unit, unit],
+        });
+    }
+    ranges
+}
+
+/// Every constant with which the input is compared, SI.
+fn thresholds(law: &LawSpec, input: usize) -> Vec<f64> {
+    let pieces = law.outputs.iter().flat_map(|output| &output.pieces);
+    let mut found: Vec<f64> = pieces
+        .filter_map(|piece| match &piece.when {
+            Some(Condition::Threshold { input: other, at, .. }) if *other == input => {
+                Some(nearest(at))
+            }
+            _ => None,
+        })
+        .collect();
+    // Comparisons inside conditions and functions, such as max(h, c0).
+    let symbol = law.inputs[input].symbol;
+    let values: Vec<_> = law.outputs.iter().map(|output| output.value).collect();
+    for id in law.graph.reachable(&values) {
+        let Node::Compare(_, a, b) = law.graph.node(id) else { continue };
+        for (variable, constant) in [(*a, *b), (*b, *a)] {
+            let Some(constant) = law.graph.as_number(constant) else { continue };
+            match law.graph.terms(variable).as_slice() {
+                [(term, factor)] if *term == symbol => {
+                    found.extend((constant / factor).to_f64());
+                }
+                _ => {}
+            }
+        }
+    }
+    found
+}
+
+/// Lines through the ranges: every input in turn, the others at their ends and middles.
+pub(super) fn lines(ranges: &[[f64; 2]]) -> Vec<Line> {
+    let mut lines = Vec::new();
+    for input in 0..ranges.len() {
+        let [low, high] = ranges[input];
+        let step = |i: usize| i as f64 / (POINTS - 1) as f64;
+        let points: Vec<f64> = (0..POINTS).map(|i| low + (high - low) * step(i)).collect();
+        let combinations = (1..ranges.len()).fold(1_usize, |n, _| n.saturating_mul(LEVELS));
+        for line in 0..combinations.min(LINES) {
+            let mut digits = line;
+            let rest = (ranges.iter().enumerate())
+                .map(|(other, [low, high])| {
+                    if other == input {
+                        return *low;
+                    }
+                    let level = digits % LEVELS;
+                    digits /= LEVELS;
+                    low + (high - low) * level as f64 / (LEVELS - 1) as f64
+                })
+                .collect();
+            lines.push(Line { input, points: points.clone(), rest });
+        }
+    }
+    lines
+}
+
+/// Neighbouring numbers between `low` and `high` of which `holds` is true and false; it is true of `low`
+/// and false of `high`.
+pub(super) fn bisect(
+    mut low: f64,
+    mut high: f64,
+    holds: impl Fn(f64) -> Result<bool, Diagnostic>,
+) -> Result<(f64, f64), Diagnostic> {
+    /// Enough to halve any interval down to neighbours, unless they are next to zero.
+    const STEPS: usize = 200;
+    for _ in 0..STEPS {
+        let middle = low + (high - low) / 2.0;
+        if middle <= low || middle >= high {
+            break;
+        }
+        if holds(middle)? { low = middle } else { high = middle }
+    }
+    Ok((low, high))
+}
+
+/// Every divisor in a formula, as a formula.
+pub(super) fn divisors(formula: &Formula) -> Vec<Formula> {
+    let mut found = Vec::new();
+    formula.root.visit(&mut |term: &Term| {
+        if let Kind::Product(parts) = &term.kind {
+            let below = parts.iter().filter(|(side, _)| *side == Side::Against);
+            found.extend(
+                below.map(|(_, part)| Formula { text: formula.text.clone(), root: part.clone() }),
+            );
+        }
+    });
+    found.retain(|divisor| !divisor.names().is_empty());
+    found
+}
+
+/// Where a message about a piece points: its condition as far as it is known as text, or its value.
+pub(super) fn place_of(piece: &Piece) -> &Located {
+    match &piece.when {
+        Some(Condition::Formula(formula)) => &formula.text,
+        Some(Condition::Threshold { text, .. }) => text,
+        None => &piece.value.text,
+    }
+}

@@ -1,0 +1,117 @@
+//! One system of units for all formulas of a file, so that a product of quantities in any units is right.
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use crate::units::{Dimension, Exponent, Factor, Unit};
+
+/// Scales of the base quantities (m, kg, s, K) in SI, such that every unit given to [`System::of`] is a
+/// product of powers of them: with h in mm and Q in N, lengths are in mm, and masses in N·s²/mm.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct System {
+    scales: [Factor; 4],
+}
+
+/// Bases in the order in which they are solved for: what is left open keeps its SI unit, time first.
+const ORDER: [usize; 4] = [0, 1, 3, 2];
+
+struct Row {
+    exponents: [Exponent; 4],
+    factor: Factor,
+}
+
+impl System {
+    /// The system in which all `units` have scale 1.
+    ///
+    /// # Errors
+    /// The place of the first unit that contradicts those before it.
+    pub(super) fn of<'u>(units: impl IntoIterator<Item = &'u Unit>) -> Result<Self, usize> {
+        let mut solved: Vec<(usize, Row)> = Vec::new();
+        for (place, unit) in units.into_iter().enumerate() {
+            let mut row =
+                Row { exponents: unit.dimension().bases(), factor: unit.factor().clone() };
+            for (base, known) in &solved {
+                row.eliminate(*base, known);
+            }
+            let Some(base) = ORDER.into_iter().find(|base| !row.exponents[*base].is_zero()) else {
+                if row.factor.is_one() {
+                    continue;
+                }
+                return Err(place);
+            };
+            let inverse = row.exponents[base].recip();
+            row.exponents = row.exponents.map(|e| e * inverse);
+            row.factor = row.factor.power(inverse);
+            for (_, known) in &mut solved {
+                known.eliminate(base, &row);
+            }
+            solved.push((base, row));
+        }
+        // Bases that no unit fixes are 1, so that each row gives its own base.
+        let mut scales: [Factor; 4] = Default::default();
+        for (base, row) in solved {
+            scales[base] = row.factor;
+        }
+        Ok(System { scales })
+    }
+
+    fn scale(&self, dimension: &Dimension) -> Factor {
+        let powers = self.scales.iter().zip(dimension.bases());
+        powers.fold(Factor::one(), |product, (scale, e)| product.times(&scale.power(e)))
+    }
+
+    /// A value in `unit` as a value in this system: exact if the ratio of the units is rational, else the
+    /// nearest f64.
+    pub(super) fn convert(&self, value: &BigRational, unit: &Unit) -> BigRational {
+        let factor = unit.factor().over(&self.scale(unit.dimension()));
+        let ratio = factor.to_rational();
+        let ratio = ratio.or_else(|| BigRational::from_float(factor.to_f64()));
+        value * ratio.unwrap_or_else(BigRational::one)
+    }
+}
+
+impl Row {
+    /// Takes `known`, whose exponent of `base` is 1, off this row until that exponent is 0.
+    fn eliminate(&mut self, base: usize, known: &Row) {
+        let times = self.exponents[base];
+        for (e, other) in self.exponents.iter_mut().zip(known.exponents) {
+            *e -= other * times;
+        }
+        self.factor = self.factor.over(&known.factor.power(times));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn system(units: &[&str]) -> Result<System, usize> {
+        let units: Vec<Unit> = units.iter().map(|unit| Unit::parse(unit).unwrap()).collect();
+        System::of(&units)
+    }
+
+    fn converted(system: &System, value: i64, unit: &str) -> BigRational {
+        system.convert(&BigRational::from_integer(value.into()), &Unit::parse(unit).unwrap())
+    }
+
+    #[test]
+    fn parameters_are_converted_to_the_units_of_inputs_and_outputs() {
+        let mm_n = system(&["mm", "N"]).unwrap();
+        let exact = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+        assert_eq!(converted(&mm_n, 35, "um"), exact(35, 1000));
+        assert_eq!(converted(&mm_n, 5, "N/m"), exact(5, 1000));
+        assert_eq!(converted(&mm_n, 200, "GPa"), exact(200_000, 1));
+        assert_eq!(converted(&mm_n, 7, "N*s/m"), exact(7, 1000));
+        assert_eq!(converted(&mm_n, 7, "N/mm^1.5"), exact(7, 1));
+        assert_eq!(converted(&mm_n, 3, "rad"), exact(3, 1));
+        assert_eq!(converted(&system(&["m", "m/s", "N"]).unwrap(), 1, "N/mm"), exact(1000, 1));
+    }
+
+    #[test]
+    fn contradictions_are_found() {
+        assert_eq!(system(&["mm", "N", "m"]), Err(2));
+        assert_eq!(system(&["mm", "mm/s", "N", "N/m"]), Err(3));
+        assert!(system(&["mm", "m/s", "N"]).is_ok());
+        assert_eq!(system(&["mm", "m/s", "s"]), Err(2));
+    }
+}

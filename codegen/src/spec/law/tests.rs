@@ -1,0 +1,297 @@
+use super::*;
+use crate::diagnostic::Source;
+use crate::formula::Dual;
+use crate::spec::law::report::Trend;
+
+const HEAD: &str = "\
+kind = \"law\"
+name = \"test\"
+title = \"t\"
+source = \"s\"
+";
+
+fn read(body: &str) -> Result<LawSpec, Diagnostics> {
+    LawSpec::read(&Source::new("law.toml", format!("{HEAD}{body}")))
+}
+
+fn messages(body: &str) -> Vec<String> {
+    read(body).unwrap_err().iter().map(ToString::to_string).collect()
+}
+
+fn paper(engage: &str, polynomial: &str) -> String {
+    format!(
+        "[inputs.h]
+unit = \"mm\"
+[parameters]
+c0 = {{ value = 35.687, unit = \"um\" }}
+[outputs.Q]
+unit = \"N\"
+{engage}
+pieces = [
+  {{ when = 'h < c0', value = '{polynomial}' }},
+  {{ value = '0' }},
+]
+"
+    )
+}
+
+const LINEAR: &str = "233 - 6517*h";
+const QUADRATIC: &str = "388 - 18632*h + 217550*h^2";
+
+fn value(law: &LawSpec, inputs: &[f64]) -> f64 {
+    law.evaluate(inputs).unwrap()[0]
+}
+
+#[test]
+fn the_papers_laws_engage_at_their_roots() {
+    let law = read(&paper("engage = \"root\"", LINEAR)).unwrap();
+    let Some(Condition::Threshold { at, below, moved_from, .. }) = &law.outputs[0].pieces[0].when
+    else {
+        panic!("a threshold")
+    };
+    assert_eq!(*at, BigRational::new(233.into(), 6_517_000.into()));
+    assert!(below);
+    assert_eq!(*moved_from, Some(BigRational::new(35687.into(), 1_000_000_000.into())));
+    let found = &law.report.outputs[0].breaks[0];
+    assert!(!found.jumps());
+    assert!((found.at - 0.035_752_646_923_431_03).abs() < 1e-16);
+    assert_eq!(law.report.outputs[0].trends, [("h".to_owned(), Trend::Falling)]);
+    assert_eq!(
+        law.report.to_string(),
+        "Q over h from 0 to 0.0715053 mm (1001 points):
+  0 to 233 N, never negative
+  never rises with rising h
+  break at h = 0.0357526 mm (moved from 0.035687): no jump, slope -6517 to 0, N
+"
+    );
+
+    let law = read(&paper("engage = \"root\"", QUADRATIC)).unwrap();
+    let found = &law.report.outputs[0].breaks[0];
+    assert!((found.at - 0.035_733_282_612_761_35).abs() < 1e-16);
+    assert!(!found.jumps(), "{found:?}");
+    assert_eq!(value(&law, &[0.0]), 388.0);
+    assert_eq!(value(&law, &[0.04e-3]), 0.0);
+    assert!(value(&law, &[0.0357e-3]) > 0.0);
+}
+
+#[test]
+fn derivatives_on_the_graph_are_those_of_dual_numbers() {
+    let law = read(&paper("engage = \"root\"", QUADRATIC)).unwrap();
+    let mut graph = law.graph.clone();
+    let h = law.inputs[0].symbol;
+    let slope = graph.number(BigRational::from_integer((-18_632_000).into()));
+    let h_term = graph.times(BigRational::from_integer(435_100_000_000_i64.into()), h);
+    let expected = graph.add(slope, h_term);
+    // In SI the polynomial's slope is −18632e3 + 2·217550e6·h, where the first piece applies.
+    let crate::expression::Node::Select(_, first, second) =
+        *graph.node(law.outputs[0].derivatives[0])
+    else {
+        panic!("a choice")
+    };
+    assert!(crate::expression::normal::equal(&mut graph, first, expected));
+    assert!(graph.is_zero(second));
+    let dual = law.evaluate(&[Dual::variable(0.02e-3)]).unwrap()[0];
+    let slope = -18632e3 + 2.0 * 217_550e6 * 0.02e-3;
+    assert!((dual.slope - slope).abs() < 1e-9 * slope.abs());
+}
+
+#[test]
+fn a_jump_is_an_error_that_names_the_remedies() {
+    let text = read(&paper("", LINEAR)).unwrap_err().render();
+    let expected = "\
+error[E030]: `Q` jumps by 0.427821 N at h = 0.035687 mm: 0.427821 N below, 0 N above
+  --> law.toml:13:13
+   |
+13 |   { when = 'h < c0', value = '233 - 6517*h' },
+   |             ^^^^^^
+   |
+   = help: `engage = \"root\"` moves the break to h = 0.0357526 mm, where the pieces meet; `jump = \"accept\"` keeps the jump
+";
+    assert_eq!(text, expected);
+    let accepted = read(&paper("jump = \"accept\"", LINEAR)).unwrap();
+    let found = &accepted.report.outputs[0].breaks[0];
+    assert!(found.jumps());
+    assert!((found.values[0] - 0.427_821).abs() < 1e-12);
+    assert_eq!(found.slopes, [-6517.0, 0.0]);
+    assert_eq!(
+        messages(&paper("", "h_0 - 1")),
+        ["law.toml:13:31: unknown name `h_0` (known: `c0`, `h`)"]
+    );
+    assert_eq!(
+        messages(&paper("", "1 + 1*h^2")),
+        ["law.toml:13:13: `Q` jumps by 1.00127 N at h = 0.035687 mm: 1.00127 N below, 0 N above \
+          (change the pieces so that they meet, or keep the jump by `jump = \"accept\"`)"]
+    );
+}
+
+#[test]
+fn engage_needs_a_root() {
+    assert_eq!(
+        messages(&paper("engage = \"root\"", "1 + 1*h^2")),
+        ["law.toml:11:10: the pieces beside the break never have the same value"]
+    );
+    assert_eq!(
+        messages(&paper("engage = \"root\"", "1*exp(-h/c0)")),
+        [
+            "law.toml:11:10: `engage = \"root\"` needs pieces that are polynomials in the input of the break"
+        ]
+    );
+}
+
+#[test]
+fn parameters_in_any_unit_give_the_same_law() {
+    let law = |value: &str, unit: &str| {
+        read(&format!(
+            "[inputs.h]\nunit = \"mm\"\n[inputs.h_dot]\nunit = \"m/s\"\n\
+             [parameters]\nk = {{ value = {value}, unit = \"{unit}\" }}\n\
+             c = {{ value = 2, unit = \"N*s/m\" }}\n\
+             [outputs.Q]\nunit = \"N\"\npieces = [{{ when = 'h < 0', value = '-k*h - c*ḣ' }}, {{ value = '-c*ḣ' }}]\n"
+        ))
+        .unwrap()
+    };
+    for law in [law("5", "N/mm"), law("5000", "N/m"), law("0.005", "kN/mm")] {
+        assert_eq!(value(&law, &[-1e-3, 0.0]), 5.0);
+        assert_eq!(value(&law, &[-1e-3, 0.5]), 4.0);
+        assert_eq!(value(&law, &[1e-3, 0.5]), -1.0);
+    }
+}
+
+#[test]
+fn powers_definitions_and_exponents_from_parameters() {
+    let law = read(
+        "[inputs.h]\nunit = \"mm\"\nrange = [-0.1, 0.1]\n\
+         [parameters]\nK = { value = 1000, unit = \"N/mm^1.5\" }\nn = { value = 1.5, unit = \"1\" }\n\
+         [definitions]\noverlap = 'max(-h, 0)'\n\
+         [outputs.Q]\nunit = \"N\"\nvalue = 'K*overlap^n'\n",
+    )
+    .unwrap();
+    assert!((value(&law, &[-0.04e-3]) - 8.0).abs() < 1e-12);
+    assert_eq!(value(&law, &[0.01e-3]), 0.0);
+    assert_eq!(law.report.outputs[0].trends[0].1, Trend::Falling);
+}
+
+#[test]
+fn all_errors_of_a_file_are_reported_at_once() {
+    let found = messages(
+        "colour = \"red\"
+[inputs.h]
+unit = \"N\"
+[inputs.hdot]
+unit = \"mm/s\"
+[parameters]
+c0 = { value = 1, unit = \"milimeter\" }
+and = { value = 1, unit = \"mm\" }
+h = { value = 1, unit = \"mm\" }
+[outputs.Q]
+unit = \"N\"
+engage = \"roof\"
+value = '1 + (2'
+pieces = []
+",
+    );
+    let expected = [
+        "law.toml:5:1: unknown key `colour` (known: `definitions`, `inputs`, `kind`, `name`, `outputs`, `parameters`, `source`, `title`)",
+        "law.toml:7:9: `h` is a length, but `N` is the unit of a force (write for example `unit = \"m\"`)",
+        "law.toml:8:9: `hdot` is not an input of laws (did you mean `h_dot`?)",
+        "law.toml:11:27: unknown unit `milimeter` (known: `1`, `m`, `km`, `cm`, `mm`, `um`, `nm`, `kg`, `g`, `mg`, `t`, `s`, `ms`, `us`, `K`, `rad`, …)",
+        "law.toml:12:1: `and` is a word of the formula language and cannot be a name",
+        "law.toml:13:1: the name `h` is taken since line 6",
+        "law.toml:14:10: `Q` has both a `value` and `pieces` (keep one of them)",
+        "law.toml:16:11: `outputs.Q.engage` cannot be `roof` (did you mean `root`?)",
+    ];
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn pieces_units_and_dimensions_are_checked() {
+    let law = |inputs: &str, output: &str| {
+        messages(&format!(
+            "[inputs]\n{inputs}\n[parameters]\nk = {{ value = 1, unit = \"N/mm\" }}\n[outputs.Q]\n{output}\n"
+        ))
+    };
+    let h = "h = { unit = \"mm\" }";
+    let cases: &[(&str, &str, &[&str])] = &[
+        (
+            h,
+            "unit = \"N\"\nvalue = 'h*k*h'",
+            &[
+                "law.toml:11:10: `Q` is a force, but this is a torque (a parameter with a unit is missing as a factor; a number as a factor takes any unit)",
+            ],
+        ),
+        (
+            h,
+            "unit = \"N\"\nvalue = 'k + h'",
+            &["law.toml:11:14: `h` is a length and cannot be added to `k`, which is a stiffness"],
+        ),
+        (
+            h,
+            "unit = \"N\"\nvalue = '5*h'",
+            &["law.toml:8:1: `k` is not used by any formula (leave it out)"],
+        ),
+        (
+            h,
+            "unit = \"N\"\npieces = [{ value = 'k*h' }, { value = '0' }]",
+            &["law.toml:11:11: this piece has no `when`, so that none after it ever applies"],
+        ),
+        (
+            h,
+            "unit = \"N\"\npieces = [{ when = 'h < 0', value = 'k*h' }]",
+            &[
+                "law.toml:11:21: the last piece must apply everywhere else (leave its `when` out, or add a piece `{ value = '0' }`)",
+            ],
+        ),
+        (
+            h,
+            "unit = \"N\"\npieces = [{ when = 'h', value = 'k*h' }, { value = 'h < 0' }]",
+            &[
+                "law.toml:11:21: expected a condition such as `h < c0`, found a number",
+                "law.toml:11:53: expected a number, found a condition",
+            ],
+        ),
+        (
+            "h = { unit = \"mm\" }\nh_dot = { unit = \"rpm\" }",
+            "unit = \"N\"\nvalue = 'k*h*h_dot'",
+            &[
+                "law.toml:7:19: `h_dot` is a speed, but `rpm` is the unit of an angular speed (write for example `unit = \"m/s\"`)",
+            ],
+        ),
+        (
+            "h = { unit = \"mm\", range = [1, 0] }",
+            "unit = \"N\"\nvalue = 'k*h'",
+            &["law.toml:6:29: `range` must be two numbers, the lower first"],
+        ),
+        (
+            h,
+            "unit = \"N\"",
+            &[
+                "law.toml:9:10: `Q` has neither a `value` nor `pieces` (write for example `value = '1000*h'`)",
+            ],
+        ),
+        (
+            "h = { unit = \"mm\", range = [-1, 1] }",
+            "unit = \"N\"\nvalue = 'k*sqrt(h)*sqrt(h)'",
+            &[
+                "law.toml:11:10: `Q` has no finite value at h = -1 mm (give this place a piece of its own, or make the `range` of the inputs smaller)",
+            ],
+        ),
+    ];
+    for (inputs, output, expected) in cases {
+        assert_eq!(law(inputs, output), *expected, "{inputs} {output}");
+    }
+}
+
+#[test]
+fn breaks_between_inputs_and_poles_are_found() {
+    let law = read(
+        "[inputs]\nh = { unit = \"mm\", range = [0.1, 1] }\nh_dot = { unit = \"mm/s\", range = [-1, 1] }\n\
+         [outputs.Q]\nunit = \"N\"\njump = \"accept\"\n\
+         pieces = [{ when = 'h_dot < 1*h^2 - 1/4', value = '1/(1*h - 3/4)' }, { value = '2' }]\n",
+    )
+    .unwrap();
+    let report = &law.report.outputs[0];
+    let across_h = report.breaks.iter().find(|b| b.input == "h").unwrap();
+    assert!(across_h.jumps());
+    assert!(report.poles.iter().any(|(input, at)| input == "h" && (at - 0.75).abs() < 1e-12));
+    // With h_dot = 0 the break lies at h = 1/2, at the limit of accuracy of h² − 1/4.
+    assert!((across_h.at - 0.5).abs() < 1e-12, "{}", across_h.at);
+}
