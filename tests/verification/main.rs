@@ -1,3 +1,4 @@
 //! Verification: each layer against exact solutions, other methods, or its own definition.
 
+mod block;
 mod reduction;

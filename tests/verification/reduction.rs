@@ -1,124 +1,13 @@
 //! Modes and Craig–Bampton reduction: against dense decompositions, closed forms and the full model.
 
 use nalgebra::DMatrix;
+use whirl_solver::body::{Coordinates, Rayleigh};
 use whirl_solver::linalg::{LowerTriangle, Matrix, congruence, symmetric_eigen};
 use whirl_solver::reduction::{CraigBampton, FreeMotion, ReductionError, Solid, hertz};
-use whirl_solver::sparse::SparseMatrix;
+use whirl_solver::shaft::{Shaft, ShaftParts};
+use whirl_solver::sparse::{SparseColumns, SparseMatrix};
 
-const PLENTY: usize = 1 << 32;
-
-/// A block of 8-node hexahedra, sides along x, y, z.
-struct Block {
-    coordinates: Vec<[f64; 3]>,
-    stiffness: SparseMatrix,
-    mass: SparseMatrix,
-}
-
-impl Block {
-    /// `cells` cells along each axis over a block with sides `sides` (m) of steel, with K and M times
-    /// `scale` and Poisson's ratio `nu`.
-    fn new(cells: [usize; 3], sides: [f64; 3], nu: f64, scale: [f64; 2]) -> Self {
-        let step: [f64; 3] = std::array::from_fn(|i| sides[i] / cells[i] as f64);
-        let (k, m) = hexahedron(step, 2e11, nu, 7860.0);
-        let across = [cells[0] + 1, cells[1] + 1, cells[2] + 1];
-        let node = |i: usize, j: usize, k: usize| (k * across[1] + j) * across[0] + i;
-        let mut coordinates = Vec::new();
-        for z in 0..across[2] {
-            for y in 0..across[1] {
-                for x in 0..across[0] {
-                    let place = [x, y, z];
-                    coordinates.push(std::array::from_fn(|i| place[i] as f64 * step[i]));
-                }
-            }
-        }
-        let mut columns = vec![std::collections::BTreeMap::new(); 3 * coordinates.len()];
-        for z in 0..cells[2] {
-            for y in 0..cells[1] {
-                for x in 0..cells[0] {
-                    let corners: Vec<usize> =
-                        CORNERS.iter().map(|c| node(x + c[0], y + c[1], z + c[2])).collect();
-                    for a in 0..24 {
-                        for b in 0..24 {
-                            let (row, column) =
-                                (3 * corners[a / 3] + a % 3, 3 * corners[b / 3] + b % 3);
-                            let entry = columns[column].entry(row).or_insert([0.0; 2]);
-                            entry[0] += scale[0] * k[a][b];
-                            entry[1] += scale[1] * m[a][b];
-                        }
-                    }
-                }
-            }
-        }
-        let matrix = |which: usize| {
-            symmetric(columns.len(), |j| {
-                columns[j].iter().map(move |(&row, entry): (&usize, &[f64; 2])| (row, entry[which]))
-            })
-        };
-        Block { stiffness: matrix(0), mass: matrix(1), coordinates }
-    }
-
-    fn solid(&self) -> Solid<'_> {
-        Solid {
-            stiffness: &self.stiffness,
-            mass: &self.mass,
-            coordinates: &self.coordinates,
-            memory: PLENTY,
-        }
-    }
-
-    /// Dofs of the nodes at the end z = 0.
-    fn end(&self) -> Vec<usize> {
-        let nodes = (0..self.coordinates.len()).filter(|&a| self.coordinates[a][2] == 0.0);
-        nodes.flat_map(|a| [3 * a, 3 * a + 1, 3 * a + 2]).collect()
-    }
-}
-
-const CORNERS: [[usize; 3]; 8] =
-    [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
-
-/// K and M of a box with 2 × 2 × 2 Gauss points.
-fn hexahedron(side: [f64; 3], e: f64, nu: f64, rho: f64) -> ([[f64; 24]; 24], [[f64; 24]; 24]) {
-    let sign = |a: usize, i: usize| 2.0 * CORNERS[a][i] as f64 - 1.0;
-    let (lambda, mu) = (e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), e / (2.0 * (1.0 + nu)));
-    let det = side.iter().product::<f64>() / 8.0;
-    let (mut k, mut m) = ([[0.0; 24]; 24], [[0.0; 24]; 24]);
-    for q in 0..8 {
-        let factor = |a: usize, i: usize| 1.0 + sign(a, i) * sign(q, i) / 3f64.sqrt();
-        let shape = |a: usize| factor(a, 0) * factor(a, 1) * factor(a, 2) / 8.0;
-        let slope = |a: usize, i: usize| {
-            sign(a, i) * factor(a, (i + 1) % 3) * factor(a, (i + 2) % 3) / (4.0 * side[i])
-        };
-        for a in 0..8 {
-            for b in 0..8 {
-                let dot: f64 = (0..3).map(|i| slope(a, i) * slope(b, i)).sum();
-                for i in 0..3 {
-                    for j in 0..3 {
-                        let mut value =
-                            lambda * slope(a, i) * slope(b, j) + mu * slope(a, j) * slope(b, i);
-                        if i == j {
-                            value += mu * dot;
-                            m[3 * a + i][3 * b + j] += rho * shape(a) * shape(b) * det;
-                        }
-                        k[3 * a + i][3 * b + j] += value * det;
-                    }
-                }
-            }
-        }
-    }
-    (k, m)
-}
-
-fn symmetric<'a, C>(size: usize, column: impl Fn(usize) -> C) -> SparseMatrix
-where
-    C: Iterator<Item = (usize, f64)> + 'a,
-{
-    SparseMatrix::Symmetric(LowerTriangle::from_columns(size, column))
-}
-
-fn lower(a: &SparseMatrix) -> &LowerTriangle {
-    let SparseMatrix::Symmetric(lower) = a else { panic!("blocks have symmetric matrices") };
-    lower
-}
+use crate::block::{Block, lower, symmetric};
 
 fn dense(a: &SparseMatrix, dofs: &[usize]) -> DMatrix<f64> {
     let a = lower(a);
@@ -326,6 +215,90 @@ fn the_reduced_body_converges_to_the_full_one_from_above() {
         before = error;
     }
     assert!(before < 1e-3, "{before}");
+}
+
+/// x, y or z of every node along a rigid motion, as values of the retained coordinates.
+fn rigid_coordinates(
+    reduced: &CraigBampton,
+    positions: &[[f64; 3]],
+    motion: impl Fn([f64; 3]) -> [f64; 3],
+) -> Vec<f64> {
+    let mut coordinates = vec![0.0; reduced.modes()];
+    coordinates.extend(reduced.retained.iter().map(|&dof| motion(positions[dof / 3])[dof % 3]));
+    coordinates
+}
+
+#[test]
+fn a_shaft_turned_or_shifted_as_a_whole_has_the_inertia_of_a_rigid_body() {
+    let mut beam = square_beam([1.0, 1.0]);
+    for position in &mut beam.coordinates {
+        position[0] -= 0.02;
+        position[1] -= 0.03;
+    }
+    let scalar = LowerTriangle::from_columns(beam.coordinates.len(), |node| {
+        let entries: Vec<_> = lower(&beam.mass).column(3 * node).collect();
+        entries.into_iter().map(|(row, value)| (row / 3, value))
+    });
+    let pattern = |pattern| SparseMatrix::Kronecker { scalar: scalar.clone(), pattern };
+    let spin_inertia = pattern([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]);
+    let spin_coupling = pattern([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]);
+    let retained = [0, 1, 2, 9, 10, 11, 576, 577, 578];
+    let reduction = beam.solid().craig_bampton(&retained, 5).unwrap();
+    let free = (0..9).map(|i| (i, i, 1.0)).collect();
+    let names: Vec<String> = retained.iter().map(|dof| format!("dof {dof}")).collect();
+    let active = Coordinates::new(&reduction, &SparseColumns::from_triplets(9, 9, free), &names);
+    let damping = Rayleigh { alpha: 3.0, beta: 1e-4 };
+    let shaft = Shaft::new(&ShaftParts {
+        reduction: &reduction,
+        spin_inertia: &spin_inertia,
+        spin_coupling: &spin_coupling,
+        positions: &beam.coordinates,
+        active: &active,
+        damping,
+        nodes: &[7],
+    });
+    assert_eq!(shaft.size(), 14);
+    assert_eq!(shaft.coordinates[5], "dof 0");
+    assert!(shaft.coordinates[0].starts_with("mode 1 ("));
+
+    // Square of side a, its centre at (5 mm, −5 mm): J0 = m (a²/6 + 5² + 5²).
+    let (side, mass) = (0.05f64, 7860.0 * 0.05 * 0.05 * 0.4);
+    let j0 = mass * (side * side / 6.0 + 0.005f64.powi(2) * 2.0);
+    close(shaft.j0, j0, 1e-12);
+
+    // {θ̇ = 1, η̇ = −image of the same turn} is motion without motion.
+    let turn = rigid_coordinates(&reduction, &beam.coordinates, |[x, y, _]| [-y, x, 0.0]);
+    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+    close(dot(&shaft.g0, &turn), j0, 1e-9);
+    let momentum = shaft.mass.apply(&turn);
+    for (g, p) in shaft.g0.iter().zip(&momentum) {
+        assert!((g - p).abs() < 1e-9 * shaft.mass.norm_max() * side);
+    }
+
+    // Shifted by d: J = m (a²/6 + |centre + d|²).
+    let d = [0.011, 0.004];
+    let shift = rigid_coordinates(&reduction, &beam.coordinates, |_| [d[0], d[1], 0.7]);
+    let moved =
+        shaft.j0 + 2.0 * dot(&shaft.y0, &shift) + dot(&shift, &shaft.spin_inertia.apply(&shift));
+    let away = (0.005 + d[0]).powi(2) + (-0.005 + d[1]).powi(2);
+    close(moved, mass * (side * side / 6.0 + away), 1e-9);
+
+    // Hη for a shift: −m d turned by a right angle, against another shift.
+    let other = rigid_coordinates(&reduction, &beam.coordinates, |_| [0.3, -0.2, 0.0]);
+    let coupling = dot(&other, &shaft.spin_coupling.apply(&shift));
+    close(coupling, mass * (0.3 * d[1] + 0.2 * d[0]), 1e-9);
+
+    let node = &shaft.nodes[0];
+    assert_eq!(node.position, beam.coordinates[7]);
+    let displacement = node.shapes.apply(&turn);
+    let [x, y, _] = node.position;
+    for (got, want) in displacement.iter().zip([-y, x, 0.0]) {
+        assert!((got - want).abs() < 1e-9 * side);
+    }
+    close(shaft.damping[(0, 0)], 3.0 + 1e-4 * shaft.stiffness[(0, 0)], 1e-14);
+    assert_eq!(shaft.tensor("H"), Some(&shaft.spin_coupling.data[..]));
+    assert_eq!(shaft.tensor("J0"), Some(&[shaft.j0][..]));
+    assert_eq!(shaft.tensor("Q"), None);
 }
 
 #[test]

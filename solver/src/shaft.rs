@@ -1,0 +1,136 @@
+//! The reduced shaft: constant tensors of its motion in active coordinates η.
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{BodyNode, Coordinates, Rayleigh};
+use crate::linalg::{Matrix, congruence};
+use crate::reduction::CraigBampton;
+use crate::sparse::SparseMatrix;
+
+/// A flexible shaft in the frame that turns with it by θ (about z), reduced to n coordinates η.
+///
+/// Its kinetic energy is T = ½ θ̇² (J0 + 2 y0·η + ηᵀYη) + θ̇ (g0 − Hη)·η̇ + ½ η̇ᵀMη̇.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Shaft {
+    /// J0 = x0ᵀY x0 (kg·m²): moment of inertia of the undeformed shaft about z.
+    pub j0: f64,
+    /// y0 = φᵀY x0, n values.
+    pub y0: Vec<f64>,
+    /// g0 = (x0ᵀHφ)ᵀ, n values.
+    pub g0: Vec<f64>,
+    /// M = φᵀMφ, n × n.
+    pub mass: Matrix,
+    /// K = φᵀKφ, n × n.
+    pub stiffness: Matrix,
+    /// C, n × n.
+    pub damping: Matrix,
+    /// Y = φᵀYφ, n × n, symmetric.
+    pub spin_inertia: Matrix,
+    /// H = φᵀHφ, n × n, skew.
+    pub spin_coupling: Matrix,
+    /// What each coordinate is, such as `mode 1 (527.1 Hz)` or `JOURNAL1_LEFT x`; n names.
+    pub coordinates: Vec<String>,
+    /// The nodes asked for, in that order.
+    pub nodes: Vec<BodyNode>,
+}
+
+/// What a [`Shaft`] is made from.
+#[derive(Debug, Clone, Copy)]
+pub struct ShaftParts<'a> {
+    /// The reduction, before constraints.
+    pub reduction: &'a CraigBampton,
+    /// Y = ∫ρ Nᵀ diag(1,1,0) N dV, 3·nodes.
+    pub spin_inertia: &'a SparseMatrix,
+    /// H = ∫ρ Nᵀ A_θᵀA N dV, 3·nodes.
+    pub spin_coupling: &'a SparseMatrix,
+    /// Node coordinates (m) about the axis of rotation, x = y = 0.
+    pub positions: &'a [[f64; 3]],
+    /// Active coordinates after elimination of constraints.
+    pub active: &'a Coordinates,
+    /// Damping of the body.
+    pub damping: Rayleigh,
+    /// Nodes whose motion is wanted, by index.
+    pub nodes: &'a [usize],
+}
+
+impl Shaft {
+    /// The shaft of a reduction, in active coordinates.
+    pub fn new(parts: &ShaftParts) -> Shaft {
+        let reduction = parts.reduction;
+        let active = parts.active;
+        let x0: Vec<f64> = parts.positions.iter().flatten().copied().collect();
+        let applied = |matrix: &SparseMatrix| {
+            let mut product = vec![0.0; x0.len()];
+            matrix.multiply(&x0, &mut product);
+            product
+        };
+        let (y_x0, h_x0) = (applied(parts.spin_inertia), applied(parts.spin_coupling));
+        let to_active = |forces: &[f64]| {
+            active.transform.apply_transpose(&reduction.shapes.apply_transpose(forces))
+        };
+        let mass = congruence(&reduction.mass, &active.transform).symmetric_part();
+        let stiffness = congruence(&reduction.stiffness, &active.transform).symmetric_part();
+        let spin_inertia = reduction.reduce(parts.spin_inertia);
+        let spin_coupling = reduction.reduce(parts.spin_coupling);
+        Shaft {
+            j0: x0.iter().zip(&y_x0).map(|(x, y)| x * y).sum(),
+            y0: to_active(&y_x0),
+            // x0ᵀH = −(H x0)ᵀ, because H is skew.
+            g0: to_active(&h_x0).iter().map(|value| -value).collect(),
+            damping: parts.damping.matrix(&mass, &stiffness),
+            mass,
+            stiffness,
+            spin_inertia: congruence(&spin_inertia, &active.transform).symmetric_part(),
+            spin_coupling: congruence(&spin_coupling, &active.transform).skew_part(),
+            coordinates: active.names.clone(),
+            nodes: parts
+                .nodes
+                .iter()
+                .map(|&node| BodyNode::new(reduction, active, parts.positions, node))
+                .collect(),
+        }
+    }
+
+    /// A point mass on the axis, held by a spring and a damper a direction (x, y of the turning frame):
+    /// coordinates are its displacements x and y. Its moment of inertia about the axis is zero at rest,
+    /// so θ must be prescribed.
+    ///
+    /// `mass`: kg; `stiffness`: N/m; `damping`: N·s/m; `position`: z on the axis, m. Its one node is the
+    /// point.
+    pub fn lumped(mass: f64, stiffness: [f64; 2], damping: [f64; 2], position: f64) -> Shaft {
+        let mut shapes = Matrix::zeros(3, 2);
+        shapes[(0, 0)] = 1.0;
+        shapes[(1, 1)] = 1.0;
+        Shaft {
+            j0: 0.0,
+            y0: vec![0.0; 2],
+            g0: vec![0.0; 2],
+            mass: Matrix::from_diagonal(&[mass, mass]),
+            stiffness: Matrix::from_diagonal(&stiffness),
+            damping: Matrix::from_diagonal(&damping),
+            spin_inertia: Matrix::from_diagonal(&[mass, mass]),
+            spin_coupling: Matrix { rows: 2, cols: 2, data: vec![0.0, -mass, mass, 0.0] },
+            coordinates: vec!["mass x".to_owned(), "mass y".to_owned()],
+            nodes: vec![BodyNode { position: [0.0, 0.0, position], shapes }],
+        }
+    }
+
+    /// Number of coordinates n.
+    pub fn size(&self) -> usize {
+        self.coordinates.len()
+    }
+
+    /// The constant tensor called `name` in the motion specs (`J0`, `y0`, `g0`, `M`, `Y`, `H`), matrices
+    /// column after column; `None` for another name.
+    pub fn tensor(&self, name: &str) -> Option<&[f64]> {
+        Some(match name {
+            "J0" => std::slice::from_ref(&self.j0),
+            "y0" => &self.y0,
+            "g0" => &self.g0,
+            "M" => &self.mass.data,
+            "Y" => &self.spin_inertia.data,
+            "H" => &self.spin_coupling.data,
+            _ => return None,
+        })
+    }
+}

@@ -1,0 +1,196 @@
+//! The reduced support: oscillators that take part in the motion of the bores.
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::{BodyNode, Coordinates, Rayleigh, mode_names};
+use crate::linalg::{
+    LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply,
+};
+use crate::reduction::{CraigBampton, hertz};
+
+/// A flexible support in the fixed frame as n oscillators that nothing but their forces couples:
+/// ẍ_i + c_i ẋ_i + k_i x_i = f_i (masses are 1 by the scaling of the shapes).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Support {
+    /// k = ω² (rad²/s²), n values.
+    pub stiffness: Vec<f64>,
+    /// c (1/s), n values.
+    pub damping: Vec<f64>,
+    /// What each coordinate is, such as `mode 1 (285.5 Hz)`.
+    pub coordinates: Vec<String>,
+    /// The nodes asked for, in that order.
+    pub nodes: Vec<BodyNode>,
+}
+
+impl Support {
+    /// The support of a reduction. Where retained dofs stay free after elimination, its modes are
+    /// those of the reduced body with these dofs free, otherwise the fixed-interface modes themselves.
+    ///
+    /// `positions`: node coordinates (m); `nodes`: those whose motion is wanted, by index.
+    ///
+    /// # Errors
+    /// The mass of the reduction is not positive definite.
+    pub fn new(
+        reduction: &CraigBampton,
+        active: &Coordinates,
+        damping: Rayleigh,
+        positions: &[[f64; 3]],
+        nodes: &[usize],
+    ) -> Result<Support, LinearAlgebraError> {
+        let mut nodes: Vec<BodyNode> =
+            nodes.iter().map(|&node| BodyNode::new(reduction, active, positions, node)).collect();
+        let mass = congruence(&reduction.mass, &active.transform);
+        let stiffness = congruence(&reduction.stiffness, &active.transform);
+        let n = mass.rows;
+        if mass == Matrix::identity(n) && is_diagonal(&stiffness) {
+            let squares = (0..n).map(|i| stiffness[(i, i)]).collect();
+            return Ok(Support::oscillators(squares, damping, active.names.clone(), nodes));
+        }
+        let mut eigen =
+            generalised_symmetric_eigen(&stiffness.symmetric_part(), &mass.symmetric_part())?;
+        for j in 0..n {
+            let column = eigen.vectors.col_mut(j);
+            let largest =
+                column.iter().fold(0.0, |a: f64, &b| if b.abs() > a.abs() { b } else { a });
+            if largest < 0.0 {
+                column.iter_mut().for_each(|value| *value = -*value);
+            }
+        }
+        for node in &mut nodes {
+            node.shapes = multiply(node.shapes.view(), eigen.vectors.view());
+        }
+        // A rigid motion's ω² is 0 but for rounding, of either sign.
+        let squares: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0)).collect();
+        let frequencies: Vec<f64> = squares.iter().map(|&square| hertz(square)).collect();
+        Ok(Support::oscillators(squares, damping, mode_names(&frequencies), nodes))
+    }
+
+    /// A support that does not move: no coordinates, and nodes at `positions` (m).
+    pub fn rigid(positions: &[[f64; 3]]) -> Support {
+        let node = |&position| BodyNode { position, shapes: Matrix::zeros(3, 0) };
+        Support::oscillators(
+            Vec::new(),
+            Rayleigh::default(),
+            Vec::new(),
+            positions.iter().map(node).collect(),
+        )
+    }
+
+    /// A point mass held by a spring and a damper a direction (x, y); its nodes at `positions` (m) all
+    /// move with it.
+    ///
+    /// `mass`: kg, > 0; `stiffness`: N/m; `damping`: N·s/m.
+    pub fn lumped(
+        mass: f64,
+        stiffness: [f64; 2],
+        damping: [f64; 2],
+        positions: &[[f64; 3]],
+    ) -> Support {
+        let shape = 1.0 / mass.sqrt();
+        let shapes = Matrix { rows: 3, cols: 2, data: vec![shape, 0.0, 0.0, 0.0, shape, 0.0] };
+        Support {
+            stiffness: stiffness.map(|k| k / mass).to_vec(),
+            damping: damping.map(|c| c / mass).to_vec(),
+            coordinates: vec!["mass x".to_owned(), "mass y".to_owned()],
+            nodes: positions
+                .iter()
+                .map(|&position| BodyNode { position, shapes: shapes.clone() })
+                .collect(),
+        }
+    }
+
+    /// Number of coordinates n.
+    pub fn size(&self) -> usize {
+        self.stiffness.len()
+    }
+
+    fn oscillators(
+        squares: Vec<f64>,
+        damping: Rayleigh,
+        coordinates: Vec<String>,
+        nodes: Vec<BodyNode>,
+    ) -> Support {
+        Support {
+            damping: squares.iter().map(|k| damping.alpha + damping.beta * k).collect(),
+            stiffness: squares,
+            coordinates,
+            nodes,
+        }
+    }
+}
+
+fn is_diagonal(matrix: &Matrix) -> bool {
+    (0..matrix.cols)
+        .all(|j| matrix.col(j).iter().enumerate().all(|(i, &value)| i == j || value == 0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two modes and a retained dof, with coupling by inertia.
+    fn reduction() -> CraigBampton {
+        let mass =
+            Matrix { rows: 3, cols: 3, data: vec![1.0, 0.0, 0.3, 0.0, 1.0, -0.2, 0.3, -0.2, 2.0] };
+        CraigBampton {
+            hertz: vec![10.0, 20.0],
+            retained: vec![1],
+            shapes: Matrix::from_fn(3, 3, |i, j| 1.0 + (i * 3 + j) as f64),
+            mass,
+            stiffness: Matrix::from_diagonal(&[4e3, 1.6e4, 9e3]),
+        }
+    }
+
+    fn coordinates(columns: &[usize]) -> Coordinates {
+        let all = ["a", "b", "c"];
+        Coordinates {
+            transform: Matrix::identity(3).select(&[0, 1, 2], columns),
+            names: columns.iter().map(|&j| all[j].to_owned()).collect(),
+        }
+    }
+
+    #[test]
+    fn held_retained_dofs_leave_the_fixed_interface_modes() {
+        let damping = Rayleigh { alpha: 2.0, beta: 1e-4 };
+        let support =
+            Support::new(&reduction(), &coordinates(&[0, 1]), damping, &[[0.0; 3]], &[0]).unwrap();
+        assert_eq!(support.stiffness, [4e3, 1.6e4]);
+        assert_eq!(support.damping, [2.4, 3.6]);
+        assert_eq!(support.coordinates, ["a", "b"]);
+        assert_eq!(support.nodes[0].shapes.data, [1.0, 4.0, 7.0, 2.0, 5.0, 8.0]);
+    }
+
+    #[test]
+    fn oscillators_answer_a_force_as_the_coupled_body_does() {
+        let (reduction, active) = (reduction(), coordinates(&[0, 1, 2]));
+        let support =
+            Support::new(&reduction, &active, Rayleigh::default(), &[[0.0; 3]], &[0]).unwrap();
+        // Displacement of the node along x under a unit force there, at rest and at high frequency.
+        let row: Vec<f64> = (0..3).map(|j| reduction.shapes[(0, j)]).collect();
+        let answer = |matrix: &Matrix| {
+            let mut lu = crate::linalg::Lu::new(3);
+            lu.factor(&matrix.data).unwrap();
+            let mut x = row.clone();
+            lu.solve_in_place(&mut x);
+            crate::linalg::dot(&row, &x)
+        };
+        let shapes = &support.nodes[0].shapes;
+        let oscillators = |weigh: &dyn Fn(f64) -> f64| -> f64 {
+            (0..3).map(|j| shapes[(0, j)].powi(2) * weigh(support.stiffness[j])).sum()
+        };
+        let (soft, light) = (oscillators(&|k| 1.0 / k), oscillators(&|_| 1.0));
+        assert!((soft / answer(&reduction.stiffness) - 1.0).abs() < 1e-12);
+        assert!((light / answer(&reduction.mass) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_lumped_support_has_its_own_mass_and_spring() {
+        let support = Support::lumped(4.0, [1e4, 2e4], [8.0, 0.0], &[[0.0; 3]; 2]);
+        assert_eq!(support.stiffness, [2500.0, 5000.0]);
+        assert_eq!(support.damping, [2.0, 0.0]);
+        // Under a force F along x: x = φ² F / ω² = F / k.
+        let shapes = &support.nodes[1].shapes;
+        assert_eq!(shapes[(0, 0)].powi(2) / support.stiffness[0], 1e-4);
+        assert_eq!(Support::rigid(&[[0.0; 3]; 3]).size(), 0);
+    }
+}
