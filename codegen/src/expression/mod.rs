@@ -5,6 +5,7 @@
 //! decides equality of polynomials in dot products and matrix–vector products exactly.
 
 mod differentiate;
+mod display;
 mod graph;
 mod linear;
 mod node;
@@ -13,6 +14,7 @@ mod scalar;
 mod signature;
 
 pub use differentiate::DifferentiateError;
+pub use display::display;
 pub use graph::Graph;
 pub use node::{Function, Id, Node, Rational, Relation, Shape, Symbol, Symmetry};
 pub use signature::Value;

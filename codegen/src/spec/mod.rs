@@ -2,4 +2,5 @@
 
 mod document;
 pub mod law;
+pub mod motion;
 pub mod read;

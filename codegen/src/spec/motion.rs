@@ -1,0 +1,462 @@
+//! Motions: the rigid rotation θ of a shaft coupled to its flexible coordinates η, either by a kinetic
+//! energy or by terms declared one by one, whose declared derivatives are then proved.
+//!
+//! ```toml
+//! kind = "motion"
+//! name = "consistent"
+//! title = "…"
+//! source = "paper and equation"
+//! kinetic_energy = '1/2*theta_dot^2*J0 + …'
+//!
+//! [coordinates]
+//! theta = "scalar"
+//! eta = "vector"
+//!
+//! [tensors]                  # scalar, vector, matrix, symmetric or skew
+//! J0 = "scalar"
+//! Y = "symmetric"
+//! ```
+//!
+//! In place of `kinetic_energy`: tables `mass`, `PF`, `B`, `P` with a formula a block (`theta.eta = '…'`)
+//! and `quadratic_velocity` with a formula a row; what is left out is zero.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::read::{Document, Table};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
+use crate::expression::{Graph, Id, Shape, Symmetry, display, normal};
+use crate::formula::{self, lower, parse};
+use crate::lagrange::{Blocks, Coordinate, Derivatives, Equations, derivatives, lagrange};
+
+/// The coordinates that the solver marches, with their shapes.
+pub const COORDINATES: &[(&str, Shape)] = &[("theta", Shape::Scalar), ("eta", Shape::Vector)];
+
+/// A motion, ready to be emitted: see the module for the file.
+#[derive(Debug, Clone)]
+pub struct MotionSpec {
+    /// Name by which cases refer to it.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Paper and equation.
+    pub reference: String,
+    /// The file.
+    pub file: Arc<Source>,
+    /// θ and η.
+    pub coordinates: Vec<Coordinate>,
+    /// The constant tensors, in the order of the file.
+    pub tensors: Vec<Tensor>,
+    /// The graph that holds all expressions.
+    pub graph: Graph,
+    /// T, p, M and Q_v.
+    pub equations: Equations,
+    /// PF, B and P.
+    pub derivatives: Derivatives,
+}
+
+/// A constant of a motion.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Tensor {
+    /// Name in the spec.
+    pub name: String,
+    /// Its symbol.
+    pub symbol: Id,
+    /// Shape.
+    pub shape: Shape,
+    /// Symmetry of a matrix.
+    pub symmetry: Symmetry,
+}
+
+const TENSORS: [(&str, Shape, Symmetry); 5] = [
+    ("scalar", Shape::Scalar, Symmetry::None),
+    ("vector", Shape::Vector, Symmetry::None),
+    ("matrix", Shape::Matrix, Symmetry::None),
+    ("symmetric", Shape::Matrix, Symmetry::Symmetric),
+    ("skew", Shape::Matrix, Symmetry::Skew),
+];
+
+impl MotionSpec {
+    /// Reads a motion, derives its equations and proves what it declares.
+    ///
+    /// # Errors
+    /// Everything wrong with the file, each with its place.
+    pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
+        let document = Document::parse(file);
+        if !document.is_toml() {
+            return document.into_result(None);
+        }
+        let motion = read(&document, file);
+        document.into_result(motion)
+    }
+}
+
+fn read(document: &Document, file: &Arc<Source>) -> Option<MotionSpec> {
+    let root = document.root();
+    root.word("kind", &["motion"]);
+    let name = root.string("name");
+    let (title, reference) = (root.string("title"), root.string("source"));
+    let mut graph = Graph::new();
+    let mut names = BTreeMap::new();
+    let coordinates = coordinates(&root, &mut graph, &mut names);
+    let tensors = tensors(&root, &mut graph, &mut names);
+    let mut reader = Reader { document, graph, names, coordinates };
+    let motion = match root.optional_string("kinetic_energy") {
+        Some(energy) => reader.from_energy(&energy),
+        None => reader.from_terms(&root),
+    };
+    root.finish();
+    let (equations, derivatives) = motion?;
+    if document.has_errors() {
+        return None;
+    }
+    Some(MotionSpec {
+        name: name?.text().to_owned(),
+        title: title?.text().to_owned(),
+        reference: reference?.text().to_owned(),
+        file: file.clone(),
+        coordinates: reader.coordinates,
+        tensors,
+        graph: reader.graph,
+        equations,
+        derivatives,
+    })
+}
+
+/// Reads `[coordinates]`, which must name just what the solver marches.
+fn coordinates(
+    root: &Table,
+    graph: &mut Graph,
+    names: &mut BTreeMap<String, Id>,
+) -> Vec<Coordinate> {
+    if let Some(table) = root.table("coordinates") {
+        for (name, shape) in COORDINATES {
+            let word = if *shape == Shape::Scalar { "scalar" } else { "vector" };
+            table.word(name, &[word]);
+        }
+        table.finish();
+    }
+    let mut all = Vec::with_capacity(COORDINATES.len());
+    for (name, shape) in COORDINATES {
+        let coordinate = Coordinate::new(graph, name, *shape);
+        names.insert(coordinate.name.clone(), coordinate.position);
+        names.insert(format!("{name}_dot"), coordinate.velocity);
+        names.insert(format!("{name}_ddot"), coordinate.acceleration);
+        all.push(coordinate);
+    }
+    all
+}
+
+fn tensors(root: &Table, graph: &mut Graph, names: &mut BTreeMap<String, Id>) -> Vec<Tensor> {
+    let Some(table) = root.table("tensors") else { return Vec::new() };
+    let words = TENSORS.map(|(word, ..)| word);
+    let mut tensors = Vec::new();
+    for key in table.names() {
+        let word = table.word(key.text(), &words);
+        let name = match formula::name(key.text()) {
+            Ok(name) if names.contains_key(&name) => {
+                let message = format!("`{name}` is already a coordinate, a rate or a tensor");
+                table.document().push(key.error_here(Code::BAD_NAME, message));
+                continue;
+            }
+            Ok(name) => name,
+            Err(message) => {
+                table.document().push(key.error_here(Code::BAD_NAME, message));
+                continue;
+            }
+        };
+        let Some((_, shape, symmetry)) = TENSORS.into_iter().find(|t| Some(t.0) == word) else {
+            continue;
+        };
+        let symbol = graph.symbol(&name, shape, symmetry);
+        names.insert(name.clone(), symbol);
+        tensors.push(Tensor { name, symbol, shape, symmetry });
+    }
+    table.finish();
+    tensors
+}
+
+struct Reader<'d> {
+    document: &'d Document<'d>,
+    graph: Graph,
+    names: BTreeMap<String, Id>,
+    coordinates: Vec<Coordinate>,
+}
+
+/// A formula of the file with its place.
+struct Declared {
+    text: Option<Located>,
+    value: Id,
+}
+
+impl Reader<'_> {
+    /// A formula of a given shape, in the graph.
+    fn formula(&mut self, text: &Located, wanted: Shape) -> Option<Id> {
+        let value = parse(text)
+            .and_then(|formula| lower(&formula, &mut self.graph, &self.names))
+            .map_err(|errors| self.document.append(errors))
+            .ok()?;
+        let shape = self.graph.shape(value);
+        // The number 0 stands for a zero of any shape.
+        if shape != wanted && self.graph.is_zero(value) {
+            return Some(self.graph.zero(wanted));
+        }
+        if shape != wanted {
+            let message = format!("this is {}, but its place wants {}", word(shape), word(wanted));
+            self.document.push(text.error_here(Code::SHAPE, message));
+            return None;
+        }
+        Some(value)
+    }
+
+    fn from_energy(&mut self, text: &Located) -> Option<(Equations, Derivatives)> {
+        let energy = self.formula(text, Shape::Scalar)?;
+        let coordinates = self.coordinates.clone();
+        let both = lagrange(&mut self.graph, energy, &coordinates).and_then(|equations| {
+            let derivatives = derivatives(&mut self.graph, &equations, &coordinates)?;
+            Ok((equations, derivatives))
+        });
+        both.map_err(|error| {
+            let message = format!("no equations of motion follow from this: {error}");
+            self.document.push(text.error_here(Code::DERIVATIVE, message));
+        })
+        .ok()
+    }
+
+    fn from_terms(&mut self, root: &Table) -> Option<(Equations, Derivatives)> {
+        if !root.has("mass") && !root.has("quadratic_velocity") {
+            let message = "a motion needs `kinetic_energy`, or the tables `mass`, \
+                           `quadratic_velocity`, `PF`, `B` and `P`";
+            root.error(Code::MISSING_KEY, None, message.into());
+            return None;
+        }
+        let mass = self.blocks(root, "mass");
+        let q_v = self.rows(root, "quadratic_velocity");
+        let declared = [("PF", "M q̈", "q"), ("B", "Q_v", "q"), ("P", "Q_v", "q̇")]
+            .map(|(key, of, by)| (key, of, by, self.blocks(root, key)));
+        if self.document.has_errors() {
+            return None;
+        }
+        self.check_symmetry(&mass);
+        let equations = Equations {
+            kinetic_energy: None,
+            momentum: None,
+            mass: values(&mass),
+            quadratic_velocity: q_v.iter().map(|row| row.value).collect(),
+        };
+        let coordinates = self.coordinates.clone();
+        let derived = match derivatives(&mut self.graph, &equations, &coordinates) {
+            Ok(derived) => derived,
+            Err(error) => {
+                let message = format!("these terms have no usable derivatives: {error}");
+                root.error(Code::DERIVATIVE, None, message);
+                return None;
+            }
+        };
+        let blocks = [&derived.pf, &derived.b, &derived.p];
+        for ((key, of, by, declared), derived) in declared.iter().zip(blocks) {
+            self.prove(root, &format!("{key} = ∂({of})/∂{by}"), key, declared, derived);
+        }
+        (!self.document.has_errors()).then_some((equations, derived))
+    }
+
+    /// The rows of a table, one formula a coordinate.
+    fn rows(&mut self, root: &Table, key: &str) -> Vec<Declared> {
+        let table = root.table(key);
+        let coordinates = self.coordinates.clone();
+        let rows = coordinates
+            .iter()
+            .map(|row| {
+                let text = table.as_ref().and_then(|table| table.optional_string(&row.name));
+                let shape = self.graph.shape(row.position);
+                self.declared(text, shape)
+            })
+            .collect();
+        if let Some(table) = table {
+            table.finish();
+        }
+        rows
+    }
+
+    /// The blocks of a table, one formula a pair of coordinates.
+    fn blocks(&mut self, root: &Table, key: &str) -> Vec<Vec<Declared>> {
+        let table = root.table(key);
+        let coordinates = self.coordinates.clone();
+        let mut blocks = Vec::new();
+        for row in &coordinates {
+            let inner = table.as_ref().and_then(|table| table.optional_table(&row.name));
+            let mut declared = Vec::new();
+            for column in &coordinates {
+                let text = inner.as_ref().and_then(|table| table.optional_string(&column.name));
+                let both = (self.graph.shape(row.position), self.graph.shape(column.position));
+                let shape = match both {
+                    (Shape::Scalar, Shape::Scalar) => Shape::Scalar,
+                    (Shape::Vector, Shape::Vector) => Shape::Matrix,
+                    _ => Shape::Vector,
+                };
+                declared.push(self.declared(text, shape));
+            }
+            if let Some(inner) = inner {
+                inner.finish();
+            }
+            blocks.push(declared);
+        }
+        if let Some(table) = table {
+            table.finish();
+        }
+        blocks
+    }
+
+    fn declared(&mut self, text: Option<Located>, shape: Shape) -> Declared {
+        let value = text.as_ref().and_then(|text| self.formula(text, shape));
+        Declared { value: value.unwrap_or_else(|| self.graph.zero(shape)), text }
+    }
+
+    /// M must be symmetric: block ij the transpose of block ji.
+    fn check_symmetry(&mut self, mass: &[Vec<Declared>]) {
+        for (i, row) in mass.iter().enumerate() {
+            for (j, block) in row.iter().enumerate().skip(i) {
+                let mirror = match self.graph.shape(block.value) {
+                    Shape::Matrix => self.graph.transpose(mass[j][i].value),
+                    _ => mass[j][i].value,
+                };
+                if !normal::equal(&mut self.graph, block.value, mirror) {
+                    let (a, b) = (&self.coordinates[i].name, &self.coordinates[j].name);
+                    let message = format!("the mass matrix is not symmetric in {a} and {b}");
+                    let place = block.text.as_ref().or(mass[j][i].text.as_ref());
+                    if let Some(place) = place {
+                        self.document.push(place.error_here(Code::PROOF, message));
+                    }
+                }
+            }
+        }
+    }
+
+    fn prove(
+        &mut self,
+        root: &Table,
+        what: &str,
+        key: &str,
+        declared: &[Vec<Declared>],
+        derived: &Blocks,
+    ) {
+        for (i, row) in declared.iter().enumerate() {
+            for (j, block) in row.iter().enumerate() {
+                let expected = derived[i][j];
+                if normal::equal(&mut self.graph, block.value, expected) {
+                    continue;
+                }
+                let place =
+                    format!("{key}.{}.{}", self.coordinates[i].name, self.coordinates[j].name);
+                let message = format!("`{place}` is not the derivative of the declared terms");
+                let help = format!(
+                    "{what}; declared {}, derived {}",
+                    display(&self.graph, block.value),
+                    display(&self.graph, expected)
+                );
+                let error = match &block.text {
+                    Some(text) => text.error_here(Code::PROOF, message),
+                    None => Diagnostic::new(root.source(), Code::PROOF, None, message),
+                };
+                self.document.push(error.help(help));
+            }
+        }
+    }
+}
+
+fn values(blocks: &[Vec<Declared>]) -> Blocks {
+    blocks.iter().map(|row| row.iter().map(|block| block.value).collect()).collect()
+}
+
+fn word(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Scalar => "a number",
+        Shape::Vector => "a vector",
+        Shape::Matrix => "a matrix",
+        Shape::Truth => "a condition",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EXPLICIT: &str = r#"
+kind = "motion"
+name = "explicit"
+title = "A shaft by its terms"
+source = "Lagrange"
+
+[coordinates]
+theta = "scalar"
+eta = "vector"
+
+[tensors]
+J0 = "scalar"
+y0 = "vector"
+g0 = "vector"
+M = "symmetric"
+Y = "symmetric"
+H = "skew"
+
+[mass]
+theta.theta = 'J0 + 2*dot(y0, eta) + dot(eta, Y*eta)'
+theta.eta = 'g0 - H*eta'
+eta.theta = 'g0 - H*eta'
+eta.eta = 'M'
+
+[quadratic_velocity]
+theta = '-2*dot(y0 + Y*eta, eta_dot)*theta_dot'
+eta = '(y0 + Y*eta)*theta_dot^2 + 2*(H*eta_dot)*theta_dot'
+
+[PF]
+theta.eta = '2*(y0 + Y*eta)*theta_ddot + H*eta_ddot'
+eta.eta = '-H*theta_ddot'
+
+[B]
+theta.eta = '-2*theta_dot*(Y*eta_dot)'
+eta.eta = 'Y*theta_dot^2'
+
+[P]
+theta.theta = '-2*dot(y0 + Y*eta, eta_dot)'
+theta.eta = '-2*(y0 + Y*eta)*theta_dot'
+eta.theta = '2*(y0 + Y*eta)*theta_dot + 2*H*eta_dot'
+eta.eta = '2*H*theta_dot'
+"#;
+
+    fn errors(text: &str) -> String {
+        match MotionSpec::read(&Source::new("motion/explicit.toml", text)) {
+            Ok(_) => String::new(),
+            Err(errors) => errors.render(),
+        }
+    }
+
+    #[test]
+    fn declared_derivatives_that_hold_are_accepted() {
+        assert_eq!(errors(EXPLICIT), "");
+    }
+
+    #[test]
+    fn a_wrong_block_is_named_with_both_sides() {
+        let text =
+            errors(&EXPLICIT.replace("eta.eta = '-H*theta_ddot'", "eta.eta = 'H*theta_ddot'"));
+        assert!(
+            text.contains("`PF.eta.eta` is not the derivative of the declared terms"),
+            "{text}"
+        );
+        assert!(text.contains("declared theta_ddot*H, derived -theta_ddot*H"), "{text}");
+        assert!(text.contains("motion/explicit.toml:31:12"), "{text}");
+    }
+
+    #[test]
+    fn an_omitted_block_is_zero_and_must_be_so() {
+        let text = errors(&EXPLICIT.replace("eta.eta = 'Y*theta_dot^2'", ""));
+        assert!(text.contains("`B.eta.eta`"), "{text}");
+    }
+
+    #[test]
+    fn an_unsymmetric_mass_is_refused() {
+        let wrong = EXPLICIT.replace("eta.theta = 'g0 - H*eta'", "eta.theta = 'g0 + H*eta'");
+        assert!(errors(&wrong).contains("the mass matrix is not symmetric in theta and eta"));
+    }
+}
