@@ -7,6 +7,7 @@ mod lower;
 mod name;
 mod program;
 mod request;
+mod sum;
 #[cfg(test)]
 mod tests;
 
@@ -17,6 +18,7 @@ pub use program::{
     Counts, Instruction, Operand, Operation, Program, ProgramInput, ProgramOutput, Stage,
 };
 pub use request::{Input, Output, Request, ScheduleError};
+pub use sum::take_out;
 
 /// The program that computes the outputs of a request: of the sums as written and the factored sums,
 /// whichever runs cheaper.

@@ -204,6 +204,55 @@ impl Program {
         inputs.chain(values.map(|(place, _)| Operand::Value(place))).collect()
     }
 
+    /// The part of the program that gives some of its outputs; inputs stay as they are.
+    pub fn restricted(&self, outputs: impl Fn(&str) -> bool) -> Program {
+        let outputs: Vec<ProgramOutput> =
+            self.outputs.iter().filter(|output| outputs(&output.name)).cloned().collect();
+        let mut needed = vec![false; self.instructions.len()];
+        let mut mark = |operand: Operand| {
+            if let Operand::Value(place) = operand {
+                needed[place] = true;
+            }
+        };
+        outputs.iter().for_each(|output| mark(output.operand));
+        for place in (0..needed.len()).rev() {
+            if needed[place] {
+                for operand in self.instructions[place].operation.operands() {
+                    if let Operand::Value(operand) = operand {
+                        needed[operand] = true;
+                    }
+                }
+            }
+        }
+        let mut places = Vec::with_capacity(needed.len());
+        let mut instructions = Vec::new();
+        let moved = |places: &[usize], operand: Operand| match operand {
+            Operand::Value(place) => Operand::Value(places[place]),
+            other => other,
+        };
+        for (instruction, needed) in self.instructions.iter().zip(needed) {
+            places.push(instructions.len());
+            if needed {
+                let operation = instruction.operation.map(|operand| moved(&places, operand));
+                instructions.push(Instruction { operation, ..instruction.clone() });
+            }
+        }
+        let outputs = outputs
+            .into_iter()
+            .map(|output| ProgramOutput { operand: moved(&places, output.operand), ..output });
+        Program {
+            stages: self.stages.clone(),
+            inputs: self.inputs.clone(),
+            outputs: outputs.collect(),
+            instructions,
+        }
+    }
+
+    /// The operand of an output.
+    pub fn output(&self, name: &str) -> Option<Operand> {
+        self.outputs.iter().find(|output| output.name == name).map(|output| output.operand)
+    }
+
     /// Operation counts of a stage.
     pub fn counts(&self, stage: usize) -> Counts {
         Counts::of(&self.instructions[self.stage(stage)])

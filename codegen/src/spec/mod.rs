@@ -1,5 +1,6 @@
 //! What a spec file may say, read with every error at once.
 
+pub mod clearance;
 mod document;
 pub mod law;
 pub mod motion;

@@ -1,0 +1,259 @@
+//! Reads a clearance file: keys, names, units, formulas.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::{ClearanceSpec, Coordinate, RING, RINGS};
+use crate::diagnostic::{Code, Diagnostics, Located, Source};
+use crate::expression::{Graph, Id};
+use crate::formula::{self, Formula, Meaning, Scope};
+use crate::spec::read::{Document, Table, Value};
+use crate::units::{Dimension, Unit};
+
+/// Names that the generated kernels use themselves.
+const KERNEL_NAMES: [&str; 9] =
+    ["springs", "table", "law", "tangent", "a1", "Q", "dQ_dh", "dQ_dh_dot", "j"];
+
+pub(super) fn read(file: &Arc<Source>) -> Result<ClearanceSpec, Diagnostics> {
+    let document = Document::parse(file);
+    if !document.is_toml() {
+        return document.into_result(None);
+    }
+    let spec = Reader::new(&document).spec(file);
+    document.into_result(spec)
+}
+
+struct Reader<'d> {
+    document: &'d Document<'d>,
+    graph: Graph,
+    symbols: BTreeMap<String, Id>,
+    meanings: BTreeMap<String, Meaning>,
+}
+
+impl<'d> Reader<'d> {
+    fn new(document: &'d Document<'d>) -> Self {
+        Reader {
+            document,
+            graph: Graph::new(),
+            symbols: BTreeMap::new(),
+            meanings: BTreeMap::new(),
+        }
+    }
+
+    fn spec(mut self, file: &Arc<Source>) -> Option<ClearanceSpec> {
+        let root = self.document.root();
+        root.optional_word("kind", &["clearance"]);
+        let (name, title, reference) =
+            (root.string("name"), root.string("title"), root.string("source"));
+        let spring = self.coordinates(&root, "spring", &[Dimension::ANGLE]);
+        let constant = self.coordinates(&root, "constants", &[Dimension::LENGTH]);
+        let ring_units = [Dimension::ANGLE, Dimension::LENGTH, Dimension::LENGTH];
+        let ring = self.coordinates(&root, "ring", &ring_units);
+        let radial = self.coordinates(&root, "radial", &[Dimension::LENGTH]);
+        let definitions = self.definitions(&root);
+        let clearance = self.clearance(&root);
+        let axial = self.axial(&root);
+        root.finish();
+        if self.document.has_errors() {
+            return None;
+        }
+        let text = |text: Located| text.text().to_owned();
+        let one = |list: Option<Vec<Coordinate>>| list?.into_iter().next();
+        let (clearance, formula, value) = clearance?;
+        let (axial_variable, axial) = axial?;
+        Some(ClearanceSpec {
+            name: text(name?),
+            title: text(title?),
+            reference: text(reference?),
+            file: file.clone(),
+            spring: one(spring)?,
+            constant: one(constant)?,
+            ring: <[Coordinate; RING]>::try_from(ring?).ok()?,
+            radial: one(radial)?,
+            definitions: definitions?,
+            clearance,
+            formula,
+            value,
+            axial_variable,
+            axial,
+            graph: self.graph,
+        })
+    }
+
+    /// A name that is free and means nothing else in the kernels.
+    fn name(&mut self, key: &Located) -> Option<String> {
+        let name = match formula::name(key.text()) {
+            Ok(name) => name,
+            Err(message) => {
+                self.document.push(key.error_here(Code::BAD_NAME, message));
+                return None;
+            }
+        };
+        let reserved = KERNEL_NAMES.contains(&name.as_str())
+            || ["_row", "_dot"].iter().any(|end| name.ends_with(end))
+            || name.starts_with("total_");
+        if reserved || self.symbols.contains_key(&name) {
+            let message = if reserved {
+                format!("the name `{name}` is kept for the kernels")
+            } else {
+                format!("the name `{name}` is taken")
+            };
+            self.document.push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
+            return None;
+        }
+        Some(name)
+    }
+
+    /// The coordinates of one table: as many as `units`, each of its dimension.
+    fn coordinates(
+        &mut self,
+        root: &Table<'d>,
+        table: &str,
+        units: &[Dimension],
+    ) -> Option<Vec<Coordinate>> {
+        let place = table;
+        let table = root.table(place)?;
+        let keys = table.names();
+        if keys.len() != units.len() {
+            let message =
+                format!("`{place}` declares {} names, but {} are needed", keys.len(), units.len());
+            table.error(Code::BAD_VALUE, table.span(), message);
+        }
+        let mut list = Vec::new();
+        for (key, dimension) in keys.iter().zip(units) {
+            let Some(entry) = table.table(key.text()) else { continue };
+            let name = self.name(key);
+            let unit = entry.string("unit");
+            let title = entry.optional_string("title");
+            entry.finish();
+            let (Some(name), Some(unit)) = (name, unit) else { continue };
+            if !self.is_si(&unit, dimension) {
+                continue;
+            }
+            list.push(self.declare(name, title, unit.text(), dimension));
+        }
+        table.finish();
+        Some(list)
+    }
+
+    fn declare(
+        &mut self,
+        name: String,
+        title: Option<Located>,
+        unit: &str,
+        dimension: &Dimension,
+    ) -> Coordinate {
+        let symbol = self.graph.scalar(&name);
+        self.symbols.insert(name.clone(), symbol);
+        self.meanings.insert(name.clone(), Meaning { dimension: *dimension, value: None });
+        let title = title.map_or(String::new(), |title| title.text().to_owned());
+        Coordinate { name, title, unit: unit.to_owned(), symbol }
+    }
+
+    fn is_si(&self, text: &Located, dimension: &Dimension) -> bool {
+        let unit = match Unit::parse(text.text()) {
+            Ok(unit) => unit,
+            Err(error) => {
+                self.document.push(error.at(text.source(), text.span().start));
+                return false;
+            }
+        };
+        let right = unit.dimension().fits(dimension) && unit.factor().is_one();
+        if !right {
+            let message = format!("a clearance is written in SI: {dimension} expected");
+            let error = text.error_here(Code::WRONG_UNIT, message);
+            let si = dimension.si_unit();
+            self.document.push(error.help(format!("write `unit = \"{si}\"`")));
+        }
+        right
+    }
+
+    fn definitions(&mut self, root: &Table<'d>) -> Option<Vec<(String, Id)>> {
+        let Some(table) = root.optional_table("definitions") else {
+            return Some(Vec::new());
+        };
+        let mut list = Vec::new();
+        for key in table.names() {
+            let name = self.name(&key);
+            let value = table.string(key.text()).and_then(|text| self.formula(&text));
+            let (Some(name), Some((_, id, dimension))) = (name, value) else { continue };
+            self.symbols.insert(name.clone(), id);
+            if let Some(dimension) = dimension {
+                self.meanings.insert(name.clone(), Meaning { dimension, value: None });
+            }
+            list.push((name, id));
+        }
+        table.finish();
+        Some(list)
+    }
+
+    fn clearance(&mut self, root: &Table<'d>) -> Option<(String, Formula, Id)> {
+        let table = root.table("clearance")?;
+        let keys = table.names();
+        let [key] = keys.as_slice() else {
+            let message = "`clearance` holds one formula, such as `h = 'c - …'`".to_owned();
+            table.error(Code::BAD_VALUE, table.span(), message);
+            return None;
+        };
+        let name = self.name(key);
+        let text = table.string(key.text())?;
+        let (formula, id, dimension) = self.formula(&text)?;
+        table.finish();
+        if dimension.is_some_and(|dimension| !dimension.fits(&Dimension::LENGTH)) {
+            let message = "a clearance is a length".to_owned();
+            self.document.push(text.error_here(Code::DIMENSION, message));
+        }
+        Some((name?, formula, id))
+    }
+
+    fn axial(&mut self, root: &Table<'d>) -> Option<(Coordinate, [Id; RINGS])> {
+        let table = root.table("axial")?;
+        let keys = table.names();
+        let [key] = keys.as_slice() else {
+            let message = "`axial` holds one list of functions, such as `s = ['…', …]`".to_owned();
+            table.error(Code::BAD_VALUE, table.span(), message);
+            return None;
+        };
+        let name = self.name(key)?;
+        let items = table.items(key.text())?;
+        // The functions are of this variable alone.
+        let others = (std::mem::take(&mut self.symbols), std::mem::take(&mut self.meanings));
+        let variable = self.declare(name, None, "1", &Dimension::NUMBER);
+        let mut functions = Vec::new();
+        for item in &items {
+            match item.value() {
+                Value::String(text) => functions.extend(self.formula(&text).map(|(_, id, _)| id)),
+                other => {
+                    let message = "an axial function is a formula in a string".to_owned();
+                    table.error(Code::BAD_VALUE, other.span(), message);
+                }
+            }
+        }
+        (self.symbols, self.meanings) = others;
+        if items.len() != RINGS {
+            let message = format!("{} axial functions, but {RINGS} are needed", items.len());
+            table.error(Code::BAD_VALUE, table.span(), message);
+        }
+        table.finish();
+        Some((variable, <[Id; RINGS]>::try_from(functions).ok()?))
+    }
+
+    /// Parses, checks and lowers a formula of scalars.
+    fn formula(&mut self, text: &Located) -> Option<(Formula, Id, Option<Dimension>)> {
+        let document = self.document;
+        let refuse = |errors: Diagnostics| document.append(errors);
+        let formula = formula::parse(text).map_err(refuse).ok()?;
+        let graph = &self.graph;
+        let scope: Scope =
+            self.symbols.iter().map(|(name, id)| (name.clone(), graph.shape(*id))).collect();
+        formula::check(&formula, &scope).map_err(refuse).ok()?;
+        let dimension = formula::dimension(&formula, &self.meanings).map_err(refuse).ok()?;
+        let id = formula::lower(&formula, &mut self.graph, &self.symbols).map_err(refuse).ok()?;
+        if self.graph.shape(id) != crate::expression::Shape::Scalar {
+            let message = "a number is expected here, not a condition";
+            document.push(text.error_here(Code::SHAPE, message));
+            return None;
+        }
+        Some((formula, id, dimension))
+    }
+}
