@@ -58,21 +58,22 @@ fn mixed(graph: &mut Graph, id: Id, node: &Node, parts: &BTreeMap<Id, Parts>) ->
         Node::Product(factors) => {
             let mut all = vec![(graph.integer(1), graph.integer(1))];
             for (base, exponent) in factors {
-                // A single pair can be raised to any power that keeps signs; a sum only to a small whole one.
-                let count = exponent.is_integer().then(|| exponent.abs().to_integer().to_u32());
-                let next = match (parts[base].as_slice(), count.flatten()) {
-                    ([(shared, own)], Some(_)) => {
-                        let (shared, own) = (
-                            graph.power(*shared, exponent.clone()),
-                            graph.power(*own, exponent.clone()),
-                        );
-                        all = times(graph, &all, &[(shared, own)]);
-                        continue;
+                let whole_power = exponent.is_integer();
+                let count = whole_power.then(|| exponent.abs().to_integer().to_u32()).flatten();
+                let next: (Parts, u32) = match (parts[base].as_slice(), count) {
+                    (&[(shared, own)], _)
+                        if whole_power || graph.is_one(shared) || graph.is_one(own) =>
+                    {
+                        let shared = graph.power(shared, exponent.clone());
+                        (vec![(shared, graph.power(own, exponent.clone()))], 1)
                     }
                     (sum, Some(count)) if !exponent.is_negative() && count <= HIGHEST => {
                         (sum.to_vec(), count)
                     }
-                    _ => return whole(graph),
+                    _ => {
+                        let power = graph.power(*base, exponent.clone());
+                        (vec![(graph.integer(1), power)], 1)
+                    }
                 };
                 for _ in 0..next.1 {
                     if all.len() * next.0.len() > MOST {
