@@ -1,1 +1,3 @@
 //! Benchmarks: generated kernels against hand-written twins.
+
+pub mod hand;

@@ -1,0 +1,3 @@
+//! Hand-written twins of generated kernels.
+
+pub mod elements;
