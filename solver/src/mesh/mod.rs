@@ -9,6 +9,8 @@ use whirl_specs::Element;
 
 use crate::error::{Error, nearest};
 
+pub mod inp;
+
 /// A material with its properties by the symbols that the forms use.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {

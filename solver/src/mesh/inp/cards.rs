@@ -1,0 +1,160 @@
+//! The text of an input file as cards: a keyword line with parameters, and its lines of data.
+
+/// A piece of a line with its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Token<'a> {
+    /// Without blanks around it.
+    pub(super) text: &'a str,
+    /// From 1.
+    pub(super) line: usize,
+    /// In characters, from 1.
+    pub(super) column: usize,
+}
+
+/// `NAME=value` or `NAME` on a keyword line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Parameter<'a> {
+    /// In capitals.
+    pub(super) name: String,
+    /// Where it stands.
+    pub(super) place: Token<'a>,
+    /// Without quotation marks.
+    pub(super) value: Option<Token<'a>>,
+}
+
+/// A keyword line (with its continuations) and the data below it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Card<'a> {
+    /// In capitals, without the asterisk, single blanks between words; empty for data before the first
+    /// keyword.
+    pub(super) keyword: String,
+    /// Where the keyword stands.
+    pub(super) place: Token<'a>,
+    /// Parameters in order.
+    pub(super) parameters: Vec<Parameter<'a>>,
+    /// Data lines as tokens; the empty token after a comma at the end of a line is left out.
+    pub(super) lines: Vec<Vec<Token<'a>>>,
+}
+
+impl<'a> Card<'a> {
+    /// The parameter called `name` (in capitals).
+    pub(super) fn parameter(&self, name: &str) -> Option<&Parameter<'a>> {
+        self.parameters.iter().find(|parameter| parameter.name == name)
+    }
+}
+
+/// Splits a text into cards. Comments (`**`) and blank lines are dropped.
+pub(super) fn cards(text: &str) -> Vec<Card<'_>> {
+    let mut cards: Vec<Card> = Vec::new();
+    let mut continued = false;
+    for (number, line) in text.lines().enumerate() {
+        let number = number + 1;
+        let trimmed = line.trim();
+        if trimmed.is_empty() || trimmed.starts_with("**") {
+            continue;
+        }
+        let mut tokens = tokens(line, number);
+        let open = tokens.last().is_some_and(|token| token.text.is_empty());
+        if open {
+            tokens.pop();
+        }
+        if continued {
+            if let Some(card) = cards.last_mut() {
+                card.parameters.extend(tokens.into_iter().map(parameter));
+            }
+            continued = open;
+        } else if trimmed.starts_with('*') {
+            let mut tokens = tokens.into_iter();
+            let place = tokens.next().unwrap_or(Token { text: "*", line: number, column: 1 });
+            let words = place.text.trim_start_matches('*').to_uppercase();
+            cards.push(Card {
+                keyword: words.split_whitespace().collect::<Vec<_>>().join(" "),
+                place,
+                parameters: tokens.map(parameter).collect(),
+                lines: Vec::new(),
+            });
+            continued = open;
+        } else {
+            if cards.is_empty() {
+                let place = Token { text: "", line: number, column: 1 };
+                cards.push(Card {
+                    keyword: String::new(),
+                    place,
+                    parameters: Vec::new(),
+                    lines: Vec::new(),
+                });
+            }
+            if let Some(card) = cards.last_mut() {
+                card.lines.push(tokens);
+            }
+        }
+    }
+    cards
+}
+
+/// Pieces between the commas of a line; commas between quotation marks do not count.
+fn tokens(line: &str, number: usize) -> Vec<Token<'_>> {
+    let mut tokens = Vec::new();
+    let (mut start, mut column, mut quoted) = (0, 1, false);
+    let mut start_column = 1;
+    let mut push = |from: usize, to: usize, column: usize| {
+        let piece = &line[from..to];
+        let blanks = piece.chars().take_while(|c| c.is_whitespace()).count();
+        tokens.push(Token { text: piece.trim(), line: number, column: column + blanks });
+    };
+    for (at, c) in line.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            ',' if !quoted => {
+                push(start, at, start_column);
+                (start, start_column) = (at + 1, column + 1);
+            }
+            _ => {}
+        }
+        column += 1;
+    }
+    push(start, line.len(), start_column);
+    tokens
+}
+
+fn parameter(token: Token<'_>) -> Parameter<'_> {
+    let Some((name, value)) = token.text.split_once('=') else {
+        return Parameter { name: token.text.to_uppercase(), place: token, value: None };
+    };
+    let blanks = value.chars().take_while(|c| c.is_whitespace()).count();
+    let column = token.column + name.chars().count() + 1 + blanks;
+    let mut text = value.trim();
+    if let Some(inner) = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) {
+        text = inner.trim();
+    }
+    Parameter {
+        name: name.trim().to_uppercase(),
+        place: token,
+        value: Some(Token { text, line: token.line, column }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keyword_lines_continue_and_data_keeps_its_place() {
+        let text = "** comment\n*Solid   section, elset=\"A, B\",\n  MATERIAL = Steel\n 1.0,\n\n  2, é, 3\n";
+        let cards = cards(text);
+        assert_eq!(cards.len(), 1);
+        let card = &cards[0];
+        assert_eq!(card.keyword, "SOLID SECTION");
+        assert_eq!(card.parameter("ELSET").unwrap().value.unwrap().text, "A, B");
+        let material = card.parameter("MATERIAL").unwrap().value.unwrap();
+        assert_eq!((material.text, material.line, material.column), ("Steel", 3, 14));
+        assert_eq!(card.lines[0], [Token { text: "1.0", line: 4, column: 2 }]);
+        let last = card.lines[1][2];
+        assert_eq!((last.text, last.line, last.column), ("3", 6, 9));
+    }
+
+    #[test]
+    fn data_before_any_keyword_is_kept() {
+        assert_eq!(cards("1, 2\n")[0].keyword, "");
+    }
+}

@@ -1,0 +1,218 @@
+//! Nodes, cells and the sections that give cells their material.
+
+use whirl_specs::Element;
+
+use super::cards::{Card, Token};
+use super::materials::RawMaterial;
+use super::sets::{Named, did_you_mean};
+use super::{Nodes, Place, Report, count, list};
+
+/// A cell as written.
+#[derive(Debug, Clone)]
+pub(super) struct RawCell {
+    pub(super) label: u64,
+    /// `None` where the type is not known, which is an error by itself.
+    pub(super) element: Option<&'static Element>,
+    /// Labels of the nodes, in the order of the file.
+    pub(super) nodes: Vec<u64>,
+}
+
+/// Cells in the order of the file.
+pub(super) struct Cells {
+    pub(super) list: Vec<RawCell>,
+    pub(super) named: Named,
+}
+
+pub(super) fn read_nodes(cards: &[&Card], report: &mut Report) -> Nodes {
+    let mut nodes = Nodes { positions: Vec::new(), named: Named::new("node") };
+    for card in cards.iter().filter(|card| card.keyword == "NODE") {
+        if let Some(system) = card.parameter("SYSTEM") {
+            report.error(system.place, "only rectangular coordinates are read", "write x, y, z");
+        }
+        let mut members = Vec::new();
+        for line in &card.lines {
+            let Some(token) = line.first() else { continue };
+            let Some(label) = report.label(token, "label of a node") else { continue };
+            let mut position = [0.0; 3];
+            if line.len() == 4 {
+                for (value, token) in position.iter_mut().zip(&line[1..]) {
+                    *value = report.number(token, "coordinate").unwrap_or(0.0);
+                }
+            } else {
+                let what = format!("node {label} has {}", count(line.len() - 1, "coordinate"));
+                report.error(*token, what, "write label, x, y, z");
+            }
+            if let Some(index) = nodes.named.add(label, token, report) {
+                nodes.positions.push(position);
+                members.push(index);
+            }
+        }
+        if let Some(name) = card.parameter("NSET").and_then(|parameter| parameter.value) {
+            nodes.named.sets.add(name.text, members);
+        }
+    }
+    nodes
+}
+
+pub(super) fn read_elements(
+    cards: &[&Card],
+    elements: &[&'static Element],
+    nodes: &Nodes,
+    report: &mut Report,
+) -> Cells {
+    let mut cells = Cells { list: Vec::new(), named: Named::new("cell") };
+    for card in cards.iter().filter(|card| card.keyword == "ELEMENT") {
+        let element = element(card, elements, report);
+        let mut members = Vec::new();
+        for tokens in cell_lines(card, element) {
+            let Some(&token) = tokens.first() else { continue };
+            let Some(label) = report.label(&token, "label of a cell") else { continue };
+            let nodes = match element {
+                Some(element) => cell_nodes(label, &tokens, element, nodes, report),
+                None => Vec::new(),
+            };
+            if let Some(index) = cells.named.add(label, &token, report) {
+                cells.list.push(RawCell { label, element, nodes });
+                members.push(index);
+            }
+        }
+        if let Some(name) = card.parameter("ELSET").and_then(|parameter| parameter.value) {
+            cells.named.sets.add(name.text, members);
+        }
+    }
+    cells
+}
+
+fn element(
+    card: &Card,
+    elements: &[&'static Element],
+    report: &mut Report,
+) -> Option<&'static Element> {
+    let name = report.required(card, "TYPE", "*ELEMENT, TYPE=C3D8I, ELSET=NAME")?;
+    let is_named = |element: &&&Element| {
+        element.abaqus.iter().any(|known| known.eq_ignore_ascii_case(name.text))
+    };
+    let found = elements.iter().find(is_named).copied();
+    if found.is_none() {
+        let types: Vec<&str> =
+            elements.iter().flat_map(|element| element.abaqus.iter().copied()).collect();
+        let help = format!("types that are read: {}", types.join(", "));
+        report.error(name, format!("no element is known for type {}", name.text), help);
+    }
+    found
+}
+
+/// The tokens of each cell: a cell goes on in the next line until it has all its nodes.
+fn cell_lines<'a>(card: &Card<'a>, element: Option<&Element>) -> Vec<Vec<Token<'a>>> {
+    let Some(element) = element else { return card.lines.clone() };
+    let mut cells: Vec<Vec<Token>> = Vec::new();
+    for line in &card.lines {
+        match cells.last_mut() {
+            Some(cell)
+                if cell.len() <= element.nodes && cell.len() + line.len() <= element.nodes + 1 =>
+            {
+                cell.extend(line);
+            }
+            _ => cells.push(line.clone()),
+        }
+    }
+    cells
+}
+
+fn cell_nodes(
+    label: u64,
+    tokens: &[Token],
+    element: &Element,
+    nodes: &Nodes,
+    report: &mut Report,
+) -> Vec<u64> {
+    if tokens.len() != element.nodes + 1 {
+        let what = format!(
+            "cell {label} has {}, {} needs {}",
+            count(tokens.len() - 1, "node"),
+            element.origin.name,
+            element.nodes
+        );
+        report.error(tokens[0], what, "write label, then the nodes");
+        return Vec::new();
+    }
+    let mut list: Vec<u64> = Vec::with_capacity(element.nodes);
+    for token in &tokens[1..] {
+        let Some(node) = report.label(token, "label of a node") else { continue };
+        if !nodes.named.index.contains_key(&node) {
+            let what = format!("cell {label} has node {node}, which is not defined");
+            report.error(*token, what, "add it under *NODE, or correct the label");
+        } else if list.contains(&node) {
+            let what = format!("cell {label} has node {node} twice");
+            report.error(*token, what, "correct the label, or use an element with fewer nodes");
+        }
+        list.push(node);
+    }
+    list
+}
+
+/// Index of the material of every cell, from `*SOLID SECTION`; errors for cells with none or two.
+pub(super) fn assign_sections(
+    cards: &[&Card],
+    cells: &Cells,
+    materials: &[RawMaterial],
+    report: &mut Report,
+) -> Vec<usize> {
+    let mut material_of: Vec<Option<(usize, Place)>> = vec![None; cells.list.len()];
+    let mut all_found = true;
+    for card in cards.iter().filter(|card| card.keyword == "SOLID SECTION") {
+        let example = "*SOLID SECTION, ELSET=NAME, MATERIAL=NAME";
+        let set = report.required(card, "ELSET", example);
+        let material = report.required(card, "MATERIAL", example);
+        let members = set.and_then(|set| {
+            let members = cells.named.sets.get(set.text);
+            if members.is_none() {
+                let what = format!("no set of cells is called {}", set.text);
+                report.error(set, what, did_you_mean(set.text, cells.named.sets.names()));
+            }
+            members
+        });
+        let material = material.and_then(|name| {
+            let same = |raw: &RawMaterial| raw.name.eq_ignore_ascii_case(name.text);
+            let found = materials.iter().position(same);
+            if found.is_none() {
+                let known = materials.iter().map(|raw| raw.name.as_str());
+                let what = format!("no material is called {}", name.text);
+                report.error(name, what, did_you_mean(name.text, known));
+            }
+            found
+        });
+        let Some(members) = members else {
+            all_found = false;
+            continue;
+        };
+        // An unknown material has been reported: its cells count as having a section.
+        let material = material.unwrap_or(0);
+        let mut twice = Vec::new();
+        for &cell in members {
+            match material_of[cell] {
+                Some((other, _)) if other != material => twice.push(cells.list[cell].label),
+                _ => material_of[cell] = Some((material, card.place.into())),
+            }
+        }
+        if let Some(first) = twice.first() {
+            let above = cells.named.index[first];
+            let line = material_of[above].map_or(0, |(_, place)| place.line);
+            let what = format!(
+                "{} have two materials: {}",
+                count(twice.len(), "cell"),
+                list(twice.iter().copied())
+            );
+            report.error(card.place, what, format!("line {line} gave the first"));
+        }
+    }
+    // Where a section names a set that is not there, cells without a section are no further error.
+    let bare: Vec<usize> = (0..cells.list.len()).filter(|&c| material_of[c].is_none()).collect();
+    if let Some(&first) = bare.first().filter(|_| all_found) {
+        let labels = list(bare.iter().map(|&cell| cells.list[cell].label));
+        let what = format!("{} without a section: {labels}", count(bare.len(), "cell"));
+        let help = "add *SOLID SECTION, ELSET=…, MATERIAL=… for a set that holds them";
+        report.error(cells.named.places[first], what, help);
+    }
+    material_of.into_iter().map(|section| section.map_or(0, |(material, _)| material)).collect()
+}

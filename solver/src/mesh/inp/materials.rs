@@ -1,0 +1,132 @@
+//! Materials: linear elastic, isotropic, with a density.
+
+use std::collections::BTreeMap;
+
+use super::cards::{Card, Token};
+use super::{Place, Report, count};
+
+/// √(E/ρ) of solids lies between 20 m/s (soft rubber) and 18 000 m/s (diamond); what is this far outside
+/// was written in other units than Pa and kg/m³.
+const SOUND: std::ops::Range<f64> = 10.0..1e5;
+
+/// A material as written.
+#[derive(Debug)]
+pub(super) struct RawMaterial {
+    pub(super) name: String,
+    place: Place,
+    /// Values by symbol, with their places.
+    pub(super) values: BTreeMap<&'static str, (f64, Place)>,
+    /// Whether something in it was refused, so that what is missing is no further error.
+    broken: bool,
+}
+
+pub(super) fn read_materials(cards: &[&Card], report: &mut Report) -> Vec<RawMaterial> {
+    let mut materials: Vec<RawMaterial> = Vec::new();
+    let mut open = false;
+    for card in cards {
+        match card.keyword.as_str() {
+            "MATERIAL" => {
+                let name = report.required(card, "NAME", "*MATERIAL, NAME=STEEL");
+                let name = name.map_or(String::new(), |name| name.text.to_owned());
+                let same = |raw: &&RawMaterial| raw.name.eq_ignore_ascii_case(&name);
+                if let Some(first) = materials.iter().find(same) {
+                    let help = format!("line {} has the first", first.place.line);
+                    report.error(card.place, format!("material {name} is defined twice"), help);
+                }
+                open = true;
+                materials.push(RawMaterial {
+                    broken: name.is_empty(),
+                    name,
+                    place: card.place.into(),
+                    values: BTreeMap::new(),
+                });
+            }
+            "ELASTIC" | "DENSITY" => match materials.last_mut().filter(|_| open) {
+                Some(material) => property(card, material, report),
+                None => {
+                    let what = format!("*{} belongs to no material", card.keyword);
+                    report.error(card.place, what, "put *MATERIAL, NAME=… above it");
+                }
+            },
+            "NODE" | "ELEMENT" | "NSET" | "ELSET" | "SOLID SECTION" => open = false,
+            _ => {}
+        }
+    }
+    materials.iter().for_each(|material| check(material, report));
+    materials
+}
+
+fn property(card: &Card, material: &mut RawMaterial, report: &mut Report) {
+    let before = report.errors.len();
+    let name = material.name.as_str();
+    if let Some(kind) = card.parameter("TYPE").and_then(|parameter| parameter.value) {
+        if !["ISO", "ISOTROPIC"].contains(&kind.text.to_uppercase().as_str()) {
+            let what =
+                format!("material {name} is {}: only isotropic materials are read", kind.text);
+            report.error(kind, what, "write *ELASTIC and E, ν");
+        }
+    }
+    let wanted: &[(&'static str, &str)] = match card.keyword.as_str() {
+        "ELASTIC" => &[("E", "Young's modulus"), ("nu", "Poisson's ratio")],
+        _ => &[("rho", "density")],
+    };
+    if card.lines.len() > 1 {
+        let what = format!("*{} has {}", card.keyword, count(card.lines.len(), "line"));
+        let help = "properties that depend on temperature are not read: keep one line";
+        report.error(card.lines[1][0], what, help);
+    }
+    let line: &[Token] = card.lines.first().map_or(&[], Vec::as_slice);
+    for (place, &(symbol, title)) in wanted.iter().enumerate() {
+        let Some(token) = line.get(place) else {
+            let at = line.last().map_or(card.place, |token| *token);
+            report.error(
+                at,
+                format!("*{} lacks the {title}", card.keyword),
+                "write E, ν in Pa and 1, ρ in kg/m³",
+            );
+            continue;
+        };
+        let Some(value) = report.number(token, title) else { continue };
+        match symbol {
+            "nu" if !(value > -1.0 && value < 0.5) => {
+                let what = format!("Poisson's ratio of {name} is {value}");
+                report.error(*token, what, "it lies between −1 and 0.5, both excluded");
+            }
+            "E" | "rho" if value <= 0.0 => {
+                report.error(
+                    *token,
+                    format!("the {title} of {name} is {value}"),
+                    "it must be positive",
+                );
+            }
+            _ => {
+                material.values.insert(symbol, (value, (*token).into()));
+            }
+        }
+    }
+    material.broken |= report.errors.len() > before;
+}
+
+fn check(material: &RawMaterial, report: &mut Report) {
+    let name = &material.name;
+    if material.broken {
+        return;
+    }
+    for (symbol, keyword, example) in [("E", "ELASTIC", "200e9, 0.3"), ("rho", "DENSITY", "7860")] {
+        if !material.values.contains_key(symbol) {
+            let help = format!("write *{keyword} and a line such as {example} below *MATERIAL");
+            report.error(material.place, format!("material {name} has no *{keyword}"), help);
+        }
+    }
+    if let (Some(&(e, place)), Some(&(rho, _))) =
+        (material.values.get("E"), material.values.get("rho"))
+    {
+        let sound = (e / rho).sqrt();
+        if !SOUND.contains(&sound) {
+            let what = format!(
+                "in material {name} (E = {e} Pa, ρ = {rho} kg/m³) sound would travel at {sound:.3e} m/s"
+            );
+            report.error(place, what, "units are m, Pa and kg/m³: steel is 200e9 and 7860");
+        }
+    }
+}
