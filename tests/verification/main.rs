@@ -1,4 +1,7 @@
 //! Verification: each layer against exact solutions, other methods, or its own definition.
 
+mod assembly;
 mod block;
+mod bodies;
 mod reduction;
+mod twins;
