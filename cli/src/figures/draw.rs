@@ -93,6 +93,8 @@ fn looks(style: Style) -> (&'static str, f64, LineStyle) {
     match style {
         Style::First => ("#1f4e9c", 1.6, LineStyle::Solid),
         Style::Second => ("#d9730d", 1.6, LineStyle::Custom("6 3".to_string())),
+        Style::Third => ("#2a7f3f", 1.6, LineStyle::Custom("3 2".to_string())),
+        Style::Fourth => ("#8a3ea8", 1.6, LineStyle::Custom("7 2 2 2".to_string())),
         Style::Limit => ("#707070", 1.0, LineStyle::Custom("2 3".to_string())),
     }
 }

@@ -57,6 +57,10 @@ pub(crate) enum Style {
     First,
     /// Second quantity: dashed.
     Second,
+    /// Third quantity: finely dashed.
+    Third,
+    /// Fourth quantity: dashes and dots.
+    Fourth,
     /// A limit, such as the clearance circle: thin and dotted.
     Limit,
 }

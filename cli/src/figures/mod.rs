@@ -3,14 +3,19 @@
 mod draw;
 mod figure;
 mod histories;
+mod laws;
 
 #[cfg(test)]
 mod tests {
     use std::f64::consts::TAU;
+    use std::sync::Arc;
 
     use resvg::tiny_skia::Pixmap;
+    use whirl_codegen::diagnostic::Source;
+    use whirl_codegen::spec::law::LawSpec;
 
     use super::histories::{Span, eccentricities, last_cycle, reactions, rotation};
+    use super::laws::laws;
     use super::{draw, figure::Figure};
     use crate::report::Columns;
 
@@ -49,6 +54,23 @@ mod tests {
             decodes(&eccentricities(&history, &[35.687], span));
         }
         decodes(&rotation(&history));
+    }
+
+    #[test]
+    fn laws_are_drawn_over_their_range() {
+        let read = |text: &str| {
+            Arc::new(
+                LawSpec::read(&Source::new("law.toml", text)).unwrap_or_else(|e| panic!("{e}")),
+            )
+        };
+        let linear = read(include_str!("../../../specs/laws/hu2003-linear.toml"));
+        let nonlinear = read(include_str!("../../../specs/laws/hu2003-nonlinear.toml"));
+        let figure = laws(&[linear, nonlinear]);
+        let curves = &figure.panels[0].lines;
+        assert!((curves[0].points[0].1 - 233.0).abs() < 1e-9);
+        assert!((curves[1].points[0].1 - 388.0).abs() < 1e-9);
+        assert_eq!(curves[1].points.last().unwrap().1, 0.0);
+        decodes(&figure);
     }
 
     #[test]
