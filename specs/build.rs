@@ -1,9 +1,48 @@
 //! Generates the kernels from the spec files of this crate.
 
-use std::{env, fs, path::PathBuf};
+use std::path::{Path, PathBuf};
+use std::{env, fs, io, process};
+
+use whirl_codegen::generate::{SpecFile, generate};
+
+const FOLDERS: [&str; 4] = ["elements", "forms", "laws", "motion"];
 
 fn main() {
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
-    let empty = "pub static ELEMENTS: &[Element] = &[];\npub static LAWS: &[Law] = &[];\npub static MOTIONS: &[Motion] = &[];\npub static CLEARANCES: &[Clearance] = &[];\n";
-    fs::write(out.join("kernels.rs"), empty).expect("OUT_DIR is writable");
+    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
+    let files = read(&root).unwrap_or_else(|error| refuse(&format!("error: {error}")));
+    match generate(&files) {
+        Ok(generated) => {
+            for file in generated {
+                let path = out.join(&file.name);
+                fs::write(&path, file.text)
+                    .unwrap_or_else(|error| refuse(&format!("error: {}: {error}", path.display())));
+            }
+        }
+        Err(errors) => refuse(&errors.render()),
+    }
+}
+
+/// All spec files, with paths relative to this crate. A new file in a folder runs the build again.
+fn read(root: &Path) -> io::Result<Vec<SpecFile>> {
+    let mut files = Vec::new();
+    for folder in FOLDERS {
+        println!("cargo::rerun-if-changed={folder}");
+        let Ok(entries) = fs::read_dir(root.join(folder)) else { continue };
+        for entry in entries {
+            let path = entry?.path();
+            if path.extension().is_some_and(|extension| extension == "toml") {
+                let name = path.file_name().expect("it has an extension").to_string_lossy();
+                println!("cargo::rerun-if-changed={folder}/{name}");
+                let text = fs::read_to_string(&path)?;
+                files.push(SpecFile { path: format!("{folder}/{name}"), text });
+            }
+        }
+    }
+    Ok(files)
+}
+
+fn refuse(message: &str) -> ! {
+    eprintln!("{message}");
+    process::exit(1)
 }

@@ -5,6 +5,8 @@ pub mod diagnostic;
 pub mod emit;
 pub mod expression;
 pub mod formula;
+#[cfg(feature = "emit")]
+pub mod generate;
 pub mod lagrange;
 pub mod schedule;
 pub mod spec;

@@ -2,7 +2,6 @@
 
 pub mod assembly;
 pub mod body;
-pub mod cache;
 pub mod error;
 pub mod linalg;
 pub mod mesh;

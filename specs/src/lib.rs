@@ -6,8 +6,10 @@
 
 pub mod lane;
 mod registry;
+mod rows;
 
 pub use lane::Lane;
 pub use registry::*;
+pub use rows::{rows, rows_mut};
 
 include!(concat!(env!("OUT_DIR"), "/kernels.rs"));

@@ -23,8 +23,6 @@ embedded![
     "hu2003-4.toml",
     "hu2003-5.toml",
     "hu2003.machine.toml",
-    "sdnd101.toml",
-    "sdnd108.toml",
 ];
 
 /// Folder under which the built-in files are shown in messages.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use whirl_codegen::diagnostic::Located;
 use whirl_specs::Motion;
 
-use super::law::LawSource;
+use super::law::LawSpec;
 use super::loads::Load;
 
 /// Shaft, support, what lies between, and what drives and loads them.
@@ -155,7 +155,7 @@ pub struct Bearing {
     /// Radial clearance c in m.
     pub radial_clearance: f64,
     /// Q(h, ḣ) of one spring.
-    pub law: LawSource,
+    pub law: LawSpec,
 }
 
 /// A couple of forces fixed to the shaft, acting until a speed is reached.

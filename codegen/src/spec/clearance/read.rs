@@ -42,7 +42,7 @@ impl<'d> Reader<'d> {
 
     fn spec(mut self, file: &Arc<Source>) -> Option<ClearanceSpec> {
         let root = self.document.root();
-        root.optional_word("kind", &["clearance"]);
+        root.word("kind", &["clearance"]);
         let (name, title, reference) =
             (root.string("name"), root.string("title"), root.string("source"));
         let spring = self.coordinates(&root, "spring", &[Dimension::ANGLE]);

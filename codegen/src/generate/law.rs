@@ -1,0 +1,133 @@
+//! Kernels of a law: its outputs with all first derivatives, over one lane and over rows of springs.
+
+use num_traits::ToPrimitive;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::Kernel;
+use super::facts::{About, unscheduled, variable};
+use crate::diagnostic::Diagnostics;
+use crate::emit::{Numbers, documented, identifier, operand, statements};
+use crate::schedule::Program;
+use crate::spec::law::{Condition, LawSpec};
+
+pub(super) fn kernel(law: &LawSpec) -> Result<Kernel, Diagnostics> {
+    let program = law.program().map_err(|error| unscheduled(&law.file, &error))?;
+    let about =
+        About { name: &law.name, title: &law.title, reference: &law.reference, file: &law.file };
+    let functions = functions(law, &program);
+    let entry = entry(law, &about, &functions);
+    let name = identifier(&law.name);
+    let heading = documented(&format!("{}{}", about.heading(), pieces(law)));
+    let module = quote! {
+        #heading
+        pub mod #name {
+            use crate::{Lane, Law, Origin, Variable, rows, rows_mut};
+            #functions
+            #entry
+        }
+    };
+    Ok(Kernel { name: law.name.clone(), module })
+}
+
+/// The pieces as the spec gives them.
+fn pieces(law: &LawSpec) -> String {
+    let units: Vec<String> =
+        law.inputs.iter().map(|input| format!("{} in {}", input.name, input.unit)).collect();
+    let mut text = String::new();
+    for output in &law.outputs {
+        text += &format!("\n{} in {}, {}:\n", output.name, output.unit, units.join(", "));
+        for piece in &output.pieces {
+            let condition = match &piece.when {
+                Some(Condition::Threshold { text, at, moved_from: Some(_), .. }) => {
+                    let at = at.to_f64().unwrap_or(f64::NAN);
+                    format!("where `{}`, moved to the root at {at:e} in SI", text.text())
+                }
+                Some(Condition::Threshold { text, .. }) => format!("where `{}`", text.text()),
+                Some(Condition::Formula(formula)) => format!("where `{}`", formula.text.text()),
+                None if output.pieces.len() > 1 => "elsewhere".to_string(),
+                None => "everywhere".to_string(),
+            };
+            text += &format!("* `{}` {condition}\n", piece.value.text.text());
+        }
+    }
+    text
+}
+
+fn functions(law: &LawSpec, program: &Program) -> TokenStream {
+    let inputs: Vec<_> = law.inputs.iter().map(|input| identifier(&input.name)).collect();
+    let from = law
+        .inputs
+        .iter()
+        .map(|input| format!("{} ({})", input.name, input.unit.dimension().si_unit()));
+    let from: Vec<String> = from.collect();
+    let from = from.join(", ");
+    let is_value = |name: &str| law.outputs.iter().any(|output| output.name == name);
+    let values = body(&program.restricted(is_value));
+    let all = body(program);
+    let names: Vec<&str> = program.outputs.iter().map(|output| output.name.as_str()).collect();
+    let value_names: Vec<&str> = names.iter().copied().filter(|name| is_value(name)).collect();
+    let (value_count, count) = (value_names.len(), names.len());
+    let input_rows: Vec<_> =
+        law.inputs.iter().map(|input| format_ident!("{}_row", identifier(&input.name))).collect();
+    let output_rows: Vec<_> =
+        names.iter().map(|name| format_ident!("{}_row", identifier(name))).collect();
+    let about_value = documented(&format!(
+        "{} of {from}, SI; {}.",
+        value_names.join(", "),
+        program.restricted(is_value).total_counts()
+    ));
+    let about_lane =
+        documented(&format!("{} of {from}, SI; {}.", names.join(", "), program.total_counts()));
+    let about_rows =
+        documented(&format!("Rows of `springs` values, SI: {} from {from}.", names.join(", "),));
+    quote! {
+        #about_value
+        #[inline(always)]
+        pub fn value<L: Lane>(#(#inputs: L),*) -> [L; #value_count] {
+            #values
+        }
+        #about_lane
+        #[inline(always)]
+        pub fn evaluate_lane<L: Lane>(#(#inputs: L),*) -> [L; #count] {
+            #all
+        }
+        #about_rows
+        pub fn evaluate(springs: usize, inputs: &[f64], outputs: &mut [f64]) {
+            let [#(#input_rows),*] = rows(springs, inputs);
+            let [#(#output_rows),*] = rows_mut(springs, outputs);
+            for j in 0..springs {
+                [#(#output_rows[j]),*] = evaluate_lane(#(#input_rows[j]),*);
+            }
+        }
+    }
+}
+
+/// The statements of a program of one stage, and its outputs as an array.
+fn body(program: &Program) -> TokenStream {
+    let statements = statements(program, 0, Numbers::Lanes);
+    let outputs =
+        program.outputs.iter().map(|output| operand(program, output.operand, Numbers::Lanes));
+    quote!(#(#statements)* [#(#outputs),*])
+}
+
+fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
+    let origin = about.origin(functions);
+    let inputs = law
+        .inputs
+        .iter()
+        .map(|input| variable(&input.name, &input.unit.dimension().si_unit(), &input.title));
+    let outputs = law
+        .outputs
+        .iter()
+        .map(|output| variable(&output.name, &output.unit.dimension().si_unit(), &output.title));
+    quote! {
+        /// The entry of the registry.
+        pub const ENTRY: Law = Law {
+            origin: #origin,
+            inputs: &[#(#inputs),*],
+            outputs: &[#(#outputs),*],
+            evaluate,
+        };
+    }
+}

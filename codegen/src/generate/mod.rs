@@ -1,0 +1,74 @@
+//! From the texts of spec files to the texts of Rust files.
+
+mod clearance;
+mod clearance_kernels;
+mod facts;
+mod law;
+mod read;
+mod write;
+
+pub use read::SpecFile;
+pub use write::GeneratedFile;
+
+use proc_macro2::TokenStream;
+
+use crate::diagnostic::Diagnostics;
+use read::Specs;
+
+/// The Rust files made from all spec files: the kernels of every spec and the registries that list them.
+/// The result depends on nothing but the texts, whatever their order.
+///
+/// # Errors
+/// Everything that is wrong with the specs.
+pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
+    let specs = Specs::read(files)?;
+    let mut errors = Diagnostics::new();
+    let laws = specs.laws.iter().map(law::kernel);
+    let clearances = specs.clearances.iter().map(clearance::kernel);
+    let kinds = [
+        Kind::of("elements", "Element", Vec::new()),
+        Kind::of("laws", "Law", gather(laws, &mut errors)),
+        Kind::of("motions", "Motion", Vec::new()),
+        Kind::of("clearances", "Clearance", gather(clearances, &mut errors)),
+    ];
+    let files = write::files(&kinds);
+    errors.into_result(files)
+}
+
+/// The kernels of one spec: a module that holds them and an item `ENTRY` for the registry.
+struct Kernel {
+    /// Name of the spec.
+    name: String,
+    /// The module with its documentation.
+    module: TokenStream,
+}
+
+/// All kernels of one kind of spec.
+struct Kind {
+    /// Name of the module and, in capitals, of the registry.
+    module: &'static str,
+    /// Type of an entry of the registry.
+    entry: &'static str,
+    kernels: Vec<Kernel>,
+}
+
+impl Kind {
+    fn of(module: &'static str, entry: &'static str, kernels: Vec<Kernel>) -> Self {
+        Kind { module, entry, kernels }
+    }
+}
+
+/// The kernels that could be made; what is wrong with the others is added to `errors`.
+fn gather(
+    kernels: impl Iterator<Item = Result<Kernel, Diagnostics>>,
+    errors: &mut Diagnostics,
+) -> Vec<Kernel> {
+    let mut fine = Vec::new();
+    for kernel in kernels {
+        match kernel {
+            Ok(kernel) => fine.push(kernel),
+            Err(wrong) => errors.append(wrong),
+        }
+    }
+    fine
+}

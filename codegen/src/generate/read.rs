@@ -1,0 +1,97 @@
+//! Spec files by their kinds, each name once.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+use crate::emit::identifier;
+use crate::spec::clearance::ClearanceSpec;
+use crate::spec::law::LawSpec;
+use crate::spec::read::Document;
+
+/// A spec file.
+#[derive(Debug, Clone)]
+pub struct SpecFile {
+    /// Path in the crate of the specs, such as `laws/hu2003-linear.toml`; its folder says what it can be.
+    pub path: String,
+    /// The text.
+    pub text: String,
+}
+
+/// All specs, sorted by path.
+pub(super) struct Specs {
+    pub(super) laws: Vec<LawSpec>,
+    pub(super) clearances: Vec<ClearanceSpec>,
+}
+
+/// Folders, with the kinds of specs that they may hold.
+const FOLDERS: [(&str, &[&str]); 2] = [("laws", &["law"]), ("motion", &["clearance"])];
+
+impl Specs {
+    pub(super) fn read(files: &[SpecFile]) -> Result<Self, Diagnostics> {
+        let mut specs = Specs { laws: Vec::new(), clearances: Vec::new() };
+        let mut errors = Diagnostics::new();
+        let mut names = Names::default();
+        let mut sorted: Vec<&SpecFile> = files.iter().collect();
+        sorted.sort_by(|a, b| a.path.cmp(&b.path));
+        for file in sorted {
+            let source = Source::new(&file.path, &file.text);
+            let read = match kind(&source) {
+                Ok("law") => LawSpec::read(&source)
+                    .and_then(|law| names.take("law", &law.name, &source).map(|()| law))
+                    .map(|law| specs.laws.push(law)),
+                Ok("clearance") => ClearanceSpec::read(&source)
+                    .and_then(|spec| names.take("clearance", &spec.name, &source).map(|()| spec))
+                    .map(|spec| specs.clearances.push(spec)),
+                Ok(other) => unreachable!("{other} is not in the table of folders"),
+                Err(wrong) => Err(wrong),
+            };
+            if let Err(wrong) = read {
+                errors.append(wrong);
+            }
+        }
+        errors.into_result(specs)
+    }
+}
+
+/// The kind that a file says it is, among those that its folder may hold.
+fn kind(source: &Arc<Source>) -> Result<&'static str, Diagnostics> {
+    let folder = source.path.parent().unwrap_or(Path::new(""));
+    let Some((_, kinds)) = FOLDERS.iter().find(|(name, _)| folder == Path::new(name)) else {
+        let message = format!("no spec is read from the folder `{}`", folder.display());
+        let folders: Vec<&str> = FOLDERS.iter().map(|(name, _)| *name).collect();
+        let error = Diagnostic::new(source, Code::BAD_VALUE, None, message);
+        return Err(error.help(format!("move the file to one of: {}", folders.join(", "))).into());
+    };
+    let document = Document::parse(source);
+    let kind = if document.is_toml() { document.root().word("kind", kinds) } else { None };
+    document.into_result(kind)
+}
+
+/// Names, and modules made from them, that are taken.
+#[derive(Default)]
+struct Names {
+    taken: BTreeMap<(&'static str, String), Arc<Source>>,
+}
+
+impl Names {
+    fn take(
+        &mut self,
+        kind: &'static str,
+        name: &str,
+        source: &Arc<Source>,
+    ) -> Result<(), Diagnostics> {
+        let key = (kind, identifier(name).to_string());
+        if let Some(first) = self.taken.get(&key) {
+            let message = format!(
+                "the {kind} `{name}` has the name of the one in `{}`",
+                first.path.display()
+            );
+            let error = Diagnostic::new(source, Code::BAD_NAME, None, message);
+            return Err(error.help("change `name` in one of the files").into());
+        }
+        self.taken.insert(key, source.clone());
+        Ok(())
+    }
+}

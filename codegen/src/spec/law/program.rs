@@ -1,0 +1,32 @@
+//! The program that computes a law.
+
+use super::{LawInput, LawSpec};
+use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule};
+
+impl LawSpec {
+    /// The program of the law, of one stage: inputs in the order of the file, in SI; for every output o the
+    /// outputs o, do_dinput₀, do_dinput₁, …. Kernels are emitted from it, and a
+    /// [`Tape`](crate::tape::Tape) of it gives the same bits.
+    ///
+    /// # Errors
+    /// None for a law that was read without errors and stays within the bounds of the graph.
+    pub fn program(&self) -> Result<Program, ScheduleError> {
+        let input =
+            |input: &LawInput| Input { name: input.name.clone(), symbol: input.symbol, stage: 0 };
+        let mut outputs = Vec::new();
+        for output in &self.outputs {
+            outputs.push(Output { name: output.name.clone(), expression: output.value });
+            for (input, derivative) in self.inputs.iter().zip(&output.derivatives) {
+                let name = format!("d{}_d{}", output.name, input.name);
+                outputs.push(Output { name, expression: *derivative });
+            }
+        }
+        let request = Request {
+            stages: vec![Stage::new("spring", &[], 1.0)],
+            inputs: self.inputs.iter().map(input).collect(),
+            outputs,
+            names: Vec::new(),
+        };
+        schedule(&mut self.graph.clone(), &request)
+    }
+}
