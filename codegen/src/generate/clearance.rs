@@ -1,7 +1,7 @@
 //! Kernels of a clearance: what is fixed once a spring goes to a table, what a ring shares is computed once
 //! a ring, and what a sum over springs shares is multiplied after it.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Kernel;
@@ -41,7 +41,7 @@ pub(super) fn kernel(spec: &ClearanceSpec) -> Result<Kernel, Diagnostics> {
         [value, kernels.prepare(), kernels.clearance(), kernels.force(), kernels.tangent(), axial];
     let functions: TokenStream = functions.into_iter().collect();
     let origin = about.origin(&functions);
-    let table = kernels.table();
+    let table = Literal::usize_unsuffixed(kernels.table());
     let name = identifier(&spec.name);
     let heading = documented(&format!(
         "{}\n{} = `{}`\n",

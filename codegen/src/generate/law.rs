@@ -1,7 +1,7 @@
 //! Kernels of a law: its outputs with all first derivatives, over one lane and over rows of springs.
 
 use num_traits::ToPrimitive;
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Kernel;
@@ -67,7 +67,8 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
     let all = body(program);
     let names: Vec<&str> = program.outputs.iter().map(|output| output.name.as_str()).collect();
     let value_names: Vec<&str> = names.iter().copied().filter(|name| is_value(name)).collect();
-    let (value_count, count) = (value_names.len(), names.len());
+    let value_count = Literal::usize_unsuffixed(value_names.len());
+    let count = Literal::usize_unsuffixed(names.len());
     let input_rows: Vec<_> =
         law.inputs.iter().map(|input| format_ident!("{}_row", identifier(&input.name))).collect();
     let output_rows: Vec<_> =

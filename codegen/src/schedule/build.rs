@@ -101,9 +101,20 @@ impl Builder {
         operand
     }
 
-    /// A signed value as a plain operand.
+    /// A signed value as a plain operand; the sign of a multiple goes into its coefficient.
     pub(super) fn plain(&mut self, value: Signed) -> Operand {
-        if value.negative { self.emit(Operation::Neg(value.operand)) } else { value.operand }
+        let operation = match value.operand {
+            Operand::Value(place) if value.negative => match self.operations[place] {
+                Operation::Mul(other, Operand::Constant(c))
+                | Operation::Mul(Operand::Constant(c), other) => {
+                    Operation::Mul(other, Operand::Constant(-c))
+                }
+                _ => Operation::Neg(value.operand),
+            },
+            operand if value.negative => Operation::Neg(operand),
+            operand => return operand,
+        };
+        self.emit(operation)
     }
 
     pub(super) fn add(&mut self, a: Signed, b: Signed) -> Signed {

@@ -326,8 +326,7 @@ impl Lowering<'_> {
     }
 
     fn select(&mut self, mask: Operand, a: Signed, b: Signed) -> Signed {
-        let constant = |value: Signed| matches!(value.operand, Operand::Constant(_));
-        let negative = a.negative && (b.negative || constant(b)) || b.negative && constant(a);
+        let negative = a.negative && b.negative;
         let (a, b) = (a.negated_if(negative), b.negated_if(negative));
         let (a, b) = (self.builder.plain(a), self.builder.plain(b));
         Signed::plus(self.builder.emit(Operation::Select(mask, a, b))).negated_if(negative)
