@@ -3,5 +3,7 @@
 mod assembly;
 mod block;
 mod bodies;
+mod formulas;
+mod laws;
 mod reduction;
 mod twins;
