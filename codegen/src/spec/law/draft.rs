@@ -12,6 +12,9 @@ use crate::formula::{self, Formula};
 use crate::spec::read::{Document, Table, Value};
 use crate::units::{Dimension, Unit};
 
+/// Most bytes of a law file.
+const LONGEST: usize = 64 * 1024;
+
 /// A law file as it was written.
 pub(super) struct Draft {
     pub(super) file: Arc<Source>,
@@ -61,6 +64,10 @@ pub(super) struct Output {
 
 /// Reads the file; formulas are parsed but their names are not looked up yet.
 pub(super) fn read(file: &Arc<Source>) -> Result<Draft, Diagnostics> {
+    if file.text.len() > LONGEST {
+        let message = format!("a law file is at most {LONGEST} bytes long");
+        return Err(Diagnostic::new(file, Code::LIMIT, None, message).into());
+    }
     let document = Document::parse(file);
     if !document.is_toml() {
         return document.into_result(None);

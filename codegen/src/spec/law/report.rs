@@ -84,7 +84,7 @@ impl Break {
 /// are errors.
 pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
     let ranges = scan::ranges(law);
-    let lines = scan::lines(&ranges);
+    let lines = scan::lines(&ranges, scan::terms(law));
     let mut errors = Diagnostics::new();
     let mut outputs = Vec::new();
     for output in &law.outputs {

@@ -1,10 +1,12 @@
 //! Roots of polynomials with exact coefficients, to any precision.
 
+use std::collections::BTreeMap;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use crate::expression::{Graph, Id, Node, normal};
+use crate::expression::{Graph, Id, Node};
 
 /// Highest degree whose roots are looked for, and most bits of a coefficient: the numbers of Sturm's
 /// chain grow with both.
@@ -25,36 +27,66 @@ impl Polynomial {
         Polynomial { coefficients }
     }
 
-    /// The expression as a polynomial in `x`, if it is one.
-    pub(super) fn of(graph: &mut Graph, expression: Id, x: Id) -> Option<Self> {
-        let expanded = normal::expand(graph, expression);
-        if graph.exceeded() {
-            return None;
-        }
-        let mut coefficients: Vec<BigRational> = Vec::new();
-        for (term, coefficient) in graph.terms(expanded) {
-            let (degree, coefficient) = match graph.node(term) {
-                Node::Number(value) => (0, coefficient * value),
-                _ if term == x => (1, coefficient),
-                Node::Product(factors) if factors.len() == 1 && factors[0].0 == x => {
-                    let degree = &factors[0].1;
-                    let whole = degree.is_integer() && degree.is_positive();
-                    let degree: usize = whole.then(|| degree.to_integer().try_into().ok())??;
-                    (degree, coefficient)
+    /// The expression as a polynomial in `x`, if it is one of a degree and with coefficients within the
+    /// limits, and is built from such.
+    pub(super) fn of(graph: &Graph, expression: Id, x: Id) -> Option<Self> {
+        let mut known: BTreeMap<Id, Polynomial> = BTreeMap::new();
+        for id in graph.reachable(&[expression]) {
+            let constant = |value: &BigRational| Polynomial::new(vec![value.clone()]);
+            let polynomial = match graph.node(id) {
+                _ if id == x => Polynomial::new(vec![BigRational::zero(), BigRational::one()]),
+                Node::Number(value) => constant(value),
+                Node::Sum(terms) => {
+                    let mut sum = Polynomial::new(Vec::new());
+                    for (term, coefficient) in terms {
+                        sum = sum.plus(&known.get(term)?.times(&constant(coefficient))?);
+                    }
+                    sum
+                }
+                Node::Product(factors) => {
+                    let mut product = constant(&BigRational::one());
+                    for (base, exponent) in factors {
+                        let whole = exponent.is_integer() && exponent.is_positive();
+                        let count = exponent.to_integer().to_usize().filter(|_| whole)?;
+                        if count > HIGHEST_DEGREE {
+                            return None;
+                        }
+                        for _ in 0..count {
+                            product = product.times(known.get(base)?)?;
+                        }
+                    }
+                    product
                 }
                 _ => return None,
             };
-            if degree > HIGHEST_DEGREE {
-                return None;
+            known.insert(id, polynomial);
+        }
+        known.remove(&expression)
+    }
+
+    fn plus(&self, other: &Polynomial) -> Polynomial {
+        let length = self.coefficients.len().max(other.coefficients.len());
+        let zero = BigRational::zero();
+        let at = |p: &Polynomial, i: usize| p.coefficients.get(i).unwrap_or(&zero).clone();
+        Polynomial::new((0..length).map(|i| at(self, i) + at(other, i)).collect())
+    }
+
+    /// The product, unless it is beyond the limits.
+    fn times(&self, other: &Polynomial) -> Option<Polynomial> {
+        if self.is_zero() || other.is_zero() {
+            return Some(Polynomial::new(Vec::new()));
+        }
+        if self.degree() + other.degree() > HIGHEST_DEGREE {
+            return None;
+        }
+        let mut product = vec![BigRational::zero(); self.degree() + other.degree() + 1];
+        for (i, a) in self.coefficients.iter().enumerate() {
+            for (j, b) in other.coefficients.iter().enumerate() {
+                product[i + j] += a * b;
             }
-            if coefficients.len() <= degree {
-                coefficients.resize(degree + 1, BigRational::zero());
-            }
-            coefficients[degree] += coefficient;
         }
         let bits = |c: &BigRational| c.numer().bits().max(c.denom().bits());
-        let short = coefficients.iter().all(|c| bits(c) <= MOST_BITS);
-        short.then(|| Polynomial::new(coefficients))
+        product.iter().all(|c| bits(c) <= MOST_BITS).then(|| Polynomial::new(product))
     }
 
     /// Slope and root of a polynomial of degree 1.
@@ -219,10 +251,12 @@ mod tests {
         let one = graph.integer(1);
         let sum = graph.add(x, one);
         let cube = graph.power(sum, exact(3, 1));
-        assert_eq!(Polynomial::of(&mut graph, cube, x), Some(polynomial(&[1, 3, 3, 1])));
+        assert_eq!(Polynomial::of(&graph, cube, x), Some(polynomial(&[1, 3, 3, 1])));
         let mixed = graph.mul(x, y);
-        assert_eq!(Polynomial::of(&mut graph, mixed, x), None);
+        assert_eq!(Polynomial::of(&graph, mixed, x), None);
+        let tower = graph.power(cube, exact(100, 1));
+        assert_eq!(Polynomial::of(&graph, tower, x), None);
         let root = graph.sqrt(x);
-        assert_eq!(Polynomial::of(&mut graph, root, x), None);
+        assert_eq!(Polynomial::of(&graph, root, x), None);
     }
 }

@@ -8,11 +8,15 @@ use crate::expression::Node;
 use crate::formula::{Formula, Kind, Side, Term};
 use crate::units::nearest;
 
-/// Points along a line, and values of each other input, where an input varies alone.
+/// Most points along a line, and values of each other input, where an input varies alone.
 const POINTS: usize = 1001;
 const LEVELS: usize = 3;
 /// Most lines an input.
 const LINES: usize = 81;
+/// Fewest points along a line, and most terms to evaluate along all lines: bounds the time that a long law
+/// takes.
+const FEWEST_POINTS: usize = 11;
+const MOST_TERMS: usize = 2_000_000;
 
 /// Points that differ in one input only.
 pub(super) struct Line {
@@ -81,14 +85,17 @@ fn thresholds(law: &LawSpec, input: usize) -> Vec<f64> {
 }
 
 /// Lines through the ranges: every input in turn, the others at their ends and middles.
-pub(super) fn lines(ranges: &[[f64; 2]]) -> Vec<Line> {
+/// `terms`: how many terms an evaluation costs.
+pub(super) fn lines(ranges: &[[f64; 2]], terms: usize) -> Vec<Line> {
     let mut lines = Vec::new();
+    let combinations = (1..ranges.len()).fold(1_usize, |n, _| n.saturating_mul(LEVELS)).min(LINES);
+    let affordable = MOST_TERMS / (terms.max(1) * combinations * ranges.len().max(1));
+    let count = affordable.clamp(FEWEST_POINTS, POINTS);
     for input in 0..ranges.len() {
         let [low, high] = ranges[input];
-        let step = |i: usize| i as f64 / (POINTS - 1) as f64;
-        let points: Vec<f64> = (0..POINTS).map(|i| low + (high - low) * step(i)).collect();
-        let combinations = (1..ranges.len()).fold(1_usize, |n, _| n.saturating_mul(LEVELS));
-        for line in 0..combinations.min(LINES) {
+        let step = |i: usize| i as f64 / (count - 1) as f64;
+        let points: Vec<f64> = (0..count).map(|i| low + (high - low) * step(i)).collect();
+        for line in 0..combinations {
             let mut digits = line;
             let rest = (ranges.iter().enumerate())
                 .map(|(other, [low, high])| {
@@ -104,6 +111,22 @@ pub(super) fn lines(ranges: &[[f64; 2]]) -> Vec<Line> {
         }
     }
     lines
+}
+
+/// How many terms an evaluation of a law costs.
+pub(super) fn terms(law: &LawSpec) -> usize {
+    let outputs = law.outputs.iter().flat_map(|output| &output.pieces);
+    let conditions = outputs.clone().filter_map(|piece| match &piece.when {
+        Some(Condition::Formula(formula)) => Some(formula),
+        _ => None,
+    });
+    let values = outputs.map(|piece| &piece.value);
+    let definitions = law.definitions.iter().map(|definition| &definition.formula);
+    let mut terms = law.inputs.len() + law.parameters.len();
+    for formula in conditions.chain(values).chain(definitions) {
+        formula.root.visit(&mut |_| terms += 1);
+    }
+    terms
 }
 
 /// Neighbouring numbers between `low` and `high` of which `holds` is true and false; it is true of `low`
