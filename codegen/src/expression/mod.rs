@@ -12,6 +12,7 @@ mod node;
 pub mod normal;
 mod scalar;
 mod signature;
+mod substitute;
 
 pub use differentiate::DifferentiateError;
 pub use display::display;

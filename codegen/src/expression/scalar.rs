@@ -107,13 +107,17 @@ impl Graph {
             for base in splitting {
                 let exponent = parts.remove(&base).expect("just listed");
                 match self.node(base).clone() {
-                    Node::Number(value) => match self.number_power(&value, &exponent) {
-                        Some(power) => coefficient *= power,
-                        None => {
-                            self.overflow();
-                            return self.integer(1);
+                    Node::Number(value) => {
+                        let (whole, rest) = self.split_power(&value, &exponent);
+                        match self.number_power(&value, &whole) {
+                            Some(power) => coefficient *= power,
+                            None => {
+                                self.overflow();
+                                return self.integer(1);
+                            }
                         }
-                    },
+                        open.extend((!rest.1.is_zero()).then_some(rest));
+                    }
                     Node::Product(inner) => {
                         open.extend(inner.into_iter().map(|(b, e)| (b, e * &exponent)));
                     }
@@ -141,7 +145,9 @@ impl Graph {
                 if exponent.is_integer() {
                     !(value.is_zero() && exponent.is_negative())
                 } else {
-                    value.is_one() || is_half(exponent) && root(value).is_some()
+                    value.is_one()
+                        || is_half(exponent) && root(value).is_some()
+                        || value.is_positive() && !is_proper(exponent)
                 }
             }
             Node::Product(_) => exponent.is_integer(),
@@ -150,6 +156,18 @@ impl Graph {
             }
             _ => false,
         }
+    }
+
+    /// The exponent that can be taken of a number exactly, and what is left as base and exponent, so that
+    /// equal roots of a number are equal nodes: 3^(−1/2) = 3⁻¹·3^(1/2), 3^(3/2) = 3·3^(1/2).
+    fn split_power(&mut self, value: &Rational, exponent: &Rational) -> (Rational, (Id, Rational)) {
+        let one = self.integer(1);
+        if exponent.is_integer() || value.is_one() || is_half(exponent) && root(value).is_some() {
+            return (exponent.clone(), (one, Rational::zero()));
+        }
+        let whole = exponent.floor();
+        let base = self.number(value.clone());
+        (whole.clone(), (base, exponent - whole))
     }
 
     /// value^exponent where it is exact; `None` past the bounds.
@@ -286,6 +304,11 @@ impl Graph {
         }
         if a == b { a } else { self.intern(Node::Select(mask, a, b)) }
     }
+}
+
+/// Between 0 and 1.
+fn is_proper(exponent: &Rational) -> bool {
+    exponent.is_positive() && *exponent < Rational::one()
 }
 
 fn is_half(exponent: &Rational) -> bool {

@@ -1,0 +1,8 @@
+//! Finite elements: reference cells, shape functions, quadrature, and the proofs that they are sound.
+
+mod cell;
+pub mod exact;
+pub mod quadrature;
+
+pub use cell::Cell;
+pub use quadrature::{Point, Quadrature};
