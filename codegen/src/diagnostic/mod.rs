@@ -62,6 +62,14 @@ impl Code {
     pub const DERIVATIVE: Code = Code("E040");
     /// Something declared that does not follow from the rest of the file.
     pub const PROOF: Code = Code("E041");
+    /// Shape functions that do not sum to one, interpolate the nodes or reproduce the coordinates.
+    pub const SHAPE_FUNCTION: Code = Code("E050");
+    /// A quadrature rule that does not fit the cell or does not have its degree.
+    pub const QUADRATURE: Code = Code("E051");
+    /// Enhanced modes that do work against a constant stress.
+    pub const PATCH_TEST: Code = Code("E052");
+    /// A form that is not bilinear in u and v, or that the enhanced modes cannot be condensed out of.
+    pub const FORM: Code = Code("E053");
 }
 
 impl fmt::Display for Code {

@@ -97,8 +97,7 @@ impl Cell {
             // ∫ ζᵏ (1 − ζ)^{i+j+2} dζ is a beta function.
             Cell::Pyramid => {
                 let width = i + j + 2;
-                let beta =
-                    Rational::new(factorial(k) * factorial(width), factorial(k + width + 1));
+                let beta = Rational::new(factorial(k) * factorial(width), factorial(k + width + 1));
                 line(i) * line(j) * beta
             }
         }
@@ -137,7 +136,8 @@ mod tests {
                 assert_eq!(cell.monomial(powers), &exact * centre, "{name}");
             }
             assert!(cell.contains(&cell.centre()));
-            let outside = [Rational::one(), Rational::one(), Rational::new(1001.into(), 1000.into())];
+            let outside =
+                [Rational::one(), Rational::one(), Rational::new(1001.into(), 1000.into())];
             assert!(!cell.contains(&outside), "{name}");
         }
     }

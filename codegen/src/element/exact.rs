@@ -86,7 +86,8 @@ fn fraction(graph: &mut Graph, id: Id) -> (Id, Id) {
                         (above, below) = (below, above);
                     }
                     let exponent = exponent.abs();
-                    let (above, below) = (graph.power(above, exponent.clone()), graph.power(below, exponent));
+                    let (above, below) =
+                        (graph.power(above, exponent.clone()), graph.power(below, exponent));
                     product = (graph.mul(product.0, above), graph.mul(product.1, below));
                 }
                 product

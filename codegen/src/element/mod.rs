@@ -2,7 +2,9 @@
 
 mod cell;
 pub mod exact;
+mod prove;
 pub mod quadrature;
 
 pub use cell::Cell;
+pub use prove::prove;
 pub use quadrature::{Point, Quadrature};

@@ -28,6 +28,8 @@ pub struct Quadrature {
     pub points: Vec<Point>,
     /// Every monomial up to this total degree is integrated exactly.
     pub degree: u32,
+    /// Where it stands in the file.
+    pub place: std::ops::Range<usize>,
 }
 
 /// A monomial that a rule should integrate and does not.
@@ -48,7 +50,11 @@ impl DegreeFailure {
             .iter()
             .zip(self.powers)
             .filter(|(_, power)| *power > 0)
-            .map(|(name, power)| if power == 1 { name.to_string() } else { format!("{name}^{power}") })
+            .map(
+                |(name, power)| {
+                    if power == 1 { name.to_string() } else { format!("{name}^{power}") }
+                },
+            )
             .collect();
         if factors.is_empty() { "1".to_owned() } else { factors.join("*") }
     }
@@ -70,7 +76,12 @@ impl Quadrature {
         Ok(())
     }
 
-    fn integrates(&self, graph: &mut Graph, cell: Cell, powers: [u32; 3]) -> Result<(), DegreeFailure> {
+    fn integrates(
+        &self,
+        graph: &mut Graph,
+        cell: Cell,
+        powers: [u32; 3],
+    ) -> Result<(), DegreeFailure> {
         let mut terms = vec![(graph.integer(0), Rational::one())];
         for point in &self.points {
             let mut factors = vec![(point.weight, Rational::one())];
@@ -184,7 +195,7 @@ mod tests {
     fn proven(cell: Cell, rules: &[&str], degree: u32) -> Result<(), String> {
         let mut graph = Graph::new();
         let points = product(&mut graph, rules).expect("a rule");
-        let rule = Quadrature { title: rules.join(" × "), points, degree };
+        let rule = Quadrature { title: rules.join(" × "), points, degree, place: 0..0 };
         rule.prove(&mut graph, cell).map_err(|failure| {
             format!("{}: {} instead of {}", failure.monomial(), failure.found, failure.exact)
         })

@@ -21,11 +21,9 @@ impl Graph {
 
     fn rebuild(&mut self, id: Id, of: &BTreeMap<Id, Id>) -> Id {
         match self.node(id).clone() {
-            Node::Number(_)
-            | Node::Zero(_)
-            | Node::Identity
-            | Node::Symbol(_)
-            | Node::Truth(_) => id,
+            Node::Number(_) | Node::Zero(_) | Node::Identity | Node::Symbol(_) | Node::Truth(_) => {
+                id
+            }
             Node::Sum(terms) => {
                 let terms: Vec<_> = terms.into_iter().map(|(term, c)| (of[&term], c)).collect();
                 self.sum(&terms)

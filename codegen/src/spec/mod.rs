@@ -2,6 +2,7 @@
 
 pub mod clearance;
 mod document;
+pub mod element;
 pub mod law;
 pub mod motion;
 pub mod read;

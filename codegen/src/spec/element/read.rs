@@ -1,0 +1,402 @@
+//! File → element.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use num_traits::{One, ToPrimitive};
+
+use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode};
+use crate::diagnostic::{Code, Diagnostics, Located, Source, suggest};
+use crate::element::{Cell, Point, Quadrature, quadrature};
+use crate::expression::{Graph, Id, Rational};
+use crate::formula::{lower, parse};
+use crate::spec::read::{Document, Item, Table, Value};
+
+/// Most nodes of an element, points of a rule, and modes: far above any element in use.
+const MOST: usize = 64;
+
+/// Highest degree of a rule that is proved.
+const HIGHEST_DEGREE: usize = 12;
+
+pub(super) fn read(file: &Arc<Source>) -> Result<ElementSpec, Diagnostics> {
+    let document = Document::parse(file);
+    if !document.is_toml() {
+        return document.into_result(None);
+    }
+    let mut graph = Graph::new();
+    let coordinates = ["xi", "eta", "zeta"].map(|name| graph.scalar(name));
+    let mut reader = Reader { document: &document, graph, coordinates };
+    let element = reader.element(file);
+    document.into_result(element)
+}
+
+struct Reader<'d> {
+    document: &'d Document<'d>,
+    graph: Graph,
+    coordinates: [Id; 3],
+}
+
+impl<'d> Reader<'d> {
+    fn element(&mut self, file: &Arc<Source>) -> Option<ElementSpec> {
+        let document = self.document;
+        let root = document.root();
+        root.word("kind", &["element"]);
+        let (name, title) = (root.string("name"), root.string("title"));
+        let reference = root.string("source");
+        if let Some(name) = &name {
+            self.check_name(name);
+        }
+        let cell = root.word("cell", &Cell::NAMES).and_then(Cell::named);
+        let nodes = self.nodes(&root);
+        let shape = nodes.as_deref().and_then(|nodes| self.shape(&root, nodes));
+        let quadrature = root.table("quadrature");
+        let (rule, rules) = match (&quadrature, cell) {
+            (Some(table), Some(cell)) => (self.rule(table, cell), self.rules(table, cell)),
+            _ => (None, BTreeMap::new()),
+        };
+        if let (Some(table), Some(_)) = (quadrature, cell) {
+            table.finish();
+        }
+        let enhanced = root.optional_table("enhanced").map(|table| self.enhanced(table));
+        let count = nodes.as_ref().map_or(0, Vec::len);
+        let abaqus = root.table("abaqus").and_then(|table| self.abaqus(table, count));
+        let vtk = root.table("vtk").and_then(|table| self.vtk(table, count));
+        root.finish();
+        if document.has_errors() {
+            return None;
+        }
+        let ((abaqus, abaqus_order), (vtk, vtk_order)) = (abaqus?, vtk?);
+        let enhanced = match enhanced {
+            Some(enhanced) => Some(enhanced?),
+            None => None,
+        };
+        Some(ElementSpec {
+            name: name?.text().to_owned(),
+            title: title?.text().to_owned(),
+            reference: reference?.text().to_owned(),
+            file: file.clone(),
+            cell: cell?,
+            graph: std::mem::take(&mut self.graph),
+            coordinates: self.coordinates,
+            nodes: nodes?,
+            shape: shape?,
+            enhanced,
+            quadrature: rule?,
+            quadrature_of: rules,
+            abaqus,
+            abaqus_order,
+            vtk,
+            vtk_order,
+        })
+    }
+
+    fn check_name(&self, name: &Located) {
+        let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
+        if name.text().is_empty() || !name.text().chars().all(fine) {
+            let message = "an element's name is made of letters, digits, `-` and `_`";
+            self.document.push(name.error_here(Code::BAD_NAME, message));
+        }
+    }
+
+    /// Adds a formula over `names` to the graph.
+    fn formula(&mut self, text: &Located, names: &BTreeMap<String, Id>) -> Option<Id> {
+        let lowered = parse(text).and_then(|formula| lower(&formula, &mut self.graph, names));
+        let id = lowered.map_err(|errors| self.document.append(errors)).ok()?;
+        if self.graph.shape(id) != crate::expression::Shape::Scalar {
+            let message = "expected a number, found a condition";
+            self.document.push(text.error_here(Code::SHAPE, message));
+            return None;
+        }
+        Some(id)
+    }
+
+    /// An exact number: a literal, or a formula without names.
+    fn constant(&mut self, value: &Value<'_>) -> Option<Id> {
+        match value {
+            Value::Number(number, _) => Some(self.graph.number(number.clone())),
+            Value::String(text) => self.formula(text, &BTreeMap::new()),
+            other => {
+                let message = "expected a number or a formula such as '1/sqrt(3)'";
+                self.error(Code::BAD_VALUE, other.span(), message.to_owned());
+                None
+            }
+        }
+    }
+
+    fn error(&self, code: Code, span: Range<usize>, message: String) {
+        self.document.root().error(code, span, message);
+    }
+
+    /// The elements of an array of `count` values; another type or length is an error that says `wanted`.
+    fn array<'i>(&self, item: &Item<'i>, count: usize, wanted: &str) -> Option<Vec<Value<'i>>> {
+        match item.value() {
+            Value::Array(items, _) if items.len() == count => {
+                Some(items.iter().map(Item::value).collect())
+            }
+            other => {
+                self.error(Code::BAD_VALUE, other.span(), format!("expected {wanted}"));
+                None
+            }
+        }
+    }
+
+    fn nodes(&mut self, root: &Table<'_>) -> Option<Vec<ReferenceNode>> {
+        let items = self.bounded(root, "nodes", root.items("nodes")?)?;
+        let mut nodes = Vec::with_capacity(items.len());
+        for item in &items {
+            let Some(values) = self.array(item, 3, "three coordinates, such as [-1, 0, 1]") else {
+                continue;
+            };
+            let numbers: Option<Vec<Id>> =
+                values.iter().map(|value| self.constant(value)).collect();
+            let Some(numbers) = numbers else { continue };
+            let exact: Vec<Rational> =
+                numbers.iter().filter_map(|id| self.graph.as_number(*id).cloned()).collect();
+            match <[Rational; 3]>::try_from(exact) {
+                Ok(at) => nodes.push(ReferenceNode { at, place: item.value().span() }),
+                Err(_) => {
+                    let message = "coordinates of nodes are rational numbers".to_owned();
+                    self.error(Code::BAD_VALUE, item.value().span(), message);
+                }
+            }
+        }
+        (nodes.len() == items.len()).then_some(nodes)
+    }
+
+    fn bounded<'i>(
+        &self,
+        table: &Table<'_>,
+        key: &str,
+        items: Vec<Item<'i>>,
+    ) -> Option<Vec<Item<'i>>> {
+        if items.is_empty() || items.len() > MOST {
+            let span = table.value(key).map_or(table.span(), |value| value.span());
+            let message = format!("`{key}` must have 1 to {MOST} entries, not {}", items.len());
+            self.error(Code::BAD_VALUE, span, message);
+            return None;
+        }
+        Some(items)
+    }
+
+    /// The names of a formula over ξ, η, ζ.
+    fn names(&self) -> BTreeMap<String, Id> {
+        let names = ["xi", "eta", "zeta"].map(str::to_owned);
+        names.into_iter().zip(self.coordinates).collect()
+    }
+
+    fn function(&mut self, text: &Located, names: &BTreeMap<String, Id>) -> Option<Function> {
+        let value = self.formula(text, names)?;
+        let mut gradient = [value; 3];
+        for (slope, coordinate) in gradient.iter_mut().zip(self.coordinates) {
+            match self.graph.differentiate(value, coordinate) {
+                Ok(derivative) => *slope = derivative,
+                Err(error) => {
+                    self.document.push(text.error_here(Code::DERIVATIVE, error.to_string()));
+                    return None;
+                }
+            }
+        }
+        Some(Function { value, gradient, text: text.clone() })
+    }
+
+    fn shape(&mut self, root: &Table<'_>, nodes: &[ReferenceNode]) -> Option<Vec<Function>> {
+        let texts = match root.value("shape") {
+            Some(Value::String(text)) => vec![text; nodes.len()],
+            Some(Value::Array(items, span)) => {
+                let texts = self.texts(&items, "a formula")?;
+                if texts.len() != nodes.len() {
+                    let message =
+                        format!("`shape` has {} formulas for {} nodes", texts.len(), nodes.len());
+                    self.error(Code::SHAPE_FUNCTION, span, message);
+                    return None;
+                }
+                texts
+            }
+            _ => {
+                root.string("shape");
+                return None;
+            }
+        };
+        let mut functions = Vec::with_capacity(nodes.len());
+        for (node, text) in nodes.iter().zip(&texts) {
+            let mut names = self.names();
+            for (name, at) in ["xi_a", "eta_a", "zeta_a"].iter().zip(&node.at) {
+                names.insert((*name).to_owned(), self.graph.number(at.clone()));
+            }
+            // A formula for all nodes that is wrong is reported once.
+            functions.push(self.function(text, &names)?);
+        }
+        Some(functions)
+    }
+
+    fn texts(&self, items: &[Item<'_>], wanted: &str) -> Option<Vec<Located>> {
+        let texts = items.iter().map(|item| match item.value() {
+            Value::String(text) => Some(text),
+            other => {
+                self.error(Code::BAD_VALUE, other.span(), format!("expected {wanted}"));
+                None
+            }
+        });
+        texts.collect()
+    }
+
+    fn rule(&mut self, table: &Table<'_>, cell: Cell) -> Option<Quadrature> {
+        let degree = table.count("degree");
+        if let (Some(degree), Some(value)) =
+            (degree.filter(|degree| *degree > HIGHEST_DEGREE), table.value("degree"))
+        {
+            let message = format!("a degree is at most {HIGHEST_DEGREE}, not {degree}");
+            self.error(Code::BAD_VALUE, value.span(), message);
+            return None;
+        }
+        let degree = degree.and_then(|degree| degree.to_u32());
+        let (title, points, place) = if table.has("points") {
+            let items = self.bounded(table, "points", table.items("points")?)?;
+            let place = table.value("points")?.span();
+            (format!("{} points", items.len()), self.points(&items)?, place)
+        } else {
+            let place = table.value("rule").map_or(table.span(), |value| value.span());
+            let names = self.texts(&table.items("rule")?, "a rule such as \"gauss(2)\"")?;
+            let points = self.product(&names, cell, place.clone())?;
+            let names: Vec<&str> = names.iter().map(Located::text).collect();
+            (names.join(" × "), points, place)
+        };
+        Some(Quadrature { title, points, degree: degree?, place })
+    }
+
+    fn points(&mut self, items: &[Item<'_>]) -> Option<Vec<Point>> {
+        let mut points = Vec::with_capacity(items.len());
+        for item in items {
+            let values = self.array(item, 4, "three coordinates and a weight")?;
+            let numbers: Option<Vec<Id>> =
+                values.iter().map(|value| self.constant(value)).collect();
+            let [xi, eta, zeta, weight] = numbers?.try_into().ok()?;
+            points.push(Point { at: [xi, eta, zeta], weight });
+        }
+        Some(points)
+    }
+
+    fn product(
+        &mut self,
+        names: &[Located],
+        cell: Cell,
+        place: Range<usize>,
+    ) -> Option<Vec<Point>> {
+        let known = quadrature::names();
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        let mut families = Vec::new();
+        for name in names {
+            match quadrature::family(name.text()) {
+                Some(family) => families.push(family),
+                None => {
+                    let message = format!("there is no rule `{}`", name.text());
+                    let error = name.error_here(Code::QUADRATURE, message);
+                    self.document.push(error.maybe_help(suggest(name.text(), &known)));
+                }
+            }
+        }
+        if families.len() < names.len() {
+            return None;
+        }
+        if families != cell.families() {
+            let wanted: Vec<String> =
+                cell.families().iter().map(|f| format!("\"{f}(…)\"")).collect();
+            let message = match wanted.is_empty() {
+                true => format!("a {} has no product rule; give its `points`", cell.name()),
+                false => format!("the rule of a {} is [{}]", cell.name(), wanted.join(", ")),
+            };
+            self.error(Code::QUADRATURE, place, message);
+            return None;
+        }
+        let names: Vec<&str> = names.iter().map(Located::text).collect();
+        quadrature::product(&mut self.graph, &names)
+    }
+
+    fn rules(&mut self, table: &Table<'_>, cell: Cell) -> BTreeMap<String, Quadrature> {
+        let mut rules = BTreeMap::new();
+        let Some(forms) = table.optional_table("forms") else { return rules };
+        for form in forms.names() {
+            let Some(entry) = forms.table(form.text()) else { continue };
+            if let Some(rule) = self.rule(&entry, cell) {
+                rules.insert(form.text().to_owned(), rule);
+            }
+            entry.finish();
+        }
+        forms.finish();
+        rules
+    }
+
+    fn enhanced(&mut self, table: Table<'_>) -> Option<Enhanced> {
+        let forms = table.items("forms").and_then(|items| self.texts(&items, "a form's name"));
+        let modes = table.items("modes").and_then(|items| self.bounded(&table, "modes", items));
+        let modes = modes.and_then(|items| self.texts(&items, "a formula"));
+        let names = self.names();
+        let modes: Option<Vec<Function>> =
+            modes.and_then(|texts| texts.iter().map(|text| self.function(text, &names)).collect());
+        let jacobian = match table.word("jacobian", &["centre", "point"]) {
+            Some("centre") => Some(ModeJacobian::Centre),
+            Some(_) => Some(ModeJacobian::Point),
+            None => None,
+        };
+        let (det, det0) = (self.graph.scalar("det"), self.graph.scalar("det0"));
+        let names = BTreeMap::from([("det".to_owned(), det), ("det0".to_owned(), det0)]);
+        let text = table.optional_string("scale");
+        let scale_place =
+            text.as_ref().map_or(table.span(), |text| text.place(0..text.text().len()));
+        let scale = match &text {
+            Some(text) => self.formula(text, &names),
+            None => Some(self.graph.number(Rational::one())),
+        };
+        table.finish();
+        let (forms, modes, jacobian, scale) = (forms?, modes?, jacobian?, scale?);
+        Some(Enhanced { modes, jacobian, scale, scale_place, det, det0, forms })
+    }
+
+    fn abaqus(&self, table: Table<'_>, nodes: usize) -> Option<(Vec<Located>, Vec<usize>)> {
+        let types = table.items("types").and_then(|items| self.texts(&items, "an element type"));
+        let order = self.order(&table, nodes);
+        table.finish();
+        Some((types?, order?))
+    }
+
+    fn vtk(&self, table: Table<'_>, nodes: usize) -> Option<(u8, Vec<usize>)> {
+        let kind = table.count("type").and_then(|kind| {
+            let small = kind.to_u8();
+            if small.is_none() {
+                let span = table.value("type").map_or(table.span(), |value| value.span());
+                self.error(Code::BAD_VALUE, span, "a VTK cell type is below 256".to_owned());
+            }
+            small
+        });
+        let order = self.order(&table, nodes);
+        table.finish();
+        Some((kind?, order?))
+    }
+
+    /// A permutation of the nodes, from 1 in the file and from 0 here; the identity if there is none.
+    fn order(&self, table: &Table<'_>, nodes: usize) -> Option<Vec<usize>> {
+        if !table.has("order") {
+            return Some((0..nodes).collect());
+        }
+        let items = table.optional_items("order")?;
+        let mut order = Vec::with_capacity(nodes);
+        for item in &items {
+            match item.value() {
+                Value::Number(number, _) if number.is_integer() => {
+                    order.extend(number.to_usize().and_then(|place| place.checked_sub(1)));
+                }
+                _ => {}
+            }
+        }
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        if items.len() == nodes && sorted.into_iter().eq(0..nodes) {
+            return Some(order);
+        }
+        let span = table.value("order").map_or(table.span(), |value| value.span());
+        let message = format!("`order` must name every node from 1 to {nodes} once");
+        self.error(Code::BAD_VALUE, span, message);
+        None
+    }
+}
