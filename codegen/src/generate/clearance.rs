@@ -213,7 +213,11 @@ fn program(spec: &ClearanceSpec, derived: Derived) -> Result<(Program, Vec<Sum>)
         Stage::new("spring", &[TABLE, EACH_RING], SPRINGS),
         Stage::new("after", &[EACH_RING], 1.0),
     ];
-    let request = Request { stages, inputs, outputs, names: named(&spec.definitions) };
+    let mut names = named(&spec.definitions);
+    for (coordinate, slope) in spec.ring.iter().zip(&derived.gradient) {
+        names.push((*slope, format!("d{}_d{}", spec.clearance, coordinate.name)));
+    }
+    let request = Request { stages, inputs, outputs, names };
     let program = schedule(&mut graph, &request)?;
     Ok((program, sums.into_iter().map(|(sum, ..)| sum).collect()))
 }

@@ -11,7 +11,7 @@ mod sum;
 #[cfg(test)]
 mod tests;
 
-use crate::expression::{Graph, Id, Shape};
+use crate::expression::{Graph, Id, Shape, normal};
 
 use lower::Lowered;
 pub use program::{
@@ -20,26 +20,99 @@ pub use program::{
 pub use request::{Input, Output, Request, ScheduleError};
 pub use sum::take_out;
 
-/// The program that computes the outputs of a request: of the sums as written and the factored sums,
-/// whichever runs cheaper.
+/// The program that computes the outputs of a request: of several ways to write each output, all equal,
+/// those that together run cheapest.
 pub fn schedule(graph: &mut Graph, request: &Request) -> Result<Program, ScheduleError> {
-    let written: Vec<Id> = request.outputs.iter().map(|output| output.expression).collect();
     only_scalars(graph, request)?;
-    let plain = assemble(request, lower::lower(graph, request, &written, &request.names)?);
-
-    let mut roots = written.clone();
-    roots.extend(request.names.iter().map(|(id, _)| *id));
-    let rewritten = factor::factor(graph, request, &roots);
-    let factored: Vec<Id> = written.iter().map(|id| rewritten[id]).collect();
-    let names: Vec<_> =
-        request.names.iter().map(|(id, name)| (rewritten[id], name.clone())).collect();
-    same_meaning(graph, request, &factored)?;
-    let factored = assemble(request, lower::lower(graph, request, &factored, &names)?);
-
+    let ways = ways(graph, request)?;
+    let program = cheapest(graph, request, &ways)?;
     if graph.exceeded() {
         return Err(ScheduleError::Exceeded);
     }
-    Ok(if factored.cost() < plain.cost() { factored } else { plain })
+    Ok(program)
+}
+
+/// One way to write all outputs, with the names that then belong to values inside.
+struct Way {
+    outputs: Vec<Id>,
+    names: Vec<(Id, String)>,
+}
+
+/// As written; factored; and, where there are stages to hoist to, multiplied out and factored anew.
+fn ways(graph: &mut Graph, request: &Request) -> Result<Vec<Way>, ScheduleError> {
+    let written = Way {
+        outputs: request.outputs.iter().map(|output| output.expression).collect(),
+        names: request.names.clone(),
+    };
+    let mut ways = vec![factored(graph, request, &written)?];
+    if request.stages.len() > 1
+        && let Some(expanded) = expanded(graph, &written)
+    {
+        ways.push(factored(graph, request, &expanded)?);
+    }
+    ways.insert(0, written);
+    Ok(ways)
+}
+
+fn factored(graph: &mut Graph, request: &Request, way: &Way) -> Result<Way, ScheduleError> {
+    let mut roots = way.outputs.clone();
+    roots.extend(way.names.iter().map(|(id, _)| *id));
+    let new = factor::factor(graph, request, &roots);
+    let outputs: Vec<Id> = way.outputs.iter().map(|id| new[id]).collect();
+    same_meaning(graph, request, &outputs)?;
+    let names = way.names.iter().map(|(id, name)| (new[id], name.clone())).collect();
+    Ok(Way { outputs, names })
+}
+
+/// Multiplied out, unless that grows beyond all use.
+fn expanded(graph: &mut Graph, way: &Way) -> Option<Way> {
+    let mut trial = graph.clone();
+    let mut outputs = Vec::with_capacity(way.outputs.len());
+    for output in &way.outputs {
+        outputs.push(normal::expand(&mut trial, *output));
+        if trial.exceeded() || trial.len() > graph.len() + EXPANSION {
+            return None;
+        }
+    }
+    *graph = trial;
+    Some(Way { outputs, names: way.names.clone() })
+}
+
+/// Most nodes that multiplying out may add.
+const EXPANSION: usize = 100_000;
+/// Most instructions × outputs for which each output's way is chosen by itself.
+const CHOICES: usize = 200_000;
+
+/// Begins with the cheapest way for all outputs, then changes single outputs while that is cheaper.
+fn cheapest(graph: &Graph, request: &Request, ways: &[Way]) -> Result<Program, ScheduleError> {
+    let names: Vec<(Id, String)> = ways.iter().flat_map(|way| way.names.clone()).collect();
+    let program = |outputs: &[Id]| {
+        lower::lower(graph, request, outputs, &names).map(|lowered| assemble(request, lowered))
+    };
+    let (mut outputs, mut best) = (ways[0].outputs.clone(), program(&ways[0].outputs)?);
+    for way in &ways[1..] {
+        let other = program(&way.outputs)?;
+        if other.cost() < best.cost() {
+            (outputs, best) = (way.outputs.clone(), other);
+        }
+    }
+    if outputs.len() == 1 || best.instructions.len() * outputs.len() > CHOICES {
+        return Ok(best);
+    }
+    for place in 0..outputs.len() {
+        for way in ways {
+            let before = std::mem::replace(&mut outputs[place], way.outputs[place]);
+            if before != outputs[place] {
+                let other = program(&outputs)?;
+                if other.cost() < best.cost() {
+                    best = other;
+                } else {
+                    outputs[place] = before;
+                }
+            }
+        }
+    }
+    Ok(best)
 }
 
 fn only_scalars(graph: &Graph, request: &Request) -> Result<(), ScheduleError> {

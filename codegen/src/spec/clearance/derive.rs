@@ -27,6 +27,8 @@ pub struct Derived {
     pub dq_dh_dot: Id,
     /// a1 of the time integration, ∂q̇/∂q.
     pub a1: Id,
+    /// ∂h/∂q of the ring coordinates and of the spring's own, in this order.
+    pub gradient: Vec<Id>,
     /// ḣ.
     pub h_dot: Id,
     /// Generalised forces.
@@ -111,6 +113,7 @@ pub(super) fn derive(spec: &ClearanceSpec) -> Result<Derived, Diagnostics> {
         dq_dh,
         dq_dh_dot,
         a1,
+        gradient,
         h_dot,
         force: Force { ring: ring(&forces), radial: forces[RING] },
         tangent: Tangent {
