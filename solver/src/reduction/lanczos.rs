@@ -4,9 +4,11 @@
 //! With A = K + sM these are the lowest ω² = 1/θ − s of K x = ω² M x. Source: Grimes, Lewis, Simon,
 //! SIAM J. Matrix Anal. Appl. 15 (1994) 228–272; restarts: Wu, Simon, ibid. 22 (2000) 602–616.
 
+use std::ops::Range;
+
 use crate::linalg::{
-    Cholesky, LinearAlgebraError, Matrix, SparseCholesky, multiply, multiply_add, symmetric_eigen,
-    transpose_multiply,
+    Cholesky, Columns, LinearAlgebraError, Matrix, SparseCholesky, dot, multiply, multiply_add,
+    symmetric_eigen, transpose_multiply,
 };
 
 use crate::sparse::SparseMatrix;
@@ -47,8 +49,12 @@ pub(super) struct Lanczos<'a> {
     projected: Matrix,
     /// Columns of V to which A⁻¹M has been applied.
     size: usize,
+    /// Ritz vectors kept at the last restart, which stand first.
+    kept: usize,
     /// Coupling of the last applied block to the next: A⁻¹M V = V T + W·coupling in those columns.
     coupling: Matrix,
+    /// M times the newest block of V.
+    mass_block: Vec<f64>,
     random: Random,
 }
 
@@ -75,7 +81,9 @@ impl<'a> Lanczos<'a> {
             basis: Matrix::zeros(n, capacity + BLOCK),
             projected: Matrix::zeros(capacity + BLOCK, capacity + BLOCK),
             size: 0,
+            kept: 0,
             coupling: Matrix::zeros(BLOCK, BLOCK),
+            mass_block: vec![0.0; n * BLOCK],
             random: Random(0x9E37_79B9_7F4A_7C15),
         };
         lanczos.start_block()?;
@@ -133,85 +141,70 @@ impl<'a> Lanczos<'a> {
 
     /// Applies A⁻¹M to the newest block and appends what is new in the result.
     fn step(&mut self) -> Result<(), ReductionError> {
-        let (n, size) = (self.basis.rows, self.size);
-        let mut block = vec![0.0; n * BLOCK];
-        self.mass.multiply(self.basis.columns(size..size + BLOCK).data, &mut block);
+        let (size, known) = (self.size, self.size + BLOCK);
+        // The three-term recurrence, but for the first block after the kept Ritz vectors.
+        let coupled = if size == self.kept { 0 } else { size - BLOCK };
+        let mut block = std::mem::take(&mut self.mass_block);
         self.factor.solve_in_place(&mut block);
-        let known = size + BLOCK;
-        let h = self.orthogonalise(known, &mut block);
+        let (h, coupling) = self.append(coupled, known, block)?;
         for j in 0..BLOCK {
             for i in 0..known {
-                self.projected[(i, size + j)] = h[(i, j)];
-                self.projected[(size + j, i)] = h[(i, j)];
+                // The newest diagonal block is symmetric but for rounding.
+                let value =
+                    if i < size { h[(i, j)] } else { 0.5 * (h[(i, j)] + h[(size + j, i - size)]) };
+                self.projected[(i, size + j)] = value;
+                self.projected[(size + j, i)] = value;
             }
         }
-        for j in 0..BLOCK {
-            for i in 0..j {
-                let mean = 0.5 * (h[(size + i, j)] + h[(size + j, i)]);
-                self.projected[(size + i, size + j)] = mean;
-                self.projected[(size + j, size + i)] = mean;
-            }
-        }
-        self.coupling = self.orthonormalise(known, &mut block)?;
-        self.basis.data[known * n..(known + BLOCK) * n].copy_from_slice(&block);
+        self.coupling = coupling;
         self.size = known;
         Ok(())
     }
 
-    /// W ← W − V(VᵀMW) over the first `known` columns of V, twice; the sum of both VᵀMW.
-    fn orthogonalise(&self, known: usize, block: &mut [f64]) -> Matrix {
-        let n = self.basis.rows;
-        let cols = block.len() / n;
-        let basis = self.basis.columns(0..known);
-        let mut total = Matrix::zeros(known, cols);
-        let mut product = Matrix::zeros(n, cols);
-        for _ in 0..2 {
-            self.mass.multiply(block, &mut product.data);
-            let h = transpose_multiply(basis, product.view());
-            multiply_add(block, -1.0, basis, h.view());
-            for (sum, value) in total.data.iter_mut().zip(&h.data) {
-                *sum += value;
-            }
-        }
-        total
-    }
-
-    /// W ← W R⁻¹ with orthonormal columns; R.
-    fn orthonormalise(
+    /// Makes a block W orthonormal, also to the first `known` columns V of the basis, and puts it after
+    /// them: W = V h + W' r. Only the columns of V from `coupled` on have more than rounding in common
+    /// with W. Returns h and r.
+    fn append(
         &mut self,
+        coupled: usize,
         known: usize,
-        block: &mut [f64],
-    ) -> Result<Matrix, ReductionError> {
+        mut block: Vec<f64>,
+    ) -> Result<(Matrix, Matrix), ReductionError> {
         let n = self.basis.rows;
-        let original = block.to_vec();
-        let mut r = Matrix::identity(BLOCK);
-        let mut cholesky = Cholesky::new(BLOCK);
         let mut product = Matrix::zeros(n, BLOCK);
-        // Cholesky QR, twice, is orthonormal to rounding if the first factor exists.
-        for _ in 0..2 {
-            self.mass.multiply(block, &mut product.data);
-            let whole = Matrix { rows: n, cols: BLOCK, data: block.to_vec() };
-            let gram = transpose_multiply(whole.view(), product.view()).symmetric_part();
-            if cholesky.factor(&gram.data).is_err() {
-                block.copy_from_slice(&original);
-                return self.orthonormalise_by_columns(known, block);
+        let mut h = Matrix::zeros(known, BLOCK);
+        // Once is not enough, twice is; the first time may leave out what is rounding.
+        for first in [coupled, 0] {
+            self.mass.multiply(&block, &mut product.data);
+            let part = self.remove_known(first..known, &mut block, &product);
+            for j in 0..BLOCK {
+                h.col_mut(j)[first..].iter_mut().zip(part.col(j)).for_each(|(sum, x)| *sum += x);
             }
-            cholesky.orthonormalise(block, n);
-            let upper =
-                Matrix::from_fn(
-                    BLOCK,
-                    BLOCK,
-                    |i, j| {
-                        if i <= j { cholesky.lower(j, i) } else { 0.0 }
-                    },
-                );
-            r = multiply(upper.view(), r.view());
         }
-        Ok(r)
+        self.mass.multiply(&block, &mut product.data);
+        let r = match orthonormalise(&mut block, &mut product) {
+            Some(r) => r,
+            None => {
+                let r = self.orthonormalise_by_columns(known, &mut block)?;
+                self.mass.multiply(&block, &mut product.data);
+                r
+            }
+        };
+        self.basis.data[known * n..(known + BLOCK) * n].copy_from_slice(&block);
+        self.mass_block = product.data;
+        Ok((h, r))
     }
 
-    /// As [`Lanczos::orthonormalise`] for a block that is rank-deficient: a column that holds nothing
-    /// new is replaced by a random one, with zeros in R.
+    /// W ← W − V h, h = VᵀMW, over some columns V of the basis, where `product` is MW. Returns h.
+    fn remove_known(&self, known: Range<usize>, block: &mut [f64], product: &Matrix) -> Matrix {
+        let basis = self.basis.columns(known);
+        let h = transpose_multiply(basis, product.view());
+        multiply_add(block, -1.0, basis, h.view());
+        h
+    }
+
+    /// As [`orthonormalise`] for a block that is rank-deficient: a column that holds nothing new is
+    /// replaced by a random one, with zeros in R.
     fn orthonormalise_by_columns(
         &mut self,
         known: usize,
@@ -248,11 +241,12 @@ impl<'a> Lanczos<'a> {
         let n = column.len();
         let earlier = Matrix { rows: n, cols: before.len() / n, data: before.to_vec() };
         let mut total = vec![0.0; earlier.cols];
-        let mut product = vec![0.0; n];
+        let mut product = Matrix::zeros(n, 1);
         for _ in 0..2 {
-            self.orthogonalise(known, column);
-            self.mass.multiply(column, &mut product);
-            for (k, component) in earlier.apply_transpose(&product).into_iter().enumerate() {
+            self.mass.multiply(column, &mut product.data);
+            self.remove_known(0..known, column, &product);
+            self.mass.multiply(column, &mut product.data);
+            for (k, component) in earlier.apply_transpose(&product.data).into_iter().enumerate() {
                 total[k] += component;
                 for (value, &w) in column.iter_mut().zip(earlier.col(k)) {
                     *value -= component * w;
@@ -266,7 +260,7 @@ impl<'a> Lanczos<'a> {
     fn norm(&self, x: &[f64]) -> f64 {
         let mut product = vec![0.0; x.len()];
         self.mass.multiply(x, &mut product);
-        crate::linalg::dot(x, &product).max(0.0).sqrt()
+        dot(x, &product).max(0.0).sqrt()
     }
 
     /// The pairs of T with residuals ‖coupling · (last rows of the vector)‖.
@@ -299,22 +293,43 @@ impl<'a> Lanczos<'a> {
         for i in 0..keep {
             self.projected[(i, i)] = ritz.theta[i];
         }
-        self.size = keep;
+        (self.size, self.kept) = (keep, keep);
     }
 
     /// Puts a random block, smoothed by one application of A⁻¹M, after the `size` columns of the basis.
     fn start_block(&mut self) -> Result<(), ReductionError> {
-        let (n, size) = (self.basis.rows, self.size);
+        let n = self.basis.rows;
         let mut raw = vec![0.0; n * BLOCK];
         raw.fill_with(|| self.random.next());
         let mut block = vec![0.0; n * BLOCK];
         self.mass.multiply(&raw, &mut block);
         self.factor.solve_in_place(&mut block);
-        self.orthogonalise(size, &mut block);
-        self.orthonormalise(size, &mut block)?;
-        self.basis.data[size * n..(size + BLOCK) * n].copy_from_slice(&block);
+        self.append(0, self.size, block)?;
         Ok(())
     }
+}
+
+/// W ← W R⁻¹ with WᵀMW = 1, where `product` is MW before and after; R. `None` if the block is
+/// rank-deficient.
+fn orthonormalise(block: &mut [f64], product: &mut Matrix) -> Option<Matrix> {
+    let (n, cols) = (product.rows, product.cols);
+    let original = block.to_vec();
+    let mut r = Matrix::identity(cols);
+    let mut cholesky = Cholesky::new(cols);
+    // Cholesky QR, twice, is orthonormal to rounding if the first factor exists.
+    for _ in 0..2 {
+        let gram = transpose_multiply(Columns { rows: n, cols, data: block }, product.view());
+        if cholesky.factor(&gram.symmetric_part().data).is_err() {
+            block.copy_from_slice(&original);
+            return None;
+        }
+        cholesky.orthonormalise(block, n);
+        cholesky.orthonormalise(&mut product.data, n);
+        let upper =
+            Matrix::from_fn(cols, cols, |i, j| if i <= j { cholesky.lower(j, i) } else { 0.0 });
+        r = multiply(upper.view(), r.view());
+    }
+    Some(r)
 }
 
 /// Uniform numbers in [−½, ½), always the same ones (xorshift64, Marsaglia 2003).
