@@ -6,4 +6,5 @@ mod bodies;
 mod formulas;
 mod laws;
 mod reduction;
+mod reference_modes;
 mod twins;

@@ -1,0 +1,155 @@
+//! The reference bodies, reduced: frequencies against those of an independent program.
+
+use whirl_solver::assembly::assemble;
+use whirl_solver::body::{Coordinates, Rayleigh};
+use whirl_solver::linalg::LowerTriangle;
+use whirl_solver::mesh::Mesh;
+use whirl_solver::reduction::{CraigBampton, FreeMotion, ReductionError, Solid};
+use whirl_solver::shaft::{Shaft, ShaftParts};
+use whirl_solver::sparse::{SparseColumns, SparseMatrix};
+use whirl_solver::support::Support;
+
+use crate::bodies::reference;
+
+const PLENTY: usize = 1 << 32;
+
+/// A list of frequencies among the test data (Hz).
+fn listed(text: &str) -> Vec<f64> {
+    text.lines().map(|line| line.parse().expect("one frequency a line")).collect()
+}
+
+fn compare(got: &[f64], want: &[f64]) {
+    assert_eq!(got.len(), want.len());
+    for (i, (got, want)) in got.iter().zip(want).enumerate() {
+        assert!((got / want - 1.0).abs() < 1e-5, "mode {}: {got} Hz, listed {want}", i + 1);
+    }
+}
+
+/// Dofs of the sets' nodes along the components named.
+fn dofs(mesh: &Mesh, list: &[(&str, &str)]) -> (Vec<usize>, Vec<String>) {
+    let mut dofs = Vec::new();
+    let mut names = Vec::new();
+    for &(set, components) in list {
+        for &node in mesh.node_set(set).unwrap() {
+            for component in components.chars() {
+                dofs.push(3 * node + "xyz".find(component).unwrap());
+                names.push(format!("{set} {component}"));
+            }
+        }
+    }
+    (dofs, names)
+}
+
+fn shaft_retained(mesh: &Mesh) -> (Vec<usize>, Vec<String>) {
+    let journals: Vec<String> = (1..=4)
+        .flat_map(|k| ["LEFT", "MIDDLE", "RIGHT"].map(|place| format!("JOURNAL{k}_{place}")))
+        .collect();
+    let mut list: Vec<(&str, &str)> = journals.iter().map(|name| (name.as_str(), "xy")).collect();
+    list.extend([("JOURNAL3_MIDDLE", "z"), ("DRIVE_TOP", "y"), ("DRIVE_BOTTOM", "y")]);
+    dofs(mesh, &list)
+}
+
+/// K with springs of 1e8 N/m along y at the nodes set aside for them.
+fn with_ground_springs(mesh: &Mesh, stiffness: &SparseMatrix) -> SparseMatrix {
+    let grounded: Vec<usize> =
+        mesh.node_set("GROUND_SPRINGS").unwrap().iter().map(|node| 3 * node + 1).collect();
+    let springs = LowerTriangle::from_columns(mesh.dof_count(), |j| {
+        grounded.contains(&j).then_some((j, 1e8)).into_iter()
+    });
+    SparseMatrix::Symmetric(stiffness.lower().unwrap().plus(1.0, &springs))
+}
+
+fn first_elastic(solid: &Solid) -> f64 {
+    let hertz = solid.free_modes(8).unwrap().hertz();
+    assert!(hertz[5] < 1e-3 * hertz[6], "six rigid motions: {hertz:?}");
+    hertz[6]
+}
+
+#[test]
+fn reference_shaft() {
+    let mesh = reference("shaft");
+    let [stiffness, mass, spin_inertia, spin_coupling] =
+        ["stiffness", "mass", "spin_inertia", "spin_coupling"]
+            .map(|form| assemble(&mesh, form).unwrap());
+    let solid =
+        Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: PLENTY };
+    let (retained, names) = shaft_retained(&mesh);
+    assert_eq!((mesh.dof_count(), retained.len()), (5775, 27));
+    let reduction = solid.craig_bampton(&retained, 50).unwrap();
+    compare(&reduction.hertz, &listed(include_str!("../data/fixed-interface-hz-shaft.csv")));
+    let free = first_elastic(&solid);
+    assert!((free - 154.70).abs() < 0.005, "{free}");
+
+    // Axial dof held, torsion tied to the frame: 75 active coordinates.
+    let mut elimination: Vec<(usize, usize, f64)> = (0..24).map(|i| (i, i, 1.0)).collect();
+    elimination.extend([(25, 24, 1.0), (26, 24, 1.0)]);
+    let elimination = SparseColumns::from_triplets(27, 25, elimination);
+    let active = Coordinates::new(&reduction, &elimination, &names);
+    let drive = mesh.single_node("DRIVE_TOP").unwrap();
+    let shaft = Shaft::new(&ShaftParts {
+        reduction: &reduction,
+        spin_inertia: &spin_inertia,
+        spin_coupling: &spin_coupling,
+        positions: mesh.nodes(),
+        active: &active,
+        damping: Rayleigh { alpha: 0.0, beta: 1e-4 },
+        nodes: &[drive],
+    });
+    assert_eq!(shaft.size(), 75);
+    assert_eq!(shaft.coordinates[0], "mode 1 (527.1 Hz)");
+    assert_eq!(shaft.coordinates[50], "JOURNAL1_LEFT x");
+    assert_eq!(shaft.coordinates[74], "DRIVE_TOP y");
+    // The octagon's radius is chosen for the radius of gyration of a circle of 34 mm (to four digits).
+    let along_x: Vec<f64> = (0..5775).map(|dof| f64::from(u8::from(dof % 3 == 0))).collect();
+    let kilograms = mass.bilinear(&along_x, &along_x);
+    assert!((shaft.j0 / (kilograms * 0.034 * 0.034 / 2.0) - 1.0).abs() < 1e-4);
+    assert!((shaft.nodes[0].shapes[(1, 74)] - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn reference_support() {
+    let mesh = reference("support");
+    let elastic = assemble(&mesh, "stiffness").unwrap();
+    let mass = assemble(&mesh, "mass").unwrap();
+    let stiffness = with_ground_springs(&mesh, &elastic);
+    let solid =
+        Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: PLENTY };
+    let (retained, names) = dofs(&mesh, &[("MOUNTS", "xyz")]);
+    assert_eq!((mesh.dof_count(), retained.len()), (12807, 9));
+    let reduction = solid.craig_bampton(&retained, 150).unwrap();
+    compare(&reduction.hertz, &listed(include_str!("../data/fixed-interface-hz-support.csv")));
+    orthonormal(&reduction, &mass);
+
+    let alone = Solid { stiffness: &elastic, ..solid };
+    let free = first_elastic(&alone);
+    assert!((free - 120.08).abs() < 0.005, "{free}");
+    // Without the ground springs the support swings about the line of its mounts.
+    let Err(ReductionError::Mechanism { motions }) = alone.craig_bampton(&retained, 5) else {
+        panic!("a mechanism is an error");
+    };
+    let [FreeMotion::Rotation { direction, .. }] = motions[..] else { panic!("{motions:?}") };
+    assert!((direction[2] - 1.0).abs() < 1e-9);
+
+    // All mounts held: the modes themselves are the active coordinates.
+    let held = SparseColumns::from_triplets(9, 0, Vec::new());
+    let active = Coordinates::new(&reduction, &held, &names);
+    let bore = mesh.node_set("BORE1_LEFT").unwrap();
+    let damping = Rayleigh { alpha: 0.0, beta: 1e-4 };
+    let support = Support::new(&reduction, &active, damping, mesh.nodes(), bore).unwrap();
+    assert_eq!((support.size(), support.nodes.len()), (150, bore.len()));
+    assert_eq!(support.coordinates[0], "mode 1 (285.5 Hz)");
+    for i in 0..150 {
+        assert_eq!(support.stiffness[i], reduction.stiffness[(i, i)]);
+        assert_eq!(support.damping[i], 1e-4 * support.stiffness[i]);
+    }
+}
+
+fn orthonormal(reduction: &CraigBampton, mass: &SparseMatrix) {
+    let gram = reduction.reduce(mass);
+    for i in 0..reduction.modes() {
+        for j in 0..reduction.modes() {
+            let one = if i == j { 1.0 } else { 0.0 };
+            assert!((gram[(i, j)] - one).abs() < 1e-11, "{i} {j}: {}", gram[(i, j)]);
+        }
+    }
+}
