@@ -2,6 +2,7 @@
 
 pub mod assembly;
 pub mod body;
+pub mod constraints;
 pub mod error;
 pub mod linalg;
 pub mod mesh;

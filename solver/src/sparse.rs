@@ -67,6 +67,11 @@ impl SparseColumns {
         SparseColumns::from_triplets(self.width(), self.height, triplets)
     }
 
+    /// The lower triangle of a symmetric matrix; entries above the diagonal are dropped.
+    pub(crate) fn into_lower(self) -> LowerTriangle {
+        LowerTriangle::from_columns(self.height, |j| self.column(j))
+    }
+
     /// y = A x for each column of `x` (as long as the matrix is wide).
     pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
         let (height, width) = (self.height, self.width());
@@ -166,6 +171,24 @@ impl SparseMatrix {
             SparseMatrix::General(columns) => return columns.clone(),
         }
         SparseColumns::from_triplets(self.size(), self.size(), triplets)
+    }
+
+    /// A with these (dof, value) added to its diagonal.
+    pub(crate) fn plus_diagonal(&self, diagonal: &[(usize, f64)]) -> SparseMatrix {
+        let size = self.size();
+        let triplets = diagonal.iter().map(|&(dof, value)| (dof, dof, value)).collect();
+        let diagonal = SparseColumns::from_triplets(size, size, triplets);
+        match self.lower() {
+            Some(lower) => SparseMatrix::Symmetric(lower.plus(1.0, &diagonal.into_lower())),
+            None => {
+                let columns = self.to_columns();
+                let entries = |a: &SparseColumns| -> Vec<(usize, usize, f64)> {
+                    (0..size).flat_map(|j| a.column(j).map(move |(i, v)| (i, j, v))).collect()
+                };
+                let triplets = [entries(&columns), entries(&diagonal)].concat();
+                SparseMatrix::General(SparseColumns::from_triplets(size, size, triplets))
+            }
+        }
     }
 
     /// y = A x for each column of `x`; both hold columns as long as the matrix.

@@ -3,6 +3,7 @@
 mod assembly;
 mod block;
 mod bodies;
+mod constraints;
 mod formulas;
 mod laws;
 mod reduction;

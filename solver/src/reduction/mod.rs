@@ -10,6 +10,7 @@ mod sturm;
 pub use craig_bampton::{CraigBampton, Solid};
 pub use modes::{Modes, Pencil, hertz};
 pub use rigid::FreeMotion;
+pub(crate) use rigid::RigidMotions;
 
 use crate::linalg::LinearAlgebraError;
 

@@ -60,7 +60,7 @@ fn axis(direction: &[f64; 3]) -> String {
 /// The rigid motions of a body: shifts along x, y, z (columns 0 to 2) and turns about the axes through
 /// its middle, scaled by its size (columns 3 to 5).
 #[derive(Debug, Clone)]
-pub(super) struct RigidMotions {
+pub(crate) struct RigidMotions {
     middle: [f64; 3],
     size: f64,
     /// Motion of the dofs, 3·nodes × 6.
@@ -68,7 +68,7 @@ pub(super) struct RigidMotions {
 }
 
 impl RigidMotions {
-    pub(super) fn new(coordinates: &[[f64; 3]]) -> Self {
+    pub(crate) fn new(coordinates: &[[f64; 3]]) -> Self {
         let count = coordinates.len().max(1) as f64;
         let mut middle = [0.0; 3];
         for point in coordinates {
@@ -100,7 +100,21 @@ impl RigidMotions {
         held: &[usize],
     ) -> Result<Vec<FreeMotion>, LinearAlgebraError> {
         let all: Vec<usize> = (0..6).collect();
-        let rows = self.shapes.select(held, &all);
+        self.free_under(stiffness, &self.shapes.select(held, &all))
+    }
+
+    /// The motion of the dofs, 3·nodes × 6.
+    pub(crate) fn shapes(&self) -> &Matrix {
+        &self.shapes
+    }
+
+    /// The rigid motions that make every one of `rows` zero (each a linear function of the six motions,
+    /// of order 1) and strain nothing.
+    pub(crate) fn free_under(
+        &self,
+        stiffness: &LowerTriangle,
+        rows: &Matrix,
+    ) -> Result<Vec<FreeMotion>, LinearAlgebraError> {
         let loose = small(&transpose_multiply(rows.view(), rows.view()), NEGLIGIBLE)?;
         let moves = multiply(self.shapes.view(), loose.view());
         let mut forces = Matrix::zeros(moves.rows, moves.cols);
