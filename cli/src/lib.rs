@@ -3,7 +3,10 @@
 pub mod arguments;
 pub mod case;
 pub mod errors;
+mod figures;
 mod list;
+mod output;
+mod report;
 pub mod version;
 
 use std::process::ExitCode;

@@ -3,6 +3,7 @@
 pub mod assembly;
 pub mod body;
 pub mod constraints;
+pub mod cache;
 pub mod error;
 pub mod linalg;
 pub mod mesh;

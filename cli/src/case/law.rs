@@ -3,35 +3,54 @@
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Located, Source, suggest};
+use whirl_codegen::spec::law::LawSpec;
 use whirl_specs::{LAWS, Law};
 
-use super::library::{Shelf, resolve};
+use super::library::Shelf;
 use super::reader::Reader;
 
 /// Where a law comes from.
 #[derive(Debug, Clone)]
-pub enum LawSpec {
+pub enum LawSource {
     /// Compiled into the program.
     BuiltIn(&'static Law),
-    /// A spec file, read and evaluated at run time.
-    File(Arc<Source>),
+    /// A spec file, evaluated at run time.
+    File(Arc<LawSpec>),
 }
 
-impl LawSpec {
+impl LawSource {
     /// How results call the law: its name, or the path of its file.
     pub fn name(&self) -> String {
         match self {
-            LawSpec::BuiltIn(law) => law.origin.name.to_string(),
-            LawSpec::File(source) => source.path.display().to_string(),
+            LawSource::BuiltIn(law) => law.origin.name.to_string(),
+            LawSource::File(spec) => spec.file.path.display().to_string(),
+        }
+    }
+
+    /// The spec, read again for a built-in law.
+    ///
+    /// # Panics
+    /// If a built-in law has errors: it was read without any when its kernel was generated.
+    pub fn spec(&self) -> Arc<LawSpec> {
+        match self {
+            LawSource::BuiltIn(law) => {
+                let source = Source::new(format!("specs/{}", law.origin.spec), law.origin.text);
+                Arc::new(LawSpec::read(&source).expect("built-in laws have no errors"))
+            }
+            LawSource::File(spec) => spec.clone(),
         }
     }
 }
 
 /// The law that `law` of a table names, if the key is there.
-pub(super) fn read(shelf: Shelf, table: &Reader) -> Option<LawSpec> {
-    let name = table.text("law")?;
+pub(super) fn read(shelf: Shelf, table: &Reader) -> Option<LawSource> {
+    find(shelf, table, &table.text("law")?)
+}
+
+/// The law called `name`; what is wrong with it is noted in `table`.
+pub(super) fn find(shelf: Shelf, table: &Reader, name: &Located) -> Option<LawSource> {
     if name.text().ends_with(".toml") {
-        return read_file(shelf, table, &name);
+        return read_file(shelf, table, name);
     }
     let law = LAWS.iter().find(|law| law.origin.name == name.text());
     if law.is_none() {
@@ -40,15 +59,22 @@ pub(super) fn read(shelf: Shelf, table: &Reader) -> Option<LawSpec> {
         let error = name.error_here(Code::BAD_VALUE, message);
         table.push(error.maybe_help(suggest(name.text(), &known)));
     }
-    law.map(LawSpec::BuiltIn)
+    law.map(LawSource::BuiltIn)
 }
 
-fn read_file(shelf: Shelf, table: &Reader, name: &Located) -> Option<LawSpec> {
-    match shelf.read(&resolve(name.source(), name.text())) {
-        Ok(source) => Some(LawSpec::File(source)),
+fn read_file(shelf: Shelf, table: &Reader, name: &Located) -> Option<LawSource> {
+    let source = match shelf.read_beside(name.source(), name.text()) {
+        Ok(source) => source,
         Err(message) => {
             let error = name.error_here(Code::BAD_VALUE, message);
             table.push(error.help("paths are relative to the file that names them"));
+            return None;
+        }
+    };
+    match LawSpec::read(&source) {
+        Ok(spec) => Some(LawSource::File(Arc::new(spec))),
+        Err(errors) => {
+            errors.into_iter().for_each(|error| table.push(error));
             None
         }
     }

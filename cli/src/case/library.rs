@@ -23,6 +23,8 @@ embedded![
     "hu2003-4.toml",
     "hu2003-5.toml",
     "hu2003.machine.toml",
+    "sdnd101.toml",
+    "sdnd108.toml",
 ];
 
 /// Folder under which the built-in files are shown in messages.
@@ -80,16 +82,32 @@ impl Shelf {
                 Ok(text) => Ok(Source::new(path, text)),
                 Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
             },
-            Shelf::Embedded => {
-                let wanted = path.strip_prefix(EMBEDDED_FOLDER).unwrap_or(path);
-                EMBEDDED
-                    .iter()
-                    .find(|(file, _)| Path::new(file) == wanted)
-                    .map(|(_, text)| Source::new(path, *text))
-                    .ok_or_else(|| format!("no built-in file `{}`", path.display()))
-            }
+            Shelf::Embedded => embedded_file(path)
+                .ok_or_else(|| format!("there is no built-in file `{}`", path.display())),
         }
     }
+
+    /// Text of the file that `beside` names `name`: relative to its folder, or else a built-in file.
+    ///
+    /// # Errors
+    /// Why it cannot be read, for people.
+    pub(crate) fn read_beside(self, beside: &Source, name: &str) -> Result<Arc<Source>, String> {
+        let path = resolve(beside, name);
+        let built_in = || embedded_file(&Path::new(EMBEDDED_FOLDER).join(name));
+        match self {
+            Shelf::Disk if !path.exists() => match built_in() {
+                Some(source) => Ok(source),
+                None => self.read(&path),
+            },
+            _ => self.read(&path),
+        }
+    }
+}
+
+fn embedded_file(path: &Path) -> Option<Arc<Source>> {
+    let wanted = path.strip_prefix(EMBEDDED_FOLDER).ok()?;
+    let (_, text) = EMBEDDED.iter().find(|(file, _)| Path::new(file) == wanted)?;
+    Some(Source::new(path, *text))
 }
 
 /// A path as `beside` names it: relative to the folder of that file.
@@ -140,7 +158,7 @@ fn load_source(
             );
             continue;
         }
-        match shelf.read(&resolve(source, &name)) {
+        match shelf.read_beside(source, &name) {
             Ok(included) => {
                 sources.push(included.clone());
                 let included = load_source(shelf, &included, depth + 1, sources, errors);

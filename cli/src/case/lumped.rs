@@ -1,6 +1,6 @@
 //! One mass on a spring and a damper, between stops.
 
-use super::law::{self, LawSpec};
+use super::law::{self, LawSource};
 use super::library::Shelf;
 use super::reader::{DAMPING, FORCE, MASS, POSITION, Reader, STIFFNESS, VELOCITY};
 
@@ -31,7 +31,7 @@ pub struct Stop {
     /// h at x = 0, in m.
     pub gap: f64,
     /// Q(h, ḣ).
-    pub law: LawSpec,
+    pub law: LawSource,
 }
 
 /// The side of a mass on which a stop stands.

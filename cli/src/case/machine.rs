@@ -168,6 +168,7 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
         let journal =
             names("journal", "[\"JOURNAL1_LEFT\", \"JOURNAL1_MIDDLE\", \"JOURNAL1_RIGHT\"]");
         let bore = names("bore", "[\"BORE1_LEFT\", \"BORE1_MIDDLE\", \"BORE1_RIGHT\"]");
+        let stations = table.quantities("stations", &POSITION).unwrap_or_default();
         let own_law = law::read(shelf, &table);
         let own_number = table.count("number", FEWEST_SPRINGS);
         let own_clearance = table.quantity("radial_clearance", &LENGTH);
@@ -181,6 +182,7 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
         Some(Bearing {
             journal,
             bore,
+            stations,
             springs: own_number.or(shared_number)?,
             radial_clearance: own_clearance.or(shared_clearance)?,
             law: own_law.or_else(|| shared_law.clone())?,

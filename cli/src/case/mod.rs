@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
 
-pub use law::LawSpec;
+pub use law::LawSource;
 pub use library::embedded_cases;
 pub use loads::Load;
 pub use lumped::{Lumped, Side, Stop};
@@ -41,8 +41,8 @@ pub struct Case {
     pub system: System,
     /// Time step, duration and tolerances.
     pub march: March,
-    /// Numbers of the paper's figures that this case draws.
-    pub figures: FigureNumbers,
+    /// What figures show beyond the results.
+    pub figures: Figures,
 }
 
 /// What is marched.
@@ -55,8 +55,10 @@ pub enum System {
 }
 
 /// Numbers of the figures in the paper, for titles; a figure without number is drawn all the same.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct FigureNumbers {
+#[derive(Debug, Clone, Default)]
+pub struct Figures {
+    /// Laws drawn beside each other; those of the case if it names none.
+    pub laws: Vec<LawSource>,
     /// Q–h of the laws.
     pub law: Option<usize>,
     /// Reactions RX, RY.
@@ -65,4 +67,21 @@ pub struct FigureNumbers {
     pub eccentricity: Option<usize>,
     /// Angle and speed of rotation.
     pub rotation: Option<usize>,
+}
+
+impl Case {
+    /// The laws of the case, each once, in the order in which the case first names them.
+    pub fn laws(&self) -> Vec<&LawSource> {
+        let all: Vec<&LawSource> = match &self.system {
+            System::Rotor(rotor) => rotor.bearings.iter().map(|bearing| &bearing.law).collect(),
+            System::Lumped(lumped) => lumped.stops.iter().map(|stop| &stop.law).collect(),
+        };
+        let mut laws: Vec<&LawSource> = Vec::new();
+        for law in all {
+            if laws.iter().all(|other| other.name() != law.name()) {
+                laws.push(law);
+            }
+        }
+        laws
+    }
 }

@@ -8,7 +8,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Source};
 
 use super::library::{Shelf, load};
 use super::reader::Reader;
-use super::{Case, FigureNumbers, System, lumped, machine, march};
+use super::{Case, Figures, System, law, lumped, machine, march};
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
 ///
@@ -26,7 +26,7 @@ pub fn read(name: &str) -> Result<Case, Diagnostics> {
 fn assemble(shelf: Shelf, path: &Path, sources: &[Arc<Source>], file: &Reader) -> Option<Case> {
     let title = file.needed_text("title", "\"what this case is\"");
     let origin = file.text("source");
-    let figures = figure_numbers(file);
+    let figures = figures(shelf, file);
     let system = system(shelf, file);
     let march = march::read(file, system.as_ref());
     Some(Case {
@@ -61,11 +61,13 @@ fn system(shelf: Shelf, file: &Reader) -> Option<System> {
     }
 }
 
-fn figure_numbers(file: &Reader) -> FigureNumbers {
+fn figures(shelf: Shelf, file: &Reader) -> Figures {
     let Some(figures) = file.table("figures") else {
-        return FigureNumbers::default();
+        return Figures::default();
     };
-    FigureNumbers {
+    let names = figures.names("laws").unwrap_or_default();
+    Figures {
+        laws: names.iter().filter_map(|name| law::find(shelf, &figures, name)).collect(),
         law: figures.count("law", 1),
         reactions: figures.count("reactions", 1),
         eccentricity: figures.count("eccentricity", 1),

@@ -257,8 +257,7 @@ impl<'a> Reader<'a> {
             Err(error) => {
                 let start = node.place.span.start + OPENING_QUOTE;
                 let mut diagnostic = error.at(&node.place.source, start);
-                diagnostic.message =
-                    format!("`{key}` is {}: {}", kind.dimension, diagnostic.message);
+                diagnostic.message = format!("`{key}`: {}", diagnostic.message);
                 diagnostic.help = Some(format!("such as `{key} = \"{}\"`", kind.example));
                 self.errors.borrow_mut().push(diagnostic);
                 None

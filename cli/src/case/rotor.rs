@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use whirl_codegen::diagnostic::Located;
 use whirl_specs::Motion;
 
-use super::law::LawSpec;
+use super::law::LawSource;
 use super::loads::Load;
 
 /// Shaft, support, what lies between, and what drives and loads them.
@@ -152,10 +152,12 @@ pub struct Bearing {
     pub bore: Vec<Located>,
     /// Springs in a ring.
     pub springs: usize,
+    /// z of the rings of springs, m; none means one ring each at left, middle and right.
+    pub stations: Vec<f64>,
     /// Radial clearance c in m.
     pub radial_clearance: f64,
     /// Q(h, ḣ) of one spring.
-    pub law: LawSpec,
+    pub law: LawSource,
 }
 
 /// A couple of forces fixed to the shaft, acting until a speed is reached.

@@ -1,0 +1,149 @@
+//! A figure as SVG and PNG; the only file that names the plotting crates.
+
+use std::collections::BTreeSet;
+use std::sync::{Arc, OnceLock};
+
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::{LegendEntry, LegendShape, LinePlot, LineStyle, ScatterPlot};
+use kuva::render::figure::{Figure as Sheet, FigureLegendPosition};
+use kuva::render::layout::Layout;
+use kuva::render::plots::Plot;
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree, fontdb::Database};
+
+use super::figure::{Dot, Figure, Line, Panel, Style};
+
+/// Pixels of a panel in the SVG.
+const PANEL: (f64, f64) = (460.0, 320.0);
+/// Pixels of a panel with equal axes.
+const SQUARE: (f64, f64) = (400.0, 420.0);
+/// Pixels of a PNG for one of the SVG.
+const PNG_SCALE: f32 = 2.0;
+
+/// The figure as SVG text.
+pub(crate) fn svg(figure: &Figure) -> String {
+    let columns = figure.columns.clamp(1, figure.panels.len().max(1));
+    let rows = figure.panels.len().div_ceil(columns);
+    let square = figure.panels.iter().any(|panel| panel.equal_axes);
+    let (width, height) = if square { SQUARE } else { PANEL };
+    let plots: Vec<Vec<Plot>> = figure.panels.iter().map(plots).collect();
+    let layouts = figure.panels.iter().zip(&plots).map(|(p, plots)| layout(p, plots)).collect();
+    let mut sheet = Sheet::new(rows, columns)
+        .with_title(figure.title.clone())
+        .with_title_size(17)
+        .with_plots(plots)
+        .with_layouts(layouts)
+        .with_cell_size(width, height);
+    let legend = legend(figure);
+    if legend.len() > 1 {
+        sheet = sheet
+            .with_shared_legend_position(FigureLegendPosition::BottomCenter)
+            .with_shared_legend_entries(legend);
+    }
+    SvgBackend::new().render_scene(&sheet.render())
+}
+
+/// An SVG as PNG, with the font built into the program; `None` if the SVG has no area.
+pub(crate) fn png(svg: &str) -> Option<Vec<u8>> {
+    let options = Options { fontdb: fonts(), font_family: FONT.to_string(), ..Options::default() };
+    let tree = Tree::from_str(svg, &options).ok()?;
+    let pixels = |length: f32| (length * PNG_SCALE).ceil() as u32;
+    let mut pixmap = Pixmap::new(pixels(tree.size().width()), pixels(tree.size().height()))?;
+    pixmap.fill(resvg::tiny_skia::Color::WHITE);
+    resvg::render(&tree, Transform::from_scale(PNG_SCALE, PNG_SCALE), &mut pixmap.as_mut());
+    pixmap.encode_png().ok()
+}
+
+const FONT: &str = "DejaVu Sans";
+
+fn fonts() -> Arc<Database> {
+    static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
+    let load = || {
+        let mut fonts = Database::new();
+        fonts.load_font_data(dejavu::sans::regular().to_vec());
+        fonts.load_font_data(dejavu::sans::bold().to_vec());
+        fonts.set_sans_serif_family(FONT);
+        Arc::new(fonts)
+    };
+    FONTS.get_or_init(load).clone()
+}
+
+fn plots(panel: &Panel) -> Vec<Plot> {
+    let lines = panel.lines.iter().map(|line| Plot::Line(curve(line)));
+    let dots = panel.dots.iter().map(|dot| Plot::Scatter(mark(dot)));
+    lines.chain(dots).collect()
+}
+
+fn curve(line: &Line) -> LinePlot {
+    let (colour, width, dash) = looks(line.style);
+    LinePlot::new()
+        .with_data(line.points.iter().copied())
+        .with_color(colour)
+        .with_stroke_width(width)
+        .with_line_style(dash)
+}
+
+fn mark(dot: &Dot) -> ScatterPlot {
+    ScatterPlot::new().with_data([dot.at]).with_color(DOT).with_size(3.5)
+}
+
+const DOT: &str = "#d62728";
+
+fn looks(style: Style) -> (&'static str, f64, LineStyle) {
+    match style {
+        Style::First => ("#1f4e9c", 1.6, LineStyle::Solid),
+        Style::Second => ("#d9730d", 1.6, LineStyle::Custom("6 3".to_string())),
+        Style::Third => ("#2a7f3f", 1.6, LineStyle::Custom("3 2".to_string())),
+        Style::Fourth => ("#8a3ea8", 1.6, LineStyle::Custom("7 2 2 2".to_string())),
+        Style::Limit => ("#707070", 1.0, LineStyle::Custom("2 3".to_string())),
+    }
+}
+
+fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
+    let layout = Layout::auto_from_plots(plots)
+        .with_title(panel.title.clone())
+        .with_title_size(14)
+        .with_x_label(panel.x.clone())
+        .with_y_label(panel.y.clone())
+        .with_label_size(13)
+        .with_tick_size(11)
+        .with_font_family(FONT)
+        .with_ticks(6);
+    if panel.equal_axes {
+        return layout.with_equal_aspect();
+    }
+    if let Some((end, step)) = panel.x_scale {
+        return layout.with_x_axis_min(0.0).with_x_axis_max(end).with_x_tick_step(step);
+    }
+    let abscissae = panel.lines.iter().flat_map(|line| &line.points).map(|point| point.0);
+    let (first, last) = abscissae
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
+    if first < last { layout.with_x_axis_min(first).with_x_axis_max(last) } else { layout }
+}
+
+fn legend(figure: &Figure) -> Vec<LegendEntry> {
+    let mut named = BTreeSet::new();
+    let mut entries = Vec::new();
+    for line in figure.panels.iter().flat_map(|panel| &panel.lines) {
+        if named.insert(line.name.as_str()) {
+            let (colour, _, dash) = looks(line.style);
+            entries.push(LegendEntry {
+                label: line.name.clone(),
+                color: colour.to_string(),
+                shape: LegendShape::Line,
+                dasharray: dash.dasharray(),
+            });
+        }
+    }
+    for dot in figure.panels.iter().flat_map(|panel| &panel.dots) {
+        if named.insert(dot.name.as_str()) {
+            entries.push(LegendEntry {
+                label: dot.name.clone(),
+                color: DOT.to_string(),
+                shape: LegendShape::Circle,
+                dasharray: None,
+            });
+        }
+    }
+    entries
+}

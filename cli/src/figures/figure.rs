@@ -1,0 +1,66 @@
+//! What a figure shows, whoever draws it.
+
+/// Panels in rows, under one title and with one legend.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Figure {
+    /// Shown above the panels.
+    pub(crate) title: String,
+    /// Panels from left to right, then down.
+    pub(crate) panels: Vec<Panel>,
+    /// Panels in a row.
+    pub(crate) columns: usize,
+}
+
+/// One pair of axes.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Panel {
+    /// Shown above the axes.
+    pub(crate) title: String,
+    /// Quantity and unit.
+    pub(crate) x: String,
+    /// Quantity and unit.
+    pub(crate) y: String,
+    /// Curves, the later ones above.
+    pub(crate) lines: Vec<Line>,
+    /// Points marked by a dot.
+    pub(crate) dots: Vec<Dot>,
+    /// Whether one unit has the same length on both axes.
+    pub(crate) equal_axes: bool,
+    /// End of the x axis and distance between its labels, where the reader expects certain ones.
+    pub(crate) x_scale: Option<(f64, f64)>,
+}
+
+/// A curve through points.
+#[derive(Debug, Clone)]
+pub(crate) struct Line {
+    /// x and y.
+    pub(crate) points: Vec<(f64, f64)>,
+    /// How it looks.
+    pub(crate) style: Style,
+    /// Its name in the legend; the same name in several panels stands there once.
+    pub(crate) name: String,
+}
+
+/// A marked point.
+#[derive(Debug, Clone)]
+pub(crate) struct Dot {
+    /// x and y.
+    pub(crate) at: (f64, f64),
+    /// Its name in the legend.
+    pub(crate) name: String,
+}
+
+/// Looks of a curve, the same in every figure: they tell apart on paper without colour too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Style {
+    /// First quantity: solid.
+    First,
+    /// Second quantity: dashed.
+    Second,
+    /// Third quantity: finely dashed.
+    Third,
+    /// Fourth quantity: dashes and dots.
+    Fourth,
+    /// A limit, such as the clearance circle: thin and dotted.
+    Limit,
+}

@@ -1,0 +1,67 @@
+//! A folder of its own for every test, and the command run in it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use tempfile::TempDir;
+
+/// A folder with files, in which the command runs.
+pub(crate) struct Workbench {
+    folder: TempDir,
+}
+
+/// What the command left.
+pub(crate) struct Outcome {
+    pub(crate) status: i32,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+}
+
+impl Workbench {
+    /// An empty folder.
+    pub(crate) fn new() -> Self {
+        Workbench { folder: tempfile::tempdir().expect("a temporary folder") }
+    }
+
+    /// Path of a file in the folder.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Adds a file.
+    pub(crate) fn file(self, name: &str, text: &str) -> Self {
+        fs::write(self.path(name), text).expect("the folder can be written");
+        self
+    }
+
+    /// Runs `whirl` with these arguments and a cache in the folder's neighbourhood.
+    pub(crate) fn whirl(&self, arguments: &[&str]) -> Outcome {
+        let output = Command::new(env!("CARGO_BIN_EXE_whirl"))
+            .args(arguments)
+            .current_dir(self.folder.path())
+            .env("XDG_CACHE_HOME", shared_cache())
+            .output()
+            .expect("the binary runs");
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        Outcome {
+            status: output.status.code().expect("an exit status"),
+            stdout: text(&output.stdout),
+            stderr: text(&output.stderr),
+        }
+    }
+
+    /// Names of all files and folders in the folder, sorted.
+    pub(crate) fn listing(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.folder.path()).expect("a folder");
+        let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
+        let mut names: Vec<String> = entries.map(|entry| name(entry.expect("an entry"))).collect();
+        names.sort();
+        names
+    }
+}
+
+/// One cache for all tests: what is stored under a key is right or not found.
+fn shared_cache() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("cache")
+}
