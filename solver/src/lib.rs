@@ -2,8 +2,8 @@
 
 pub mod assembly;
 pub mod body;
-pub mod constraints;
 pub mod cache;
+pub mod constraints;
 pub mod error;
 pub mod linalg;
 pub mod mesh;
