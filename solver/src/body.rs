@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::constraints::Elimination;
 use crate::linalg::{Matrix, multiply};
 use crate::reduction::CraigBampton;
-use crate::sparse::SparseColumns;
 
 /// Rayleigh damping C = αM + βK.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -34,32 +34,28 @@ pub struct Coordinates {
 }
 
 impl Coordinates {
-    /// The active coordinates of a reduction: all its modes, and what `elimination` (retained dofs × free
-    /// ones) leaves of its retained dofs.
+    /// The active coordinates of a reduction: all its modes, and the retained dofs that `elimination`
+    /// leaves free.
     ///
-    /// `retained_names`: one for each retained dof, such as `JOURNAL1_LEFT x`. A free dof has the name of
-    /// the retained dof that follows it most.
+    /// `retained_names`: one for each retained dof, such as `JOURNAL1_LEFT x`.
     pub fn new(
         reduction: &CraigBampton,
-        elimination: &SparseColumns,
+        elimination: &Elimination,
         retained_names: &[String],
     ) -> Self {
         let modes = reduction.modes();
-        let mut transform = Matrix::zeros(reduction.coordinates(), modes + elimination.width());
-        let mut names = mode_names(&reduction.hertz);
+        let free = &elimination.free;
+        let mut transform = Matrix::zeros(reduction.coordinates(), modes + free.len());
         for i in 0..modes {
             transform[(i, i)] = 1.0;
         }
-        for j in 0..elimination.width() {
-            let mut most: Option<(usize, f64)> = None;
-            for (i, value) in elimination.column(j) {
+        for j in 0..free.len() {
+            for (i, value) in elimination.transform.column(j) {
                 transform[(modes + i, modes + j)] = value;
-                if most.is_none_or(|(_, largest)| value.abs() > largest) {
-                    most = Some((i, value.abs()));
-                }
             }
-            names.push(most.map_or_else(String::new, |(i, _)| retained_names[i].clone()));
         }
+        let mut names = mode_names(&reduction.hertz);
+        names.extend(free.iter().map(|&dof| retained_names[dof].clone()));
         Coordinates { transform, names }
     }
 }
