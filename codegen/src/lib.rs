@@ -5,6 +5,7 @@ pub mod element;
 #[cfg(feature = "emit")]
 pub mod emit;
 pub mod expression;
+pub mod form;
 pub mod formula;
 #[cfg(feature = "emit")]
 pub mod generate;

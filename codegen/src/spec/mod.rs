@@ -3,6 +3,7 @@
 pub mod clearance;
 mod document;
 pub mod element;
+pub mod form;
 pub mod law;
 pub mod motion;
 pub mod read;

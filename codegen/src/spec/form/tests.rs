@@ -1,0 +1,101 @@
+//! Structures are found in the shipped forms; slips are named.
+
+use super::*;
+use crate::expression::normal;
+use crate::form::Place;
+
+const ELASTICITY: &str = include_str!("../../../../specs/forms/elasticity.toml");
+const INERTIA: &str = include_str!("../../../../specs/forms/inertia.toml");
+
+fn read(text: &str) -> Result<FormSpec, Vec<String>> {
+    let file = Source::new("f.toml", text);
+    FormSpec::read(&file).map_err(|errors| errors.iter().map(ToString::to_string).collect())
+}
+
+fn pattern(rows: [[i64; 3]; 3]) -> [[Rational; 3]; 3] {
+    rows.map(|row| row.map(|entry| Rational::from_integer(entry.into())))
+}
+
+#[test]
+fn the_stiffness_is_symmetric_with_the_coefficients_of_lame() {
+    let mut spec = read(ELASTICITY).unwrap();
+    let form = spec.forms[0].clone();
+    assert_eq!(form.structure, Structure::Symmetric);
+    let [lambda, mu] = [0, 1].map(|place| spec.coefficients[place].symbol);
+    let two_mu = spec.graph.times(Rational::from_integer(2.into()), mu);
+    let stretch = spec.graph.add(lambda, two_mu);
+    for (i, j, test, trial, expected) in
+        [(0, 0, 1, 1, stretch), (0, 0, 2, 2, mu), (0, 1, 1, 2, lambda), (0, 1, 2, 1, mu)]
+    {
+        let found = form.bilinear[&Place { i, j, test, trial }];
+        assert!(normal::equal(&mut spec.graph, found, expected), "{i} {j} {test} {trial}");
+    }
+    assert_eq!(form.bilinear.len(), 3 * 3 + 6 * 2);
+    let material: Vec<_> = spec.material_of(&form).iter().map(|p| p.name.as_str()).collect();
+    assert_eq!(material, ["E", "nu"]);
+}
+
+#[test]
+fn inertia_is_one_scalar_matrix_times_a_pattern() {
+    let spec = read(INERTIA).unwrap();
+    let expected = [
+        ("mass", [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
+        ("spin_inertia", [[1, 0, 0], [0, 1, 0], [0, 0, 0]]),
+        ("spin_coupling", [[0, 1, 0], [-1, 0, 0], [0, 0, 0]]),
+    ];
+    for (form, (name, rows)) in spec.forms.iter().zip(expected) {
+        assert_eq!(form.name, name);
+        let Structure::Kronecker { pattern: found, scalar } = &form.structure else {
+            panic!("{name}: {:?}", form.structure);
+        };
+        assert_eq!(*found, pattern(rows), "{name}");
+        assert_eq!(scalar.keys().collect::<Vec<_>>(), [&(0, 0)]);
+    }
+}
+
+#[test]
+fn other_structures_are_told_apart() {
+    for (text, expected) in [
+        ("mu*inner(grad(u), grad(v))", "Kronecker"),
+        ("mu*inner(transpose(grad(u)), grad(v))", "Symmetric"),
+        ("lambda*dot(u, v)*1 + mu*div(u)*div(v)", "Symmetric"),
+        ("mu*dot(u, v) + mu*div(v)", "not linear"),
+        ("mu*div(u)^2", "no powers"),
+        ("mu*dot(div(u)*v, v)", "only be scaled"),
+        ("mu*trace(eps(u))*dot(v, D*v)/1", "not linear"),
+        ("mu*div(u)*trace(grad(D*v))", "Full"),
+        ("mu*dot(u + D*u, v)", "Full"),
+    ] {
+        let file = ELASTICITY.replace("lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))", text);
+        let file =
+            file.replace("[forms]", "[matrices]\nD = [[0, -1, 0], [1, 0, 0], [0, 0, 0]]\n[forms]");
+        let found = match read(&file) {
+            Ok(spec) => format!("{:?}", spec.forms[0].structure),
+            Err(errors) => errors.join("; "),
+        };
+        assert!(found.contains(expected), "{text}: {found}");
+    }
+}
+
+#[test]
+fn slips_of_the_pen_are_named() {
+    for (from, to, expected) in [
+        (
+            "inner(eps(u)",
+            "inner(esp(u)",
+            "f.toml:20:48: `esp` is not a function of forms (did you mean `eps`?)",
+        ),
+        ("div(u)*div(v)", "div(u)*div(u)", "the form is not linear in u and in v"),
+        ("div(u)*div(v)", "u*v", "a vector times a vector is not defined (write `dot(a, b)`"),
+        ("div(u)*div(v)", "div(eps(u))", "`div` does not take a matrix"),
+        ("div(u)*div(v)", "div(u)", "the form is not linear"),
+        ("lambda*div", "lamda*div", "unknown name `lamda` (did you mean `lambda`?)"),
+        ("unit = \"Pa\"", "unit = \"GPa\"", "forms are written in SI units, `GPa` is none"),
+        ("mu = 'E/(2*(1 + nu))'", "mu = 'E/(2*(E + nu))'", "cannot be added"),
+        ("[material.nu]", "[material.u]", "the name `u` is taken"),
+    ] {
+        let changed = ELASTICITY.replace(from, to);
+        let found = read(&changed).err().unwrap_or_default();
+        assert!(found.iter().any(|error| error.contains(expected)), "{expected}: {found:?}");
+    }
+}
