@@ -33,6 +33,9 @@ impl Graph {
                 self.rule(id, by_vector, &derivatives)?
             };
             derivatives.insert(id, derivative);
+            if self.exceeded() {
+                return Ok(derivative);
+            }
         }
         Ok(derivatives[&expression])
     }

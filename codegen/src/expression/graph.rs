@@ -7,10 +7,12 @@ use num_traits::{One, Zero};
 use super::node::{Id, Node, Rational, Shape, Symbol, Symmetry};
 use super::signature::{self, Value};
 
-/// Most bits of a numerator or denominator, and most nodes: a formula that grows past them is refused
+/// Most bits of a numerator or denominator, and most nodes: a formula that grows past a bound is refused
 /// ([`Graph::exceeded`]) instead of filling the memory.
 pub(super) const NUMBER_BITS: u64 = 4096;
 const NODES: usize = 2_000_000;
+/// Most operands of all nodes together: derivatives of long products have many long products.
+const OPERANDS: usize = 1_000_000;
 
 /// A hash-consed expression graph. Nodes are only added; equal nodes are stored once.
 #[derive(Debug, Clone, Default)]
@@ -19,6 +21,7 @@ pub struct Graph {
     shapes: Vec<Shape>,
     signatures: Vec<[Value; signature::POINTS]>,
     index: HashMap<Node, Id>,
+    operands: usize,
     exceeded: bool,
 }
 
@@ -174,10 +177,15 @@ impl Graph {
         if let Some(id) = self.index.get(&node) {
             return *id;
         }
-        if self.nodes.len() >= NODES {
+        let operands = match &node {
+            Node::Sum(parts) | Node::Product(parts) => parts.len(),
+            _ => 0,
+        };
+        if self.nodes.len() >= NODES || self.operands + operands > OPERANDS {
             self.exceeded = true;
             return Id(0);
         }
+        self.operands += operands;
         let shape = self.shape_of(&node);
         let id = Id(self.nodes.len() as u32);
         let values = signature::evaluate(&node, |operand| &self.signatures[operand.index()]);

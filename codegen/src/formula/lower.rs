@@ -9,7 +9,7 @@ use num_traits::{One, Signed};
 use super::evaluate::pi;
 use super::{Builtin, Comparison, Formula, Kind, LIMITS, PI, Scope, Side, Term, check};
 use crate::diagnostic::{Code, Diagnostics};
-use crate::expression::{Function, Graph, Id, Relation, Shape};
+use crate::expression::{Function, Graph, Id, Node, Relation, Shape};
 
 /// Adds a formula to the graph, where names stand for the given nodes. A name may stand for a number, as
 /// a parameter with a value does.
@@ -134,6 +134,9 @@ impl Lowering<'_> {
             }
         }
         let scalar = self.graph.product(&factors);
+        if let [(_, first), .., (_, last)] = parts {
+            self.bound_exponents(scalar, &(first.span.start..last.span.end));
+        }
         let Some(mut tensor) = tensors.pop() else {
             return scalar;
         };
@@ -166,7 +169,23 @@ impl Lowering<'_> {
         if self.graph.is_zero(a) && constant.is_negative() {
             self.error(Code::UNDEFINED, &term.span, "division by zero");
         }
-        self.graph.power(a, constant)
+        let power = self.graph.power(a, constant);
+        self.bound_exponents(power, &term.span);
+        power
+    }
+
+    /// Reports exponents that grew by merging, as those of powers of powers do.
+    fn bound_exponents(&mut self, id: Id, span: &Range<usize>) {
+        let limit = BigRational::from_integer(LIMITS.exponent.into());
+        let terms = self.graph.terms(id);
+        let [(only, _)] = terms.as_slice() else { return };
+        if let Node::Product(factors) = self.graph.node(*only) {
+            let fine = |e: &BigRational| e.abs() <= limit && e.denom().bits() <= 64;
+            if !factors.iter().all(|(_, exponent)| fine(exponent)) {
+                let message = format!("the exponents grow beyond {} here", LIMITS.exponent);
+                self.error(Code::LIMIT, span, message);
+            }
+        }
     }
 
     fn call(&mut self, term: &Term, function: &str, arguments: &[Term]) -> Id {
@@ -277,6 +296,8 @@ mod tests {
             ("(-2)^n", "f:1:2: a broken power of a negative number"),
             ("(-2)^x", "f:1:2: a power that varies needs a base above zero"),
             ("x^101", "f:1:3: an exponent is at most 100"),
+            ("(x^50)^3", "f:1:2: the exponents grow beyond 100 here"),
+            ("2*x^60/x^-60", "f:1:1: the exponents grow beyond 100 here"),
             ("x*1e300^20", "f:1:1: the exact numbers in this formula grow beyond all use"),
         ] {
             assert_eq!(lowered(&mut graph.clone(), text), Err(vec![expected.to_owned()]), "{text}");

@@ -13,7 +13,7 @@ use crate::spec::read::{Document, Table, Value};
 use crate::units::{Dimension, Unit};
 
 /// Most bytes of a law file.
-const LONGEST: usize = 64 * 1024;
+const LONGEST: usize = 32 * 1024;
 
 /// A law file as it was written.
 pub(super) struct Draft {

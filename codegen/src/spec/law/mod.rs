@@ -28,6 +28,7 @@
 
 mod build;
 mod draft;
+mod poles;
 mod program;
 mod report;
 mod root;

@@ -3,11 +3,16 @@
 
 use std::fmt;
 
+use super::poles::Signed;
 use super::scan::{self, Line};
 use super::{Condition, LawOutput, LawSpec};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
-use crate::formula::{Dual, Formula, Rounded, evaluate};
+use crate::formula::{Dual, Rounded};
 use crate::units::{Unit, nearest};
+
+/// Poles that are listed, and breaks along one line, beyond which a law is refused.
+const MOST_POLES: usize = 16;
+const MOST_BREAKS: usize = 256;
 
 /// What was found about a law.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -113,8 +118,9 @@ struct Seen {
 struct Look<'l> {
     law: &'l LawSpec,
     output: &'l LawOutput,
-    divisors: Vec<Vec<Formula>>,
     seen: Seen,
+    /// Signs of the divisors at the point looked at last, if the piece was the same.
+    signs_at_last: Option<u64>,
 }
 
 fn in_file(si: f64, unit: &Unit) -> f64 {
@@ -133,8 +139,8 @@ impl<'l> Look<'l> {
             poles: Vec::new(),
             undefined: None,
         };
-        let divisors = output.pieces.iter().map(|piece| scan::divisors(&piece.value)).collect();
-        Look { law, output, divisors, seen: Seen { report, between: Vec::new() } }
+        let seen = Seen { report, between: Vec::new() };
+        Look { law, output, seen, signs_at_last: None }
     }
 
     fn over(mut self, lines: &[Line]) -> Result<Seen, Diagnostic> {
@@ -156,6 +162,8 @@ impl<'l> Look<'l> {
 
     fn along(&mut self, line: &Line, rises: &mut bool, falls: &mut bool) -> Result<(), Diagnostic> {
         let mut before: Option<(f64, usize, Rounded)> = None;
+        let mut breaks = 0;
+        self.signs_at_last = None;
         for &x in &line.points {
             let inputs: Vec<Rounded> = line.at(x).into_iter().map(Rounded::new).collect();
             let names = self.law.names(&inputs)?;
@@ -169,7 +177,8 @@ impl<'l> Look<'l> {
                 if other == piece {
                     self.poles(line, piece, low, x)?;
                 } else {
-                    self.breaks(line, low, x)?;
+                    self.signs_at_last = None;
+                    self.breaks(line, low, x, &mut breaks)?;
                 }
             }
             before = Some((x, piece, value));
@@ -195,18 +204,53 @@ impl<'l> Look<'l> {
     }
 
     /// Finds every break between two points by bisection.
-    fn breaks(&mut self, line: &Line, mut low: f64, high: f64) -> Result<(), Diagnostic> {
+    fn breaks(
+        &mut self,
+        line: &Line,
+        mut low: f64,
+        high: f64,
+        count: &mut usize,
+    ) -> Result<(), Diagnostic> {
         let last = self.active(line, high)?;
         loop {
             let first = self.active(line, low)?;
             if first == last {
                 return Ok(());
             }
-            let (a, b) = scan::bisect(low, high, |x| Ok(self.active(line, x)? == first))?;
+            *count += 1;
+            if *count > MOST_BREAKS {
+                let message = format!("`{}` has more than {MOST_BREAKS} breaks", self.output.name);
+                let place = scan::place_of(&self.output.pieces[first]);
+                return Err(place.error_here(Code::LIMIT, message));
+            }
+            let (a, b) = match self.known_end(line, first, low, high)? {
+                Some(neighbours) => neighbours,
+                None => scan::bisect(low, high, |x| Ok(self.active(line, x)? == first))?,
+            };
             let second = self.active(line, b)?;
             self.meet(line, a, b, [first, second])?;
             low = b;
         }
+    }
+
+    /// Neighbours of the threshold at which a piece ends, if it ends at one between two points.
+    fn known_end(
+        &self,
+        line: &Line,
+        piece: usize,
+        low: f64,
+        high: f64,
+    ) -> Result<Option<(f64, f64)>, Diagnostic> {
+        let Some(Condition::Threshold { input, at, .. }) = &self.output.pieces[piece].when else {
+            return Ok(None);
+        };
+        let at = nearest(at);
+        let (below, above) = (at.next_down(), at.next_up());
+        if *input != line.input || below < low || above > high {
+            return Ok(None);
+        }
+        let ends = self.active(line, below)? == piece && self.active(line, above)? != piece;
+        Ok(ends.then_some((below, above)))
     }
 
     /// Records the break between neighbours `a` and `b` where `pieces` meet.
@@ -260,24 +304,26 @@ impl<'l> Look<'l> {
         Ok(())
     }
 
-    /// Records divisors of a piece that change sign between two points.
+    /// Records where a divisor of a piece changes its sign between two points.
     fn poles(&mut self, line: &Line, piece: usize, low: f64, high: f64) -> Result<(), Diagnostic> {
-        for divisor in &self.divisors[piece] {
-            let sign = |x: f64| -> Result<bool, Diagnostic> {
-                let names = self.law.names(&line.at(x))?;
-                let value = evaluate(divisor, &names)?.scalar();
-                Ok(value.is_some_and(|value| value.is_sign_negative()))
-            };
-            let first = sign(low)?;
-            if first == sign(high)? {
-                continue;
-            }
-            let (_, at) = scan::bisect(low, high, |x| Ok(sign(x)? == first))?;
-            let input = &self.law.inputs[line.input];
-            let pole = (input.name.clone(), in_file(at, &input.unit));
-            if !self.seen.report.poles.contains(&pole) {
-                self.seen.report.poles.push(pole);
-            }
+        let signs = |x: f64| -> Result<u64, Diagnostic> {
+            let inputs: Vec<Signed> = line.at(x).into_iter().map(Signed::new).collect();
+            Ok(self.output.value_of(piece, &self.law.names(&inputs)?)?.signs)
+        };
+        if self.seen.report.poles.len() == MOST_POLES {
+            return Ok(());
+        }
+        let first = self.signs_at_last.take().map_or_else(|| signs(low), Ok)?;
+        let last = signs(high)?;
+        self.signs_at_last = Some(last);
+        if first == last {
+            return Ok(());
+        }
+        let (_, at) = scan::bisect(low, high, |x| Ok(signs(x)? == first))?;
+        let input = &self.law.inputs[line.input];
+        let pole = (input.name.clone(), in_file(at, &input.unit));
+        if !self.seen.report.poles.contains(&pole) {
+            self.seen.report.poles.push(pole);
         }
         Ok(())
     }

@@ -5,7 +5,6 @@ use num_traits::ToPrimitive;
 use super::{Condition, LawSpec, Piece};
 use crate::diagnostic::{Diagnostic, Located};
 use crate::expression::Node;
-use crate::formula::{Formula, Kind, Side, Term};
 use crate::units::nearest;
 
 /// Most points along a line, and values of each other input, where an input varies alone.
@@ -16,7 +15,7 @@ const LINES: usize = 81;
 /// Fewest points along a line, and most terms to evaluate along all lines: bounds the time that a long law
 /// takes.
 const FEWEST_POINTS: usize = 11;
-const MOST_TERMS: usize = 2_000_000;
+const MOST_TERMS: usize = 400_000;
 
 /// Points that differ in one input only.
 pub(super) struct Line {
@@ -120,9 +119,9 @@ pub(super) fn terms(law: &LawSpec) -> usize {
         Some(Condition::Formula(formula)) => Some(formula),
         _ => None,
     });
-    let values = outputs.map(|piece| &piece.value);
+    let values = outputs.clone().map(|piece| &piece.value);
     let definitions = law.definitions.iter().map(|definition| &definition.formula);
-    let mut terms = law.inputs.len() + law.parameters.len();
+    let mut terms = law.inputs.len() + law.parameters.len() + outputs.count();
     for formula in conditions.chain(values).chain(definitions) {
         formula.root.visit(&mut |_| terms += 1);
     }
@@ -146,21 +145,6 @@ pub(super) fn bisect(
         if holds(middle)? { low = middle } else { high = middle }
     }
     Ok((low, high))
-}
-
-/// Every divisor in a formula, as a formula.
-pub(super) fn divisors(formula: &Formula) -> Vec<Formula> {
-    let mut found = Vec::new();
-    formula.root.visit(&mut |term: &Term| {
-        if let Kind::Product(parts) = &term.kind {
-            let below = parts.iter().filter(|(side, _)| *side == Side::Against);
-            found.extend(
-                below.map(|(_, part)| Formula { text: formula.text.clone(), root: part.clone() }),
-            );
-        }
-    });
-    found.retain(|divisor| !divisor.names().is_empty());
-    found
 }
 
 /// Where a message about a piece points: its condition as far as it is known as text, or its value.

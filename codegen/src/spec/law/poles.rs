@@ -1,0 +1,96 @@
+//! Poles, found by the signs of everything that a formula divides by.
+
+use num_rational::BigRational;
+
+use crate::formula::Number;
+use crate::units::nearest;
+
+/// A value, and a digest of the signs of all divisors met on the way to it: two points between which the
+/// digest changes have a pole between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Signed {
+    pub(super) value: f64,
+    pub(super) signs: u64,
+}
+
+impl Signed {
+    pub(super) fn new(value: f64) -> Self {
+        Signed { value, signs: 0 }
+    }
+
+    fn join(&self, other: &Self, value: f64) -> Self {
+        Signed { value, signs: mixed(self.signs, other.signs) }
+    }
+
+    fn map(&self, value: f64) -> Self {
+        Signed { value, signs: self.signs }
+    }
+
+    fn divisor(&self) -> Self {
+        let sign = u64::from(self.value.is_sign_negative());
+        Signed { value: self.value, signs: mixed(self.signs, 1 + sign) }
+    }
+}
+
+/// Not commutative; 0, the digest of a value without divisors, changes nothing.
+fn mixed(a: u64, b: u64) -> u64 {
+    match (a, b) {
+        (a, 0) => a,
+        (0, b) => b,
+        (a, b) => (a.rotate_left(5) ^ b).wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1 << 63,
+    }
+}
+
+impl Number for Signed {
+    fn exact(value: &BigRational) -> Self {
+        Signed::new(nearest(value))
+    }
+    fn value(&self) -> f64 {
+        self.value
+    }
+    fn add(&self, other: &Self) -> Self {
+        self.join(other, self.value + other.value)
+    }
+    fn sub(&self, other: &Self) -> Self {
+        self.join(other, self.value - other.value)
+    }
+    fn mul(&self, other: &Self) -> Self {
+        self.join(other, self.value * other.value)
+    }
+    fn div(&self, other: &Self) -> Self {
+        self.join(&other.divisor(), self.value / other.value)
+    }
+    fn power(&self, exponent: &Self) -> Self {
+        let base = if exponent.value < 0.0 { self.divisor() } else { *self };
+        base.join(exponent, Number::power(&self.value, &exponent.value))
+    }
+    fn sqrt(&self) -> Self {
+        self.map(Number::sqrt(&self.value))
+    }
+    fn exp(&self) -> Self {
+        self.map(Number::exp(&self.value))
+    }
+    fn ln(&self) -> Self {
+        self.map(Number::ln(&self.value))
+    }
+    fn sin(&self) -> Self {
+        self.map(Number::sin(&self.value))
+    }
+    fn cos(&self) -> Self {
+        self.map(Number::cos(&self.value))
+    }
+    fn tan(&self) -> Self {
+        // tan a = sin a/cos a
+        let sign = u64::from(Number::cos(&self.value).is_sign_negative());
+        Signed { value: Number::tan(&self.value), signs: mixed(self.signs, 1 + sign) }
+    }
+    fn atan(&self) -> Self {
+        self.map(Number::atan(&self.value))
+    }
+    fn tanh(&self) -> Self {
+        self.map(Number::tanh(&self.value))
+    }
+    fn abs(&self) -> Self {
+        self.map(self.value.abs())
+    }
+}
