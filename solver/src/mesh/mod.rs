@@ -1,24 +1,21 @@
 //! Meshes of solid bodies: nodes, blocks of cells of one element and material, named sets.
 //!
-//! A mesh is read from a file or made from a few dimensions and does not change
+//! A mesh is read ([`inp`]) or made from a few dimensions ([`shaft`], [`support`]) and does not change
 //! afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
+
+pub mod inp;
+mod layers;
+mod material;
+pub mod shaft;
+pub mod support;
+
+pub use material::Material;
 
 use std::collections::BTreeMap;
 
 use whirl_specs::Element;
 
 use crate::error::{Error, nearest};
-
-pub mod inp;
-
-/// A material with its properties by the symbols that the forms use.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Material {
-    /// Name in the source of the mesh.
-    pub name: String,
-    /// SI values by symbol: `E` (Pa), `nu` (1), `rho` (kg/m³).
-    pub properties: BTreeMap<String, f64>,
-}
 
 /// Cells of one element and one material.
 #[derive(Debug, Clone)]

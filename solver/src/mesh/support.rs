@@ -1,0 +1,334 @@
+//! A beam above rings that are joined to it by pedestals, made from a few dimensions.
+
+use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use whirl_specs::Element;
+
+use super::layers::{Layers, Plan, element, positive, wrong};
+use super::shaft::from_abaqus;
+use super::{Cell, Material, Mesh, MeshParts};
+use crate::error::Error;
+
+const ORIGIN: &str = "support made from its dimensions";
+
+/// A beam along z above rings around the z axis; a pedestal joins each ring's top to the beam.
+///
+/// All cells are hexahedra with incompatible modes. Node sets: `BOREk_LEFT`, `_MIDDLE`, `_RIGHT` around
+/// each bore (k from 1), `MOUNTS` on the beam's top and `GROUND_SPRINGS` on its underside, half way
+/// across, at both ends and in the middle; `Nall`. Element set: `Ehex8`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RingSupport {
+    /// z of the beam's start, m.
+    pub start: f64,
+    /// Of the beam along z, m.
+    pub length: f64,
+    /// Of the beam along x, m.
+    pub height: f64,
+    /// Of the beam and the pedestals along y, m.
+    pub width: f64,
+    /// From a ring's top to the beam, m.
+    pub pedestal_height: f64,
+    /// z of the middle of each ring, ascending, m.
+    pub rings: Vec<f64>,
+    /// Of a ring along z, m.
+    pub ring_length: f64,
+    /// m.
+    pub ring_thickness: f64,
+    /// m.
+    pub bore_radius: f64,
+    /// Layers of cells in a ring along z; even.
+    pub layers_in_ring: usize,
+    /// Layers of cells of the beam between two rings.
+    pub layers_between: usize,
+    /// Cells of a section.
+    pub section: SupportCells,
+    /// Its material.
+    pub material: Material,
+}
+
+/// Cells of a section through a ring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SupportCells {
+    /// Of the beam along x.
+    pub height: usize,
+    /// Of the beam, the pedestals and the ring's top along y; even.
+    pub width: usize,
+    /// Of the pedestals along x.
+    pub pedestal: usize,
+    /// Around a ring; those beside the pedestal share the rest of the angle equally.
+    pub around: usize,
+    /// Through a ring's thickness.
+    pub radial: usize,
+}
+
+impl Default for SupportCells {
+    fn default() -> Self {
+        SupportCells { height: 8, width: 4, pedestal: 6, around: 24, radial: 2 }
+    }
+}
+
+/// A node by its place in one of the parts; k counts planes, in a ring and its pedestal from its start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    Beam { up: usize, across: usize, plane: usize },
+    Ring { ring: usize, out: usize, around: usize, plane: usize },
+    Pedestal { ring: usize, up: usize, across: usize, plane: usize },
+}
+
+impl RingSupport {
+    /// The mesh, with the element of `elements` that Abaqus calls C3D8I.
+    ///
+    /// # Errors
+    /// [`Error::Dimension`] naming the dimension that cannot be, [`Error::Mesh`] for a missing element.
+    pub fn mesh(&self, elements: &[&'static Element]) -> Result<Mesh, Error> {
+        let hexahedron = element(elements, "C3D8I", ORIGIN)?;
+        self.check()?;
+        let layers = self.plan().layers()?;
+        let maker = Maker::new(self, &layers);
+        let mut nodes = Nodes { maker: &maker, index: BTreeMap::new(), positions: Vec::new() };
+        let mut cells = Vec::new();
+        for corners in maker.beam().chain(maker.pedestals()).chain(maker.rings()) {
+            cells.extend(corners.map(|place| nodes.index(place)));
+        }
+        let node_sets = maker.node_sets(&mut nodes);
+        let block = from_abaqus(hexahedron, &cells, 1);
+        let all = (0..block.len()).map(|cell| Cell { block: 0, cell }).collect();
+        Mesh::new(MeshParts {
+            origin: ORIGIN.to_owned(),
+            labels: (1..=nodes.positions.len() as u64).collect(),
+            nodes: nodes.positions,
+            blocks: vec![block],
+            materials: vec![self.material.clone()],
+            node_sets,
+            element_sets: BTreeMap::from([("Ehex8".to_owned(), all)]),
+        })
+    }
+
+    fn outer_radius(&self) -> f64 {
+        self.bore_radius + self.ring_thickness
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        positive(&[
+            ("length", self.length),
+            ("height", self.height),
+            ("width", self.width),
+            ("pedestal_height", self.pedestal_height),
+            ("ring_length", self.ring_length),
+            ("ring_thickness", self.ring_thickness),
+            ("bore_radius", self.bore_radius),
+        ])?;
+        if !self.start.is_finite() {
+            return Err(wrong("start", self.start, "it must be a number"));
+        }
+        let cells = self.section;
+        let counts = [
+            ("cells along the height", cells.height),
+            ("cells of a pedestal", cells.pedestal),
+            ("radial cells", cells.radial),
+        ];
+        if let Some((name, count)) = counts.into_iter().find(|&(_, count)| count == 0) {
+            return Err(wrong(name, count, "there must be at least one"));
+        }
+        if cells.width == 0 || cells.width % 2 != 0 {
+            let what = "it must be even and not 0, so that nodes stand half way across";
+            return Err(wrong("cells across the width", cells.width, what));
+        }
+        let outer = self.outer_radius();
+        if self.width >= 2.0 * outer {
+            let what = format!(
+                "the pedestals must be narrower than the rings, whose outer diameter is {} m \
+                 (bore_radius + ring_thickness, twice)",
+                2.0 * outer
+            );
+            return Err(wrong("width", format!("{} m", self.width), what));
+        }
+        let beside = TAU - 2.0 * (0.5 * self.width / outer).asin();
+        let least = cells.width + (beside / FRAC_PI_2).ceil() as usize;
+        if cells.around < least {
+            let what = format!("at least {least} are needed for cells of less than a right angle");
+            return Err(wrong("cells around a ring", cells.around, what));
+        }
+        Ok(())
+    }
+
+    fn plan(&self) -> Plan<'_> {
+        Plan {
+            start: self.start,
+            length: self.length,
+            supports: ("rings", &self.rings),
+            support_length: ("ring_length", self.ring_length),
+            layers_in_support: ("layers_in_ring", self.layers_in_ring),
+            layers_between: ("layers_between", self.layers_between),
+            longest: 0.5 * self.height,
+        }
+    }
+}
+
+/// Nodes numbered as they are first met; each stands in one place of the parts.
+struct Nodes<'a> {
+    maker: &'a Maker<'a>,
+    index: BTreeMap<Place, usize>,
+    positions: Vec<[f64; 3]>,
+}
+
+impl Nodes<'_> {
+    fn index(&mut self, place: Place) -> usize {
+        let place = self.maker.shared(place);
+        *self.index.entry(place).or_insert_with(|| {
+            self.positions.push(self.maker.position(place));
+            self.positions.len() - 1
+        })
+    }
+}
+
+struct Maker<'a> {
+    support: &'a RingSupport,
+    layers: &'a Layers,
+    /// Angles of the nodes around a ring; the first width + 1 carry the pedestal.
+    angles: Vec<f64>,
+}
+
+/// Corners of a cell in the order of Abaqus from those of its face at a plane.
+fn between_planes(face: impl Fn(usize) -> [Place; 4]) -> [Place; 8] {
+    let ([a, b, c, d], [e, f, g, h]) = (face(0), face(1));
+    [a, b, c, d, e, f, g, h]
+}
+
+impl<'a> Maker<'a> {
+    fn new(support: &'a RingSupport, layers: &'a Layers) -> Self {
+        let cells = support.section;
+        let half = 0.5 * support.width;
+        let across = |j: usize| -half + support.width * j as f64 / cells.width as f64;
+        let mut angles: Vec<f64> =
+            (0..=cells.width).map(|j| (across(j) / support.outer_radius()).asin()).collect();
+        let edge = angles[cells.width];
+        let beside = cells.around - cells.width;
+        let step = (TAU - 2.0 * edge) / beside as f64;
+        angles.extend((1..beside).map(|i| edge + step * i as f64));
+        Maker { support, layers, angles }
+    }
+
+    /// The ring's top is the pedestal's foot, the pedestal's head is part of the beam's underside.
+    fn shared(&self, place: Place) -> Place {
+        let cells = self.support.section;
+        match place {
+            Place::Ring { ring, out, around, plane } => {
+                Place::Ring { ring, out, around: around % cells.around, plane }
+            }
+            Place::Pedestal { ring, up: 0, across, plane } => {
+                Place::Ring { ring, out: cells.radial, around: across, plane }
+            }
+            Place::Pedestal { ring, up, across, plane } if up == cells.pedestal => {
+                Place::Beam { up: 0, across, plane: self.layers.support_starts[ring] + plane }
+            }
+            place => place,
+        }
+    }
+
+    fn position(&self, place: Place) -> [f64; 3] {
+        let support = self.support;
+        let cells = support.section;
+        let part = |i: usize, of: usize| i as f64 / of as f64;
+        let underside = support.outer_radius() + support.pedestal_height;
+        let y = |across: usize| support.width * (part(across, cells.width) - 0.5);
+        let plane_of = |ring: usize, plane: usize| {
+            self.layers.planes[self.layers.support_starts[ring] + plane]
+        };
+        match place {
+            Place::Beam { up, across, plane } => [
+                underside + support.height * part(up, cells.height),
+                y(across),
+                self.layers.planes[plane],
+            ],
+            Place::Ring { ring, out, around, plane } => {
+                let radius = support.bore_radius + support.ring_thickness * part(out, cells.radial);
+                let angle = self.angles[around];
+                [radius * angle.cos(), radius * angle.sin(), plane_of(ring, plane)]
+            }
+            Place::Pedestal { ring, up, across, plane } => {
+                let foot = support.outer_radius() * self.angles[across].cos();
+                let x = foot + (underside - foot) * part(up, cells.pedestal);
+                [x, y(across), plane_of(ring, plane)]
+            }
+        }
+    }
+
+    fn beam(&self) -> impl Iterator<Item = [Place; 8]> {
+        let cells = self.support.section;
+        grid(cells.height, cells.width, self.layers.planes.len() - 1).map(|[up, across, k]| {
+            between_planes(|end| {
+                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| Place::Beam {
+                    up: up + i,
+                    across: across + j,
+                    plane: k + end,
+                })
+            })
+        })
+    }
+
+    fn pedestals(&self) -> impl Iterator<Item = [Place; 8]> {
+        let cells = self.support.section;
+        (0..self.support.rings.len()).flat_map(move |ring| {
+            grid(cells.pedestal, cells.width, self.support.layers_in_ring).map(
+                move |[up, across, k]| {
+                    between_planes(|end| {
+                        [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| Place::Pedestal {
+                            ring,
+                            up: up + i,
+                            across: across + j,
+                            plane: k + end,
+                        })
+                    })
+                },
+            )
+        })
+    }
+
+    fn rings(&self) -> impl Iterator<Item = [Place; 8]> {
+        let cells = self.support.section;
+        (0..self.support.rings.len()).flat_map(move |ring| {
+            grid(cells.radial, cells.around, self.support.layers_in_ring).map(
+                move |[out, around, k]| {
+                    between_planes(|end| {
+                        [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| Place::Ring {
+                            ring,
+                            out: out + i,
+                            around: around + j,
+                            plane: k + end,
+                        })
+                    })
+                },
+            )
+        })
+    }
+
+    fn node_sets(&self, nodes: &mut Nodes) -> BTreeMap<String, Vec<usize>> {
+        let cells = self.support.section;
+        let mut sets = BTreeMap::new();
+        for ring in 0..self.support.rings.len() {
+            let half = self.support.layers_in_ring / 2;
+            for (name, plane) in [("LEFT", 0), ("MIDDLE", half), ("RIGHT", 2 * half)] {
+                let place = |around: usize| Place::Ring { ring, out: 0, around, plane };
+                let bore = (0..cells.around).map(|around| nodes.index(place(around))).collect();
+                sets.insert(format!("BORE{}_{name}", ring + 1), bore);
+            }
+        }
+        let middle = self.layers.nearest(self.support.start + 0.5 * self.support.length);
+        let stations = [0, middle, self.layers.planes.len() - 1];
+        for (name, up) in [("MOUNTS", cells.height), ("GROUND_SPRINGS", 0)] {
+            let across = cells.width / 2;
+            let set = stations.map(|plane| nodes.index(Place::Beam { up, across, plane }));
+            sets.insert(name.to_owned(), set.to_vec());
+        }
+        sets.insert("Nall".to_owned(), (0..nodes.positions.len()).collect());
+        sets
+    }
+}
+
+/// All (i, j, k) below the three numbers, i fastest.
+fn grid(first: usize, second: usize, third: usize) -> impl Iterator<Item = [usize; 3]> {
+    let row = move |j, k| (0..first).map(move |i| [i, j, k]);
+    (0..third).flat_map(move |k| (0..second).flat_map(move |j| row(j, k)))
+}
