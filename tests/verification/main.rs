@@ -6,6 +6,7 @@ mod bodies;
 mod constraints;
 mod formulas;
 mod laws;
+mod made_meshes;
 mod reduction;
 mod reference_modes;
 mod twins;
