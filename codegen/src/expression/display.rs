@@ -1,14 +1,18 @@
-//! Expressions as text in the formula language, with the spec's own names.
+//! Expressions as text, in the formula language and with the spec's own names.
+
+use std::cell::Cell;
 
 use num_traits::{One, Signed};
 
 use super::graph::Graph;
-use super::node::{Function, Id, Node, Rational, Relation, Shape};
+use super::node::{Function, Id, Node, Rational, Relation};
 
 /// How tightly the outermost operation of a text binds.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
-    Truth,
+    Any,
+    Not,
+    Compare,
     Sum,
     Product,
     Power,
@@ -18,9 +22,11 @@ enum Binding {
 /// Texts longer than this are cut: the graph shares what the text would repeat.
 const LONGEST: usize = 20_000;
 
-/// The expression as a formula; one that would be very long is cut and ends in `…`.
+/// A node as a formula that reads back as the same node. Choices, which the formula language writes as
+/// pieces, appear as `select(condition, a, b)`, the unit matrix as `identity`. A text that would be very
+/// long is cut and ends in `…`.
 pub fn display(graph: &Graph, id: Id) -> String {
-    let mut text = Printer { graph, room: LONGEST }.print(id).0;
+    let mut text = Printer { graph, room: Cell::new(LONGEST) }.at_least(id, Binding::Any);
     if let Some((cut, _)) = text.char_indices().nth(LONGEST) {
         text.truncate(cut);
         text.push('…');
@@ -30,142 +36,145 @@ pub fn display(graph: &Graph, id: Id) -> String {
 
 struct Printer<'g> {
     graph: &'g Graph,
-    room: usize,
+    /// Characters that may still be written.
+    room: Cell<usize>,
 }
 
 impl Printer<'_> {
-    fn at_least(&mut self, id: Id, least: Binding) -> String {
-        let (text, binding) = self.print(id);
+    fn at_least(&self, id: Id, least: Binding) -> String {
+        let (text, binding) = self.text(id);
         if binding >= least { text } else { format!("({text})") }
     }
 
-    fn print(&mut self, id: Id) -> (String, Binding) {
-        if self.room == 0 {
-            return ("…".into(), Binding::Atom);
+    fn text(&self, id: Id) -> (String, Binding) {
+        if self.room.get() == 0 {
+            return ("…".to_owned(), Binding::Atom);
         }
         let (text, binding) = self.node(id);
-        self.room = self.room.saturating_sub(text.len());
+        self.room.set(self.room.get().saturating_sub(text.len()));
         (text, binding)
     }
 
-    fn node(&mut self, id: Id) -> (String, Binding) {
-        match self.graph.node(id).clone() {
-            Node::Number(value) => number(&value),
-            Node::Zero(Shape::Vector) => ("zero vector".into(), Binding::Atom),
-            Node::Zero(_) => ("zero matrix".into(), Binding::Atom),
-            Node::Identity => ("identity".into(), Binding::Atom),
-            Node::Symbol(symbol) => (symbol.name, Binding::Atom),
-            Node::Sum(terms) => self.sum(&terms),
-            Node::Product(factors) => self.product(&factors),
-            Node::Function(function, a) => {
-                let argument = self.print(a).0;
-                (format!("{}({argument})", name(function)), Binding::Atom)
-            }
+    fn node(&self, id: Id) -> (String, Binding) {
+        let list = |parts: &[Id]| {
+            parts
+                .iter()
+                .map(|part| self.at_least(*part, Binding::Any))
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        let call = |name: &str, parts: &[Id]| (format!("{name}({})", list(parts)), Binding::Atom);
+        match self.graph.node(id) {
+            Node::Number(value) => number(value),
+            Node::Zero(_) => ("0".to_owned(), Binding::Atom),
+            Node::Identity => ("identity".to_owned(), Binding::Atom),
+            Node::Symbol(symbol) => (symbol.name.clone(), Binding::Atom),
+            Node::Truth(value) => (value.to_string(), Binding::Atom),
+            Node::Sum(terms) => self.sum(terms),
+            Node::Product(factors) => self.product(factors, None),
+            Node::Function(function, a) => call(name(*function), &[*a]),
             Node::Compare(relation, a, b) => {
-                let (a, b) = (self.at_least(a, Binding::Sum), self.at_least(b, Binding::Sum));
                 let sign = match relation {
                     Relation::Less => "<",
                     Relation::LessOrEqual => "<=",
                 };
-                (format!("{a} {sign} {b}"), Binding::Truth)
+                let (a, b) = (self.at_least(*a, Binding::Sum), self.at_least(*b, Binding::Sum));
+                (format!("{a} {sign} {b}"), Binding::Compare)
             }
-            Node::Truth(value) => (value.to_string(), Binding::Atom),
-            Node::And(a, b) => self.joined(a, " and ", b, Binding::Sum, Binding::Truth),
-            Node::Or(a, b) => self.joined(a, " or ", b, Binding::Sum, Binding::Truth),
-            Node::Not(a) => (format!("not {}", self.at_least(a, Binding::Sum)), Binding::Truth),
-            Node::Select(mask, a, b) => {
-                let (mask, a, b) = (self.print(mask).0, self.print(a).0, self.print(b).0);
-                (format!("select({mask}, {a}, {b})"), Binding::Atom)
+            Node::And(a, b) => self.chain(*a, "and", *b),
+            Node::Or(a, b) => self.chain(*a, "or", *b),
+            Node::Not(a) => (format!("not {}", self.at_least(*a, Binding::Compare)), Binding::Not),
+            Node::Select(mask, a, b) => call("select", &[*mask, *a, *b]),
+            Node::Scale(scalar, x) => match self.graph.node(*scalar) {
+                Node::Product(factors) => self.product(factors, Some(*x)),
+                _ => self.product(&[(*scalar, Rational::one())], Some(*x)),
+            },
+            Node::Dot(a, b) => call("dot", &[*a, *b]),
+            Node::Apply(matrix, x) => {
+                let matrix = self.at_least(*matrix, Binding::Atom);
+                // A product of matrices and a vector needs no parentheses: only the vector ends it.
+                let tight = matches!(self.graph.node(*x), Node::Apply(..));
+                let x = self.at_least(*x, if tight { Binding::Product } else { Binding::Power });
+                (format!("{matrix}*{x}"), Binding::Product)
             }
-            Node::Scale(a, b) | Node::Apply(a, b) => {
-                self.joined(a, "*", b, Binding::Power, Binding::Product)
-            }
-            Node::Dot(a, b) => {
-                let (a, b) = (self.print(a).0, self.print(b).0);
-                (format!("dot({a}, {b})"), Binding::Atom)
-            }
-            Node::Transpose(a) => (format!("transpose({})", self.print(a).0), Binding::Atom),
-            Node::Outer(a, b) => {
-                let (a, b) = (self.print(a).0, self.print(b).0);
-                (format!("outer({a}, {b})"), Binding::Atom)
-            }
+            Node::Transpose(a) => call("transpose", &[*a]),
+            Node::Outer(a, b) => call("outer", &[*a, *b]),
         }
     }
 
-    fn joined(
-        &mut self,
-        a: Id,
-        sign: &str,
-        b: Id,
-        least: Binding,
-        is: Binding,
-    ) -> (String, Binding) {
-        let (a, b) = (self.at_least(a, least), self.at_least(b, least));
-        (format!("{a}{sign}{b}"), is)
+    fn chain(&self, a: Id, word: &str, b: Id) -> (String, Binding) {
+        // "and" and "or" are never mixed without parentheses.
+        let (a, b) = (self.at_least(a, Binding::Not), self.at_least(b, Binding::Not));
+        (format!("{a} {word} {b}"), Binding::Any)
     }
 
-    fn sum(&mut self, terms: &[(Id, Rational)]) -> (String, Binding) {
+    fn sum(&self, terms: &[(Id, Rational)]) -> (String, Binding) {
         let mut text = String::new();
         for (place, (term, coefficient)) in terms.iter().enumerate() {
-            let sign = match (place, coefficient.is_negative()) {
+            let negative = coefficient.is_negative();
+            text.push_str(match (place, negative) {
                 (0, false) => "",
                 (0, true) => "-",
                 (_, false) => " + ",
                 (_, true) => " - ",
-            };
-            text.push_str(sign);
-            let size = coefficient.abs();
-            if self.graph.is_one(*term) {
-                text.push_str(&number(&size).0);
-            } else if size.is_one() {
-                text.push_str(&self.at_least(*term, Binding::Product));
-            } else {
-                let term = self.at_least(*term, Binding::Product);
-                text.push_str(&format!("{}*{term}", number(&size).0));
-            }
+            });
+            text.push_str(&self.multiple(&coefficient.abs(), *term));
         }
-        let single = terms.len() == 1 && !terms[0].1.is_negative();
-        (text, if single { Binding::Product } else { Binding::Sum })
+        let alone = terms.len() == 1 && !terms[0].1.is_negative();
+        (text, if alone { Binding::Product } else { Binding::Sum })
     }
 
-    fn product(&mut self, factors: &[(Id, Rational)]) -> (String, Binding) {
-        let (mut above, mut below) = (Vec::new(), Vec::new());
-        for (base, exponent) in factors {
-            let size = exponent.abs();
-            let text = if size.is_one() {
-                self.at_least(*base, Binding::Power)
-            } else if size == Rational::new(1.into(), 2.into()) {
-                format!("sqrt({})", self.print(*base).0)
-            } else {
-                let (exponent, binding) = number(&size);
-                let base = self.at_least(*base, Binding::Atom);
-                match binding {
-                    Binding::Atom => format!("{base}^{exponent}"),
-                    _ => format!("{base}^({exponent})"),
-                }
-            };
-            if exponent.is_negative() { &mut below } else { &mut above }.push(text);
+    /// coefficient·term for a coefficient above zero.
+    fn multiple(&self, coefficient: &Rational, term: Id) -> String {
+        if self.graph.is_one(term) {
+            return number(coefficient).0;
         }
-        let above = if above.is_empty() { "1".to_owned() } else { above.join("*") };
-        let text = match below.len() {
-            0 => above,
-            1 => format!("{above}/{}", below[0]),
-            _ => format!("{above}/({})", below.join("*")),
-        };
-        (text, Binding::Product)
+        let text = self.at_least(term, Binding::Product);
+        if coefficient.is_one() { text } else { format!("{}*{text}", number(coefficient).0) }
+    }
+
+    /// Π base^exponent, times a vector or matrix.
+    fn product(&self, factors: &[(Id, Rational)], tensor: Option<Id>) -> (String, Binding) {
+        let (above, below): (Vec<_>, Vec<_>) =
+            factors.iter().partition(|(_, exponent)| exponent.is_positive());
+        let mut parts: Vec<String> = above.iter().map(|(base, e)| self.power(*base, e)).collect();
+        parts.extend(tensor.map(|tensor| self.at_least(tensor, Binding::Power)));
+        let mut text = if parts.is_empty() { "1".to_owned() } else { parts.join("*") };
+        for (base, exponent) in &below {
+            text.push('/');
+            text.push_str(&self.power(*base, &-exponent));
+        }
+        let single = parts.len() == 1 && below.is_empty();
+        (text, if single { Binding::Power } else { Binding::Product })
+    }
+
+    /// base^exponent for an exponent above zero.
+    fn power(&self, base: Id, exponent: &Rational) -> String {
+        if exponent.is_one() {
+            return self.at_least(base, Binding::Power);
+        }
+        if *exponent == Rational::new(1.into(), 2.into()) {
+            return format!("sqrt({})", self.at_least(base, Binding::Any));
+        }
+        let base = self.at_least(base, Binding::Atom);
+        if exponent.is_integer() {
+            format!("{base}^{exponent}")
+        } else {
+            format!("{base}^({exponent})")
+        }
     }
 }
 
+/// A number: decimal where that is exact and short, else a fraction.
 fn number(value: &Rational) -> (String, Binding) {
     let text = if value.is_integer() {
-        value.numer().to_string()
+        value.to_string()
     } else {
-        // A decimal where it is short and exact, else the fraction.
         let decimal = super::signature::to_f64(value).to_string();
         let exact = decimal.len() <= 12
             && crate::units::decimal(&decimal)
-                .is_some_and(|(exact, _)| exact.as_ref() == Some(value));
-        if exact { decimal } else { format!("{}/{}", value.numer(), value.denom()) }
+                .is_some_and(|(read, _)| read.as_ref() == Some(value));
+        if exact { decimal } else { value.to_string() }
     };
     let binding = match value.is_negative() {
         true => Binding::Sum,
@@ -175,6 +184,7 @@ fn number(value: &Rational) -> (String, Binding) {
     (text, binding)
 }
 
+/// Name of a function in the formula language.
 fn name(function: Function) -> &'static str {
     match function {
         Function::Exp => "exp",
@@ -185,5 +195,94 @@ fn name(function: Function) -> &'static str {
         Function::Atan => "atan",
         Function::Tanh => "tanh",
         Function::Abs => "abs",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+    use crate::diagnostic::Located;
+    use crate::expression::Symmetry;
+    use crate::formula;
+
+    fn names(graph: &mut Graph) -> BTreeMap<String, Id> {
+        let mut names = BTreeMap::new();
+        for name in ["a", "b", "c"] {
+            names.insert(name.to_owned(), graph.scalar(name));
+        }
+        for name in ["x", "y"] {
+            names.insert(name.to_owned(), graph.vector(name));
+        }
+        for (name, symmetry) in
+            [("S", Symmetry::Symmetric), ("H", Symmetry::Skew), ("N", Symmetry::None)]
+        {
+            names.insert(name.to_owned(), graph.matrix(name, symmetry));
+        }
+        names
+    }
+
+    fn lowered(graph: &mut Graph, names: &BTreeMap<String, Id>, text: &str) -> Id {
+        let formula = formula::parse(&Located::alone("f", text)).expect(text);
+        formula::lower(&formula, graph, names).expect(text)
+    }
+
+    #[test]
+    fn formulas_read_back_as_the_same_node() {
+        let mut graph = Graph::new();
+        let names = names(&mut graph);
+        for text in [
+            "a + b - c",
+            "-(a + b)*c",
+            "-a",
+            "-2*a",
+            "a - (b - c)",
+            "2/3*a - 5/7",
+            "a/(b*c)",
+            "1/a",
+            "1/(a + b)^2",
+            "(a + b)^2*c^3",
+            "(-2*a)^(1/3)",
+            "a^(2/3)/b^(3/2)",
+            "sqrt(a + b)",
+            "exp(-a)*sin(b - c)",
+            "log(a)^2 - tanh(a/b)",
+            "(a*b + c)^(-1/3)",
+            "a < b and (b <= c or not a < c)",
+            "not (a < b and b < c)",
+            "a*x - 2*y",
+            "(a + b)*x",
+            "-(x + y)",
+            "S*(x + y)",
+            "S*H*x - N*y",
+            "S*(a*x + y)",
+            "a*(S*x)",
+            "transpose(N)*x",
+            "dot(x + y, S*x)*y/b",
+            "outer(x, S*y) - a*S + transpose(N)",
+            "a/b*(x - y)",
+            "(a - b)*S",
+            "0.25*x",
+        ] {
+            let id = lowered(&mut graph, &names, text);
+            let shown = display(&graph, id);
+            assert_eq!(lowered(&mut graph, &names, &shown), id, "{text} shown as {shown}");
+        }
+    }
+
+    #[test]
+    fn texts_are_short() {
+        let mut graph = Graph::new();
+        let names = names(&mut graph);
+        for (text, expected) in [
+            ("2*a*(x + S*y)", "2*a*(x + S*y)"),
+            ("-2*dot(x + S*y, y)*a", "-2*a*dot(y, x + S*y)"),
+            ("a^2*S - 2*a*H", "a^2*S - 2*a*H"),
+            ("a - 1/2*b", "a - 0.5*b"),
+        ] {
+            let id = lowered(&mut graph, &names, text);
+            assert_eq!(display(&graph, id), expected);
+        }
     }
 }
