@@ -1,0 +1,318 @@
+//! One kernel as Rust: what it needs is read, words are computed in one pass over the columns of the
+//! matrices, then dot products, scalars and the outputs.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::combination::{Text, combination, entry};
+use super::form::{Form, Group};
+use super::plan::{AFTER, BEFORE, Plan, Word};
+use crate::emit::{Numbers, identifier, operand, statements};
+use crate::expression::{Graph, Id, Node, Shape};
+use crate::schedule::Operand;
+use crate::spec::motion::MotionSpec;
+
+/// What the outputs of a kernel are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// One scalar.
+    Value,
+    /// 1 + n values: a scalar and a vector.
+    Rows,
+    /// (1 + n)² values: a scalar, a row, a column and a block.
+    Blocks,
+}
+
+/// Writes the statements of a kernel.
+pub(super) struct Writer<'a> {
+    pub(super) spec: &'a MotionSpec,
+    pub(super) graph: &'a Graph,
+    pub(super) plan: &'a Plan,
+}
+
+impl Writer<'_> {
+    /// The statements that compute the outputs.
+    pub(super) fn body(&self, result: Kind) -> TokenStream {
+        let symbols = self.symbols();
+        let before = statements(&self.plan.scalars, BEFORE, Numbers::Lanes);
+        let after = statements(&self.plan.scalars, AFTER, Numbers::Lanes);
+        let split = match result {
+            Kind::Blocks => quote! {
+                let out = &mut out[..(n + 1) * (n + 1)];
+                let (first, columns) = out.split_at_mut(n + 1);
+            },
+            Kind::Rows => quote!(let out = &mut out[..n + 1];),
+            Kind::Value => quote!(),
+        };
+        let passes = self.passes(result);
+        let dots = self.dots();
+        let outputs = self.outputs(result);
+        quote! {
+            #symbols
+            #split
+            #(#before)*
+            #passes
+            #dots
+            #(#after)*
+            #outputs
+        }
+    }
+
+    /// The symbols that are used, bound to names.
+    fn symbols(&self) -> TokenStream {
+        let used = self.used();
+        let mut lines = vec![quote!(let n = state.eta.len();)];
+        for coordinate in &self.spec.coordinates {
+            let symbols = [coordinate.position, coordinate.velocity, coordinate.acceleration];
+            for symbol in symbols.into_iter().filter(|symbol| used.contains(symbol)) {
+                let name = self.ident(symbol);
+                lines.push(match self.graph.shape(symbol) {
+                    Shape::Scalar => quote!(let #name = state.#name;),
+                    _ => quote!(let #name = &state.#name[..n];),
+                });
+            }
+        }
+        for (place, tensor) in self.spec.tensors.iter().enumerate() {
+            if !used.contains(&tensor.symbol) {
+                continue;
+            }
+            let name = self.ident(tensor.symbol);
+            lines.push(match tensor.shape {
+                Shape::Scalar => {
+                    quote!(let #name = L::splat(tensors[#place][0]);)
+                }
+                Shape::Vector => quote!(let #name = &tensors[#place][..n];),
+                _ => quote!(let #name = &tensors[#place][..n * n];),
+            });
+        }
+        quote!(#(#lines)*)
+    }
+
+    /// Symbols that the plan uses.
+    fn used(&self) -> BTreeSet<Id> {
+        let plan = self.plan;
+        let mut roots: Vec<Id> = plan.words.iter().map(|word| word.id).collect();
+        roots.extend(plan.dots.iter().flat_map(|dot| [dot.a, dot.b]));
+        for form in &plan.outputs {
+            roots.extend(form.vectors());
+            roots.extend(form.matrices());
+        }
+        let mut used: BTreeSet<Id> = self.graph.reachable(&roots).into_iter().collect();
+        for (id, name) in &plan.names {
+            let mut operands = (plan.scalars.instructions.iter())
+                .flat_map(|instruction| instruction.operation.operands())
+                .chain(plan.scalars.outputs.iter().map(|output| output.operand));
+            let is_input = |operand: Operand| matches!(operand, Operand::Input(place) if plan.scalars.inputs[place].name == *name);
+            if operands.any(is_input) {
+                used.insert(*id);
+            }
+        }
+        used
+    }
+
+    /// The words, level by level; the first level in one pass with the matrix, where that is possible.
+    fn passes(&self, result: Kind) -> TokenStream {
+        let plan = self.plan;
+        let fused = plan.outputs.iter().find(|form| plan.fuses(form));
+        let levels = plan.words.iter().map(|word| word.level).max().unwrap_or(0);
+        let mut text = quote!();
+        for (place, word) in plan.words.iter().enumerate() {
+            let name = self.ident(word.id);
+            let rest = if place + 1 < plan.words.len() { quote!(workspace) } else { quote!(_) };
+            text.extend(quote!(let (#name, #rest) = workspace.split_at_mut(n);));
+        }
+        for word in plan.words.iter().filter(|word| !word.transposed) {
+            let name = self.ident(word.id);
+            text.extend(quote!(#name.fill(L::splat(0.0));));
+        }
+        for level in 1..=levels {
+            let words: Vec<&Word> = plan.words.iter().filter(|word| word.level == level).collect();
+            text.extend(self.pass(&words, if level == 1 { fused } else { None }));
+        }
+        if let (0, Some(form), Kind::Blocks) = (levels, fused, result) {
+            let block = self.block(form);
+            text.extend(quote!(for j in 0..n { #block }));
+        }
+        text
+    }
+
+    /// One pass over the columns, four at a time.
+    fn pass(&self, words: &[&Word], fused: Option<&Form<Operand>>) -> TokenStream {
+        let mut matrices: Vec<Id> =
+            words.iter().filter(|w| !w.transposed).map(|w| w.matrix).collect();
+        matrices.sort_unstable();
+        matrices.dedup();
+        let columns = matrices.iter().map(|matrix| {
+            let (name, slice) = (self.ident(*matrix), self.columns_of(*matrix));
+            quote!(let #slice = &#name[start * n..end * n];)
+        });
+        let products = words.iter().map(|word| {
+            let name = self.ident(word.id);
+            if word.transposed {
+                let x = self.ident(word.of);
+                let matrix = self.ident(word.matrix);
+                let dot = if self.is_lane(word.of) {
+                    quote!(vector::dot(#x, &#matrix[j * n..][..n]))
+                } else {
+                    quote!(L::splat(vector::dot(#x, &#matrix[j * n..][..n])))
+                };
+                quote!(for j in start..end { #name[j] = #dot; })
+            } else {
+                let slice = self.columns_of(word.matrix);
+                let value =
+                    entry(self.plan.name(word.of), &quote!(start + j), self.is_lane(word.of));
+                let value = value.into_lane();
+                quote!(vector::add_columns(#name, #slice, |j| #value);)
+            }
+        });
+        let block = fused.map(|form| {
+            let block = self.block(form);
+            quote!(for j in start..end { #block })
+        });
+        quote! {
+            for start in (0..n).step_by(vector::COLUMNS) {
+                let end = n.min(start + vector::COLUMNS);
+                #(#columns)*
+                #(#products)*
+                #block
+            }
+        }
+    }
+
+    /// Rows 1 … n of column j of the matrix.
+    fn block(&self, form: &Form<Operand>) -> TokenStream {
+        let Form::Matrix { stored, identity, outer } = form else { return quote!() };
+        let plan = self.plan;
+        let i = quote!(i);
+        let mut bound = Vec::new();
+        for id in form.matrices() {
+            if let Node::Symbol(_) = self.graph.node(id) {
+                let (column, name) = (self.column_of(id), self.ident(id));
+                bound.push(quote!(let #column = &#name[j * n..][..n];));
+            }
+        }
+        let mut groups_text = vec![];
+        if !stored.is_empty() {
+            groups_text.push(combination(&plan.scalars, stored, |id| match *self.graph.node(id) {
+                Node::Transpose(matrix) => {
+                    let name = self.ident(matrix);
+                    Text { tokens: quote!(#name[i * n + j]), lane: false }
+                }
+                _ => {
+                    let column = self.column_of(id);
+                    Text { tokens: quote!(#column[i]), lane: false }
+                }
+            }));
+        }
+        for (left, weights) in outer {
+            let weight = format_ident!("weight_{}", self.ident(*left));
+            let value = self.at(weights, &quote!(j)).into_lane();
+            bound.push(quote!(let #weight = #value;));
+            let left = entry(plan.name(*left), &i, self.is_lane(*left)).tokens;
+            groups_text.push(Text { tokens: quote!(#weight * #left), lane: true });
+        }
+        groups_text.sort_by_key(|text| !text.lane);
+        let value = groups_text.into_iter().reduce(|a, b| {
+            let (left, right) = (a.tokens, b.tokens);
+            Text { tokens: quote!(#left + #right), lane: a.lane || b.lane }
+        });
+        let value = value.unwrap_or(Text { tokens: quote!(0.0), lane: false }).into_lane();
+        let diagonal = identity.as_ref().map(|coefficient| {
+            let coefficient = self.scalar(*coefficient);
+            quote!(block[j] = block[j] + #coefficient;)
+        });
+        quote! {
+            #(#bound)*
+            let block = &mut columns[j * (n + 1)..][1..n + 1];
+            for i in 0..n {
+                block[i] = #value;
+            }
+            #diagonal
+        }
+    }
+
+    fn dots(&self) -> TokenStream {
+        let lines = self.plan.dots.iter().map(|dot| {
+            let name = identifier(&dot.name);
+            // The lane comes first.
+            let (a, b) = if self.is_lane(dot.a) { (dot.a, dot.b) } else { (dot.b, dot.a) };
+            let (left, right) = (self.ident(a), self.ident(b));
+            if self.is_lane(a) {
+                quote!(let #name = vector::dot(#left, #right);)
+            } else {
+                quote!(let #name = L::splat(vector::dot(#left, #right));)
+            }
+        });
+        quote!(#(#lines)*)
+    }
+
+    fn outputs(&self, result: Kind) -> TokenStream {
+        match (result, self.plan.outputs.as_slice()) {
+            (Kind::Value, [Form::Scalar(value)]) => self.scalar(*value),
+            (Kind::Rows, [Form::Scalar(value), Form::Vector(groups)]) => {
+                let value = self.scalar(*value);
+                let entries = self.filled(quote!(out[1..]), groups);
+                quote!(out[0] = #value; #entries)
+            }
+            (
+                Kind::Blocks,
+                [Form::Scalar(corner), Form::Vector(row), Form::Vector(column), block],
+            ) => {
+                let corner = self.scalar(*corner);
+                let column = self.filled(quote!(first[1..]), column);
+                let row = self.at(row, &quote!(j)).into_lane();
+                let block = (!self.plan.fuses(block)).then(|| self.block(block));
+                quote! {
+                    first[0] = #corner;
+                    #column
+                    for j in 0..n {
+                        columns[j * (n + 1)] = #row;
+                        #block
+                    }
+                }
+            }
+            _ => unreachable!("kernels ask for the outputs of their kind"),
+        }
+    }
+
+    /// A loop that fills n entries.
+    fn filled(&self, target: TokenStream, groups: &[Group<Operand>]) -> TokenStream {
+        let value = self.at(groups, &quote!(i)).into_lane();
+        quote! {
+            let rows = &mut #target[..n];
+            for i in 0..n {
+                rows[i] = #value;
+            }
+        }
+    }
+
+    /// Entry `index` of a combination of vectors.
+    fn at(&self, groups: &[Group<Operand>], index: &TokenStream) -> Text {
+        combination(&self.plan.scalars, groups, |id| {
+            entry(self.plan.name(id), index, self.is_lane(id))
+        })
+    }
+
+    fn scalar(&self, value: Operand) -> TokenStream {
+        operand(&self.plan.scalars, value, Numbers::Lanes)
+    }
+
+    /// Whether the entries of a vector are lanes: all but those of constant tensors.
+    fn is_lane(&self, id: Id) -> bool {
+        !self.spec.tensors.iter().any(|tensor| tensor.symbol == id)
+    }
+
+    fn ident(&self, id: Id) -> Ident {
+        identifier(self.plan.name(id))
+    }
+
+    fn columns_of(&self, matrix: Id) -> Ident {
+        format_ident!("columns_of_{}", identifier(self.plan.name(matrix)))
+    }
+
+    fn column_of(&self, matrix: Id) -> Ident {
+        format_ident!("column_of_{}", identifier(self.plan.name(matrix)))
+    }
+}

@@ -1,0 +1,251 @@
+//! The module of one motion: its kernels and its entry in the registry.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::kernel::{Kind, Writer};
+use super::plan::{Asked, Plan, plan};
+use crate::emit::{documented, identifier};
+use crate::expression::{Graph, Id, Rational, Shape, Symmetry, display};
+use crate::lagrange::Blocks;
+use crate::schedule::ScheduleError;
+use crate::spec::motion::MotionSpec;
+
+/// Names of the outputs of vector kernels; the second begins the names of coefficients.
+const ROWS: [&str; 2] = ["theta_row", "by"];
+/// Names of the outputs of matrix kernels, likewise.
+const BLOCKS: [&str; 4] = ["corner", "row", "column", "block"];
+
+/// A kernel to be written.
+struct Kernel {
+    name: &'static str,
+    title: &'static str,
+    kind: Kind,
+    /// Outputs in the order of their kind.
+    expressions: Vec<Id>,
+    /// Whether it takes a1 and a2.
+    newmark: bool,
+}
+
+/// The module of a motion, called by its name: kernels over a lane type, and `MOTION`, whose `origin` is
+/// the given expression.
+///
+/// # Errors
+/// Terms that cannot be written as loops over words.
+pub fn motion(spec: &MotionSpec, origin: TokenStream) -> Result<TokenStream, ScheduleError> {
+    let module = identifier(&spec.name);
+    let mut graph = spec.graph.clone();
+    let mut functions = Vec::new();
+    let mut most_words = 0;
+    for kernel in kernels(spec, &mut graph) {
+        let mut graph = graph.clone();
+        let plan = plan(&mut graph, &asked(&kernel))?;
+        most_words = most_words.max(plan.words.len());
+        functions.push(function(spec, &graph, &kernel, &plan));
+    }
+    let entry = entry(spec, origin, most_words);
+    let header = documented(&format!("{}\n\nSource: {}.", spec.title, spec.reference));
+    Ok(quote! {
+        #header
+        pub mod #module {
+            use crate::vector;
+            use crate::{Lane, Motion, MotionState, Origin, Symmetry, Tensor, TensorShape};
+
+            #entry
+            #(#functions)*
+        }
+    })
+}
+
+fn asked(kernel: &Kernel) -> Vec<Asked> {
+    let names: &[&'static str] = match kernel.kind {
+        Kind::Value => &["value"],
+        Kind::Rows => &ROWS,
+        Kind::Blocks => &BLOCKS,
+    };
+    let outputs = names.iter().zip(&kernel.expressions);
+    outputs.map(|(name, expression)| Asked { name, expression: *expression }).collect()
+}
+
+fn kernels(spec: &MotionSpec, graph: &mut Graph) -> Vec<Kernel> {
+    let (equations, derived) = (&spec.equations, &spec.derivatives);
+    let minus = -Rational::from_integer(1.into());
+    let inertia_force: Vec<Id> = (equations.quadratic_velocity.iter())
+        .zip(&derived.mass_times_acceleration)
+        .map(|(q_v, ma)| {
+            let ma = graph.times(minus.clone(), *ma);
+            graph.add(*q_v, ma)
+        })
+        .collect();
+    let flat = |blocks: &Blocks| blocks.concat();
+    let (mass, pf, b, p) =
+        (flat(&equations.mass), flat(&derived.pf), flat(&derived.b), flat(&derived.p));
+    let (a1, a2) = (graph.scalar("a1"), graph.scalar("a2"));
+    let minus_a1 = graph.times(minus.clone(), a1);
+    let tangent = (0..mass.len())
+        .map(|place| {
+            let (mass, p) = (graph.mul(a2, mass[place]), graph.mul(minus_a1, p[place]));
+            let b = graph.times(minus.clone(), b[place]);
+            [pf[place], p, b].into_iter().fold(mass, |sum, part| graph.add(sum, part))
+        })
+        .collect();
+    let rows = |name, title, expressions: &[Id]| Kernel {
+        name,
+        title,
+        kind: Kind::Rows,
+        expressions: expressions.to_vec(),
+        newmark: false,
+    };
+    let blocks = |name, title, expressions| Kernel {
+        name,
+        title,
+        kind: Kind::Blocks,
+        expressions,
+        newmark: false,
+    };
+    let mut kernels = Vec::new();
+    kernels.extend(equations.kinetic_energy.map(|energy| Kernel {
+        name: "kinetic_energy",
+        title: "Kinetic energy T (J).",
+        kind: Kind::Value,
+        expressions: vec![energy],
+        newmark: false,
+    }));
+    let momentum = equations.momentum.as_ref();
+    kernels.extend(momentum.map(|p| rows("momentum", "Momenta ∂T/∂q̇.", p)));
+    kernels.extend([
+        rows("inertia_force", "Q_v − M q̈.", &inertia_force),
+        rows("quadratic_velocity", "Q_v, eq. (27).", &equations.quadratic_velocity),
+        rows("mass_times_acceleration", "M q̈.", &derived.mass_times_acceleration),
+        blocks("mass", "M(q), eq. (31).", mass),
+        blocks("pf", "PF = ∂(M q̈)/∂q, eqs. (37), (40).", pf),
+        blocks("b", "B = ∂Q_v/∂q, eqs. (38), (41).", b),
+        blocks("p", "P = ∂Q_v/∂q̇, eqs. (39), (42).", p),
+        Kernel {
+            name: "tangent",
+            title: "a2·M + PF − a1·P − B, the motion's part of eq. (46).",
+            kind: Kind::Blocks,
+            expressions: tangent,
+            newmark: true,
+        },
+    ]);
+    kernels
+}
+
+fn function(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &Plan) -> TokenStream {
+    let name = format_ident!("{}", kernel.name);
+    let header = documented(&header(spec, graph, kernel, plan));
+    let body = Writer { spec, graph, plan }.body(kernel.kind);
+    let workspace = if plan.words.is_empty() { "_workspace" } else { "workspace" };
+    let workspace = format_ident!("{workspace}");
+    let newmark = kernel.newmark.then(|| quote!(a1: f64, a2: f64,));
+    let lanes = kernel.newmark.then(|| {
+        quote! {
+            let a1 = L::splat(a1);
+            let a2 = L::splat(a2);
+        }
+    });
+    let (out, result) = match kernel.kind {
+        Kind::Value => (quote!(), quote!(-> L)),
+        _ => (quote!(out: &mut [L]), quote!()),
+    };
+    quote! {
+        #header
+        pub fn #name<L: Lane>(
+            tensors: &[&[f64]],
+            state: &MotionState<L>,
+            #newmark
+            #workspace: &mut [L],
+            #out
+        ) #result {
+            #lanes
+            #body
+        }
+    }
+}
+
+/// Title, equations and counts.
+fn header(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &Plan) -> String {
+    let mut text = format!("{}\n\n```text\n", kernel.title);
+    let names: Vec<&str> = spec.coordinates.iter().map(|c| c.name.as_str()).collect();
+    for (place, expression) in kernel.expressions.iter().enumerate() {
+        let place = match kernel.kind {
+            Kind::Value => "T".to_owned(),
+            Kind::Rows => names[place].to_owned(),
+            Kind::Blocks => {
+                format!("{}.{}", names[place / names.len()], names[place % names.len()])
+            }
+        };
+        text.push_str(&format!("{place} = {}\n", display(graph, *expression)));
+    }
+    text.push_str("```\n\n");
+    let words: Vec<&str> = plan.words.iter().map(|word| plan.name(word.id)).collect();
+    let products = match words.len() {
+        0 => "No matrix–vector product".to_owned(),
+        1 => format!("One matrix–vector product ({})", words[0]),
+        count => format!("{count} matrix–vector products ({})", words.join(", ")),
+    };
+    let combined: usize = plan.outputs.iter().map(|form| form.matrices().len()).sum();
+    let matrices = match combined {
+        0 => String::new(),
+        1 => ", one stored matrix written".to_owned(),
+        count => format!(", {count} stored matrices combined"),
+    };
+    text.push_str(&format!(
+        "{products}{matrices}, {} of n values",
+        match plan.dots.len() {
+            1 => "one dot product".to_owned(),
+            count => format!("{count} dot products"),
+        }
+    ));
+    text.push_str(&format!("; scalars: {}.", plan.scalars.total_counts()));
+    text
+}
+
+/// `MOTION` and the length of the workspace.
+fn entry(spec: &MotionSpec, origin: TokenStream, most_words: usize) -> TokenStream {
+    let tensors = spec.tensors.iter().map(|tensor| {
+        let name = &tensor.name;
+        let shape = match tensor.shape {
+            Shape::Scalar | Shape::Truth => quote!(Scalar),
+            Shape::Vector => quote!(Vector),
+            Shape::Matrix => quote!(Matrix),
+        };
+        let symmetry = match tensor.symmetry {
+            Symmetry::None => quote!(None),
+            Symmetry::Symmetric => quote!(Symmetric),
+            Symmetry::Skew => quote!(Skew),
+        };
+        quote! {
+            Tensor { name: #name, shape: TensorShape::#shape, symmetry: Symmetry::#symmetry }
+        }
+    });
+    let kernel = |name: &str, there: bool| -> TokenStream {
+        let name: Ident = format_ident!("{name}");
+        if there { quote!(Some(#name::<f64>)) } else { quote!(None) }
+    };
+    let kinetic_energy = kernel("kinetic_energy", spec.equations.kinetic_energy.is_some());
+    let momentum = kernel("momentum", spec.equations.momentum.is_some());
+    quote! {
+        /// The motion's facts and kernels.
+        pub const MOTION: Motion = Motion {
+            origin: #origin,
+            tensors: &[#(#tensors),*],
+            workspace,
+            kinetic_energy: #kinetic_energy,
+            momentum: #momentum,
+            inertia_force: inertia_force::<f64>,
+            quadratic_velocity: quadratic_velocity::<f64>,
+            mass: mass::<f64>,
+            pf: pf::<f64>,
+            b: b::<f64>,
+            p: p::<f64>,
+            tangent: tangent::<f64>,
+        };
+
+        /// Length of the workspace of every kernel here, for n flexible coordinates.
+        pub fn workspace(n: usize) -> usize {
+            #most_words * n
+        }
+    }
+}

@@ -1,0 +1,265 @@
+//! What a kernel over vectors and matrices computes, in order: words (matrix–vector products), dot
+//! products, scalars, and outputs that are linear combinations of words, stored matrices and outer
+//! products.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::form::{Form, form, without_choices};
+use super::word::{self, Split};
+use crate::expression::{Graph, Id, Node, Shape, Symbol, normal};
+use crate::schedule::{Input, Operand, Output, Program, Request, ScheduleError, Stage, schedule};
+
+/// Stage of scalars that need no dot product.
+pub(super) const BEFORE: usize = 0;
+/// Stage of scalars that need dot products.
+pub(super) const AFTER: usize = 1;
+
+/// A kernel, ready to be written.
+#[derive(Debug)]
+pub(super) struct Plan {
+    /// Matrix–vector products, operands first.
+    pub(super) words: Vec<Word>,
+    /// Dot products, after all words.
+    pub(super) dots: Vec<DotProduct>,
+    /// Scalars, in the stages [`BEFORE`] and [`AFTER`] the dot products.
+    pub(super) scalars: Program,
+    /// The outputs, in the order of the request.
+    pub(super) outputs: Vec<Form<Operand>>,
+    /// Names of symbols and words.
+    pub(super) names: BTreeMap<Id, String>,
+}
+
+/// matrix × vector.
+#[derive(Debug)]
+pub(super) struct Word {
+    pub(super) id: Id,
+    /// The stored matrix, and whether its transpose is meant.
+    pub(super) matrix: Id,
+    pub(super) transposed: bool,
+    /// A vector symbol or an earlier word.
+    pub(super) of: Id,
+    /// Matrices in the word: 1 for a product with a symbol.
+    pub(super) level: usize,
+}
+
+/// A dot product of symbols or words.
+#[derive(Debug)]
+pub(super) struct DotProduct {
+    pub(super) name: String,
+    pub(super) a: Id,
+    pub(super) b: Id,
+}
+
+/// An output as asked for.
+pub(super) struct Asked {
+    /// Name of a scalar output; begins the names of the coefficients of others.
+    pub(super) name: &'static str,
+    pub(super) expression: Id,
+}
+
+impl Plan {
+    /// Whether a matrix can be written in the same pass over the columns as the words of the first level.
+    pub(super) fn fuses(&self, form: &Form<Operand>) -> bool {
+        let early = |operand: &Operand| self.scalars.stage_of(*operand) == BEFORE;
+        match form {
+            Form::Matrix { stored, identity, outer } => {
+                outer.is_empty()
+                    && identity.iter().all(early)
+                    && stored.iter().all(|group| early(&group.coefficient))
+            }
+            _ => false,
+        }
+    }
+
+    /// The name of a symbol or word.
+    pub(super) fn name(&self, id: Id) -> &str {
+        &self.names[&id]
+    }
+}
+
+/// Plans the computation of `outputs`. Names that begin with `dot_` must be free.
+///
+/// # Errors
+/// Expressions beyond the graph's bounds, or that are not linear in what they combine.
+pub(super) fn plan(graph: &mut Graph, outputs: &[Asked]) -> Result<Plan, ScheduleError> {
+    let mut forms = Vec::with_capacity(outputs.len());
+    for output in outputs {
+        let plain = without_choices(graph, output.expression);
+        let expanded = normal::expand(graph, plain);
+        if graph.exceeded() {
+            return Err(ScheduleError::Exceeded);
+        }
+        if !graph.same_signature(output.expression, expanded) {
+            return Err(ScheduleError::MeaningChanged { output: output.name.to_owned() });
+        }
+        forms.push(form(graph, expanded));
+    }
+    let (dots, needed) = products(graph, outputs, &forms)?;
+    let words: Vec<Word> = needed.iter().map(|id| word(graph, *id)).collect();
+    let names = names(graph, outputs, &words);
+    let (dots, by) = dot_products(graph, &names, &dots);
+
+    let mut coefficients: Vec<Output> = Vec::new();
+    let mut taken: BTreeSet<String> = names.values().cloned().collect();
+    let mut numbered = Vec::with_capacity(forms.len());
+    for (form, output) in forms.into_iter().zip(outputs) {
+        numbered.push(form.map(|coefficient, first| {
+            let name = match first {
+                Some(first) => format!("{}_{}", output.name, names[&first]),
+                None => output.name.to_owned(),
+            };
+            let name = free(&mut taken, name);
+            let expression = graph.substitute(coefficient, &by);
+            coefficients.push(Output { name, expression });
+            coefficients.len() - 1
+        }));
+    }
+    let request = Request {
+        stages: vec![Stage::new("before", &[], 1.0), Stage::new("after", &[BEFORE], 1.0)],
+        inputs: inputs(graph, &coefficients, &dots, &names),
+        outputs: coefficients,
+        names: Vec::new(),
+    };
+    let scalars = schedule(graph, &request)?;
+    let outputs = (numbered.into_iter())
+        .map(|form| form.map(|place, _| scalars.outputs[place].operand))
+        .collect();
+    Ok(Plan { words, dots, scalars, outputs, names })
+}
+
+/// How each dot product is written, and the words that they and the forms need.
+fn products(
+    graph: &mut Graph,
+    outputs: &[Asked],
+    forms: &[Form<Id>],
+) -> Result<(BTreeMap<Id, Split>, BTreeSet<Id>), ScheduleError> {
+    let mut needed = BTreeSet::new();
+    let mut dots = BTreeSet::new();
+    for (form, output) in forms.iter().zip(outputs) {
+        let refused = || ScheduleError::NotScalar { output: output.name.to_owned() };
+        for vector in form.vectors() {
+            word::chain(graph, vector).ok_or_else(refused)?;
+            needed.extend(word::parts(graph, vector));
+        }
+        let stored = |id: &Id| matches!(graph.node(*id), Node::Symbol(_) | Node::Transpose(_));
+        if !form.matrices().iter().all(stored) {
+            return Err(refused());
+        }
+        for id in graph.reachable(&scalars(form)) {
+            if let Node::Dot(a, b) = *graph.node(id) {
+                word::chain(graph, a).and(word::chain(graph, b)).ok_or_else(refused)?;
+                dots.insert(id);
+            }
+        }
+    }
+    let chosen = word::choose(graph, &dots, &mut needed);
+    Ok((chosen, needed))
+}
+
+/// Every coefficient of a form.
+fn scalars(form: &Form<Id>) -> Vec<Id> {
+    match form {
+        Form::Scalar(scalar) => vec![*scalar],
+        Form::Vector(groups) => groups.iter().map(|group| group.coefficient).collect(),
+        Form::Matrix { stored, identity, outer } => {
+            let outer = outer.iter().flat_map(|(_, groups)| groups);
+            let groups = stored.iter().chain(outer).map(|group| group.coefficient);
+            groups.chain(*identity).collect()
+        }
+    }
+}
+
+fn word(graph: &Graph, id: Id) -> Word {
+    let Node::Apply(matrix, of) = *graph.node(id) else {
+        unreachable!("words are matrices applied to vectors")
+    };
+    let (matrix, transposed) = match *graph.node(matrix) {
+        Node::Transpose(stored) => (stored, true),
+        _ => (matrix, false),
+    };
+    Word { id, matrix, transposed, of, level: word::parts(graph, id).len() }
+}
+
+/// Names of all symbols and words: the spec's own, and those joined.
+fn names(graph: &Graph, outputs: &[Asked], words: &[Word]) -> BTreeMap<Id, String> {
+    let mut names = BTreeMap::new();
+    let mut taken = BTreeSet::new();
+    let roots: Vec<Id> = outputs.iter().map(|output| output.expression).collect();
+    for id in graph.reachable(&roots) {
+        if let Node::Symbol(Symbol { name, .. }) = graph.node(id) {
+            names.insert(id, name.clone());
+            taken.insert(name.clone());
+        }
+        if let Node::Transpose(matrix) = *graph.node(id) {
+            names.insert(id, format!("{}_transposed", names[&matrix]));
+        }
+    }
+    for word in words {
+        let joint = if word.transposed { "_transposed_" } else { "_" };
+        let name = format!("{}{joint}{}", names[&word.matrix], names[&word.of]);
+        names.insert(word.id, free(&mut taken, name));
+    }
+    names
+}
+
+/// The dot products to compute, and what stands for each one of the graph.
+fn dot_products(
+    graph: &mut Graph,
+    names: &BTreeMap<Id, String>,
+    chosen: &BTreeMap<Id, Split>,
+) -> (Vec<DotProduct>, BTreeMap<Id, Id>) {
+    let mut dots: Vec<DotProduct> = Vec::new();
+    let mut by = BTreeMap::new();
+    for (dot, split) in chosen {
+        let (a, b) = (split.left.min(split.right), split.left.max(split.right));
+        let name = match dots.iter().find(|other| (other.a, other.b) == (a, b)) {
+            Some(known) => known.name.clone(),
+            None => {
+                let name = format!("dot_{}_{}", names[&a], names[&b]);
+                dots.push(DotProduct { name: name.clone(), a, b });
+                name
+            }
+        };
+        let symbol = graph.scalar(&name);
+        by.insert(*dot, graph.times(split.factor.clone(), symbol));
+    }
+    (dots, by)
+}
+
+/// The scalar symbols of the coefficients, each at its stage; the names of vectors and matrices too, as
+/// inputs that nothing uses, so that no value is called like one of them.
+fn inputs(
+    graph: &mut Graph,
+    coefficients: &[Output],
+    dots: &[DotProduct],
+    names: &BTreeMap<Id, String>,
+) -> Vec<Input> {
+    let roots: Vec<Id> = coefficients.iter().map(|output| output.expression).collect();
+    let mut inputs = Vec::new();
+    for symbol in graph.reachable(&roots) {
+        if let (Node::Symbol(Symbol { name, .. }), Shape::Scalar) =
+            (graph.node(symbol), graph.shape(symbol))
+        {
+            let is_dot = dots.iter().any(|dot| dot.name == *name);
+            let stage = if is_dot { AFTER } else { BEFORE };
+            inputs.push(Input { name: name.clone(), symbol, stage });
+        }
+    }
+    for (id, name) in names {
+        if graph.shape(*id) != Shape::Scalar {
+            let symbol = graph.scalar(name);
+            inputs.push(Input { name: name.clone(), symbol, stage: BEFORE });
+        }
+    }
+    inputs
+}
+
+fn free(taken: &mut BTreeSet<String>, name: String) -> String {
+    let mut free = name.clone();
+    let mut number = 2;
+    while !taken.insert(free.clone()) {
+        free = format!("{name}_{number}");
+        number += 1;
+    }
+    free
+}
