@@ -7,6 +7,7 @@
 pub mod lane;
 mod registry;
 mod rows;
+pub mod vector;
 
 pub use lane::Lane;
 pub use registry::*;

@@ -254,19 +254,19 @@ pub struct Tensor {
 
 /// The moving state of a shaft: θ and the flexible coordinates η (n values each) with rates.
 #[derive(Debug, Clone, Copy)]
-pub struct MotionState<'a> {
+pub struct MotionState<'a, L = f64> {
     /// θ (rad).
-    pub theta: f64,
+    pub theta: L,
     /// θ̇ (rad/s).
-    pub theta_dot: f64,
+    pub theta_dot: L,
     /// θ̈ (rad/s²).
-    pub theta_ddot: f64,
+    pub theta_ddot: L,
     /// η.
-    pub eta: &'a [f64],
+    pub eta: &'a [L],
     /// η̇.
-    pub eta_dot: &'a [f64],
+    pub eta_dot: &'a [L],
     /// η̈.
-    pub eta_ddot: &'a [f64],
+    pub eta_ddot: &'a [L],
 }
 
 /// Writes a vector of 1 + n values (row θ first) or a (1+n) × (1+n) matrix, column after column.

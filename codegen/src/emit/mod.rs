@@ -6,6 +6,6 @@ mod statement;
 mod text;
 
 pub use identifier::identifier;
-pub use motion::motion;
+pub use motion::{MotionFunctions, motion};
 pub use statement::{Numbers, number, operand, statements};
 pub use text::{documented, formatted};

@@ -4,6 +4,7 @@ mod clearance;
 mod clearance_kernels;
 mod facts;
 mod law;
+mod motion;
 mod read;
 mod write;
 
@@ -24,11 +25,12 @@ pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
     let specs = Specs::read(files)?;
     let mut errors = Diagnostics::new();
     let laws = specs.laws.iter().map(law::kernel);
+    let motions = specs.motions.iter().map(motion::kernel);
     let clearances = specs.clearances.iter().map(clearance::kernel);
     let kinds = [
         Kind::of("elements", "Element", Vec::new()),
         Kind::of("laws", "Law", gather(laws, &mut errors)),
-        Kind::of("motions", "Motion", Vec::new()),
+        Kind::of("motions", "Motion", gather(motions, &mut errors)),
         Kind::of("clearances", "Clearance", gather(clearances, &mut errors)),
     ];
     let files = write::files(&kinds);

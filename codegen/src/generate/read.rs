@@ -8,6 +8,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::emit::identifier;
 use crate::spec::clearance::ClearanceSpec;
 use crate::spec::law::LawSpec;
+use crate::spec::motion::MotionSpec;
 use crate::spec::read::Document;
 
 /// A spec file.
@@ -23,14 +24,15 @@ pub struct SpecFile {
 pub(super) struct Specs {
     pub(super) laws: Vec<LawSpec>,
     pub(super) clearances: Vec<ClearanceSpec>,
+    pub(super) motions: Vec<MotionSpec>,
 }
 
 /// Folders, with the kinds of specs that they may hold.
-const FOLDERS: [(&str, &[&str]); 2] = [("laws", &["law"]), ("motion", &["clearance"])];
+const FOLDERS: [(&str, &[&str]); 2] = [("laws", &["law"]), ("motion", &["clearance", "motion"])];
 
 impl Specs {
     pub(super) fn read(files: &[SpecFile]) -> Result<Self, Diagnostics> {
-        let mut specs = Specs { laws: Vec::new(), clearances: Vec::new() };
+        let mut specs = Specs { laws: Vec::new(), clearances: Vec::new(), motions: Vec::new() };
         let mut errors = Diagnostics::new();
         let mut names = Names::default();
         let mut sorted: Vec<&SpecFile> = files.iter().collect();
@@ -44,6 +46,9 @@ impl Specs {
                 Ok("clearance") => ClearanceSpec::read(&source)
                     .and_then(|spec| names.take("clearance", &spec.name, &source).map(|()| spec))
                     .map(|spec| specs.clearances.push(spec)),
+                Ok("motion") => MotionSpec::read(&source)
+                    .and_then(|spec| names.take("motion", &spec.name, &source).map(|()| spec))
+                    .map(|spec| specs.motions.push(spec)),
                 Ok(other) => unreachable!("{other} is not in the table of folders"),
                 Err(wrong) => Err(wrong),
             };

@@ -6,9 +6,9 @@
 
 mod combination;
 mod form;
+mod functions;
 mod kernel;
-mod module;
 mod plan;
 mod word;
 
-pub use module::motion;
+pub use functions::{MotionFunctions, motion};

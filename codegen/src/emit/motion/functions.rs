@@ -1,12 +1,12 @@
-//! The module of one motion: its kernels and its entry in the registry.
+//! Which kernels a motion has, and each as a documented function.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::kernel::{Kind, Writer};
 use super::plan::{Asked, Plan, plan};
-use crate::emit::{documented, identifier};
-use crate::expression::{Graph, Id, Rational, Shape, Symmetry, display};
+use crate::emit::documented;
+use crate::expression::{Graph, Id, Rational, display};
 use crate::lagrange::Blocks;
 use crate::schedule::ScheduleError;
 use crate::spec::motion::MotionSpec;
@@ -27,34 +27,30 @@ struct Kernel {
     newmark: bool,
 }
 
-/// The module of a motion, called by its name: kernels over a lane type, and `MOTION`, whose `origin` is
-/// the given expression.
+/// The kernels of a motion as Rust functions over a lane type.
+#[derive(Debug)]
+pub struct MotionFunctions {
+    /// The functions, each with its documentation.
+    pub functions: TokenStream,
+    /// The most matrix–vector products in one of them: vectors of workspace.
+    pub words: usize,
+}
+
+/// Writes the kernels of a motion.
 ///
 /// # Errors
 /// Terms that cannot be written as loops over words.
-pub fn motion(spec: &MotionSpec, origin: TokenStream) -> Result<TokenStream, ScheduleError> {
-    let module = identifier(&spec.name);
+pub fn motion(spec: &MotionSpec) -> Result<MotionFunctions, ScheduleError> {
     let mut graph = spec.graph.clone();
-    let mut functions = Vec::new();
-    let mut most_words = 0;
+    let mut functions = quote!();
+    let mut words = 0;
     for kernel in kernels(spec, &mut graph) {
         let mut graph = graph.clone();
         let plan = plan(&mut graph, &asked(&kernel))?;
-        most_words = most_words.max(plan.words.len());
-        functions.push(function(spec, &graph, &kernel, &plan));
+        words = words.max(plan.words.len());
+        functions.extend(function(spec, &graph, &kernel, &plan));
     }
-    let entry = entry(spec, origin, most_words);
-    let header = documented(&format!("{}\n\nSource: {}.", spec.title, spec.reference));
-    Ok(quote! {
-        #header
-        pub mod #module {
-            use crate::vector;
-            use crate::{Lane, Motion, MotionState, Origin, Symmetry, Tensor, TensorShape};
-
-            #entry
-            #(#functions)*
-        }
-    })
+    Ok(MotionFunctions { functions, words })
 }
 
 fn asked(kernel: &Kernel) -> Vec<Asked> {
@@ -200,52 +196,4 @@ fn header(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &Plan) -> Str
     ));
     text.push_str(&format!("; scalars: {}.", plan.scalars.total_counts()));
     text
-}
-
-/// `MOTION` and the length of the workspace.
-fn entry(spec: &MotionSpec, origin: TokenStream, most_words: usize) -> TokenStream {
-    let tensors = spec.tensors.iter().map(|tensor| {
-        let name = &tensor.name;
-        let shape = match tensor.shape {
-            Shape::Scalar | Shape::Truth => quote!(Scalar),
-            Shape::Vector => quote!(Vector),
-            Shape::Matrix => quote!(Matrix),
-        };
-        let symmetry = match tensor.symmetry {
-            Symmetry::None => quote!(None),
-            Symmetry::Symmetric => quote!(Symmetric),
-            Symmetry::Skew => quote!(Skew),
-        };
-        quote! {
-            Tensor { name: #name, shape: TensorShape::#shape, symmetry: Symmetry::#symmetry }
-        }
-    });
-    let kernel = |name: &str, there: bool| -> TokenStream {
-        let name: Ident = format_ident!("{name}");
-        if there { quote!(Some(#name::<f64>)) } else { quote!(None) }
-    };
-    let kinetic_energy = kernel("kinetic_energy", spec.equations.kinetic_energy.is_some());
-    let momentum = kernel("momentum", spec.equations.momentum.is_some());
-    quote! {
-        /// The motion's facts and kernels.
-        pub const MOTION: Motion = Motion {
-            origin: #origin,
-            tensors: &[#(#tensors),*],
-            workspace,
-            kinetic_energy: #kinetic_energy,
-            momentum: #momentum,
-            inertia_force: inertia_force::<f64>,
-            quadratic_velocity: quadratic_velocity::<f64>,
-            mass: mass::<f64>,
-            pf: pf::<f64>,
-            b: b::<f64>,
-            p: p::<f64>,
-            tangent: tangent::<f64>,
-        };
-
-        /// Length of the workspace of every kernel here, for n flexible coordinates.
-        pub fn workspace(n: usize) -> usize {
-            #most_words * n
-        }
-    }
 }
