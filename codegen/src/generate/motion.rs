@@ -1,6 +1,6 @@
 //! Kernels of a motion and its entry in the registry.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Kernel;
@@ -18,7 +18,8 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
         reference: &spec.reference,
         file: &spec.file,
     };
-    let (name, functions, words) = (identifier(&spec.name), &emitted.functions, emitted.words);
+    let (name, functions) = (identifier(&spec.name), &emitted.functions);
+    let words = Literal::usize_unsuffixed(emitted.words);
     let origin = about.origin(functions);
     let heading = documented(&about.heading());
     let tensors = spec.tensors.iter().map(tensor);

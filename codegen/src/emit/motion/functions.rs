@@ -190,6 +190,7 @@ fn header(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &Plan) -> Str
     text.push_str(&format!(
         "{products}{matrices}, {} of n values",
         match plan.dots.len() {
+            0 => "no dot product".to_owned(),
             1 => "one dot product".to_owned(),
             count => format!("{count} dot products"),
         }

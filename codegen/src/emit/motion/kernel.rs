@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::combination::{Text, combination, entry};
@@ -79,6 +79,7 @@ impl Writer<'_> {
                 continue;
             }
             let name = self.ident(tensor.symbol);
+            let place = Literal::usize_unsuffixed(place);
             lines.push(match tensor.shape {
                 Shape::Scalar => {
                     quote!(let #name = L::splat(tensors[#place][0]);)
