@@ -1,10 +1,15 @@
-//! What the reduced shaft and the reduced support have in common.
+//! What the reduced shaft and the reduced support have in common: from a mesh to active coordinates.
+
+use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::constraints::Elimination;
+use crate::assembly::assemble;
+use crate::constraints::{Constraints, Elimination, GroundSpring, add_ground_springs};
+use crate::error::Error;
 use crate::linalg::{Matrix, multiply};
-use crate::reduction::CraigBampton;
+use crate::mesh::Mesh;
+use crate::reduction::{CraigBampton, Solid};
 
 /// Rayleigh damping C = αM + βK.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -21,6 +26,79 @@ impl Rayleigh {
         Matrix::from_fn(mass.rows, mass.cols, |i, j| {
             self.alpha * mass[(i, j)] + self.beta * stiffness[(i, j)]
         })
+    }
+}
+
+/// A dof that stays a coordinate of the reduced body.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Retained {
+    /// 3·node + component.
+    pub dof: usize,
+    /// What it is called, such as `JOURNAL1_LEFT x`.
+    pub name: String,
+}
+
+/// How a mesh is reduced to a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodySpec {
+    /// Dofs retained, in the order of their coordinates.
+    pub retained: Vec<Retained>,
+    /// Number of fixed-interface modes.
+    pub modes: usize,
+    /// Constraints on the retained dofs, by their place in `retained`.
+    pub constraints: Constraints,
+    /// Springs to ground; they belong to the body's stiffness, also in its damping.
+    pub springs: Vec<GroundSpring>,
+    /// Damping.
+    pub damping: Rayleigh,
+    /// Nodes whose motion is wanted, by index.
+    pub nodes: Vec<usize>,
+    /// Bytes that a factor of K may take.
+    pub memory: usize,
+}
+
+impl BodySpec {
+    /// Reduces a mesh and eliminates the constraints.
+    ///
+    /// # Errors
+    /// As [`assemble`], [`Solid::craig_bampton`] and [`Constraints::eliminate`]; a dof retained twice.
+    pub fn reduce(&self, mesh: &Mesh) -> Result<(CraigBampton, Coordinates), Error> {
+        self.check(mesh)?;
+        let stiffness = add_ground_springs(&assemble(mesh, "stiffness")?, &self.springs)?;
+        let mass = assemble(mesh, "mass")?;
+        let solid = Solid {
+            stiffness: &stiffness,
+            mass: &mass,
+            coordinates: mesh.nodes(),
+            memory: self.memory,
+        };
+        let dofs: Vec<usize> = self.retained.iter().map(|retained| retained.dof).collect();
+        let reduction =
+            solid.craig_bampton(&dofs, self.modes).map_err(|error| error.with_labels(mesh))?;
+        let elimination = self.constraints.eliminate(dofs.len())?;
+        let names: Vec<String> =
+            self.retained.iter().map(|retained| retained.name.clone()).collect();
+        let active = Coordinates::new(&reduction, &elimination, &names);
+        Ok((reduction, active))
+    }
+
+    fn check(&self, mesh: &Mesh) -> Result<(), Error> {
+        let wrong = |what| Err(Error::Mesh { origin: mesh.origin().to_owned(), what });
+        let mut seen: BTreeMap<usize, &str> = BTreeMap::new();
+        for Retained { dof, name } in &self.retained {
+            if *dof >= mesh.dof_count() {
+                return wrong(format!("the retained dof {name} is not a dof of the mesh"));
+            }
+            if let Some(first) = seen.insert(*dof, name) {
+                return wrong(match first == name {
+                    true => format!("{name} is retained twice: take one of them out"),
+                    false => {
+                        format!("{name} is retained already, as {first}: take one of them out")
+                    }
+                });
+            }
+        }
+        Ok(())
     }
 }
 

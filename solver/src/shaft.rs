@@ -2,8 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::{BodyNode, Coordinates, Rayleigh};
+use crate::assembly::assemble;
+use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh};
+use crate::error::Error;
 use crate::linalg::{Matrix, congruence};
+use crate::mesh::Mesh;
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
 
@@ -28,6 +31,8 @@ pub struct Shaft {
     pub spin_inertia: Matrix,
     /// H = φᵀHφ, n × n, skew.
     pub spin_coupling: Matrix,
+    /// Frequencies of the fixed-interface modes (Hz), in a frame at rest.
+    pub hertz: Vec<f64>,
     /// What each coordinate is, such as `mode 1 (527.1 Hz)` or `JOURNAL1_LEFT x`; n names.
     pub coordinates: Vec<String>,
     /// The nodes asked for, in that order.
@@ -54,6 +59,23 @@ pub struct ShaftParts<'a> {
 }
 
 impl Shaft {
+    /// Reduces the mesh of a shaft.
+    ///
+    /// # Errors
+    /// As [`BodySpec::reduce`].
+    pub fn from_mesh(mesh: &Mesh, spec: &BodySpec) -> Result<Shaft, Error> {
+        let (reduction, active) = spec.reduce(mesh)?;
+        Ok(Shaft::new(&ShaftParts {
+            reduction: &reduction,
+            spin_inertia: &assemble(mesh, "spin_inertia")?,
+            spin_coupling: &assemble(mesh, "spin_coupling")?,
+            positions: mesh.nodes(),
+            active: &active,
+            damping: spec.damping,
+            nodes: &spec.nodes,
+        }))
+    }
+
     /// The shaft of a reduction, in active coordinates.
     pub fn new(parts: &ShaftParts) -> Shaft {
         let reduction = parts.reduction;
@@ -82,6 +104,7 @@ impl Shaft {
             stiffness,
             spin_inertia: congruence(&spin_inertia, &active.transform).symmetric_part(),
             spin_coupling: congruence(&spin_coupling, &active.transform).skew_part(),
+            hertz: reduction.hertz.clone(),
             coordinates: active.names.clone(),
             nodes: parts
                 .nodes
@@ -110,6 +133,7 @@ impl Shaft {
             damping: Matrix::from_diagonal(&damping),
             spin_inertia: Matrix::from_diagonal(&[mass, mass]),
             spin_coupling: Matrix { rows: 2, cols: 2, data: vec![0.0, -mass, mass, 0.0] },
+            hertz: Vec::new(),
             coordinates: vec!["mass x".to_owned(), "mass y".to_owned()],
             nodes: vec![BodyNode { position: [0.0, 0.0, position], shapes }],
         }

@@ -2,10 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::{BodyNode, Coordinates, Rayleigh, mode_names};
+use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh, mode_names};
+use crate::error::Error;
 use crate::linalg::{
     LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply,
 };
+use crate::mesh::Mesh;
 use crate::reduction::{CraigBampton, hertz};
 
 /// A flexible support in the fixed frame as n oscillators that nothing but their forces couples:
@@ -16,6 +18,8 @@ pub struct Support {
     pub stiffness: Vec<f64>,
     /// c (1/s), n values.
     pub damping: Vec<f64>,
+    /// Frequencies of the fixed-interface modes (Hz).
+    pub hertz: Vec<f64>,
     /// What each coordinate is, such as `mode 1 (285.5 Hz)`.
     pub coordinates: Vec<String>,
     /// The nodes asked for, in that order.
@@ -23,6 +27,15 @@ pub struct Support {
 }
 
 impl Support {
+    /// Reduces the mesh of a support.
+    ///
+    /// # Errors
+    /// As [`BodySpec::reduce`].
+    pub fn from_mesh(mesh: &Mesh, spec: &BodySpec) -> Result<Support, Error> {
+        let (reduction, active) = spec.reduce(mesh)?;
+        Ok(Support::new(&reduction, &active, spec.damping, mesh.nodes(), &spec.nodes)?)
+    }
+
     /// The support of a reduction. Where retained dofs stay free after elimination, its modes are
     /// those of the reduced body with these dofs free, otherwise the fixed-interface modes themselves.
     ///
@@ -44,7 +57,8 @@ impl Support {
         let n = mass.rows;
         if mass == Matrix::identity(n) && is_diagonal(&stiffness) {
             let squares = (0..n).map(|i| stiffness[(i, i)]).collect();
-            return Ok(Support::oscillators(squares, damping, active.names.clone(), nodes));
+            let support = Support::oscillators(squares, damping, active.names.clone(), nodes);
+            return Ok(Support { hertz: reduction.hertz.clone(), ..support });
         }
         let mut eigen =
             generalised_symmetric_eigen(&stiffness.symmetric_part(), &mass.symmetric_part())?;
@@ -62,7 +76,8 @@ impl Support {
         // A rigid motion's ω² is 0 but for rounding, of either sign.
         let squares: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0)).collect();
         let frequencies: Vec<f64> = squares.iter().map(|&square| hertz(square)).collect();
-        Ok(Support::oscillators(squares, damping, mode_names(&frequencies), nodes))
+        let support = Support::oscillators(squares, damping, mode_names(&frequencies), nodes);
+        Ok(Support { hertz: reduction.hertz.clone(), ..support })
     }
 
     /// A support that does not move: no coordinates, and nodes at `positions` (m).
@@ -91,6 +106,7 @@ impl Support {
         Support {
             stiffness: stiffness.map(|k| k / mass).to_vec(),
             damping: damping.map(|c| c / mass).to_vec(),
+            hertz: Vec::new(),
             coordinates: vec!["mass x".to_owned(), "mass y".to_owned()],
             nodes: positions
                 .iter()
@@ -113,6 +129,7 @@ impl Support {
         Support {
             damping: squares.iter().map(|k| damping.alpha + damping.beta * k).collect(),
             stiffness: squares,
+            hertz: Vec::new(),
             coordinates,
             nodes,
         }

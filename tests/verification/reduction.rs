@@ -348,7 +348,7 @@ fn mechanisms_are_named() {
     let error = two.solid().craig_bampton(&one.end(), 5).unwrap_err();
     let ReductionError::Mechanism { motions } = &error else { panic!("{error}") };
     let [FreeMotion::Part { node }] = motions[..] else { panic!("{error}") };
-    assert!(node >= one.coordinates.len());
+    assert!(node >= one.coordinates.len() as u64);
 }
 
 #[test]

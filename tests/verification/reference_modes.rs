@@ -1,11 +1,11 @@
 //! The reference bodies, reduced: frequencies against those of an independent program.
 
 use whirl_solver::assembly::assemble;
-use whirl_solver::body::{Coordinates, Rayleigh};
+use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs};
 use whirl_solver::mesh::Mesh;
 use whirl_solver::reduction::{CraigBampton, FreeMotion, ReductionError, Solid};
-use whirl_solver::shaft::{Shaft, ShaftParts};
+use whirl_solver::shaft::Shaft;
 use whirl_solver::sparse::SparseMatrix;
 use whirl_solver::support::Support;
 
@@ -26,21 +26,24 @@ fn compare(got: &[f64], want: &[f64]) {
 }
 
 /// Dofs of the sets' nodes along the components named.
-fn dofs(mesh: &Mesh, list: &[(&str, &str)]) -> (Vec<usize>, Vec<String>) {
+fn dofs(mesh: &Mesh, list: &[(&str, &str)]) -> Vec<Retained> {
     let mut dofs = Vec::new();
-    let mut names = Vec::new();
     for &(set, components) in list {
         for &node in mesh.node_set(set).unwrap() {
             for component in components.chars() {
-                dofs.push(3 * node + "xyz".find(component).unwrap());
-                names.push(format!("{set} {component}"));
+                let dof = 3 * node + "xyz".find(component).unwrap();
+                dofs.push(Retained { dof, name: format!("{set} {component}") });
             }
         }
     }
-    (dofs, names)
+    dofs
 }
 
-fn shaft_retained(mesh: &Mesh) -> (Vec<usize>, Vec<String>) {
+fn indices(retained: &[Retained]) -> Vec<usize> {
+    retained.iter().map(|retained| retained.dof).collect()
+}
+
+fn shaft_retained(mesh: &Mesh) -> Vec<Retained> {
     let journals: Vec<String> = (1..=4)
         .flat_map(|k| ["LEFT", "MIDDLE", "RIGHT"].map(|place| format!("JOURNAL{k}_{place}")))
         .collect();
@@ -49,15 +52,12 @@ fn shaft_retained(mesh: &Mesh) -> (Vec<usize>, Vec<String>) {
     dofs(mesh, &list)
 }
 
-/// K with springs of 1e8 N/m along y at the nodes set aside for them.
-fn with_ground_springs(mesh: &Mesh, stiffness: &SparseMatrix) -> SparseMatrix {
-    let (grounded, names) = dofs(mesh, &[("GROUND_SPRINGS", "y")]);
-    let springs: Vec<GroundSpring> = grounded
+/// Springs of 1e8 N/m along y at the nodes set aside for them.
+fn ground_springs(mesh: &Mesh) -> Vec<GroundSpring> {
+    dofs(mesh, &[("GROUND_SPRINGS", "y")])
         .into_iter()
-        .zip(names)
-        .map(|(dof, name)| GroundSpring { name, dof, stiffness: 1e8 })
-        .collect();
-    add_ground_springs(stiffness, &springs).unwrap()
+        .map(|Retained { dof, name }| GroundSpring { name, dof, stiffness: 1e8 })
+        .collect()
 }
 
 fn first_elastic(solid: &Solid) -> f64 {
@@ -69,14 +69,12 @@ fn first_elastic(solid: &Solid) -> f64 {
 #[test]
 fn reference_shaft() {
     let mesh = reference("shaft");
-    let [stiffness, mass, spin_inertia, spin_coupling] =
-        ["stiffness", "mass", "spin_inertia", "spin_coupling"]
-            .map(|form| assemble(&mesh, form).unwrap());
+    let [stiffness, mass] = ["stiffness", "mass"].map(|form| assemble(&mesh, form).unwrap());
     let solid =
         Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: PLENTY };
-    let (retained, names) = shaft_retained(&mesh);
+    let retained = shaft_retained(&mesh);
     assert_eq!((mesh.dof_count(), retained.len()), (5775, 27));
-    let reduction = solid.craig_bampton(&retained, 50).unwrap();
+    let reduction = solid.craig_bampton(&indices(&retained), 50).unwrap();
     compare(&reduction.hertz, &listed(include_str!("../data/fixed-interface-hz-shaft.csv")));
     let free = first_elastic(&solid);
     assert!((free - 154.70).abs() < 0.005, "{free}");
@@ -85,19 +83,18 @@ fn reference_shaft() {
     let mut constraints = Constraints::new();
     constraints.fix("axial", 24);
     constraints.equation("torsion", [(25, 1.0), (26, -1.0)]);
-    let elimination = constraints.eliminate(27).unwrap();
-    let active = Coordinates::new(&reduction, &elimination, &names);
-    let drive = mesh.single_node("DRIVE_TOP").unwrap();
-    let shaft = Shaft::new(&ShaftParts {
-        reduction: &reduction,
-        spin_inertia: &spin_inertia,
-        spin_coupling: &spin_coupling,
-        positions: mesh.nodes(),
-        active: &active,
+    let spec = BodySpec {
+        retained,
+        modes: 50,
+        constraints,
+        springs: Vec::new(),
         damping: Rayleigh { alpha: 0.0, beta: 1e-4 },
-        nodes: &[drive],
-    });
+        nodes: vec![mesh.single_node("DRIVE_TOP").unwrap()],
+        memory: PLENTY,
+    };
+    let shaft = Shaft::from_mesh(&mesh, &spec).unwrap();
     assert_eq!(shaft.size(), 75);
+    assert_eq!(shaft.hertz, reduction.hertz);
     assert_eq!(shaft.coordinates[0], "mode 1 (527.1 Hz)");
     assert_eq!(shaft.coordinates[50], "JOURNAL1_LEFT x");
     assert_eq!(shaft.coordinates[74], "DRIVE_BOTTOM y");
@@ -113,12 +110,12 @@ fn reference_support() {
     let mesh = reference("support");
     let elastic = assemble(&mesh, "stiffness").unwrap();
     let mass = assemble(&mesh, "mass").unwrap();
-    let stiffness = with_ground_springs(&mesh, &elastic);
+    let stiffness = add_ground_springs(&elastic, &ground_springs(&mesh)).unwrap();
     let solid =
         Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: PLENTY };
-    let (retained, names) = dofs(&mesh, &[("MOUNTS", "xyz")]);
+    let retained = dofs(&mesh, &[("MOUNTS", "xyz")]);
     assert_eq!((mesh.dof_count(), retained.len()), (12807, 9));
-    let reduction = solid.craig_bampton(&retained, 150).unwrap();
+    let reduction = solid.craig_bampton(&indices(&retained), 150).unwrap();
     compare(&reduction.hertz, &listed(include_str!("../data/fixed-interface-hz-support.csv")));
     orthonormal(&reduction, &mass);
 
@@ -126,7 +123,8 @@ fn reference_support() {
     let free = first_elastic(&alone);
     assert!((free - 120.08).abs() < 0.005, "{free}");
     // Without the ground springs the support swings about the line of its mounts.
-    let Err(ReductionError::Mechanism { motions }) = alone.craig_bampton(&retained, 5) else {
+    let Err(ReductionError::Mechanism { motions }) = alone.craig_bampton(&indices(&retained), 5)
+    else {
         panic!("a mechanism is an error");
     };
     let [FreeMotion::Rotation { direction, .. }] = motions[..] else { panic!("{motions:?}") };
@@ -134,18 +132,44 @@ fn reference_support() {
 
     // All mounts held: the modes themselves are the active coordinates.
     let mut mounts = Constraints::new();
-    (0..9).for_each(|i| mounts.fix(&*names[i], i));
-    let held = mounts.eliminate(9).unwrap();
-    let active = Coordinates::new(&reduction, &held, &names);
+    retained.iter().enumerate().for_each(|(i, mount)| mounts.fix(&*mount.name, i));
     let bore = mesh.node_set("BORE1_LEFT").unwrap();
-    let damping = Rayleigh { alpha: 0.0, beta: 1e-4 };
-    let support = Support::new(&reduction, &active, damping, mesh.nodes(), bore).unwrap();
+    let spec = BodySpec {
+        retained,
+        modes: 150,
+        constraints: mounts,
+        springs: ground_springs(&mesh),
+        damping: Rayleigh { alpha: 0.0, beta: 1e-4 },
+        nodes: bore.to_vec(),
+        memory: PLENTY,
+    };
+    let support = Support::from_mesh(&mesh, &spec).unwrap();
     assert_eq!((support.size(), support.nodes.len()), (150, bore.len()));
     assert_eq!(support.coordinates[0], "mode 1 (285.5 Hz)");
     for i in 0..150 {
         assert_eq!(support.stiffness[i], reduction.stiffness[(i, i)]);
         assert_eq!(support.damping[i], 1e-4 * support.stiffness[i]);
     }
+}
+
+#[test]
+fn a_dof_retained_twice_is_named() {
+    let mesh = reference("shaft");
+    let mut retained = dofs(&mesh, &[("JOURNAL1_LEFT", "xy"), ("DRIVE_TOP", "y")]);
+    let mut again = retained[1].clone();
+    again.name = "LEFT_END y".to_owned();
+    retained.push(again);
+    let spec = BodySpec {
+        retained,
+        modes: 1,
+        constraints: Constraints::new(),
+        springs: Vec::new(),
+        damping: Rayleigh::default(),
+        nodes: Vec::new(),
+        memory: PLENTY,
+    };
+    let message = Shaft::from_mesh(&mesh, &spec).unwrap_err().to_string();
+    assert!(message.contains("LEFT_END y is retained already, as JOURNAL1_LEFT y"), "{message}");
 }
 
 fn orthonormal(reduction: &CraigBampton, mass: &SparseMatrix) {

@@ -90,7 +90,7 @@ impl Solid<'_> {
             memory: self.memory,
         };
         let loose = |row: usize| ReductionError::Mechanism {
-            motions: vec![FreeMotion::Part { node: partition.inner[row] / 3 }],
+            motions: vec![FreeMotion::Part { node: (partition.inner[row] / 3) as u64 }],
         };
         let (fixed, factor) = pencil.lowest_modes(modes).map_err(|error| match error {
             ReductionError::LinearAlgebra(LinearAlgebraError::NotPositiveDefinite {

@@ -13,6 +13,7 @@ pub use rigid::FreeMotion;
 pub(crate) use rigid::RigidMotions;
 
 use crate::linalg::LinearAlgebraError;
+use crate::mesh::Mesh;
 
 /// Why a body could not be reduced.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -81,6 +82,20 @@ pub enum ReductionError {
         /// Frequency (Hz) below which they were counted.
         hertz: f64,
     },
+}
+
+impl ReductionError {
+    /// The same error with labels of the mesh in place of node indices.
+    pub(crate) fn with_labels(mut self, mesh: &Mesh) -> Self {
+        if let ReductionError::Mechanism { motions } = &mut self {
+            for motion in motions {
+                if let FreeMotion::Part { node } = motion {
+                    *node = mesh.labels()[*node as usize];
+                }
+            }
+        }
+        self
+    }
 }
 
 fn list(motions: &[FreeMotion]) -> String {

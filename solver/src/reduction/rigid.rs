@@ -27,8 +27,8 @@ pub enum FreeMotion {
     },
     /// Part of the mesh is loose: it is not joined to the rest.
     Part {
-        /// A node of it, from 0.
-        node: usize,
+        /// A node of it: its label in a mesh, its index where there are matrices only.
+        node: u64,
     },
 }
 
@@ -41,7 +41,7 @@ impl fmt::Display for FreeMotion {
                 write!(f, "turn about an axis along {direction} through ({x:.4}, {y:.4}, {z:.4}) m")
             }
             FreeMotion::Part { node } => {
-                write!(f, "the part of the mesh around the node with index {node} is loose")
+                write!(f, "the part of the mesh around node {node} is loose")
             }
         }
     }
