@@ -1,3 +1,6 @@
 //! Hand-written twins of generated kernels.
 
+pub mod clearance;
 pub mod elements;
+pub mod law;
+pub mod motion;

@@ -1,0 +1,169 @@
+//! The clearance of a journal in its bore, written by hand: everything that springs share is done once a
+//! ring in the fixed frame, so that a spring costs a handful of operations.
+//!
+//! With u = A(θ)ε, s_j = ∂h_j/∂u = −(cos ψ_j, sin ψ_j), J = ∂u/∂(θ, ε) and W = ∂u̇/∂(θ, ε):
+//! h_j = c + s_j·u + δ_j, ∂h_j/∂(θ, ε) = Jᵀs_j, ∂ḣ_j/∂(θ, ε) = Wᵀs_j.
+
+use whirl_specs::{Clearance, Origin, Ring, RingTangent, SpringForce};
+
+/// The clearance of eqs. (14) and (24) with the shaft's displacement turned into the fixed frame.
+pub static CLEARANCE: Clearance = Clearance {
+    origin: Origin {
+        name: "journal",
+        title: "Radial clearance of the springs of a journal bearing, by hand",
+        source: "eqs. (13), (14), (24)",
+        spec: "",
+        text: "",
+        hash: "",
+    },
+    table: 2,
+    prepare,
+    clearance,
+    force,
+    tangent,
+    axial,
+};
+
+fn prepare(psi: &[f64], table: &mut [f64]) {
+    let (cos, sin) = table.split_at_mut(psi.len());
+    for ((psi, cos), sin) in psi.iter().zip(cos).zip(sin) {
+        (*sin, *cos) = psi.sin_cos();
+    }
+}
+
+/// The journal in the fixed frame.
+struct Journal {
+    /// u and u̇.
+    u: [f64; 2],
+    u_dot: [f64; 2],
+    /// Columns of J and of W.
+    j: [[f64; 2]; 3],
+    w: [[f64; 2]; 3],
+}
+
+impl Journal {
+    fn new(ring: &Ring) -> Self {
+        let [theta, x, y] = ring.position;
+        let [theta_dot, x_dot, y_dot] = ring.velocity;
+        let (sin, cos) = theta.sin_cos();
+        let turn = |x: f64, y: f64| [cos * x - sin * y, sin * x + cos * y];
+        let u = turn(x, y);
+        let u_dot = turn(x_dot - theta_dot * y, y_dot + theta_dot * x);
+        Journal {
+            u,
+            u_dot,
+            j: [[-u[1], u[0]], [cos, sin], [-sin, cos]],
+            w: [
+                [-u_dot[1], u_dot[0]],
+                [-theta_dot * sin, theta_dot * cos],
+                [-theta_dot * cos, -theta_dot * sin],
+            ],
+        }
+    }
+}
+
+fn clearance(
+    springs: usize,
+    table: &[f64],
+    ring: &Ring,
+    delta: &[f64],
+    delta_dot: &[f64],
+    h: &mut [f64],
+    h_dot: &mut [f64],
+) {
+    let Journal { u, u_dot, .. } = Journal::new(ring);
+    let (cos, sin) = (&table[..springs], &table[springs..2 * springs]);
+    let (delta, delta_dot) = (&delta[..springs], &delta_dot[..springs]);
+    let (h, h_dot) = (&mut h[..springs], &mut h_dot[..springs]);
+    for k in 0..springs {
+        h[k] = ring.c - cos[k] * u[0] - sin[k] * u[1] + delta[k];
+        h_dot[k] = delta_dot[k] - cos[k] * u_dot[0] - sin[k] * u_dot[1];
+    }
+}
+
+fn force(
+    springs: usize,
+    table: &[f64],
+    ring: &Ring,
+    _delta: &[f64],
+    q: &[f64],
+    ring_force: &mut [f64; 3],
+    spring_force: &mut [f64],
+) {
+    let total = total(springs, table, q);
+    let journal = Journal::new(ring);
+    for (force, column) in ring_force.iter_mut().zip(&journal.j) {
+        *force = dot(column, &total);
+    }
+    spring_force[..springs].copy_from_slice(&q[..springs]);
+}
+
+/// Σ Q_j s_j: the force on the shaft in the fixed frame.
+fn total(springs: usize, table: &[f64], q: &[f64]) -> [f64; 2] {
+    let (cos, sin, q) = (&table[..springs], &table[springs..2 * springs], &q[..springs]);
+    let mut total = [0.0; 2];
+    for k in 0..springs {
+        total[0] -= q[k] * cos[k];
+        total[1] -= q[k] * sin[k];
+    }
+    total
+}
+
+fn tangent(
+    springs: usize,
+    table: &[f64],
+    ring: &Ring,
+    _delta: &[f64],
+    _delta_dot: &[f64],
+    law: &SpringForce,
+    a1: f64,
+    tangent: &mut RingTangent,
+) {
+    let journal = Journal::new(ring);
+    let (cos, sin) = (&table[..springs], &table[springs..2 * springs]);
+    let (stiff, viscous) = (&law.dq_dh[..springs], &law.dq_dh_dot[..springs]);
+    let spring_spring = &mut tangent.spring_spring[..springs];
+    // Σ k s sᵀ and Σ d s sᵀ as xx, xy, yy; k = ∂Q/∂h + a1 ∂Q/∂ḣ, d = ∂Q/∂ḣ.
+    let (mut kss, mut dss) = ([0.0; 3], [0.0; 3]);
+    for j in 0..springs {
+        let (k, d) = (stiff[j] + a1 * viscous[j], viscous[j]);
+        spring_spring[j] = k;
+        let ss = [cos[j] * cos[j], cos[j] * sin[j], sin[j] * sin[j]];
+        for i in 0..3 {
+            kss[i] += k * ss[i];
+            dss[i] += d * ss[i];
+        }
+    }
+    let apply = |m: &[f64; 3], v: &[f64; 2]| [m[0] * v[0] + m[1] * v[1], m[1] * v[0] + m[2] * v[1]];
+    for i in 0..3 {
+        let (left_k, left_d) = (apply(&kss, &journal.j[i]), apply(&dss, &journal.j[i]));
+        for j in 0..3 {
+            tangent.ring_ring[i][j] = dot(&left_k, &journal.j[j]) + dot(&left_d, &journal.w[j]);
+        }
+        let (gradient, rate) = (journal.j[i], journal.w[i]);
+        let ring_spring = &mut tangent.ring_spring[i][..springs];
+        let spring_ring = &mut tangent.spring_ring[i][..springs];
+        for j in 0..springs {
+            let across = -spring_spring[j] * (cos[j] * gradient[0] + sin[j] * gradient[1]);
+            ring_spring[j] = across;
+            spring_ring[j] = across - viscous[j] * (cos[j] * rate[0] + sin[j] * rate[1]);
+        }
+    }
+    // Q ∂²h/∂q²: ∂²u/∂θ² = −u, ∂²u/∂θ∂ε = A_θ.
+    let total = total(springs, table, law.q);
+    tangent.ring_ring[0][0] -= dot(&total, &journal.u);
+    for i in 1..3 {
+        let turned = [-journal.j[i][1], journal.j[i][0]];
+        let moment = dot(&total, &turned);
+        tangent.ring_ring[0][i] += moment;
+        tangent.ring_ring[i][0] += moment;
+    }
+}
+
+fn axial(s: f64) -> [f64; 3] {
+    [(2.0 * s - 3.0) * s + 1.0, (4.0 - 4.0 * s) * s, (2.0 * s - 1.0) * s]
+}
+
+fn dot(a: &[f64; 2], b: &[f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
