@@ -114,3 +114,36 @@ fn reports_state_what_the_paper_implies() {
         assert_eq!(output.trends[0].1, whirl_codegen::spec::law::Trend::Falling);
     }
 }
+
+#[test]
+fn no_damaged_file_makes_the_reader_panic() {
+    let text = "kind = \"law\"\nname = \"x\"\ntitle = \"t\"\nsource = \"s\"\n\
+                [inputs]\nh = { unit = \"mm\", range = [-0.1, 1] }\nh_dot = { unit = \"mm/s\" }\n\
+                [parameters]\nc0 = { value = 3.5e1, unit = \"um\", title = \"c\" }\nn = { value = 1.5, unit = \"1\" }\n\
+                [definitions]\ns = 'max(1 - h/c0, 0)^n'\n\
+                [outputs.Q]\nunit = \"N\"\njump = \"accept\"\npieces = [\n\
+                { when = 'h < c0 and not ḣ > 1', value = '38*s/(1 + s) - 0.1*h_dot' },\n{ value = '0' },\n]\n";
+    assert!(LawSpec::read(&Source::new("law.toml", text)).is_ok());
+    let characters: Vec<char> = text.chars().collect();
+    let inserted =
+        ["", "'", "\"", "9", "e9", "-", "^", "(", "[", "]", "{", "\n", "=", "h", "θ", "\0", "''"];
+    // A small generator with a fixed seed (Knuth's MMIX).
+    let mut state = 1_u64;
+    let mut below = |bound: usize| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % bound
+    };
+    for _ in 0..400 {
+        let mut damaged: Vec<char> = characters.clone();
+        for _ in 0..1 + below(3) {
+            let start = below(damaged.len());
+            let end = (start + below(4)).min(damaged.len());
+            damaged.splice(start..end, inserted[below(inserted.len())].chars());
+        }
+        let damaged: String = damaged.into_iter().collect();
+        if let Err(errors) = LawSpec::read(&Source::new("law.toml", damaged)) {
+            assert!(errors.render().starts_with("error["));
+        }
+    }
+}

@@ -343,7 +343,7 @@ fn differentiate(law: &mut LawSpec) -> Result<(), Diagnostics> {
         }
     }
     if law.graph.exceeded() {
-        let message = "the exact numbers in the derivatives of this law grow beyond all use";
+        let message = "the derivatives of this law grow beyond the bounds on numbers and terms";
         return Err(Diagnostic::new(&law.file, Code::LIMIT, None, message).into());
     }
     Ok(())
