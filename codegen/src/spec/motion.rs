@@ -102,8 +102,8 @@ fn read(document: &Document, file: &Arc<Source>) -> Option<MotionSpec> {
     let tensors = tensors(&root, &mut graph, &mut names);
     let mut reader = Reader { document, graph, names, coordinates };
     let motion = match root.optional_string("kinetic_energy") {
-        Some(energy) => reader.from_energy(&energy),
-        None => reader.from_terms(&root),
+        Some(energy) => reader.by_energy(&energy),
+        None => reader.by_terms(&root),
     };
     root.finish();
     let (equations, derivatives) = motion?;
@@ -209,7 +209,7 @@ impl Reader<'_> {
         Some(value)
     }
 
-    fn from_energy(&mut self, text: &Located) -> Option<(Equations, Derivatives)> {
+    fn by_energy(&mut self, text: &Located) -> Option<(Equations, Derivatives)> {
         let energy = self.formula(text, Shape::Scalar)?;
         let coordinates = self.coordinates.clone();
         let both = lagrange(&mut self.graph, energy, &coordinates).and_then(|equations| {
@@ -223,7 +223,7 @@ impl Reader<'_> {
         .ok()
     }
 
-    fn from_terms(&mut self, root: &Table) -> Option<(Equations, Derivatives)> {
+    fn by_terms(&mut self, root: &Table) -> Option<(Equations, Derivatives)> {
         if !root.has("mass") && !root.has("quadratic_velocity") {
             let message = "a motion needs `kinetic_energy`, or the tables `mass`, \
                            `quadratic_velocity`, `PF`, `B` and `P`";
