@@ -133,6 +133,48 @@ pub enum Error {
         /// What is wrong with it, naming the others.
         what: String,
     },
+    /// A bearing law that the solver cannot use.
+    #[error("law {law} {what}")]
+    Law {
+        /// Name of the law.
+        law: String,
+        /// What does not fit.
+        what: String,
+    },
+    /// The bore of a bearing cannot carry springs.
+    #[error("{bearing}: {what}")]
+    Bore {
+        /// Name of the bearing.
+        bearing: String,
+        /// What is wrong with its nodes.
+        what: String,
+    },
+    /// Parts of a machine that do not fit together.
+    #[error("{0}")]
+    Machine(String),
+    /// A time step that no iteration solves.
+    #[error(
+        "step {step} (t = {time:.6e} s) does not converge, even in parts of {time_step:.2e} s: after \
+         {iterations} iterations the residual is {residual:.2e} and the largest change of a spring force \
+         {force_change:.2e} N; the largest share is that of {worst_dof}. A shorter time step or a law \
+         without jumps and steep slopes may help"
+    )]
+    NewtonDiverged {
+        /// The step, counted from 1.
+        step: usize,
+        /// Time at its end (s).
+        time: f64,
+        /// The shortest part tried (s).
+        time_step: f64,
+        /// Iterations made in it.
+        iterations: usize,
+        /// Norm of the residual, √(Σ r²/s).
+        residual: f64,
+        /// Largest change of a spring force in the last iteration (N).
+        force_change: f64,
+        /// The coordinate with the largest share of the residual.
+        worst_dof: String,
+    },
     /// Linear algebra failed.
     #[error(transparent)]
     LinearAlgebra(#[from] LinearAlgebraError),

@@ -1,11 +1,16 @@
 //! From meshes and kernels to histories: assembly, reduction, Newmark–Newton.
 
 pub mod assembly;
+pub mod bearing;
 pub mod body;
 pub mod cache;
 pub mod constraints;
+pub mod dynamics;
 pub mod error;
+pub mod history;
 pub mod linalg;
+pub mod loads;
+pub mod machine;
 pub mod mesh;
 pub mod ordering;
 pub mod reduction;

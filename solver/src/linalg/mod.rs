@@ -17,7 +17,10 @@ pub use lower::LowerTriangle;
 pub use lu::Lu;
 pub(crate) use matrix::dot;
 pub use matrix::{Columns, Matrix};
-pub use product::{congruence, congruence_diagonal, multiply, multiply_add, transpose_multiply};
+pub use product::{
+    congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
+    transpose_multiply,
+};
 pub use sparse::{Inertia, SparseCholesky, inertia};
 
 use faer::{MatMut, MatRef};

@@ -22,6 +22,18 @@ pub fn multiply_add(c: &mut [f64], alpha: f64, a: Columns, b: Columns) {
     );
 }
 
+/// C += α·A·Bᵀ, with C (a.rows × b.rows) as a column-major slice.
+pub fn multiply_transpose_add(c: &mut [f64], alpha: f64, a: Columns, b: Columns) {
+    matmul(
+        view_mut(a.rows, b.rows, c),
+        Accum::Add,
+        view(a.rows, a.cols, a.data),
+        view(b.rows, b.cols, b.data).transpose(),
+        alpha,
+        Par::Seq,
+    );
+}
+
 /// Aᵀ·B.
 pub fn transpose_multiply(a: Columns, b: Columns) -> Matrix {
     let mut c = Matrix::zeros(a.cols, b.cols);

@@ -1,0 +1,193 @@
+//! The springs at one instant: clearances, forces, generalised forces and their derivatives.
+
+use whirl_specs::{Ring, RingTangent, SpringForce};
+
+use super::{Input, Springs};
+
+/// Position and velocity of the machine's coordinates, as the springs see them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Motion<'a> {
+    pub(crate) theta: f64,
+    pub(crate) theta_dot: f64,
+    pub(crate) eta: &'a [f64],
+    pub(crate) eta_dot: &'a [f64],
+    pub(crate) support: &'a [f64],
+    pub(crate) support_dot: &'a [f64],
+}
+
+/// All springs at one instant. Rows have one value a spring. Allocated once, filled at will.
+pub struct SpringState {
+    /// δ: radial displacement of the bore (m), and its rate (m/s).
+    delta: Vec<f64>,
+    delta_dot: Vec<f64>,
+    /// h (m).
+    pub h: Vec<f64>,
+    /// ḣ (m/s).
+    pub h_dot: Vec<f64>,
+    /// Q (N).
+    pub q: Vec<f64>,
+    dq_dh: Vec<f64>,
+    dq_dh_dot: Vec<f64>,
+    /// State of every plane.
+    rings: Vec<Ring>,
+    /// Generalised forces on (θ, ε_x, ε_y) of every plane: N·m, N, N; ε in the frame of the shaft.
+    pub plane_force: Vec<[f64; 3]>,
+    /// Generalised force on δ_j of every spring (N).
+    spring_force: Vec<f64>,
+    law_inputs: Vec<f64>,
+    law_outputs: Vec<f64>,
+    law_workspace: Vec<f64>,
+    rates: bool,
+}
+
+impl SpringState {
+    /// Memory for the springs.
+    pub fn new(springs: &Springs) -> Self {
+        let n = springs.len();
+        let row = || vec![0.0; n];
+        let most = |of: fn(&super::BoundLaw) -> usize| {
+            springs.laws.iter().map(|(law, range)| of(law) * range.len()).max().unwrap_or(0)
+        };
+        let workspace = springs.laws.iter().map(|(law, _)| law.law.workspace()).max();
+        SpringState {
+            delta: row(),
+            delta_dot: row(),
+            h: row(),
+            h_dot: row(),
+            q: row(),
+            dq_dh: row(),
+            dq_dh_dot: row(),
+            rings: vec![Ring::default(); springs.planes.len()],
+            plane_force: vec![[0.0; 3]; springs.planes.len()],
+            spring_force: row(),
+            law_inputs: vec![0.0; most(|law| law.inputs.len())],
+            law_outputs: vec![0.0; most(|law| law.output_rows)],
+            law_workspace: vec![0.0; workspace.unwrap_or(0)],
+            rates: springs.needs_rates(),
+        }
+    }
+
+    /// Computes everything but the tangent from the motion.
+    pub(crate) fn update(&mut self, springs: &Springs, motion: Motion) {
+        multiply(&springs.bore, motion.support, &mut self.delta);
+        if self.rates {
+            multiply(&springs.bore, motion.support_dot, &mut self.delta_dot);
+        }
+        for (plane, ring) in springs.planes.iter().zip(&mut self.rings) {
+            let [x, y] = &plane.eccentricity;
+            ring.position = [motion.theta, along(x, motion.eta), along(y, motion.eta)];
+            ring.velocity = [motion.theta_dot, along(x, motion.eta_dot), along(y, motion.eta_dot)];
+            ring.c = plane.clearance;
+            let range = plane.springs.clone();
+            (springs.kernels.clearance)(
+                range.len(),
+                &plane.table,
+                ring,
+                &self.delta[range.clone()],
+                &self.delta_dot[range.clone()],
+                &mut self.h[range.clone()],
+                &mut self.h_dot[range],
+            );
+        }
+        self.evaluate_laws(springs);
+        for (plane, (ring, force)) in
+            springs.planes.iter().zip(self.rings.iter().zip(&mut self.plane_force))
+        {
+            let range = plane.springs.clone();
+            (springs.kernels.force)(
+                range.len(),
+                &plane.table,
+                ring,
+                &self.delta[range.clone()],
+                &self.q[range.clone()],
+                force,
+                &mut self.spring_force[range],
+            );
+        }
+    }
+
+    fn evaluate_laws(&mut self, springs: &Springs) {
+        for (law, range) in &springs.laws {
+            let n = range.len();
+            for (row, input) in law.inputs.iter().enumerate() {
+                let values = match input {
+                    Input::Clearance => &self.h[range.clone()],
+                    Input::ClearanceRate => &self.h_dot[range.clone()],
+                };
+                self.law_inputs[row * n..(row + 1) * n].copy_from_slice(values);
+            }
+            let inputs = &self.law_inputs[..law.inputs.len() * n];
+            let outputs = &mut self.law_outputs[..law.output_rows * n];
+            law.law.evaluate(n, inputs, outputs, &mut self.law_workspace);
+            let row = |place: usize| &outputs[place * n..(place + 1) * n];
+            self.q[range.clone()].copy_from_slice(row(law.q_row));
+            for (place, input) in law.inputs.iter().enumerate() {
+                let target = match input {
+                    Input::Clearance => &mut self.dq_dh,
+                    Input::ClearanceRate => &mut self.dq_dh_dot,
+                };
+                target[range.clone()].copy_from_slice(row(law.q_row + 1 + place));
+            }
+        }
+    }
+
+    /// Adds the generalised forces on θ, η and the support's coordinates.
+    pub(crate) fn add_forces(
+        &self,
+        springs: &Springs,
+        theta: &mut f64,
+        eta: &mut [f64],
+        support: &mut [f64],
+    ) {
+        for (plane, force) in springs.planes.iter().zip(&self.plane_force) {
+            *theta += force[0];
+            for (row, value) in plane.eccentricity.iter().zip(&force[1..]) {
+                row.iter().for_each(|&(j, share)| eta[j] += share * value);
+            }
+        }
+        for (j, &force) in self.spring_force.iter().enumerate() {
+            if force != 0.0 {
+                let column = springs.bore_transposed.col(j);
+                support.iter_mut().zip(column).for_each(|(sum, share)| *sum += share * force);
+            }
+        }
+    }
+
+    /// The derivatives of the generalised forces of one plane, B + a1 P; see [`RingTangent`].
+    pub(crate) fn tangent(&self, springs: &Springs, plane: usize, a1: f64, out: &mut RingTangent) {
+        let range = springs.planes[plane].springs.clone();
+        let law = SpringForce {
+            q: &self.q[range.clone()],
+            dq_dh: &self.dq_dh[range.clone()],
+            dq_dh_dot: &self.dq_dh_dot[range.clone()],
+        };
+        (springs.kernels.tangent)(
+            range.len(),
+            &springs.planes[plane].table,
+            &self.rings[plane],
+            &self.delta[range.clone()],
+            &self.delta_dot[range],
+            &law,
+            a1,
+            out,
+        );
+    }
+
+    /// ε_x and ε_y of a plane (m, frame of the shaft).
+    pub(crate) fn eccentricity(&self, plane: usize) -> [f64; 2] {
+        [self.rings[plane].position[1], self.rings[plane].position[2]]
+    }
+}
+
+/// Σ coefficient · x.
+pub(crate) fn along(row: &[(usize, f64)], x: &[f64]) -> f64 {
+    row.iter().map(|&(j, share)| share * x[j]).sum()
+}
+
+/// y = A x, column after column.
+fn multiply(matrix: &crate::linalg::Matrix, x: &[f64], y: &mut [f64]) {
+    y.fill(0.0);
+    for (j, &value) in x.iter().enumerate() {
+        y.iter_mut().zip(matrix.col(j)).for_each(|(sum, entry)| *sum += entry * value);
+    }
+}

@@ -1,0 +1,316 @@
+//! Marching: predict, solve, record, step after step.
+
+use std::ops::ControlFlow;
+
+use super::energy::{EnergyBalance, Ledger};
+use super::newmark::{Coefficients, Newmark, State};
+use super::newton::{Ending, Newton, NewtonOptions, Report};
+use super::steady::{SteadyState, SteadyTest};
+use super::system::System;
+use crate::error::Error;
+use crate::history::History;
+use crate::linalg::{Lu, dot};
+use crate::loads::{Course, Position};
+use crate::machine::{Machine, Rotation};
+
+/// How far and how a machine is marched.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MarchOptions {
+    /// Δt (s).
+    pub time_step: f64,
+    /// Number of steps.
+    pub steps: usize,
+    /// Parameters of the time integration.
+    pub newmark: Newmark,
+    /// How each step is solved.
+    pub newton: NewtonOptions,
+    /// Cycle of the steady-state test (s), if it is to be made.
+    pub cycle: Option<f64>,
+    /// Whether to stop at the steady state.
+    pub stop_when_steady: bool,
+    /// Initial η and η̇; empty for zero.
+    pub initial_shaft: [Vec<f64>; 2],
+    /// Initial θ̇ (rad/s).
+    pub initial_speed: f64,
+}
+
+/// Where a march is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Steps done.
+    pub step: usize,
+    /// Steps asked for.
+    pub steps: usize,
+    /// Time (s).
+    pub time: f64,
+    /// Newton iterations of the last step.
+    pub iterations: usize,
+}
+
+/// What a march gave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// One row a step.
+    pub history: History,
+    /// Where the work of the loads went.
+    pub energy: EnergyBalance,
+    /// When the steady state was reached.
+    pub steady: Option<SteadyState>,
+    /// Newton iterations in all.
+    pub iterations: usize,
+    /// Matrices factored in all.
+    pub factorisations: usize,
+    /// Steps that had to be halved.
+    pub halved_steps: usize,
+}
+
+/// A march that ended early, with what it gave up to there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failure {
+    /// Why.
+    pub error: Error,
+    /// The steps before.
+    pub outcome: Outcome,
+}
+
+/// Marches a machine from rest (or the initial state of the options) at t = 0. `observe` is called after
+/// every step and may stop the march.
+///
+/// # Errors
+/// A step that does not converge, however short; the history up to there is kept.
+pub fn march(
+    machine: &Machine,
+    options: &MarchOptions,
+    observe: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
+) -> Result<Outcome, Box<Failure>> {
+    let mut march = March::new(machine, options)?;
+    while march.step < options.steps {
+        if let Err(error) = march.advance() {
+            let outcome = march.outcome();
+            return Err(Box::new(Failure { error, outcome }));
+        }
+        let stop = observe(&march.progress()).is_break();
+        let steady = march.steady.as_ref().is_some_and(|test| test.reached.is_some());
+        if stop || options.stop_when_steady && steady {
+            break;
+        }
+    }
+    Ok(march.outcome())
+}
+
+/// A march that can be advanced step by step.
+pub struct March<'m> {
+    machine: &'m Machine,
+    options: MarchOptions,
+    system: System<'m>,
+    newton: Newton,
+    state: State,
+    /// State at the start of the step, and room for the ends of its parts, one a halving.
+    starts: Vec<State>,
+    time: f64,
+    step: usize,
+    iterations: usize,
+    last_iterations: usize,
+    halved_steps: usize,
+    ledger: Ledger,
+    steady: Option<SteadyTest>,
+    history: History,
+    row: Vec<f64>,
+}
+
+impl<'m> March<'m> {
+    /// The machine at t = 0, with the accelerations that its forces give it there.
+    ///
+    /// # Errors
+    /// A mass matrix that cannot be inverted.
+    pub fn new(machine: &'m Machine, options: &MarchOptions) -> Result<Self, Box<Failure>> {
+        let size = machine.size();
+        let mut system = System::new(machine);
+        let mut state = State::new(size);
+        let [position, velocity] = &options.initial_shaft;
+        state.q[1..=position.len()].copy_from_slice(position);
+        state.v[1..=velocity.len()].copy_from_slice(velocity);
+        if machine.rotation == Rotation::Free {
+            state.v[0] = options.initial_speed;
+        }
+        let mut history = History::for_bearings(machine.monitors.len());
+        history.reserve(options.steps);
+        if let Err(error) = accelerate(&mut system, &mut state) {
+            let outcome = Outcome {
+                history,
+                energy: EnergyBalance::default(),
+                steady: None,
+                iterations: 0,
+                factorisations: 0,
+                halved_steps: 0,
+            };
+            return Err(Box::new(Failure { error, outcome }));
+        }
+        let springs = machine.springs.len();
+        Ok(March {
+            machine,
+            newton: Newton::new(options.newton, size, springs),
+            ledger: Ledger::new(&mut system, &state),
+            system,
+            starts: vec![State::new(size); options.newton.max_halvings + 2],
+            state,
+            time: 0.0,
+            step: 0,
+            iterations: 0,
+            last_iterations: 0,
+            halved_steps: 0,
+            steady: options.cycle.map(|cycle| SteadyTest::new(springs, cycle, options.time_step)),
+            row: vec![0.0; history.names().len()],
+            history,
+            options: options.clone(),
+        })
+    }
+
+    /// Takes one step and records it.
+    ///
+    /// # Errors
+    /// The step does not converge.
+    pub fn advance(&mut self) -> Result<(), Error> {
+        self.release_loads();
+        let dt = self.options.time_step;
+        let start = self.step as f64 * dt;
+        self.last_iterations = 0;
+        self.part(start, dt, 0)?;
+        self.step += 1;
+        self.time = self.step as f64 * dt;
+        self.iterations += self.last_iterations;
+        if let Some(test) = &mut self.steady {
+            test.add(self.time, &self.system.springs.q);
+        }
+        self.record();
+        Ok(())
+    }
+
+    /// Drivers stop when a step starts at or above their target speed, for good.
+    fn release_loads(&mut self) {
+        let reached = self.machine.loads.iter().any(|load| match load.course {
+            Course::UntilSpeed { target } => self.state.v[0] >= target,
+            _ => false,
+        });
+        self.system.released |= reached;
+    }
+
+    /// Takes a step of `dt` from time `t`, in halves if it does not converge.
+    fn part(&mut self, t: f64, dt: f64, depth: usize) -> Result<(), Error> {
+        let step = Coefficients::new(self.options.newmark, dt);
+        let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
+        start.copy_from(&self.state);
+        step.predict(&start, &mut self.state);
+        if self.machine.rotation == Rotation::Held {
+            self.state.q[0] = start.q[0];
+            step.rates(&start, &mut self.state);
+        }
+        let report = self.newton.solve(&mut self.system, t + dt, &step, &start, &mut self.state);
+        self.last_iterations += report.iterations;
+        let solved = match report.ending {
+            Ending::Converged => {
+                self.ledger.add(&self.system, &start, &self.state);
+                Ok(())
+            }
+            Ending::Failed if depth < self.options.newton.max_halvings => {
+                self.halved_steps += usize::from(depth == 0);
+                self.state.copy_from(&start);
+                let half = 0.5 * dt;
+                self.part(t, half, depth + 1).and_then(|()| self.part(t + half, half, depth + 1))
+            }
+            Ending::Failed => Err(self.diverged(t + dt, dt, &report)),
+        };
+        self.starts[depth] = start;
+        solved
+    }
+
+    fn diverged(&self, time: f64, dt: f64, report: &Report) -> Error {
+        let worst = self.newton.worst(&self.system.residual);
+        Error::NewtonDiverged {
+            step: self.step + 1,
+            time,
+            time_step: dt,
+            iterations: report.iterations,
+            residual: report.residual,
+            force_change: report.force_change,
+            worst_dof: self.machine.coordinate(worst),
+        }
+    }
+
+    /// Writes the row of the step just done.
+    fn record(&mut self) {
+        let (state, machine) = (&self.state, self.machine);
+        let first = 1 + machine.shaft.size();
+        let (eta, support) = (&state.q[1..first], &state.q[first..]);
+        let position = Position::new(state.q[0]);
+        let bearings = machine.monitors.len();
+        self.row[..3].copy_from_slice(&[self.time, state.q[0], state.v[0]]);
+        for (k, monitor) in machine.monitors.iter().enumerate() {
+            let mut force = [0.0; 2];
+            for &plane in &monitor.planes {
+                let [_, x, y] = self.system.springs.plane_force[plane];
+                force[0] += x;
+                force[1] += y;
+            }
+            let reaction = position.to_space(force);
+            let journal = position
+                .to_space([dot(&monitor.journal[0], eta), dot(&monitor.journal[1], eta)]);
+            for axis in 0..2 {
+                let place = 3 + 2 * k + axis;
+                let bore = dot(&monitor.bore[axis], support);
+                self.row[place] = reaction[axis];
+                self.row[place + 2 * bearings] = 1e6 * journal[axis];
+                self.row[place + 4 * bearings] = 1e6 * (journal[axis] - bore);
+            }
+        }
+        *self.row.last_mut().expect("columns") = self.last_iterations as f64;
+        self.history.push(&self.row);
+    }
+
+    fn progress(&self) -> Progress {
+        Progress {
+            step: self.step,
+            steps: self.options.steps,
+            time: self.time,
+            iterations: self.last_iterations,
+        }
+    }
+
+    /// Ends the march.
+    pub fn outcome(mut self) -> Outcome {
+        Outcome {
+            energy: self.ledger.balance(&mut self.system, &self.state),
+            history: self.history,
+            steady: self.steady.and_then(|test| test.reached),
+            iterations: self.iterations,
+            factorisations: self.newton.factorisations,
+            halved_steps: self.halved_steps,
+        }
+    }
+
+    /// √(2φ) after every iteration of the last step (the merit of the Newton iteration).
+    pub fn residuals(&self) -> &[f64] {
+        &self.newton.residuals
+    }
+}
+
+/// Sets the accelerations from M q̈ = r at q̈ = 0, all loads included.
+fn accelerate(system: &mut System, state: &mut State) -> Result<(), Error> {
+    let first = 1 + system.machine.shaft.size();
+    system.evaluate(0.0, state);
+    state.a.copy_from_slice(&system.residual);
+    let mut mass = Lu::new(first);
+    system.shaft_mass(state, mass.values_mut());
+    if system.machine.rotation == Rotation::Held {
+        let values = mass.values_mut();
+        for i in 0..first {
+            values[i] = 0.0;
+            values[i * first] = 0.0;
+        }
+        values[0] = 1.0;
+    }
+    mass.factor_in_place()?;
+    mass.solve_in_place(&mut state.a[..first]);
+    system.evaluate(0.0, state);
+    Ok(())
+}

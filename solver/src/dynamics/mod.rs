@@ -1,0 +1,14 @@
+//! Marching a machine in time.
+
+mod energy;
+mod march;
+mod newmark;
+mod newton;
+mod steady;
+mod system;
+
+pub use energy::EnergyBalance;
+pub use march::{Failure, March, MarchOptions, Outcome, Progress, march};
+pub use newmark::Newmark;
+pub use newton::NewtonOptions;
+pub use steady::SteadyState;

@@ -1,0 +1,303 @@
+//! The equations of the machine at one instant: the residual
+//! r = Q_v − M q̈ + Q_e + Q_s − C q̇ − K q and its derivatives.
+
+use whirl_specs::{MotionState, RingTangent};
+
+use super::newmark::{Coefficients, State};
+use crate::bearing::SpringState;
+use crate::bearing::state::Motion;
+use crate::linalg::{Columns, Matrix, multiply_transpose_add};
+use crate::loads::Position;
+use crate::machine::{Machine, Rotation};
+
+/// Memory for evaluating a machine, and what was last evaluated.
+pub(crate) struct System<'m> {
+    pub(crate) machine: &'m Machine,
+    tensors: Vec<&'m [f64]>,
+    workspace: Vec<f64>,
+    /// r, one value a coordinate.
+    pub(crate) residual: Vec<f64>,
+    /// Generalised forces of the loads, of the springs, and of the dampers (C q̇).
+    pub(crate) load: Vec<f64>,
+    pub(crate) spring: Vec<f64>,
+    pub(crate) damper: Vec<f64>,
+    pub(crate) springs: SpringState,
+    /// Whether the driving loads have stopped.
+    pub(crate) released: bool,
+    shaft_block: Vec<f64>,
+    tangents: Vec<RingTangent>,
+    active: Vec<f64>,
+    weighted: Vec<f64>,
+    bore_block: Vec<f64>,
+    cross: Vec<f64>,
+}
+
+impl<'m> System<'m> {
+    pub(crate) fn new(machine: &'m Machine) -> Self {
+        let (size, n_s, n_b) = (machine.size(), machine.shaft.size(), machine.support.size());
+        let springs = &machine.springs;
+        System {
+            machine,
+            tensors: machine.tensors(),
+            workspace: vec![0.0; (machine.motion.workspace)(n_s)],
+            residual: vec![0.0; size],
+            load: vec![0.0; size],
+            spring: vec![0.0; size],
+            damper: vec![0.0; size],
+            springs: SpringState::new(springs),
+            released: false,
+            shaft_block: vec![0.0; (1 + n_s) * (1 + n_s)],
+            tangents: springs.planes.iter().map(|p| RingTangent::new(p.springs.len())).collect(),
+            active: vec![0.0; n_b * springs.len()],
+            weighted: vec![0.0; n_b * springs.len()],
+            bore_block: vec![0.0; n_b * n_b],
+            cross: vec![0.0; n_b],
+        }
+    }
+
+    fn held(&self) -> bool {
+        self.machine.rotation == Rotation::Held
+    }
+
+    /// Computes r and its parts at time `t`.
+    pub(crate) fn evaluate(&mut self, t: f64, state: &State) {
+        let machine = self.machine;
+        let (shaft, support) = (&machine.shaft, &machine.support);
+        let first = 1 + shaft.size();
+        let (eta, eta_dot) = (&state.q[1..first], &state.v[1..first]);
+        let motion = motion_state(state, first);
+        let inertia = &mut self.residual[..first];
+        (machine.motion.inertia_force)(&self.tensors, &motion, &mut self.workspace, inertia);
+
+        self.damper.fill(0.0);
+        add_product(&shaft.damping, eta_dot, &mut self.damper[1..first]);
+        subtract_product(&shaft.stiffness, eta, &mut self.residual[1..first]);
+        for i in 0..support.size() {
+            let (x, v, a) = (state.q[first + i], state.v[first + i], state.a[first + i]);
+            self.damper[first + i] = support.damping[i] * v;
+            self.residual[first + i] = -a - support.stiffness[i] * x;
+        }
+
+        self.load.fill(0.0);
+        let position = Position::new(state.q[0]);
+        let (q_theta, q_eta) = self.load.split_first_mut().expect("θ");
+        for load in &machine.loads {
+            let factor = load.factor(t, self.released);
+            load.add_force(factor, &position, eta, q_theta, &mut q_eta[..shaft.size()]);
+        }
+
+        let springs = Motion {
+            theta: state.q[0],
+            theta_dot: state.v[0],
+            eta,
+            eta_dot,
+            support: &state.q[first..],
+            support_dot: &state.v[first..],
+        };
+        self.springs.update(&machine.springs, springs);
+        self.spring.fill(0.0);
+        let (on_shaft, on_support) = self.spring.split_at_mut(first);
+        let (theta, on_shaft) = on_shaft.split_first_mut().expect("θ");
+        self.springs.add_forces(&machine.springs, theta, on_shaft, on_support);
+
+        let parts = self.load.iter().zip(&self.spring).zip(&self.damper);
+        for (r, ((load, spring), damper)) in self.residual.iter_mut().zip(parts) {
+            *r += load + spring - damper;
+        }
+        if self.held() {
+            self.residual[0] = 0.0;
+        }
+    }
+
+    /// Writes a2 M + a1 C + K + PF − a1 P − B, eq. (46), column after column, at the state that was last
+    /// evaluated.
+    pub(crate) fn tangent(&mut self, t: f64, state: &State, step: &Coefficients, out: &mut [f64]) {
+        let machine = self.machine;
+        let (shaft, support) = (&machine.shaft, &machine.support);
+        let (n_s, size) = (shaft.size(), machine.size());
+        let first = 1 + n_s;
+        out.fill(0.0);
+
+        let motion = motion_state(state, first);
+        (machine.motion.tangent)(
+            &self.tensors,
+            &motion,
+            step.a1,
+            step.a2,
+            &mut self.workspace,
+            &mut self.shaft_block,
+        );
+        for j in 0..first {
+            out[j * size..j * size + first]
+                .copy_from_slice(&self.shaft_block[j * first..(j + 1) * first]);
+        }
+        for j in 0..n_s {
+            let column = &mut out[(1 + j) * size + 1..(1 + j) * size + first];
+            let parts = shaft.damping.col(j).iter().zip(shaft.stiffness.col(j));
+            column.iter_mut().zip(parts).for_each(|(sum, (c, k))| *sum += step.a1 * c + k);
+        }
+        let position = Position::new(state.q[0]);
+        for load in &machine.loads {
+            let factor = load.factor(t, self.released);
+            load.subtract_tangent(factor, &position, &state.q[1..first], size, out);
+        }
+        self.subtract_springs(step.a1, first, out);
+        for i in 0..support.size() {
+            let place = first + i;
+            out[place * (size + 1)] +=
+                step.a2 + step.a1 * support.damping[i] + support.stiffness[i];
+        }
+        if self.held() {
+            for i in 0..size {
+                out[i] = 0.0;
+                out[i * size] = 0.0;
+            }
+            out[0] = 1.0;
+        }
+    }
+
+    /// Subtracts B + a1 P of the springs.
+    fn subtract_springs(&mut self, a1: f64, first: usize, out: &mut [f64]) {
+        let machine = self.machine;
+        let springs = &machine.springs;
+        let (n_b, size) = (machine.support.size(), machine.size());
+        for plane in 0..springs.planes.len() {
+            let tangent = &mut self.tangents[plane];
+            self.springs.tangent(springs, plane, a1, tangent);
+            let [x, y] = &springs.planes[plane].eccentricity;
+            let theta = [(0, 1.0)];
+            let rows: [&[(usize, f64)]; 3] = [&theta, x, y];
+            // Places in q: θ is 0, η_j is 1 + j.
+            let place = |i: usize, j: usize| if i == 0 { 0 } else { 1 + j };
+            for i in 0..3 {
+                for j in 0..3 {
+                    let value = tangent.ring_ring[i][j];
+                    for &(row, left) in rows[i] {
+                        for &(column, right) in rows[j] {
+                            out[place(j, column) * size + place(i, row)] -= left * right * value;
+                        }
+                    }
+                }
+            }
+            let range = springs.planes[plane].springs.clone();
+            for i in 0..3 {
+                combine(springs, &range, &tangent.ring_spring[i], &mut self.cross[..n_b]);
+                for &(row, share) in rows[i] {
+                    for (b, value) in self.cross.iter().enumerate() {
+                        out[(first + b) * size + place(i, row)] -= share * value;
+                    }
+                }
+                combine(springs, &range, &tangent.spring_ring[i], &mut self.cross[..n_b]);
+                for &(column, share) in rows[i] {
+                    let start = place(i, column) * size + first;
+                    let column = &mut out[start..start + n_b];
+                    column.iter_mut().zip(&self.cross).for_each(|(sum, v)| *sum -= share * v);
+                }
+            }
+        }
+        self.subtract_bores(first, out);
+    }
+
+    /// Subtracts Σ_j D_j t_jᵀt_j of the springs that act, t_j being rows of T_b.
+    fn subtract_bores(&mut self, first: usize, out: &mut [f64]) {
+        let springs = &self.machine.springs;
+        let (n_b, size) = (self.machine.support.size(), self.machine.size());
+        let stiffness = self.tangents.iter().flat_map(|tangent| &tangent.spring_spring);
+        let mut count = 0;
+        for (j, &value) in stiffness.enumerate().filter(|(_, value)| **value != 0.0) {
+            let row = springs.bore_transposed.col(j);
+            self.active[count * n_b..(count + 1) * n_b].copy_from_slice(row);
+            let weighted = &mut self.weighted[count * n_b..(count + 1) * n_b];
+            weighted.iter_mut().zip(row).for_each(|(w, share)| *w = value * share);
+            count += 1;
+        }
+        if count == 0 || n_b == 0 {
+            return;
+        }
+        self.bore_block.fill(0.0);
+        let rows = |data| Columns { rows: n_b, cols: count, data };
+        let (active, weighted) = (&self.active[..count * n_b], &self.weighted[..count * n_b]);
+        multiply_transpose_add(&mut self.bore_block, 1.0, rows(active), rows(weighted));
+        for b in 0..n_b {
+            let start = (first + b) * size + first;
+            let column = &mut out[start..start + n_b];
+            let block = &self.bore_block[b * n_b..(b + 1) * n_b];
+            column.iter_mut().zip(block).for_each(|(sum, value)| *sum -= value);
+        }
+    }
+
+    /// M(q) of the shaft with θ, column after column.
+    pub(crate) fn shaft_mass(&mut self, state: &State, out: &mut [f64]) {
+        let motion = motion_state(state, 1 + self.machine.shaft.size());
+        (self.machine.motion.mass)(&self.tensors, &motion, &mut self.workspace, out);
+    }
+
+    /// ½ q̇ᵀM q̇ (J).
+    pub(crate) fn kinetic_energy(&mut self, state: &State) -> f64 {
+        let first = 1 + self.machine.shaft.size();
+        let motion = motion_state(state, first);
+        let shaft = match self.machine.motion.kinetic_energy {
+            Some(energy) => energy(&self.tensors, &motion, &mut self.workspace),
+            None => {
+                let mass = &mut self.shaft_block;
+                (self.machine.motion.mass)(&self.tensors, &motion, &mut self.workspace, mass);
+                let v = &state.v[..first];
+                let columns = mass.chunks_exact(first).zip(v);
+                0.5 * columns.map(|(column, v_j)| v_j * crate::linalg::dot(column, v)).sum::<f64>()
+            }
+        };
+        shaft + 0.5 * state.v[first..].iter().map(|v| v * v).sum::<f64>()
+    }
+
+    /// ½ qᵀK q (J).
+    pub(crate) fn strain_energy(&self, state: &State) -> f64 {
+        let (shaft, support) = (&self.machine.shaft, &self.machine.support);
+        let first = 1 + shaft.size();
+        let eta = &state.q[1..first];
+        let bent: f64 =
+            (0..eta.len()).map(|j| eta[j] * crate::linalg::dot(shaft.stiffness.col(j), eta)).sum();
+        let rest = state.q[first..].iter().zip(&support.stiffness);
+        0.5 * (bent + rest.map(|(x, k)| k * x * x).sum::<f64>())
+    }
+}
+
+fn motion_state(state: &State, first: usize) -> MotionState<'_> {
+    MotionState {
+        theta: state.q[0],
+        theta_dot: state.v[0],
+        theta_ddot: state.a[0],
+        eta: &state.q[1..first],
+        eta_dot: &state.v[1..first],
+        eta_ddot: &state.a[1..first],
+    }
+}
+
+/// y += A x.
+fn add_product(matrix: &Matrix, x: &[f64], y: &mut [f64]) {
+    for (j, value) in x.iter().enumerate() {
+        y.iter_mut().zip(matrix.col(j)).for_each(|(sum, entry)| *sum += entry * value);
+    }
+}
+
+/// y −= A x.
+fn subtract_product(matrix: &Matrix, x: &[f64], y: &mut [f64]) {
+    for (j, value) in x.iter().enumerate() {
+        y.iter_mut().zip(matrix.col(j)).for_each(|(sum, entry)| *sum -= entry * value);
+    }
+}
+
+/// Σ_j weight_j t_j over the springs of a plane.
+fn combine(
+    springs: &crate::bearing::Springs,
+    range: &std::ops::Range<usize>,
+    weights: &[f64],
+    out: &mut [f64],
+) {
+    out.fill(0.0);
+    for (j, &weight) in range.clone().zip(weights) {
+        if weight != 0.0 {
+            let row = springs.bore_transposed.col(j);
+            out.iter_mut().zip(row).for_each(|(sum, share)| *sum += weight * share);
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! External loads on the shaft: fixed in space, or turning with it.
+//!
+//! A force F fixed in space at a node with body-frame displacement u and initial position x0 gives
+//! Q_η = φᵀAᵀF and Q_θ = (A_θ(x0+u))·F, eq. (26); one fixed to the shaft gives Q_η = φᵀF and
+//! Q_θ = (x0+u) × F.
+
+use crate::body::BodyNode;
+
+/// A force on a node of the shaft, constant in direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// The node.
+    pub node: BodyNode,
+    /// Amplitude (N) along x, y, z.
+    pub force: [f64; 3],
+    /// How it varies.
+    pub course: Course,
+    /// In which frame its direction is constant.
+    pub frame: Frame,
+}
+
+/// How a load varies in time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Course {
+    /// Constant from t = 0.
+    Constant,
+    /// sin(2π f t + φ).
+    Sine {
+        /// f (Hz).
+        frequency: f64,
+        /// φ (rad).
+        phase: f64,
+    },
+    /// Constant until a step starts with θ̇ at or above the target; nothing from then on.
+    UntilSpeed {
+        /// Target of θ̇ (rad/s).
+        target: f64,
+    },
+}
+
+/// In which frame the direction of a load is constant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Frame {
+    /// The fixed frame.
+    Space,
+    /// The frame that turns with the shaft.
+    Shaft,
+}
+
+impl Load {
+    /// The factor on the amplitude at time `t` (s); `released` once the target speed was reached.
+    pub fn factor(&self, t: f64, released: bool) -> f64 {
+        match self.course {
+            Course::Constant => 1.0,
+            Course::Sine { frequency, phase } => {
+                (std::f64::consts::TAU * frequency * t + phase).sin()
+            }
+            Course::UntilSpeed { .. } => f64::from(!released),
+        }
+    }
+
+    /// Adds the generalised force at `factor` times the amplitude.
+    pub(crate) fn add_force(
+        &self,
+        factor: f64,
+        position: &Position,
+        eta: &[f64],
+        q_theta: &mut f64,
+        q_eta: &mut [f64],
+    ) {
+        if factor == 0.0 {
+            return;
+        }
+        let [fx, fy, fz] = self.body_force(factor, position);
+        let [x, y] = self.place(eta);
+        // (A_θ(x0+u))·F is the moment of F about the axis, in whichever frame both are written.
+        *q_theta += x * fy - y * fx;
+        for (j, value) in q_eta.iter_mut().enumerate() {
+            let shape = self.node.shapes.col(j);
+            *value += shape[0] * fx + shape[1] * fy + shape[2] * fz;
+        }
+    }
+
+    /// Subtracts ∂(generalised force)/∂(θ, η) from a matrix of `rows` rows, column after column, whose
+    /// first rows and columns are θ, η.
+    pub(crate) fn subtract_tangent(
+        &self,
+        factor: f64,
+        position: &Position,
+        eta: &[f64],
+        rows: usize,
+        matrix: &mut [f64],
+    ) {
+        if factor == 0.0 {
+            return;
+        }
+        let [fx, fy, _] = self.body_force(factor, position);
+        let in_space = self.frame == Frame::Space;
+        if in_space {
+            let [x, y] = self.place(eta);
+            // ∂²A/∂θ² = −A in the plane: ∂Q_θ/∂θ = −(x0+u)·AᵀF.
+            matrix[0] += x * fx + y * fy;
+        }
+        for j in 0..self.node.shapes.cols {
+            let shape = self.node.shapes.col(j);
+            matrix[(1 + j) * rows] -= shape[0] * fy - shape[1] * fx;
+            if in_space {
+                // ∂(AᵀF)/∂θ = (fy, −fx) in the frame of the shaft.
+                matrix[1 + j] -= shape[0] * fy - shape[1] * fx;
+            }
+        }
+    }
+
+    /// The force in the frame of the shaft.
+    fn body_force(&self, factor: f64, position: &Position) -> [f64; 3] {
+        let [x, y, z] = self.force.map(|part| factor * part);
+        match self.frame {
+            Frame::Shaft => [x, y, z],
+            Frame::Space => [
+                position.cos * x + position.sin * y,
+                -position.sin * x + position.cos * y,
+                z,
+            ],
+        }
+    }
+
+    /// x0 + u in the plane, in the frame of the shaft.
+    fn place(&self, eta: &[f64]) -> [f64; 2] {
+        [0, 1].map(|axis| {
+            let moved: f64 =
+                eta.iter().enumerate().map(|(j, value)| self.node.shapes[(axis, j)] * value).sum();
+            self.node.position[axis] + moved
+        })
+    }
+}
+
+/// sin θ and cos θ.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Position {
+    pub(crate) sin: f64,
+    pub(crate) cos: f64,
+}
+
+impl Position {
+    pub(crate) fn new(theta: f64) -> Self {
+        let (sin, cos) = theta.sin_cos();
+        Position { sin, cos }
+    }
+
+    /// A(θ)·(x, y): from the frame of the shaft to the fixed frame.
+    pub(crate) fn to_space(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
+    }
+}

@@ -1,0 +1,128 @@
+//! The machine: two reduced bodies, the motion that couples them to the rotation, springs and loads.
+
+use whirl_specs::{Clearance, Motion};
+
+use crate::bearing::{Bearing, SpringLaw, Springs, mean_motion};
+use crate::error::Error;
+use crate::loads::Load;
+use crate::shaft::Shaft;
+use crate::support::Support;
+
+/// Whether θ is a coordinate of the machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rotation {
+    /// θ follows from its equation of motion.
+    Free,
+    /// θ stays 0.
+    Held,
+}
+
+/// What a machine is made from.
+pub struct MachineParts {
+    /// The shaft.
+    pub shaft: Shaft,
+    /// The support.
+    pub support: Support,
+    /// How rotation and deformation of the shaft are coupled.
+    pub motion: &'static Motion,
+    /// Whether the shaft turns.
+    pub rotation: Rotation,
+    /// The kernels of the clearance.
+    pub clearance: &'static Clearance,
+    /// The laws of the springs.
+    pub laws: Vec<Box<dyn SpringLaw>>,
+    /// Journals in their bores.
+    pub bearings: Vec<Bearing>,
+    /// External loads.
+    pub loads: Vec<Load>,
+}
+
+/// A machine ready to be marched. Its coordinates are q = {θ, η, x_b}.
+pub struct Machine {
+    /// The shaft.
+    pub shaft: Shaft,
+    /// The support.
+    pub support: Support,
+    /// How rotation and deformation of the shaft are coupled.
+    pub motion: &'static Motion,
+    /// Whether the shaft turns.
+    pub rotation: Rotation,
+    /// The springs of all bearings.
+    pub springs: Springs,
+    /// External loads.
+    pub loads: Vec<Load>,
+    /// What is watched at each bearing.
+    pub(crate) monitors: Vec<Monitor>,
+}
+
+/// What is watched at a bearing.
+pub(crate) struct Monitor {
+    /// Its planes of springs.
+    pub(crate) planes: Vec<usize>,
+    /// Displacement of the middle journal node along x and y (frame of the shaft), as rows over η.
+    pub(crate) journal: [Vec<f64>; 2],
+    /// Mean displacement of the middle bore ring, as rows over the support's coordinates.
+    pub(crate) bore: [Vec<f64>; 2],
+}
+
+impl Machine {
+    /// Puts a machine together.
+    ///
+    /// # Errors
+    /// A law that takes what no spring has, bore nodes without a spline, a motion that takes a tensor
+    /// which the shaft does not have.
+    pub fn new(parts: MachineParts) -> Result<Self, Error> {
+        let MachineParts { shaft, support, motion, rotation, clearance, laws, bearings, loads } =
+            parts;
+        for tensor in motion.tensors {
+            if shaft.tensor(tensor.name).is_none() {
+                return Err(Error::Machine(format!(
+                    "the motion {} takes a tensor called {}; a shaft has J0, y0, g0, M, Y and H",
+                    motion.origin.name, tensor.name
+                )));
+            }
+        }
+        let springs = Springs::new(clearance, laws, &bearings, &shaft, &support)?;
+        let monitors = bearings
+            .iter()
+            .enumerate()
+            .map(|(number, bearing)| {
+                let planes = springs.planes.iter().enumerate();
+                let node = &shaft.nodes[bearing.journal[1]];
+                Monitor {
+                    planes: planes.filter(|(_, p)| p.bearing == number).map(|(p, _)| p).collect(),
+                    journal: [0, 1]
+                        .map(|axis| (0..shaft.size()).map(|j| node.shapes[(axis, j)]).collect()),
+                    bore: mean_motion(&bearing.bore[1], &support),
+                }
+            })
+            .collect();
+        Ok(Machine { shaft, support, motion, rotation, springs, loads, monitors })
+    }
+
+    /// Number of coordinates that are marched: the 226 of the reference system.
+    pub fn active(&self) -> usize {
+        usize::from(self.rotation == Rotation::Free) + self.shaft.size() + self.support.size()
+    }
+
+    /// Places of θ, η and x_b in q: 1 + n_s + n_b.
+    pub(crate) fn size(&self) -> usize {
+        1 + self.shaft.size() + self.support.size()
+    }
+
+    /// What coordinate `place` of q is.
+    pub fn coordinate(&self, place: usize) -> String {
+        let shaft = self.shaft.size();
+        match place {
+            0 => "rotation angle of the shaft".to_owned(),
+            _ if place <= shaft => format!("shaft, {}", self.shaft.coordinates[place - 1]),
+            _ => format!("support, {}", self.support.coordinates[place - 1 - shaft]),
+        }
+    }
+
+    /// The tensors of the motion, in its order.
+    pub(crate) fn tensors(&self) -> Vec<&[f64]> {
+        let tensor = |name| self.shaft.tensor(name).expect("checked when the machine was made");
+        self.motion.tensors.iter().map(|fact| tensor(fact.name)).collect()
+    }
+}
