@@ -116,11 +116,9 @@ impl Load {
         let [x, y, z] = self.force.map(|part| factor * part);
         match self.frame {
             Frame::Shaft => [x, y, z],
-            Frame::Space => [
-                position.cos * x + position.sin * y,
-                -position.sin * x + position.cos * y,
-                z,
-            ],
+            Frame::Space => {
+                [position.cos * x + position.sin * y, -position.sin * x + position.cos * y, z]
+            }
         }
     }
 

@@ -18,13 +18,7 @@ pub trait SpringLaw: Send + Sync {
     /// Length of the workspace that [`SpringLaw::evaluate`] needs.
     fn workspace(&self) -> usize;
     /// Evaluates all springs; rows as in [`whirl_specs::LawKernel`]. Allocates nothing.
-    fn evaluate(
-        &self,
-        springs: usize,
-        inputs: &[f64],
-        outputs: &mut [f64],
-        workspace: &mut [f64],
-    );
+    fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]);
 }
 
 impl SpringLaw for &'static Law {

@@ -96,9 +96,8 @@ mod tests {
         let step = 1e-4;
         for knot in KNOTS {
             let f = |shift: f64| at(knot + shift, &values);
-            let second = |side: f64| {
-                (f(0.0) - 2.0 * f(side * step) + f(2.0 * side * step)) / (step * step)
-            };
+            let second =
+                |side: f64| (f(0.0) - 2.0 * f(side * step) + f(2.0 * side * step)) / (step * step);
             let first = |side: f64| {
                 side * (-1.5 * f(0.0) + 2.0 * f(side * step) - 0.5 * f(2.0 * side * step)) / step
             };

@@ -172,11 +172,6 @@ impl SpringState {
             out,
         );
     }
-
-    /// ε_x and ε_y of a plane (m, frame of the shaft).
-    pub(crate) fn eccentricity(&self, plane: usize) -> [f64; 2] {
-        [self.rings[plane].position[1], self.rings[plane].position[2]]
-    }
 }
 
 /// Σ coefficient · x.

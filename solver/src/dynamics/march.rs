@@ -253,8 +253,8 @@ impl<'m> March<'m> {
                 force[1] += y;
             }
             let reaction = position.to_space(force);
-            let journal = position
-                .to_space([dot(&monitor.journal[0], eta), dot(&monitor.journal[1], eta)]);
+            let journal =
+                position.to_space([dot(&monitor.journal[0], eta), dot(&monitor.journal[1], eta)]);
             for axis in 0..2 {
                 let place = 3 + 2 * k + axis;
                 let bore = dot(&monitor.bore[axis], support);
