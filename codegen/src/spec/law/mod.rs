@@ -27,6 +27,7 @@
 //! is converted to the system of the inputs' and outputs' units. Kernels work in SI.
 
 mod build;
+mod describe;
 mod draft;
 mod poles;
 mod program;
