@@ -20,7 +20,7 @@ pub enum Structure {
     /// A symmetric scalar matrix times a symmetric or skew pattern.
     Kronecker {
         /// The pattern; its first entry that is not zero is 1.
-        pattern: Pattern,
+        pattern: Box<Pattern>,
         /// Coefficients of the scalar matrix by the parts (N, ∂x, ∂y, ∂z) of test and trial function.
         scalar: BTreeMap<(usize, usize), Id>,
     },
@@ -58,6 +58,7 @@ fn kronecker(graph: &mut Graph, form: &Bilinear) -> Option<Structure> {
     let symmetric = scalar.iter().all(|((test, trial), id)| {
         scalar.get(&(*trial, *test)).is_some_and(|other| normal::equal(graph, *id, *other))
     });
+    let pattern = Box::new(pattern);
     (even && symmetric).then_some(Structure::Kronecker { pattern, scalar })
 }
 

@@ -48,7 +48,7 @@ fn inertia_is_one_scalar_matrix_times_a_pattern() {
         let Structure::Kronecker { pattern: found, scalar } = &form.structure else {
             panic!("{name}: {:?}", form.structure);
         };
-        assert_eq!(*found, pattern(rows), "{name}");
+        assert_eq!(**found, pattern(rows), "{name}");
         assert_eq!(scalar.keys().collect::<Vec<_>>(), [&(0, 0)]);
     }
 }
