@@ -5,7 +5,7 @@ use std::{env, fs, io, process};
 
 use whirl_codegen::generate::{SpecFile, generate};
 
-const FOLDERS: [&str; 2] = ["laws", "motion"];
+const FOLDERS: [&str; 4] = ["elements", "forms", "laws", "motion"];
 
 fn main() {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));

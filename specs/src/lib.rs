@@ -4,6 +4,7 @@
 //! them to `whirl-codegen` and this crate includes the text it writes. [`ELEMENTS`], [`LAWS`],
 //! [`MOTIONS`] and [`CLEARANCES`] list what was found, each entry with its facts and its functions.
 
+pub mod cells;
 pub mod lane;
 mod registry;
 mod rows;

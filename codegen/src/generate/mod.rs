@@ -1,10 +1,13 @@
 //! From the texts of spec files to the texts of Rust files.
 
+mod cell;
 mod clearance;
 mod clearance_kernels;
+mod element;
 mod facts;
 mod law;
 mod motion;
+mod program;
 mod read;
 mod write;
 
@@ -27,8 +30,9 @@ pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
     let laws = specs.laws.iter().map(law::kernel);
     let motions = specs.motions.iter().map(motion::kernel);
     let clearances = specs.clearances.iter().map(clearance::kernel);
+    let elements = specs.elements.iter().map(|element| element::kernel(element, &specs.forms));
     let kinds = [
-        Kind::of("elements", "Element", Vec::new()),
+        Kind::of("elements", "Element", gather(elements, &mut errors)),
         Kind::of("laws", "Law", gather(laws, &mut errors)),
         Kind::of("motions", "Motion", gather(motions, &mut errors)),
         Kind::of("clearances", "Clearance", gather(clearances, &mut errors)),

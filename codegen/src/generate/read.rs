@@ -7,6 +7,8 @@ use std::sync::Arc;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::emit::identifier;
 use crate::spec::clearance::ClearanceSpec;
+use crate::spec::element::ElementSpec;
+use crate::spec::form::FormSpec;
 use crate::spec::law::LawSpec;
 use crate::spec::motion::MotionSpec;
 use crate::spec::read::Document;
@@ -22,17 +24,30 @@ pub struct SpecFile {
 
 /// All specs, sorted by path.
 pub(super) struct Specs {
+    pub(super) elements: Vec<ElementSpec>,
+    pub(super) forms: Vec<FormSpec>,
     pub(super) laws: Vec<LawSpec>,
     pub(super) clearances: Vec<ClearanceSpec>,
     pub(super) motions: Vec<MotionSpec>,
 }
 
 /// Folders, with the kinds of specs that they may hold.
-const FOLDERS: [(&str, &[&str]); 2] = [("laws", &["law"]), ("motion", &["clearance", "motion"])];
+const FOLDERS: [(&str, &[&str]); 4] = [
+    ("elements", &["element"]),
+    ("forms", &["form"]),
+    ("laws", &["law"]),
+    ("motion", &["clearance", "motion"]),
+];
 
 impl Specs {
     pub(super) fn read(files: &[SpecFile]) -> Result<Self, Diagnostics> {
-        let mut specs = Specs { laws: Vec::new(), clearances: Vec::new(), motions: Vec::new() };
+        let mut specs = Specs {
+            elements: Vec::new(),
+            forms: Vec::new(),
+            laws: Vec::new(),
+            clearances: Vec::new(),
+            motions: Vec::new(),
+        };
         let mut errors = Diagnostics::new();
         let mut names = Names::default();
         let mut sorted: Vec<&SpecFile> = files.iter().collect();
@@ -40,6 +55,12 @@ impl Specs {
         for file in sorted {
             let source = Source::new(&file.path, &file.text);
             let read = match kind(&source) {
+                Ok("element") => ElementSpec::read(&source)
+                    .and_then(|element| names.take_element(&element, &source).map(|()| element))
+                    .map(|element| specs.elements.push(element)),
+                Ok("form") => FormSpec::read(&source)
+                    .and_then(|spec| names.take_forms(&spec, &source).map(|()| spec))
+                    .map(|spec| specs.forms.push(spec)),
                 Ok("law") => LawSpec::read(&source)
                     .and_then(|law| names.take("law", &law.name, &source).map(|()| law))
                     .map(|law| specs.laws.push(law)),
@@ -81,6 +102,22 @@ struct Names {
 }
 
 impl Names {
+    /// An element's name, and the Abaqus types that are read as it.
+    fn take_element(
+        &mut self,
+        element: &ElementSpec,
+        source: &Arc<Source>,
+    ) -> Result<(), Diagnostics> {
+        self.take("element", &element.name, source)?;
+        element.abaqus.iter().try_for_each(|kind| self.take("Abaqus type", kind.text(), source))
+    }
+
+    /// The name of a set of forms, and those of the forms.
+    fn take_forms(&mut self, spec: &FormSpec, source: &Arc<Source>) -> Result<(), Diagnostics> {
+        self.take("set of forms", &spec.name, source)?;
+        spec.forms.iter().try_for_each(|form| self.take("form", &form.name, source))
+    }
+
     fn take(
         &mut self,
         kind: &'static str,
@@ -94,7 +131,7 @@ impl Names {
                 first.path.display()
             );
             let error = Diagnostic::new(source, Code::BAD_NAME, None, message);
-            return Err(error.help("change `name` in one of the files").into());
+            return Err(error.help("change it in one of the files").into());
         }
         self.taken.insert(key, source.clone());
         Ok(())

@@ -1,0 +1,164 @@
+//! Kernels of an element: one for every form, over one lane and over blocks of cells.
+
+use num_traits::ToPrimitive;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Kernel;
+use super::cell::{CellForm, Tables, names};
+use super::facts::{About, variable};
+use crate::diagnostic::{Code, Diagnostics};
+use crate::emit::{documented, identifier, number};
+use crate::form::Structure;
+use crate::spec::element::ElementSpec;
+use crate::spec::form::FormSpec;
+use crate::units::nearest;
+
+/// What kernels take from `cells`.
+const HELPERS: [&str; 7] =
+    ["Jacobian", "condense", "each_cell", "least", "store_block", "store_entry", "store_full"];
+
+/// The kernels of all forms on one element.
+pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel, Diagnostics> {
+    check_enhanced(element, specs)?;
+    let mut tables = Tables::new(element);
+    let mut functions = TokenStream::new();
+    let mut entries = Vec::new();
+    for spec in specs {
+        for form in &spec.forms {
+            let cell = CellForm { element, spec, form };
+            functions.extend(cell.functions(&mut tables)?);
+            entries.push(entry(&cell));
+        }
+    }
+    let tables = tables.tokens();
+    let functions = quote!(#tables #functions);
+    let about = About {
+        name: &element.name,
+        title: &element.title,
+        reference: &element.reference,
+        file: &element.file,
+    };
+    let registered = registered(element, &about, &functions, &entries);
+    let heading = documented(&heading(element, &about));
+    let name = identifier(&element.name);
+    let used = names(&functions);
+    let helpers = HELPERS.iter().filter(|helper| used.contains(**helper)).map(|h| identifier(h));
+    let module = quote! {
+        #heading
+        pub mod #name {
+            use crate::cells::{#(#helpers),*};
+            use crate::{Element, FormKernel, Lane, Origin, Structure, Variable};
+            #functions
+            #registered
+        }
+    };
+    Ok(Kernel { name: element.name.clone(), module })
+}
+
+/// Modes can be condensed out of symmetric forms only, and only out of forms that exist.
+fn check_enhanced(element: &ElementSpec, specs: &[FormSpec]) -> Result<(), Diagnostics> {
+    let mut errors = Diagnostics::new();
+    let forms: Vec<_> = specs.iter().flat_map(|spec| &spec.forms).collect();
+    for name in element.enhanced.iter().flat_map(|enhanced| &enhanced.forms) {
+        let message = match forms.iter().find(|form| form.name == name.text()) {
+            None => format!("there is no form `{}`", name.text()),
+            Some(form) if form.structure != Structure::Symmetric => format!(
+                "enhanced modes cannot be condensed out of `{}`: it is not a symmetric form that \
+                 couples the components of u",
+                name.text()
+            ),
+            Some(_) => continue,
+        };
+        let names: Vec<&str> = forms.iter().map(|form| form.name.as_str()).collect();
+        let help = crate::diagnostic::suggest(name.text(), &names);
+        errors.push(name.error_here(Code::FORM, message).maybe_help(help));
+    }
+    errors.into_result(())
+}
+
+fn heading(element: &ElementSpec, about: &About) -> String {
+    let mut text = format!(
+        "{}\n{} nodes on the {}; integrated with {}.\n",
+        about.heading(),
+        element.nodes.len(),
+        element.cell.name(),
+        element.quadrature.title
+    );
+    for (form, rule) in &element.quadrature_of {
+        text += &format!("`{form}` is integrated with {}.\n", rule.title);
+    }
+    if let Some(enhanced) = &element.enhanced {
+        let modes: Vec<String> =
+            enhanced.modes.iter().map(|mode| format!("`{}`", mode.text.text())).collect();
+        let forms: Vec<&str> = enhanced.forms.iter().map(|form| form.text()).collect();
+        text += &format!("Enhanced modes {} in {}.\n", modes.join(", "), forms.join(", "));
+    }
+    text
+}
+
+/// The entry of a form in the registry.
+fn entry(cell: &CellForm) -> TokenStream {
+    let name = &cell.form.name;
+    let function = identifier(name);
+    let material = (cell.spec.material_of(cell.form).into_iter())
+        .map(|p| variable(&p.name, &p.unit.dimension().si_unit(), &p.title));
+    let structure = match &cell.form.structure {
+        Structure::Symmetric => quote!(Structure::Symmetric),
+        Structure::Full => quote!(Structure::Full),
+        Structure::Kronecker { pattern, .. } => {
+            let rows = pattern.iter().map(|row| {
+                let row = row.iter().map(|entry| number(entry.to_f64().unwrap_or(f64::NAN)));
+                quote!([#(#row),*])
+            });
+            quote!(Structure::Kronecker { pattern: [#(#rows),*] })
+        }
+    };
+    quote! {
+        FormKernel {
+            form: #name,
+            material: &[#(#material),*],
+            structure: #structure,
+            evaluate: #function,
+        }
+    }
+}
+
+fn registered(
+    element: &ElementSpec,
+    about: &About,
+    functions: &TokenStream,
+    entries: &[TokenStream],
+) -> TokenStream {
+    let origin = about.origin(functions);
+    let count = Literal::usize_unsuffixed(element.nodes.len());
+    let nodes = element.nodes.iter().map(|node| {
+        let [xi, eta, zeta] = node.at.each_ref().map(|x| number(nearest(x)));
+        quote!([#xi, #eta, #zeta])
+    });
+    let order = |order: &[usize]| {
+        let places = order.iter().map(|place| Literal::usize_unsuffixed(*place));
+        quote!(&[#(#places),*])
+    };
+    let (abaqus_order, vtk_order) = (order(&element.abaqus_order), order(&element.vtk_order));
+    let abaqus = element.abaqus.iter().map(|kind| kind.text());
+    let vtk = Literal::u8_unsuffixed(element.vtk);
+    quote! {
+        /// The entry of the registry.
+        pub const ENTRY: Element = Element {
+            origin: #origin,
+            nodes: #count,
+            reference_nodes: &[#(#nodes),*],
+            abaqus: &[#(#abaqus),*],
+            abaqus_order: #abaqus_order,
+            vtk: #vtk,
+            vtk_order: #vtk_order,
+            forms: &[#(#entries),*],
+        };
+    }
+}
+
+/// `name_lane` of a form's name.
+pub(super) fn lane_name(form: &str) -> proc_macro2::Ident {
+    format_ident!("{}_lane", identifier(form))
+}

@@ -1,0 +1,178 @@
+//! What a kernel of a form computes apart from loops: coefficients of the material and components of a
+//! pair of basis functions; scale factors at a point.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_traits::One;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::{Numbers, identifier, operand, statements};
+use crate::expression::{Graph, Id, Rational};
+use crate::form::Structure;
+use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule};
+use crate::spec::element::{ElementSpec, ModeJacobian};
+use crate::spec::form::{Form, FormSpec};
+
+/// Once a cell.
+pub(super) const MATERIAL: usize = 0;
+/// Once a pair of basis functions.
+pub(super) const PAIR: usize = 1;
+
+/// Names of variables in the kernels' own text, which a spec's names must not hide.
+const OWN: [&str; 24] = [
+    "x",
+    "a",
+    "b",
+    "m",
+    "q",
+    "at",
+    "det",
+    "det0",
+    "weight",
+    "root",
+    "centre",
+    "least",
+    "least_det",
+    "basis",
+    "matrix",
+    "whole",
+    "entry",
+    "entries",
+    "place",
+    "products",
+    "material",
+    "a_q",
+    "b_q",
+    "condense",
+];
+
+/// The components of a pair of basis functions over the sums of their products at the points,
+/// s_xy = Σ_q w det J ∂N_a/∂x ∂N_b/∂y and the like.
+pub(super) struct Pairs {
+    /// The products that occur: parts (N, ∂x, ∂y, ∂z) of test and trial function.
+    pub(super) moments: Vec<(usize, usize)>,
+    /// Names of the properties of the material, in the order of the kernel.
+    pub(super) material: Vec<String>,
+    /// The coefficients that occur, from the material; outputs by name.
+    pub(super) coefficients: Program,
+    /// Stages [`MATERIAL`], over material and coefficients, and [`PAIR`]; outputs: the nine components by rows, or the scalar entry of a
+    /// Kronecker structure.
+    pub(super) program: Program,
+}
+
+impl Pairs {
+    /// Letters of the parts in names.
+    pub(super) const PARTS: [&'static str; 4] = ["n", "x", "y", "z"];
+
+    /// Name of the sum of a product.
+    pub(super) fn name((test, trial): (usize, usize)) -> String {
+        format!("s_{}{}", Self::PARTS[test], Self::PARTS[trial])
+    }
+
+    pub(super) fn new(spec: &FormSpec, form: &Form) -> Result<Self, ScheduleError> {
+        let mut graph = spec.graph.clone();
+        let moments: BTreeSet<(usize, usize)> = match &form.structure {
+            Structure::Kronecker { scalar, .. } => scalar.keys().copied().collect(),
+            _ => form.bilinear.keys().map(|place| (place.test, place.trial)).collect(),
+        };
+        let sums: BTreeMap<(usize, usize), Id> =
+            moments.iter().map(|moment| (*moment, graph.scalar(&Self::name(*moment)))).collect();
+        let mut outputs = Vec::new();
+        let mut output = |graph: &mut Graph, name: String, terms: Vec<(Id, Id)>| {
+            let mut products = vec![(graph.integer(0), Rational::one())];
+            for (coefficient, sum) in terms {
+                products.push((graph.mul(coefficient, sum), Rational::one()));
+            }
+            let expression = graph.sum(&products);
+            outputs.push(Output { name, expression });
+        };
+        match &form.structure {
+            Structure::Kronecker { scalar, .. } => {
+                let terms = scalar.iter().map(|(moment, c)| (*c, sums[moment])).collect();
+                output(&mut graph, "s".to_owned(), terms);
+            }
+            _ => {
+                for i in 0..3 {
+                    for j in 0..3 {
+                        let here = form.bilinear.iter().filter(|(p, _)| (p.i, p.j) == (i, j));
+                        let terms = here.map(|(p, c)| (*c, sums[&(p.test, p.trial)])).collect();
+                        let name = format!("k_{}{}", Self::PARTS[1 + i], Self::PARTS[1 + j]);
+                        output(&mut graph, name, terms);
+                    }
+                }
+            }
+        }
+        let own =
+            |name: &str| OWN.contains(&name) || name.starts_with("s_") || name.starts_with("k_");
+        let free = |name: &str| if own(name) { format!("{name}_given") } else { name.to_owned() };
+        let properties = spec.material_of(form);
+        let material: Vec<String> = properties.iter().map(|p| free(&p.name)).collect();
+        let uses = |symbol: Id| form.bilinear.values().any(|id| graph.depends(*id, symbol));
+        let used: Vec<_> = spec.coefficients.iter().filter(|c| uses(c.symbol)).collect();
+        let input = |name: String, symbol: Id, stage| Input { name, symbol, stage };
+        let mut inputs = Vec::new();
+        for (property, name) in properties.iter().zip(&material) {
+            inputs.push(input(name.clone(), property.symbol, MATERIAL));
+        }
+        let request = Request {
+            stages: vec![Stage::new("material", &[], 1.0)],
+            inputs: inputs.clone(),
+            outputs: (used.iter())
+                .map(|c| Output { name: free(&c.name), expression: c.value })
+                .collect(),
+            names: Vec::new(),
+        };
+        inputs.extend(used.iter().map(|c| input(free(&c.name), c.symbol, MATERIAL)));
+        inputs.extend(sums.iter().map(|(m, symbol)| input(Self::name(*m), *symbol, PAIR)));
+        let coefficients = schedule(&mut graph.clone(), &request)?;
+        let pairs = if moments.len() > 1 { 36.0 } else { 27.0 };
+        let stages = vec![Stage::new("material", &[], 1.0), Stage::new("pair", &[MATERIAL], pairs)];
+        let request = Request { stages, inputs, outputs, names: Vec::new() };
+        let program = schedule(&mut graph, &request)?;
+        Ok(Pairs { moments: moments.into_iter().collect(), material, coefficients, program })
+    }
+
+    /// The statements that run once a cell.
+    pub(super) fn once(&self) -> TokenStream {
+        let coefficients = statements(&self.coefficients, 0, Numbers::Lanes);
+        let bound = self.coefficients.outputs.iter().filter_map(|output| {
+            let name = identifier(&output.name);
+            let value = operand(&self.coefficients, output.operand, Numbers::Lanes);
+            (name != value.to_string()).then(|| quote!(let #name = #value;))
+        });
+        let material = statements(&self.program, MATERIAL, Numbers::Lanes);
+        quote!(#(#coefficients)* #(#bound)* #(#material)*)
+    }
+
+    /// Operations once a cell, in words.
+    pub(super) fn once_counts(&self) -> String {
+        let (coefficients, rest) =
+            (self.coefficients.total_counts(), self.program.counts(MATERIAL));
+        format!("{coefficients} for coefficients, then {rest}")
+    }
+}
+
+/// Scale factors at a point, from `weight`, `det` and `det0`: `root` = √(w det J), `nodal` for the gradients
+/// of nodal functions by cofactors, `mode` for those of enhanced modes.
+pub(super) fn point_program(element: &ElementSpec, form: &str) -> Result<Program, ScheduleError> {
+    let mut graph = element.graph.clone();
+    let enhanced = element.enhanced_in(form);
+    let symbols = ["weight", "det", "det0"].map(|name| (name, graph.scalar(name)));
+    let [weight, det, det0] = symbols.map(|(_, symbol)| symbol);
+    let volume = graph.mul(weight, det);
+    let root = graph.sqrt(volume);
+    let nodal = graph.div(root, det);
+    let mut outputs = vec![("root", root), ("nodal", nodal)];
+    if let Some(enhanced) = enhanced {
+        let by = match enhanced.jacobian {
+            ModeJacobian::Centre => det0,
+            ModeJacobian::Point => det,
+        };
+        let scaled = graph.mul(enhanced.scale, root);
+        outputs.push(("mode", graph.div(scaled, by)));
+    }
+    let inputs = if enhanced.is_some() { &symbols[..] } else { &symbols[..2] };
+    let names = vec![(root, "root".to_owned())];
+    schedule(&mut graph, &Request { names, ..Request::flat(inputs, &outputs) })
+}
