@@ -206,3 +206,41 @@ fn dense(a: &LowerTriangle) -> Matrix {
     }
     full
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_mode_is_counted() {
+        // Second differences over unit masses: ω² = 4 sin²(kπ/(2n+2)).
+        let n = 400;
+        let stiffness = LowerTriangle::from_columns(n, |j| {
+            [(j, 2.0), (j + 1, -1.0)].into_iter().filter(move |&(i, _)| i < n)
+        });
+        let mass = LowerTriangle::from_columns(n, |j| std::iter::once((j, 1.0)));
+        let order: Vec<usize> = (0..n).collect();
+        let pencil = Pencil {
+            stiffness: &stiffness,
+            mass: &mass,
+            order: &order,
+            components: &order.iter().map(|dof| dof % 3).collect::<Vec<_>>(),
+            memory: usize::MAX,
+        };
+        let exact = |k: usize| {
+            let angle = k as f64 * std::f64::consts::PI / (2 * n + 2) as f64;
+            4.0 * angle.sin().powi(2)
+        };
+        let mut eigenvalues: Vec<f64> = (1..=30).map(exact).collect();
+        let (below, _, counted) = pencil.count(&eigenvalues, 20).unwrap().unwrap();
+        assert_eq!((below, counted), (20, 20));
+        eigenvalues.remove(7);
+        let (below, _, counted) = pencil.count(&eigenvalues, 20).unwrap().unwrap();
+        assert_eq!((below, counted), (20, 21));
+
+        let (modes, _) = pencil.lowest_modes(20).unwrap();
+        for (k, value) in modes.eigenvalues.iter().enumerate() {
+            assert!((value / exact(k + 1) - 1.0).abs() < 1e-10);
+        }
+    }
+}
