@@ -1,0 +1,91 @@
+//! The text of generated kernels, against files in tests/golden. WHIRL_RENEW_GOLDEN=1 writes them anew.
+
+use std::fs;
+use std::path::Path;
+
+use whirl_codegen::generate::{GeneratedFile, SpecFile, generate};
+
+const LAW: &str = r#"kind = "law"
+name = "example"
+title = "Quadratic spring with a damper"
+source = "made for this test"
+
+[inputs.h]
+unit = "mm"
+
+[inputs.h_dot]
+unit = "m/s"
+
+[outputs.Q]
+unit = "N"
+jump = "accept"
+pieces = [
+  { when = 'h < 0.05', value = '400 - 20000*h + 250000*h^2 - 3*h_dot*(1 - h/0.05)^(3/2)' },
+  { value = '0' },
+]
+"#;
+
+fn file(path: &str, text: &str) -> SpecFile {
+    SpecFile { path: path.to_owned(), text: text.to_owned() }
+}
+
+fn generated(files: &[SpecFile]) -> Vec<GeneratedFile> {
+    generate(files).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn text<'a>(files: &'a [GeneratedFile], name: &str) -> &'a str {
+    &files.iter().find(|file| file.name == name).expect("the file is generated").text
+}
+
+#[test]
+fn the_text_of_a_law_is_as_committed() {
+    let files = generated(&[file("laws/example.toml", LAW)]);
+    let found = text(&files, "laws.rs");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/law.rs");
+    if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
+        fs::write(&path, found).expect("the golden file can be written");
+    }
+    let expected = fs::read_to_string(&path).expect("the golden file is there");
+    let first = found.lines().zip(expected.lines()).find(|(found, expected)| found != expected);
+    assert_eq!(first, None, "first difference; WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
+    assert_eq!(found.len(), expected.len());
+}
+
+#[test]
+fn the_same_specs_give_the_same_text_in_any_order() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs");
+    let mut files = Vec::new();
+    for folder in ["elements", "forms", "laws", "motion"] {
+        let Ok(entries) = fs::read_dir(root.join(folder)) else { continue };
+        for entry in entries {
+            let path = entry.expect("an entry").path();
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            let text = fs::read_to_string(&path).expect("a readable file");
+            files.push(file(&format!("{folder}/{name}"), &text));
+        }
+    }
+    let first = generated(&files);
+    files.reverse();
+    assert_eq!(first, generated(&files));
+    assert!(text(&first, "kernels.rs").contains("laws::hu2003_nonlinear::ENTRY"));
+}
+
+#[test]
+fn a_name_given_twice_is_an_error() {
+    let other = LAW.replace("Quadratic", "Another quadratic");
+    let errors = generate(&[file("laws/a.toml", LAW), file("laws/b.toml", &other)]);
+    let text = errors.expect_err("the name is taken").to_string();
+    assert!(text.contains("laws/b.toml") && text.contains("`example`"), "{text}");
+}
+
+#[test]
+fn errors_of_all_files_are_found_at_once() {
+    let broken = LAW.replace("h^2", "h^").replace("example", "broken");
+    let unknown = LAW.replace("title", "tilte").replace("example", "unknown");
+    let stray = file("notes/c.toml", LAW);
+    let files = [file("laws/a.toml", &broken), file("laws/b.toml", &unknown), stray];
+    let text = generate(&files).expect_err("three errors").to_string();
+    for path in ["laws/a.toml", "laws/b.toml", "notes/c.toml"] {
+        assert!(text.contains(path), "{path} is missing in {text}");
+    }
+}
