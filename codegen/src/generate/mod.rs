@@ -11,7 +11,7 @@ mod program;
 mod read;
 mod write;
 
-pub use read::SpecFile;
+pub use read::{SpecFile, folders};
 pub use write::GeneratedFile;
 
 use proc_macro2::TokenStream;

@@ -39,6 +39,11 @@ const FOLDERS: [(&str, &[&str]); 4] = [
     ("motion", &["clearance", "motion"]),
 ];
 
+/// Folders from which specs are read.
+pub fn folders() -> impl Iterator<Item = &'static str> {
+    FOLDERS.iter().map(|(folder, _)| *folder)
+}
+
 impl Specs {
     pub(super) fn read(files: &[SpecFile]) -> Result<Self, Diagnostics> {
         let mut specs = Specs {
