@@ -7,6 +7,7 @@ mod constraints;
 mod formulas;
 mod laws;
 mod made_meshes;
+mod mesh_input;
 mod reduction;
 mod reference_modes;
 mod twins;

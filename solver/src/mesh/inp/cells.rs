@@ -159,7 +159,7 @@ pub(super) fn assign_sections(
     report: &mut Report,
 ) -> Vec<usize> {
     let mut material_of: Vec<Option<(usize, Place)>> = vec![None; cells.list.len()];
-    let mut all_found = true;
+    let mut all_found = cells.named.complete;
     for card in cards.iter().filter(|card| card.keyword == "SOLID SECTION") {
         let example = "*SOLID SECTION, ELSET=NAME, MATERIAL=NAME";
         let set = report.required(card, "ELSET", example);
@@ -199,14 +199,14 @@ pub(super) fn assign_sections(
             let above = cells.named.index[first];
             let line = material_of[above].map_or(0, |(_, place)| place.line);
             let what = format!(
-                "{} have two materials: {}",
+                "{} with two materials: {}",
                 count(twice.len(), "cell"),
                 list(twice.iter().copied())
             );
             report.error(card.place, what, format!("line {line} gave the first"));
         }
     }
-    // Where a section names a set that is not there, cells without a section are no further error.
+    // Where a set is not there or not whole, cells without a section are no further error.
     let bare: Vec<usize> = (0..cells.list.len()).filter(|&c| material_of[c].is_none()).collect();
     if let Some(&first) = bare.first().filter(|_| all_found) {
         let labels = list(bare.iter().map(|&cell| cells.list[cell].label));

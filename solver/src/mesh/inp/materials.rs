@@ -29,13 +29,15 @@ pub(super) fn read_materials(cards: &[&Card], report: &mut Report) -> Vec<RawMat
                 let name = report.required(card, "NAME", "*MATERIAL, NAME=STEEL");
                 let name = name.map_or(String::new(), |name| name.text.to_owned());
                 let same = |raw: &&RawMaterial| raw.name.eq_ignore_ascii_case(&name);
-                if let Some(first) = materials.iter().find(same) {
+                let first = materials.iter().find(same);
+                let broken = name.is_empty() || first.is_some();
+                if let Some(first) = first {
                     let help = format!("line {} has the first", first.place.line);
                     report.error(card.place, format!("material {name} is defined twice"), help);
                 }
                 open = true;
                 materials.push(RawMaterial {
-                    broken: name.is_empty(),
+                    broken,
                     name,
                     place: card.place.into(),
                     values: BTreeMap::new(),

@@ -82,8 +82,7 @@ impl Nodes {
             (0..labels.len()).filter(|&node| !used.contains(&labels[node])).collect();
         let Some(&first) = unused.first() else { return };
         let list = list(unused.iter().map(|&node| labels[node]));
-        let what =
-            format!("{} belong to no cell and are left out: {list}", count(unused.len(), "node"));
+        let what = format!("{} in no cell, left out: {list}", count(unused.len(), "node"));
         report.warn(
             self.named.places[first],
             what,

@@ -49,6 +49,8 @@ pub(super) struct Named {
     pub(super) places: Vec<Place>,
     pub(super) index: HashMap<u64, usize>,
     pub(super) sets: Sets,
+    /// Whether every member of every set was found.
+    pub(super) complete: bool,
 }
 
 impl Named {
@@ -59,6 +61,7 @@ impl Named {
             places: Vec::new(),
             index: HashMap::new(),
             sets: Sets::default(),
+            complete: true,
         }
     }
 
@@ -95,6 +98,7 @@ impl Named {
 
 /// Reads `*NSET` or `*ELSET`: labels, names of sets above, or ranges (`GENERATE`).
 pub(super) fn read(cards: &[&Card], keyword: &str, named: &mut Named, report: &mut Report) {
+    let before = report.errors.len();
     for card in cards.iter().filter(|card| card.keyword == keyword) {
         let example = format!("*{keyword}, {keyword}=NAME");
         let Some(name) = report.required(card, keyword, &example) else { continue };
@@ -109,6 +113,7 @@ pub(super) fn read(cards: &[&Card], keyword: &str, named: &mut Named, report: &m
         }
         named.sets.add(name.text, members);
     }
+    named.complete = report.errors.len() == before;
 }
 
 fn member(token: &Token, named: &Named, members: &mut Vec<usize>, report: &mut Report) {

@@ -1,0 +1,390 @@
+//! Reading Abaqus and CalculiX input: what is accepted, and every error with its place and remedy.
+
+use proptest::prelude::*;
+use whirl_benches::hand::elements::ELEMENTS;
+use whirl_solver::error::InputErrors;
+use whirl_solver::mesh::Mesh;
+use whirl_solver::mesh::inp::{self, Read};
+
+use crate::bodies::reference;
+
+const GOOD: &str = "*HEADING
+A cube and a wedge
+** nodes
+*Node, nset=All
+ 1, 0, 0, 0
+ 2, 1., 0, 0
+ 3, 1.0D0, 1e0, 0
+ 4, 0, 1, 0
+ 5, 0, 0, 1
+ 6, 1, 0, 1
+ 7, 1, 1, 1
+ 8, 0, 1, 1
+ 9, 2, 0, 0
+10, 2, 0, 1
+*ELEMENT, TYPE=C3D8I, ELSET=CUBE
+101, 1, 2, 3, 4,
+     5, 6, 7, 8
+*ELEMENT, TYPE=C3D6, ELSET=WEDGE
+102, 2, 9, 3, 6, 10, 7
+*NSET, NSET=BOTTOM, GENERATE
+1, 4
+*NSET, NSET=Ends
+BOTTOM, 5,
+6
+*NSET, NSET=bottom
+9
+*NSET, NSET=ODD, GENERATE
+1, 9, 2
+*ELSET, ELSET=ALL
+CUBE, 102
+*MATERIAL, NAME=Steel
+*ELASTIC, TYPE=ISOTROPIC
+200e9, 0.3
+*DENSITY
+7860
+*SOLID SECTION,
+ ELSET=ALL, MATERIAL=STEEL
+1.
+*STEP
+*STATIC
+*END STEP
+";
+
+fn read(text: &str) -> Result<Read, InputErrors> {
+    inp::read(text, "cube.inp", &ELEMENTS)
+}
+
+/// Reads the good file with one passage replaced and gives its errors.
+fn errors(passage: &str, by: &str) -> String {
+    assert_eq!(GOOD.matches(passage).count(), 1, "{passage}");
+    match read(&GOOD.replace(passage, by)) {
+        Ok(_) => panic!("{by} was accepted"),
+        Err(errors) => errors.to_string(),
+    }
+}
+
+fn labels(mesh: &Mesh, set: &str) -> Vec<u64> {
+    mesh.node_set(set).unwrap().iter().map(|&node| mesh.labels()[node]).collect()
+}
+
+#[test]
+fn a_good_file_gives_its_mesh() {
+    let Read { mesh, warnings } = read(GOOD).unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!((mesh.nodes().len(), mesh.cell_count(), mesh.origin()), (10, 2, "cube.inp"));
+    assert_eq!(mesh.nodes()[2], [1.0, 1.0, 0.0]);
+    let names: Vec<&str> = mesh.blocks().iter().map(|b| b.element.origin.name).collect();
+    assert_eq!(names, ["hex8i", "wedge6"]);
+    assert_eq!(mesh.blocks()[0].connectivity, [0, 1, 2, 3, 4, 5, 6, 7]);
+    assert_eq!(mesh.blocks()[1].connectivity, [1, 8, 2, 5, 9, 6]);
+    assert_eq!(mesh.blocks()[1].labels, [102]);
+    assert_eq!(labels(&mesh, "BOTTOM"), [1, 2, 3, 4, 9]);
+    assert_eq!(labels(&mesh, "ends"), [1, 2, 3, 4, 5, 6]);
+    assert_eq!(labels(&mesh, "ODD"), [1, 3, 5, 7, 9]);
+    assert_eq!(labels(&mesh, "ALL").len(), 10);
+    assert_eq!(mesh.element_sets()["ALL"].len(), 2);
+    let steel = &mesh.materials()[0];
+    assert_eq!(steel.name, "Steel");
+    let values: Vec<(&str, f64)> =
+        steel.properties.iter().map(|(name, &value)| (name.as_str(), value)).collect();
+    assert_eq!(values, [("E", 200e9), ("nu", 0.3), ("rho", 7860.0)]);
+    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        warnings,
+        ["cube.inp:1:1: *HEADING is left out", "cube.inp:39:1: *STEP is left out"]
+    );
+    let error = mesh.node_set("BOTOM").unwrap_err().to_string();
+    assert_eq!(error, "cube.inp has no node set called BOTOM; did you mean BOTTOM?");
+    let error = mesh.single_node("ODD").unwrap_err().to_string();
+    assert_eq!(error, "cube.inp: node set ODD must have one node, it has 5");
+}
+
+#[test]
+fn windows_line_ends_and_capitals_do_not_matter() {
+    let mesh = read(&GOOD.to_lowercase().replace('\n', "\r\n")).unwrap().mesh;
+    assert_eq!((mesh.nodes().len(), mesh.cell_count()), (10, 2));
+    assert_eq!(labels(&mesh, "BOTTOM"), [1, 2, 3, 4, 9]);
+}
+
+#[test]
+fn reference_meshes_have_their_sets() {
+    let shaft = reference("shaft");
+    assert_eq!(shaft.node_sets().len(), 12 + 2 + 3 + 1);
+    assert_eq!(shaft.nodes()[shaft.single_node("LOAD2").unwrap()][2], 0.702);
+    let support = reference("support");
+    assert_eq!(support.node_sets().len(), 12 + 2 + 1);
+    assert!(support.node_sets().values().all(|set| set.len() >= 3));
+}
+
+#[test]
+fn every_error_says_where_what_and_how_to_mend_it() {
+    let cases = [
+        // Nodes.
+        (
+            " 4, 0, 1, 0\n",
+            " 4, 0, 1\n",
+            "cube.inp:8:2: node 4 has 2 coordinates\n  help: write label, x, y, z",
+        ),
+        (
+            " 4, 0, 1, 0\n",
+            " 4, 0, one, 0\n",
+            "cube.inp:8:8: coordinate must be a number, found `one`\n  help: write it as 0.0115 or 1.15e-2",
+        ),
+        (
+            " 4, 0, 1, 0\n",
+            " 4, 0, inf, 0\n",
+            "cube.inp:8:8: coordinate must be a number, found `inf`\n  help: write it as 0.0115 or 1.15e-2",
+        ),
+        (
+            " 9, 2, 0, 0\n",
+            " 9, 2, 0, 0\n 9, 2, 0, 0\n",
+            "cube.inp:14:2: node 9 is defined twice\n  help: line 13 has the first; give this one another label",
+        ),
+        (
+            " 9, 2, 0, 0\n",
+            " 9, 2, 0, 0\n-3, 2, 0, 0\n",
+            "cube.inp:14:1: label of a node must be a whole number from 1, found `-3`",
+        ),
+        (
+            "*Node, nset=All",
+            "*Node, nset=All, system=C",
+            "cube.inp:4:18: only rectangular coordinates are read\n  help: write x, y, z",
+        ),
+        (
+            "*HEADING\nA cube and a wedge\n",
+            "1, 2, 3\n",
+            "cube.inp:1:1: data before the first keyword\n  help: begin with *NODE",
+        ),
+        // Cells.
+        (
+            "TYPE=C3D6",
+            "TYPE=C3D7",
+            "cube.inp:18:16: no element is known for type C3D7\n  help: types that are read: C3D8, C3D8I, C3D6",
+        ),
+        (
+            "TYPE=C3D6, ",
+            "",
+            "cube.inp:18:1: *ELEMENT needs TYPE=\n  help: write *ELEMENT, TYPE=C3D8I, ELSET=NAME",
+        ),
+        (
+            "TYPE=C3D6, ",
+            "TPYE=C3D6, ",
+            "cube.inp:18:1: *ELEMENT needs TYPE=\n  help: is TPYE meant to be TYPE?",
+        ),
+        (
+            "102, 2, 9, 3, 6, 10, 7",
+            "102, 2, 9, 3, 6, 10, 77",
+            "cube.inp:19:22: cell 102 has node 77, which is not defined\n  help: add it under *NODE, or correct the label",
+        ),
+        (
+            "102, 2, 9, 3, 6, 10, 7",
+            "102, 2, 9, 3, 6, 10, 2",
+            "cube.inp:19:22: cell 102 has node 2 twice\n  help: correct the label, or use an element with fewer nodes",
+        ),
+        (
+            "102, 2, 9, 3, 6, 10, 7",
+            "102, 2, 9, 3, 6, 10",
+            "cube.inp:19:1: cell 102 has 5 nodes, wedge6 needs 6\n  help: write label, then the nodes",
+        ),
+        (
+            "*NSET, NSET=BOTTOM, GENERATE",
+            "*ELEMENT, TYPE=C3D6\n101, 2, 9, 3, 6, 10, 7\n*NSET, NSET=BOTTOM, GENERATE",
+            "cube.inp:21:1: cell 101 is defined twice\n  help: line 16 has the first; give this one another label",
+        ),
+        // Sets.
+        (
+            "BOTTOM, 5,",
+            "BOTOM, 5,",
+            "cube.inp:23:1: no set of nodes called BOTOM stands above this line\n  help: did you mean BOTTOM?",
+        ),
+        (
+            "BOTTOM, 5,",
+            "BOTTOM, 55,",
+            "cube.inp:23:9: node 55 is not defined\n  help: define it, or take it out of the set",
+        ),
+        (
+            "CUBE, 102",
+            "CUBE, 103",
+            "cube.inp:30:7: cell 103 is not defined\n  help: define it, or take it out of the set",
+        ),
+        (
+            "1, 9, 2\n",
+            "1, 10, 2\n",
+            "cube.inp:28:1: from 1 one does not come to 10 in steps of 2\n  help: let last − first be a multiple of the step",
+        ),
+        (
+            "1, 9, 2\n",
+            "1, 13, 2\n",
+            "cube.inp:28:1: 2 of the 7 labels from 1 to 13 are no nodes\n  help: narrow the range",
+        ),
+        (
+            "1, 9, 2\n",
+            "1\n",
+            "cube.inp:28:1: GENERATE needs first, last, step; found 1 values\n  help: write 1, 100, 1",
+        ),
+        (
+            "*NSET, NSET=Ends",
+            "*NSET, NSTE=Ends",
+            "cube.inp:22:1: *NSET needs NSET=\n  help: is NSTE meant to be NSET?",
+        ),
+        // Materials.
+        (
+            "7860\n",
+            "-7860\n",
+            "cube.inp:35:1: the density of Steel is -7860\n  help: it must be positive",
+        ),
+        (
+            "200e9, 0.3",
+            "0, 0.3",
+            "cube.inp:33:1: the Young's modulus of Steel is 0\n  help: it must be positive",
+        ),
+        (
+            "200e9, 0.3",
+            "200e9, 0.5",
+            "cube.inp:33:8: Poisson's ratio of Steel is 0.5\n  help: it lies between −1 and 0.5, both excluded",
+        ),
+        (
+            "200e9, 0.3",
+            "200e9",
+            "cube.inp:33:1: *ELASTIC lacks the Poisson's ratio\n  help: write E, ν in Pa and 1, ρ in kg/m³",
+        ),
+        (
+            "200e9, 0.3",
+            "200e9, 0.3, 20\n190e9, 0.3, 100",
+            "cube.inp:34:1: *ELASTIC has 2 lines\n  help: properties that depend on temperature are not read: keep one line",
+        ),
+        (
+            "ISOTROPIC",
+            "ORTHOTROPIC",
+            "cube.inp:32:16: material Steel is ORTHOTROPIC: only isotropic materials are read\n  help: write *ELASTIC and E, ν",
+        ),
+        (
+            "*DENSITY\n7860\n",
+            "",
+            "cube.inp:31:1: material Steel has no *DENSITY\n  help: write *DENSITY and a line such as 7860 below *MATERIAL",
+        ),
+        (
+            "*MATERIAL, NAME=Steel\n",
+            "",
+            "cube.inp:31:1: *ELASTIC belongs to no material\n  help: put *MATERIAL, NAME=… above it\ncube.inp:33:1: *DENSITY belongs to no material\n  help: put *MATERIAL, NAME=… above it\ncube.inp:36:22: no material is called STEEL\n  help: there are none",
+        ),
+        (
+            "*SOLID SECTION,",
+            "*MATERIAL, NAME=STEEL\n*SOLID SECTION,",
+            "cube.inp:36:1: material STEEL is defined twice\n  help: line 31 has the first",
+        ),
+        (
+            "200e9, 0.3",
+            "200000, 0.3",
+            "cube.inp:33:1: in material Steel (E = 200000 Pa, ρ = 7860 kg/m³) sound would travel at 5.044e0 m/s\n  help: units are m, Pa and kg/m³: steel is 200e9 and 7860",
+        ),
+        // Sections.
+        (
+            "MATERIAL=STEEL",
+            "MATERIAL=STEAL",
+            "cube.inp:37:22: no material is called STEAL\n  help: did you mean Steel?",
+        ),
+        (
+            "ELSET=ALL, MAT",
+            "ELSET=AL, MAT",
+            "cube.inp:37:8: no set of cells is called AL\n  help: did you mean ALL?",
+        ),
+        (
+            "ELSET=ALL, MAT",
+            "ELSET=CUBE, MAT",
+            "cube.inp:19:1: 1 cell without a section: 102\n  help: add *SOLID SECTION, ELSET=…, MATERIAL=… for a set that holds them",
+        ),
+        (
+            "*STEP",
+            "*MATERIAL, NAME=TIN\n*ELASTIC\n50e9, 0.3\n*DENSITY\n7300\n*SOLID SECTION, ELSET=CUBE, MATERIAL=TIN\n*STEP",
+            "cube.inp:44:1: 1 cell with two materials: 101\n  help: line 36 gave the first",
+        ),
+        (
+            "*STEP",
+            "*SOLID SECTION, ELSET=CUBE\n*STEP",
+            "cube.inp:39:1: *SOLID SECTION needs MATERIAL=\n  help: write *SOLID SECTION, ELSET=NAME, MATERIAL=NAME",
+        ),
+        // What would change the mesh.
+        (
+            "*STEP",
+            "*INCLUDE, INPUT=more.inp\n*STEP",
+            "cube.inp:39:1: *INCLUDE is not read, but changes the mesh\n  help: write the mesh out in full, in one file and in x, y, z",
+        ),
+        (
+            "*STEP",
+            "*INSTANCE, NAME=A, PART=B\n0, 0, 5\n*STEP",
+            "cube.inp:39:1: an *INSTANCE that is moved or turned is not read\n  help: write the nodes where they are",
+        ),
+    ];
+    let mut wrong = Vec::new();
+    for (passage, by, expected) in cases {
+        let found = errors(passage, by);
+        if found != expected {
+            wrong.push(format!("{by}\nexpected {expected}\nfound    {found}\n"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn all_errors_are_given_at_once_in_the_order_of_the_lines() {
+    let text = GOOD
+        .replace("7860", "0")
+        .replace("102, 2, 9, 3, 6, 10, 7", "102, 2, 9, 3, 6, 10, 77")
+        .replace(" 5, 0, 0, 1\n", " 5, 0, 0, x\n");
+    let errors = read(&text).unwrap_err();
+    let lines: Vec<usize> = errors.0.iter().map(|error| error.line).collect();
+    assert_eq!(lines, [9, 19, 35]);
+}
+
+#[test]
+fn an_empty_file_has_no_cells() {
+    for text in ["", "** nothing\n"] {
+        let error = read(text).unwrap_err().to_string();
+        let expected =
+            "cube.inp: the file has no cells\n  help: add *ELEMENT with its TYPE and cells";
+        assert_eq!(error, expected);
+    }
+}
+
+#[test]
+fn what_is_odd_but_readable_is_a_warning() {
+    let text = GOOD
+        .replace("10, 2, 0, 1\n", "10, 2, 0, 1\n11, 900, 0, 0\n")
+        .replace("*STEP", "*NSTE, NSET=A\n*STEP");
+    let Read { mesh, warnings } = read(&text).unwrap();
+    assert_eq!(mesh.nodes().len(), 10);
+    assert_eq!(labels(&mesh, "ALL").len(), 10);
+    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        warnings[1],
+        "cube.inp:15:1: 1 node in no cell, left out: 11\n  help: delete them, or add the cells that they belong to"
+    );
+    assert_eq!(warnings[2], "cube.inp:40:1: *NSTE is left out\n  help: is *NSET meant?");
+    let millimetres = GOOD.replace(" 9, 2, 0, 0", " 9, 2000, 0, 0");
+    let warnings = read(&millimetres).unwrap().warnings;
+    assert!(
+        warnings[0]
+            .to_string()
+            .starts_with("cube.inp: the mesh is 2000 m long\n  help: coordinates are read in m")
+    );
+}
+
+proptest! {
+    /// Any damage to a file is read or refused, never a panic.
+    #[test]
+    fn damaged_files_never_panic(
+        cuts in prop::collection::vec((0..GOOD.len(), 0..12usize, "[-*,=\n0-9A-Ze. \"é]{0,6}"), 1..6),
+    ) {
+        let mut text = GOOD.to_owned();
+        for (at, length, by) in cuts {
+            let floor = |i: usize| (0..=i.min(text.len())).rev().find(|&i| text.is_char_boundary(i));
+            let (from, to) = (floor(at).unwrap_or(0), floor(at + length).unwrap_or(0));
+            text.replace_range(from..to, &by);
+        }
+        if let Err(errors) = read(&text) {
+            prop_assert!(!errors.0.is_empty());
+            prop_assert!(errors.0.iter().all(|error| !error.what.is_empty()));
+        }
+    }
+}
