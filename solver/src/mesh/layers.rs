@@ -67,7 +67,7 @@ impl Plan<'_> {
         let (between_name, between) = self.layers_between;
         let same = SAME * self.length;
         let (start, end) = (self.start, self.start + self.length);
-        if inside == 0 || inside % 2 != 0 {
+        if inside == 0 || !inside.is_multiple_of(2) {
             let what = "it must be even and not 0, so that nodes stand in the middle";
             return Err(wrong(count_name, inside, what));
         }

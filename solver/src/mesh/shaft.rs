@@ -159,7 +159,7 @@ impl SolidShaft {
             ("support_length", self.support_length),
         ])?;
         let SectionCells { sectors, rings } = self.section;
-        if sectors < 4 || sectors % 2 != 0 {
+        if sectors < 4 || !sectors.is_multiple_of(2) {
             return Err(wrong("sectors", sectors, "it must be even and at least 4"));
         }
         if rings < 2 {

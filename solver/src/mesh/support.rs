@@ -131,7 +131,7 @@ impl RingSupport {
         if let Some((name, count)) = counts.into_iter().find(|&(_, count)| count == 0) {
             return Err(wrong(name, count, "there must be at least one"));
         }
-        if cells.width == 0 || cells.width % 2 != 0 {
+        if cells.width == 0 || !cells.width.is_multiple_of(2) {
             let what = "it must be even and not 0, so that nodes stand half way across";
             return Err(wrong("cells across the width", cells.width, what));
         }

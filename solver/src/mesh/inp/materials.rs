@@ -61,12 +61,12 @@ pub(super) fn read_materials(cards: &[&Card], report: &mut Report) -> Vec<RawMat
 fn property(card: &Card, material: &mut RawMaterial, report: &mut Report) {
     let before = report.errors.len();
     let name = material.name.as_str();
-    if let Some(kind) = card.parameter("TYPE").and_then(|parameter| parameter.value) {
-        if !["ISO", "ISOTROPIC"].contains(&kind.text.to_uppercase().as_str()) {
-            let what =
-                format!("material {name} is {}: only isotropic materials are read", kind.text);
-            report.error(kind, what, "write *ELASTIC and E, ν");
-        }
+    let kind = card.parameter("TYPE").and_then(|parameter| parameter.value);
+    let isotropic =
+        |kind: &Token| ["ISO", "ISOTROPIC"].contains(&kind.text.to_uppercase().as_str());
+    if let Some(kind) = kind.filter(|kind| !isotropic(kind)) {
+        let what = format!("material {name} is {}: only isotropic materials are read", kind.text);
+        report.error(kind, what, "write *ELASTIC and E, ν");
     }
     let wanted: &[(&'static str, &str)] = match card.keyword.as_str() {
         "ELASTIC" => &[("E", "Young's modulus"), ("nu", "Poisson's ratio")],
