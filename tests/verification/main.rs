@@ -4,6 +4,7 @@ mod assembly;
 mod block;
 mod bodies;
 mod constraints;
+mod documents;
 mod formulas;
 mod laws;
 mod made_meshes;
