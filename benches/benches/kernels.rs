@@ -52,11 +52,8 @@ fn clearance(c: &mut Criterion) {
             (0..PLANE).map(|j| std::f64::consts::TAU * j as f64 / PLANE as f64).collect();
         let mut table = vec![0.0; kernels.table * PLANE];
         (kernels.prepare)(&psi, &mut table);
-        let ring = Ring {
-            position: [0.3, 1e-5, -4e-6],
-            velocity: [471.0, 1e-3, 2e-3],
-            c: 3.5687e-5,
-        };
+        let ring =
+            Ring { position: [0.3, 1e-5, -4e-6], velocity: [471.0, 1e-3, 2e-3], c: 3.5687e-5 };
         let delta: Vec<f64> = values(PLANE).iter().map(|x| 1e-6 * x).collect();
         let (delta_dot, q) = (values(PLANE), values(PLANE));
         let (mut h, mut h_dot) = (vec![0.0; PLANE], vec![0.0; PLANE]);
@@ -65,13 +62,18 @@ fn clearance(c: &mut Criterion) {
         move |b: &mut criterion::Bencher| {
             b.iter(|| {
                 let ring = black_box(&ring);
-                (kernels.clearance)(
-                    PLANE, &table, ring, &delta, &delta_dot, &mut h, &mut h_dot,
-                );
+                (kernels.clearance)(PLANE, &table, ring, &delta, &delta_dot, &mut h, &mut h_dot);
                 (kernels.force)(PLANE, &table, ring, &delta, &q, &mut on_ring, &mut on_springs);
                 let law = SpringForce { q: &q, dq_dh: &h, dq_dh_dot: &h_dot };
                 (kernels.tangent)(
-                    PLANE, &table, ring, &delta, &delta_dot, &law, 27027.0, &mut tangent,
+                    PLANE,
+                    &table,
+                    ring,
+                    &delta,
+                    &delta_dot,
+                    &law,
+                    27027.0,
+                    &mut tangent,
                 );
                 black_box((&h, &on_ring, &on_springs, &tangent));
             });
@@ -103,7 +105,9 @@ fn motion(c: &mut Criterion) {
         let (tensors, mut workspace) = tensors(motion, &numbers, &symmetric, &skew);
         let mut out = vec![0.0; 1 + N];
         force.bench_function(name, |b| {
-            b.iter(|| (motion.inertia_force)(&tensors, black_box(&state), &mut workspace, &mut out));
+            b.iter(|| {
+                (motion.inertia_force)(&tensors, black_box(&state), &mut workspace, &mut out)
+            });
         });
     }
     force.finish();

@@ -39,8 +39,10 @@ fn every_path_named_in_the_architecture_exists() {
 #[test]
 fn the_law_in_the_readme_is_a_law() {
     let text = document("README.md");
-    let laws: Vec<&str> =
-        fenced(&text, "toml").into_iter().filter(|block| block.contains("kind = \"law\"")).collect();
+    let laws: Vec<&str> = fenced(&text, "toml")
+        .into_iter()
+        .filter(|block| block.contains("kind = \"law\""))
+        .collect();
     assert_eq!(laws.len(), 1);
     if let Err(errors) = LawSpec::read(&Source::new("README.md", laws[0])) {
         panic!("{}", errors.render());
