@@ -20,6 +20,17 @@ pub enum Failure {
         /// Why.
         reason: String,
     },
+    /// Meshes, bodies or springs that cannot be used.
+    #[error("{0}")]
+    Machine(#[from] whirl_solver::Error),
+    /// A step that does not converge.
+    #[error("{reason}")]
+    NotConverged {
+        /// Which step, and what was tried.
+        reason: String,
+        /// Where the results up to it are.
+        kept: PathBuf,
+    },
 }
 
 impl From<Diagnostics> for Failure {
@@ -29,9 +40,12 @@ impl From<Diagnostics> for Failure {
 }
 
 impl Failure {
-    /// Exit status: 2 for bad input.
+    /// Exit status: 1 for a march that did not converge, 2 for bad input.
     pub fn status(&self) -> ExitCode {
-        ExitCode::from(2)
+        match self {
+            Failure::NotConverged { .. } => ExitCode::from(1),
+            _ => ExitCode::from(2),
+        }
     }
 
     /// What the user reads, with colours on a terminal.
@@ -45,6 +59,10 @@ impl Failure {
             }
             Failure::Output { .. } => {
                 format!("error: {self}\n = help: choose another folder with `--out DIR`\n")
+            }
+            Failure::Machine(error) => format!("error: {error}\n"),
+            Failure::NotConverged { kept, .. } => {
+                format!("error: {self}\n = note: the steps before are kept in {}\n", kept.display())
             }
         }
     }

@@ -1,7 +1,10 @@
 //! One mass on a spring and a damper, between stops.
 
+use whirl_specs::Motion;
+
 use super::law::{self, LawSource};
 use super::library::Shelf;
+use super::machine;
 use super::reader::{DAMPING, FORCE, MASS, POSITION, Reader, STIFFNESS, VELOCITY};
 
 /// m ẍ + d ẋ + k x = F + stops.
@@ -19,6 +22,8 @@ pub struct Lumped {
     pub velocity: f64,
     /// F in N, constant.
     pub force: f64,
+    /// How the marcher couples displacement to rotation; of no effect here, since nothing turns.
+    pub motion: &'static Motion,
     /// What the mass may hit.
     pub stops: Vec<Stop>,
 }
@@ -63,6 +68,7 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
         displacement: or_zero("displacement", &POSITION),
         velocity: or_zero("velocity", &VELOCITY),
         force: or_zero("force", &FORCE),
+        motion: machine::motion(file)?,
         stops,
     })
 }

@@ -3,18 +3,18 @@
 use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::{Code, suggest};
+use whirl_solver::mesh::Material;
+use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
+use whirl_solver::mesh::support::{RingSupport, SupportCells};
 use whirl_specs::{MOTIONS, Motion};
 
 use super::law;
 use super::library::{Shelf, resolve};
 use super::loads;
 use super::reader::{
-    DAMPING_TIME, DENSITY, LENGTH, MODULUS, POSITION, ROTATION, Reader, STIFFNESS, TORQUE,
+    DAMPING_TIME, DENSITY, LENGTH, MODULUS, POSITION, Reader, STIFFNESS, TARGET_SPEED, TORQUE,
 };
-use super::rotor::{
-    BarDimensions, BeamDimensions, Bearing, Drive, GroundSpring, Material, Mesh, MeshFile, Rotor,
-    Shaft, Support,
-};
+use super::rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};
 
 type Materials = BTreeMap<String, Material>;
 
@@ -29,7 +29,7 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Rotor> {
     let materials: Materials = file
         .named_tables("material")
         .into_iter()
-        .map(|(name, table)| (name, material(&table)))
+        .map(|(name, table)| (name.clone(), material(&name, &table)))
         .collect();
     let (shaft, support) = (shaft(shelf, file, &materials), support(shelf, file, &materials));
     let (bearings, drive) = (bearings(shelf, file), drive(file));
@@ -44,12 +44,14 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Rotor> {
     })
 }
 
-fn material(table: &Reader) -> Material {
-    Material {
-        youngs_modulus: table.needed("youngs_modulus", &MODULUS),
-        poissons_ratio: table.needed_number("poissons_ratio", (-1.0, 0.5), "0.3"),
-        density: table.needed("density", &DENSITY),
-    }
+fn material(name: &str, table: &Reader) -> Material {
+    let values = [
+        ("E", table.needed("youngs_modulus", &MODULUS)),
+        ("nu", table.needed_number("poissons_ratio", (-1.0, 0.5), "0.3")),
+        ("rho", table.needed("density", &DENSITY)),
+    ];
+    let properties = values.map(|(symbol, value)| (symbol.to_string(), value)).into();
+    Material { name: name.to_string(), properties }
 }
 
 fn material_of(table: &Reader, materials: &Materials) -> Option<Material> {
@@ -62,11 +64,16 @@ fn material_of(table: &Reader, materials: &Materials) -> Option<Material> {
             .unwrap_or_else(|| format!("describe it in a table `[material.{}]`", name.text()));
         table.push(name.error_here(Code::BAD_VALUE, message).help(help));
     }
-    found.copied()
+    found.cloned()
 }
 
 /// A mesh by the file named as `mesh`, or made from the table `dimensions`.
-fn mesh<D>(shelf: Shelf, table: &Reader, made: impl Fn(&Reader) -> D) -> Option<Mesh<D>> {
+fn mesh<D>(
+    shelf: Shelf,
+    table: &Reader,
+    material: Option<&Material>,
+    make: impl Fn(&Reader, Material) -> D,
+) -> Option<Mesh<D>> {
     let dimensions = table.table("dimensions");
     match (table.text("mesh"), dimensions) {
         (Some(_), Some(_)) => {
@@ -82,7 +89,16 @@ fn mesh<D>(shelf: Shelf, table: &Reader, made: impl Fn(&Reader) -> D) -> Option<
             }
             Some(Mesh::File(MeshFile { path, name }))
         }
-        (None, Some(dimensions)) => Some(Mesh::Made(made(&dimensions))),
+        (None, Some(dimensions)) => {
+            if !table.has("material") {
+                table.absent("material", "a mesh made from dimensions needs `material = \"…\"`");
+            }
+            Some(Mesh::Made(Made {
+                dimensions: make(&dimensions, material?.clone()),
+                table: dimensions.place().text(""),
+                places: dimensions.places(),
+            }))
+        }
         (None, None) => {
             if !table.has("mesh") && !table.has("dimensions") {
                 let help = "add `mesh = \"body.inp\"`, or a table of `dimensions`";
@@ -93,8 +109,11 @@ fn mesh<D>(shelf: Shelf, table: &Reader, made: impl Fn(&Reader) -> D) -> Option<
     }
 }
 
-fn bar(table: &Reader) -> BarDimensions {
-    BarDimensions {
+fn solid_shaft(table: &Reader, material: Material) -> SolidShaft {
+    let usual = SectionCells::default();
+    let cells = table.table("cells");
+    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key, 1)).unwrap_or(usual);
+    SolidShaft {
         length: table.needed("length", &LENGTH),
         diameter: table.needed("diameter", &LENGTH),
         supports: table.needed_quantities("supports", &POSITION),
@@ -102,11 +121,19 @@ fn bar(table: &Reader) -> BarDimensions {
         layers_in_support: table.needed_count("layers_in_support", 1),
         layers_between: table.needed_count("layers_between", 1),
         loads: table.quantities("loads", &POSITION).unwrap_or_default(),
+        section: SectionCells {
+            sectors: count("sectors", usual.sectors),
+            rings: count("rings", usual.rings),
+        },
+        material,
     }
 }
 
-fn beam(table: &Reader) -> BeamDimensions {
-    BeamDimensions {
+fn ring_support(table: &Reader, material: Material) -> RingSupport {
+    let usual = SupportCells::default();
+    let cells = table.table("cells");
+    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key, 1)).unwrap_or(usual);
+    RingSupport {
         start: table.needed("start", &POSITION),
         length: table.needed("length", &LENGTH),
         height: table.needed("height", &LENGTH),
@@ -118,13 +145,21 @@ fn beam(table: &Reader) -> BeamDimensions {
         bore_radius: table.needed("bore_radius", &LENGTH),
         layers_in_ring: table.needed_count("layers_in_ring", 1),
         layers_between: table.needed_count("layers_between", 1),
+        section: SupportCells {
+            height: count("height", usual.height),
+            width: count("width", usual.width),
+            pedestal: count("pedestal", usual.pedestal),
+            around: count("around", usual.around),
+            radial: count("radial", usual.radial),
+        },
+        material,
     }
 }
 
 fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
     let table = file.needed_table("shaft")?;
-    let mesh = mesh(shelf, &table, bar);
     let material = material_of(&table, materials);
+    let mesh = mesh(shelf, &table, material.as_ref(), solid_shaft);
     let shaft = Shaft {
         modes: table.needed_count("modes", 0),
         damping: table.quantity("damping", &DAMPING_TIME).unwrap_or(0.0),
@@ -137,8 +172,8 @@ fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
 
 fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support> {
     let table = file.needed_table("support")?;
-    let mesh = mesh(shelf, &table, beam);
     let material = material_of(&table, materials);
+    let mesh = mesh(shelf, &table, material.as_ref(), ring_support);
     let directions = [("x", 0), ("y", 1), ("z", 2)];
     let ground_spring = |spring: Reader| GroundSpring {
         set: spring.needed_text("set", "\"NAME_OF_A_NODE_SET\""),
@@ -201,12 +236,13 @@ fn drive(file: &Reader) -> Option<Drive> {
         top: table.needed_text("top", "\"DRIVE_TOP\""),
         bottom: table.needed_text("bottom", "\"DRIVE_BOTTOM\""),
         torque: table.needed("torque", &TORQUE),
-        target_speed: table.needed("target_speed", &ROTATION),
+        target_speed: table.needed("target_speed", &TARGET_SPEED),
         acts: table.flag("acts").unwrap_or(true),
     })
 }
 
-fn motion(file: &Reader) -> Option<&'static Motion> {
+/// The motion that the case names, or the default one.
+pub(super) fn motion(file: &Reader) -> Option<&'static Motion> {
     let name = file.text("motion");
     let wanted = name.as_ref().map_or(DEFAULT_MOTION, |name| name.text()).to_string();
     let found = MOTIONS.iter().find(|motion| motion.origin.name == wanted);

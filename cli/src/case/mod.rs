@@ -21,10 +21,7 @@ pub use loads::Load;
 pub use lumped::{Lumped, Side, Stop};
 pub use march::March;
 pub use read::read;
-pub use rotor::{
-    BarDimensions, BeamDimensions, Bearing, Drive, GroundSpring, Material, Mesh, MeshFile, Rotor,
-    Shaft, Support,
-};
+pub use rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};
 
 /// One case, ready to be built.
 #[derive(Debug, Clone)]

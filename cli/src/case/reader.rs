@@ -1,7 +1,7 @@
 //! Strict reading of one table: every key asked for is known, every other one is an error.
 
 use std::cell::RefCell;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
@@ -34,6 +34,12 @@ impl<'a> Reader<'a> {
     /// Where the table stands.
     pub(crate) fn place(&self) -> &Place {
         &self.place
+    }
+
+    /// Places of all values by their keys.
+    pub(crate) fn places(&self) -> BTreeMap<String, Located> {
+        let entries = self.table.entries.iter();
+        entries.map(|(key, (_, node))| (key.clone(), node.place.text(""))).collect()
     }
 
     /// Notes an error.
@@ -474,7 +480,7 @@ kinds! {
     FORCE: FORCE, "1000 N", Any;
     TOLERANCE: FORCE, "1e-3 N", Positive;
     TORQUE: TORQUE, "109 N*m", Any;
-    ROTATION: ANGULAR_SPEED, "4500 rpm", Any;
+    TARGET_SPEED: ANGULAR_SPEED, "4500 rpm", Positive;
     FREQUENCY: FREQUENCY, "37.5 Hz", Positive;
     ANGLE: ANGLE, "90 deg", Any;
 }

@@ -1,8 +1,12 @@
 //! A flexible shaft in clearances on a flexible support: the machine file's tables.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use whirl_codegen::diagnostic::Located;
+use whirl_solver::mesh::Material;
+use whirl_solver::mesh::shaft::SolidShaft;
+use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::Motion;
 
 use super::law::LawSource;
@@ -25,24 +29,24 @@ pub struct Rotor {
     pub motion: &'static Motion,
 }
 
-/// Isotropic elasticity.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Material {
-    /// E in Pa.
-    pub youngs_modulus: f64,
-    /// ν.
-    pub poissons_ratio: f64,
-    /// ρ in kg/m³.
-    pub density: f64,
-}
-
 /// Where a mesh comes from.
 #[derive(Debug, Clone)]
 pub enum Mesh<D> {
     /// An Abaqus or CalculiX input file.
     File(MeshFile),
     /// Made from a few dimensions.
-    Made(D),
+    Made(Made<D>),
+}
+
+/// A mesh made from dimensions, and where the case says them.
+#[derive(Debug, Clone)]
+pub struct Made<D> {
+    /// The dimensions with the material.
+    pub dimensions: D,
+    /// The table of the dimensions.
+    pub table: Located,
+    /// The dimensions by their names in the case.
+    pub places: BTreeMap<String, Located>,
 }
 
 /// A mesh file named by a case.
@@ -58,8 +62,8 @@ pub struct MeshFile {
 #[derive(Debug, Clone)]
 pub struct Shaft {
     /// Mesh.
-    pub mesh: Mesh<BarDimensions>,
-    /// Material of every cell; a mesh file may bring its own.
+    pub mesh: Mesh<SolidShaft>,
+    /// Material of every cell in place of the mesh file's own.
     pub material: Option<Material>,
     /// Fixed-interface modes kept.
     pub modes: usize,
@@ -73,8 +77,8 @@ pub struct Shaft {
 #[derive(Debug, Clone)]
 pub struct Support {
     /// Mesh.
-    pub mesh: Mesh<BeamDimensions>,
-    /// Material of every cell; a mesh file may bring its own.
+    pub mesh: Mesh<RingSupport>,
+    /// Material of every cell in place of the mesh file's own.
     pub material: Option<Material>,
     /// Fixed-interface modes kept.
     pub modes: usize,
@@ -95,52 +99,6 @@ pub struct GroundSpring {
     pub direction: usize,
     /// N/m each.
     pub stiffness: f64,
-}
-
-/// A round bar along z from z = 0, with a mesh refined at its supports.
-#[derive(Debug, Clone)]
-pub struct BarDimensions {
-    /// m.
-    pub length: f64,
-    /// m.
-    pub diameter: f64,
-    /// z of the middle of each support, m.
-    pub supports: Vec<f64>,
-    /// Length of each support along z, m.
-    pub support_length: f64,
-    /// Layers of cells in a support.
-    pub layers_in_support: usize,
-    /// Layers of cells between two supports.
-    pub layers_between: usize,
-    /// z of the loaded nodes on the centre line, m.
-    pub loads: Vec<f64>,
-}
-
-/// A beam above rings: pedestals join the beam to each ring.
-#[derive(Debug, Clone)]
-pub struct BeamDimensions {
-    /// z of the beam's start, m.
-    pub start: f64,
-    /// m, along z.
-    pub length: f64,
-    /// m, along x.
-    pub height: f64,
-    /// m, along y.
-    pub width: f64,
-    /// From a ring's top to the beam, m.
-    pub pedestal_height: f64,
-    /// z of the middle of each ring, m.
-    pub rings: Vec<f64>,
-    /// m, along z.
-    pub ring_length: f64,
-    /// m.
-    pub ring_thickness: f64,
-    /// m.
-    pub bore_radius: f64,
-    /// Layers of cells in a ring along z.
-    pub layers_in_ring: usize,
-    /// Layers of cells of the beam between two rings.
-    pub layers_between: usize,
 }
 
 /// One place where the shaft runs in the support.

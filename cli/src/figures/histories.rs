@@ -1,9 +1,12 @@
-//! Reactions, eccentricity orbits and rotation out of a history.
+//! Reactions, eccentricity orbits, displacement and rotation out of a history.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
+
+use whirl_solver::history::History;
 
 use super::figure::{Dot, Figure, Line, Panel, Style};
-use crate::report::Columns;
+use crate::report::{column, last_cycle};
 
 /// What histories are drawn over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,121 +17,128 @@ pub(crate) enum Span {
     LastCycle(f64),
 }
 
+/// Rows to draw, and their abscissae.
+struct Rows {
+    rows: Range<usize>,
+    abscissae: Vec<f64>,
+    label: &'static str,
+    /// Angle turned, rad.
+    turned: f64,
+}
+
 impl Span {
     /// The last cycle if the shaft turns in it, else everything.
-    pub(crate) fn fitting(columns: &Columns, cycle: f64) -> Span {
-        let theta = &columns["theta_rad"][last_cycle(&columns["t_s"], cycle)];
-        let turned = theta.last().zip(theta.first()).map_or(0.0, |(last, first)| last - first);
+    pub(crate) fn fitting(history: &History, cycle: f64) -> Span {
+        let turned = Span::LastCycle(cycle).rows(history).turned;
         if turned.abs() > 0.5 * TAU { Span::LastCycle(cycle) } else { Span::All }
     }
 
-    /// Abscissae with their label, and the rows to draw.
-    fn abscissae(self, columns: &Columns) -> (Vec<f64>, &'static str, std::ops::Range<usize>) {
-        let time = &columns["t_s"];
-        match self {
-            Span::All => (time.iter().map(|t| 1e3 * t).collect(), "time (ms)", 0..time.len()),
-            Span::LastCycle(cycle) => {
-                let rows = last_cycle(time, cycle);
-                let theta = &columns["theta_rad"][rows.clone()];
-                let degrees = theta.iter().map(|angle| (angle - theta[0]).to_degrees()).collect();
-                (degrees, "rotation in the last cycle (°)", rows)
+    fn rows(self, history: &History) -> Rows {
+        let (time, theta) = (column(history, "t_s"), column(history, "theta_rad"));
+        let rows = match self {
+            Span::All => 0..time.len(),
+            Span::LastCycle(cycle) => last_cycle(&time, cycle),
+        };
+        let (first, last) = match &theta[rows.clone()] {
+            [first, .., last] => (*first, *last),
+            _ => (0.0, 0.0),
+        };
+        let (abscissae, label) = match self {
+            Span::All => (time.iter().map(|t| 1e3 * t).collect(), "time (ms)"),
+            Span::LastCycle(_) => {
+                let degrees = |angle: &f64| (angle - first).to_degrees();
+                (theta[rows.clone()].iter().map(degrees).collect(), "rotation in the last cycle (°)")
             }
-        }
+        };
+        Rows { rows, abscissae, label, turned: last - first }
     }
 }
 
-/// Rows of the last `cycle` seconds.
-pub(crate) fn last_cycle(time: &[f64], cycle: f64) -> std::ops::Range<usize> {
-    let end = time.last().copied().unwrap_or(0.0);
-    // A row that lies a rounding error before the cycle belongs to it.
-    let first = time.partition_point(|&t| t < end - cycle * (1.0 + 1e-9));
-    first..time.len()
+impl Rows {
+    fn line(&self, history: &History, name: &str, legend: &str, style: Style) -> Line {
+        let values = &column(history, name)[self.rows.clone()];
+        let points = self.abscissae.iter().copied().zip(values.iter().copied()).collect();
+        Line { points, style, name: legend.to_string() }
+    }
+
+    /// An axis in eighths of two revolutions where the shaft turns forward.
+    fn scale(&self, span: Span) -> Option<(f64, f64)> {
+        const STEP: f64 = 90.0;
+        let end = (self.turned.to_degrees() / STEP).ceil() * STEP;
+        (span != Span::All && end > 0.0).then_some((end, STEP))
+    }
 }
 
-/// Distance between the labels of an axis of two revolutions, in degrees.
-const EIGHTH_OF_TWO_TURNS: f64 = 90.0;
-
 /// RX and RY of every support, a panel each.
-pub(crate) fn reactions(columns: &Columns, supports: usize, span: Span) -> Figure {
-    let (abscissae, label, rows) = span.abscissae(columns);
-    let curve = |column: String, name: &str, style| Line {
-        points: abscissae
-            .iter()
-            .copied()
-            .zip(columns[&column][rows.clone()].iter().copied())
-            .collect(),
-        style,
-        name: name.to_string(),
-    };
-    let x_scale = match span {
-        Span::All => None,
-        Span::LastCycle(_) => {
-            let most = abscissae.iter().copied().fold(0.0, f64::max);
-            Some(((most / EIGHTH_OF_TWO_TURNS).ceil() * EIGHTH_OF_TWO_TURNS, EIGHTH_OF_TWO_TURNS))
+pub(crate) fn reactions(history: &History, supports: &[String], span: Span) -> Figure {
+    let rows = span.rows(history);
+    let panel = |(index, title): (usize, &String)| {
+        let k = index + 1;
+        Panel {
+            title: title.clone(),
+            x: rows.label.to_string(),
+            y: "force on the shaft (N)".to_string(),
+            x_scale: rows.scale(span),
+            lines: vec![
+                rows.line(history, &format!("RX{k}_N"), "RX, vertical", Style::First),
+                rows.line(history, &format!("RY{k}_N"), "RY, lateral", Style::Second),
+            ],
+            ..Panel::default()
         }
-    };
-    let panel = |k: usize| Panel {
-        title: format!("Support {k}"),
-        x: label.to_string(),
-        x_scale,
-        y: "force on the shaft (N)".to_string(),
-        lines: vec![
-            curve(format!("RX{k}_N"), "RX, vertical", Style::First),
-            curve(format!("RY{k}_N"), "RY, lateral", Style::Second),
-        ],
-        ..Panel::default()
     };
     Figure {
         title: "Reactions at the supports".to_string(),
-        panels: (1..=supports).map(panel).collect(),
+        panels: supports.iter().enumerate().map(panel).collect(),
         columns: 2,
     }
 }
 
 /// Eccentricity of every journal in its bore, a panel each: equal axes, X upwards, the clearance circle
 /// (`clearances` in µm), and a dot where the keyphasor sees the shaft (θ a multiple of 360°).
-pub(crate) fn eccentricities(columns: &Columns, clearances: &[f64], span: Span) -> Figure {
-    let (_, _, rows) = span.abscissae(columns);
-    let what = match span {
-        Span::All => "Eccentricity of the journals",
-        Span::LastCycle(_) => "Eccentricity of the journals in the last cycle",
+pub(crate) fn eccentricities(
+    history: &History,
+    supports: &[String],
+    clearances: &[f64],
+    span: Span,
+) -> Figure {
+    let rows = span.rows(history);
+    let (what, lateral) = match span {
+        Span::All => ("Eccentricity of the journals", "EY, lateral (µm)"),
+        // Seen along +z, x up and y to the right: positive rotation is clockwise.
+        Span::LastCycle(_) if rows.turned > 0.0 => {
+            ("Eccentricity of the journals in the last cycle", "EY, lateral (µm); rotation ↻")
+        }
+        Span::LastCycle(_) => {
+            ("Eccentricity of the journals in the last cycle", "EY, lateral (µm); rotation ↺")
+        }
     };
-    // Seen along +z, x up and y to the right: positive rotation is clockwise.
-    let theta = &columns["theta_rad"][rows.clone()];
-    let turned = theta.last().zip(theta.first()).map_or(0.0, |(last, first)| last - first);
-    let lateral = match span {
-        Span::LastCycle(_) if turned > 0.0 => "EY, lateral (µm); rotation ↻",
-        Span::LastCycle(_) => "EY, lateral (µm); rotation ↺",
-        Span::All => "EY, lateral (µm)",
-    };
-    let panel = |(index, &clearance): (usize, &f64)| {
+    let passages = passages(&column(history, "theta_rad")[rows.rows.clone()]);
+    let panel = |(index, (title, &clearance)): (usize, (&String, &f64))| {
         let k = index + 1;
-        let x = &columns[&format!("EX{k}_um")][rows.clone()];
-        let y = &columns[&format!("EY{k}_um")][rows.clone()];
-        let at = |row: usize, part: f64| {
+        let x = &column(history, &format!("EX{k}_um"))[rows.rows.clone()];
+        let y = &column(history, &format!("EY{k}_um"))[rows.rows.clone()];
+        let dot = |&(row, part): &(usize, f64)| {
             let mix = |values: &[f64]| values[row] + part * (values[row + 1] - values[row]);
             Dot { at: (mix(y), mix(x)), name: "keyphasor, θ = 0°".to_string() }
         };
+        let orbit = Line {
+            points: y.iter().copied().zip(x.iter().copied()).collect(),
+            style: Style::First,
+            name: "centre of the journal".to_string(),
+        };
         Panel {
-            title: format!("Support {k}"),
+            title: title.clone(),
             x: lateral.to_string(),
             y: "EX, vertical (µm)".to_string(),
-            lines: vec![
-                circle(clearance),
-                Line {
-                    points: y.iter().copied().zip(x.iter().copied()).collect(),
-                    style: Style::First,
-                    name: "centre of the journal".to_string(),
-                },
-            ],
-            dots: passages(theta).into_iter().map(|(row, part)| at(row, part)).collect(),
+            lines: vec![circle(clearance), orbit],
+            dots: passages.iter().map(dot).collect(),
             equal_axes: true,
             x_scale: None,
         }
     };
     Figure {
         title: what.to_string(),
-        panels: clearances.iter().enumerate().map(panel).collect(),
+        panels: supports.iter().zip(clearances).enumerate().map(panel).collect(),
         columns: 2,
     }
 }
@@ -159,27 +169,39 @@ fn passages(theta: &[f64]) -> Vec<(usize, f64)> {
     found
 }
 
-/// Angle and speed of rotation against time.
-pub(crate) fn rotation(columns: &Columns) -> Figure {
-    let (time, label, _) = Span::All.abscissae(columns);
-    let panel = |title: &str, y: &str, values: Vec<f64>| Panel {
-        title: title.to_string(),
-        x: label.to_string(),
-        y: y.to_string(),
-        lines: vec![Line {
-            points: time.iter().copied().zip(values).collect(),
-            style: Style::First,
-            name: "shaft".to_string(),
-        }],
+/// Displacement along x of the first journal against time, in mm.
+pub(crate) fn displacement(history: &History) -> Figure {
+    let rows = Span::All.rows(history);
+    let mut line = rows.line(history, "X1_um", "displacement", Style::First);
+    line.points.iter_mut().for_each(|point| point.1 *= 1e-3);
+    let panel = Panel {
+        x: rows.label.to_string(),
+        y: "displacement (mm)".to_string(),
+        lines: vec![line],
         ..Panel::default()
     };
-    let revolutions = columns["theta_rad"].iter().map(|angle| angle / TAU).collect();
-    let rpm = columns["omega_rad_s"].iter().map(|omega| omega * 60.0 / TAU).collect();
+    Figure { title: "Displacement of the mass".to_string(), panels: vec![panel], columns: 1 }
+}
+
+/// Angle and speed of rotation against time.
+pub(crate) fn rotation(history: &History) -> Figure {
+    let rows = Span::All.rows(history);
+    let panel = |title: &str, y: &str, name: &str, scale: f64| {
+        let mut line = rows.line(history, name, "shaft", Style::First);
+        line.points.iter_mut().for_each(|point| point.1 *= scale);
+        Panel {
+            title: title.to_string(),
+            x: rows.label.to_string(),
+            y: y.to_string(),
+            lines: vec![line],
+            ..Panel::default()
+        }
+    };
     Figure {
         title: "Rotation of the shaft".to_string(),
         panels: vec![
-            panel("Angle of rotation", "angle (revolutions)", revolutions),
-            panel("Speed of rotation", "speed (rpm)", rpm),
+            panel("Angle of rotation", "angle (revolutions)", "theta_rad", 1.0 / TAU),
+            panel("Speed of rotation", "speed (rpm)", "omega_rad_s", 60.0 / TAU),
         ],
         columns: 2,
     }

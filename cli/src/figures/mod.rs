@@ -5,6 +5,68 @@ mod figure;
 mod histories;
 mod laws;
 
+use std::sync::Arc;
+
+use whirl_codegen::spec::law::LawSpec;
+use whirl_solver::history::History;
+
+use self::figure::Figure;
+use self::histories::Span;
+use crate::case::{Case, System};
+use crate::output::Output;
+
+/// Draws the figures of a case as SVG and PNG into `output`. `clearances`: of every support, in m.
+pub(crate) fn draw(case: &Case, history: &History, clearances: &[f64], output: &mut Output) {
+    for (name, number, figure) in figures(case, history, clearances) {
+        let place = number.map_or(String::new(), |number| format!(" (Fig. {number} of the paper)"));
+        let figure = Figure { title: format!("{}: {}{place}", case.name, figure.title), ..figure };
+        let svg = draw::svg(&figure);
+        if let Some(png) = draw::png(&svg) {
+            output.put(&format!("{name}.png"), png);
+        }
+        output.put(&format!("{name}.svg"), svg);
+    }
+}
+
+type Named = (&'static str, Option<usize>, Figure);
+
+fn figures(case: &Case, history: &History, clearances: &[f64]) -> Vec<Named> {
+    let named = &case.figures;
+    let laws: Vec<Arc<LawSpec>> = match named.laws.as_slice() {
+        [] => case.laws().into_iter().map(|law| law.spec()).collect(),
+        laws => laws.iter().map(|law| law.spec()).collect(),
+    };
+    let mut figures = vec![("laws", named.law, laws::laws(&laws))];
+    let span = Span::fitting(history, case.march.cycle);
+    let micrometres: Vec<f64> = clearances.iter().map(|clearance| 1e6 * clearance).collect();
+    let titles = support_names(case);
+    match &case.system {
+        System::Rotor(rotor) => {
+            let orbits = histories::eccentricities(history, &titles, &micrometres, span);
+            figures.push(("reactions", named.reactions, histories::reactions(history, &titles, span)));
+            figures.push(("eccentricity", named.eccentricity, orbits));
+            if rotor.drive.acts {
+                figures.push(("rotation", named.rotation, histories::rotation(history)));
+            }
+        }
+        System::Lumped(_) => {
+            let reactions = histories::reactions(history, &titles, Span::All);
+            figures.push(("reactions", named.reactions, reactions));
+            figures.push(("displacement", None, histories::displacement(history)));
+        }
+    }
+    figures
+}
+
+/// What results call the supports, in order.
+pub(crate) fn support_names(case: &Case) -> Vec<String> {
+    let (word, count) = match &case.system {
+        System::Rotor(rotor) => ("Support", rotor.bearings.len()),
+        System::Lumped(lumped) => ("Stop", lumped.stops.len()),
+    };
+    (1..=count).map(|k| format!("{word} {k}")).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use std::f64::consts::TAU;
@@ -14,26 +76,29 @@ mod tests {
     use whirl_codegen::diagnostic::Source;
     use whirl_codegen::spec::law::LawSpec;
 
-    use super::histories::{Span, eccentricities, last_cycle, reactions, rotation};
+    use super::histories::{Span, eccentricities, reactions, rotation};
     use super::laws::laws;
     use super::{draw, figure::Figure};
-    use crate::report::Columns;
+    use crate::report::last_cycle;
+    use whirl_solver::history::History;
 
-    /// One support, two revolutions at 10 Hz after one at rest, 100 steps each.
-    fn history() -> Columns {
-        let time: Vec<f64> = (1..=300).map(|step| 1e-3 * f64::from(step)).collect();
-        let theta: Vec<f64> = time.iter().map(|t| (TAU * 10.0 * (t - 0.1)).max(0.0)).collect();
-        let of_theta =
-            |scale: f64, f: fn(f64) -> f64| theta.iter().map(|angle| scale * f(*angle)).collect();
-        let mut columns = Columns::default();
-        columns.push("RX1_N", of_theta(400.0, f64::cos));
-        columns.push("RY1_N", of_theta(-40.0, f64::sin));
-        columns.push("EX1_um", of_theta(20.0, f64::cos));
-        columns.push("EY1_um", of_theta(10.0, f64::sin));
-        columns.push("omega_rad_s", vec![TAU * 10.0; time.len()]);
-        columns.push("theta_rad", theta);
-        columns.push("t_s", time);
-        columns
+    /// One support, two revolutions at 10 Hz after 0.1 s at rest, in steps of 1 ms.
+    fn history() -> History {
+        let mut history = History::for_bearings(1);
+        for step in 1..=300 {
+            let time = 1e-3 * f64::from(step);
+            let theta = (TAU * 10.0 * (time - 0.1)).max(0.0);
+            let (sin, cos) = theta.sin_cos();
+            let reaction = [400.0 * cos, -40.0 * sin];
+            let journal = [20.0 * cos, 10.0 * sin];
+            let row = [[time, theta].as_slice(), &[TAU * 10.0], &reaction, &journal, &journal, &[1.0]];
+            history.push(&row.concat());
+        }
+        history
+    }
+
+    fn names() -> Vec<String> {
+        vec!["Support 1".to_string()]
     }
 
     fn decodes(figure: &Figure) {
@@ -50,8 +115,8 @@ mod tests {
     fn every_figure_becomes_a_picture() {
         let history = history();
         for span in [Span::All, Span::LastCycle(0.2)] {
-            decodes(&reactions(&history, 1, span));
-            decodes(&eccentricities(&history, &[35.687], span));
+            decodes(&reactions(&history, &names(), span));
+            decodes(&eccentricities(&history, &names(), &[35.687], span));
         }
         decodes(&rotation(&history));
     }
@@ -76,10 +141,10 @@ mod tests {
     #[test]
     fn the_last_cycle_has_its_rows_and_its_keyphasor_dots() {
         let history = history();
-        assert_eq!(last_cycle(&history["t_s"], 0.2), 99..300);
+        assert_eq!(last_cycle(&history.column("t_s").unwrap(), 0.2), 99..300);
         assert_eq!(Span::fitting(&history, 0.2), Span::LastCycle(0.2));
         assert_eq!(Span::fitting(&history, 0.01), Span::All);
-        let orbit = eccentricities(&history, &[35.687], Span::LastCycle(0.2));
+        let orbit = eccentricities(&history, &names(), &[35.687], Span::LastCycle(0.2));
         let dots = &orbit.panels[0].dots;
         assert!(!dots.is_empty() && dots.len() <= 3);
         for dot in dots {

@@ -2,18 +2,18 @@
 
 use std::fmt::Write;
 
-use super::Columns;
+use whirl_solver::history::History;
 
-/// The columns as CSV: a line of names, then a line a row.
-pub(crate) fn history_csv(columns: &Columns) -> String {
-    let mut text = columns.names().join(",");
+/// The history as CSV: a line of names, then a line a row.
+pub(crate) fn history_csv(history: &History) -> String {
+    let mut text = history.names().join(",");
     text.push('\n');
-    for row in 0..columns.rows() {
-        for (place, value) in columns.row(row).enumerate() {
+    for row in 0..history.rows() {
+        for (place, value) in history.row(row).iter().enumerate() {
             if place > 0 {
                 text.push(',');
             }
-            number(&mut text, value);
+            number(&mut text, *value);
         }
         text.push('\n');
     }
@@ -36,10 +36,11 @@ mod tests {
 
     #[test]
     fn ten_digits_are_kept() {
-        let mut columns = Columns::default();
-        columns.push("t_s", vec![7.4e-5, 0.000148, 0.0]);
-        columns.push("RX1_N", vec![-396.512345678912, 7.3059871e-20, 1e12 / 3.0]);
+        let mut history = History::new(vec!["t_s".to_string(), "RX1_N".to_string()]);
+        history.push(&[7.4e-5, -396.512345678912]);
+        history.push(&[0.000148, 7.3059871e-20]);
+        history.push(&[0.0, 1e12 / 3.0]);
         let expected = "t_s,RX1_N\n7.4e-5,-396.5123457\n0.000148,7.3059871e-20\n0,3.333333333e11\n";
-        assert_eq!(history_csv(&columns), expected);
+        assert_eq!(history_csv(&history), expected);
     }
 }

@@ -1,0 +1,166 @@
+//! `whirl check`: what a case would run, without marching.
+
+use std::fmt::Write;
+
+use whirl_solver::assembly::mass_properties;
+
+use crate::case::{self, Case, Lumped, Rotor, System};
+use crate::errors::Failure;
+use crate::machine::{BodyPlan, Plan};
+use crate::report::table;
+
+/// Reads a case and makes its meshes; says counts, masses, sets, laws and what would be marched.
+///
+/// # Errors
+/// Whatever is wrong with the case, its meshes and its sets.
+pub(crate) fn check(name: &str) -> Result<String, Failure> {
+    let case = case::read(name)?;
+    let mut text = format!("{}: {}\n", case.name, case.title);
+    if !case.origin.is_empty() {
+        line(&mut text, format_args!("source: {}", case.origin));
+    }
+    text.push('\n');
+    match &case.system {
+        System::Rotor(rotor) => say_rotor(&mut text, rotor)?,
+        System::Lumped(lumped) => say_lumped(&mut text, lumped),
+    }
+    say_laws(&mut text, &case);
+    say_march(&mut text, &case);
+    Ok(text)
+}
+
+fn line(text: &mut String, arguments: std::fmt::Arguments) {
+    writeln!(text, "{arguments}").expect("text can be written");
+}
+
+fn say_rotor(text: &mut String, rotor: &Rotor) -> Result<(), Failure> {
+    let plan = Plan::new(rotor)?;
+    text.push_str(&bodies(&plan)?);
+    let both = [&plan.shaft, &plan.support].map(|body| body.counts().craig_bampton_dofs);
+    let active = 1 + plan.shaft.active() + plan.support.active();
+    line(text, format_args!("\n{} coordinates, {active} active", 1 + both.iter().sum::<usize>()));
+    for (name, body) in [("shaft", &plan.shaft), ("support", &plan.support)] {
+        let sets: Vec<String> = body
+            .mesh
+            .node_sets()
+            .iter()
+            .map(|(name, nodes)| format!("{name} ({})", nodes.len()))
+            .collect();
+        line(text, format_args!("node sets of the {name}: {}", sets.join(", ")));
+    }
+    let drive = &rotor.drive;
+    match drive.acts {
+        true => line(
+            text,
+            format_args!(
+                "drive: {} N m until {} rpm",
+                drive.torque,
+                rounded(drive.target_speed * 60.0 / std::f64::consts::TAU)
+            ),
+        ),
+        false => line(text, format_args!("drive: none")),
+    }
+    line(text, format_args!("motion: {}", rotor.motion.origin.title));
+    for load in &rotor.loads {
+        let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
+        let course = match load.frequency {
+            Some(frequency) => format!("sine of {frequency} Hz"),
+            None => "constant".to_string(),
+        };
+        let direction = ["x", "y"][load.direction];
+        let at = sets.join(", ");
+        line(text, format_args!("load: {} N along {direction} at {at}, {course}", load.force));
+    }
+    for (k, bearing) in rotor.bearings.iter().enumerate() {
+        let rings = if bearing.stations.is_empty() { 3 } else { bearing.stations.len() };
+        line(
+            text,
+            format_args!(
+                "support {}: {rings} rings of {} springs, c = {} µm, law {}",
+                k + 1,
+                bearing.springs,
+                rounded(1e6 * bearing.radial_clearance),
+                bearing.law.name()
+            ),
+        );
+    }
+    Ok(())
+}
+
+/// The table of both bodies.
+fn bodies(plan: &Plan) -> Result<String, Failure> {
+    let column = |name: &str, body: &BodyPlan| -> Result<Vec<String>, Failure> {
+        let counts = body.counts();
+        let mut cells = vec![name.to_string()];
+        let numbers = [
+            counts.elements,
+            counts.nodes,
+            counts.physical_dofs,
+            counts.internal_dofs,
+            counts.retained_dofs,
+            counts.modes,
+            counts.craig_bampton_dofs,
+        ];
+        cells.extend(numbers.iter().map(ToString::to_string));
+        cells.push(format!("{:.3}", mass_properties(&body.mesh)?.mass));
+        Ok(cells)
+    };
+    let heads = [
+        "",
+        "elements",
+        "nodes",
+        "physical dofs",
+        "internal dofs",
+        "retained dofs",
+        "modes",
+        "Craig–Bampton dofs",
+        "mass (kg)",
+    ];
+    let (shaft, support) = (column("shaft", &plan.shaft)?, column("support", &plan.support)?);
+    let rows: Vec<Vec<String>> = heads
+        .iter()
+        .zip(shaft.into_iter().zip(support))
+        .map(|(head, (shaft, support))| vec![(*head).to_string(), shaft, support])
+        .collect();
+    Ok(table(&rows))
+}
+
+fn say_lumped(text: &mut String, lumped: &Lumped) {
+    let Lumped { mass, stiffness, damping, displacement, velocity, force, .. } = lumped;
+    line(
+        text,
+        format_args!("mass {mass} kg, stiffness {stiffness} N/m, damping {damping} N s/m, force {force} N"),
+    );
+    line(text, format_args!("starts at {displacement} m with {velocity} m/s"));
+    for stop in &lumped.stops {
+        let side = format!("{:?}", stop.side).to_lowercase();
+        line(text, format_args!("stop {side}, gap {} m, law {}", stop.gap, stop.law.name()));
+    }
+}
+
+fn say_laws(text: &mut String, case: &Case) {
+    for law in case.laws() {
+        let spec = law.spec();
+        line(text, format_args!("\nlaw {}: {}", law.name(), spec.title));
+        text.push_str(&spec.report.to_string());
+    }
+}
+
+fn say_march(text: &mut String, case: &Case) {
+    let march = &case.march;
+    line(
+        text,
+        format_args!(
+            "\n{} steps of {:e} s: {:.6} s; a cycle is {:.6} s",
+            march.steps,
+            march.time_step,
+            march.duration(),
+            march.cycle
+        ),
+    );
+}
+
+/// A number without the digits that unit conversion adds.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
+}

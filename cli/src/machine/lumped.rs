@@ -1,0 +1,59 @@
+//! The machine of one mass: a point shaft that does not turn, stops as single springs in a rigid support.
+
+use std::f64::consts::PI;
+
+use whirl_solver::bearing::Bearing;
+use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::machine::{Machine, MachineParts, Rotation};
+use whirl_solver::shaft::Shaft;
+use whirl_solver::support::Support;
+
+use super::Built;
+use super::springs::{Laws, clearance};
+use crate::case::{Lumped, Side};
+use crate::errors::Failure;
+
+pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
+    let stiffness = [lumped.stiffness; 2];
+    let shaft = Shaft::lumped(lumped.mass, stiffness, [lumped.damping; 2], 0.0);
+    let mut laws = Laws::default();
+    let mut bearings = Vec::with_capacity(lumped.stops.len());
+    for (place, stop) in lumped.stops.iter().enumerate() {
+        bearings.push(Bearing {
+            name: format!("stop {}", place + 1),
+            journal: [0; 3],
+            bore: [const { Vec::new() }; 3],
+            clearance: stop.gap,
+            stations: vec![0.5],
+            angles: vec![match stop.side {
+                Side::Above => 0.0,
+                Side::Below => PI,
+            }],
+            law: laws.place(&stop.law)?,
+        });
+    }
+    let weight = Load {
+        node: shaft.nodes[0].clone(),
+        force: [lumped.force, 0.0, 0.0],
+        course: Course::Constant,
+        frame: Frame::Space,
+    };
+    let law_hashes = laws.hashes();
+    let machine = Machine::new(MachineParts {
+        shaft,
+        support: Support::rigid(&[]),
+        motion: lumped.motion,
+        rotation: Rotation::Held,
+        clearance: clearance(),
+        laws: laws.into_laws(),
+        bearings,
+        loads: if lumped.force == 0.0 { Vec::new() } else { vec![weight] },
+    })?;
+    Ok(Built {
+        machine,
+        initial: [vec![lumped.displacement, 0.0], vec![lumped.velocity, 0.0]],
+        clearances: lumped.stops.iter().map(|stop| stop.gap).collect(),
+        law_hashes,
+        bodies: None,
+    })
+}

@@ -1,0 +1,77 @@
+//! From a case to a machine that can be marched: meshes, sets, reduced bodies, springs, loads.
+
+mod bodies;
+mod lumped;
+mod meshes;
+mod plan;
+mod rotor;
+mod springs;
+
+use serde::Serialize;
+use whirl_solver::cache::Cache;
+use whirl_solver::machine::Machine;
+
+pub(crate) use plan::{BodyPlan, Plan};
+
+use crate::case::{Case, System};
+use crate::errors::Failure;
+
+/// A machine with what results say about how it came about.
+pub(crate) struct Built {
+    /// The machine.
+    pub(crate) machine: Machine,
+    /// η and η̇ at t = 0.
+    pub(crate) initial: [Vec<f64>; 2],
+    /// Radial clearance of each bearing, m.
+    pub(crate) clearances: Vec<f64>,
+    /// Names of the laws, and hashes of what they were made from.
+    pub(crate) law_hashes: Vec<(String, String)>,
+    /// The bodies, where they were reduced from meshes.
+    pub(crate) bodies: Option<BodyFacts>,
+}
+
+/// Facts about the reduced bodies.
+pub(crate) struct BodyFacts {
+    /// The shaft.
+    pub(crate) shaft: Counts,
+    /// The support.
+    pub(crate) support: Counts,
+    /// Fixed-interface frequencies of the shaft, Hz.
+    pub(crate) shaft_hertz: Vec<f64>,
+    /// Fixed-interface frequencies of the support, Hz.
+    pub(crate) support_hertz: Vec<f64>,
+    /// Wall time of reading, assembling and reducing, s.
+    pub(crate) wall: f64,
+    /// Whether the reduced bodies were found in the cache.
+    pub(crate) cached: bool,
+}
+
+/// Sizes of a body, as in the paper's Table 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub(crate) struct Counts {
+    /// Cells.
+    pub(crate) elements: usize,
+    /// Nodes.
+    pub(crate) nodes: usize,
+    /// Three a node.
+    pub(crate) physical_dofs: usize,
+    /// Physical dofs that are not retained.
+    pub(crate) internal_dofs: usize,
+    /// Dofs kept as they are.
+    pub(crate) retained_dofs: usize,
+    /// Fixed-interface modes kept.
+    pub(crate) modes: usize,
+    /// Modes and retained dofs.
+    pub(crate) craig_bampton_dofs: usize,
+}
+
+/// Builds the machine of a case; reduced bodies come from the cache where it has them.
+///
+/// # Errors
+/// Whatever is wrong with meshes, sets, constraints and laws.
+pub(crate) fn build(case: &Case, cache: Option<&Cache>) -> Result<Built, Failure> {
+    match &case.system {
+        System::Rotor(rotor) => rotor::build(rotor, cache),
+        System::Lumped(lumped) => lumped::build(lumped),
+    }
+}

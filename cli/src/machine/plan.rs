@@ -1,0 +1,220 @@
+//! What is to be reduced: meshes with the dofs to retain, hold and watch, found by the sets of the case.
+
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_solver::body::{BodySpec, Rayleigh, Retained};
+use whirl_solver::constraints::{Constraints, GroundSpring};
+use whirl_solver::error::Error;
+use whirl_solver::mesh::Mesh;
+
+use super::{Counts, meshes};
+use crate::case::{self, Rotor};
+use crate::errors::Failure;
+
+/// Bytes that the factor of a stiffness matrix may take.
+const FACTOR_MEMORY: usize = 8 << 30;
+/// Letters of the components of a dof.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Both bodies before their reduction.
+pub(crate) struct Plan {
+    /// The rotating body.
+    pub(crate) shaft: BodyPlan,
+    /// The standing body.
+    pub(crate) support: BodyPlan,
+    /// Places of the journals' nodes in the shaft's watched nodes, a bearing each.
+    pub(super) journals: Vec<[usize; 3]>,
+    /// Places of the bores' nodes in the support's watched nodes, a bearing each.
+    pub(super) bores: Vec<[Vec<usize>; 3]>,
+    /// Places of the driven nodes in the shaft's watched nodes: top, bottom.
+    pub(super) drive: [usize; 2],
+    /// Places of the loaded nodes in the shaft's watched nodes, a load each.
+    pub(super) loads: Vec<Vec<usize>>,
+}
+
+/// A body before its reduction.
+pub(crate) struct BodyPlan {
+    /// Mesh with materials.
+    pub(crate) mesh: Mesh,
+    /// How it is reduced; its nodes are those watched.
+    pub(crate) spec: BodySpec,
+}
+
+impl BodyPlan {
+    fn new(mesh: Mesh, modes: usize, damping: f64) -> Self {
+        let spec = BodySpec {
+            retained: Vec::new(),
+            modes,
+            constraints: Constraints::new(),
+            springs: Vec::new(),
+            damping: Rayleigh { alpha: 0.0, beta: damping },
+            nodes: Vec::new(),
+            memory: FACTOR_MEMORY,
+        };
+        BodyPlan { mesh, spec }
+    }
+
+    /// Sizes of the body, as in the paper's Table 1.
+    pub(crate) fn counts(&self) -> Counts {
+        let (physical, retained) = (self.mesh.dof_count(), self.spec.retained.len());
+        Counts {
+            elements: self.mesh.cell_count(),
+            nodes: self.mesh.nodes().len(),
+            physical_dofs: physical,
+            internal_dofs: physical - retained,
+            retained_dofs: retained,
+            modes: self.spec.modes,
+            craig_bampton_dofs: self.spec.modes + retained,
+        }
+    }
+
+    /// Coordinates left after the equations.
+    pub(crate) fn active(&self) -> usize {
+        let spec = &self.spec;
+        spec.modes + spec.retained.len() - spec.constraints.equations().len()
+    }
+
+    /// Retains a dof; its place among the retained ones.
+    fn retain(&mut self, set: &Located, node: usize, axis: usize) -> usize {
+        let dof = 3 * node + axis;
+        let retained = &mut self.spec.retained;
+        if let Some(place) = retained.iter().position(|known| known.dof == dof) {
+            return place;
+        }
+        retained.push(Retained { dof, name: format!("{} {}", set.text(), AXES[axis]) });
+        retained.len() - 1
+    }
+
+    /// Watches a node; its place among the watched ones.
+    fn watch(&mut self, node: usize) -> usize {
+        self.spec.nodes.push(node);
+        self.spec.nodes.len() - 1
+    }
+
+    /// Nodes of a set; what is wrong with it is noted, and none are given.
+    fn nodes(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
+        match self.mesh.node_set(set.text()) {
+            Ok(nodes) => nodes.to_vec(),
+            Err(error) => {
+                let message = format!("{} has no node set `{}`", self.mesh.origin(), set.text());
+                let help = match error {
+                    Error::MissingSet { nearest: Some(near), .. } => {
+                        format!("did you mean `{near}`?")
+                    }
+                    _ => {
+                        let sets = self.mesh.node_sets().keys();
+                        let known: Vec<&str> = sets.map(String::as_str).collect();
+                        format!("it has {}", known.join(", "))
+                    }
+                };
+                errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
+                Vec::new()
+            }
+        }
+    }
+
+    /// The only node of a set; what is wrong with it is noted, and a stand-in given.
+    fn node(&self, set: &Located, errors: &mut Diagnostics) -> usize {
+        let nodes = self.nodes(set, errors);
+        let origin = self.mesh.origin();
+        if nodes.len() != 1 && self.mesh.node_set(set.text()).is_ok() {
+            let message = format!(
+                "the node set `{}` of {origin} must have one node, it has {}",
+                set.text(),
+                nodes.len()
+            );
+            errors.push(set.error_here(Code::BAD_VALUE, message));
+        }
+        nodes.first().copied().unwrap_or(0)
+    }
+}
+
+impl Plan {
+    /// Reads or makes the meshes, and finds the sets that the case names.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the meshes, or every set that is missing or of the wrong size.
+    pub(crate) fn new(rotor: &Rotor) -> Result<Plan, Failure> {
+        let (shaft, support) = (&rotor.shaft, &rotor.support);
+        let shaft_mesh = meshes::shaft(shaft)?;
+        let support_mesh = meshes::support(support)?;
+        let mut plan = Plan {
+            shaft: BodyPlan::new(shaft_mesh, shaft.modes, shaft.damping),
+            support: BodyPlan::new(support_mesh, support.modes, support.damping),
+            journals: Vec::new(),
+            bores: Vec::new(),
+            drive: [0; 2],
+            loads: Vec::new(),
+        };
+        let mut errors = Diagnostics::new();
+        plan.place_bearings(&rotor.bearings, &mut errors);
+        plan.place_shaft(rotor, &mut errors);
+        plan.place_support(&rotor.support, &mut errors);
+        Ok(errors.into_result(plan)?)
+    }
+
+    fn place_bearings(&mut self, bearings: &[case::Bearing], errors: &mut Diagnostics) {
+        for bearing in bearings {
+            let (shaft, support) = (&mut self.shaft, &mut self.support);
+            let mut journal = [0; 3];
+            let mut bore = [const { Vec::new() }; 3];
+            for (place, set) in bearing.journal.iter().take(3).enumerate() {
+                let node = shaft.node(set, errors);
+                shaft.retain(set, node, 0);
+                shaft.retain(set, node, 1);
+                journal[place] = shaft.watch(node);
+            }
+            for (ring, set) in bore.iter_mut().zip(&bearing.bore) {
+                let nodes = support.nodes(set, errors);
+                *ring = nodes.into_iter().map(|node| support.watch(node)).collect();
+            }
+            self.journals.push(journal);
+            self.bores.push(bore);
+        }
+    }
+
+    /// The axial dof is held; the ends of the driven section move alike along y, which ties the flexible
+    /// shaft to the frame that turns with it.
+    fn place_shaft(&mut self, rotor: &Rotor, errors: &mut Diagnostics) {
+        let shaft = &mut self.shaft;
+        let (axial, drive) = (&rotor.shaft.axial_restraint, &rotor.drive);
+        let node = shaft.node(axial, errors);
+        let held = shaft.retain(axial, node, 2);
+        shaft.spec.constraints.fix(format!("axial_restraint ({} z)", axial.text()), held);
+        let [top, bottom] = [&drive.top, &drive.bottom].map(|set| shaft.node(set, errors));
+        let ties = [shaft.retain(&drive.top, top, 1), shaft.retain(&drive.bottom, bottom, 1)];
+        if top == bottom && errors.is_empty() {
+            let message = "the driven nodes `top` and `bottom` must be two nodes".to_string();
+            errors.push(drive.bottom.error_here(Code::BAD_VALUE, message));
+            return;
+        }
+        let name = format!("torsion ({} y = {} y)", drive.top.text(), drive.bottom.text());
+        shaft.spec.constraints.equation(name, [(ties[0], 1.0), (ties[1], -1.0)]);
+        self.drive = [shaft.watch(top), shaft.watch(bottom)];
+        for load in &rotor.loads {
+            let nodes = load.sets.iter().flat_map(|set| shaft.nodes(set, errors));
+            let nodes: Vec<usize> = nodes.collect();
+            self.loads.push(nodes.into_iter().map(|node| shaft.watch(node)).collect());
+        }
+    }
+
+    fn place_support(&mut self, case: &case::Support, errors: &mut Diagnostics) {
+        let support = &mut self.support;
+        for node in support.nodes(&case.mounts, errors) {
+            for axis in 0..3 {
+                let held = support.retain(&case.mounts, node, axis);
+                let label = support.mesh.labels()[node];
+                let name = format!("mounts ({} of node {label})", AXES[axis]);
+                support.spec.constraints.fix(name, held);
+            }
+        }
+        for spring in &case.ground_springs {
+            for node in support.nodes(&spring.set, errors) {
+                support.spec.springs.push(GroundSpring {
+                    name: format!("ground spring ({} {})", spring.set.text(), AXES[spring.direction]),
+                    dof: 3 * node + spring.direction,
+                    stiffness: spring.stiffness,
+                });
+            }
+        }
+    }
+}

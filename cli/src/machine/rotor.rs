@@ -1,0 +1,116 @@
+//! The machine of a shaft on a support.
+
+use whirl_solver::bearing::Bearing;
+use whirl_solver::cache::Cache;
+use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::machine::{Machine, MachineParts, Rotation};
+use whirl_solver::shaft::Shaft;
+
+use super::bodies::bodies;
+use super::plan::Plan;
+use super::springs::{Laws, angles, clearance};
+use super::{BodyFacts, Built};
+use crate::case::{self, Rotor};
+use crate::errors::Failure;
+
+pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failure> {
+    let plan = Plan::new(rotor)?;
+    let (bodies, wall, cached) = bodies(&plan, cache)?;
+    let mut laws = Laws::default();
+    let bearings = bearings(rotor, &plan, &bodies.shaft, &mut laws)?;
+    let loads = loads(rotor, &plan, &bodies.shaft);
+    let facts = BodyFacts {
+        shaft: plan.shaft.counts(),
+        support: plan.support.counts(),
+        shaft_hertz: bodies.shaft.hertz.clone(),
+        support_hertz: bodies.support.hertz.clone(),
+        wall,
+        cached,
+    };
+    let law_hashes = laws.hashes();
+    let machine = Machine::new(MachineParts {
+        shaft: bodies.shaft,
+        support: bodies.support,
+        motion: rotor.motion,
+        rotation: Rotation::Free,
+        clearance: clearance(),
+        laws: laws.into_laws(),
+        bearings,
+        loads,
+    })?;
+    Ok(Built {
+        machine,
+        initial: [Vec::new(), Vec::new()],
+        clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),
+        law_hashes,
+        bodies: Some(facts),
+    })
+}
+
+fn bearings(
+    rotor: &Rotor,
+    plan: &Plan,
+    shaft: &Shaft,
+    laws: &mut Laws,
+) -> Result<Vec<Bearing>, Failure> {
+    let mut bearings = Vec::with_capacity(rotor.bearings.len());
+    for (place, bearing) in rotor.bearings.iter().enumerate() {
+        let journal = plan.journals[place];
+        bearings.push(Bearing {
+            name: format!("bearing {}", place + 1),
+            journal,
+            bore: plan.bores[place].clone(),
+            clearance: bearing.radial_clearance,
+            stations: stations(bearing, [journal[0], journal[2]].map(|n| shaft.nodes[n].position[2])),
+            angles: angles(bearing.springs),
+            law: laws.place(&bearing.law)?,
+        });
+    }
+    Ok(bearings)
+}
+
+/// Rings of springs by their distance from the left end over the length; `ends` are the z of the ends.
+fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
+    match bearing.stations.as_slice() {
+        [] => vec![0.0, 0.5, 1.0],
+        stations => stations.iter().map(|z| (z - left) / (right - left)).collect(),
+    }
+}
+
+fn loads(rotor: &Rotor, plan: &Plan, shaft: &Shaft) -> Vec<Load> {
+    let mut loads = Vec::new();
+    for (load, places) in rotor.loads.iter().zip(&plan.loads) {
+        let course = match load.frequency {
+            Some(frequency) => Course::Sine { frequency, phase: load.phase },
+            None => Course::Constant,
+        };
+        let mut force = [0.0; 3];
+        force[load.direction] = load.force;
+        let at = |&place: &usize| Load {
+            node: shaft.nodes[place].clone(),
+            force,
+            course,
+            frame: Frame::Space,
+        };
+        loads.extend(places.iter().map(at));
+    }
+    loads.extend(couple(rotor, plan, shaft));
+    loads
+}
+
+/// The driving couple: ±F along y of the shaft's frame at the driven nodes, F = torque / distance along x.
+fn couple(rotor: &Rotor, plan: &Plan, shaft: &Shaft) -> Vec<Load> {
+    if !rotor.drive.acts {
+        return Vec::new();
+    }
+    let [top, bottom] = plan.drive.map(|place| &shaft.nodes[place]);
+    let force = rotor.drive.torque / (top.position[0] - bottom.position[0]);
+    let course = Course::UntilSpeed { target: rotor.drive.target_speed };
+    let half = |node: &whirl_solver::body::BodyNode, force| Load {
+        node: node.clone(),
+        force: [0.0, force, 0.0],
+        course,
+        frame: Frame::Shaft,
+    };
+    vec![half(top, force), half(bottom, -force)]
+}

@@ -1,0 +1,60 @@
+//! Laws of springs, each once, and the places of springs around a bore.
+
+use std::f64::consts::TAU;
+
+use whirl_solver::bearing::SpringLaw;
+use whirl_specs::{CLEARANCES, Clearance};
+
+use crate::case::LawSource;
+use crate::errors::Failure;
+use crate::law_file::LawFile;
+
+/// Laws in the order in which they are first named, each once.
+#[derive(Default)]
+pub(super) struct Laws {
+    names: Vec<String>,
+    laws: Vec<Box<dyn SpringLaw>>,
+}
+
+impl Laws {
+    /// The place of a law, which is added if it is new.
+    pub(super) fn place(&mut self, law: &LawSource) -> Result<usize, Failure> {
+        let name = law.name();
+        if let Some(place) = self.names.iter().position(|known| *known == name) {
+            return Ok(place);
+        }
+        self.laws.push(match law {
+            LawSource::BuiltIn(law) => Box::new(*law),
+            LawSource::File(spec) => Box::new(LawFile::new(spec)?),
+        });
+        self.names.push(name);
+        Ok(self.names.len() - 1)
+    }
+
+    /// Names and hashes of the specs.
+    pub(super) fn hashes(&self) -> Vec<(String, String)> {
+        let hash = |law: &Box<dyn SpringLaw>| law.hash().to_string();
+        self.names.iter().cloned().zip(self.laws.iter().map(hash)).collect()
+    }
+
+    /// The laws.
+    pub(super) fn into_laws(self) -> Vec<Box<dyn SpringLaw>> {
+        self.laws
+    }
+}
+
+/// Fixed angles ψ_j of `count` springs, rad.
+pub(super) fn angles(count: usize) -> Vec<f64> {
+    (0..count).map(|j| TAU * j as f64 / count as f64).collect()
+}
+
+/// The clearance of a journal in its bore.
+///
+/// # Panics
+/// If the specs have none: then no bearing can be built.
+pub(super) fn clearance() -> &'static Clearance {
+    CLEARANCES
+        .iter()
+        .find(|clearance| clearance.origin.name == "journal")
+        .expect("specs/motion describes the clearance of a journal")
+}

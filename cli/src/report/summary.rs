@@ -1,0 +1,279 @@
+//! summary.json.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use serde::Serialize;
+use whirl_solver::dynamics::{EnergyBalance, Outcome};
+use whirl_solver::history::History;
+use whirl_specs::{CLEARANCES, ELEMENTS};
+
+use super::last_cycle;
+use crate::case::Case;
+use crate::machine::{BodyFacts, Built, Counts};
+use crate::version;
+
+/// Everything that a run says of itself.
+#[derive(Debug, Serialize)]
+pub(crate) struct Summary {
+    case: CaseFacts,
+    version: &'static str,
+    commit: Option<&'static str>,
+    kernels: BTreeMap<String, String>,
+    counts: CountFacts,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fixed_interface_hz: Option<Frequencies>,
+    march: MarchFacts,
+    /// Over the last cycle.
+    pub(crate) supports: Vec<SupportSummary>,
+    cycle_s: f64,
+    steady_state: SteadyFacts,
+    energy_balance_j: EnergyFacts,
+    time: Times,
+    /// Why the march ended early.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
+}
+
+#[derive(Debug, Serialize)]
+struct CaseFacts {
+    name: String,
+    title: String,
+    source: String,
+    files: Vec<String>,
+    laws: Vec<String>,
+    motion: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct CountFacts {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shaft: Option<Counts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    support: Option<Counts>,
+    /// θ and the Craig–Bampton coordinates of both bodies.
+    coordinates: usize,
+    /// Those left by the constraints.
+    active: usize,
+    springs: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct Frequencies {
+    shaft: Vec<f64>,
+    support: Vec<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct MarchFacts {
+    converged: bool,
+    time_step_s: f64,
+    steps_asked: usize,
+    steps: usize,
+    iterations: usize,
+    factorisations: usize,
+    halved_steps: usize,
+}
+
+/// One support over the last cycle: force on the shaft (N), displacement and eccentricity (µm), in the
+/// fixed frame.
+#[derive(Debug, Serialize)]
+pub(crate) struct SupportSummary {
+    pub(crate) support: usize,
+    #[serde(rename = "RX_N")]
+    pub(crate) rx: Statistics,
+    #[serde(rename = "RY_N")]
+    pub(crate) ry: Statistics,
+    #[serde(rename = "X_um")]
+    pub(crate) x: Statistics,
+    #[serde(rename = "Y_um")]
+    pub(crate) y: Statistics,
+    #[serde(rename = "EX_um")]
+    pub(crate) ex: Statistics,
+    #[serde(rename = "EY_um")]
+    pub(crate) ey: Statistics,
+}
+
+impl SupportSummary {
+    /// Sums up support `k` (from 1) over `rows` of a history.
+    fn new(history: &History, k: usize, rows: Range<usize>) -> Self {
+        let of = |name: String| Statistics::of(&super::column(history, &name)[rows.clone()]);
+        SupportSummary {
+            support: k,
+            rx: of(format!("RX{k}_N")),
+            ry: of(format!("RY{k}_N")),
+            x: of(format!("X{k}_um")),
+            y: of(format!("Y{k}_um")),
+            ex: of(format!("EX{k}_um")),
+            ey: of(format!("EY{k}_um")),
+        }
+    }
+}
+
+/// Least, mean and largest of some values; all zero if there are none.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub(crate) struct Statistics {
+    pub(crate) min: f64,
+    pub(crate) mean: f64,
+    pub(crate) max: f64,
+}
+
+impl Statistics {
+    pub(crate) fn of(values: &[f64]) -> Self {
+        if values.is_empty() {
+            return Statistics::default();
+        }
+        Statistics {
+            min: values.iter().copied().fold(f64::INFINITY, f64::min),
+            mean: values.iter().sum::<f64>() / values.len() as f64,
+            max: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct SteadyFacts {
+    reached: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time_s: Option<f64>,
+}
+
+/// work_in = kinetic + strain + spring + dissipated + error.
+#[derive(Debug, Serialize)]
+struct EnergyFacts {
+    work_in: f64,
+    kinetic: f64,
+    strain: f64,
+    spring: f64,
+    dissipated: f64,
+    error: f64,
+}
+
+impl From<&EnergyBalance> for EnergyFacts {
+    fn from(balance: &EnergyBalance) -> Self {
+        EnergyFacts {
+            work_in: balance.work_in,
+            kinetic: balance.kinetic,
+            strain: balance.strain,
+            spring: balance.spring,
+            dissipated: balance.dissipated,
+            error: balance.error(),
+        }
+    }
+}
+
+/// Simulated and wall time.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Times {
+    /// Time marched through, s.
+    pub(crate) simulated_s: f64,
+    /// Reading, assembling and reducing the bodies, or finding them in the cache, s.
+    pub(crate) reduction_wall_s: f64,
+    /// Marching, s.
+    pub(crate) march_wall_s: f64,
+    /// From the start to the writing of this summary, s.
+    pub(crate) total_wall_s: f64,
+    /// Simulated ÷ march.
+    pub(crate) real_time_factor: f64,
+    /// Whether the reduced bodies came from the cache.
+    pub(crate) reduction_cached: bool,
+}
+
+impl Summary {
+    /// Sums up a march, which may have ended early with `error`.
+    pub(crate) fn new(
+        case: &Case,
+        built: &Built,
+        outcome: &Outcome,
+        time: Times,
+        error: Option<String>,
+    ) -> Summary {
+        let history = &outcome.history;
+        let rows = last_cycle(&super::column(history, "t_s"), case.march.cycle);
+        let supports = built.clearances.len();
+        Summary {
+            case: case_facts(case, built),
+            version: version::PACKAGE,
+            commit: version::COMMIT,
+            kernels: kernels(built),
+            counts: counts(built),
+            fixed_interface_hz: built.bodies.as_ref().map(frequencies),
+            march: MarchFacts {
+                converged: error.is_none(),
+                time_step_s: case.march.time_step,
+                steps_asked: case.march.steps,
+                steps: history.rows(),
+                iterations: outcome.iterations,
+                factorisations: outcome.factorisations,
+                halved_steps: outcome.halved_steps,
+            },
+            supports: (1..=supports)
+                .map(|k| SupportSummary::new(history, k, rows.clone()))
+                .collect(),
+            cycle_s: case.march.cycle,
+            steady_state: SteadyFacts {
+                reached: outcome.steady.is_some(),
+                time_s: outcome.steady.map(|steady| steady.time),
+            },
+            energy_balance_j: EnergyFacts::from(&outcome.energy),
+            time,
+            error,
+        }
+    }
+
+    /// When the steady state was reached, s.
+    pub(crate) fn steady_time(&self) -> Option<f64> {
+        self.steady_state.time_s
+    }
+
+    /// The text of summary.json.
+    pub(crate) fn json(&self) -> String {
+        let text = serde_json::to_string_pretty(self);
+        text.expect("a summary has string keys and finite numbers") + "\n"
+    }
+}
+
+fn case_facts(case: &Case, built: &Built) -> CaseFacts {
+    CaseFacts {
+        name: case.name.clone(),
+        title: case.title.clone(),
+        source: case.origin.clone(),
+        files: case.sources.iter().map(|source| source.path.display().to_string()).collect(),
+        laws: case.laws().iter().map(|law| law.name()).collect(),
+        motion: built.machine.motion.origin.name,
+    }
+}
+
+/// Hashes of the kernels by kind and name.
+fn kernels(built: &Built) -> BTreeMap<String, String> {
+    let machine = &built.machine;
+    let mut hashes = BTreeMap::new();
+    let mut add = |kind: &str, name: &str, hash: &str| {
+        hashes.insert(format!("{kind}/{name}"), hash.to_string());
+    };
+    built.law_hashes.iter().for_each(|(name, hash)| add("law", name, hash));
+    let motion = &machine.motion.origin;
+    add("motion", motion.name, motion.hash);
+    CLEARANCES.iter().for_each(|c| add("clearance", c.origin.name, c.origin.hash));
+    if built.bodies.is_some() {
+        ELEMENTS.iter().for_each(|e| add("element", e.origin.name, e.origin.hash));
+    }
+    hashes
+}
+
+fn counts(built: &Built) -> CountFacts {
+    let bodies = built.bodies.as_ref();
+    let both = bodies.map(|b| b.shaft.craig_bampton_dofs + b.support.craig_bampton_dofs);
+    let active = built.machine.active();
+    CountFacts {
+        shaft: bodies.map(|bodies| bodies.shaft),
+        support: bodies.map(|bodies| bodies.support),
+        coordinates: both.map_or(active, |both| 1 + both),
+        active,
+        springs: built.machine.springs.len(),
+    }
+}
+
+fn frequencies(bodies: &BodyFacts) -> Frequencies {
+    Frequencies { shaft: bodies.shaft_hertz.clone(), support: bodies.support_hertz.clone() }
+}

@@ -1,0 +1,67 @@
+//! Tables of text for the terminal.
+
+use super::summary::{Statistics, SupportSummary};
+
+/// Rows of text in columns, the first one to the left, the others to the right.
+pub(crate) fn table(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::new();
+        for (place, (cell, width)) in row.iter().zip(&widths).enumerate() {
+            if place > 0 {
+                line.push_str("  ");
+            }
+            match place {
+                0 => line.push_str(&format!("{cell:<width$}")),
+                _ => line.push_str(&format!("{cell:>width$}")),
+            }
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// Least, mean and largest values of every support over the last cycle.
+pub(crate) fn supports(names: &[String], summaries: &[SupportSummary]) -> String {
+    let heading = ["", "RX (N)", "", "", "RY (N)", "", "", "EX (µm)", "", "", "EY (µm)", "", ""];
+    let kinds = ["min", "mean", "max"];
+    let mut second = vec![String::new()];
+    second.extend(kinds.iter().cycle().take(12).map(ToString::to_string));
+    let mut rows = vec![heading.map(String::from).to_vec(), second];
+    for (name, summary) in names.iter().zip(summaries) {
+        let mut row = vec![name.clone()];
+        for statistics in [summary.rx, summary.ry, summary.ex, summary.ey] {
+            let Statistics { min, mean, max } = statistics;
+            row.extend([min, mean, max].map(short));
+        }
+        rows.push(row);
+    }
+    table(&rows)
+}
+
+/// A number as a person reads it: two decimals, nothing below them.
+fn short(value: f64) -> String {
+    // Keeps −0.00 away.
+    let rounded = (value * 100.0).round() / 100.0 + 0.0;
+    if rounded.abs() < 1e7 { format!("{rounded:.2}") } else { format!("{value:.4e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_aligned() {
+        let rows = [["a", "1.00"], ["long", "-12.50"]];
+        let text = table(&rows.map(|row| row.map(String::from).to_vec()));
+        assert_eq!(text, "a       1.00\nlong  -12.50\n");
+        assert_eq!(short(-0.001), "0.00");
+    }
+}
