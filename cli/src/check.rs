@@ -35,6 +35,7 @@ fn line(text: &mut String, arguments: std::fmt::Arguments) {
 
 fn say_rotor(text: &mut String, rotor: &Rotor) -> Result<(), Failure> {
     let plan = Plan::new(rotor)?;
+    plan.verify()?;
     text.push_str(&bodies(&plan)?);
     let both = [&plan.shaft, &plan.support].map(|body| body.counts().craig_bampton_dofs);
     let active = 1 + plan.shaft.active() + plan.support.active();
@@ -60,7 +61,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor) -> Result<(), Failure> {
         ),
         false => line(text, format_args!("drive: none")),
     }
-    line(text, format_args!("motion: {}", rotor.motion.origin.title));
+    line(text, format_args!("motion: {}", rotor.shaft.motion.origin.title));
     for load in &rotor.loads {
         let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
         let course = match load.frequency {
@@ -129,7 +130,9 @@ fn say_lumped(text: &mut String, lumped: &Lumped) {
     let Lumped { mass, stiffness, damping, displacement, velocity, force, .. } = lumped;
     line(
         text,
-        format_args!("mass {mass} kg, stiffness {stiffness} N/m, damping {damping} N s/m, force {force} N"),
+        format_args!(
+            "mass {mass} kg, stiffness {stiffness} N/m, damping {damping} N s/m, force {force} N"
+        ),
     );
     line(text, format_args!("starts at {displacement} m with {velocity} m/s"));
     for stop in &lumped.stops {

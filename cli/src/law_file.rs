@@ -21,9 +21,9 @@ impl LawFile {
     /// # Errors
     /// A law too large to be scheduled.
     pub(crate) fn new(spec: &LawSpec) -> Result<LawFile, Diagnostics> {
-        let program = spec.program().map_err(|error| {
-            Diagnostic::new(&spec.file, Code::LIMIT, None, error.to_string())
-        })?;
+        let program = spec
+            .program()
+            .map_err(|error| Diagnostic::new(&spec.file, Code::LIMIT, None, error.to_string()))?;
         Ok(LawFile {
             name: spec.name.clone(),
             hash: Key::of(&spec.file.text).hex(),
@@ -55,13 +55,7 @@ impl SpringLaw for LawFile {
         self.tape.workspace()
     }
 
-    fn evaluate(
-        &self,
-        springs: usize,
-        inputs: &[f64],
-        outputs: &mut [f64],
-        workspace: &mut [f64],
-    ) {
+    fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
         self.tape.evaluate(springs, inputs, outputs, workspace);
     }
 }

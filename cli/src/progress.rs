@@ -26,9 +26,8 @@ pub(crate) struct Steps(ProgressBar);
 /// A bar of `steps` time steps.
 pub(crate) fn steps(steps: usize) -> Steps {
     let bar = ProgressBar::new(steps as u64);
-    let style = ProgressStyle::with_template(
-        "{wide_bar} {pos}/{len} steps, {per_sec}, {eta} left; {msg}",
-    );
+    let style =
+        ProgressStyle::with_template("{wide_bar} {pos}/{len} steps, {per_sec}, {eta} left; {msg}");
     if let Ok(style) = style {
         bar.set_style(style);
     }

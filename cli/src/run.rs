@@ -8,11 +8,11 @@ use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, Outcome, march};
 
 use crate::arguments::{CacheArguments, RunArguments};
-use crate::case::{self, Case};
+use crate::case::{self, Case, System};
 use crate::errors::Failure;
 use crate::machine::{self, Built};
 use crate::output::Output;
-use crate::report::{Summary, Times, history_csv, supports};
+use crate::report::{Summary, Times, history_csv, stops, supports};
 use crate::{figures, progress};
 
 /// Runs a case: read, build, march, report. What was computed is kept even if a step does not converge.
@@ -109,21 +109,25 @@ fn times(built: &Built, marched: &Marched, start: Instant) -> Times {
 
 /// What a run leaves on the terminal.
 fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String {
-    let table = supports(&figures::support_names(case), &summary.supports);
+    let names = figures::support_names(case);
+    let table = match case.system {
+        System::Rotor(_) => supports(&names, &summary.supports),
+        System::Lumped(_) => stops(&names, &summary.supports),
+    };
     let steady = match summary.steady_time() {
-        Some(time) => format!("steady from {:.4} s", time),
+        Some(time) => format!("steady from {time:.4} s"),
         None => "not steady".to_string(),
     };
     format!(
         "{}: {}\n\nlast cycle ({:.2} ms), {steady}\n{table}\n\
-         {:.4} s simulated in {:.3} s ({:.1} times real time), reduction {:.2} s{}\n\
+         {:.4} s simulated in {:.3} s ({:.3} of real time), reduction {:.2} s{}\n\
          results in {}\n",
         case.name,
         case.title,
         1e3 * case.march.cycle,
         time.simulated_s,
         time.march_wall_s,
-        1.0 / time.real_time_factor,
+        time.real_time_factor,
         time.reduction_wall_s,
         if time.reduction_cached { " (cached)" } else { "" },
         folder.display()

@@ -1,4 +1,6 @@
 //! The `whirl` command as a user meets it: exit statuses, messages, files.
 
 mod bad_input;
+mod bad_machine;
+mod good_runs;
 mod workbench;

@@ -30,16 +30,18 @@ fn compare(number: usize) {
     let starting = |letters: &[char]| -> Vec<String> {
         theirs.names()[3..].iter().filter(|name| name.starts_with(letters)).cloned().collect()
     };
-    for (what, columns) in [("reactions", starting(&['R'])), ("displacements", starting(&['X', 'Y']))]
+    for (what, columns) in
+        [("reactions", starting(&['R'])), ("displacements", starting(&['X', 'Y']))]
     {
         let whole = scaled_difference(ours, &theirs, &columns, theirs.rows());
         let cycle = scaled_difference(ours, &theirs, &columns, LAST_CYCLE);
-        println!("analysis {number}, {what}: {whole:.2e} over all, {cycle:.2e} over the last cycle");
+        println!(
+            "analysis {number}, {what}: {whole:.2e} over all, {cycle:.2e} over the last cycle"
+        );
         assert!(whole <= 0.01, "analysis {number}: {what} differ by {whole} of their peak");
         assert!(cycle <= 0.0005, "analysis {number}: {what} of the last cycle differ by {cycle}");
     }
-    for (row, (a, b)) in
-        ours.column("theta_rad").iter().zip(theirs.column("theta_rad")).enumerate()
+    for (row, (a, b)) in ours.column("theta_rad").iter().zip(theirs.column("theta_rad")).enumerate()
     {
         assert!((a - b).abs() <= 0.01, "row {row}: angle {a} against {b} rad");
     }

@@ -1,6 +1,6 @@
 //! What the paper says of its results, and what its extra term would do.
 
-use crate::run::{History, run, shipped, root};
+use crate::run::{History, root, run, shipped};
 
 const SUPPORTS: std::ops::RangeInclusive<usize> = 1..=4;
 /// Period of the loads and of two revolutions, in s.
@@ -112,7 +112,10 @@ fn orbits_close_over_one_load_period() {
             let gap = [&x, &y]
                 .map(|name| history.at(name, end) - history.at(name, end - CYCLE))
                 .map(f64::abs);
-            assert!(peak(&gap) <= 0.01 * size, "{case}: orbit {k} of {size} µm opens by {gap:?} µm");
+            assert!(
+                peak(&gap) <= 0.01 * size,
+                "{case}: orbit {k} of {size} µm opens by {gap:?} µm"
+            );
         }
     }
 }

@@ -68,7 +68,7 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
         displacement: or_zero("displacement", &POSITION),
         velocity: or_zero("velocity", &VELOCITY),
         force: or_zero("force", &FORCE),
-        motion: machine::motion(file)?,
+        motion: machine::motion(&mass)?,
         stops,
     })
 }

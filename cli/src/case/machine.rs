@@ -33,15 +33,8 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Rotor> {
         .collect();
     let (shaft, support) = (shaft(shelf, file, &materials), support(shelf, file, &materials));
     let (bearings, drive) = (bearings(shelf, file), drive(file));
-    let (loads, motion) = (loads::read(file), motion(file));
-    Some(Rotor {
-        shaft: shaft?,
-        support: support?,
-        bearings,
-        drive: drive?,
-        loads,
-        motion: motion?,
-    })
+    let loads = loads::read(file);
+    Some(Rotor { shaft: shaft?, support: support?, bearings, drive: drive?, loads })
 }
 
 fn material(name: &str, table: &Reader) -> Material {
@@ -160,11 +153,13 @@ fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
     let table = file.needed_table("shaft")?;
     let material = material_of(&table, materials);
     let mesh = mesh(shelf, &table, material.as_ref(), solid_shaft);
+    let motion = motion(&table);
     let shaft = Shaft {
         modes: table.needed_count("modes", 0),
         damping: table.quantity("damping", &DAMPING_TIME).unwrap_or(0.0),
         axial_restraint: table.needed_text("axial_restraint", "\"NAME_OF_A_NODE_SET\""),
         material,
+        motion: motion?,
         mesh: mesh?,
     };
     Some(shaft)
@@ -241,16 +236,16 @@ fn drive(file: &Reader) -> Option<Drive> {
     })
 }
 
-/// The motion that the case names, or the default one.
-pub(super) fn motion(file: &Reader) -> Option<&'static Motion> {
-    let name = file.text("motion");
+/// The motion that a table names, or the default one.
+pub(super) fn motion(table: &Reader) -> Option<&'static Motion> {
+    let name = table.text("motion");
     let wanted = name.as_ref().map_or(DEFAULT_MOTION, |name| name.text()).to_string();
     let found = MOTIONS.iter().find(|motion| motion.origin.name == wanted);
     if found.is_none() {
         let known: Vec<&str> = MOTIONS.iter().map(|motion| motion.origin.name).collect();
-        let place = name.unwrap_or_else(|| file.place().text(""));
+        let place = name.unwrap_or_else(|| table.place().text(""));
         let error = place.error_here(Code::BAD_VALUE, format!("there is no motion `{wanted}`"));
-        file.push(error.maybe_help(suggest(&wanted, &known)));
+        table.push(error.maybe_help(suggest(&wanted, &known)));
     }
     found
 }

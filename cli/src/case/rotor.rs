@@ -25,8 +25,6 @@ pub struct Rotor {
     pub drive: Drive,
     /// Forces on the shaft.
     pub loads: Vec<Load>,
-    /// How rotation is coupled to deformation.
-    pub motion: &'static Motion,
 }
 
 /// Where a mesh comes from.
@@ -69,6 +67,8 @@ pub struct Shaft {
     pub modes: usize,
     /// C = damping · K, in s.
     pub damping: f64,
+    /// How rotation is coupled to deformation.
+    pub motion: &'static Motion,
     /// Set of one node held along z.
     pub axial_restraint: Located,
 }

@@ -118,6 +118,8 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
     let abscissae = panel.lines.iter().flat_map(|line| &line.points).map(|point| point.0);
     let (first, last) = abscissae
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
+    // A first step a little after zero is no reason to start there.
+    let first = if first > 0.0 && first < 0.02 * last { 0.0 } else { first };
     if first < last { layout.with_x_axis_min(first).with_x_axis_max(last) } else { layout }
 }
 

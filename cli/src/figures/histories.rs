@@ -47,7 +47,10 @@ impl Span {
             Span::All => (time.iter().map(|t| 1e3 * t).collect(), "time (ms)"),
             Span::LastCycle(_) => {
                 let degrees = |angle: &f64| (angle - first).to_degrees();
-                (theta[rows.clone()].iter().map(degrees).collect(), "rotation in the last cycle (°)")
+                (
+                    theta[rows.clone()].iter().map(degrees).collect(),
+                    "rotation in the last cycle (°)",
+                )
             }
         };
         Rows { rows, abscissae, label, turned: last - first }
@@ -140,6 +143,20 @@ pub(crate) fn eccentricities(
         title: what.to_string(),
         panels: supports.iter().zip(clearances).enumerate().map(panel).collect(),
         columns: 2,
+    }
+}
+
+/// Orbits without the clearance circle, each axis filled by the orbit: its shape, where it is flat.
+pub(crate) fn stretched(orbits: &Figure) -> Figure {
+    let panel = |panel: &Panel| Panel {
+        lines: panel.lines.iter().filter(|line| line.style != Style::Limit).cloned().collect(),
+        equal_axes: false,
+        ..panel.clone()
+    };
+    Figure {
+        title: format!("{}, axes stretched", orbits.title),
+        panels: orbits.panels.iter().map(panel).collect(),
+        columns: orbits.columns,
     }
 }
 

@@ -43,7 +43,15 @@ fn figures(case: &Case, history: &History, clearances: &[f64]) -> Vec<Named> {
     match &case.system {
         System::Rotor(rotor) => {
             let orbits = histories::eccentricities(history, &titles, &micrometres, span);
-            figures.push(("reactions", named.reactions, histories::reactions(history, &titles, span)));
+            figures.push((
+                "reactions",
+                named.reactions,
+                histories::reactions(history, &titles, span),
+            ));
+            if span != Span::All {
+                let stretched = histories::stretched(&orbits);
+                figures.push(("eccentricity-stretched", named.eccentricity, stretched));
+            }
             figures.push(("eccentricity", named.eccentricity, orbits));
             if rotor.drive.acts {
                 figures.push(("rotation", named.rotation, histories::rotation(history)));
@@ -91,7 +99,8 @@ mod tests {
             let (sin, cos) = theta.sin_cos();
             let reaction = [400.0 * cos, -40.0 * sin];
             let journal = [20.0 * cos, 10.0 * sin];
-            let row = [[time, theta].as_slice(), &[TAU * 10.0], &reaction, &journal, &journal, &[1.0]];
+            let row =
+                [[time, theta].as_slice(), &[TAU * 10.0], &reaction, &journal, &journal, &[1.0]];
             history.push(&row.concat());
         }
         history

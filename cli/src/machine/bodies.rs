@@ -4,12 +4,12 @@ use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 use whirl_solver::cache::{Cache, Key, instruction_set};
-use whirl_solver::error::Error;
 use whirl_solver::mesh::Mesh;
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use super::plan::{BodyPlan, Plan};
+use crate::errors::Failure;
 use crate::version;
 
 /// Both bodies after their reduction.
@@ -24,7 +24,7 @@ pub(super) struct Bodies {
 /// # Errors
 /// Cells turned inside out, a body that can move freely, more modes than it has, and what else keeps
 /// a body from being reduced.
-pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<(Bodies, f64, bool), Error> {
+pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<(Bodies, f64, bool), Failure> {
     let start = Instant::now();
     let kept = cache.map(|cache| (cache, key(plan)));
     if let Some(found) = kept.and_then(|(cache, key)| cache.load(&key)) {
@@ -36,7 +36,10 @@ pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<(Bodies, f64,
         let shaft = Shaft::from_mesh(&plan.shaft.mesh, &plan.shaft.spec);
         (shaft, support.join().expect("a reduction does not panic"))
     });
-    let bodies = Bodies { shaft: shaft?, support: support? };
+    let bodies = Bodies {
+        shaft: shaft.map_err(|error| plan.shaft.explain(error))?,
+        support: support.map_err(|error| plan.support.explain(error))?,
+    };
     if let Some((cache, key)) = kept
         && let Err(error) = cache.store(&key, &bodies)
     {

@@ -1,6 +1,7 @@
 //! Meshes of a case: read from a file, or made from dimensions.
 
 use std::fs;
+use std::ops::Range;
 use std::path::Path;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
@@ -46,7 +47,9 @@ fn impossible<D>(made: &case::Made<D>, error: Error) -> Failure {
     let Error::Dimension { dimension, value, what } = &error else {
         return error.into();
     };
-    let place = made.places.get(dimension).unwrap_or(&made.table);
+    // `loads[0]` stands in `loads`.
+    let key = dimension.split('[').next().unwrap_or(dimension);
+    let place = made.places.get(key).unwrap_or(&made.table);
     let message = format!("{dimension} = {value} cannot be");
     Diagnostics::from(place.error_here(Code::BAD_VALUE, message).help(what)).into()
 }
@@ -98,6 +101,50 @@ fn placed(path: &Path, text: &str, errors: &InputErrors) -> Diagnostics {
     diagnostics
 }
 
+/// Cells turned inside out, at their lines in the mesh's file; a made mesh has no lines.
+pub(super) fn inverted(error: &Error) -> Failure {
+    let Error::InvertedCells { origin, cells, .. } = error else {
+        return error.clone().into();
+    };
+    let Ok(text) = fs::read_to_string(origin) else {
+        return error.clone().into();
+    };
+    let source = Source::new(origin, text);
+    let mut diagnostics = Diagnostics::new();
+    for cell in cells {
+        let message = format!(
+            "cell {} ({}) is turned inside out or flat: its smallest det J is {:.3e}",
+            cell.label, cell.element, cell.jacobian
+        );
+        let help = "look for nodes in another order (the first face's normal must point towards the \
+                    second face), a wrong node label, two nodes at one place, or a distorted cell";
+        let span = line_of_cell(&source.text, cell.label);
+        diagnostics.push(Diagnostic::new(&source, Code::BAD_VALUE, span, message).help(help));
+    }
+    diagnostics.into()
+}
+
+/// The first line of a cell among the elements of an input file.
+fn line_of_cell(text: &str, label: u64) -> Option<Range<usize>> {
+    let mut among_elements = false;
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let words = line.trim();
+        if words.starts_with('*') {
+            among_elements = match words.get(..2) {
+                Some("**") => among_elements,
+                _ => words.to_ascii_uppercase().starts_with("*ELEMENT"),
+            };
+        } else if among_elements
+            && words.split(',').next().and_then(|word| word.trim().parse().ok()) == Some(label)
+        {
+            return Some(start..start + line.trim_end().len());
+        }
+        start += line.len();
+    }
+    None
+}
+
 /// Byte at a line and a column in characters, both from 1; column 0 is the start of the line.
 fn offset(text: &str, line: usize, column: usize) -> usize {
     let mut start = 0;
@@ -110,7 +157,14 @@ fn offset(text: &str, line: usize, column: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::offset;
+    use super::{line_of_cell, offset};
+
+    #[test]
+    fn cells_are_found_among_elements_only() {
+        let text = "*NODE\n7, 0, 0, 0\n*ELEMENT, TYPE=C3D8\n** 7\n 17, 1\n 7, 1, 2\n*NSET\n7\n";
+        assert_eq!(&text[line_of_cell(text, 7).unwrap()], " 7, 1, 2");
+        assert_eq!(line_of_cell(text, 1), None);
+    }
 
     #[test]
     fn places_are_found() {

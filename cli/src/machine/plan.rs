@@ -1,10 +1,12 @@
 //! What is to be reduced: meshes with the dofs to retain, hold and watch, found by the sets of the case.
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_solver::assembly::assemble;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
-use whirl_solver::constraints::{Constraints, GroundSpring};
+use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
 use whirl_solver::error::Error;
 use whirl_solver::mesh::Mesh;
+use whirl_solver::reduction::ReductionError;
 
 use super::{Counts, meshes};
 use crate::case::{self, Rotor};
@@ -37,10 +39,12 @@ pub(crate) struct BodyPlan {
     pub(crate) mesh: Mesh,
     /// How it is reduced; its nodes are those watched.
     pub(crate) spec: BodySpec,
+    /// What holds it, as the case says it.
+    held_by: Located,
 }
 
 impl BodyPlan {
-    fn new(mesh: Mesh, modes: usize, damping: f64) -> Self {
+    fn new(mesh: Mesh, modes: usize, damping: f64, held_by: &Located) -> Self {
         let spec = BodySpec {
             retained: Vec::new(),
             modes,
@@ -50,7 +54,7 @@ impl BodyPlan {
             nodes: Vec::new(),
             memory: FACTOR_MEMORY,
         };
-        BodyPlan { mesh, spec }
+        BodyPlan { mesh, spec, held_by: held_by.clone() }
     }
 
     /// Sizes of the body, as in the paper's Table 1.
@@ -71,6 +75,30 @@ impl BodyPlan {
     pub(crate) fn active(&self) -> usize {
         let spec = &self.spec;
         spec.modes + spec.retained.len() - spec.constraints.equations().len()
+    }
+
+    /// An error of the reduction, at its place in the case or in the mesh's file.
+    pub(super) fn explain(&self, error: Error) -> Failure {
+        match error {
+            Error::InvertedCells { .. } => meshes::inverted(&error),
+            Error::Reduction(_) | Error::Constraint { .. } => {
+                let message = format!("{}: {error}", self.mesh.origin());
+                Diagnostics::from(self.held_by.error_here(Code::BAD_VALUE, message)).into()
+            }
+            _ => error.into(),
+        }
+    }
+
+    /// Looks for cells turned inside out and for motions that nothing stops.
+    fn verify(&self) -> Result<(), Error> {
+        let elastic = assemble(&self.mesh, "stiffness")?;
+        let stiffness = add_ground_springs(&elastic, &self.spec.springs)?;
+        let mut held = Constraints::new();
+        self.spec.retained.iter().for_each(|retained| held.fix(&retained.name, retained.dof));
+        match free_motions(self.mesh.nodes(), &stiffness, &held)? {
+            motions if motions.is_empty() => Ok(()),
+            motions => Err(ReductionError::Mechanism { motions }.into()),
+        }
     }
 
     /// Retains a dof; its place among the retained ones.
@@ -138,8 +166,8 @@ impl Plan {
         let shaft_mesh = meshes::shaft(shaft)?;
         let support_mesh = meshes::support(support)?;
         let mut plan = Plan {
-            shaft: BodyPlan::new(shaft_mesh, shaft.modes, shaft.damping),
-            support: BodyPlan::new(support_mesh, support.modes, support.damping),
+            shaft: BodyPlan::new(shaft_mesh, shaft.modes, shaft.damping, &shaft.axial_restraint),
+            support: BodyPlan::new(support_mesh, support.modes, support.damping, &support.mounts),
             journals: Vec::new(),
             bores: Vec::new(),
             drive: [0; 2],
@@ -150,6 +178,17 @@ impl Plan {
         plan.place_shaft(rotor, &mut errors);
         plan.place_support(&rotor.support, &mut errors);
         Ok(errors.into_result(plan)?)
+    }
+
+    /// Looks for what would keep the bodies from being reduced, without reducing them.
+    ///
+    /// # Errors
+    /// Cells turned inside out, motions that nothing stops.
+    pub(crate) fn verify(&self) -> Result<(), Failure> {
+        for body in [&self.shaft, &self.support] {
+            body.verify().map_err(|error| body.explain(error))?;
+        }
+        Ok(())
     }
 
     fn place_bearings(&mut self, bearings: &[case::Bearing], errors: &mut Diagnostics) {
@@ -210,7 +249,11 @@ impl Plan {
         for spring in &case.ground_springs {
             for node in support.nodes(&spring.set, errors) {
                 support.spec.springs.push(GroundSpring {
-                    name: format!("ground spring ({} {})", spring.set.text(), AXES[spring.direction]),
+                    name: format!(
+                        "ground spring ({} {})",
+                        spring.set.text(),
+                        AXES[spring.direction]
+                    ),
                     dof: 3 * node + spring.direction,
                     stiffness: spring.stiffness,
                 });

@@ -31,7 +31,7 @@ pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failu
     let machine = Machine::new(MachineParts {
         shaft: bodies.shaft,
         support: bodies.support,
-        motion: rotor.motion,
+        motion: rotor.shaft.motion,
         rotation: Rotation::Free,
         clearance: clearance(),
         laws: laws.into_laws(),
@@ -61,7 +61,10 @@ fn bearings(
             journal,
             bore: plan.bores[place].clone(),
             clearance: bearing.radial_clearance,
-            stations: stations(bearing, [journal[0], journal[2]].map(|n| shaft.nodes[n].position[2])),
+            stations: stations(
+                bearing,
+                [journal[0], journal[2]].map(|n| shaft.nodes[n].position[2]),
+            ),
             angles: angles(bearing.springs),
             law: laws.place(&bearing.law)?,
         });

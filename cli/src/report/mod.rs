@@ -10,7 +10,7 @@ use whirl_solver::history::History;
 
 pub(crate) use history_csv::history_csv;
 pub(crate) use summary::{Summary, Times};
-pub(crate) use table::{supports, table};
+pub(crate) use table::{stops, supports, table};
 
 /// The values of a column that every history has.
 ///

@@ -30,15 +30,31 @@ pub(crate) fn table(rows: &[Vec<String>]) -> String {
 
 /// Least, mean and largest values of every support over the last cycle.
 pub(crate) fn supports(names: &[String], summaries: &[SupportSummary]) -> String {
-    let heading = ["", "RX (N)", "", "", "RY (N)", "", "", "EX (µm)", "", "", "EY (µm)", "", ""];
-    let kinds = ["min", "mean", "max"];
-    let mut second = vec![String::new()];
-    second.extend(kinds.iter().cycle().take(12).map(ToString::to_string));
-    let mut rows = vec![heading.map(String::from).to_vec(), second];
-    for (name, summary) in names.iter().zip(summaries) {
+    let heads = ["RX (N)", "RY (N)", "EX (µm)", "EY (µm)"];
+    statistics(names, &heads, summaries.iter().map(|s| vec![s.rx, s.ry, s.ex, s.ey]))
+}
+
+/// The same of every stop of a mass: its force, and the displacement of the mass.
+pub(crate) fn stops(names: &[String], summaries: &[SupportSummary]) -> String {
+    let in_mm =
+        |s: Statistics| Statistics { min: 1e-3 * s.min, mean: 1e-3 * s.mean, max: 1e-3 * s.max };
+    statistics(names, &["force (N)", "x (mm)"], summaries.iter().map(|s| vec![s.rx, in_mm(s.x)]))
+}
+
+fn statistics(
+    names: &[String],
+    heads: &[&str],
+    values: impl Iterator<Item = Vec<Statistics>>,
+) -> String {
+    let (mut first, mut second) = (vec![String::new()], vec![String::new()]);
+    for head in heads {
+        first.extend(["", head, ""].map(String::from));
+        second.extend(["min", "mean", "max"].map(String::from));
+    }
+    let mut rows = vec![first, second];
+    for (name, values) in names.iter().zip(values) {
         let mut row = vec![name.clone()];
-        for statistics in [summary.rx, summary.ry, summary.ex, summary.ey] {
-            let Statistics { min, mean, max } = statistics;
+        for Statistics { min, mean, max } in values {
             row.extend([min, mean, max].map(short));
         }
         rows.push(row);

@@ -1,0 +1,175 @@
+//! Runs that end well: files, tables, figures, the same numbers again.
+
+use std::fs;
+
+use crate::workbench::Workbench;
+
+/// A short run of the built-in machine.
+const SHORT: &str = "include = \"hu2003-5.toml\"\ntitle = \"a short run\"\n\n[march]\nsteps = 40\n";
+
+/// Columns that every history of four supports starts with.
+const FIRST_COLUMNS: &str = "t_s,theta_rad,omega_rad_s,RX1_N,RY1_N,RX2_N,RY2_N,RX3_N,RY3_N,RX4_N,RY4_N,\
+X1_um,Y1_um,X2_um,Y2_um,X3_um,Y3_um,X4_um,Y4_um,EX1_um,EY1_um,EX2_um,EY2_um,EX3_um,EY3_um,EX4_um,EY4_um";
+
+fn summary(bench: &Workbench, folder: &str) -> serde_json::Value {
+    let text = fs::read_to_string(bench.path(folder).join("summary.json")).expect("a summary");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+fn history(bench: &Workbench, folder: &str) -> String {
+    fs::read_to_string(bench.path(folder).join("history.csv")).expect("a history")
+}
+
+#[test]
+fn an_impact_has_the_published_force() {
+    let bench = Workbench::new();
+    let outcome = bench.whirl(&["run", "sdnd101"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("results in results/sdnd101"), "{}", outcome.stdout);
+    let summary = summary(&bench, "results/sdnd101");
+    let force = summary["supports"][0]["RX_N"]["min"].as_f64().expect("a number");
+    // v0 k_contact √(m / (k + k_contact)): the manual gives 9950 N.
+    assert!((force + 9950.0).abs() < 1.0, "{force} N");
+    let balance = &summary["energy_balance_j"];
+    let part = |name: &str| balance[name].as_f64().expect("a number");
+    let sum = ["kinetic", "strain", "spring", "dissipated", "error"].map(part).iter().sum::<f64>();
+    assert!((sum - part("work_in")).abs() < 1e-9);
+    for name in ["laws", "reactions", "displacement"] {
+        let svg = fs::read_to_string(bench.path("results/sdnd101").join(format!("{name}.svg")));
+        assert!(svg.expect("a figure").starts_with("<svg"));
+        let png = fs::read(bench.path("results/sdnd101").join(format!("{name}.png")));
+        assert!(png.expect("a figure").starts_with(b"\x89PNG"));
+    }
+}
+
+#[test]
+fn a_bounce_has_the_published_penetration() {
+    let bench = Workbench::new();
+    let outcome = bench.whirl(&["run", "sdnd108", "--out", "here/and/there", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let summary = summary(&bench, "here/and/there");
+    let least = summary["supports"][0]["X_um"]["min"].as_f64().expect("a number");
+    assert!((-1e-6 * least - 2.74807).abs() < 1e-4, "{least} µm");
+    let mut files: Vec<_> = fs::read_dir(bench.path("here/and/there"))
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"))
+        .collect();
+    files.sort();
+    assert_eq!(files, ["history.csv", "summary.json"]);
+}
+
+#[test]
+fn a_run_of_the_reference_machine_writes_everything() {
+    let bench = Workbench::new().file("case.toml", SHORT);
+    let outcome = bench.whirl(&["run", "case.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("Support 4"), "{}", outcome.stdout);
+    let history = history(&bench, "results/case");
+    assert!(history.starts_with(FIRST_COLUMNS));
+    assert_eq!(history.lines().count(), 41);
+    let summary = summary(&bench, "results/case");
+    let shaft = &summary["counts"]["shaft"];
+    let numbers = |body: &serde_json::Value| {
+        let keys =
+            ["elements", "nodes", "physical_dofs", "internal_dofs", "retained_dofs", "modes"];
+        keys.map(|key| body[key].as_u64().expect("a count"))
+    };
+    assert_eq!(numbers(shaft), [1824, 1925, 5775, 5748, 27, 50]);
+    assert_eq!(numbers(&summary["counts"]["support"]), [2752, 4269, 12807, 12798, 9, 150]);
+    assert_eq!(summary["counts"]["coordinates"], 237);
+    assert_eq!(summary["counts"]["active"], 226);
+    assert_eq!(summary["supports"].as_array().expect("a list").len(), 4);
+    let time = &summary["time"];
+    for key in
+        ["simulated_s", "reduction_wall_s", "march_wall_s", "total_wall_s", "real_time_factor"]
+    {
+        assert!(time[key].is_f64(), "{key}: {time}");
+    }
+}
+
+#[test]
+fn a_damaged_cache_is_rebuilt_and_changes_nothing() {
+    let bench = Workbench::new().file("case.toml", SHORT);
+    let run = |folder: &str, more: &[&str]| {
+        let arguments = [&["run", "case.toml", "--no-figures", "--out", folder], more].concat();
+        let outcome = bench.whirl(&arguments);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let cached = summary(&bench, folder)["time"]["reduction_cached"].as_bool();
+        (history(&bench, folder), cached.expect("a truth value"))
+    };
+    let (first, cached) = run("first", &["--cache", "cache"]);
+    assert!(!cached);
+    let (second, cached) = run("second", &["--cache", "cache"]);
+    assert!(cached && second == first);
+    let entry = fs::read_dir(bench.path("cache")).expect("a folder").next().expect("a file");
+    let path = entry.expect("an entry").path();
+    let mut bytes = fs::read(&path).expect("a file");
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    fs::write(&path, bytes).expect("it can be written");
+    let (third, cached) = run("third", &["--cache", "cache"]);
+    assert!(!cached && third == first);
+}
+
+#[test]
+fn a_law_by_path_gives_the_bits_of_the_compiled_one() {
+    let law = include_str!("../../specs/laws/hu2003-nonlinear.toml");
+    let named = |law: &str| format!("{SHORT}\n[springs]\nlaw = \"{law}\"\n");
+    let bench = Workbench::new()
+        .file("law.toml", law)
+        .file("file.toml", &named("law.toml"))
+        .file("compiled.toml", &named("hu2003-nonlinear"));
+    for case in ["file", "compiled"] {
+        let outcome = bench.whirl(&["run", &format!("{case}.toml"), "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    }
+    assert_eq!(history(&bench, "results/file"), history(&bench, "results/compiled"));
+}
+
+#[test]
+fn what_was_computed_is_kept_when_a_step_does_not_converge() {
+    // The force pushes the mass onto the place where the law jumps: no displacement balances it.
+    let law = "kind = \"law\"\nname = \"jump\"\ntitle = \"jump\"\nsource = \"a test\"\n\n\
+               [inputs.h]\nunit = \"m\"\n\n[outputs.Q]\nunit = \"N\"\njump = \"accept\"\n\
+               pieces = [{ when = 'h < 0', value = '100' }, { value = '0' }]\n";
+    let case = "title = \"a jump\"\n\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e6 N/m\"\n\
+                damping = \"1e5 N*s/m\"\nforce = \"50 N\"\n\n\
+                [[stop]]\nside = \"above\"\ngap = \"1 um\"\nlaw = \"law.toml\"\n\n\
+                [march]\ntime_step = \"1e-2 s\"\nsteps = 100\n";
+    let bench = Workbench::new().file("case.toml", case).file("law.toml", law);
+    let outcome = bench.whirl(&["run", "case.toml", "--out", "kept"]);
+    assert_eq!(outcome.status, 1, "{}{}", outcome.stdout, outcome.stderr);
+    assert!(outcome.stderr.contains("does not converge"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("kept in kept"), "{}", outcome.stderr);
+    let summary = summary(&bench, "kept");
+    assert_eq!(summary["march"]["converged"], false);
+    assert!(summary["error"].as_str().expect("words").contains("does not converge"));
+    assert!(history(&bench, "kept").starts_with("t_s,"));
+}
+
+#[test]
+fn check_says_what_would_be_run() {
+    let bench = Workbench::new();
+    let outcome = bench.whirl(&["check", "hu2003-5"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    for words in [
+        "237 coordinates, 226 active",
+        "12807",
+        "109 N m until 4500 rpm",
+        "1000 N along x at LOAD1, LOAD2, LOAD3, sine of 37.5 Hz",
+        "3 rings of 24 springs, c = 35.687 µm, law hu2003-nonlinear",
+        "moved from 0.035687",
+        "5405 steps of 7.4e-5 s",
+    ] {
+        assert!(outcome.stdout.contains(words), "`{words}` is not in:\n{}", outcome.stdout);
+    }
+    assert!(bench.listing().is_empty());
+}
+
+#[test]
+fn list_names_what_is_built_in() {
+    let outcome = Workbench::new().whirl(&["list"]);
+    for name in ["hu2003-5", "sdnd101", "hu2003-linear", "hex8i", "wedge6", "consistent"] {
+        assert!(outcome.stdout.contains(name), "`{name}` is not in:\n{}", outcome.stdout);
+    }
+}
