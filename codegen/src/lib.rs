@@ -11,7 +11,6 @@ pub mod formula;
 pub mod generate;
 pub mod lagrange;
 pub mod schedule;
-pub mod simplify;
 pub mod spec;
 pub mod tape;
 pub mod units;

@@ -106,7 +106,7 @@ impl Machine {
     }
 
     /// Places of θ, η and x_b in q: 1 + n_s + n_b.
-    pub(crate) fn size(&self) -> usize {
+    pub fn size(&self) -> usize {
         1 + self.shaft.size() + self.support.size()
     }
 

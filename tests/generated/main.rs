@@ -5,5 +5,4 @@ mod bits;
 mod clearance;
 mod golden;
 mod hyper;
-mod motion;
 mod random;

@@ -1,10 +1,12 @@
 //! Verification: each layer against exact solutions, other methods, or its own definition.
 
 mod assembly;
+mod bearing_kernels;
 mod block;
 mod bodies;
 mod constraints;
 mod documents;
+mod dynamics;
 mod formulas;
 mod laws;
 mod made_meshes;

@@ -13,8 +13,6 @@ pub mod normal;
 mod scalar;
 mod signature;
 mod substitute;
-#[cfg(test)]
-mod tests;
 
 pub use differentiate::DifferentiateError;
 pub use display::display;

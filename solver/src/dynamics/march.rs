@@ -267,6 +267,16 @@ impl<'m> March<'m> {
         self.history.push(&self.row);
     }
 
+    /// The state at the end of the last step.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// The energy balance from t = 0 to the end of the last step.
+    pub fn energy(&mut self) -> EnergyBalance {
+        self.ledger.balance(&mut self.system, &self.state)
+    }
+
     fn progress(&self) -> Progress {
         Progress {
             step: self.step,

@@ -9,6 +9,7 @@ mod system;
 
 pub use energy::EnergyBalance;
 pub use march::{Failure, March, MarchOptions, Outcome, Progress, march};
-pub use newmark::Newmark;
+pub use newmark::{Coefficients, Newmark, State};
 pub use newton::NewtonOptions;
 pub use steady::SteadyState;
+pub use system::System;

@@ -19,7 +19,7 @@ impl Default for Newmark {
 /// a1 … a6 of one time step:
 /// q̇ = a1 (q−q_n) − a3 q̇_n − a4 q̈_n,  q̈ = a2 (q−q_n) − a5 q̇_n − a6 q̈_n.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Coefficients {
+pub struct Coefficients {
     pub(crate) dt: f64,
     pub(crate) a1: f64,
     pub(crate) a2: f64,
@@ -30,7 +30,8 @@ pub(crate) struct Coefficients {
 }
 
 impl Coefficients {
-    pub(crate) fn new(method: Newmark, dt: f64) -> Self {
+    /// The coefficients for a step of `dt` s.
+    pub fn new(method: Newmark, dt: f64) -> Self {
         let Newmark { gamma, beta } = method;
         Coefficients {
             dt,
@@ -43,8 +44,18 @@ impl Coefficients {
         }
     }
 
+    /// a1 = γ/(β Δt): how velocities at the end follow positions there.
+    pub fn a1(&self) -> f64 {
+        self.a1
+    }
+
+    /// a2 = 1/(β Δt²): how accelerations at the end follow positions there.
+    pub fn a2(&self) -> f64 {
+        self.a2
+    }
+
     /// Positions at the end of the step if accelerations stay as they are.
-    pub(crate) fn predict(&self, start: &State, end: &mut State) {
+    pub fn predict(&self, start: &State, end: &mut State) {
         for i in 0..start.q.len() {
             let half = 0.5 * self.dt * start.a[i];
             end.q[i] = start.q[i] + self.dt * (start.v[i] + half);
@@ -53,7 +64,7 @@ impl Coefficients {
     }
 
     /// Velocities and accelerations at the end from the positions there.
-    pub(crate) fn rates(&self, start: &State, end: &mut State) {
+    pub fn rates(&self, start: &State, end: &mut State) {
         for i in 0..start.q.len() {
             let moved = end.q[i] - start.q[i];
             end.v[i] = self.a1 * moved - self.a3 * start.v[i] - self.a4 * start.a[i];
@@ -64,14 +75,18 @@ impl Coefficients {
 
 /// Positions, velocities and accelerations of all coordinates q = {θ, η, x_b}.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct State {
-    pub(crate) q: Vec<f64>,
-    pub(crate) v: Vec<f64>,
-    pub(crate) a: Vec<f64>,
+pub struct State {
+    /// q: θ (rad), η, x_b.
+    pub q: Vec<f64>,
+    /// q̇.
+    pub v: Vec<f64>,
+    /// q̈.
+    pub a: Vec<f64>,
 }
 
 impl State {
-    pub(crate) fn new(size: usize) -> Self {
+    /// All zeros.
+    pub fn new(size: usize) -> Self {
         State { q: vec![0.0; size], v: vec![0.0; size], a: vec![0.0; size] }
     }
 

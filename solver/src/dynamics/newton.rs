@@ -47,6 +47,10 @@ const SUFFICIENT: f64 = 1e-4;
 /// Shortest step tried.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
+/// Multiples of eps · |s q| that rounding may leave in the residual: positions enter it three times, and
+/// products over many coordinates add up.
+const ROUNDING: f64 = 32.0;
+
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Ending {
@@ -150,8 +154,7 @@ impl Newton {
             self.residuals.push(norm);
             let changes = self.forces.iter().zip(&system.springs.q).map(|(a, b)| (a - b).abs());
             force_change = changes.fold(0.0, f64::max);
-            self.scale = self.scale.max(self.force_norm(system));
-            let small = norm <= self.options.residual_tolerance * self.scale;
+            let small = norm <= self.floor(system, end);
             if share == 1.0 && force_change <= self.options.force_tolerance && small {
                 let ending = Ending::Converged;
                 return Report { ending, iterations: iteration, residual: norm, force_change };
@@ -177,8 +180,8 @@ impl Newton {
         norm: f64,
         fresh: bool,
     ) -> Option<(f64, f64)> {
-        // Below this, φ is rounding and says nothing.
-        let floor = self.options.residual_tolerance * self.scale;
+        // Below this φ says nothing of interest.
+        let floor = self.floor(system, end);
         let mut share = 1.0;
         while share >= SHORTEST {
             for i in 0..end.q.len() {
@@ -245,8 +248,27 @@ impl Newton {
         parts.map(|(x, w)| x * x / w).sum::<f64>().sqrt()
     }
 
-    fn force_norm(&self, system: &System) -> f64 {
-        self.norm(&system.load).max(self.norm(&system.spring)).max(self.norm(&system.damper))
+    /// The norm of the residual that counts as nothing: a share of the largest forces of the march, and
+    /// what rounding of the state leaves.
+    fn floor(&mut self, system: &System, state: &State) -> f64 {
+        let (shaft, support) = (&system.machine.shaft, &system.machine.support);
+        let first = 1 + shaft.size();
+        // Forces of inertia and deformation by the diagonals of M and K, which is enough for their size.
+        let (mut moving, mut bent, mut rounding) = (0.0, 0.0, 0.0);
+        for (i, weight) in self.weights.iter().enumerate() {
+            let (mass, stiffness) = match i {
+                0 => (shaft.j0, 0.0),
+                _ if i < first => (shaft.mass[(i - 1, i - 1)], shaft.stiffness[(i - 1, i - 1)]),
+                _ => (1.0, support.stiffness[i - first]),
+            };
+            moving += weight * (mass * state.a[i]).powi(2);
+            bent += weight * (stiffness * state.q[i]).powi(2);
+            rounding += state.q[i] * state.q[i] / weight;
+        }
+        let parts = [&system.load, &system.spring, &system.damper].map(|part| self.norm(part));
+        let largest = parts.into_iter().chain([moving.sqrt(), bent.sqrt()]).fold(0.0, f64::max);
+        self.scale = self.scale.max(largest);
+        self.options.residual_tolerance * self.scale + ROUNDING * f64::EPSILON * rounding.sqrt()
     }
 
     fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> Report {

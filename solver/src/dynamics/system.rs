@@ -11,7 +11,7 @@ use crate::loads::Position;
 use crate::machine::{Machine, Rotation};
 
 /// Memory for evaluating a machine, and what was last evaluated.
-pub(crate) struct System<'m> {
+pub struct System<'m> {
     pub(crate) machine: &'m Machine,
     tensors: Vec<&'m [f64]>,
     workspace: Vec<f64>,
@@ -33,7 +33,8 @@ pub(crate) struct System<'m> {
 }
 
 impl<'m> System<'m> {
-    pub(crate) fn new(machine: &'m Machine) -> Self {
+    /// Memory for a machine.
+    pub fn new(machine: &'m Machine) -> Self {
         let (size, n_s, n_b) = (machine.size(), machine.shaft.size(), machine.support.size());
         let springs = &machine.springs;
         System {
@@ -59,8 +60,13 @@ impl<'m> System<'m> {
         self.machine.rotation == Rotation::Held
     }
 
-    /// Computes r and its parts at time `t`.
-    pub(crate) fn evaluate(&mut self, t: f64, state: &State) {
+    /// r at the state that was last evaluated, one value a coordinate.
+    pub fn residual(&self) -> &[f64] {
+        &self.residual
+    }
+
+    /// Computes r and its parts at time `t` (s).
+    pub fn evaluate(&mut self, t: f64, state: &State) {
         let machine = self.machine;
         let (shaft, support) = (&machine.shaft, &machine.support);
         let first = 1 + shaft.size();
@@ -111,7 +117,7 @@ impl<'m> System<'m> {
 
     /// Writes a2 M + a1 C + K + PF − a1 P − B, eq. (46), column after column, at the state that was last
     /// evaluated.
-    pub(crate) fn tangent(&mut self, t: f64, state: &State, step: &Coefficients, out: &mut [f64]) {
+    pub fn tangent(&mut self, t: f64, state: &State, step: &Coefficients, out: &mut [f64]) {
         let machine = self.machine;
         let (shaft, support) = (&machine.shaft, &machine.support);
         let (n_s, size) = (shaft.size(), machine.size());
@@ -233,7 +239,7 @@ impl<'m> System<'m> {
     }
 
     /// ½ q̇ᵀM q̇ (J).
-    pub(crate) fn kinetic_energy(&mut self, state: &State) -> f64 {
+    pub fn kinetic_energy(&mut self, state: &State) -> f64 {
         let first = 1 + self.machine.shaft.size();
         let motion = motion_state(state, first);
         let shaft = match self.machine.motion.kinetic_energy {
@@ -250,7 +256,7 @@ impl<'m> System<'m> {
     }
 
     /// ½ qᵀK q (J).
-    pub(crate) fn strain_energy(&self, state: &State) -> f64 {
+    pub fn strain_energy(&self, state: &State) -> f64 {
         let (shaft, support) = (&self.machine.shaft, &self.machine.support);
         let first = 1 + shaft.size();
         let eta = &state.q[1..first];

@@ -1,0 +1,164 @@
+//! A mass and stops, against closed forms and the values of validation manuals.
+
+use whirl_solver::dynamics::{MarchOptions, march};
+use whirl_solver::history::History;
+use whirl_solver::loads::{Course, Frame};
+use whirl_solver::machine::{Machine, Rotation};
+use whirl_solver::shaft::Shaft;
+use whirl_solver::support::Support;
+use whirl_specs::{LAWS, Law};
+
+use super::{boxed, force, law, options, parts, stops};
+
+fn run(machine: &Machine, options: &MarchOptions) -> History {
+    let outcome = march(machine, options, &mut |_| std::ops::ControlFlow::Continue(()));
+    let outcome = outcome.unwrap_or_else(|failure| panic!("{}", failure.error));
+    // A stop that is met between two steps gives or takes the energy of a part of a step.
+    let scale = outcome.energy.kinetic.abs() + outcome.energy.spring.abs() + 1e-9;
+    assert!(outcome.energy.error().abs() < 1e-3 * scale.max(1.0), "{:?}", outcome.energy);
+    outcome.history
+}
+
+/// Time, displacement along x (m) and force on the mass along x (N).
+fn columns(history: &History) -> [Vec<f64>; 3] {
+    let column = |name| history.column(name).expect("a column of every history");
+    [column("t_s"), column("X1_um").iter().map(|x| 1e-6 * x).collect(), column("RX1_N")]
+}
+
+fn shipped(name: &str) -> &'static Law {
+    LAWS.iter().find(|law| law.origin.name == name).expect("a shipped law")
+}
+
+/// Peaks of |force|: runs of contact as (start, end, largest force, impulse), ends between steps by a
+/// straight line in displacement.
+fn contacts(history: &History, gap: f64) -> Vec<[f64; 4]> {
+    let [t, x, force] = columns(history);
+    let mut found: Vec<[f64; 4]> = Vec::new();
+    let mut current: Option<[f64; 4]> = (x[0] > gap).then_some([0.0; 4]);
+    for i in 1..t.len() {
+        let meets = |a: usize, b: usize| t[a] + (gap - x[a]) / (x[b] - x[a]) * (t[b] - t[a]);
+        match (&mut current, x[i] > gap) {
+            (None, true) => current = Some([meets(i - 1, i), 0.0, force[i].abs(), 0.0]),
+            (Some(contact), true) => {
+                contact[2] = contact[2].max(force[i].abs());
+                contact[3] += 0.5 * (force[i] + force[i - 1]).abs() * (t[i] - t[i - 1]);
+            }
+            (Some(contact), false) => {
+                contact[1] = meets(i - 1, i);
+                found.push(*contact);
+                current = None;
+            }
+            (None, false) => {}
+        }
+    }
+    found
+}
+
+/// Code_Aster SDND101: 100 kg on 10 kN/m strikes a stop of 1 MN/m at 1 m/s.
+#[test]
+fn a_mass_on_a_spring_strikes_a_stop() {
+    let mut parts =
+        parts(Shaft::lumped(100.0, [1e4; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
+    parts.laws = vec![boxed(shipped("gap-linear-1e6"))];
+    parts.bearings = vec![stops("stop", 0.0, &[0.0], 0)];
+    let machine = Machine::new(parts).expect("a machine");
+    let mut options = options(1e-5, 40_000);
+    options.initial_shaft[1] = vec![1.0, 0.0];
+    let history = run(&machine, &options);
+    let contacts = contacts(&history, 0.0);
+    // The values of the manual, to the digits it prints; steps of 1e-5 s resolve them.
+    assert!((contacts[0][2] - 9950.0).abs() < 1.0, "{:?}", contacts[0]);
+    assert!((contacts[0][1] - contacts[0][0] - 0.03126).abs() < 1e-5, "{:?}", contacts[0]);
+    assert!((contacts[0][3] - 198.05).abs() < 0.05, "{:?}", contacts[0]);
+    let [t, _, force] = columns(&history);
+    let later = (0..t.len()).filter(|&i| t[i] > 0.2);
+    let peak = later.max_by(|&a, &b| force[a].abs().total_cmp(&force[b].abs())).expect("rows");
+    assert!((t[peak] - 0.361).abs() < 5e-4, "{}", t[peak]);
+    assert!((force[peak].abs() - 9950.0).abs() < 2.0, "{}", force[peak]);
+}
+
+/// Code_Aster SDND108: 1 kg falls from a height of 2 m at 1 m/s on a stop of 100 N/m; x points down.
+#[test]
+fn a_thrown_mass_bounces_on_a_stop() {
+    let mut parts =
+        parts(Shaft::lumped(1.0, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
+    let weight = force(&parts.shaft.nodes[0], [10.0, 0.0, 0.0], Course::Constant, Frame::Space);
+    parts.laws = vec![boxed(shipped("gap-linear-1e2"))];
+    parts.bearings = vec![stops("floor", 2.0, &[0.0], 0)];
+    parts.loads = vec![weight];
+    let machine = Machine::new(parts).expect("a machine");
+    let mut options = options(1e-4, 12_000);
+    options.initial_shaft[1] = vec![1.0, 0.0];
+    let history = run(&machine, &options);
+    let first = contacts(&history, 2.0)[0];
+    let [_, x, _] = columns(&history);
+    let deepest = x.iter().fold(0.0, |m: f64, x| m.max(*x)) - 2.0;
+    assert!((first[0] - 0.54031).abs() < 1e-5, "{first:?}");
+    assert!((deepest - 0.74807).abs() < 1e-5, "{deepest}");
+    assert!((first[2] - 74.807).abs() < 1e-3, "{first:?}");
+    assert!((first[1] - first[0] - 0.34514).abs() < 2e-5, "{first:?}");
+}
+
+/// Springs around a ring that push only beyond the gap. Their number is 360, so that the ring is as round
+/// as the gap is small; at r they push with 7.8299 N in all, as the radial contact of the closed form does:
+/// Σ k (r cos α − c) cos α over r cos α > c is k n/2π (r a − c sin a), cos a = c/r.
+static ANNULUS: Law = law("annulus", false, |n, h, out| {
+    let (springs, c) = (360.0, 1e-3_f64);
+    let a = (c / RUB).acos();
+    let stiffness = PUSH * std::f64::consts::TAU / springs / (RUB * a - c * a.sin());
+    for j in 0..n {
+        out[j] = if h[j] < 0.0 { -stiffness * h[j] } else { 0.0 };
+        out[n + j] = if h[j] < 0.0 { -stiffness } else { 0.0 };
+    }
+});
+
+/// Amplitude and force of the full annular rub: |k + k_c (1 − c/r) − mΩ² + i dΩ| r = m e Ω².
+const RUB: f64 = 1.078299e-3;
+const PUSH: f64 = 7.8299;
+
+#[test]
+fn an_unbalanced_mass_rubs_all_around() {
+    let (mass, damping, stiffness, speed, offset) = (1.0, 20.0, 1e4, 110.0, 0.5e-3);
+    // The numbers solve their own equation.
+    let dynamic: f64 = stiffness + PUSH / RUB - mass * speed * speed;
+    let needed = dynamic.hypot(damping * speed) * RUB;
+    let unbalance = mass * offset * speed * speed;
+    assert!((needed / unbalance - 1.0).abs() < 1e-5);
+
+    let mut parts = parts(
+        Shaft::lumped(mass, [stiffness; 2], [damping; 2], 0.0),
+        Support::rigid(&[]),
+        Rotation::Held,
+    );
+    let frequency = speed / std::f64::consts::TAU;
+    let turning = |phase: f64, direction: [f64; 3]| {
+        let course = Course::Sine { frequency, phase };
+        force(&parts.shaft.nodes[0], direction, course, Frame::Space)
+    };
+    let loads = vec![
+        turning(0.5 * std::f64::consts::PI, [unbalance, 0.0, 0.0]),
+        turning(0.0, [0.0, unbalance, 0.0]),
+    ];
+    parts.loads = loads;
+    let angles: Vec<f64> = (0..360).map(|j| f64::from(j).to_radians()).collect();
+    parts.laws = vec![boxed(&ANNULUS)];
+    parts.bearings = vec![stops("annulus", 1e-3, &angles, 0)];
+    let machine = Machine::new(parts).expect("a machine");
+    // Started on the orbit, behind the unbalance by atan(dΩ / dynamic stiffness).
+    let lag = (damping * speed).atan2(dynamic);
+    let mut options = options(5e-5, 40_000);
+    options.initial_shaft = [
+        vec![RUB * lag.cos(), -RUB * lag.sin()],
+        vec![speed * RUB * lag.sin(), speed * RUB * lag.cos()],
+    ];
+    let outcome = march(&machine, &options, &mut |_| std::ops::ControlFlow::Continue(()));
+    let history = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history;
+    let column = |name| history.column(name).expect("a column");
+    let (x, y, fx, fy) = (column("X1_um"), column("Y1_um"), column("RX1_N"), column("RY1_N"));
+    for i in x.len() - 2000..x.len() {
+        let (r, push) = (x[i].hypot(y[i]), fx[i].hypot(fy[i]));
+        // 1° between springs of the 44° in contact: the ring is round to 1e-4 of its push.
+        assert!((r - 1e6 * RUB).abs() < 0.05, "r = {r} µm at row {i}");
+        assert!((push - PUSH).abs() < 0.02, "N = {push} N at row {i}");
+    }
+}

@@ -1,0 +1,146 @@
+//! Newton's method inside a step: its order, cycles of the plain method, and what is said on failure.
+
+use std::ops::ControlFlow;
+
+use whirl_solver::Error;
+use whirl_solver::bearing::Bearing;
+use whirl_solver::dynamics::{March, MarchOptions, NewtonOptions, march};
+use whirl_solver::machine::{Machine, Rotation};
+use whirl_solver::shaft::Shaft;
+use whirl_solver::support::Support;
+use whirl_specs::Law;
+
+use super::{bearing, bores, boxed, discs, force, law, options, parts, stops};
+use whirl_solver::loads::{Course, Frame};
+
+/// Q = 100 MN/m^1.5 · (2 mm − h)^1.5: Hertz-like, in contact all around so that nothing switches.
+static HERTZ: Law = law("hertz", false, |n, h, out| {
+    for j in 0..n {
+        let depth = 2e-3 - h[j];
+        let root = depth.max(0.0).sqrt();
+        out[j] = 1e8 * depth * root;
+        out[n + j] = -1.5e8 * root;
+    }
+});
+
+#[test]
+fn full_newton_converges_quadratically_in_large_steps() {
+    let mut parts = parts(discs(1e6), Support::rigid(&[]), Rotation::Free);
+    parts.laws = vec![boxed(&HERTZ)];
+    parts.bearings = vec![Bearing { bore: Default::default(), ..bearing(0) }];
+    parts.loads =
+        vec![force(&parts.shaft.nodes[2], [3e4, 1e4, 0.0], Course::Constant, Frame::Space)];
+    let machine = Machine::new(parts).expect("a machine");
+    let mut options = options(5e-3, 3);
+    options.initial_speed = 100.0;
+    options.newton.keep_factors = false;
+    options.newton.max_halvings = 0;
+    let mut march = March::new(&machine, &options).expect("starts");
+    let mut measured = 0;
+    for _ in 0..options.steps {
+        march.advance().unwrap_or_else(|error| panic!("{error}"));
+        let r: Vec<f64> = march.residuals().to_vec();
+        assert!(r.len() <= 12, "{r:?}");
+        for w in r.windows(3) {
+            // Near the solution and above rounding: the number of right digits doubles.
+            let (a, b, c) = (w[0] / r[0], w[1] / r[0], w[2] / r[0]);
+            if a < 2e-3 && c > 1e-13 {
+                let order = (c / b).ln() / (b / a).ln();
+                assert!(order > 1.7, "order {order} in {r:?}");
+                measured += 1;
+            }
+        }
+    }
+    assert!(measured >= 2, "the case is hard enough to show the order");
+}
+
+/// Springs that yield at 1 µm: 1 GN/m up to there, then a constant push. Two of them face each other.
+static YIELDING: Law = law("yielding", false, |n, h, out| {
+    for j in 0..n {
+        let depth = 1e-3 - h[j];
+        let acts = depth > 0.0 && depth < 1e-6;
+        out[j] = 1e9 * depth.clamp(0.0, 1e-6);
+        out[n + j] = if acts { -1e9 } else { 0.0 };
+    }
+});
+
+/// With effective stiffness s = 4m/Δt² = 10 MN/m, a hundredth of the springs', a prediction 10 µm out leads
+/// plain Newton to −90 µm, from there to 110 µm, and so on for ever.
+fn between_yielding_springs() -> Machine {
+    let mut parts =
+        parts(Shaft::lumped(2.5, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
+    parts.laws = vec![boxed(&YIELDING)];
+    let angles = [0.0, std::f64::consts::PI];
+    parts.bearings = vec![stops("between springs", 1e-3, &angles, 0)];
+    Machine::new(parts).expect("a machine")
+}
+
+fn thrown(newton: NewtonOptions) -> MarchOptions {
+    let mut options = options(1e-3, 1);
+    options.initial_shaft[1] = vec![0.01, 0.0];
+    options.newton = newton;
+    options
+}
+
+#[test]
+fn plain_newton_cycles_where_ours_converges() {
+    let machine = between_yielding_springs();
+    let ours = NewtonOptions { force_tolerance: 1e-6, max_halvings: 0, ..NewtonOptions::default() };
+    let mut go_on = |_: &_| ControlFlow::Continue(());
+    let plain = NewtonOptions { line_search: false, keep_factors: false, ..ours };
+    let failure = march(&machine, &thrown(plain), &mut go_on).expect_err("it cycles");
+    let Error::NewtonDiverged { step, iterations, worst_dof, force_change, .. } = &failure.error
+    else {
+        panic!("{}", failure.error)
+    };
+    assert_eq!((*step, *iterations), (1, plain.max_iterations));
+    assert_eq!(worst_dof, "shaft, mass x");
+    assert!(*force_change > 900.0, "the springs go from one side to the other: {force_change}");
+    assert_eq!(failure.outcome.history.rows(), 0);
+
+    let outcome = march(&machine, &thrown(ours), &mut go_on).expect("ours converges");
+    // The springs carry s (10 µm − x): x = 10 µm · s/(s + k) = 10/101 µm.
+    let x = outcome.history.column("X1_um").expect("a column")[0];
+    assert!((x - 10.0 / 101.0).abs() < 1e-6, "{x}");
+    assert_eq!(outcome.halved_steps, 0);
+}
+
+#[test]
+fn step_cutting_saves_the_plain_method() {
+    let machine = between_yielding_springs();
+    let cut = NewtonOptions { line_search: false, keep_factors: false, ..NewtonOptions::default() };
+    let mut options = thrown(cut);
+    options.steps = 3;
+    let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(())).expect("halves");
+    assert!(outcome.halved_steps > 0);
+    let times = outcome.history.column("t_s").expect("a column");
+    for (row, time) in times.iter().enumerate() {
+        assert!((time - 1e-3 * (row + 1) as f64).abs() < 1e-15, "back on the grid: {time}");
+    }
+}
+
+#[test]
+fn an_observer_stops_the_march_and_keeps_what_there_is() {
+    let machine = between_yielding_springs();
+    let mut options = thrown(NewtonOptions::default());
+    options.steps = 100;
+    let outcome = march(&machine, &options, &mut |progress| match progress.step {
+        7 => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    });
+    assert_eq!(outcome.expect("marches").history.rows(), 7);
+}
+
+#[test]
+fn laws_that_want_what_no_spring_has_are_refused_by_name() {
+    static STRANGE: Law = Law {
+        inputs: &[whirl_specs::Variable { name: "h_dott", unit: "m/s", title: "" }],
+        ..law("strange", true, |_, _, _| {})
+    };
+    let mut parts = parts(discs(1e5), bores(), Rotation::Free);
+    parts.laws = vec![boxed(&STRANGE)];
+    parts.bearings = vec![bearing(0)];
+    let Err(error) = Machine::new(parts) else { panic!("no spring has h_dott") };
+    let text = error.to_string();
+    assert!(text.contains("strange") && text.contains("did you mean h_dot?"), "{text}");
+}
