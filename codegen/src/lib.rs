@@ -11,6 +11,7 @@ pub mod formula;
 pub mod generate;
 pub mod lagrange;
 pub mod schedule;
+pub mod simplify;
 pub mod spec;
 pub mod tape;
 pub mod units;

@@ -5,4 +5,5 @@ mod bits;
 mod clearance;
 mod golden;
 mod hyper;
+mod motion;
 mod random;

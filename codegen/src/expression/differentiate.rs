@@ -8,7 +8,7 @@ use super::graph::Graph;
 use super::node::{Function, Id, Node, Rational, Shape};
 
 /// Why a derivative has no form that the graph can hold.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum DifferentiateError {
     /// A derivative that needs the product of two stored matrices.
     #[error("the derivative needs the product of two matrices; declare that product as a tensor")]
@@ -20,24 +20,69 @@ pub enum DifferentiateError {
     ThirdOrder,
 }
 
+/// Derivatives of the nodes below an expression, where they have a form.
+type Derivatives = BTreeMap<Id, Result<Id, DifferentiateError>>;
+
 impl Graph {
     /// ∂(expression)/∂(symbol). By a scalar the shape stays; a scalar by a vector is its gradient, a
     /// vector by a vector its Jacobian J[i,j] = ∂a_i/∂x_j.
     pub fn differentiate(&mut self, expression: Id, symbol: Id) -> Result<Id, DifferentiateError> {
         let by_vector = self.shape(symbol) == Shape::Vector;
-        let mut derivatives: BTreeMap<Id, Id> = BTreeMap::new();
+        // A vector whose Jacobian has no form may still stand in a dot product, which needs none.
+        let mut derivatives = Derivatives::new();
         for id in self.reachable(&[expression]) {
             let derivative = if id == symbol {
-                if by_vector { self.identity() } else { self.integer(1) }
+                Ok(if by_vector { self.identity() } else { self.integer(1) })
             } else {
-                self.rule(id, by_vector, &derivatives)?
+                self.rule(id, by_vector, &derivatives)
             };
             derivatives.insert(id, derivative);
             if self.exceeded() {
-                return Ok(derivative);
+                return derivative;
             }
         }
-        Ok(derivatives[&expression])
+        derivatives[&expression]
+    }
+
+    /// Whether a node is known not to depend on the symbol.
+    fn is_constant(&self, id: Id, of: &Derivatives) -> bool {
+        self.shape(id) == Shape::Truth || of[&id].is_ok_and(|derivative| self.is_zero(derivative))
+    }
+
+    /// Jᵀ c for the Jacobian J of a vector, without forming J.
+    fn pull(&mut self, vector: Id, c: Id, of: &Derivatives) -> Result<Id, DifferentiateError> {
+        if self.is_constant(vector, of) || self.is_zero(c) {
+            return Ok(self.zero(Shape::Vector));
+        }
+        match self.node(vector).clone() {
+            Node::Sum(terms) => {
+                let mut parts = Vec::with_capacity(terms.len());
+                for (term, coefficient) in terms {
+                    parts.push((self.pull(term, c, of)?, coefficient));
+                }
+                Ok(self.sum(&parts))
+            }
+            Node::Scale(scalar, x) => {
+                let along = self.dot(x, c);
+                let along = self.scale(along, of[&scalar]?);
+                let scaled = self.scale(scalar, c);
+                let rest = self.pull(x, scaled, of)?;
+                Ok(self.add(along, rest))
+            }
+            Node::Apply(matrix, x) if self.is_constant(matrix, of) => {
+                let transposed = self.transpose(matrix);
+                let c = self.apply(transposed, c);
+                self.pull(x, c, of)
+            }
+            Node::Select(mask, a, b) => {
+                let (a, b) = (self.pull(a, c, of)?, self.pull(b, c, of)?);
+                Ok(self.select(mask, a, b))
+            }
+            _ => {
+                let transposed = self.transpose(of[&vector]?);
+                Ok(self.apply(transposed, c))
+            }
+        }
     }
 
     /// Shape of the derivative of something of shape `shape`.
@@ -54,7 +99,7 @@ impl Graph {
         &mut self,
         id: Id,
         by_vector: bool,
-        of: &BTreeMap<Id, Id>,
+        of: &Derivatives,
     ) -> Result<Id, DifferentiateError> {
         let shape = self.shape(id);
         if shape == Shape::Truth {
@@ -63,10 +108,7 @@ impl Graph {
         }
         let node = self.node(id).clone();
         let mut constant = true;
-        node.operands(|operand| {
-            let derivative = of[&operand];
-            constant &= self.is_zero(derivative) || self.shape(operand) == Shape::Truth;
-        });
+        node.operands(|operand| constant &= self.is_constant(operand, of));
         if constant {
             return self.derivative_zero(shape, by_vector);
         }
@@ -75,55 +117,60 @@ impl Graph {
         }
         Ok(match node {
             Node::Sum(terms) => {
-                let parts: Vec<_> = terms.into_iter().map(|(term, c)| (of[&term], c)).collect();
+                let mut parts = Vec::with_capacity(terms.len());
+                for (term, c) in terms {
+                    parts.push((of[&term]?, c));
+                }
                 self.sum(&parts)
             }
             Node::Product(factors) => {
                 let mut parts = Vec::with_capacity(factors.len());
                 for (place, (base, exponent)) in factors.iter().enumerate() {
-                    if self.is_zero(of[base]) {
+                    if self.is_zero(of[base]?) {
                         continue;
                     }
                     let mut rest = factors.clone();
                     rest[place].1 = exponent - Rational::one();
                     let rest = self.product(&rest);
-                    parts.push((self.mul(rest, of[base]), exponent.clone()));
+                    parts.push((self.mul(rest, of[base]?), exponent.clone()));
                 }
                 self.sum(&parts)
             }
             Node::Function(function, a) => {
                 let slope = self.slope(function, a, id);
-                self.mul(slope, of[&a])
+                self.mul(slope, of[&a]?)
             }
-            Node::Select(mask, a, b) => self.select(mask, of[&a], of[&b]),
+            Node::Select(mask, a, b) => self.select(mask, of[&a]?, of[&b]?),
             Node::Scale(scalar, x) => {
-                let rest = self.scale(scalar, of[&x]);
-                let along =
-                    if by_vector { self.outer(x, of[&scalar]) } else { self.scale(of[&scalar], x) };
+                let rest = self.scale(scalar, of[&x]?);
+                let along = if by_vector {
+                    self.outer(x, of[&scalar]?)
+                } else {
+                    self.scale(of[&scalar]?, x)
+                };
                 self.add(along, rest)
             }
             Node::Dot(a, b) => {
                 let (left, right) = if by_vector {
-                    let (ja, jb) = (self.transpose(of[&a]), self.transpose(of[&b]));
-                    (self.apply(ja, b), self.apply(jb, a))
+                    (self.pull(a, b, of)?, self.pull(b, a, of)?)
                 } else {
-                    (self.dot(of[&a], b), self.dot(a, of[&b]))
+                    (self.dot(of[&a]?, b), self.dot(a, of[&b]?))
                 };
                 self.add(left, right)
             }
             Node::Apply(matrix, x) if by_vector => {
-                if !self.is_zero(of[&matrix]) {
+                if !self.is_zero(of[&matrix]?) {
                     return Err(DifferentiateError::ThirdOrder);
                 }
-                self.compose(matrix, of[&x]).ok_or(DifferentiateError::MatrixProduct)?
+                self.compose(matrix, of[&x]?).ok_or(DifferentiateError::MatrixProduct)?
             }
             Node::Apply(matrix, x) => {
-                let (left, right) = (self.apply(of[&matrix], x), self.apply(matrix, of[&x]));
+                let (left, right) = (self.apply(of[&matrix]?, x), self.apply(matrix, of[&x]?));
                 self.add(left, right)
             }
-            Node::Transpose(matrix) => self.transpose(of[&matrix]),
+            Node::Transpose(matrix) => self.transpose(of[&matrix]?),
             Node::Outer(a, b) => {
-                let (left, right) = (self.outer(of[&a], b), self.outer(a, of[&b]));
+                let (left, right) = (self.outer(of[&a]?, b), self.outer(a, of[&b]?));
                 self.add(left, right)
             }
             other => unreachable!("{other:?} has no operand that varies"),

@@ -13,6 +13,8 @@ pub mod normal;
 mod scalar;
 mod signature;
 mod substitute;
+#[cfg(test)]
+mod tests;
 
 pub use differentiate::DifferentiateError;
 pub use display::display;

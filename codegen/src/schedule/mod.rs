@@ -12,6 +12,7 @@ mod sum;
 mod tests;
 
 use crate::expression::{Graph, Id, Shape, normal};
+use crate::simplify::simplify;
 
 use lower::Lowered;
 pub use program::{
@@ -38,13 +39,21 @@ struct Way {
     names: Vec<(Id, String)>,
 }
 
-/// As written; factored; and, where there are stages to hoist to, multiplied out and factored anew.
+/// As written; factored; where rules apply, simplified, and that factored; and, where there are stages to
+/// hoist to, multiplied out and factored anew.
 fn ways(graph: &mut Graph, request: &Request) -> Result<Vec<Way>, ScheduleError> {
     let written = Way {
         outputs: request.outputs.iter().map(|output| output.expression).collect(),
         names: request.names.clone(),
     };
     let mut ways = vec![factored(graph, request, &written)?];
+    let simple = simplify(graph, &written.outputs);
+    if simple != written.outputs {
+        same_meaning(graph, request, &simple)?;
+        let simple = Way { outputs: simple, names: request.names.clone() };
+        ways.push(factored(graph, request, &simple)?);
+        ways.push(simple);
+    }
     if request.stages.len() > 1
         && let Some(expanded) = expanded(graph, &written)
     {
