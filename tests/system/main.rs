@@ -4,3 +4,4 @@
 mod histories;
 mod paper;
 mod run;
+mod summary;

@@ -7,7 +7,7 @@ use std::process::Command;
 use std::sync::{Arc, Mutex, OnceLock};
 
 /// A history as columns by name, in the units of their names.
-pub struct History {
+pub(crate) struct History {
     names: Vec<String>,
     columns: Vec<Vec<f64>>,
 }
@@ -28,29 +28,29 @@ impl History {
     }
 
     /// Column names, in order.
-    pub fn names(&self) -> &[String] {
+    pub(crate) fn names(&self) -> &[String] {
         &self.names
     }
 
     /// Number of rows.
-    pub fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.columns[0].len()
     }
 
     /// The column called `name`.
-    pub fn column(&self, name: &str) -> &[f64] {
+    pub(crate) fn column(&self, name: &str) -> &[f64] {
         let place = self.names.iter().position(|column| column == name);
         &self.columns[place.unwrap_or_else(|| panic!("no column {name}"))]
     }
 
     /// The last `rows` values of a column.
-    pub fn tail(&self, name: &str, rows: usize) -> &[f64] {
+    pub(crate) fn tail(&self, name: &str, rows: usize) -> &[f64] {
         let column = self.column(name);
         &column[column.len() - rows..]
     }
 
     /// The value of a column at time `t`, linear between rows.
-    pub fn at(&self, name: &str, t: f64) -> f64 {
+    pub(crate) fn at(&self, name: &str, t: f64) -> f64 {
         let (times, values) = (self.column("t_s"), self.column(name));
         let next = times.partition_point(|time| *time < t).clamp(1, times.len() - 1);
         let share = (t - times[next - 1]) / (times[next] - times[next - 1]);
@@ -59,13 +59,13 @@ impl History {
 }
 
 /// What one run left behind.
-pub struct Run {
-    pub history: History,
-    pub summary: serde_json::Value,
+pub(crate) struct Run {
+    pub(crate) history: History,
+    pub(crate) summary: serde_json::Value,
 }
 
 /// The reference history of analysis `number`, made by an independent program.
-pub fn reference(number: usize) -> History {
+pub(crate) fn reference(number: usize) -> History {
     let path = root().join(format!("tests/data/hu2003-{number}.csv.gz"));
     let packed = std::fs::File::open(&path).expect("reference data");
     let mut text = String::new();
@@ -74,7 +74,7 @@ pub fn reference(number: usize) -> History {
 }
 
 /// The run of a shipped case, by name; every case is run once, whoever asks first.
-pub fn shipped(case: &str) -> Arc<Run> {
+pub(crate) fn shipped(case: &str) -> Arc<Run> {
     static RUNS: OnceLock<Mutex<BTreeMap<String, Arc<OnceLock<Arc<Run>>>>>> = OnceLock::new();
     let runs = RUNS.get_or_init(Mutex::default);
     let slot = runs.lock().expect("no panic inside").entry(case.to_string()).or_default().clone();
@@ -82,7 +82,7 @@ pub fn shipped(case: &str) -> Arc<Run> {
 }
 
 /// Runs a case, by name or path, into a folder of its own.
-pub fn run(case: &str) -> Run {
+pub(crate) fn run(case: &str) -> Run {
     let out = tempfile::tempdir().expect("a temporary folder");
     // One cache for all: the cases share the machine, and tests of the cache have their own.
     let cache = root().join("target/tmp/system-cache");
@@ -107,6 +107,6 @@ pub fn run(case: &str) -> Run {
 }
 
 /// The folder of the workspace.
-pub fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace").to_path_buf()
 }
