@@ -20,6 +20,9 @@
 //! In place of `kinetic_energy`: tables `mass`, `PF`, `B`, `P` with a formula a block (`theta.eta = '…'`)
 //! and `quadratic_velocity` with a formula a row; what is left out is zero.
 
+#[cfg(test)]
+mod tests;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -67,6 +70,30 @@ pub struct Tensor {
     /// Symmetry of a matrix.
     pub symmetry: Symmetry,
 }
+
+/// Names that the generated kernels use themselves.
+const KERNEL_NAMES: [&str; 18] = [
+    "n",
+    "i",
+    "j",
+    "L",
+    "a1",
+    "a2",
+    "start",
+    "end",
+    "out",
+    "rows",
+    "first",
+    "block",
+    "columns",
+    "state",
+    "tensors",
+    "vector",
+    "workspace",
+    "_workspace",
+];
+/// Beginnings of names that they make.
+const KERNEL_PREFIXES: [&str; 4] = ["dot_", "columns_of_", "column_of_", "weight_"];
 
 const TENSORS: [(&str, Shape, Symmetry); 5] = [
     ("scalar", Shape::Scalar, Symmetry::None),
@@ -154,6 +181,15 @@ fn tensors(root: &Table, graph: &mut Graph, names: &mut BTreeMap<String, Id>) ->
     for key in table.names() {
         let word = table.word(key.text(), &words);
         let name = match formula::name(key.text()) {
+            Ok(name)
+                if KERNEL_NAMES.contains(&name.as_str())
+                    || KERNEL_PREFIXES.iter().any(|prefix| name.starts_with(prefix)) =>
+            {
+                let message = format!("the name `{name}` is kept for the kernels");
+                let error = key.error_here(Code::BAD_NAME, message);
+                table.document().push(error.help("choose another name"));
+                continue;
+            }
             Ok(name) if names.contains_key(&name) => {
                 let message = format!("`{name}` is already a coordinate, a rate or a tensor");
                 table.document().push(key.error_here(Code::BAD_NAME, message));
@@ -212,6 +248,7 @@ impl Reader<'_> {
     fn by_energy(&mut self, text: &Located) -> Option<(Equations, Derivatives)> {
         let energy = self.formula(text, Shape::Scalar)?;
         let coordinates = self.coordinates.clone();
+        self.refuse_rates(energy, "kinetic_energy", Some(text), false);
         let both = lagrange(&mut self.graph, energy, &coordinates).and_then(|equations| {
             let derivatives = derivatives(&mut self.graph, &equations, &coordinates)?;
             Ok((equations, derivatives))
@@ -221,6 +258,41 @@ impl Reader<'_> {
             self.document.push(text.error_here(Code::DERIVATIVE, message));
         })
         .ok()
+        .inspect(|(equations, _)| {
+            for (i, row) in equations.mass.iter().enumerate() {
+                for (j, block) in row.iter().enumerate() {
+                    let place = format!("mass.{}.{}", coordinates[i].name, coordinates[j].name);
+                    self.refuse_rates(*block, &place, Some(text), true);
+                }
+            }
+            if self.graph.exceeded() {
+                let message = "the derivatives of this energy grow beyond all use";
+                self.document.push(text.error_here(Code::LIMIT, message));
+            }
+        })
+    }
+
+    /// Reports a term that depends on an acceleration, or where `velocities` says so on a rate.
+    fn refuse_rates(&mut self, term: Id, place: &str, text: Option<&Located>, velocities: bool) {
+        let expanded = normal::expand(&mut self.graph, term);
+        for coordinate in &self.coordinates {
+            let rates = [
+                (coordinate.acceleration, "_ddot", true),
+                (coordinate.velocity, "_dot", velocities),
+            ];
+            for (rate, suffix, _) in rates.into_iter().filter(|(.., refused)| *refused) {
+                let (true, Some(text)) = (self.graph.depends(expanded, rate), text) else {
+                    continue;
+                };
+                let message = format!("`{place}` depends on `{}{suffix}`", coordinate.name);
+                let error = text.error_here(Code::DERIVATIVE, message);
+                self.document.push(error.help(if velocities {
+                    "a kinetic energy is quadratic in the rates, a mass matrix free of them"
+                } else {
+                    "accelerations stand only in M q̈"
+                }));
+            }
+        }
     }
 
     fn by_terms(&mut self, root: &Table) -> Option<(Equations, Derivatives)> {
@@ -238,6 +310,15 @@ impl Reader<'_> {
             return None;
         }
         self.check_symmetry(&mass);
+        for (i, row) in mass.iter().enumerate() {
+            for (j, block) in row.iter().enumerate() {
+                let names = [i, j].map(|place| self.coordinates[place].name.clone());
+                let place = format!("mass.{}", names.join("."));
+                self.refuse_rates(block.value, &place, block.text.as_ref(), true);
+            }
+            let place = format!("quadratic_velocity.{}", self.coordinates[i].name);
+            self.refuse_rates(q_v[i].value, &place, q_v[i].text.as_ref(), false);
+        }
         let equations = Equations {
             kinetic_energy: None,
             momentum: None,
@@ -374,89 +455,5 @@ fn word(shape: Shape) -> &'static str {
         Shape::Vector => "a vector",
         Shape::Matrix => "a matrix",
         Shape::Truth => "a condition",
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const EXPLICIT: &str = r#"
-kind = "motion"
-name = "explicit"
-title = "A shaft by its terms"
-source = "Lagrange"
-
-[coordinates]
-theta = "scalar"
-eta = "vector"
-
-[tensors]
-J0 = "scalar"
-y0 = "vector"
-g0 = "vector"
-M = "symmetric"
-Y = "symmetric"
-H = "skew"
-
-[mass]
-theta.theta = 'J0 + 2*dot(y0, eta) + dot(eta, Y*eta)'
-theta.eta = 'g0 - H*eta'
-eta.theta = 'g0 - H*eta'
-eta.eta = 'M'
-
-[quadratic_velocity]
-theta = '-2*dot(y0 + Y*eta, eta_dot)*theta_dot'
-eta = '(y0 + Y*eta)*theta_dot^2 + 2*(H*eta_dot)*theta_dot'
-
-[PF]
-theta.eta = '2*(y0 + Y*eta)*theta_ddot + H*eta_ddot'
-eta.eta = '-H*theta_ddot'
-
-[B]
-theta.eta = '-2*theta_dot*(Y*eta_dot)'
-eta.eta = 'Y*theta_dot^2'
-
-[P]
-theta.theta = '-2*dot(y0 + Y*eta, eta_dot)'
-theta.eta = '-2*(y0 + Y*eta)*theta_dot'
-eta.theta = '2*(y0 + Y*eta)*theta_dot + 2*H*eta_dot'
-eta.eta = '2*H*theta_dot'
-"#;
-
-    fn errors(text: &str) -> String {
-        match MotionSpec::read(&Source::new("motion/explicit.toml", text)) {
-            Ok(_) => String::new(),
-            Err(errors) => errors.render(),
-        }
-    }
-
-    #[test]
-    fn declared_derivatives_that_hold_are_accepted() {
-        assert_eq!(errors(EXPLICIT), "");
-    }
-
-    #[test]
-    fn a_wrong_block_is_named_with_both_sides() {
-        let text =
-            errors(&EXPLICIT.replace("eta.eta = '-H*theta_ddot'", "eta.eta = 'H*theta_ddot'"));
-        assert!(
-            text.contains("`PF.eta.eta` is not the derivative of the declared terms"),
-            "{text}"
-        );
-        assert!(text.contains("declared theta_ddot*H, derived -theta_ddot*H"), "{text}");
-        assert!(text.contains("motion/explicit.toml:31:12"), "{text}");
-    }
-
-    #[test]
-    fn an_omitted_block_is_zero_and_must_be_so() {
-        let text = errors(&EXPLICIT.replace("eta.eta = 'Y*theta_dot^2'", ""));
-        assert!(text.contains("`B.eta.eta`"), "{text}");
-    }
-
-    #[test]
-    fn an_unsymmetric_mass_is_refused() {
-        let wrong = EXPLICIT.replace("eta.theta = 'g0 - H*eta'", "eta.theta = 'g0 + H*eta'");
-        assert!(errors(&wrong).contains("the mass matrix is not symmetric in theta and eta"));
     }
 }
