@@ -9,6 +9,7 @@ pub mod lane;
 mod registry;
 mod rows;
 pub mod vector;
+mod wide;
 
 pub use lane::Lane;
 pub use registry::*;

@@ -6,6 +6,7 @@
     /// ```
     ///
     /// 4 matrix–vector products (Y_eta, H_eta, H_eta_dot, M_eta_ddot), 6 dot products of n values; scalars: 6 add, 6 mul.
+    #[inline(always)]
     pub fn inertia_force<L: Lane>(
         tensors: &[&[f64]],
         state: &MotionState<L>,

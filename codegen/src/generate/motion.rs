@@ -1,7 +1,7 @@
 //! Kernels of a motion and its entry in the registry.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::Kernel;
 use super::facts::{About, unscheduled};
@@ -9,6 +9,19 @@ use crate::diagnostic::Diagnostics;
 use crate::emit::{self, documented, identifier};
 use crate::expression::{Shape, Symmetry};
 use crate::spec::motion::{MotionSpec, Tensor};
+
+/// Kernels of the registry, and whether only a motion by its energy has them.
+const KERNELS: [(&str, bool); 9] = [
+    ("kinetic_energy", true),
+    ("momentum", true),
+    ("inertia_force", false),
+    ("quadratic_velocity", false),
+    ("mass", false),
+    ("pf", false),
+    ("b", false),
+    ("p", false),
+    ("tangent", false),
+];
 
 pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
     let emitted = emit::motion(spec).map_err(|error| unscheduled(&spec.file, &error))?;
@@ -25,12 +38,15 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
     let tensors = spec.tensors.iter().map(tensor);
     let has_energy = spec.equations.kinetic_energy.is_some();
     let optional = |name: TokenStream| if has_energy { quote!(Some(#name)) } else { quote!(None) };
-    let kinetic_energy = optional(quote!(kinetic_energy::<f64>));
-    let momentum = optional(quote!(momentum::<f64>));
+    let kinetic_energy = optional(quote!(wide_kinetic_energy));
+    let momentum = optional(quote!(wide_momentum));
+    let wide = KERNELS.iter().filter(|(_, by_energy)| has_energy || !by_energy);
+    let wide = wide.map(|(kernel, _)| wide_function(kernel));
     let module = quote! {
         #heading
         pub mod #name {
             use crate::vector;
+            use crate::wide::wide;
             use crate::{Lane, Motion, MotionState, Origin, Symmetry, Tensor, TensorShape};
 
             /// Length of the workspace of every kernel, for n flexible coordinates.
@@ -38,6 +54,7 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
                 #words * n
             }
             #functions
+            #(#wide)*
             /// The entry of the registry.
             pub const ENTRY: Motion = Motion {
                 origin: #origin,
@@ -45,17 +62,36 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
                 workspace,
                 kinetic_energy: #kinetic_energy,
                 momentum: #momentum,
-                inertia_force: inertia_force::<f64>,
-                quadratic_velocity: quadratic_velocity::<f64>,
-                mass: mass::<f64>,
-                pf: pf::<f64>,
-                b: b::<f64>,
-                p: p::<f64>,
-                tangent: tangent::<f64>,
+                inertia_force: wide_inertia_force,
+                quadratic_velocity: wide_quadratic_velocity,
+                mass: wide_mass,
+                pf: wide_pf,
+                b: wide_b,
+                p: wide_p,
+                tangent: wide_tangent,
             };
         }
     };
     Ok(Kernel { name: spec.name.clone(), module })
+}
+
+/// The kernel over f64, for the registers that the machine has.
+fn wide_function(kernel: &str) -> TokenStream {
+    let (name, wide) = (format_ident!("{kernel}"), format_ident!("wide_{kernel}"));
+    let newmark = (kernel == "tangent").then(|| quote!(a1: f64, a2: f64,));
+    if kernel == "kinetic_energy" {
+        return quote! {
+            wide!(#name as #wide(
+                tensors: &[&[f64]], state: &MotionState, workspace: &mut [f64]
+            ) -> f64);
+        };
+    }
+    quote! {
+        wide!(#name as #wide(
+            tensors: &[&[f64]], state: &MotionState, #newmark
+            workspace: &mut [f64], out: &mut [f64]
+        ));
+    }
 }
 
 fn tensor(tensor: &Tensor) -> TokenStream {

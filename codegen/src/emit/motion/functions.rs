@@ -147,6 +147,7 @@ fn function(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &Plan) -> T
     };
     quote! {
         #header
+        #[inline(always)]
         pub fn #name<L: Lane>(
             tensors: &[&[f64]],
             state: &MotionState<L>,
