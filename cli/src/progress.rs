@@ -39,7 +39,7 @@ impl Steps {
     pub(crate) fn done(&self, step: usize, time: f64) {
         // Formatting the time takes longer than a step; a hundredth of the steps is often enough to look.
         const LOOKS: usize = 64;
-        if step % LOOKS == 0 && !self.0.is_hidden() {
+        if step.is_multiple_of(LOOKS) && !self.0.is_hidden() {
             self.0.set_position(step as u64);
             self.0.set_message(format!("t = {:.1} ms", 1e3 * time));
         }

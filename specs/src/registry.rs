@@ -1,5 +1,10 @@
 //! The shapes of the registries: what the generator states about each spec, beside its functions.
 
+#![allow(
+    clippy::type_complexity,
+    reason = "the signature of a kernel is read where it is stored, with its arguments named"
+)]
+
 /// Where an entry comes from.
 #[derive(Debug, Clone, Copy)]
 pub struct Origin {

@@ -3,4 +3,5 @@
 mod bad_input;
 mod bad_machine;
 mod good_runs;
+mod readme;
 mod workbench;

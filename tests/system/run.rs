@@ -75,7 +75,8 @@ pub(crate) fn reference(number: usize) -> History {
 
 /// The run of a shipped case, by name; every case is run once, whoever asks first.
 pub(crate) fn shipped(case: &str) -> Arc<Run> {
-    static RUNS: OnceLock<Mutex<BTreeMap<String, Arc<OnceLock<Arc<Run>>>>>> = OnceLock::new();
+    type Slot = Arc<OnceLock<Arc<Run>>>;
+    static RUNS: OnceLock<Mutex<BTreeMap<String, Slot>>> = OnceLock::new();
     let runs = RUNS.get_or_init(Mutex::default);
     let slot = runs.lock().expect("no panic inside").entry(case.to_string()).or_default().clone();
     slot.get_or_init(|| Arc::new(run(case))).clone()

@@ -99,9 +99,10 @@ mod tests {
             let (sin, cos) = theta.sin_cos();
             let reaction = [400.0 * cos, -40.0 * sin];
             let journal = [20.0 * cos, 10.0 * sin];
-            let row =
-                [[time, theta].as_slice(), &[TAU * 10.0], &reaction, &journal, &journal, &[1.0]];
-            history.push(&row.concat());
+            let mut row = vec![time, theta, TAU * 10.0];
+            row.extend([reaction, journal, journal].concat());
+            row.push(1.0);
+            history.push(&row);
         }
         history
     }

@@ -239,10 +239,10 @@ impl Plan {
     fn place_support(&mut self, case: &case::Support, errors: &mut Diagnostics) {
         let support = &mut self.support;
         for node in support.nodes(&case.mounts, errors) {
-            for axis in 0..3 {
+            for (axis, letter) in AXES.iter().enumerate() {
                 let held = support.retain(&case.mounts, node, axis);
                 let label = support.mesh.labels()[node];
-                let name = format!("mounts ({} of node {label})", AXES[axis]);
+                let name = format!("mounts ({letter} of node {label})");
                 support.spec.constraints.fix(name, held);
             }
         }

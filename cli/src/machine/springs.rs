@@ -33,8 +33,8 @@ impl Laws {
 
     /// Names and hashes of the specs.
     pub(super) fn hashes(&self) -> Vec<(String, String)> {
-        let hash = |law: &Box<dyn SpringLaw>| law.hash().to_string();
-        self.names.iter().cloned().zip(self.laws.iter().map(hash)).collect()
+        let hashes = self.laws.iter().map(|law| law.hash().to_string());
+        self.names.iter().cloned().zip(hashes).collect()
     }
 
     /// The laws.

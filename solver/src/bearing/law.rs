@@ -29,10 +29,10 @@ impl SpringLaw for &'static Law {
         self.origin.hash
     }
     fn inputs(&self) -> Vec<&str> {
-        (**self).inputs.iter().map(|variable| variable.name).collect()
+        self.inputs.iter().map(|variable| variable.name).collect()
     }
     fn outputs(&self) -> Vec<&str> {
-        (**self).outputs.iter().map(|variable| variable.name).collect()
+        self.outputs.iter().map(|variable| variable.name).collect()
     }
     fn workspace(&self) -> usize {
         0

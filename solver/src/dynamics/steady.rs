@@ -84,7 +84,7 @@ impl SteadyTest {
     /// Takes the forces of a step into the peaks; a new cycle starts every `back` steps.
     fn raise_peaks(&mut self, forces: &[f64], back: usize) {
         let [last, running] = &mut self.peaks;
-        if self.count % back == 0 {
+        if self.count.is_multiple_of(back) {
             std::mem::swap(last, running);
             running.fill(0.0);
         }
