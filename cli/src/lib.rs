@@ -16,6 +16,8 @@ pub mod version;
 
 use std::process::ExitCode;
 
+use whirl_solver::machine::MachineParts;
+
 use arguments::{Arguments, Command};
 
 /// Does what the command line asks for, and says which exit status that gives: 0 done, 1 not converged,
@@ -36,4 +38,14 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
             failure.status()
         }
     }
+}
+
+/// What the machine of a case is made from, for programs that march it themselves; nothing of a lumped
+/// case. `case`: a path or the name of a built-in case.
+///
+/// # Errors
+/// Everything wrong with the case, as text.
+pub fn machine_parts(case: &str) -> Result<Option<MachineParts>, String> {
+    let case = case::read(case).map_err(|errors| errors.render())?;
+    machine::parts(&case).map_err(|failure| failure.report())
 }

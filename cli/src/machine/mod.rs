@@ -9,7 +9,7 @@ mod springs;
 
 use serde::Serialize;
 use whirl_solver::cache::Cache;
-use whirl_solver::machine::Machine;
+use whirl_solver::machine::{Machine, MachineParts};
 
 pub(crate) use plan::{BodyPlan, Plan};
 
@@ -73,5 +73,16 @@ pub(crate) fn build(case: &Case, cache: Option<&Cache>) -> Result<Built, Failure
     match &case.system {
         System::Rotor(rotor) => rotor::build(rotor, cache),
         System::Lumped(lumped) => lumped::build(lumped),
+    }
+}
+
+/// What the machine of a case of a shaft on a support is made from; nothing of a lumped case.
+///
+/// # Errors
+/// As [`build`].
+pub(crate) fn parts(case: &Case) -> Result<Option<MachineParts>, Failure> {
+    match &case.system {
+        System::Rotor(rotor) => Ok(Some(rotor::assemble(rotor, None)?.parts)),
+        System::Lumped(_) => Ok(None),
     }
 }

@@ -14,6 +14,25 @@ use crate::case::{self, Rotor};
 use crate::errors::Failure;
 
 pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failure> {
+    let Assembled { parts, law_hashes, facts } = assemble(rotor, cache)?;
+    Ok(Built {
+        machine: Machine::new(parts)?,
+        initial: [Vec::new(), Vec::new()],
+        clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),
+        law_hashes,
+        bodies: Some(facts),
+    })
+}
+
+/// What a machine is made from, and what results say about it.
+pub(super) struct Assembled {
+    pub(super) parts: MachineParts,
+    law_hashes: Vec<(String, String)>,
+    facts: BodyFacts,
+}
+
+/// Reduces the bodies and places springs and loads.
+pub(super) fn assemble(rotor: &Rotor, cache: Option<&Cache>) -> Result<Assembled, Failure> {
     let plan = Plan::new(rotor)?;
     let (bodies, wall, cached) = bodies(&plan, cache)?;
     let mut laws = Laws::default();
@@ -28,7 +47,7 @@ pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failu
         cached,
     };
     let law_hashes = laws.hashes();
-    let machine = Machine::new(MachineParts {
+    let parts = MachineParts {
         shaft: bodies.shaft,
         support: bodies.support,
         motion: rotor.shaft.motion,
@@ -37,14 +56,8 @@ pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failu
         laws: laws.into_laws(),
         bearings,
         loads,
-    })?;
-    Ok(Built {
-        machine,
-        initial: [Vec::new(), Vec::new()],
-        clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),
-        law_hashes,
-        bodies: Some(facts),
-    })
+    };
+    Ok(Assembled { parts, law_hashes, facts })
 }
 
 fn bearings(
