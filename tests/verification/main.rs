@@ -7,6 +7,7 @@ mod bodies;
 mod constraints;
 mod documents;
 mod dynamics;
+mod elements;
 mod formulas;
 mod laws;
 mod made_meshes;

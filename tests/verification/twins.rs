@@ -6,9 +6,9 @@ use whirl_benches::hand::elements::{HEX8, HEX8I, WEDGE6};
 use whirl_specs::{Element, Structure};
 
 /// Value and reference gradient of every shape function at a point.
-type Shapes = fn(Vector3<f64>) -> Vec<(f64, Vector3<f64>)>;
+pub(crate) type Shapes = fn(Vector3<f64>) -> Vec<(f64, Vector3<f64>)>;
 
-fn hexahedron(p: Vector3<f64>) -> Vec<(f64, Vector3<f64>)> {
+pub(crate) fn hexahedron(p: Vector3<f64>) -> Vec<(f64, Vector3<f64>)> {
     let shape = |node: &[f64; 3]| {
         let f = Vector3::from_fn(|i, _| 0.5 * (1.0 + node[i] * p[i]));
         let d = Vector3::from_fn(|i, _| 0.5 * node[i]);
@@ -18,7 +18,7 @@ fn hexahedron(p: Vector3<f64>) -> Vec<(f64, Vector3<f64>)> {
     HEX8.reference_nodes.iter().map(shape).collect()
 }
 
-fn wedge(p: Vector3<f64>) -> Vec<(f64, Vector3<f64>)> {
+pub(crate) fn wedge(p: Vector3<f64>) -> Vec<(f64, Vector3<f64>)> {
     let areas = [(1.0 - p[0] - p[1], [-1.0, -1.0]), (p[0], [1.0, 0.0]), (p[1], [0.0, 1.0])];
     let mut shapes = Vec::new();
     for end in [-1.0, 1.0] {
@@ -35,7 +35,7 @@ fn gauss_2() -> [f64; 2] {
 }
 
 /// Points with weights.
-fn points(element: &Element) -> Vec<(Vector3<f64>, f64)> {
+pub(crate) fn points(element: &Element) -> Vec<(Vector3<f64>, f64)> {
     let mut points = Vec::new();
     for z in gauss_2() {
         if element.nodes == 6 {
@@ -53,7 +53,7 @@ fn points(element: &Element) -> Vec<(Vector3<f64>, f64)> {
 }
 
 /// ∂x/∂ξ: column k is the tangent along ξ_k.
-fn jacobian(x: &[f64], shapes: &[(f64, Vector3<f64>)]) -> Matrix3<f64> {
+pub(crate) fn jacobian(x: &[f64], shapes: &[(f64, Vector3<f64>)]) -> Matrix3<f64> {
     shapes.iter().zip(x.chunks_exact(3)).fold(Matrix3::zeros(), |sum, ((_, gradient), x)| {
         sum + Vector3::new(x[0], x[1], x[2]) * gradient.transpose()
     })
@@ -67,7 +67,7 @@ fn strain(g: Vector3<f64>) -> SMatrix<f64, 6, 3> {
     ])
 }
 
-fn stiffness(element: &Element, shapes: Shapes, modes: bool, x: &[f64]) -> DMatrix<f64> {
+pub(crate) fn stiffness(element: &Element, shapes: Shapes, modes: bool, x: &[f64]) -> DMatrix<f64> {
     let (e, nu) = (200e9, 0.3);
     let (lambda, mu) = (e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), e / (2.0 * (1.0 + nu)));
     let mut d = SMatrix::<f64, 6, 6>::zeros();
@@ -105,7 +105,7 @@ fn stiffness(element: &Element, shapes: Shapes, modes: bool, x: &[f64]) -> DMatr
     k.view((0, 0), (n, n)) - coupling.transpose() * inner * &coupling
 }
 
-fn mass(element: &Element, shapes: Shapes, x: &[f64]) -> DMatrix<f64> {
+pub(crate) fn mass(element: &Element, shapes: Shapes, x: &[f64]) -> DMatrix<f64> {
     let mut m = DMatrix::zeros(element.nodes, element.nodes);
     for (point, weight) in points(element) {
         let values = shapes(point);
@@ -117,7 +117,12 @@ fn mass(element: &Element, shapes: Shapes, x: &[f64]) -> DMatrix<f64> {
 }
 
 /// The kernel of one cell as a full matrix: all dofs, or the nodes of a Kronecker structure.
-fn kernel(element: &Element, form: &str, material: &[f64], x: &[f64]) -> (DMatrix<f64>, f64) {
+pub(crate) fn kernel(
+    element: &Element,
+    form: &str,
+    material: &[f64],
+    x: &[f64],
+) -> (DMatrix<f64>, f64) {
     let kernel = element.form(form).unwrap();
     let size = match kernel.structure {
         Structure::Kronecker { .. } => element.nodes,

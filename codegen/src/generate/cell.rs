@@ -1,17 +1,18 @@
 //! The kernel of one form on one cell: a loop over the points of the rule, then one over pairs of basis
 //! functions, with the components of a pair unrolled.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::element::lane_name;
 use super::facts::unscheduled;
 use super::program::{PAIR, Pairs, point_program};
+use super::table::{Tables, count, names, row, slopes};
 use crate::diagnostic::Diagnostics;
 use crate::element::{Products, Table};
-use crate::emit::{Numbers, documented, identifier, number, operand, statements};
+use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::form::Structure;
 use crate::spec::element::{ElementSpec, ModeJacobian};
 use crate::spec::form::{Form, FormSpec};
@@ -21,50 +22,6 @@ pub(super) struct CellForm<'a> {
     pub(super) element: &'a ElementSpec,
     pub(super) spec: &'a FormSpec,
     pub(super) form: &'a Form,
-}
-
-/// The tables that kernels of an element read, each once.
-pub(super) struct Tables<'a> {
-    element: &'a ElementSpec,
-    items: BTreeMap<String, TokenStream>,
-}
-
-impl<'a> Tables<'a> {
-    pub(super) fn new(element: &'a ElementSpec) -> Self {
-        Tables { element, items: BTreeMap::new() }
-    }
-
-    pub(super) fn tokens(&self) -> TokenStream {
-        self.items.values().cloned().collect()
-    }
-
-    /// The identifier of a table for a form; tables of the common rule have no form in their name.
-    fn named(&self, table: &str, form: &str) -> Ident {
-        match self.element.quadrature_of.contains_key(form) {
-            true => format_ident!("{}_{}", table, identifier(form).to_string().to_uppercase()),
-            false => format_ident!("{}", table),
-        }
-    }
-
-    fn add(&mut self, name: &Ident, about: &str, kind: TokenStream, values: TokenStream) {
-        let about = documented(about);
-        let item = quote!(#about const #name: #kind = #values;);
-        self.items.entry(name.to_string()).or_insert(item);
-    }
-}
-
-fn count(n: usize) -> Literal {
-    Literal::usize_unsuffixed(n)
-}
-
-fn row(values: &[f64]) -> TokenStream {
-    let values = values.iter().map(|value| number(*value));
-    quote!([#(#values),*])
-}
-
-fn slopes(rows: &[[f64; 3]]) -> TokenStream {
-    let rows = rows.iter().map(|slope| row(slope));
-    quote!([#(#rows),*])
 }
 
 impl CellForm<'_> {
@@ -416,7 +373,7 @@ impl CellForm<'_> {
     /// The sums of products over the points for the pair (a, b), then the components.
     fn sums(&self, pairs: &Pairs, used: &BTreeSet<usize>) -> TokenStream {
         let parts: Vec<usize> = if used.contains(&0) { vec![0, 1, 2, 3] } else { vec![1, 2, 3] };
-        let names = |side: &str, place: fn(&(usize, usize)) -> usize| -> Vec<Ident> {
+        let parts_of = |side: &str, place: fn(&(usize, usize)) -> usize| -> Vec<Ident> {
             let of = |part: &usize| pairs.moments.iter().any(|moment| place(moment) == *part);
             let prefix = |part: &usize| if of(part) { "" } else { "_" };
             parts
@@ -424,7 +381,7 @@ impl CellForm<'_> {
                 .map(|p| format_ident!("{}{side}_{}", prefix(p), Pairs::PARTS[*p]))
                 .collect()
         };
-        let (test, trial) = (names("a", |m| m.0), names("b", |m| m.1));
+        let (test, trial) = (parts_of("a", |m| m.0), parts_of("b", |m| m.1));
         let sums: Vec<Ident> =
             pairs.moments.iter().map(|moment| identifier(&Pairs::name(*moment))).collect();
         let at = |part: usize| parts.iter().position(|p| *p == part).unwrap_or(0);
@@ -442,19 +399,4 @@ impl CellForm<'_> {
             #(#statements)*
         }
     }
-}
-
-/// The identifiers in a text.
-pub(super) fn names(text: &TokenStream) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    for token in text.clone() {
-        match token {
-            TokenTree::Ident(name) => {
-                found.insert(name.to_string());
-            }
-            TokenTree::Group(group) => found.extend(names(&group.stream())),
-            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
-        }
-    }
-    found
 }

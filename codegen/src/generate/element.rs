@@ -5,8 +5,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Kernel;
-use super::cell::{CellForm, Tables, names};
+use super::cell::CellForm;
 use super::facts::{About, variable};
+use super::table::{Tables, names};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::emit::{documented, identifier, number};
 use crate::form::Structure;

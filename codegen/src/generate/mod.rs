@@ -9,6 +9,7 @@ mod law;
 mod motion;
 mod program;
 mod read;
+mod table;
 mod write;
 
 pub use read::{SpecFile, folders};

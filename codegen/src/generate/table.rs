@@ -1,0 +1,74 @@
+//! Constant tables of an element's kernels, and small pieces of text.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+use crate::emit::{documented, identifier, number};
+use crate::spec::element::ElementSpec;
+
+/// The tables that kernels of an element read, each once.
+pub(super) struct Tables<'a> {
+    element: &'a ElementSpec,
+    items: BTreeMap<String, TokenStream>,
+}
+
+impl<'a> Tables<'a> {
+    pub(super) fn new(element: &'a ElementSpec) -> Self {
+        Tables { element, items: BTreeMap::new() }
+    }
+
+    pub(super) fn tokens(&self) -> TokenStream {
+        self.items.values().cloned().collect()
+    }
+
+    /// The identifier of a table for a form; tables of the common rule have no form in their name.
+    pub(super) fn named(&self, table: &str, form: &str) -> Ident {
+        match self.element.quadrature_of.contains_key(form) {
+            true => format_ident!("{}_{}", table, identifier(form).to_string().to_uppercase()),
+            false => format_ident!("{}", table),
+        }
+    }
+
+    pub(super) fn add(
+        &mut self,
+        name: &Ident,
+        about: &str,
+        kind: TokenStream,
+        values: TokenStream,
+    ) {
+        let about = documented(about);
+        let item = quote!(#about const #name: #kind = #values;);
+        self.items.entry(name.to_string()).or_insert(item);
+    }
+}
+
+pub(super) fn count(n: usize) -> Literal {
+    Literal::usize_unsuffixed(n)
+}
+
+pub(super) fn row(values: &[f64]) -> TokenStream {
+    let values = values.iter().map(|value| number(*value));
+    quote!([#(#values),*])
+}
+
+pub(super) fn slopes(rows: &[[f64; 3]]) -> TokenStream {
+    let rows = rows.iter().map(|slope| row(slope));
+    quote!([#(#rows),*])
+}
+
+/// The identifiers in a text.
+pub(super) fn names(text: &TokenStream) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for token in text.clone() {
+        match token {
+            TokenTree::Ident(name) => {
+                found.insert(name.to_string());
+            }
+            TokenTree::Group(group) => found.extend(names(&group.stream())),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+    found
+}

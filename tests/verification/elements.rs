@@ -1,0 +1,253 @@
+//! Generated elements: against textbook integrals and the generator's own definitions, patch test,
+//! zero-energy modes, convergence, locking, inverted cells.
+
+mod patches;
+
+use std::collections::BTreeMap;
+
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+use whirl_benches::hand;
+use whirl_codegen::diagnostic::Source;
+use whirl_codegen::element::direct;
+use whirl_codegen::spec::element::ElementSpec;
+use whirl_codegen::spec::form::FormSpec;
+use whirl_specs::{ELEMENTS, Element, Structure};
+
+use crate::twins;
+
+const FORMS: [&str; 2] = [
+    include_str!("../../specs/forms/elasticity.toml"),
+    include_str!("../../specs/forms/inertia.toml"),
+];
+
+/// Steel.
+fn property(name: &str) -> f64 {
+    match name {
+        "E" => 200e9,
+        "nu" => 0.3,
+        "rho" => 7860.0,
+        _ => panic!("no value for the property {name}"),
+    }
+}
+
+fn element(name: &str) -> &'static Element {
+    ELEMENTS.iter().find(|element| element.origin.name == name).expect("a shipped element")
+}
+
+/// The matrix of one cell by the generated kernel, all dofs, and the smallest det J.
+fn generated(element: &Element, form: &str, nodes: &[[f64; 3]]) -> (DMatrix<f64>, f64) {
+    let kernel = element.form(form).unwrap();
+    let material: Vec<f64> = kernel.material.iter().map(|m| property(m.name)).collect();
+    let (matrix, det) = twins::kernel(element, form, &material, nodes.as_flattened());
+    let full = match kernel.structure {
+        Structure::Kronecker { pattern } => {
+            let pattern = DMatrix::from_fn(3, 3, |i, j| pattern[i][j]);
+            matrix.kronecker(&pattern)
+        }
+        _ => matrix,
+    };
+    (full, det)
+}
+
+/// The same straight from a spec's text, without generated code.
+fn direct(text: &str, form: &str, nodes: &[[f64; 3]]) -> DMatrix<f64> {
+    let element = ElementSpec::read_unproved(&Source::new("element.toml", text)).unwrap();
+    let specs = FORMS.map(|text| FormSpec::read(&Source::new("form.toml", text)).unwrap());
+    let found = specs.iter().find_map(|s| Some((s, s.forms.iter().find(|f| f.name == form)?)));
+    let (spec, form) = found.expect("a shipped form");
+    let material: BTreeMap<String, f64> =
+        spec.material.iter().map(|p| (p.name.clone(), property(&p.name))).collect();
+    let cell = direct::evaluate(&element, spec, form, nodes, &material).unwrap();
+    DMatrix::from_row_slice(cell.size, cell.size, &cell.entries)
+}
+
+/// The reference cell in metres, nodes displaced by `shifts`.
+fn displaced(element: &Element, shifts: &[f64]) -> Vec<[f64; 3]> {
+    let mut shifts = shifts.iter().cycle();
+    let mut shift = || shifts.next().expect("it is endless");
+    element.reference_nodes.iter().map(|node| node.map(|x| x + shift())).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    #[test]
+    fn kernels_equal_textbook_integrals_and_hand_written_twins(
+        shifts in prop::array::uniform24(-0.15..0.15_f64),
+    ) {
+        let twins: [(&str, &Element, twins::Shapes, bool); 3] = [
+            ("hex8", &hand::elements::HEX8, twins::hexahedron, false),
+            ("hex8i", &hand::elements::HEX8I, twins::hexahedron, true),
+            ("wedge6", &hand::elements::WEDGE6, twins::wedge, false),
+        ];
+        for (name, twin, shapes, modes) in twins {
+            let element = element(name);
+            let nodes = displaced(element, &shifts);
+            let x = nodes.as_flattened();
+            let (k, det) = generated(element, "stiffness", &nodes);
+            let textbook = twins::stiffness(twin, shapes, modes, x);
+            let (by_hand, det_by_hand) = generated(twin, "stiffness", &nodes);
+            // A few hundred terms, and the condensation, at rounding level.
+            prop_assert!((&k - &textbook).amax() < 1e-12 * textbook.amax(), "{name}");
+            prop_assert!((&k - &by_hand).amax() < 1e-12 * textbook.amax(), "{name}");
+            prop_assert!((det / det_by_hand - 1.0).abs() < 1e-12, "{name}");
+            let scalar = twins::mass(twin, shapes, x);
+            for form in ["mass", "spin_inertia", "spin_coupling"] {
+                let (m, _) = generated(element, form, &nodes);
+                let (by_hand, _) = generated(twin, form, &nodes);
+                prop_assert!((&m - &by_hand).amax() < 1e-13 * scalar.amax(), "{name} {form}");
+            }
+        }
+    }
+
+    /// Holds of every element and form in the specs, whatever they are.
+    #[test]
+    fn kernels_equal_their_definitions(shifts in prop::array::uniform24(-0.1..0.1_f64)) {
+        for element in ELEMENTS {
+            let nodes = displaced(element, &shifts);
+            for form in element.forms {
+                let (matrix, _) = generated(element, form.form, &nodes);
+                let expected = direct(element.origin.text, form.form, &nodes);
+                let error = (matrix - &expected).amax() / expected.amax();
+                prop_assert!(error < 1e-12, "{} {}: {error:.1e}", element.origin.name, form.form);
+            }
+        }
+    }
+
+    #[test]
+    fn a_distorted_cell_has_six_zero_energy_modes_and_no_more(
+        shifts in prop::array::uniform24(-0.15..0.15_f64),
+    ) {
+        for name in ["hex8", "hex8i", "wedge6"] {
+            let element = element(name);
+            let (k, _) = generated(element, "stiffness", &displaced(element, &shifts));
+            let mut values: Vec<f64> = k.symmetric_eigenvalues().iter().copied().collect();
+            values.sort_by(f64::total_cmp);
+            let largest = values[values.len() - 1];
+            prop_assert!(values[..6].iter().all(|v| v.abs() < 1e-13 * largest), "{name}: {values:?}");
+            prop_assert!(values[6] > 1e-3 * largest, "{name}: {values:?}");
+        }
+    }
+}
+
+#[test]
+fn the_registry_says_what_the_twins_say() {
+    for twin in hand::elements::ELEMENTS {
+        let element = ELEMENTS
+            .iter()
+            .find(|element| element.abaqus == twin.abaqus)
+            .expect("an element for every Abaqus type");
+        assert_eq!(element.nodes, twin.nodes);
+        assert_eq!(element.reference_nodes, twin.reference_nodes);
+        assert_eq!(element.abaqus_order, twin.abaqus_order);
+        assert_eq!(element.vtk, twin.vtk);
+        assert_eq!(element.vtk_order, twin.vtk_order);
+        for kernel in twin.forms {
+            let made = element.form(kernel.form).expect("the same forms");
+            assert_eq!(made.structure, kernel.structure, "{}", kernel.form);
+            let names = |k: &whirl_specs::FormKernel| -> Vec<_> {
+                k.material.iter().map(|m| (m.name, m.unit)).collect()
+            };
+            assert_eq!(names(made), names(kernel));
+        }
+    }
+}
+
+#[test]
+fn inertia_is_symmetric_and_its_coupling_skew() {
+    for element in ELEMENTS {
+        let nodes = displaced(element, &[0.05, -0.1, 0.02, 0.08, -0.04]);
+        for (form, sign) in
+            [("stiffness", 1.0), ("mass", 1.0), ("spin_inertia", 1.0), ("spin_coupling", -1.0)]
+        {
+            let matrix = direct(element.origin.text, form, &nodes);
+            let error = (&matrix - matrix.transpose() * sign).amax();
+            assert!(error <= 1e-13 * matrix.amax(), "{} {form}", element.origin.name);
+            let (matrix, _) = generated(element, form, &nodes);
+            assert_eq!(matrix, matrix.transpose() * sign);
+        }
+    }
+}
+
+/// x₀ᵀYx₀ = ρ ∫(x² + y²) dV, the same from M for a turn about z, and x₀ᵀH of a turn is M's.
+#[test]
+fn a_rigid_turn_has_the_polar_moment_of_inertia() {
+    for element in ELEMENTS {
+        // An affine image of the reference cell, where the integral follows from its monomials.
+        let cell = ElementSpec::read(&Source::new("e", element.origin.text)).unwrap().cell;
+        let (shift, side) = ([0.3, -0.2, 0.1], [0.05, 0.04, 0.03]);
+        let nodes: Vec<[f64; 3]> = (element.reference_nodes.iter())
+            .map(|node| std::array::from_fn(|i| shift[i] + side[i] * node[i]))
+            .collect();
+        let integral = |powers| {
+            let exact = cell.monomial(powers);
+            exact.numer().to_string().parse::<f64>().unwrap()
+                / exact.denom().to_string().parse::<f64>().unwrap()
+        };
+        let volume = integral([0, 0, 0]);
+        let square = |axis: usize| {
+            let [one, two] = [1, 2].map(|power| {
+                let mut powers = [0; 3];
+                powers[axis] = power;
+                integral(powers)
+            });
+            let (c, s) = (shift[axis], side[axis]);
+            c * c * volume + 2.0 * c * s * one + s * s * two
+        };
+        let scale = property("rho") * side.iter().product::<f64>();
+        let expected = scale * (square(0) + square(1));
+        let x0 = DVector::from_iterator(3 * nodes.len(), nodes.iter().flatten().copied());
+        let turned = DVector::from_iterator(
+            3 * nodes.len(),
+            nodes.iter().flat_map(|[x, y, _]| [-y, *x, 0.0]),
+        );
+        let [y, m, h] = ["spin_inertia", "mass", "spin_coupling"]
+            .map(|form| generated(element, form, &nodes).0);
+        for (what, found) in [
+            ("x0 Y x0", x0.dot(&(y * &x0))),
+            ("turn M turn", turned.dot(&(m * &turned))),
+            ("x0 H turn", x0.dot(&(h * &turned))),
+        ] {
+            let error = (found / expected - 1.0).abs();
+            assert!(error < 1e-13, "{} {what}: {error:.1e}", element.origin.name);
+        }
+    }
+}
+
+#[test]
+fn an_inverted_cell_is_told_by_its_determinant() {
+    for element in ELEMENTS {
+        let mirrored: Vec<[f64; 3]> =
+            element.reference_nodes.iter().map(|[x, y, z]| [-x, *y, *z]).collect();
+        for form in element.forms {
+            let (_, det) = generated_det(element, form.form, &mirrored);
+            assert!(det <= 0.0, "{} {}: {det}", element.origin.name, form.form);
+            let flat: Vec<[f64; 3]> =
+                element.reference_nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
+            let (_, det) = generated_det(element, form.form, &flat);
+            assert!(det <= 0.0, "{} {}: {det}", element.origin.name, form.form);
+        }
+    }
+}
+
+/// One corner pushed through the opposite face: det J changes its sign within the cell.
+#[test]
+fn a_partly_inverted_cell_is_told_too() {
+    let element = element("hex8i");
+    let mut nodes = element.reference_nodes.to_vec();
+    nodes[6] = [-1.5, -1.5, -1.5];
+    assert!(generated_det(element, "stiffness", &nodes).1 < 0.0);
+    nodes[6] = [0.9, 1.1, 0.9];
+    assert!(generated_det(element, "stiffness", &nodes).1 > 0.0);
+}
+
+/// The stored values as the kernel gives them, which may not be numbers.
+fn generated_det(element: &Element, form: &str, nodes: &[[f64; 3]]) -> (Vec<f64>, f64) {
+    let kernel = element.form(form).unwrap();
+    let material: Vec<f64> = kernel.material.iter().map(|m| property(m.name)).collect();
+    let mut matrix = vec![0.0; kernel.structure.len(element.nodes)];
+    let mut det = [f64::NAN];
+    (kernel.evaluate)(nodes.as_flattened(), &material, &mut matrix, &mut det);
+    (matrix, det[0])
+}
