@@ -130,18 +130,21 @@ pub fn condense<L: Lane, const N: usize, const M: usize>(whole: &[L], condensed:
                 *entry = *entry - *above * factor[q][p];
             }
         }
+        let inverse = L::splat(1.0) / factor[p][p];
         for entry in row.iter_mut() {
-            *entry = *entry / factor[p][p];
+            *entry = *entry * inverse;
         }
     }
     for r in 0..N {
+        let factors: [L; M] = from_fn(|p| w[p][r]);
         let from = &whole[diagonal(size, r)..][..N - r];
         let to = &mut condensed[diagonal(N, r)..][..N - r];
-        to.copy_from_slice(from);
-        for w in &w {
-            for (entry, w_c) in to.iter_mut().zip(&w[r..]) {
-                *entry = *entry - w[r] * *w_c;
+        for (c, (to, from)) in to.iter_mut().zip(from).enumerate() {
+            let mut entry = *from;
+            for (factor, w) in factors.iter().zip(&w) {
+                entry = entry - *factor * w[r + c];
             }
+            *to = entry;
         }
     }
 }

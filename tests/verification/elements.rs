@@ -1,6 +1,7 @@
 //! Generated elements: against textbook integrals and the generator's own definitions, patch test,
 //! zero-energy modes, convergence, locking, inverted cells.
 
+mod dropped;
 mod patches;
 
 use std::collections::BTreeMap;
@@ -101,6 +102,11 @@ proptest! {
         }
     }
 
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
+
     /// Holds of every element and form in the specs, whatever they are.
     #[test]
     fn kernels_equal_their_definitions(shifts in prop::array::uniform24(-0.1..0.1_f64)) {
@@ -114,6 +120,10 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
     #[test]
     fn a_distorted_cell_has_six_zero_energy_modes_and_no_more(

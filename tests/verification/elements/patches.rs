@@ -91,13 +91,14 @@ impl Block {
         u
     }
 
-    /// Largest error at a node, relative to the largest displacement, where the surface follows `exact`.
+    /// Error of the displacements where the surface follows `exact`: its norm with every inner node standing
+    /// for one cell's volume, relative to the largest displacement.
     fn error_inside(&self, cell: CellStiffness, exact: impl Fn([f64; 3]) -> [f64; 3]) -> f64 {
         let exact = DVector::from_vec(self.nodes.iter().flat_map(|x| exact(*x)).collect());
         let k = self.stiffness(cell);
         let u =
             self.solve(&k, |node| self.surface[node], exact.clone(), &DVector::zeros(exact.len()));
-        (u - &exact).amax() / exact.amax()
+        (u - &exact).norm() / (self.cells.len() as f64).sqrt() / exact.amax()
     }
 }
 
@@ -162,14 +163,15 @@ fn harmonic([x, y, z]: [f64; 3]) -> [f64; 3] {
 fn displacements_converge_with_second_order() {
     let bent = |x: [f64; 3]| {
         let bump: f64 = x.iter().map(|x| (std::f64::consts::PI * x).sin()).product();
-        [x[0] + 0.08 * bump, x[1] - 0.06 * bump, x[2] + 0.05 * bump]
+        [x[0] + 0.04 * bump, x[1] - 0.03 * bump, x[2] + 0.025 * bump]
     };
     for name in ["hex8", "hex8i", "wedge6"] {
         let cell = by_kernel(element(name));
         let errors = [3, 6]
             .map(|n| block(name == "wedge6", [1.0; 3], [n; 3], bent).error_inside(&cell, harmonic));
+        // On meshes this coarse the wedge is still on its way to 2.
         let order = (errors[0] / errors[1]).log2();
-        assert!((1.7..2.8).contains(&order), "{name}: order {order:.2}, errors {errors:?}");
+        assert!((1.7..2.3).contains(&order), "{name}: order {order:.2}, errors {errors:?}");
     }
 }
 

@@ -138,3 +138,82 @@ type = 14
         changed(pyramid, "'(1 + xi - zeta)*(1 + eta - zeta)", "'(1 + xi - zeta)*(1 - zeta)");
     assert!(found[0].contains("the shape function of node 3 is 1/2 at node 2"), "{found:?}");
 }
+
+/// A file with one formula a node.
+fn file(cell: &str, nodes: &[[&str; 3]], shape: &[String], quadrature: &str) -> String {
+    let nodes: Vec<String> =
+        nodes.iter().map(|[x, y, z]| format!("['{x}', '{y}', '{z}']")).collect();
+    let shape: Vec<String> = shape.iter().map(|formula| format!("'{formula}'")).collect();
+    format!(
+        "kind = \"element\"\nname = \"e\"\ntitle = \"t\"\nsource = \"s\"\ncell = \"{cell}\"\n\
+         nodes = [{}]\nshape = [{}]\n[quadrature]\n{quadrature}\n[abaqus]\ntypes = [\"E\"]\n\
+         [vtk]\ntype = 1\n",
+        nodes.join(", "),
+        shape.join(", ")
+    )
+}
+
+#[test]
+fn quadratic_elements_are_proved() {
+    // Serendipity hexahedron: a mid-edge node has one coordinate zero.
+    let mut nodes = Vec::new();
+    for zeros in [0, 1] {
+        for z in ["-1", "0", "1"] {
+            for y in ["-1", "0", "1"] {
+                for x in ["-1", "0", "1"] {
+                    let node = [x, y, z];
+                    let here = node.iter().filter(|c| **c == "0").count();
+                    nodes.extend((here == zeros).then_some(node));
+                }
+            }
+        }
+    }
+    assert_eq!(nodes.len(), 20);
+    let axes = ["xi", "eta", "zeta"];
+    let shape: Vec<String> = (nodes.iter())
+        .map(|node| {
+            let factor = |(c, axis): (&&str, &str)| match *c {
+                "0" => format!("(1 - {axis}^2)"),
+                _ => format!("(1 + {axis}_a*{axis})"),
+            };
+            let factors: Vec<String> = node.iter().zip(axes).map(factor).collect();
+            match node.contains(&"0") {
+                true => format!("{}/4", factors.join("*")),
+                false => {
+                    let rest = "(xi_a*xi + eta_a*eta + zeta_a*zeta - 2)";
+                    format!("{}*{rest}/8", factors.join("*"))
+                }
+            }
+        })
+        .collect();
+    let gauss = "rule = [\"gauss(3)\", \"gauss(3)\", \"gauss(3)\"]\ndegree = 5";
+    let hexahedron = file("hexahedron", &nodes, &shape, gauss);
+    assert_eq!(read(&hexahedron).unwrap().nodes.len(), 20);
+    let found = changed(&hexahedron, "zeta_a*zeta - 2)", "zeta_a*zeta - 1)");
+    assert_eq!(found.len(), 8, "{found:?}");
+
+    // Tetrahedron with mid-edge nodes, in the order of Abaqus.
+    let corners = [["0", "0", "0"], ["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]];
+    let l = ["(1 - xi - eta - zeta)", "xi", "eta", "zeta"];
+    let mut nodes = corners.to_vec();
+    let mut shape: Vec<String> = l.iter().map(|l| format!("{l}*(2*{l} - 1)")).collect();
+    let half = |a: &str, b: &str| match (a, b) {
+        ("0", "0") => "0",
+        ("1", "1") => "1",
+        _ => "1/2",
+    };
+    for (a, b) in [(0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)] {
+        nodes.push(std::array::from_fn(|i| half(corners[a][i], corners[b][i])));
+        shape.push(format!("4*{}*{}", l[a], l[b]));
+    }
+    let rule = "rule = [\"tetrahedron(4)\"]\ndegree = 2";
+    assert_eq!(read(&file("tetrahedron", &nodes, &shape, rule)).unwrap().nodes.len(), 10);
+
+    // Linear tetrahedron: one point for the stiffness, four for the mass.
+    let rules = "rule = [\"tetrahedron(1)\"]\ndegree = 1\n[quadrature.forms.mass]\n\
+                 rule = [\"tetrahedron(4)\"]\ndegree = 2";
+    let linear = file("tetrahedron", &corners, &l.map(str::to_owned), rules);
+    let element = read(&linear).unwrap();
+    assert_eq!(element.rule("stiffness").points.len(), 1);
+    assert_eq!(element.rule("mass").points.len(), 4);
+}
