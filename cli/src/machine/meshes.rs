@@ -63,6 +63,7 @@ fn read(file: &MeshFile, material: Option<&Material>) -> Result<Mesh, Failure> {
     let path = file.path.display().to_string();
     let read = mesh::inp::read(&text, &path, &elements())
         .map_err(|errors| placed(&file.path, &text, &errors))?;
+    read.warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
     match material {
         Some(material) => with_material(&read.mesh, material).map_err(Failure::from),
         None => Ok(read.mesh),
