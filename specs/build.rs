@@ -3,9 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
-use whirl_codegen::generate::{SpecFile, generate};
-
-const FOLDERS: [&str; 4] = ["elements", "forms", "laws", "motion"];
+use whirl_codegen::generate::{SpecFile, folders, generate};
 
 fn main() {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
@@ -26,7 +24,7 @@ fn main() {
 /// All spec files, with paths relative to this crate. A new file in a folder runs the build again.
 fn read(root: &Path) -> io::Result<Vec<SpecFile>> {
     let mut files = Vec::new();
-    for folder in FOLDERS {
+    for folder in folders() {
         println!("cargo::rerun-if-changed={folder}");
         let Ok(entries) = fs::read_dir(root.join(folder)) else { continue };
         for entry in entries {

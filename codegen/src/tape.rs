@@ -2,6 +2,8 @@
 //! It gives the same bits as the emitted code, because both follow the same schedule, no operation is
 //! fused, and functions come from the same implementation.
 
+use std::collections::BTreeMap;
+
 use crate::expression::{Function, Relation};
 use crate::schedule::{Operand, Operation, Program};
 
@@ -44,27 +46,20 @@ impl Tape {
     /// The tape of a program; its stages are run as one.
     pub fn new(program: &Program) -> Self {
         let mut constants: Vec<f64> = Vec::new();
-        let mut place_of = |value: f64| {
-            let found = constants.iter().position(|known| known.to_bits() == value.to_bits());
-            found.unwrap_or_else(|| {
-                constants.push(value);
-                constants.len() - 1
-            })
-        };
+        let mut places: BTreeMap<u64, usize> = BTreeMap::new();
         let operands = program.instructions.iter().flat_map(|i| i.operation.operands());
         for operand in operands.chain(program.outputs.iter().map(|output| output.operand)) {
             if let Operand::Constant(value) = operand {
-                place_of(value);
+                places.entry(value.to_bits()).or_insert_with(|| {
+                    constants.push(value);
+                    constants.len() - 1
+                });
             }
         }
-        let first_result = constants.len() + program.inputs.len();
         let register = |operand: Operand| match operand {
-            Operand::Constant(value) => {
-                let same = |known: &f64| known.to_bits() == value.to_bits();
-                constants.iter().position(same).expect("all constants are listed")
-            }
+            Operand::Constant(value) => places[&value.to_bits()],
             Operand::Input(place) => constants.len() + place,
-            Operand::Value(place) => first_result + place,
+            Operand::Value(place) => constants.len() + program.inputs.len() + place,
         };
         let steps = program.instructions.iter().map(|i| Step::new(i.operation, register)).collect();
         let outputs = program.outputs.iter().map(|output| register(output.operand)).collect();
@@ -92,6 +87,36 @@ impl Tape {
     /// # Panics
     /// If a slice is shorter than that.
     pub fn evaluate(
+        &self,
+        springs: usize,
+        inputs: &[f64],
+        outputs: &mut [f64],
+        workspace: &mut [f64],
+    ) {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has the instructions.
+            unsafe { self.evaluate_avx2(springs, inputs, outputs, workspace) };
+            return;
+        }
+        self.evaluate_blocks(springs, inputs, outputs, workspace);
+    }
+
+    /// The same on wider registers; without fused operations, the bits are the same.
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn evaluate_avx2(
+        &self,
+        springs: usize,
+        inputs: &[f64],
+        outputs: &mut [f64],
+        workspace: &mut [f64],
+    ) {
+        self.evaluate_blocks(springs, inputs, outputs, workspace);
+    }
+
+    #[inline(always)]
+    fn evaluate_blocks(
         &self,
         springs: usize,
         inputs: &[f64],
@@ -146,6 +171,7 @@ impl Step {
         }
     }
 
+    #[inline(always)]
     fn run(self, known: &[Register], out: &mut Register) {
         match self {
             Step::Add(a, b) => binary(&known[a], &known[b], out, |a, b| a + b),

@@ -1,8 +1,9 @@
-//! Generated code: its text, its bits against the tape, its values against direct evaluation, and the
-//! clearance's derivatives.
+//! Generated code: its text, its bits against the tape, its values against direct evaluation, the
+//! derivatives of clearance and motion, and specs dropped into the folders.
 
 mod bits;
 mod clearance;
+mod dropped;
 mod golden;
 mod hyper;
 mod motion;
