@@ -58,7 +58,7 @@ impl CellForm<'_> {
                 matrices: &mut [f64],
                 jacobians: &mut [f64],
             ) {
-                each_cell::<#nodes, #len>(coordinates, matrices, jacobians, |x, matrix| {
+                cells::each_cell::<#nodes, #len>(coordinates, matrices, jacobians, |x, matrix| {
                     #lane(x, #(material[#places],)* matrix)
                 });
             }
@@ -163,8 +163,8 @@ impl CellForm<'_> {
             let mut det = [L::splat(0.0); #points];
             let mut least_det = L::splat(f64::INFINITY);
             for q in 0..#points {
-                det[q] = Jacobian::new(x, &#slopes[q]).det;
-                least_det = least(least_det, det[q]);
+                det[q] = cells::Jacobian::new(x, &#slopes[q]).det;
+                least_det = cells::least(least_det, det[q]);
             }
             let mut entries = [L::splat(0.0); #rows];
             for (entry, products) in entries.iter_mut().zip(&#products_name) {
@@ -223,16 +223,16 @@ impl CellForm<'_> {
         let (first, store) = match &self.form.structure {
             Structure::Kronecker { .. } => {
                 let entry = &outputs[0];
-                (quote!(a), quote!(store_entry(#target, #total_count, a, b, #entry);))
+                (quote!(a), quote!(cells::store_entry(#target, #total_count, a, b, #entry);))
             }
             structure => {
                 let rows = outputs.chunks(3).map(|row| quote!([#(#row),*]));
                 let block = quote!([#(#rows),*]);
                 match structure {
                     Structure::Symmetric => {
-                        (quote!(a), quote!(store_block(#target, #size, a, b, #block);))
+                        (quote!(a), quote!(cells::store_block(#target, #size, a, b, #block);))
                     }
-                    _ => (quote!(0), quote!(store_full(#target, #size, a, b, #block);)),
+                    _ => (quote!(0), quote!(cells::store_full(#target, #size, a, b, #block);)),
                 }
             }
         };
@@ -241,7 +241,7 @@ impl CellForm<'_> {
             let modes_size = count(3 * modes);
             (
                 quote!(let mut whole = [L::splat(0.0); #len];),
-                quote!(condense::<L, #nodes_size, #modes_size>(&whole, matrix);),
+                quote!(cells::condense::<L, #nodes_size, #modes_size>(&whole, matrix);),
             )
         } else {
             (TokenStream::new(), TokenStream::new())
@@ -333,7 +333,7 @@ impl CellForm<'_> {
                 );
             }
             if uses_centre || used {
-                centre = quote!(let centre = Jacobian::new(x, &CENTRE_SLOPES););
+                centre = quote!(let centre = cells::Jacobian::new(x, &CENTRE_SLOPES););
             }
             if used {
                 centre.extend(quote!(let det0 = centre.det;));
@@ -358,9 +358,9 @@ impl CellForm<'_> {
             let mut least_det = L::splat(f64::INFINITY);
             let mut basis = [[[L::splat(0.0); #parts]; #points_count]; #total];
             for q in 0..#points_count {
-                let at = Jacobian::new(x, &#slopes_name[q]);
+                let at = cells::Jacobian::new(x, &#slopes_name[q]);
                 let (det, weight) = (at.det, L::splat(#weights[q]));
-                least_det = least(least_det, det);
+                least_det = cells::least(least_det, det);
                 #(#scales)*
                 for a in 0..#nodes_count {
                     #node

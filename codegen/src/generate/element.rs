@@ -7,17 +7,13 @@ use quote::{format_ident, quote};
 use super::Kernel;
 use super::cell::CellForm;
 use super::facts::{About, variable};
-use super::table::{Tables, names};
+use super::table::Tables;
 use crate::diagnostic::{Code, Diagnostics};
 use crate::emit::{documented, identifier, number};
 use crate::form::Structure;
 use crate::spec::element::ElementSpec;
 use crate::spec::form::FormSpec;
 use crate::units::nearest;
-
-/// What kernels take from `cells`.
-const HELPERS: [&str; 7] =
-    ["Jacobian", "condense", "each_cell", "least", "store_block", "store_entry", "store_full"];
 
 /// The kernels of all forms on one element.
 pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel, Diagnostics> {
@@ -43,13 +39,10 @@ pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel
     let registered = registered(element, &about, &functions, &entries);
     let heading = documented(&heading(element, &about));
     let name = identifier(&element.name);
-    let used = names(&functions);
-    let helpers = HELPERS.iter().filter(|helper| used.contains(**helper)).map(|h| identifier(h));
     let module = quote! {
         #heading
         pub mod #name {
-            use crate::cells::{#(#helpers),*};
-            use crate::{Element, FormKernel, Lane, Origin, Structure, Variable};
+            use crate::{cells, Element, FormKernel, Lane, Origin, Structure, Variable};
             #functions
             #registered
         }

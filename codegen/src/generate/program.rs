@@ -103,8 +103,11 @@ impl Pairs {
                 }
             }
         }
-        let own =
-            |name: &str| OWN.contains(&name) || name.starts_with("s_") || name.starts_with("k_");
+        // In capitals, of some length: the tables.
+        let table = |name: &str| name.len() > 2 && !name.chars().any(|c| c.is_ascii_lowercase());
+        let own = |name: &str| {
+            OWN.contains(&name) || name.starts_with("s_") || name.starts_with("k_") || table(name)
+        };
         let free = |name: &str| if own(name) { format!("{name}_given") } else { name.to_owned() };
         let properties = spec.material_of(form);
         let material: Vec<String> = properties.iter().map(|p| free(&p.name)).collect();

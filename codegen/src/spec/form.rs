@@ -273,7 +273,7 @@ impl Reader<'_> {
         let mut forms = Vec::new();
         for key in table.names() {
             let Some(text) = table.string(key.text()) else { continue };
-            let name = match formula::name(key.text()) {
+            let name = match formula::name(key.text()).and_then(form_name) {
                 Ok(name) => name,
                 Err(message) => {
                     self.document.push(key.error_here(Code::BAD_NAME, message));
@@ -302,6 +302,15 @@ impl Reader<'_> {
         table.finish();
         forms
     }
+}
+
+/// Functions get the names of forms, beside tables in capitals and the functions over lanes.
+fn form_name(name: String) -> Result<String, String> {
+    if name.chars().any(|c| c.is_ascii_uppercase()) || name.ends_with("_lane") {
+        let wanted = "lower-case letters, digits and `_`, and does not end in `_lane`";
+        return Err(format!("`{name}` cannot be a form's name, which is made of {wanted}"));
+    }
+    Ok(name)
 }
 
 fn matrix(items: &[Item<'_>]) -> Option<[[Rational; 3]; 3]> {

@@ -92,6 +92,7 @@ fn slips_of_the_pen_are_named() {
         ("lambda*div", "lamda*div", "unknown name `lamda` (did you mean `lambda`?)"),
         ("unit = \"Pa\"", "unit = \"GPa\"", "forms are written in SI units, `GPa` is none"),
         ("mu = 'E/(2*(1 + nu))'", "mu = 'E/(2*(E + nu))'", "cannot be added"),
+        ("stiffness =", "Stiffness =", "`Stiffness` cannot be a form's name"),
         ("[material.nu]", "[material.u]", "the name `u` is taken"),
     ] {
         let changed = ELASTICITY.replace(from, to);
