@@ -218,7 +218,11 @@ impl<'m> March<'m> {
                 let half = 0.5 * dt;
                 self.part(t, half, depth + 1).and_then(|()| self.part(t + half, half, depth + 1))
             }
-            Ending::Failed => Err(self.diverged(t + dt, dt, &report)),
+            Ending::Failed => {
+                // What is kept, energies included, ends at the last state that solves its equations.
+                self.state.copy_from(&start);
+                Err(self.diverged(t + dt, dt, &report))
+            }
         };
         self.starts[depth] = start;
         solved
@@ -267,7 +271,7 @@ impl<'m> March<'m> {
         self.history.push(&self.row);
     }
 
-    /// The state at the end of the last step.
+    /// The state at the end of the last step, or of the last part of a step that converged.
     pub fn state(&self) -> &State {
         &self.state
     }
