@@ -83,7 +83,7 @@ pub(crate) struct Newton {
     direction: Vec<f64>,
     trial: State,
     forces: Vec<f64>,
-    /// Largest norm of forces met so far.
+    /// Largest norm of forces at the end of a step so far.
     scale: f64,
     /// How often a matrix was factored.
     pub(crate) factorisations: usize,
@@ -154,8 +154,11 @@ impl Newton {
             self.residuals.push(norm);
             let changes = self.forces.iter().zip(&system.springs.q).map(|(a, b)| (a - b).abs());
             force_change = changes.fold(0.0, f64::max);
-            let small = norm <= self.floor(system, end);
+            let scale = self.scale.max(self.size(system, end));
+            let small = norm <= self.floor(scale, end);
             if share == 1.0 && force_change <= self.options.force_tolerance && small {
+                // Only solved states count: forces of a prediction can be far too large.
+                self.scale = scale;
                 let ending = Ending::Converged;
                 return Report { ending, iterations: iteration, residual: norm, force_change };
             }
@@ -181,7 +184,7 @@ impl Newton {
         fresh: bool,
     ) -> Option<(f64, f64)> {
         // Below this φ says nothing of interest.
-        let floor = self.floor(system, end);
+        let floor = self.floor(self.scale, end);
         let mut share = 1.0;
         while share >= SHORTEST {
             for i in 0..end.q.len() {
@@ -248,27 +251,31 @@ impl Newton {
         parts.map(|(x, w)| x * x / w).sum::<f64>().sqrt()
     }
 
-    /// The norm of the residual that counts as nothing: a share of the largest forces of the march, and
-    /// what rounding of the state leaves.
-    fn floor(&mut self, system: &System, state: &State) -> f64 {
-        let (shaft, support) = (&system.machine.shaft, &system.machine.support);
-        let first = 1 + shaft.size();
-        // Forces of inertia and deformation by the diagonals of M and K, which is enough for their size.
-        let (mut moving, mut bent, mut rounding) = (0.0, 0.0, 0.0);
-        for (i, weight) in self.weights.iter().enumerate() {
-            let (mass, stiffness) = match i {
-                0 => (shaft.j0, 0.0),
-                _ if i < first => (shaft.mass[(i - 1, i - 1)], shaft.stiffness[(i - 1, i - 1)]),
-                _ => (1.0, support.stiffness[i - first]),
-            };
-            moving += weight * (mass * state.a[i]).powi(2);
-            bent += weight * (stiffness * state.q[i]).powi(2);
-            rounding += state.q[i] * state.q[i] / weight;
-        }
+    /// The norm of the residual that counts as nothing beside forces of size `scale`, and what rounding of
+    /// the state leaves.
+    fn floor(&self, scale: f64, state: &State) -> f64 {
+        let parts = state.q.iter().zip(&self.weights).map(|(q, weight)| q * q / weight);
+        let rounding = parts.sum::<f64>().sqrt();
+        self.options.residual_tolerance * scale + ROUNDING * f64::EPSILON * rounding
+    }
+
+    /// The largest forces at the state that was last evaluated: those applied, or where there are none,
+    /// those of inertia by the diagonal of M. (Beside applied forces these would say too much: θ and the
+    /// flexible shaft accelerate against each other.)
+    fn size(&self, system: &System, state: &State) -> f64 {
         let parts = [&system.load, &system.spring, &system.damper].map(|part| self.norm(part));
-        let largest = parts.into_iter().chain([moving.sqrt(), bent.sqrt()]).fold(0.0, f64::max);
-        self.scale = self.scale.max(largest);
-        self.options.residual_tolerance * self.scale + ROUNDING * f64::EPSILON * rounding.sqrt()
+        let applied = parts.into_iter().fold(0.0, f64::max);
+        if applied > 0.0 {
+            return applied;
+        }
+        let shaft = &system.machine.shaft;
+        let mass = |i: usize| match i {
+            0 => shaft.j0,
+            _ if i <= shaft.size() => shaft.mass[(i - 1, i - 1)],
+            _ => 1.0,
+        };
+        let parts = self.weights.iter().enumerate();
+        parts.map(|(i, weight)| weight * (mass(i) * state.a[i]).powi(2)).sum::<f64>().sqrt()
     }
 
     fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> Report {
