@@ -92,8 +92,9 @@ fn a_spinning_shaft_displaced_as_a_whole_is_in_the_balance_of_the_centred_one() 
         let b = node.shapes.apply(&moved.q[1..]);
         let space = [cos * b[0] - sin * b[1], sin * b[0] + cos * b[1], b[2]];
         for (got, wanted) in space.iter().zip([d[0], d[1], 0.0]) {
-            // Shapes come from a solution with the stiffness of the mesh: eps times its condition, 1e6.
-            assert!((got - wanted).abs() < 1e-10 * d[0], "{got} {wanted}");
+            // Shapes come from a solution with the stiffness of the mesh: eps times its condition, E h =
+            // 3e9 N/m of a cell over some 1e6 N/m a node of the softest motion (torsion), and ten times that.
+            assert!((got - wanted).abs() < 1e-11 * d[0], "{got} {wanted}");
         }
     }
 
@@ -115,12 +116,12 @@ fn a_spinning_shaft_displaced_as_a_whole_is_in_the_balance_of_the_centred_one() 
 
     // The force on the shaft as a whole, in its frame: none, or the extra term's m θ̇² b.
     let b = [cos * d[0] + sin * d[1], cos * d[1] - sin * d[0]];
-    for axis in 0..2 {
-        let unit = translation(&shaft, if axis == 0 { [1.0, 0.0] } else { [0.0, 1.0] });
+    for (b, direction) in b.iter().zip([[1.0, 0.0], [0.0, 1.0]]) {
+        let unit = translation(&shaft, direction);
         let allowed = dot(&unit, &tolerance[1..]);
         let force = |name: &str| dot(&unit, &residual(name, &moved)[1..]);
         assert!(force("consistent").abs() <= allowed, "{:e} {allowed:e}", force("consistent"));
-        let expected = mass * turning[1] * turning[1] * b[axis];
+        let expected = mass * turning[1] * turning[1] * b;
         let extra = force("hu2003");
         assert!((extra - expected).abs() <= allowed, "{extra} {expected} {allowed:e}");
         assert!(expected.abs() > 1e3 * allowed);
