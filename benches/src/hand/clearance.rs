@@ -109,6 +109,7 @@ fn total(springs: usize, table: &[f64], q: &[f64]) -> [f64; 2] {
     total
 }
 
+#[expect(clippy::too_many_arguments, reason = "the registry fixes the signature")]
 fn tangent(
     springs: usize,
     table: &[f64],
