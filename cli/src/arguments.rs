@@ -29,7 +29,7 @@ pub enum Command {
 pub struct RunArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)
     pub case: String,
-    /// Folder for the results [default: results/<name of the case>]
+    /// Folder for the results (`results` and the name of the case, if left out)
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Write no figures

@@ -34,7 +34,7 @@ pub struct MassProperties {
     pub volume: f64,
     /// ∫ρ x dV / mass (m).
     pub centre: [f64; 3],
-    /// ∫ρ xᵢ xⱼ dV about the origin (kg·m²); the polar inertia about z is [0][0] + [1][1].
+    /// ∫ρ xᵢ xⱼ dV about the origin (kg·m²); the polar inertia about z is `[0][0] + [1][1]`.
     pub second_moment: [[f64; 3]; 3],
 }
 

@@ -110,7 +110,7 @@ pub enum SparseMatrix {
     /// Symmetric.
     Symmetric(LowerTriangle),
     /// A symmetric scalar matrix s over the nodes times a 3 × 3 pattern:
-    /// entry (3a+i, 3b+j) = s[a,b] · pattern[i][j].
+    /// entry (3a+i, 3b+j) = `s[a,b] · pattern[i][j]`.
     Kronecker {
         /// s, nodes × nodes.
         scalar: LowerTriangle,

@@ -8,7 +8,7 @@ use crate::Lane;
 /// The Jacobian J = Σ x_a ⊗ ∇N_a of the map from the reference cell, by its cofactors: J⁻ᵀ = cof J / det J.
 #[derive(Debug, Clone, Copy)]
 pub struct Jacobian<L> {
-    /// `cofactors[i][k]` belongs to J[i][k] = ∂x_i/∂ξ_k.
+    /// `cofactors[i][k]` belongs to Jᵢₖ = ∂x_i/∂ξ_k.
     pub cofactors: [[L; 3]; 3],
     /// det J.
     pub det: L,

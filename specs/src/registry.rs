@@ -70,7 +70,7 @@ pub enum Structure {
     /// All n × n entries by rows.
     Full,
     /// A symmetric scalar matrix s (nodes × nodes, upper triangle by rows) times a 3 × 3 pattern:
-    /// entry (3a+i, 3b+j) = s[a,b] · pattern[i][j].
+    /// entry (3a+i, 3b+j) = `s[a,b] · pattern[i][j]`.
     Kronecker {
         /// `pattern[i][j]`; symmetric or skew.
         pattern: [[f64; 3]; 3],

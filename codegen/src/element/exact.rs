@@ -12,7 +12,7 @@ use crate::units::nearest;
 /// two exact numbers of a spec that differ are told apart.
 const ROOT_BITS: usize = 320;
 
-/// An exact number with roots, approximated to about [`ROOT_BITS`]; `None` if the node is no number.
+/// An exact number with roots, approximated to about `ROOT_BITS` bits; `None` if the node is no number.
 pub fn approximate(graph: &Graph, id: Id) -> Option<Rational> {
     match graph.node(id) {
         Node::Number(value) => Some(value.clone()),

@@ -25,7 +25,7 @@ type Derivatives = BTreeMap<Id, Result<Id, DifferentiateError>>;
 
 impl Graph {
     /// ∂(expression)/∂(symbol). By a scalar the shape stays; a scalar by a vector is its gradient, a
-    /// vector by a vector its Jacobian J[i,j] = ∂a_i/∂x_j.
+    /// vector by a vector its Jacobian Jᵢⱼ = ∂a_i/∂x_j.
     pub fn differentiate(&mut self, expression: Id, symbol: Id) -> Result<Id, DifferentiateError> {
         let by_vector = self.shape(symbol) == Shape::Vector;
         // A vector whose Jacobian has no form may still stand in a dot product, which needs none.

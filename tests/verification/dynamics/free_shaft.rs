@@ -91,7 +91,7 @@ fn a_whirling_shaft_on_springs_turns_at_rest_frequency_less_speed_when_marched()
         // A whirl of a nanometre: the speed stays.
         let (size, whirl) = (1e-9, sense * square.sqrt());
         let eta: Vec<f64> = shape.iter().map(|v| size * v).collect();
-        let turn = |i: usize| if i % 2 == 0 { -eta[i + 1] } else { eta[i - 1] };
+        let turn = |i: usize| if i.is_multiple_of(2) { -eta[i + 1] } else { eta[i - 1] };
         let eta_dot: Vec<f64> = (0..eta.len()).map(|i| (whirl - SPEED) * turn(i)).collect();
         let (dt, steps) = (2e-5, 20_000);
         let mut options = options(dt, steps);
