@@ -87,6 +87,7 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         title: draft.title,
         reference: draft.reference,
         file: draft.file,
+        acts: draft.acts,
         inputs,
         parameters,
         definitions,

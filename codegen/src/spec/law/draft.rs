@@ -6,11 +6,11 @@ use std::sync::Arc;
 
 use num_rational::BigRational;
 
-use super::{INPUTS, OUTPUTS};
+use super::acts::{self, Acts, Quantity};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use crate::formula::{self, Formula};
 use crate::spec::read::{Document, Table, Value};
-use crate::units::{Dimension, Unit};
+use crate::units::Unit;
 
 /// Most bytes of a law file.
 const LONGEST: usize = 32 * 1024;
@@ -21,6 +21,7 @@ pub(super) struct Draft {
     pub(super) name: String,
     pub(super) title: String,
     pub(super) reference: String,
+    pub(super) acts: Acts,
     pub(super) inputs: Vec<Variable>,
     pub(super) parameters: Vec<Constant>,
     pub(super) definitions: Vec<(Located, String, Formula)>,
@@ -32,6 +33,8 @@ pub(super) struct Variable {
     pub(super) key: Located,
     pub(super) name: String,
     pub(super) title: String,
+    /// The only kind of law that knows it, if there is one.
+    pub(super) only: Option<Acts>,
     pub(super) unit: Unit,
     pub(super) unit_place: Located,
     pub(super) range: Option<[BigRational; 2]>,
@@ -90,7 +93,7 @@ pub(super) fn read(file: &Arc<Source>) -> Result<Draft, Diagnostics> {
             let entry = table.table(key.text());
             let name = names.take(&key);
             let (Some(entry), Some(name)) = (entry, name) else { continue };
-            inputs.extend(variable(&entry, &key, name, INPUTS, "an input"));
+            inputs.extend(variable(&entry, &key, name, Acts::inputs, "an input"));
             entry.finish();
         }
         table.finish();
@@ -138,17 +141,55 @@ pub(super) fn read(file: &Arc<Source>) -> Result<Draft, Diagnostics> {
         table.finish();
     }
     root.finish();
+    let acts = acts(&document, &inputs, &outputs);
     let text = |text: Option<Located>| text.map(|text| text.text().to_owned()).unwrap_or_default();
     document.into_result(Some(Draft {
         file: file.clone(),
         name: text(name),
         title: text(title),
         reference: text(reference),
+        acts,
         inputs,
         parameters,
         definitions,
         outputs,
     }))
+}
+
+/// What the law acts on: the kind of which all names are known.
+fn acts(document: &Document<'_>, inputs: &[Variable], outputs: &[Output]) -> Acts {
+    let variables = || inputs.iter().chain(outputs.iter().map(|output| &output.variable));
+    let mut telling = variables().filter_map(|v| v.only.map(|acts| (v, acts)));
+    let Some((first, acts)) = telling.next() else { return Acts::Spring };
+    let listed = |quantities: &[Quantity]| {
+        let names: Vec<String> = quantities.iter().map(|q| format!("`{}`", q.name)).collect();
+        names.join(", ")
+    };
+    let mut mixed = false;
+    for (other, kind) in telling.filter(|(_, kind)| *kind != acts) {
+        let message = format!(
+            "`{}` belongs to {}, but `{}` to {}",
+            other.name,
+            kind.called(),
+            first.name,
+            acts.called()
+        );
+        let (inputs, outputs) = (listed(acts.inputs()), listed(acts.outputs()));
+        let help = format!("{} takes {inputs} and gives {outputs}", acts.called());
+        document.push(other.key.error_here(Code::UNKNOWN_NAME, message).help(help));
+        mixed = true;
+    }
+    // Outputs that could not be read are not missing.
+    for needed in acts.needed() {
+        let found = outputs.iter().any(|output| output.variable.name == *needed);
+        if !found && !mixed && !outputs.is_empty() && !document.has_errors() {
+            let place = &outputs[0].variable.key;
+            let message = format!("{} must give `{needed}` too", acts.called());
+            let error = place.error_here(Code::MISSING_KEY, message);
+            document.push(error.help(format!("write a section `[outputs.{needed}]`")));
+        }
+    }
+    acts
 }
 
 /// The names declared so far.
@@ -197,7 +238,7 @@ fn variable(
     table: &Table<'_>,
     key: &Located,
     name: String,
-    known: &[(&str, Dimension, &str)],
+    list: fn(Acts) -> &'static [Quantity],
     role: &str,
 ) -> Option<Variable> {
     let document = table.document();
@@ -205,13 +246,15 @@ fn variable(
     let range = range(table);
     let unit_place = table.string("unit");
     let unit = unit_place.as_ref().and_then(|text| unit(document, text));
-    let Some((_, dimension, meaning)) = known.iter().find(|(known, ..)| *known == name) else {
-        let names: Vec<&str> = known.iter().map(|(name, ..)| *name).collect();
+    let known = acts::known(list);
+    let Some((quantity, only)) = known.iter().find(|(quantity, _)| quantity.name == name) else {
+        let names: Vec<&str> = known.iter().map(|(quantity, _)| quantity.name).collect();
         let error = key.error_here(Code::UNKNOWN_NAME, format!("`{name}` is not {role} of laws"));
         document.push(error.maybe_help(suggest(&name, &names)));
         return None;
     };
     let (unit, unit_place) = (unit?, unit_place?);
+    let dimension = &quantity.dimension;
     if !unit.dimension().fits(dimension) {
         let found = unit.dimension();
         let message = format!("`{name}` is {dimension}, but `{unit}` is the unit of {found}");
@@ -220,8 +263,8 @@ fn variable(
         document.push(error.help(format!("write for example `unit = \"{si}\"`")));
         return None;
     }
-    let title = title.map_or_else(|| (*meaning).to_owned(), |title| title.text().to_owned());
-    Some(Variable { key: key.clone(), name, title, unit, unit_place, range })
+    let title = title.map_or_else(|| quantity.title.to_owned(), |title| title.text().to_owned());
+    Some(Variable { key: key.clone(), name, title, only: *only, unit, unit_place, range })
 }
 
 fn range(table: &Table<'_>) -> Option<[BigRational; 2]> {
@@ -278,7 +321,7 @@ fn output(table: &Table<'_>, key: &Located, name: String) -> Option<Output> {
         (false, true) => pieces(table, key, &name),
     };
     // Read before any early return, so that none of its keys is unknown.
-    let variable = variable(table, key, name, OUTPUTS, "an output");
+    let variable = variable(table, key, name, Acts::outputs, "an output");
     Some(Output { variable: variable?, pieces: pieces?, jumps, place })
 }
 

@@ -26,6 +26,7 @@
 //! Formulas work in the units of the file: a bare number takes the unit that its place wants, a parameter
 //! is converted to the system of the inputs' and outputs' units. Kernels work in SI.
 
+mod acts;
 mod build;
 mod describe;
 mod draft;
@@ -41,19 +42,13 @@ use std::sync::Arc;
 
 use num_rational::BigRational;
 
+pub use acts::{Acts, Quantity};
 pub use report::{Break, LawReport, OutputReport, Trend};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::{Formula, Number, Value, evaluate};
-use crate::units::{Dimension, Unit, nearest};
-
-/// Inputs that the solver can give to a law, with what they measure.
-pub const INPUTS: &[(&str, Dimension, &str)] =
-    &[("h", Dimension::LENGTH, "clearance"), ("h_dot", Dimension::SPEED, "rate of the clearance")];
-
-/// Outputs that the solver takes from a law, with what they measure.
-pub const OUTPUTS: &[(&str, Dimension, &str)] = &[("Q", Dimension::FORCE, "normal force")];
+use crate::units::{Unit, nearest};
 
 /// A law, ready to be scheduled: see the module for the file.
 #[derive(Debug, Clone)]
@@ -66,6 +61,8 @@ pub struct LawSpec {
     pub reference: String,
     /// The file.
     pub file: Arc<Source>,
+    /// What it acts on.
+    pub acts: Acts,
     /// The inputs, in the order of the file.
     pub inputs: Vec<LawInput>,
     /// The parameters, in the order of the file.

@@ -295,3 +295,44 @@ fn breaks_between_inputs_and_poles_are_found() {
     // With h_dot = 0 the break lies at h = 1/2, at the limit of accuracy of h² − 1/4.
     assert!((across_h.at - 0.5).abs() < 1e-12, "{}", across_h.at);
 }
+
+#[test]
+fn the_kind_of_a_law_follows_from_its_names() {
+    let of = |inputs: &str, outputs: &str| {
+        read(&format!(
+            "[inputs]\n{inputs}\n[parameters]\nk = {{ value = 1, unit = \"N/m\" }}\n{outputs}"
+        ))
+    };
+    let out =
+        |name: &str, value: &str| format!("[outputs.{name}]\nunit = \"N\"\nvalue = '{value}'\n");
+    let friction = of(
+        "h = { unit = \"m\" }\nv_t = { unit = \"m/s\" }",
+        &(out("Q", "-k*h") + &out("T", "k*h*tanh(v_t/0.001)")),
+    );
+    let friction = friction.unwrap();
+    assert_eq!(friction.acts, Acts::Spring);
+    assert_eq!(friction.outputs[1].derivatives.len(), 2);
+    let ring = "e_x = { unit = \"m\" }\ne_y = { unit = \"m\" }";
+    let isotropic = out("F_x", "-k*e_x") + &out("F_y", "-k*e_y");
+    assert_eq!(of(ring, &isotropic).unwrap().acts, Acts::Ring);
+    let found = |inputs: &str, outputs: &str| -> Vec<String> {
+        of(inputs, outputs).unwrap_err().iter().map(ToString::to_string).collect()
+    };
+    assert_eq!(
+        found("h = { unit = \"m\" }", &(out("F_x", "-k*h") + &out("F_y", "0"))),
+        [
+            "law.toml:9:10: `F_x` belongs to a law of a ring, but `h` to a law of a spring (a law of a \
+             spring takes `h`, `h_dot`, `psi`, `omega`, `v_t`, `theta` and gives `Q`, `T`)",
+            "law.toml:12:10: `F_y` belongs to a law of a ring, but `h` to a law of a spring (a law of a \
+             spring takes `h`, `h_dot`, `psi`, `omega`, `v_t`, `theta` and gives `Q`, `T`)",
+        ]
+    );
+    assert_eq!(
+        found(ring, &out("F_x", "-k*e_x*(1 + e_y/e_x)")),
+        ["law.toml:10:10: a law of a ring must give `F_y` too (write a section `[outputs.F_y]`)"]
+    );
+    assert_eq!(
+        found("h = { unit = \"m\" }", &out("T", "k*h")),
+        ["law.toml:9:10: a law of a spring must give `Q` too (write a section `[outputs.Q]`)"]
+    );
+}
