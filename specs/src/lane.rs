@@ -6,7 +6,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// lanes compute several, and a dual number differentiates the same text. An `f64` operand stands for
 /// the same value in every lane.
 ///
-/// No operation is fused: the same formula gives the same bits on every lane type.
+/// No operator is fused: a formula of operators and functions gives the same bits on every lane type.
+/// [`Lane::mul_add`] alone may round once or twice.
 pub trait Lane:
     Copy
     + Add<Output = Self>
@@ -24,6 +25,11 @@ pub trait Lane:
 
     /// The same value in every lane.
     fn splat(value: f64) -> Self;
+    /// a·b + c, rounded once where the lane type has an instruction for it, else twice.
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        self * b + c
+    }
     /// √a.
     fn sqrt(self) -> Self;
     /// |a|.

@@ -6,13 +6,15 @@
 
 pub mod cells;
 pub mod lane;
+pub mod registers;
 mod registry;
 mod rows;
 pub mod vector;
 mod wide;
 
 pub use lane::Lane;
+pub use registers::{Register, Registers};
 pub use registry::*;
-pub use rows::{rows, rows_mut};
+pub use rows::{SpringKernel, each_spring, rows, rows_mut};
 
 include!(concat!(env!("OUT_DIR"), "/kernels.rs"));

@@ -1,5 +1,74 @@
 //! Arrays of rows, one row a variable and one value a spring in each.
 
+use std::array::from_fn;
+use std::marker::PhantomData;
+
+use crate::Lane;
+use crate::registers::{Register, Registers, Task};
+
+/// What is computed for one spring, over any lane type and without fused operations.
+pub trait SpringKernel<const INPUTS: usize, const OUTPUTS: usize> {
+    /// Outputs of one lane of springs. To be `#[inline(always)]`.
+    fn spring<L: Lane>(inputs: [L; INPUTS]) -> [L; OUTPUTS];
+}
+
+/// Evaluates a kernel for all springs, several side by side where the processor can. Rows of `springs`
+/// values, one an input and one an output.
+///
+/// # Panics
+/// If there are fewer values than that.
+pub fn each_spring<K: SpringKernel<I, O>, const I: usize, const O: usize>(
+    springs: usize,
+    inputs: &[f64],
+    outputs: &mut [f64],
+) {
+    let (inputs, outputs) = (rows(springs, inputs), rows_mut(springs, outputs));
+    Registers::current().run(EachSpring { inputs, outputs, kernel: PhantomData::<K> });
+}
+
+struct EachSpring<'a, K, const I: usize, const O: usize> {
+    inputs: [&'a [f64]; I],
+    outputs: [&'a mut [f64]; O],
+    kernel: PhantomData<K>,
+}
+
+impl<K: SpringKernel<I, O>, const I: usize, const O: usize> EachSpring<'_, K, I, O> {
+    /// Whole registers from spring `first` on; gives the spring behind them.
+    #[inline(always)]
+    fn chunks<L: Register>(&mut self, first: usize) -> usize {
+        let springs = self.outputs.iter().map(|row| row.len()).min().unwrap_or(0);
+        let count = (springs - first) / L::WIDTH;
+        let from: [&[L::Chunk]; I] = from_fn(|i| &L::chunks(&self.inputs[i][first..])[..count]);
+        let mut outputs = self.outputs.iter_mut();
+        let to: [&mut [L::Chunk]; O] = from_fn(|_| {
+            let row = outputs.next().expect("as many rows as outputs");
+            &mut L::chunks_mut(&mut row[first..])[..count]
+        });
+        for k in 0..count {
+            let mut values = [L::splat(0.0); I];
+            for i in 0..I {
+                values[i] = L::load(&from[i][k]);
+            }
+            let values = K::spring(values);
+            for o in 0..O {
+                values[o].store(&mut to[o][k]);
+            }
+        }
+        first + count * L::WIDTH
+    }
+}
+
+impl<K: SpringKernel<I, O>, const I: usize, const O: usize> Task for EachSpring<'_, K, I, O> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(mut self) {
+        let rest = self.chunks::<L>(0);
+        // The rest one by one: without fused operations the bits are the same.
+        self.chunks::<f64>(rest);
+    }
+}
+
 /// The first N rows of `len` values.
 ///
 /// # Panics
@@ -7,7 +76,7 @@
 #[inline(always)]
 pub fn rows<const N: usize>(len: usize, data: &[f64]) -> [&[f64]; N] {
     let mut rest = data;
-    std::array::from_fn(|_| {
+    from_fn(|_| {
         let (row, behind) = rest.split_at(len);
         rest = behind;
         row
@@ -21,7 +90,7 @@ pub fn rows<const N: usize>(len: usize, data: &[f64]) -> [&[f64]; N] {
 #[inline(always)]
 pub fn rows_mut<const N: usize>(len: usize, data: &mut [f64]) -> [&mut [f64]; N] {
     let mut rest = data;
-    std::array::from_fn(|_| {
+    from_fn(|_| {
         let (row, behind) = std::mem::take(&mut rest).split_at_mut(len);
         rest = behind;
         row

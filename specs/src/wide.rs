@@ -13,8 +13,8 @@ macro_rules! wide {
                 fn avx2($($argument: $type),*) $(-> $result)? {
                     $kernel::<f64>($($argument),*)
                 }
-                if std::arch::is_x86_feature_detected!("avx2") {
-                    // SAFETY: the machine has the feature.
+                if $crate::Registers::current().width() > 1 {
+                    // SAFETY: a processor with wider registers has the feature.
                     return unsafe { avx2($($argument),*) };
                 }
             }

@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::Kernel;
 use super::facts::{About, unscheduled, variable};
@@ -22,7 +22,7 @@ pub(super) fn kernel(law: &LawSpec) -> Result<Kernel, Diagnostics> {
     let module = quote! {
         #heading
         pub mod #name {
-            use crate::{Lane, Law, Origin, Variable, rows, rows_mut};
+            use crate::{Lane, Law, Origin, SpringKernel, Variable, each_spring};
             #functions
             #entry
         }
@@ -69,10 +69,7 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
     let value_names: Vec<&str> = names.iter().copied().filter(|name| is_value(name)).collect();
     let value_count = Literal::usize_unsuffixed(value_names.len());
     let count = Literal::usize_unsuffixed(names.len());
-    let input_rows: Vec<_> =
-        law.inputs.iter().map(|input| format_ident!("{}_row", identifier(&input.name))).collect();
-    let output_rows: Vec<_> =
-        names.iter().map(|name| format_ident!("{}_row", identifier(name))).collect();
+    let input_count = Literal::usize_unsuffixed(inputs.len());
     let about_value = documented(&format!(
         "{} of {from}, SI; {}.",
         value_names.join(", "),
@@ -80,8 +77,12 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
     ));
     let about_lane =
         documented(&format!("{} of {from}, SI; {}.", names.join(", "), program.total_counts()));
-    let about_rows =
-        documented(&format!("Rows of `springs` values, SI: {} from {from}.", names.join(", "),));
+    let about_rows = documented(&format!(
+        "Rows of `springs` values, SI: {} from {from}. A spring reads {} bytes and writes {}.",
+        names.join(", "),
+        8 * inputs.len(),
+        8 * names.len()
+    ));
     quote! {
         #about_value
         #[inline(always)]
@@ -93,13 +94,18 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
         pub fn evaluate_lane<L: Lane>(#(#inputs: L),*) -> [L; #count] {
             #all
         }
+        enum Kernel {}
+
+        impl SpringKernel<#input_count, #count> for Kernel {
+            #[inline(always)]
+            fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
+                evaluate_lane(#(#inputs),*)
+            }
+        }
+
         #about_rows
         pub fn evaluate(springs: usize, inputs: &[f64], outputs: &mut [f64]) {
-            let [#(#input_rows),*] = rows(springs, inputs);
-            let [#(#output_rows),*] = rows_mut(springs, outputs);
-            for j in 0..springs {
-                [#(#output_rows[j]),*] = evaluate_lane(#(#input_rows[j]),*);
-            }
+            each_spring::<Kernel, #input_count, #count>(springs, inputs, outputs);
         }
     }
 }

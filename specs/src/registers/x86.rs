@@ -1,0 +1,356 @@
+//! Registers of x86-64 processors. The types have no name outside `registers`, which hands them to a task only
+//! where the processor has their instructions: that is what makes the calls below sound.
+
+use std::arch::x86_64::*;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::Register;
+use crate::Lane;
+
+/// A lane type by intrinsics. Arguments: vector, its integer and mask types, width; names of the operations;
+/// the operations that differ between the sets of instructions.
+macro_rules! register {
+    (
+        $(#[$about:meta])*
+        $name:ident($vector:ty, $mask:ty, $width:literal);
+        splat $splat:ident, load $load:ident, store $store:ident, sqrt $sqrt:ident, fused $fused:ident,
+        operators [$($trait:ident $method:ident $intrinsic:ident),*];
+        neg($n:ident) $neg:expr;
+        abs($b:ident) $abs:expr;
+        compare($x:ident, $y:ident) $less:expr, $at_most:expr;
+        masks($p:ident, $q:ident) $and:expr, $or:expr, $not:expr;
+        select($m:ident, $t:ident, $f:ident) $select:expr;
+    ) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy)]
+        #[repr(transparent)]
+        pub(super) struct $name($vector);
+
+        $(
+            impl $trait for $name {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    // SAFETY: as the module says.
+                    $name(unsafe { $intrinsic(self.0, other.0) })
+                }
+            }
+            impl $trait<f64> for $name {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: f64) -> Self {
+                    self.$method($name::splat(other))
+                }
+            }
+        )*
+
+        impl Neg for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                let $n = self.0;
+                // SAFETY: as the module says.
+                $name(unsafe { $neg })
+            }
+        }
+
+        impl $name {
+            #[inline(always)]
+            fn from_array(values: [f64; $width]) -> Self {
+                Self::load(&values)
+            }
+
+            #[inline(always)]
+            fn to_array(self) -> [f64; $width] {
+                let mut values = [0.0; $width];
+                self.store(&mut values);
+                values
+            }
+
+            /// One value after the other: for functions that no instruction computes.
+            #[inline(always)]
+            fn each(self, function: impl Fn(f64) -> f64) -> Self {
+                let mut values = self.to_array();
+                for value in &mut values {
+                    *value = function(*value);
+                }
+                Self::from_array(values)
+            }
+        }
+
+        impl Lane for $name {
+            type Mask = $mask;
+
+            #[inline(always)]
+            fn splat(value: f64) -> Self {
+                // SAFETY: as the module says.
+                $name(unsafe { $splat(value) })
+            }
+            #[inline(always)]
+            fn mul_add(self, b: Self, c: Self) -> Self {
+                // SAFETY: as the module says.
+                $name(unsafe { $fused(self.0, b.0, c.0) })
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                // SAFETY: as the module says.
+                $name(unsafe { $sqrt(self.0) })
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                let $b = self.0;
+                // SAFETY: as the module says.
+                $name(unsafe { $abs })
+            }
+            #[inline(always)]
+            fn exp(self) -> Self {
+                self.each(libm::exp)
+            }
+            #[inline(always)]
+            fn ln(self) -> Self {
+                self.each(libm::log)
+            }
+            #[inline(always)]
+            fn sin(self) -> Self {
+                self.each(libm::sin)
+            }
+            #[inline(always)]
+            fn cos(self) -> Self {
+                self.each(libm::cos)
+            }
+            #[inline(always)]
+            fn tan(self) -> Self {
+                self.each(libm::tan)
+            }
+            #[inline(always)]
+            fn atan(self) -> Self {
+                self.each(libm::atan)
+            }
+            #[inline(always)]
+            fn tanh(self) -> Self {
+                self.each(libm::tanh)
+            }
+            #[inline(always)]
+            fn powf(self, exponent: Self) -> Self {
+                let (mut values, exponents) = (self.to_array(), exponent.to_array());
+                for (value, exponent) in values.iter_mut().zip(exponents) {
+                    *value = libm::pow(*value, exponent);
+                }
+                Self::from_array(values)
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> $mask {
+                let ($x, $y) = (self.0, other.0);
+                // SAFETY: as the module says.
+                unsafe { $less }
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> $mask {
+                let ($x, $y) = (self.0, other.0);
+                // SAFETY: as the module says.
+                unsafe { $at_most }
+            }
+            #[inline(always)]
+            fn and($p: $mask, $q: $mask) -> $mask {
+                #[allow(unused_unsafe, reason = "masks of some registers are plain integers")]
+                // SAFETY: as the module says.
+                unsafe { $and }
+            }
+            #[inline(always)]
+            fn or($p: $mask, $q: $mask) -> $mask {
+                #[allow(unused_unsafe, reason = "masks of some registers are plain integers")]
+                // SAFETY: as the module says.
+                unsafe { $or }
+            }
+            #[inline(always)]
+            fn not($p: $mask) -> $mask {
+                #[allow(unused_unsafe, reason = "masks of some registers are plain integers")]
+                // SAFETY: as the module says.
+                unsafe { $not }
+            }
+            #[inline(always)]
+            fn select($m: $mask, a: Self, b: Self) -> Self {
+                let ($t, $f) = (a.0, b.0);
+                // SAFETY: as the module says.
+                $name(unsafe { $select })
+            }
+        }
+
+        impl Register for $name {
+            const WIDTH: usize = $width;
+            type Chunk = [f64; $width];
+
+            #[inline(always)]
+            fn chunks(row: &[f64]) -> &[[f64; $width]] {
+                row.as_chunks().0
+            }
+            #[inline(always)]
+            fn chunks_mut(row: &mut [f64]) -> &mut [[f64; $width]] {
+                row.as_chunks_mut().0
+            }
+            #[inline(always)]
+            fn load(chunk: &[f64; $width]) -> Self {
+                // SAFETY: as the module says; the chunk has as many values as are read.
+                $name(unsafe { $load(chunk.as_ptr()) })
+            }
+            #[inline(always)]
+            fn store(self, chunk: &mut [f64; $width]) {
+                // SAFETY: as the module says; the chunk has as many values as are written.
+                unsafe { $store(chunk.as_mut_ptr(), self.0) }
+            }
+            #[inline(always)]
+            fn gather(rows: &[f64], values: &mut [Self]) {
+                let columns = values.len();
+                let last = rows.len() / columns - 1;
+                // SAFETY: a lane is as many values without padding, so that this is all of them.
+                let lanes: &mut [[f64; $width]] =
+                    unsafe { std::slice::from_raw_parts_mut(values.as_mut_ptr().cast(), columns) };
+                for first in (0..$width).step_by(4) {
+                    let row = |c: usize| &rows[(first + c).min(last) * columns..][..columns];
+                    let [a, b, c, d] = [row(0), row(1), row(2), row(3)];
+                    let whole = columns - columns % 4;
+                    for v in (0..whole).step_by(4) {
+                        // SAFETY: four values begin at v < whole in every row, and at `first` in a lane.
+                        unsafe {
+                            let turned = transposed([
+                                _mm256_loadu_pd(a.as_ptr().add(v)),
+                                _mm256_loadu_pd(b.as_ptr().add(v)),
+                                _mm256_loadu_pd(c.as_ptr().add(v)),
+                                _mm256_loadu_pd(d.as_ptr().add(v)),
+                            ]);
+                            for (lane, turned) in lanes[v..v + 4].iter_mut().zip(turned) {
+                                _mm256_storeu_pd(lane.as_mut_ptr().add(first), turned);
+                            }
+                        }
+                    }
+                    for v in whole..columns {
+                        for (lane, row) in lanes[v][first..].iter_mut().zip([a, b, c, d]) {
+                            *lane = row[v];
+                        }
+                    }
+                }
+            }
+            #[inline(always)]
+            fn scatter(values: &[Self], rows: &mut [f64]) {
+                let columns = values.len();
+                // SAFETY: a lane is as many values without padding, so that this is all of them.
+                let lanes: &[[f64; $width]] =
+                    unsafe { std::slice::from_raw_parts(values.as_ptr().cast(), columns) };
+                let count = rows.len() / columns;
+                if count < $width {
+                    for (c, row) in rows.chunks_exact_mut(columns).enumerate() {
+                        for (value, lane) in row.iter_mut().zip(lanes) {
+                            *value = lane[c];
+                        }
+                    }
+                    return;
+                }
+                for first in (0..$width).step_by(4) {
+                    let rows = &mut rows[first * columns..][..4 * columns];
+                    let whole = columns - columns % 4;
+                    for v in (0..whole).step_by(4) {
+                        // SAFETY: four values begin at v < whole in every row, and at `first` in a lane.
+                        unsafe {
+                            let turned = turned_halves(&lanes[v..v + 4], first);
+                            let to = rows.as_mut_ptr().add(v);
+                            _mm256_storeu_pd(to, turned[0]);
+                            _mm256_storeu_pd(to.add(columns), turned[1]);
+                            _mm256_storeu_pd(to.add(2 * columns), turned[2]);
+                            _mm256_storeu_pd(to.add(3 * columns), turned[3]);
+                        }
+                    }
+                    for v in whole..columns {
+                        for c in 0..4 {
+                            rows[c * columns + v] = lanes[v][first + c];
+                        }
+                    }
+                }
+            }
+        }
+    };
+}
+
+/// Columns of a 4 × 4 matrix from its rows.
+#[inline(always)]
+fn transposed(rows: [__m256d; 4]) -> [__m256d; 4] {
+    let [a, b, c, d] = rows;
+    // SAFETY: as the module says.
+    unsafe {
+        let (ab0, ab1) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+        let (cd0, cd1) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
+        [
+            _mm256_permute2f128_pd::<0x20>(ab0, cd0),
+            _mm256_permute2f128_pd::<0x20>(ab1, cd1),
+            _mm256_permute2f128_pd::<0x31>(ab0, cd0),
+            _mm256_permute2f128_pd::<0x31>(ab1, cd1),
+        ]
+    }
+}
+
+/// Columns `first`, … `first + 3` of four lanes. Loading halves leaves half of the shuffles to the loads.
+///
+/// # Safety
+/// As the module says; there are four lanes of at least `first + 4` values.
+#[inline(always)]
+unsafe fn turned_halves<const W: usize>(lanes: &[[f64; W]], first: usize) -> [__m256d; 4] {
+    // SAFETY: the caller's.
+    unsafe {
+        let even0 = pair(&lanes[0], &lanes[2], first);
+        let odd0 = pair(&lanes[1], &lanes[3], first);
+        let even2 = pair(&lanes[0], &lanes[2], first + 2);
+        let odd2 = pair(&lanes[1], &lanes[3], first + 2);
+        [
+            _mm256_unpacklo_pd(even0, odd0),
+            _mm256_unpackhi_pd(even0, odd0),
+            _mm256_unpacklo_pd(even2, odd2),
+            _mm256_unpackhi_pd(even2, odd2),
+        ]
+    }
+}
+
+/// Values `at`, `at + 1` of two lanes.
+///
+/// # Safety
+/// As the module says; there are so many values.
+#[inline(always)]
+unsafe fn pair<const W: usize>(low: &[f64; W], high: &[f64; W], at: usize) -> __m256d {
+    // SAFETY: the caller's.
+    unsafe {
+        let low = _mm256_castpd128_pd256(_mm_loadu_pd(low.as_ptr().add(at)));
+        _mm256_insertf128_pd::<1>(low, _mm_loadu_pd(high.as_ptr().add(at)))
+    }
+}
+
+register! {
+    /// Four values in a register of AVX2, with FMA.
+    F64x4(__m256d, __m256d, 4);
+    splat _mm256_set1_pd, load _mm256_loadu_pd, store _mm256_storeu_pd, sqrt _mm256_sqrt_pd,
+    fused _mm256_fmadd_pd,
+    operators [
+        Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd
+    ];
+    neg(a) _mm256_xor_pd(a, _mm256_set1_pd(-0.0));
+    abs(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
+    compare(a, b) _mm256_cmp_pd::<_CMP_LT_OQ>(a, b), _mm256_cmp_pd::<_CMP_LE_OQ>(a, b);
+    masks(a, b) _mm256_and_pd(a, b), _mm256_or_pd(a, b),
+        _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)));
+    select(mask, a, b) _mm256_blendv_pd(b, a, mask);
+}
+
+register! {
+    /// Eight values in a register of AVX-512.
+    F64x8(__m512d, __mmask8, 8);
+    splat _mm512_set1_pd, load _mm512_loadu_pd, store _mm512_storeu_pd, sqrt _mm512_sqrt_pd,
+    fused _mm512_fmadd_pd,
+    operators [
+        Add add _mm512_add_pd, Sub sub _mm512_sub_pd, Mul mul _mm512_mul_pd, Div div _mm512_div_pd
+    ];
+    // Bitwise operations on numbers are not part of the foundation set; those on integers are.
+    neg(a) _mm512_castsi512_pd(
+        _mm512_xor_si512(_mm512_castpd_si512(a), _mm512_set1_epi64(i64::MIN))
+    );
+    abs(a) _mm512_abs_pd(a);
+    compare(a, b) _mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b), _mm512_cmp_pd_mask::<_CMP_LE_OQ>(a, b);
+    masks(a, b) a & b, a | b, !a;
+    select(mask, a, b) _mm512_mask_blend_pd(mask, b, a);
+}
