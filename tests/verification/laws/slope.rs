@@ -1,0 +1,107 @@
+//! A value with its derivative along one direction, both with a bound of their rounding error: evaluating a
+//! file's formulas over it differentiates them without any symbolic rule.
+
+use whirl_codegen::expression::Rational;
+use whirl_codegen::formula::{Number, Rounded};
+
+/// f and df.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slope {
+    pub(super) value: Rounded,
+    pub(super) slope: Rounded,
+}
+
+const EXACTLY_ZERO: Rounded = Rounded { value: 0.0, error: 0.0 };
+const EXACTLY_ONE: Rounded = Rounded { value: 1.0, error: 0.0 };
+
+impl Slope {
+    /// An input, which varies or does not. The value is what it is: not rounded.
+    pub(super) fn input(value: f64, varies: bool) -> Self {
+        let slope = if varies { EXACTLY_ONE } else { EXACTLY_ZERO };
+        Slope { value: Rounded { value, error: 0.0 }, slope }
+    }
+
+    fn varies(&self) -> bool {
+        self.slope != EXACTLY_ZERO
+    }
+
+    /// f(a) with f′(a), where `derivative` may have no value as long as nothing varies.
+    fn chain(&self, value: Rounded, derivative: impl FnOnce() -> Rounded) -> Self {
+        let slope = if self.varies() { derivative().mul(&self.slope) } else { EXACTLY_ZERO };
+        Slope { value, slope }
+    }
+}
+
+fn one() -> Rounded {
+    EXACTLY_ONE
+}
+
+fn squared(a: &Rounded) -> Rounded {
+    a.mul(a)
+}
+
+impl Number for Slope {
+    fn exact(value: &Rational) -> Self {
+        Slope { value: Rounded::exact(value), slope: EXACTLY_ZERO }
+    }
+    fn value(&self) -> f64 {
+        self.value.value
+    }
+    fn add(&self, other: &Self) -> Self {
+        Slope { value: self.value.add(&other.value), slope: self.slope.add(&other.slope) }
+    }
+    fn sub(&self, other: &Self) -> Self {
+        Slope { value: self.value.sub(&other.value), slope: self.slope.sub(&other.slope) }
+    }
+    fn mul(&self, other: &Self) -> Self {
+        let (a, b) = (self.slope.mul(&other.value), self.value.mul(&other.slope));
+        Slope { value: self.value.mul(&other.value), slope: a.add(&b) }
+    }
+    fn div(&self, other: &Self) -> Self {
+        let value = self.value.div(&other.value);
+        let slope = self.slope.sub(&value.mul(&other.slope)).div(&other.value);
+        Slope { value, slope }
+    }
+    fn power(&self, exponent: &Self) -> Self {
+        let value = self.value.power(&exponent.value);
+        let along_base = self
+            .chain(value, || exponent.value.mul(&self.value.power(&exponent.value.sub(&one()))));
+        let along_exponent = exponent.chain(value, || value.mul(&self.value.ln()));
+        Slope { value, slope: along_base.slope.add(&along_exponent.slope) }
+    }
+    fn sqrt(&self) -> Self {
+        let root = self.value.sqrt();
+        self.chain(root, || one().div(&root.add(&root)))
+    }
+    fn exp(&self) -> Self {
+        let value = self.value.exp();
+        self.chain(value, || value)
+    }
+    fn ln(&self) -> Self {
+        self.chain(self.value.ln(), || one().div(&self.value))
+    }
+    fn sin(&self) -> Self {
+        self.chain(self.value.sin(), || self.value.cos())
+    }
+    fn cos(&self) -> Self {
+        self.chain(self.value.cos(), || EXACTLY_ZERO.sub(&self.value.sin()))
+    }
+    fn tan(&self) -> Self {
+        let value = self.value.tan();
+        self.chain(value, || one().add(&squared(&value)))
+    }
+    fn atan(&self) -> Self {
+        self.chain(self.value.atan(), || one().div(&one().add(&squared(&self.value))))
+    }
+    fn tanh(&self) -> Self {
+        let value = self.value.tanh();
+        self.chain(value, || one().sub(&squared(&value)))
+    }
+    fn abs(&self) -> Self {
+        if self.value.value < 0.0 {
+            Slope { value: EXACTLY_ZERO.sub(&self.value), slope: EXACTLY_ZERO.sub(&self.slope) }
+        } else {
+            *self
+        }
+    }
+}
