@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
-use whirl_codegen::generate::{SpecFile, folders, generate};
+use whirl_codegen::generate::{ENDINGS, SpecFile, folders, generate};
 
 fn main() {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
@@ -21,7 +21,7 @@ fn main() {
     }
 }
 
-/// All spec files, with paths relative to this crate. A new file in a folder runs the build again.
+/// All spec files and the tables beside them, with paths relative to this crate. A new file in a folder runs the build again.
 fn read(root: &Path) -> io::Result<Vec<SpecFile>> {
     let mut files = Vec::new();
     for folder in folders() {
@@ -29,7 +29,8 @@ fn read(root: &Path) -> io::Result<Vec<SpecFile>> {
         let Ok(entries) = fs::read_dir(root.join(folder)) else { continue };
         for entry in entries {
             let path = entry?.path();
-            if path.extension().is_some_and(|extension| extension == "toml") {
+            let ending = path.extension().and_then(|ending| ending.to_str());
+            if ending.is_some_and(|ending| ENDINGS.contains(&ending)) {
                 let name = path.file_name().expect("it has an extension").to_string_lossy();
                 println!("cargo::rerun-if-changed={folder}/{name}");
                 let text = fs::read_to_string(&path)?;

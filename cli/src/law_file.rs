@@ -26,7 +26,7 @@ impl LawFile {
             .map_err(|error| Diagnostic::new(&spec.file, Code::LIMIT, None, error.to_string()))?;
         Ok(LawFile {
             name: spec.name.clone(),
-            hash: Key::of(&spec.file.text).hex(),
+            hash: Key::of(&spec.texts().collect::<Vec<_>>().join("\0")).hex(),
             inputs: spec.inputs.iter().map(|input| input.name.clone()).collect(),
             outputs: spec.outputs.iter().map(|output| output.name.clone()).collect(),
             tape: Tape::new(&program),

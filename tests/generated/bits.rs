@@ -5,7 +5,11 @@ use whirl_codegen::diagnostic::Source;
 use whirl_codegen::formula::Rounded;
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
+<<<<<<< HEAD
 use whirl_specs::{LAWS, Registers};
+=======
+use whirl_specs::{LAWS, TABLES};
+>>>>>>> 81131a8 (Add tables, blended breaks, sums and atan2 to laws)
 
 use crate::random::Random;
 
@@ -15,7 +19,12 @@ fn compiled_tape_and_direct_evaluation_agree() {
     assert!(!LAWS.is_empty());
     for law in LAWS {
         let file = Source::new(law.origin.spec, law.origin.text);
-        let spec = LawSpec::read(&file).unwrap_or_else(|errors| panic!("{errors}"));
+        let table = |name: &str| {
+            let path = format!("laws/{name}");
+            let found = TABLES.iter().find(|(other, _)| *other == path);
+            found.map(|(_, text)| Source::new(&path, *text)).ok_or(path)
+        };
+        let spec = LawSpec::read_with(&file, &table).unwrap_or_else(|errors| panic!("{errors}"));
         let tape = Tape::new(&spec.program().expect("a program"));
         // Not a whole number of registers.
         let springs = 1003;

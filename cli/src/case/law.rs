@@ -1,10 +1,11 @@
 //! The law of a spring: a built-in one by name, or a spec file by path.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Located, Source, suggest};
 use whirl_codegen::spec::law::LawSpec;
-use whirl_specs::{LAWS, Law};
+use whirl_specs::{LAWS, Law, TABLES};
 
 use super::library::Shelf;
 use super::reader::Reader;
@@ -35,11 +36,20 @@ impl LawSource {
         match self {
             LawSource::BuiltIn(law) => {
                 let source = Source::new(format!("specs/{}", law.origin.spec), law.origin.text);
-                Arc::new(LawSpec::read(&source).expect("built-in laws have no errors"))
+                let spec = LawSpec::read_with(&source, &|name| built_in_table(law, name));
+                Arc::new(spec.expect("built-in laws have no errors"))
             }
             LawSource::File(spec) => spec.clone(),
         }
     }
+}
+
+/// The file of columns called `name` beside a built-in law.
+fn built_in_table(law: &Law, name: &str) -> Result<Arc<Source>, String> {
+    let path = Path::new(law.origin.spec).with_file_name(name);
+    let found = TABLES.iter().find(|(other, _)| Path::new(other) == path);
+    let (_, text) = found.ok_or_else(|| format!("there is no file `{name}`"))?;
+    Ok(Source::new(Path::new("specs").join(path), *text))
 }
 
 /// The law that `law` of a table names, if the key is there.
@@ -71,7 +81,7 @@ fn read_file(shelf: Shelf, table: &Reader, name: &Located) -> Option<LawSource> 
             return None;
         }
     };
-    match LawSpec::read(&source) {
+    match LawSpec::read_with(&source, &|name| shelf.read_beside(&source, name)) {
         Ok(spec) => Some(LawSource::File(Arc::new(spec))),
         Err(errors) => {
             errors.into_iter().for_each(|error| table.push(error));

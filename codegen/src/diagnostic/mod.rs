@@ -58,6 +58,8 @@ impl Code {
     pub const PIECES: Code = Code("E031");
     /// A law that should engage at a root and has none.
     pub const NO_ROOT: Code = Code("E032");
+    /// A table of a law whose rows do not fit.
+    pub const TABLE: Code = Code("E033");
     /// A derivative that has no form in generated code.
     pub const DERIVATIVE: Code = Code("E040");
     /// Something declared that does not follow from the rest of the file.

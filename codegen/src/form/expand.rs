@@ -160,6 +160,7 @@ impl Expansion<'_> {
             Kind::Product(parts) => self.product(parts),
             Kind::Power(base, exponent) => constant(self.power(base, exponent)?),
             Kind::Call { function, name, arguments } => self.call(term, function, name, arguments),
+            Kind::Series { .. } => self.error(Code::SYNTAX, &term.span, "a form has no `sum`"),
             Kind::Compare(..) | Kind::And(_) | Kind::Or(_) | Kind::Not(_) => {
                 self.error(Code::SYNTAX, &term.span, "a form has no conditions")
             }

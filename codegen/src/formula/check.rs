@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::function::{ELSEWHERE, FUNCTIONS};
-use super::{Builtin, Formula, Kind, PI, Side, Term};
+use super::{Builtin, Formula, Kind, PI, SUM, Side, Term};
 use crate::diagnostic::{Code, Diagnostics, suggest};
 use crate::expression::Shape;
 
@@ -44,7 +44,7 @@ impl<S: Into<String>> FromIterator<(S, Shape)> for Scope {
 /// Every name that is not declared, every function that does not exist, every place where shapes do not
 /// fit; an error inside a term is not followed by errors about the term.
 pub fn check(formula: &Formula, scope: &Scope) -> Result<Shape, Diagnostics> {
-    let mut checker = Checker { formula, scope, errors: Diagnostics::new() };
+    let mut checker = Checker { formula, scope, counters: Vec::new(), errors: Diagnostics::new() };
     let shape = checker.shape(&formula.root);
     checker.errors.into_result(shape.unwrap_or(Shape::Scalar))
 }
@@ -52,6 +52,8 @@ pub fn check(formula: &Formula, scope: &Scope) -> Result<Shape, Diagnostics> {
 struct Checker<'f> {
     formula: &'f Formula,
     scope: &'f Scope,
+    /// Counters of the sums around the term.
+    counters: Vec<&'f str>,
     errors: Diagnostics,
 }
 
@@ -64,14 +66,14 @@ pub(super) fn called(shape: Shape) -> &'static str {
     }
 }
 
-impl Checker<'_> {
+impl<'f> Checker<'f> {
     fn error(&mut self, code: Code, span: &Range<usize>, message: String, help: Option<String>) {
         let error = self.formula.text.error(code, span.clone(), message);
         self.errors.push(error.maybe_help(help));
     }
 
     /// The shape of a term; `None` if something inside it is wrong and was reported.
-    fn shape(&mut self, term: &Term) -> Option<Shape> {
+    fn shape(&mut self, term: &'f Term) -> Option<Shape> {
         match &term.kind {
             Kind::Number(_) => Some(Shape::Scalar),
             Kind::Name(name) => self.name(name, &term.span),
@@ -90,6 +92,14 @@ impl Checker<'_> {
                 base.and(exponent)
             }
             Kind::Call { function, name, arguments } => self.call(term, function, name, arguments),
+            Kind::Series { counter, name, ends, body } => {
+                let ends: Vec<_> = ends.iter().map(|end| self.number(end)).collect();
+                let fine = self.counter(counter, name);
+                self.counters.push(counter);
+                let body = self.number(body);
+                self.counters.pop();
+                body.filter(|_| fine && ends.iter().all(Option::is_some))
+            }
             Kind::Compare(first, rest) => {
                 let first = self.number(first);
                 let rest: Vec<_> = rest.iter().map(|(_, part)| self.number(part)).collect();
@@ -103,20 +113,20 @@ impl Checker<'_> {
         }
     }
 
-    fn wanted(&mut self, term: &Term, wanted: &str, found: Shape) {
+    fn wanted(&mut self, term: &'f Term, wanted: &str, found: Shape) {
         let message = format!("expected {wanted}, found {}", called(found));
         self.error(Code::SHAPE, &term.span, message, None);
     }
 
-    fn number(&mut self, term: &Term) -> Option<Shape> {
+    fn number(&mut self, term: &'f Term) -> Option<Shape> {
         self.exactly(term, Shape::Scalar)
     }
 
-    fn truth(&mut self, term: &Term) -> Option<Shape> {
+    fn truth(&mut self, term: &'f Term) -> Option<Shape> {
         self.exactly(term, Shape::Truth)
     }
 
-    fn exactly(&mut self, term: &Term, wanted: Shape) -> Option<Shape> {
+    fn exactly(&mut self, term: &'f Term, wanted: Shape) -> Option<Shape> {
         let found = self.shape(term)?;
         if found != wanted {
             self.wanted(term, called(wanted), found);
@@ -129,7 +139,7 @@ impl Checker<'_> {
         if let Some(shape) = self.scope.names.get(name) {
             return Some(*shape);
         }
-        if name == PI {
+        if name == PI || self.counters.contains(&name) {
             return Some(Shape::Scalar);
         }
         let known: Vec<&str> = self.scope.names.keys().map(String::as_str).collect();
@@ -142,7 +152,19 @@ impl Checker<'_> {
         None
     }
 
-    fn sum(&mut self, parts: &[(Side, Term)]) -> Option<Shape> {
+    /// Whether a counter has a name of its own.
+    fn counter(&mut self, counter: &'f str, place: &Range<usize>) -> bool {
+        let taken = self.scope.names.contains_key(counter)
+            || counter == PI
+            || self.counters.contains(&counter);
+        if taken {
+            let message = format!("the counter `{counter}` has the name of something else");
+            self.error(Code::BAD_NAME, place, message, Some("give it another name".to_owned()));
+        }
+        !taken
+    }
+
+    fn sum(&mut self, parts: &'f [(Side, Term)]) -> Option<Shape> {
         let shapes: Vec<_> = parts.iter().map(|(_, part)| self.shape(part)).collect();
         let first = shapes[0];
         let mut fine = first.is_some();
@@ -167,7 +189,7 @@ impl Checker<'_> {
 
     /// A product is read with its numbers apart; what is left must be a matrix, a vector, or matrices
     /// applied to a vector.
-    fn product(&mut self, parts: &[(Side, Term)]) -> Option<Shape> {
+    fn product(&mut self, parts: &'f [(Side, Term)]) -> Option<Shape> {
         let mut fine = true;
         let mut tensors: Vec<(Shape, &Term)> = Vec::new();
         for (side, part) in parts {
@@ -212,10 +234,10 @@ impl Checker<'_> {
 
     fn call(
         &mut self,
-        term: &Term,
+        term: &'f Term,
         function: &str,
         name: &Range<usize>,
-        arguments: &[Term],
+        arguments: &'f [Term],
     ) -> Option<Shape> {
         let Some((_, builtin, least, most)) = FUNCTIONS.iter().find(|(f, ..)| *f == function)
         else {
@@ -224,8 +246,8 @@ impl Checker<'_> {
             } else if let Some((_, help)) = ELSEWHERE.iter().find(|(f, _)| *f == function) {
                 Some((*help).to_owned())
             } else {
-                let known: Vec<&str> = FUNCTIONS.iter().map(|(f, ..)| *f).collect();
-                suggest(function, &known)
+                let known = FUNCTIONS.iter().map(|(f, ..)| *f).chain([SUM]);
+                suggest(function, &known.collect::<Vec<&str>>())
             };
             self.error(Code::BAD_CALL, name, format!("unknown function `{function}`"), help);
             arguments.iter().for_each(|argument| {
@@ -279,6 +301,7 @@ mod tests {
         assert_eq!(shape("outer(eta, eta) + transpose(Y)*h"), Ok(Shape::Matrix));
         assert_eq!(shape("0 < h <= 1 and not (h > 3 or h < 2)"), Ok(Shape::Truth));
         assert_eq!(shape("min(h, 1, 2)"), Ok(Shape::Scalar));
+        assert_eq!(shape("sum(i, 1, 3, sum(j, 0, i, h^j))"), Ok(Shape::Scalar));
     }
 
     #[test]
@@ -329,6 +352,18 @@ mod tests {
             ("sin(eta) + 1", &["f:1:5: expected a number, found a vector"]),
             ("(h < 1) + 2", &["f:1:2: expected a number, found a condition"]),
             ("h and h < 1", &["f:1:1: expected a condition, found a number"]),
+            (
+                "sum(h, 0, 2, h)",
+                &["f:1:5: the counter `h` has the name of something else (give it another name)"],
+            ),
+            (
+                "sum(j, 0, 2, j*k) + j",
+                &[
+                    "f:1:16: unknown name `k` (known: `Y`, `eta`, `h`, `theta_dot`)",
+                    "f:1:21: unknown name `j` (known: `Y`, `eta`, `h`, `theta_dot`)",
+                ],
+            ),
+            ("sum(j, 0, 2, eta)", &["f:1:14: expected a number, found a vector"]),
             ("(h < 1) < 2", &["f:1:2: expected a number, found a condition"]),
         ];
         for (text, expected) in expected {

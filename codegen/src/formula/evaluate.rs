@@ -1,11 +1,13 @@
 //! Direct evaluation of terms over any [`Number`]: no graph, no rewriting. Everything that the generator
 //! makes of a formula is compared with this.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 use num_traits::Zero;
 
+use super::series::{self, Budget};
 use super::{Builtin, Comparison, Formula, Kind, Number, PI, Side, Term};
 use crate::diagnostic::{Code, Diagnostic};
 
@@ -40,46 +42,59 @@ pub fn evaluate<N: Number>(
     formula: &Formula,
     names: &BTreeMap<String, Value<N>>,
 ) -> Result<Value<N>, Diagnostic> {
-    let evaluation = Evaluation { formula, names };
+    let (counters, budget) = (RefCell::default(), Budget::new());
+    let evaluation = Evaluation { formula, names, counters, budget };
     evaluation.term(&formula.root).map_err(|error| *error)
 }
 
 struct Evaluation<'f, N> {
     formula: &'f Formula,
     names: &'f BTreeMap<String, Value<N>>,
+    /// Counters of the sums around the term, with their values.
+    counters: RefCell<Vec<(&'f str, i64)>>,
+    budget: Budget,
 }
 
 type Evaluated<N> = Result<Value<N>, Box<Diagnostic>>;
 
-impl<N: Number> Evaluation<'_, N> {
+impl<'f, N: Number> Evaluation<'f, N> {
     fn misfit(&self, term: &Term) -> Box<Diagnostic> {
         let message = "the shapes of these values do not fit";
         Box::new(self.formula.text.error(Code::SHAPE, term.span.clone(), message))
     }
 
-    fn scalar(&self, term: &Term) -> Result<N, Box<Diagnostic>> {
+    fn scalar(&self, term: &'f Term) -> Result<N, Box<Diagnostic>> {
         self.term(term)?.scalar().ok_or_else(|| self.misfit(term))
     }
 
-    fn truth(&self, term: &Term) -> Result<bool, Box<Diagnostic>> {
+    /// The value of a counter.
+    fn count(&self, name: &str) -> Option<i64> {
+        let counters = self.counters.borrow();
+        counters.iter().find(|(counter, _)| *counter == name).map(|(_, count)| *count)
+    }
+
+    fn truth(&self, term: &'f Term) -> Result<bool, Box<Diagnostic>> {
         match self.term(term)? {
             Value::Truth(truth) => Ok(truth),
             _ => Err(self.misfit(term)),
         }
     }
 
-    fn vector(&self, term: &Term) -> Result<Vec<N>, Box<Diagnostic>> {
+    fn vector(&self, term: &'f Term) -> Result<Vec<N>, Box<Diagnostic>> {
         match self.term(term)? {
             Value::Vector(entries) => Ok(entries),
             _ => Err(self.misfit(term)),
         }
     }
 
-    fn term(&self, term: &Term) -> Evaluated<N> {
+    fn term(&self, term: &'f Term) -> Evaluated<N> {
         Ok(match &term.kind {
             Kind::Number(value) => Value::Scalar(N::exact(value)),
             Kind::Name(name) => match self.names.get(name) {
                 Some(value) => value.clone(),
+                None if let Some(count) = self.count(name) => {
+                    Value::Scalar(N::exact(&series::exact(count)))
+                }
                 None if name == PI => Value::Scalar(N::exact(&pi())),
                 None => {
                     let message = format!("`{name}` has no value");
@@ -108,6 +123,24 @@ impl<N: Number> Evaluation<'_, N> {
                 Value::Scalar(self.scalar(base)?.power(&self.scalar(exponent)?))
             }
             Kind::Call { function, arguments, .. } => self.call(term, function, arguments)?,
+            Kind::Series { counter, ends, body, .. } => {
+                let [first, last] = [self.scalar(&ends[0])?, self.scalar(&ends[1])?];
+                let ends = [first, last].map(|end| series::whole_f64(end.value()));
+                let counts = self.budget.counter(ends).map_err(|message| {
+                    Box::new(self.formula.text.error(Code::LIMIT, term.span.clone(), message))
+                })?;
+                let mut sum: Option<N> = None;
+                for count in counts {
+                    self.counters.borrow_mut().push((counter, count));
+                    let part = self.scalar(body);
+                    self.counters.borrow_mut().pop();
+                    sum = Some(match sum {
+                        Some(sum) => sum.add(&part?),
+                        None => part?,
+                    });
+                }
+                Value::Scalar(sum.ok_or_else(|| self.misfit(term))?)
+            }
             Kind::Compare(first, rest) => {
                 let mut left = self.scalar(first)?.value();
                 let mut holds = true;
@@ -136,7 +169,7 @@ impl<N: Number> Evaluation<'_, N> {
     }
 
     /// Numbers from the left; vectors and matrices from the right, so that A*B*x is A(Bx).
-    fn product(&self, term: &Term, parts: &[(Side, Term)]) -> Evaluated<N> {
+    fn product(&self, term: &'f Term, parts: &'f [(Side, Term)]) -> Evaluated<N> {
         let mut scale: Option<N> = None;
         let mut tensors = Vec::new();
         for (side, part) in parts {
@@ -172,7 +205,7 @@ impl<N: Number> Evaluation<'_, N> {
         }
     }
 
-    fn call(&self, term: &Term, function: &str, arguments: &[Term]) -> Evaluated<N> {
+    fn call(&self, term: &'f Term, function: &str, arguments: &'f [Term]) -> Evaluated<N> {
         let builtin = Builtin::named(function).ok_or_else(|| self.misfit(term))?;
         let argument = |i: usize| arguments.get(i).ok_or_else(|| self.misfit(term));
         let choose = |better: fn(f64, f64) -> bool| {
@@ -188,6 +221,10 @@ impl<N: Number> Evaluation<'_, N> {
         match builtin {
             Builtin::Min => return choose(|a, b| a < b),
             Builtin::Max => return choose(|a, b| a > b),
+            Builtin::Atan2 => {
+                let (y, x) = (self.scalar(argument(0)?)?, self.scalar(argument(1)?)?);
+                return Ok(Value::Scalar(angle(&y, &x)));
+            }
             Builtin::Dot => {
                 let (a, b) = (self.vector(argument(0)?)?, self.vector(argument(1)?)?);
                 return dot(&a, &b).map(Value::Scalar).ok_or_else(|| self.misfit(term));
@@ -226,12 +263,28 @@ impl<N: Number> Evaluation<'_, N> {
     }
 }
 
+/// The angle of (x, y) from the axis x, by the arctangent of the smaller over the larger of the two.
+fn angle<N: Number>(y: &N, x: &N) -> N {
+    let turn = |quarters: i64| N::exact(&(pi() * BigRational::new(quarters.into(), 2.into())));
+    if y.value().abs() <= x.value().abs() {
+        let angle = y.div(x).atan();
+        match (x.value() > 0.0, y.value() >= 0.0) {
+            (true, _) => angle,
+            (false, true) => angle.add(&turn(2)),
+            (false, false) => angle.sub(&turn(2)),
+        }
+    } else {
+        let angle = x.div(y).atan();
+        turn(if y.value() > 0.0 { 1 } else { -1 }).sub(&angle)
+    }
+}
+
 fn one() -> BigRational {
     BigRational::from_integer(1.into())
 }
 
 /// The f64 nearest to π, as an exact number.
-pub(super) fn pi() -> BigRational {
+pub(crate) fn pi() -> BigRational {
     BigRational::from_float(std::f64::consts::PI).unwrap_or_else(one)
 }
 
@@ -300,6 +353,17 @@ mod tests {
         assert_eq!(value("exp(0) + log(1) + sin(0) + cos(0) + tan(0) + atan(0) + tanh(0)"), 2.0);
         assert!((value("sinh(x)^2 - cosh(x)^2") + 1.0).abs() < 1e-14);
         assert_eq!(value("pi"), std::f64::consts::PI);
+        for (y, x) in [(1.0, 2.0), (2.0, 1.0), (2.0, -1.0), (1.0, -2.0), (0.0, -1.0), (-1.0, -3.0)]
+        {
+            for sign in [1.0, -1.0] {
+                let y: f64 = sign * y;
+                let found = value(&format!("atan2({y}, {x})"));
+                assert!((found - f64::atan2(y + 0.0, x)).abs() < 1e-15, "{y} {x}: {found}");
+            }
+        }
+        assert_eq!(value("sum(j, 1, 4, j^x)"), 30.0);
+        assert_eq!(value("sum(i, 0, x, sum(j, 0, i, i*j))"), 7.0);
+        assert_eq!(value("sum(j, -1, 1, j)"), 0.0);
     }
 
     #[test]
@@ -325,6 +389,8 @@ mod tests {
             "sin(x)*cos(x) + tan(x/3)",
             "atan(x) + tanh(x) + sinh(x)/cosh(x)",
             "abs(x - 3) + min(x, 3)*max(x, 1)",
+            "atan2(x, 3) + atan2(x, -1) + atan2(1, x)*atan2(-x, x - 5)",
+            "sum(j, 0, 5, sin(j*x)/(1 + j))",
         ] {
             let formula = parse(&Located::alone("f", text)).unwrap();
             let at = |x: f64| {

@@ -17,6 +17,8 @@ pub enum Builtin {
     Tan,
     /// arctan a, in rad
     Atan,
+    /// The angle of the point (x, y) from the axis x, in (−π, π]: atan2(y, x); nothing at the origin.
+    Atan2,
     /// sinh a
     Sinh,
     /// cosh a
@@ -46,6 +48,7 @@ pub const FUNCTIONS: &[(&str, Builtin, usize, usize)] = &[
     ("cos", Builtin::Cos, 1, 1),
     ("tan", Builtin::Tan, 1, 1),
     ("atan", Builtin::Atan, 1, 1),
+    ("atan2", Builtin::Atan2, 2, 2),
     ("sinh", Builtin::Sinh, 1, 1),
     ("cosh", Builtin::Cosh, 1, 1),
     ("tanh", Builtin::Tanh, 1, 1),

@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::evaluate::pi;
+use super::series::{self, Budget};
 use super::{Builtin, Comparison, Formula, Kind, LIMITS, PI, Scope, Side, Term, check};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::expression::{Function, Graph, Id, Node, Relation, Shape};
@@ -25,7 +26,14 @@ pub fn lower(
     let scope: Scope = names.iter().map(|(name, id)| (name.clone(), graph.shape(*id))).collect();
     check(formula, &scope)?;
     let before = graph.exceeded();
-    let mut lowering = Lowering { formula, graph, names, errors: Diagnostics::new() };
+    let mut lowering = Lowering {
+        formula,
+        graph,
+        names,
+        counters: Vec::new(),
+        budget: Budget::new(),
+        errors: Diagnostics::new(),
+    };
     let root = lowering.term(&formula.root);
     let mut errors = lowering.errors;
     if graph.exceeded() && !before && errors.is_empty() {
@@ -39,24 +47,31 @@ struct Lowering<'f> {
     formula: &'f Formula,
     graph: &'f mut Graph,
     names: &'f BTreeMap<String, Id>,
+    /// Counters of the sums around the term, with their values.
+    counters: Vec<(&'f str, i64)>,
+    budget: Budget,
     errors: Diagnostics,
 }
 
-impl Lowering<'_> {
+impl<'f> Lowering<'f> {
     fn error(&mut self, code: Code, span: &Range<usize>, message: impl Into<String>) {
         self.errors.push(self.formula.text.error(code, span.clone(), message));
     }
 
-    fn terms(&mut self, parts: &[Term]) -> Vec<Id> {
+    fn terms(&mut self, parts: &'f [Term]) -> Vec<Id> {
         parts.iter().map(|part| self.term(part)).collect()
     }
 
-    fn term(&mut self, term: &Term) -> Id {
+    fn term(&mut self, term: &'f Term) -> Id {
         match &term.kind {
             Kind::Number(value) => self.graph.number(value.clone()),
             Kind::Name(name) => match self.names.get(name) {
                 Some(id) => *id,
                 None => {
+                    let counter = self.counters.iter().find(|(counter, _)| counter == name);
+                    if let Some((_, count)) = counter {
+                        return self.graph.integer(*count);
+                    }
                     debug_assert_eq!(name, PI, "names are checked before");
                     self.graph.number(pi())
                 }
@@ -80,6 +95,7 @@ impl Lowering<'_> {
             Kind::Product(parts) => self.product(parts),
             Kind::Power(base, exponent) => self.power(term, base, exponent),
             Kind::Call { function, arguments, .. } => self.call(term, function, arguments),
+            Kind::Series { counter, ends, body, .. } => self.series(term, counter, ends, body),
             Kind::Compare(first, rest) => {
                 let mut left = self.term(first);
                 let mut all = None;
@@ -112,12 +128,36 @@ impl Lowering<'_> {
         }
     }
 
-    fn fold(&mut self, parts: &[Term], combine: fn(&mut Graph, Id, Id) -> Id) -> Id {
+    fn series(&mut self, term: &Term, counter: &'f str, ends: &'f [Term; 2], body: &'f Term) -> Id {
+        let values = [self.term(&ends[0]), self.term(&ends[1])];
+        let values = values.map(|end| self.graph.as_number(end).and_then(series::whole));
+        let counts = match self.budget.counter(values) {
+            Ok(counts) => counts,
+            Err(message) => {
+                self.error(Code::LIMIT, &term.span, message);
+                return self.graph.integer(0);
+            }
+        };
+        let mut parts = Vec::new();
+        for count in counts {
+            self.counters.push((counter, count));
+            let errors = self.errors.len();
+            parts.push((self.term(body), BigRational::one()));
+            self.counters.pop();
+            // What is wrong for one value of the counter mostly is for the next.
+            if self.errors.len() > errors || self.graph.exceeded() {
+                break;
+            }
+        }
+        self.graph.sum(&parts)
+    }
+
+    fn fold(&mut self, parts: &'f [Term], combine: fn(&mut Graph, Id, Id) -> Id) -> Id {
         let parts = self.terms(parts);
         parts[1..].iter().fold(parts[0], |all, part| combine(self.graph, all, *part))
     }
 
-    fn product(&mut self, parts: &[(Side, Term)]) -> Id {
+    fn product(&mut self, parts: &'f [(Side, Term)]) -> Id {
         let mut factors = Vec::new();
         let mut tensors = Vec::new();
         for (side, part) in parts {
@@ -146,7 +186,7 @@ impl Lowering<'_> {
         self.graph.scale(scalar, tensor)
     }
 
-    fn power(&mut self, term: &Term, base: &Term, exponent: &Term) -> Id {
+    fn power(&mut self, term: &'f Term, base: &'f Term, exponent: &'f Term) -> Id {
         let (a, b) = (self.term(base), self.term(exponent));
         let negative_base = self.graph.as_number(a).is_some_and(Signed::is_negative);
         let Some(constant) = self.graph.as_number(b).cloned() else {
@@ -188,7 +228,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn call(&mut self, term: &Term, function: &str, arguments: &[Term]) -> Id {
+    fn call(&mut self, term: &'f Term, function: &str, arguments: &'f [Term]) -> Id {
         let Some(builtin) = Builtin::named(function) else {
             // Only what passed the check comes here.
             self.error(Code::BAD_CALL, &term.span, format!("unknown function `{function}`"));
@@ -230,11 +270,39 @@ impl Lowering<'_> {
                     self.graph.select(better, other, best)
                 });
             }
+            Builtin::Atan2 => return self.angle(a, ids[1]),
             Builtin::Dot => return self.graph.dot(a, ids[1]),
             Builtin::Outer => return self.graph.outer(a, ids[1]),
             Builtin::Transpose => return self.graph.transpose(a),
         };
         self.graph.function(simple, a)
+    }
+
+    /// The angle of (x, y) from the axis x: one arctangent of the smaller over the larger of the two, so that
+    /// it divides by zero at the origin only.
+    fn angle(&mut self, y: Id, x: Id) -> Id {
+        let zero = self.graph.integer(0);
+        let turn = |graph: &mut Graph, quarters: i64| {
+            graph.number(pi() * BigRational::new(quarters.into(), 2.into()))
+        };
+        let [back, up, none, down, behind] =
+            [-2, 1, 0, -1, 2].map(|quarters| turn(self.graph, quarters));
+        let (tall, wide) =
+            (self.graph.function(Function::Abs, y), self.graph.function(Function::Abs, x));
+        let flat = self.graph.compare(Relation::LessOrEqual, tall, wide);
+        let minus = self.graph.neg(x);
+        let above = self.graph.select(flat, y, minus);
+        let below = self.graph.select(flat, x, y);
+        let ratio = self.graph.div(above, below);
+        let angle = self.graph.function(Function::Atan, ratio);
+        let right = self.graph.compare(Relation::Less, zero, x);
+        let upper = self.graph.compare(Relation::Less, zero, y);
+        let not_lower = self.graph.compare(Relation::LessOrEqual, zero, y);
+        let left = self.graph.select(not_lower, behind, back);
+        let beside = self.graph.select(right, none, left);
+        let over = self.graph.select(upper, up, down);
+        let offset = self.graph.select(flat, beside, over);
+        self.graph.add(offset, angle)
     }
 
     /// ½eᵃ + sign·½e⁻ᵃ
@@ -280,6 +348,10 @@ mod tests {
             ("x > 1", "1 < x"),
             ("not not x < 1", "x < 1"),
             ("sinh(x) + cosh(x)", "exp(x)"),
+            ("sum(j, 0, 3, x^j/(1 + j))", "1 + x/2 + x^2/3 + x^3/4"),
+            ("sum(j, 1, 2*n, j)", "6"),
+            ("atan2(0, -1)", "pi"),
+            ("atan2(-2, 0)", "-pi/2"),
         ] {
             assert_eq!(lowered(&mut graph, a), lowered(&mut graph, b), "{a} = {b}");
         }
@@ -298,6 +370,15 @@ mod tests {
             ("x^101", "f:1:3: an exponent is at most 100"),
             ("(x^50)^3", "f:1:2: the exponents grow beyond 100 here"),
             ("2*x^60/x^-60", "f:1:1: the exponents grow beyond 100 here"),
+            ("sum(j, 0, 64, x)", "f:1:1: this sum has 65 terms; 64 are allowed"),
+            ("sum(j, 0, x, x)", "f:1:1: the bounds of a sum must be whole constants"),
+            ("sum(j, 0, n, x)", "f:1:1: the bounds of a sum must be whole constants"),
+            ("sum(j, 2, 1, x)", "f:1:1: this sum ends at 1, before it starts at 2"),
+            ("sum(j, 0, 3, 1/j + 1/(j - 1))", "f:1:16: division by zero"),
+            (
+                "sum(i, 1, 60, sum(j, 1, 60, x))",
+                "f:1:15: the sums of this formula have more than 512 terms when written out",
+            ),
             ("x*1e300^20", "f:1:1: the exact numbers in this formula grow beyond all use"),
         ] {
             assert_eq!(lowered(&mut graph.clone(), text), Err(vec![expected.to_owned()]), "{text}");

@@ -9,6 +9,7 @@
 //! unary      = ("-" | "+") unary | power
 //! power      = atom [ "^" unary ]                             −2^2 = −4, 2^3^2 = 512
 //! atom       = number | name | name "(" condition { "," condition } ")" | "(" condition ")"
+//!            | "sum" "(" counter "," first "," last "," condition ")"
 //! ```
 //!
 //! Names are ASCII; Greek letters, a dot above and subscript digits stand for their ASCII spelling
@@ -21,6 +22,7 @@ mod lower;
 mod number;
 mod parse;
 mod rounding;
+mod series;
 mod token;
 mod unit;
 
@@ -30,12 +32,14 @@ use std::ops::Range;
 use num_rational::BigRational;
 
 pub use check::{Scope, check};
+pub(crate) use evaluate::pi;
 pub use evaluate::{Value, evaluate};
 pub use function::{Builtin, FUNCTIONS};
 pub use lower::lower;
 pub use number::{Dual, Number};
 pub use parse::parse;
 pub use rounding::Rounded;
+pub(crate) use series::whole;
 pub use unit::{Meaning, dimension};
 
 use crate::diagnostic::Located;
@@ -49,14 +53,19 @@ pub struct Limits {
     pub depth: usize,
     /// Largest absolute constant exponent.
     pub exponent: u32,
+    /// Terms of one `sum`, and of all sums of a formula when those inside others are written out.
+    pub repeats: [usize; 2],
 }
 
 /// The limits of every formula. (Digits and powers of ten of a number are bounded with the units; bits of
 /// exact numbers, and nodes, by the graph.)
-pub const LIMITS: Limits = Limits { length: 8192, depth: 64, exponent: 100 };
+pub const LIMITS: Limits = Limits { length: 8192, depth: 64, exponent: 100, repeats: [64, 512] };
 
 /// Name of the number π in formulas.
 pub const PI: &str = "pi";
+
+/// Name of the sum over a counter.
+pub const SUM: &str = "sum";
 
 /// Words that cannot be names.
 pub const RESERVED: [&str; 4] = ["and", "or", "not", PI];
@@ -125,6 +134,17 @@ pub enum Kind {
         /// The arguments.
         arguments: Vec<Term>,
     },
+    /// Σ body for a counter that goes from first to last in steps of one.
+    Series {
+        /// Name of the counter.
+        counter: String,
+        /// Where it stands.
+        name: Range<usize>,
+        /// First and last value of the counter; whole constants.
+        ends: Box<[Term; 2]>,
+        /// What is added up.
+        body: Box<Term>,
+    },
     /// first < second ≤ …; at least one comparison.
     Compare(Box<Term>, Vec<(Comparison, Term)>),
     /// All of them; at least two.
@@ -150,6 +170,10 @@ impl Term {
                 b.visit(visit);
             }
             Kind::Call { arguments, .. } => arguments.iter().for_each(|a| a.visit(visit)),
+            Kind::Series { ends, body, .. } => {
+                ends.iter().for_each(|end| end.visit(visit));
+                body.visit(visit);
+            }
             Kind::Compare(first, rest) => {
                 first.visit(visit);
                 rest.iter().for_each(|(_, part)| part.visit(visit));
@@ -160,13 +184,21 @@ impl Term {
 }
 
 impl Formula {
-    /// Every name in the formula, with the first place where it stands in the text.
+    /// Every name in the formula but the counters of sums, with the first place where it stands in the
+    /// text.
     pub fn names(&self) -> BTreeMap<&str, Range<usize>> {
         let mut names = BTreeMap::new();
-        self.root.visit(&mut |term| {
-            if let Kind::Name(name) = &term.kind {
+        let mut counters = Vec::new();
+        self.root.visit(&mut |term| match &term.kind {
+            Kind::Name(name) => {
                 names.entry(name.as_str()).or_insert_with(|| term.span.clone());
             }
+            Kind::Series { counter, .. } => counters.push(counter.as_str()),
+            _ => {}
+        });
+        // A counter never has the name of something declared.
+        counters.into_iter().for_each(|counter| {
+            names.remove(counter);
         });
         names
     }

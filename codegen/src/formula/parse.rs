@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::token::{Spanned, Token, tokens};
-use super::{Comparison, Formula, Kind, LIMITS, Side, Term};
+use super::{Comparison, Formula, Kind, LIMITS, SUM, Side, Term};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located};
 
 /// Reads a formula or a condition.
@@ -254,7 +254,27 @@ impl Parser<'_> {
         let end = self.span().end;
         self.close(&open)?;
         let span = name.start..end;
+        if function == SUM {
+            return self.series(span, arguments);
+        }
         Ok(Term { kind: Kind::Call { function, name, arguments }, span })
+    }
+
+    /// `sum(j, first, last, body)`
+    fn series(&self, span: Range<usize>, arguments: Vec<Term>) -> Parsed {
+        let help = "write `sum(j, 0, 8, …)` with a counter of your own name";
+        let count = arguments.len();
+        let Ok([counter, first, last, body]) = <[Term; 4]>::try_from(arguments) else {
+            let message = format!("`{SUM}` takes 4 arguments, not {count}");
+            return Err(Box::new(self.error(Code::BAD_CALL, span, message).help(help)));
+        };
+        let Kind::Name(name) = counter.kind else {
+            let message = "expected the name of a counter";
+            return Err(Box::new(self.error(Code::SYNTAX, counter.span, message).help(help)));
+        };
+        let ends = Box::new([first, last]);
+        let kind = Kind::Series { counter: name, name: counter.span, ends, body: Box::new(body) };
+        Ok(Term { kind, span })
     }
 }
 

@@ -29,7 +29,7 @@ pub fn dimension(
     formula: &Formula,
     names: &BTreeMap<String, Meaning>,
 ) -> Result<Option<Dimension>, Diagnostics> {
-    let mut checker = Checker { formula, names, errors: Diagnostics::new() };
+    let mut checker = Checker { formula, names, counters: Vec::new(), errors: Diagnostics::new() };
     let dimension = checker.term(&formula.root);
     checker.errors.into_result(dimension)
 }
@@ -37,6 +37,8 @@ pub fn dimension(
 struct Checker<'f> {
     formula: &'f Formula,
     names: &'f BTreeMap<String, Meaning>,
+    /// Counters of the sums around the term.
+    counters: Vec<String>,
     errors: Diagnostics,
 }
 
@@ -53,6 +55,7 @@ impl Checker<'_> {
     fn term(&mut self, term: &Term) -> Option<Dimension> {
         match &term.kind {
             Kind::Number(_) => None,
+            Kind::Name(name) if self.counters.contains(name) => Some(Dimension::NUMBER),
             Kind::Name(name) => self.names.get(name).map(|m| m.dimension.without_angle()),
             Kind::Negate(inner) => self.term(inner),
             Kind::Sum(parts) => self.alike(parts.iter().map(|(_, part)| part), "added to"),
@@ -69,6 +72,13 @@ impl Checker<'_> {
             }
             Kind::Power(base, exponent) => self.power(term, base, exponent),
             Kind::Call { function, arguments, .. } => self.call(term, function, arguments),
+            Kind::Series { counter, ends, body, .. } => {
+                ends.iter().for_each(|end| self.pure(end, "a bound of a sum"));
+                self.counters.push(counter.clone());
+                let body = self.term(body);
+                self.counters.pop();
+                body
+            }
             Kind::Compare(first, rest) => {
                 let parts = std::iter::once(&**first).chain(rest.iter().map(|(_, part)| part));
                 self.alike(parts, "compared with");
@@ -186,6 +196,10 @@ impl Checker<'_> {
             }
             Builtin::Abs | Builtin::Transpose => self.term(&arguments[0]),
             Builtin::Min | Builtin::Max => self.alike(arguments.iter(), "compared with"),
+            Builtin::Atan2 => {
+                self.alike(arguments.iter(), "compared with");
+                Some(Dimension::NUMBER)
+            }
             Builtin::Dot | Builtin::Outer => {
                 let (a, b) = (self.term(&arguments[0]), self.term(&arguments[1]));
                 self.sane(term, a?.times(&b?))
@@ -235,6 +249,7 @@ mod tests {
         assert_eq!(found("K*(c - h)^n"), Ok(Some(Dimension::FORCE)));
         assert_eq!(found("1 - h/c"), Ok(Some(Dimension::NUMBER)));
         assert_eq!(found("sqrt(h*c)*sin(theta)"), Ok(Some(Dimension::LENGTH)));
+        assert_eq!(found("sum(j, 0, 8, h*cos(theta + 2*pi*j/9))"), Ok(Some(Dimension::LENGTH)));
         assert_eq!(found("max(h, 0) < 1 and exp(h/c) > 2"), Ok(None));
     }
 
@@ -246,6 +261,11 @@ mod tests {
                 "v < c - h",
                 "f:1:5: `c - h` is a length and cannot be compared with `v`, which is a speed",
             ),
+            (
+                "sum(j, 0, 8, h + j)",
+                "f:1:18: `j` is a number without unit and cannot be added to `h`, which is a length",
+            ),
+            ("sum(j, 0, h, j)", "f:1:11: a bound of a sum must be a pure number, not a length"),
             ("exp(h)", "f:1:5: the argument of `exp` must be a pure number, not a length"),
             ("2^h", "f:1:3: an exponent must be a pure number, not a length"),
             ("h^(h/c)", "f:1:1: a length cannot be raised to a power that varies"),

@@ -35,6 +35,7 @@ pub(super) fn kernel(spec: &ClearanceSpec) -> Result<Kernel, Diagnostics> {
         title: &spec.title,
         reference: &spec.reference,
         file: &spec.file,
+        beside: Vec::new(),
     };
     let (value, axial) = (value(spec).map_err(refused)?, axial(spec).map_err(refused)?);
     let functions =

@@ -35,6 +35,7 @@ pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel
         title: &element.title,
         reference: &element.reference,
         file: &element.file,
+        beside: Vec::new(),
     };
     let registered = registered(element, &about, &functions, &entries);
     let heading = documented(&heading(element, &about));

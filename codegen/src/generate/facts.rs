@@ -12,6 +12,8 @@ pub(super) struct About<'a> {
     pub(super) title: &'a str,
     pub(super) reference: &'a str,
     pub(super) file: &'a Source,
+    /// Texts of other files that the spec reads.
+    pub(super) beside: Vec<&'a str>,
 }
 
 impl About<'_> {
@@ -26,7 +28,10 @@ impl About<'_> {
     pub(super) fn origin(&self, kernels: &TokenStream) -> TokenStream {
         let (name, title, reference) = (self.name, self.title, self.reference);
         let (path, text) = (self.path(), &self.file.text);
-        let hash = hash(&[env!("CARGO_PKG_VERSION"), &path, text, &kernels.to_string()]);
+        let kernels = kernels.to_string();
+        let mut texts = vec![env!("CARGO_PKG_VERSION"), &path, text, &kernels];
+        texts.extend(&self.beside);
+        let hash = hash(&texts);
         quote! {
             Origin {
                 name: #name, title: #title, source: #reference,

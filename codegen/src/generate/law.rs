@@ -13,8 +13,13 @@ use crate::spec::law::{Condition, LawSpec};
 
 pub(super) fn kernel(law: &LawSpec) -> Result<Kernel, Diagnostics> {
     let program = law.program().map_err(|error| unscheduled(&law.file, &error))?;
-    let about =
-        About { name: &law.name, title: &law.title, reference: &law.reference, file: &law.file };
+    let about = About {
+        name: &law.name,
+        title: &law.title,
+        reference: &law.reference,
+        file: &law.file,
+        beside: law.texts().skip(1).collect(),
+    };
     let functions = functions(law, &program);
     let entry = entry(law, &about, &functions);
     let name = identifier(&law.name);

@@ -12,7 +12,7 @@ mod read;
 mod table;
 mod write;
 
-pub use read::{SpecFile, folders};
+pub use read::{ENDINGS, SpecFile, folders};
 pub use write::GeneratedFile;
 
 use proc_macro2::TokenStream;
@@ -38,7 +38,8 @@ pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
         Kind::of("motions", "Motion", gather(motions, &mut errors)),
         Kind::of("clearances", "Clearance", gather(clearances, &mut errors)),
     ];
-    let files = write::files(&kinds);
+    let tables = specs.laws.iter().flat_map(|law| &law.tables).map(|table| &*table.file);
+    let files = write::files(&kinds, tables);
     errors.into_result(files)
 }
 

@@ -30,6 +30,7 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
         title: &spec.title,
         reference: &spec.reference,
         file: &spec.file,
+        beside: Vec::new(),
     };
     let (name, functions) = (identifier(&spec.name), &emitted.functions);
     let words = Literal::usize_unsuffixed(emitted.words);

@@ -17,6 +17,7 @@ use crate::spec::read::Document;
 #[derive(Debug, Clone)]
 pub struct SpecFile {
     /// Path in the crate of the specs, such as `laws/hu2003-linear.toml`; its folder says what it can be.
+    /// A file that ends in `.csv` holds the columns of a law's table.
     pub path: String,
     /// The text.
     pub text: String,
@@ -39,6 +40,9 @@ const FOLDERS: [(&str, &[&str]); 4] = [
     ("motion", &["clearance", "motion"]),
 ];
 
+/// Endings of the names of the files that specs are read from.
+pub const ENDINGS: [&str; 2] = ["toml", "csv"];
+
 /// Folders from which specs are read.
 pub fn folders() -> impl Iterator<Item = &'static str> {
     FOLDERS.iter().map(|(folder, _)| *folder)
@@ -57,6 +61,8 @@ impl Specs {
         let mut names = Names::default();
         let mut sorted: Vec<&SpecFile> = files.iter().collect();
         sorted.sort_by(|a, b| a.path.cmp(&b.path));
+        let (tables, sorted): (Vec<_>, Vec<_>) =
+            sorted.into_iter().partition(|file| file.path.ends_with(".csv"));
         for file in sorted {
             let source = Source::new(&file.path, &file.text);
             let read = match kind(&source) {
@@ -66,7 +72,7 @@ impl Specs {
                 Ok("form") => FormSpec::read(&source)
                     .and_then(|spec| names.take_forms(&spec, &source).map(|()| spec))
                     .map(|spec| specs.forms.push(spec)),
-                Ok("law") => LawSpec::read(&source)
+                Ok("law") => LawSpec::read_with(&source, &|name| beside(&source, name, &tables))
                     .and_then(|law| names.take("law", &law.name, &source).map(|()| law))
                     .map(|law| specs.laws.push(law)),
                 Ok("clearance") => ClearanceSpec::read(&source)
@@ -84,6 +90,14 @@ impl Specs {
         }
         errors.into_result(specs)
     }
+}
+
+/// The file of columns called `name` in the folder of a spec.
+fn beside(spec: &Source, name: &str, tables: &[&SpecFile]) -> Result<Arc<Source>, String> {
+    let path = spec.path.with_file_name(name);
+    let found = tables.iter().find(|file| Path::new(&file.path) == path);
+    let found = found.ok_or_else(|| format!("there is no file `{}`", path.display()));
+    found.map(|file| Source::new(&file.path, &file.text))
 }
 
 /// The kind that a file says it is, among those that its folder may hold.

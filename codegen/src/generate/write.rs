@@ -1,9 +1,12 @@
 //! The files that the crate of the specs includes.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::Kind;
+use crate::diagnostic::Source;
 use crate::emit::{formatted, identifier};
 
 /// A file of Rust text.
@@ -15,10 +18,20 @@ pub struct GeneratedFile {
     pub text: String,
 }
 
-/// One file a kind, and `kernels.rs`, which includes them and holds the registries.
-pub(super) fn files(kinds: &[Kind]) -> Vec<GeneratedFile> {
+/// One file a kind, and `kernels.rs`, which includes them and holds the registries and the tables of laws.
+pub(super) fn files<'t>(
+    kinds: &[Kind],
+    tables: impl Iterator<Item = &'t Source>,
+) -> Vec<GeneratedFile> {
     let mut files: Vec<GeneratedFile> = kinds.iter().map(kind).collect();
-    let registries: TokenStream = kinds.iter().map(registry).collect();
+    let mut registries: TokenStream = kinds.iter().map(registry).collect();
+    let tables: BTreeMap<String, &str> =
+        tables.map(|table| (table.path.display().to_string(), table.text.as_str())).collect();
+    let tables = tables.iter().map(|(path, text)| quote!((#path, #text)));
+    registries.extend(quote! {
+        /// Path and text of every file of columns that a law reads, sorted by path.
+        pub static TABLES: &[(&str, &str)] = &[#(#tables),*];
+    });
     files.push(GeneratedFile { name: "kernels.rs".to_string(), text: text(registries) });
     files
 }

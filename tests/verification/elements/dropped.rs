@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use whirl_codegen::generate::{SpecFile, generate};
+use whirl_codegen::generate::{ENDINGS, SpecFile, generate};
 
 use super::{direct, property};
 
@@ -54,7 +54,8 @@ fn spec_files(specs: &Path) -> Vec<SpecFile> {
     for folder in ["elements", "forms", "laws", "motion"] {
         for entry in fs::read_dir(specs.join(folder)).expect("a folder of specs") {
             let path = entry.expect("a readable folder").path();
-            if path.extension().is_some_and(|extension| extension == "toml") {
+            let ending = path.extension().and_then(|ending| ending.to_str());
+            if ending.is_some_and(|ending| ENDINGS.contains(&ending)) {
                 let name = path.file_name().expect("a file").to_string_lossy().into_owned();
                 let text = fs::read_to_string(&path).expect("a readable spec");
                 files.push(SpecFile { path: format!("{folder}/{name}"), text });

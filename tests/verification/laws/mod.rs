@@ -29,7 +29,13 @@ fn laws() -> Vec<LawSpec> {
         .iter()
         .map(|file| {
             let text = fs::read_to_string(file).expect("a readable file");
-            let law = LawSpec::read(&Source::new(file, text)).unwrap_or_else(|e| panic!("{e}"));
+            let beside = |name: &str| {
+                let table = file.with_file_name(name);
+                let text = fs::read_to_string(&table).map_err(|error| error.to_string())?;
+                Ok(Source::new(table, text))
+            };
+            let law = LawSpec::read_with(&Source::new(file, text), &beside);
+            let law = law.unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(Some(law.name.as_str()), file.file_stem().and_then(|stem| stem.to_str()));
             law
         })

@@ -5,13 +5,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_rational::BigRational;
 use num_traits::Signed;
 
+use super::blend;
 use super::draft::{Draft, Jumps, Output};
 use super::root::Polynomial;
 use super::system::System;
+use super::table::{LawTable, TableDraft};
 use super::{Condition, Definition, LawInput, LawOutput, LawReport, LawSpec, Parameter, Piece};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expression::{Graph, Id, Node, Relation, Shape};
-use crate::formula::{Formula, Meaning, dimension, lower};
+use crate::formula::{Formula, Meaning, PI, dimension, lower};
 use crate::units::{Unit, nearest};
 
 /// Checks and lowers a draft.
@@ -57,8 +59,17 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         let (name, title, unit) = (parameter.name, parameter.title, parameter.unit);
         parameters.push(Parameter { name, title, unit, value });
     }
+    let mut waiting = draft.tables;
+    let mut tables = Vec::new();
     let mut definitions = Vec::new();
     for (_, name, formula) in draft.definitions {
+        // A table comes as soon as all names of its input are known.
+        let ready = waiting.extract_if(.., |table| {
+            table.input.names().keys().all(|name| names.ids.contains_key(*name) || *name == PI)
+        });
+        for table in ready.collect::<Vec<_>>() {
+            tables.extend(names.table(&mut graph, table, &system, definitions.len(), &mut errors));
+        }
         match names.lower(&mut graph, &formula, Shape::Scalar) {
             Ok((id, measured)) => {
                 names.ids.insert(name.clone(), id);
@@ -75,6 +86,9 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         }
         definitions.push(Definition { name, formula });
     }
+    for table in waiting {
+        tables.extend(names.table(&mut graph, table, &system, definitions.len(), &mut errors));
+    }
     let mut outputs = Vec::new();
     for output in draft.outputs {
         match lower_output(output, &mut graph, &names, &inputs) {
@@ -90,6 +104,7 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         acts: draft.acts,
         inputs,
         parameters,
+        tables,
         definitions,
         outputs,
         graph,
@@ -104,11 +119,13 @@ fn check_unused(draft: &Draft, errors: &mut Diagnostics) {
     let outputs = draft.outputs.iter().flat_map(|output| &output.pieces);
     let formulas = outputs.flat_map(|(when, value)| when.iter().chain([value]));
     let formulas = formulas.chain(draft.definitions.iter().map(|(_, _, formula)| formula));
+    let formulas = formulas.chain(draft.tables.iter().map(|table| &table.input));
     let used: BTreeSet<&str> = formulas.flat_map(|formula| formula.names().into_keys()).collect();
     let inputs = draft.inputs.iter().map(|input| (&input.key, &input.name));
     let parameters = draft.parameters.iter().map(|parameter| (&parameter.key, &parameter.name));
     let definitions = draft.definitions.iter().map(|(key, name, _)| (key, name));
-    for (key, name) in inputs.chain(parameters).chain(definitions) {
+    let tables = draft.tables.iter().map(|table| (&table.key, &table.name));
+    for (key, name) in inputs.chain(parameters).chain(tables).chain(definitions) {
         if !used.contains(name.as_str()) {
             let error =
                 key.error_here(Code::UNUSED, format!("`{name}` is not used by any formula"));
@@ -142,6 +159,49 @@ impl Names {
         self.meanings.insert(name.to_owned(), meaning);
     }
 
+    /// Lowers a table and declares it.
+    fn table(
+        &mut self,
+        graph: &mut Graph,
+        draft: TableDraft,
+        system: &System,
+        after: usize,
+        errors: &mut Diagnostics,
+    ) -> Option<LawTable> {
+        let name = draft.name.clone();
+        let input = match self.lower(graph, &draft.input, Shape::Scalar) {
+            Ok((id, found)) => {
+                let wanted = draft.input_unit().dimension().without_angle();
+                match found.filter(|found| *found != wanted) {
+                    None => Ok(id),
+                    Some(found) => {
+                        let unit = draft.input_unit();
+                        let message =
+                            format!("this is {found}, but its column is {wanted}, in `{unit}`");
+                        Err(draft.input.text.error_here(Code::DIMENSION, message).into())
+                    }
+                }
+            }
+            Err(found) => Err(found),
+        };
+        match input {
+            Ok(input) => {
+                let unit = draft.unit().clone();
+                let table = draft.build(system, after);
+                let id = table.lower(graph, input);
+                self.add(&name, id, &unit, None);
+                Some(table)
+            }
+            Err(found) => {
+                errors.append(found);
+                // Its name counts as declared, so that its users are not reported too.
+                let unknown = graph.scalar(&name);
+                self.ids.insert(name, unknown);
+                None
+            }
+        }
+    }
+
     /// Lowers a formula of the given shape, in the units of the file, and finds what it measures.
     fn lower(
         &self,
@@ -169,11 +229,11 @@ fn lower_output(
     inputs: &[LawInput],
 ) -> Result<LawOutput, Diagnostics> {
     let mut errors = Diagnostics::new();
-    let variable = output.variable;
+    let variable = &output.variable;
     let wanted = variable.unit.dimension().without_angle();
     let (mut conditions, mut pieces) = (Vec::new(), Vec::new());
-    for (when, value) in output.pieces {
-        let lowered = names.lower(graph, &value, Shape::Scalar).and_then(|(id, found)| match found
+    for (when, value) in &output.pieces {
+        let lowered = names.lower(graph, value, Shape::Scalar).and_then(|(id, found)| match found
             .filter(|found| *found != wanted)
         {
             Some(found) => {
@@ -190,18 +250,19 @@ fn lower_output(
         });
         let condition = match when {
             None => None,
-            Some(when) => match names.lower(graph, &when, Shape::Truth) {
+            Some(when) => match names.lower(graph, when, Shape::Truth) {
                 Ok((id, _)) => {
                     conditions.push(id);
-                    Some(threshold(graph, id, inputs, &when).unwrap_or(Condition::Formula(when)))
+                    let threshold = threshold(graph, id, inputs, when);
+                    Some(threshold.unwrap_or_else(|| Condition::Formula(when.clone())))
                 }
                 Err(found) => {
                     errors.append(found);
-                    Some(Condition::Formula(when))
+                    Some(Condition::Formula(when.clone()))
                 }
             },
         };
-        pieces.push(Piece { when: condition, value, node });
+        pieces.push(Piece { when: condition, value: value.clone(), node });
     }
     errors.into_result(())?;
     if output.jumps == Jumps::Engaged {
@@ -209,9 +270,15 @@ fn lower_output(
             Diagnostic::new(variable.key.source(), Code::NO_ROOT, output.place.clone(), message)
         })?;
     }
+    blend::set(&output, inputs, &mut pieces)?;
     let mut value = pieces[pieces.len() - 1].node;
     for (place, piece) in pieces.iter().enumerate().rev().skip(1) {
         let mask = match &piece.when {
+            Some(Condition::Threshold { input, at, below, blend: Some(half), .. }) => {
+                let x = inputs[*input].symbol;
+                value = blend::lower(graph, x, (at, *below, half), piece.node, value);
+                continue;
+            }
             Some(Condition::Threshold { input, at, below, inclusive, .. }) => {
                 let relation = if *inclusive { Relation::LessOrEqual } else { Relation::Less };
                 let (x, at) = (inputs[*input].symbol, graph.number(at.clone()));
@@ -223,9 +290,9 @@ fn lower_output(
         value = graph.select(mask, piece.node, value);
     }
     Ok(LawOutput {
-        name: variable.name,
-        title: variable.title,
-        unit: variable.unit,
+        name: output.variable.name,
+        title: output.variable.title,
+        unit: output.variable.unit,
         accepts_jumps: output.jumps == Jumps::Accepted,
         pieces,
         value,
@@ -256,6 +323,7 @@ fn threshold(
                 below,
                 inclusive,
                 moved_from: None,
+                blend: None,
                 text,
             });
         }

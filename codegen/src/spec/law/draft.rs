@@ -6,11 +6,13 @@ use std::sync::Arc;
 
 use num_rational::BigRational;
 
-use super::acts::{self, Acts, Quantity};
+use super::Beside;
+use super::acts::{self, Acts, Quantity as Known};
+use super::table::{self, TableDraft};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use crate::formula::{self, Formula};
 use crate::spec::read::{Document, Table, Value};
-use crate::units::Unit;
+use crate::units::{Quantity, Unit};
 
 /// Most bytes of a law file.
 const LONGEST: usize = 32 * 1024;
@@ -24,6 +26,7 @@ pub(super) struct Draft {
     pub(super) acts: Acts,
     pub(super) inputs: Vec<Variable>,
     pub(super) parameters: Vec<Constant>,
+    pub(super) tables: Vec<TableDraft>,
     pub(super) definitions: Vec<(Located, String, Formula)>,
     pub(super) outputs: Vec<Output>,
 }
@@ -61,12 +64,14 @@ pub(super) struct Output {
     pub(super) variable: Variable,
     pub(super) pieces: Vec<(Option<Formula>, Formula)>,
     pub(super) jumps: Jumps,
+    /// Length over which every break is blended, SI, with what it measures and where it stands.
+    pub(super) smooth: Option<(Quantity, Located)>,
     /// Where `engage` or `jump` stands, or else the output.
     pub(super) place: Range<usize>,
 }
 
 /// Reads the file; formulas are parsed but their names are not looked up yet.
-pub(super) fn read(file: &Arc<Source>) -> Result<Draft, Diagnostics> {
+pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Diagnostics> {
     if file.text.len() > LONGEST {
         let message = format!("a law file is at most {LONGEST} bytes long");
         return Err(Diagnostic::new(file, Code::LIMIT, None, message).into());
@@ -114,6 +119,17 @@ pub(super) fn read(file: &Arc<Source>) -> Result<Draft, Diagnostics> {
         }
         table.finish();
     }
+    let mut tables = Vec::new();
+    if let Some(table) = root.optional_table("tables") {
+        for key in table.names() {
+            let entry = table.table(key.text());
+            let name = names.take(&key);
+            let Some(entry) = entry else { continue };
+            tables.extend(table::read(&entry, &key, name, beside));
+            entry.finish();
+        }
+        table.finish();
+    }
     let mut definitions = Vec::new();
     if let Some(table) = root.optional_table("definitions") {
         for key in table.names() {
@@ -151,6 +167,7 @@ pub(super) fn read(file: &Arc<Source>) -> Result<Draft, Diagnostics> {
         acts,
         inputs,
         parameters,
+        tables,
         definitions,
         outputs,
     }))
@@ -161,7 +178,7 @@ fn acts(document: &Document<'_>, inputs: &[Variable], outputs: &[Output]) -> Act
     let variables = || inputs.iter().chain(outputs.iter().map(|output| &output.variable));
     let mut telling = variables().filter_map(|v| v.only.map(|acts| (v, acts)));
     let Some((first, acts)) = telling.next() else { return Acts::Spring };
-    let listed = |quantities: &[Quantity]| {
+    let listed = |quantities: &[Known]| {
         let names: Vec<String> = quantities.iter().map(|q| format!("`{}`", q.name)).collect();
         names.join(", ")
     };
@@ -238,7 +255,7 @@ fn variable(
     table: &Table<'_>,
     key: &Located,
     name: String,
-    list: fn(Acts) -> &'static [Quantity],
+    list: fn(Acts) -> &'static [Known],
     role: &str,
 ) -> Option<Variable> {
     let document = table.document();
@@ -302,6 +319,11 @@ fn output(table: &Table<'_>, key: &Located, name: String) -> Option<Output> {
         (None, Some(_)) => Jumps::Accepted,
         (None, None) => Jumps::Refused,
     };
+    let smooth = smooth(table);
+    if let (Some((_, place)), Some(_)) = (&smooth, jump) {
+        let message = "`smooth` removes the jump that `jump` would accept";
+        document.push(place.error_here(Code::BAD_VALUE, message).help("keep one of them"));
+    }
     let pieces = match (table.has("value"), table.has("pieces")) {
         (true, true) => {
             let message = format!("`{name}` has both a `value` and `pieces`");
@@ -322,7 +344,26 @@ fn output(table: &Table<'_>, key: &Located, name: String) -> Option<Output> {
     };
     // Read before any early return, so that none of its keys is unknown.
     let variable = variable(table, key, name, Acts::outputs, "an output");
-    Some(Output { variable: variable?, pieces: pieces?, jumps, place })
+    Some(Output { variable: variable?, pieces: pieces?, jumps, smooth, place })
+}
+
+/// The length over which breaks are blended; that it fits their inputs is checked where these are known.
+fn smooth(table: &Table<'_>) -> Option<(Quantity, Located)> {
+    let text = table.optional_string("smooth")?;
+    let quantity = match Quantity::parse(text.text()) {
+        Ok(quantity) => quantity,
+        Err(error) => {
+            let found = text.error(error.code, error.span, error.message);
+            table.document().push(found.maybe_help(error.help));
+            return None;
+        }
+    };
+    if quantity.si() <= 0.0 {
+        let error = text.error_here(Code::BAD_VALUE, "`smooth` must be above zero");
+        table.document().push(error.help("leave it out to keep the breaks"));
+        return None;
+    }
+    Some((quantity, text))
 }
 
 fn pieces(table: &Table<'_>, key: &Located, name: &str) -> Option<Vec<(Option<Formula>, Formula)>> {

@@ -27,6 +27,7 @@
 //! is converted to the system of the inputs' and outputs' units. Kernels work in SI.
 
 mod acts;
+mod blend;
 mod build;
 mod describe;
 mod draft;
@@ -36,6 +37,7 @@ mod report;
 mod root;
 mod scan;
 mod system;
+mod table;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -44,11 +46,15 @@ use num_rational::BigRational;
 
 pub use acts::{Acts, Quantity};
 pub use report::{Break, LawReport, OutputReport, Trend};
+pub use table::{Extend, LawTable};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::{Formula, Number, Value, evaluate};
 use crate::units::{Unit, nearest};
+
+/// Finds the file of the given name beside a law; says why not if there is none.
+pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
 
 /// A law, ready to be scheduled: see the module for the file.
 #[derive(Debug, Clone)]
@@ -67,6 +73,8 @@ pub struct LawSpec {
     pub inputs: Vec<LawInput>,
     /// The parameters, in the order of the file.
     pub parameters: Vec<Parameter>,
+    /// The tables, in the order of the file.
+    pub tables: Vec<LawTable>,
     /// The definitions, in the order of the file.
     pub definitions: Vec<Definition>,
     /// The outputs, in the order of the file.
@@ -159,6 +167,8 @@ pub enum Condition {
         inclusive: bool,
         /// The value that the file gives, if `engage` moved it.
         moved_from: Option<BigRational>,
+        /// Half of the length over which `smooth` blends this piece with what follows, SI.
+        blend: Option<BigRational>,
         /// The condition as the file gives it.
         text: Located,
     },
@@ -167,15 +177,29 @@ pub enum Condition {
 }
 
 impl LawSpec {
-    /// Reads a law file.
+    /// Reads a law file that has no tables.
     ///
     /// # Errors
-    /// Everything that is wrong with it, each with its place.
+    /// Those of [`LawSpec::read_with`]; a table is one.
     pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
-        let draft = draft::read(file)?;
+        Self::read_with(file, &|name| Err(format!("there is no file `{name}` beside this law")))
+    }
+
+    /// Reads a law file, and the files of its tables as `beside` finds them.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them, each with its place.
+    pub fn read_with(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Self, Diagnostics> {
+        let draft = draft::read(file, beside)?;
         let mut law = build::build(draft)?;
         law.report = report::report(&law)?;
         Ok(law)
+    }
+
+    /// The texts that the law was made from: its own file, then those of its tables.
+    pub fn texts(&self) -> impl Iterator<Item = &str> {
+        let tables = self.tables.iter().map(|table| table.file.text.as_str());
+        std::iter::once(self.file.text.as_str()).chain(tables)
     }
 
     /// The outputs where the inputs (SI, in the order of [`LawSpec::inputs`]) have the given values, by
@@ -185,11 +209,7 @@ impl LawSpec {
     /// None for a law that was read without errors.
     pub fn evaluate<N: Number>(&self, inputs: &[N]) -> Result<Vec<N>, Diagnostic> {
         let names = self.names(inputs)?;
-        let value = |output: &LawOutput| {
-            let piece = output.active(inputs, &names)?;
-            output.value_of(piece, &names)
-        };
-        self.outputs.iter().map(value).collect()
+        self.outputs.iter().map(|output| output.value_at(inputs, &names)).collect()
     }
 
     /// Values of all names in the units of the file.
@@ -202,38 +222,53 @@ impl LawSpec {
         for parameter in &self.parameters {
             names.insert(parameter.name.clone(), Value::Scalar(N::exact(&parameter.value)));
         }
-        for definition in &self.definitions {
-            let value = evaluate(&definition.formula, &names)?;
-            names.insert(definition.name.clone(), value);
+        for place in 0..=self.definitions.len() {
+            for table in self.tables.iter().filter(|table| table.after == place) {
+                let input = scalar(&table.input, &names)?;
+                names.insert(table.name.clone(), Value::Scalar(table.value(&input)));
+            }
+            if let Some(definition) = self.definitions.get(place) {
+                let value = evaluate(&definition.formula, &names)?;
+                names.insert(definition.name.clone(), value);
+            }
         }
         Ok(names)
     }
 }
 
 impl LawOutput {
-    /// Place of the piece that applies.
+    /// Place of the piece that applies; where two are blended, the one on this side of the break.
     fn active<N: Number>(
         &self,
         inputs: &[N],
         names: &BTreeMap<String, Value<N>>,
     ) -> Result<usize, Diagnostic> {
-        for (place, piece) in self.pieces.iter().enumerate() {
-            let holds = match &piece.when {
-                None => true,
-                Some(Condition::Threshold { input, at, below, inclusive, .. }) => {
-                    let (x, at) = (inputs[*input].value(), nearest(at));
-                    let strictly = if *below { x < at } else { x > at };
-                    strictly || *inclusive && x == at
-                }
-                Some(Condition::Formula(formula)) => {
-                    matches!(evaluate(formula, names)?, Value::Truth(true))
-                }
-            };
-            if holds {
+        for place in 0..self.pieces.len() {
+            if self.holds(place, inputs, names)? {
                 return Ok(place);
             }
         }
         Ok(self.pieces.len() - 1)
+    }
+
+    /// Whether the condition of a piece holds.
+    fn holds<N: Number>(
+        &self,
+        place: usize,
+        inputs: &[N],
+        names: &BTreeMap<String, Value<N>>,
+    ) -> Result<bool, Diagnostic> {
+        Ok(match &self.pieces[place].when {
+            None => true,
+            Some(Condition::Threshold { input, at, below, inclusive, .. }) => {
+                let (x, at) = (inputs[*input].value(), nearest(at));
+                let strictly = if *below { x < at } else { x > at };
+                strictly || *inclusive && x == at
+            }
+            Some(Condition::Formula(formula)) => {
+                matches!(evaluate(formula, names)?, Value::Truth(true))
+            }
+        })
     }
 
     /// Value of a piece, SI, whether it applies or not.
@@ -242,12 +277,19 @@ impl LawOutput {
         piece: usize,
         names: &BTreeMap<String, Value<N>>,
     ) -> Result<N, Diagnostic> {
-        let formula = &self.pieces[piece].value;
-        let value = evaluate(formula, names)?.scalar().ok_or_else(|| {
-            formula.text.error_here(Code::SHAPE, "expected a number, found a condition")
-        })?;
+        let value = scalar(&self.pieces[piece].value, names)?;
         Ok(value.mul(&N::exact(&in_si(&self.unit))))
     }
+}
+
+/// The value of a formula that was checked to be a number.
+fn scalar<N: Number>(
+    formula: &Formula,
+    names: &BTreeMap<String, Value<N>>,
+) -> Result<N, Diagnostic> {
+    evaluate(formula, names)?
+        .scalar()
+        .ok_or_else(|| formula.text.error_here(Code::SHAPE, "expected a number, found a condition"))
 }
 
 /// Factor of a unit to SI; the units of inputs and outputs were checked to have rational ones.

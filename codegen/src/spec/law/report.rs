@@ -4,7 +4,7 @@
 use super::describe::short;
 use super::poles::Signed;
 use super::scan::{self, Line};
-use super::{Condition, LawOutput, LawSpec};
+use super::{Condition, Extend, LawOutput, LawSpec, scalar};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::formula::{Dual, Rounded};
 use crate::units::{Unit, nearest};
@@ -90,6 +90,10 @@ pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
     let ranges = scan::ranges(law);
     let lines = scan::lines(&ranges, scan::terms(law));
     let mut errors = Diagnostics::new();
+    check_tables(law, &lines, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
     let mut outputs = Vec::new();
     for output in &law.outputs {
         match Look::new(law, output).over(&lines) {
@@ -105,6 +109,39 @@ pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
         (input.name.clone(), input.unit.to_string(), range)
     });
     errors.into_result(LawReport { ranges: named.collect(), outputs })
+}
+
+/// A table without an extension must reach over the declared ranges.
+fn check_tables(law: &LawSpec, lines: &[Line], errors: &mut Diagnostics) {
+    if law.inputs.iter().any(|input| input.range.is_none()) {
+        return;
+    }
+    for table in law.tables.iter().filter(|table| table.extend == Extend::Refuse) {
+        let points = lines.iter().flat_map(|line| line.points.iter().map(|x| line.at(*x)));
+        let inputs = points.filter_map(|inputs| {
+            scalar(&table.input, &law.names(&inputs).ok()?).ok().filter(|input| input.is_finite())
+        });
+        let [first, last] = table.span().map(nearest);
+        let [low, high] = inputs
+            .fold([first, last], |[low, high]: [f64; 2], input| [low.min(input), high.max(input)]);
+        for (reached, end) in [(low, first), (high, last)] {
+            if !table.is_outside(reached) {
+                continue;
+            }
+            let message = format!(
+                "`{}` reaches {}, but the rows of `{}` end at {}",
+                table.input.text.text(),
+                short(reached),
+                table.path,
+                short(end)
+            );
+            let error = table.input.text.error_here(Code::TABLE, message);
+            errors.push(error.help(
+                "extend the table by `extend = \"constant\"` or `\"linear\"`, or make the `range` of the \
+                 inputs smaller",
+            ));
+        }
+    }
 }
 
 /// What was seen of an output, and between which pieces each of its breaks lies.
@@ -167,7 +204,7 @@ impl<'l> Look<'l> {
             let inputs: Vec<Rounded> = line.at(x).into_iter().map(Rounded::new).collect();
             let names = self.law.names(&inputs)?;
             let piece = self.output.active(&inputs, &names)?;
-            let value = self.output.value_of(piece, &names)?;
+            let value = self.output.value_at(&inputs, &names)?;
             self.record(line, x, value.value);
             if let Some((low, other, last)) = before {
                 let rounding = value.error + last.error;
@@ -268,15 +305,30 @@ impl<'l> Look<'l> {
         let mut values = [0.0; 2];
         let mut slopes = [0.0; 2];
         let mut rounding = 0.0;
+        // Beside a blended break both sides are the same function.
+        let blended = pieces.iter().any(|piece| {
+            matches!(
+                self.output.pieces[*piece].when,
+                Some(Condition::Threshold { blend: Some(_), .. })
+            )
+        });
         for (side, piece) in pieces.into_iter().enumerate() {
             let rounded: Vec<Rounded> = line.at(at).into_iter().map(Rounded::new).collect();
-            let value = self.output.value_of(piece, &self.law.names(&rounded)?)?;
+            let names = self.law.names(&rounded)?;
+            let value = match blended {
+                true => self.output.value_at(&rounded, &names)?,
+                false => self.output.value_of(piece, &names)?,
+            };
             values[side] = in_file(value.value, unit);
             rounding += in_file(value.error, unit);
             let duals: Vec<Dual> = (line.at(at).into_iter().enumerate())
                 .map(|(i, x)| Dual { value: x, slope: f64::from(i == line.input) })
                 .collect();
-            let value = self.output.value_of(piece, &self.law.names(&duals)?)?;
+            let names = self.law.names(&duals)?;
+            let value = match blended {
+                true => self.output.value_at(&duals, &names)?,
+                false => self.output.value_of(piece, &names)?,
+            };
             slopes[side] = in_file(value.slope, unit) * input.unit.factor().to_f64();
         }
         let found = Break {

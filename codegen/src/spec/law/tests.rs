@@ -190,7 +190,7 @@ pieces = []
 ",
     );
     let expected = [
-        "law.toml:5:1: unknown key `colour` (known: `definitions`, `inputs`, `kind`, `name`, `outputs`, `parameters`, `source`, `title`)",
+        "law.toml:5:1: unknown key `colour` (known: `definitions`, `inputs`, `kind`, `name`, `outputs`, `parameters`, `source`, `tables`, `title`)",
         "law.toml:7:9: `h` is a length, but `N` is the unit of a force (write for example `unit = \"m\"`)",
         "law.toml:8:9: `hdot` is not an input of laws (did you mean `h_dot`?)",
         "law.toml:11:27: unknown unit `milimeter` (known: `1`, `m`, `km`, `cm`, `mm`, `um`, `nm`, `kg`, `g`, `mg`, `t`, `s`, `ms`, `us`, `K`, `rad`, …)",
@@ -335,4 +335,119 @@ fn the_kind_of_a_law_follows_from_its_names() {
         found("h = { unit = \"m\" }", &out("T", "k*h")),
         ["law.toml:9:10: a law of a spring must give `Q` too (write a section `[outputs.Q]`)"]
     );
+}
+
+#[test]
+fn a_smooth_break_is_continuous_with_its_slope() {
+    let law = |smooth: &str| read(&paper(smooth, LINEAR));
+    let smooth = law("smooth = \"1 um\"").unwrap();
+    let at = |h: f64| smooth.evaluate(&[Dual::variable(h)]).unwrap()[0];
+    // Outside the length the pieces are untouched; at the break their mean.
+    let (c0, half) = (35.687e-6, 0.5e-6);
+    assert_eq!(at(c0 - 1.001 * half).slope, -6_517_000.0);
+    assert_eq!(at(c0 + 1.001 * half).value, 0.0);
+    let mean = 0.5 * (233.0 - 6517.0 * c0 * 1e3);
+    assert!((at(c0).value - mean).abs() < 1e-10);
+    let tape = crate::tape::Tape::new(&smooth.program().unwrap());
+    let mut workspace = vec![0.0; tape.workspace()];
+    for i in -30..=30 {
+        let h = c0 + f64::from(i) * 0.049e-6;
+        let dual = at(h);
+        let mut rows = [0.0; 2];
+        tape.evaluate(1, &[h], &mut rows, &mut workspace);
+        // 233 − 6517 h cancels to the rounding of 233; its slope over the length to that of 233/1 µm.
+        assert!((rows[0] - dual.value).abs() < 1e-12, "{i}");
+        assert!((rows[1] - dual.slope).abs() < 1e-5, "{i}: {} {}", rows[1], dual.slope);
+        // Differences in the blend: cubic times linear, the error is a quarter for half the step.
+        let central = |step: f64| (at(h + step).value - at(h - step).value) / (2.0 * step);
+        let errors = [2e-9, 1e-9].map(|step| (central(step) - dual.slope).abs());
+        if ((h - c0).abs() - half).abs() > 2e-9 {
+            assert!(errors[1] <= 0.26 * errors[0] + 1e-13 * 233.0 / 1e-9, "{i}: {errors:?}");
+        }
+    }
+    // Across both ends of the length neither value nor slope jumps: by less than curvature times distance.
+    for edge in [c0 - half, c0 + half] {
+        let (below, above) = (at(edge - 1e-13), at(edge + 1e-13));
+        assert!((below.value - above.value).abs() < 2e-6);
+        assert!((below.slope - above.slope).abs() < 2e-13 * 3e13);
+    }
+    let found =
+        |keys: &str| law(keys).unwrap_err().iter().map(ToString::to_string).collect::<Vec<_>>();
+    assert_eq!(
+        found("smooth = \"1 mm/s\""),
+        [
+            "law.toml:11:11: expected a length, but `1 mm/s` is a speed (the break `h < c0` is blended over a \
+          length: write for example `smooth = \"0.1 mm\"`)"
+        ]
+    );
+    assert_eq!(
+        found("smooth = \"0 um\""),
+        ["law.toml:11:11: `smooth` must be above zero (leave it out to keep the breaks)"]
+    );
+    assert_eq!(
+        found("smooth = \"1 um\"\njump = \"accept\""),
+        ["law.toml:11:11: `smooth` removes the jump that `jump` would accept (keep one of them)"]
+    );
+}
+
+#[test]
+fn sums_and_angles_agree_three_ways() {
+    // Balls of a bearing that turn with the shaft, pressed by (3/2)-th powers.
+    let text = "[inputs]
+e_x = { unit = \"um\", range = [-20, 20] }
+e_y = { unit = \"um\", range = [-20, 20] }
+theta = { unit = \"rad\", range = [0, 6.3] }
+[parameters]
+K = { value = 500, unit = \"N/mm^1.5\" }
+Z = { value = 9, unit = \"1\" }
+gap = { value = 3, unit = \"um\" }
+[definitions]
+turned = 'theta/2 + 0.1*sin(atan2(e_y, e_x + 30*gap))'
+[outputs.F_x]
+unit = \"N\"
+value = '-K*sum(j, 0, Z - 1, max(e_x*cos(turned + 2*pi*j/Z) + e_y*sin(turned + 2*pi*j/Z) - gap, 0)^1.5*cos(turned + 2*pi*j/Z))'
+[outputs.F_y]
+unit = \"N\"
+value = '-K*sum(j, 0, Z - 1, max(e_x*cos(turned + 2*pi*j/Z) + e_y*sin(turned + 2*pi*j/Z) - gap, 0)^1.5*sin(turned + 2*pi*j/Z))'
+";
+    let law = read(text).unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(law.acts, Acts::Ring);
+    let tape = crate::tape::Tape::new(&law.program().unwrap());
+    let mut workspace = vec![0.0; tape.workspace()];
+    let scales = [40e-6, 40e-6, 6.3];
+    for i in 0..40 {
+        let turn = f64::from(i) * 0.618_033_988_75;
+        let e = 12e-6 * (1.0 + (turn * 7.0).fract());
+        let point = [e * turn.cos(), e * turn.sin(), turn];
+        let mut rows = [0.0; 8];
+        tape.evaluate(1, &point, &mut rows, &mut workspace);
+        for input in 0..3 {
+            let at = |shift: f64, slope: f64| {
+                let mut duals = point.map(Dual::constant);
+                duals[input] = Dual { value: point[input] + shift, slope };
+                law.evaluate(&duals).unwrap()
+            };
+            let dual = at(0.0, 1.0);
+            for output in 0..2 {
+                let (value, slope) = (rows[4 * output], rows[4 * output + 1 + input]);
+                let steep = 2.0 / scales[input];
+                assert!((value - dual[output].value).abs() < 1e-13 * 10.0, "{i}");
+                assert!((slope - dual[output].slope).abs() < 1e-12 * steep, "{i} {input}");
+                let central = |step: f64| {
+                    (at(step, 0.0)[output].value - at(-step, 0.0)[output].value) / (2.0 * step)
+                };
+                // Where a ball loses contact the second derivative is infinite: the error there falls with
+                // the root of the step only, so that the order is asked of the others.
+                let steps = [4e-5, 2e-5].map(|share| share * scales[input]);
+                let errors = steps.map(|step| (central(step) - dual[output].slope).abs());
+                assert!(errors[0] < 0.05 * steep, "{i} {input}: {errors:?}");
+                if errors[0] < 1e-4 * steep {
+                    assert!(
+                        errors[1] <= 0.3 * errors[0] + 1e-14 / steps[1],
+                        "{i} {input}: {errors:?}"
+                    );
+                }
+            }
+        }
+    }
 }

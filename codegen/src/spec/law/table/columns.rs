@@ -1,0 +1,234 @@
+//! Files of columns: numbers separated by commas, semicolons, tabs or blanks, with an optional line of names.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use num_rational::BigRational;
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
+use crate::units::{Unit, decimal};
+
+/// Most bytes of a file, and most rows: every row costs a comparison and five choices in the kernel.
+const LONGEST: usize = 32 * 1024;
+pub(super) const MOST_ROWS: usize = 128;
+/// Errors of one column that are shown.
+const MOST_ERRORS: usize = 8;
+
+/// A file of columns, split into cells.
+pub(super) struct Columns {
+    source: Arc<Source>,
+    heads: Option<Vec<Head>>,
+    rows: Vec<Vec<Range<usize>>>,
+}
+
+/// A cell of the line of names, such as `gap [um]`.
+struct Head {
+    name: String,
+    /// Between the brackets.
+    unit: Option<Located>,
+    span: Range<usize>,
+}
+
+/// A column that a law names.
+pub(super) struct Wanted {
+    pub(super) column: Which,
+    /// Where the law names it.
+    pub(super) place: Located,
+    /// The unit that the law gives it.
+    pub(super) unit: Option<Unit>,
+}
+
+pub(super) enum Which {
+    Named(String),
+    /// From 0.
+    Numbered(usize),
+}
+
+/// A column that was read.
+pub(super) struct Column {
+    pub(super) unit: Unit,
+    /// Values with their places, in the unit of the column.
+    pub(super) values: Vec<(BigRational, Range<usize>)>,
+}
+
+impl Columns {
+    pub(super) fn read(source: &Arc<Source>) -> Result<Self, Diagnostics> {
+        let refuse = |message: String| Diagnostic::new(source, Code::LIMIT, None, message);
+        if source.text.len() > LONGEST {
+            return Err(refuse(format!("a table is at most {LONGEST} bytes long")).into());
+        }
+        let mut lines = Vec::new();
+        let mut start = 0;
+        for line in source.text.split_inclusive('\n') {
+            let text = line.trim_start_matches('\u{feff}');
+            let offset = start + line.len() - text.len();
+            start += line.len();
+            if !text.trim().is_empty() && !text.trim_start().starts_with('#') {
+                lines.push(cells(text.trim_end(), offset));
+            }
+        }
+        let is_number = |cell: &Range<usize>| number(&source.text[cell.clone()]).is_some();
+        let headed = lines.first().is_some_and(|first| !first.iter().any(is_number));
+        let heads = headed.then(|| {
+            let first = lines.remove(0);
+            first.into_iter().map(|span| Head::read(source, span)).collect()
+        });
+        if !(2..=MOST_ROWS).contains(&lines.len()) {
+            let count = lines.len();
+            let message = format!("a table has 2 to {MOST_ROWS} rows of numbers, this has {count}");
+            return Err(refuse(message).into());
+        }
+        Ok(Columns { source: source.clone(), heads, rows: lines })
+    }
+
+    fn error(&self, span: Range<usize>, message: String) -> Diagnostic {
+        Diagnostic::new(&self.source, Code::TABLE, span, message)
+    }
+
+    pub(super) fn column(&self, wanted: &Wanted) -> Result<Column, Diagnostics> {
+        let place = self.place(wanted)?;
+        let unit = self.unit(wanted, place)?;
+        let mut errors = Diagnostics::new();
+        let mut values = Vec::with_capacity(self.rows.len());
+        for row in &self.rows {
+            let Some(cell) = row.get(place) else {
+                let span = row[0].start..row[row.len() - 1].end;
+                let (count, column) = (row.len(), place + 1);
+                let s = if count == 1 { "" } else { "s" };
+                let message =
+                    format!("this line has {count} value{s}, but column {column} is read");
+                errors.push(self.error(span, message));
+                continue;
+            };
+            match number(&self.source.text[cell.clone()]) {
+                Some(value) => values.push((value, cell.clone())),
+                None => {
+                    let text = self.source.text[cell.clone()].escape_debug().to_string();
+                    let message = format!("expected a number, found `{text}`");
+                    let error = self.error(cell.clone(), message);
+                    errors.push(
+                        error.help("write numbers with a point, such as `0.035` or `3.5e-2`"),
+                    );
+                }
+            }
+            if errors.len() == MOST_ERRORS {
+                break;
+            }
+        }
+        errors.into_result(Column { unit, values })
+    }
+
+    fn place(&self, wanted: &Wanted) -> Result<usize, Diagnostics> {
+        let shown = self.source.path.display();
+        match &wanted.column {
+            Which::Numbered(place) => {
+                if self.rows.iter().any(|row| *place < row.len()) {
+                    return Ok(*place);
+                }
+                let message = format!("`{shown}` has no column {}", place + 1);
+                Err(wanted.place.error_here(Code::TABLE, message).into())
+            }
+            Which::Named(name) => {
+                let Some(heads) = &self.heads else {
+                    let message = format!("`{shown}` has no line of names");
+                    let error = wanted.place.error_here(Code::TABLE, message);
+                    let help = "give the number of the column, or write names above the numbers";
+                    return Err(error.help(help).into());
+                };
+                heads.iter().position(|head| head.name == *name).ok_or_else(|| {
+                    let known: Vec<&str> = heads.iter().map(|head| head.name.as_str()).collect();
+                    let message = format!("`{shown}` has no column `{name}`");
+                    let error = wanted.place.error_here(Code::TABLE, message);
+                    error.maybe_help(suggest(name, &known)).into()
+                })
+            }
+        }
+    }
+
+    fn unit(&self, wanted: &Wanted, place: usize) -> Result<Unit, Diagnostics> {
+        let head = self.heads.as_ref().and_then(|heads| heads.get(place));
+        let written = head.and_then(|head| head.unit.as_ref());
+        match (&wanted.unit, written, head) {
+            (Some(unit), ..) => Ok(unit.clone()),
+            (None, Some(text), _) => Unit::parse(text.text()).map_err(|error| {
+                text.error(error.code, error.span, error.message).maybe_help(error.help).into()
+            }),
+            (None, None, Some(head)) => {
+                let message = format!("the column `{}` has no unit", head.name);
+                let error = self.error(head.span.clone(), message);
+                let help = format!(
+                    "write it behind the name, as in `{} [mm]`; a pure number has the unit `[1]`",
+                    head.name
+                );
+                Err(error.help(help).into())
+            }
+            (None, None, None) => {
+                let message = format!("column {} has no unit", place + 1);
+                let error = wanted.place.error_here(Code::TABLE, message);
+                let help = format!("write `{{ column = {}, unit = \"mm\" }}`", place + 1);
+                Err(error.help(help).into())
+            }
+        }
+    }
+}
+
+impl Head {
+    fn read(source: &Arc<Source>, span: Range<usize>) -> Self {
+        let text = &source.text[span.clone()];
+        let brackets = [('[', ']'), ('(', ')')].into_iter().find_map(|(open, close)| {
+            let start = text.find(open)?;
+            let length = text[start + 1..].find(close)?;
+            Some((start, start + 1..start + 1 + length))
+        });
+        let (name, unit) = match brackets {
+            Some((end, inside)) => {
+                let place = span.start + inside.start..span.start + inside.end;
+                (&text[..end], Some(Located::new(source, place, &text[inside])))
+            }
+            None => (text, None),
+        };
+        Head { name: name.trim().to_owned(), unit, span }
+    }
+}
+
+/// The cells of a line that starts at byte `offset`, without the blanks and quotes around them.
+fn cells(line: &str, offset: usize) -> Vec<Range<usize>> {
+    let separator = [',', ';', '\t'].into_iter().find(|c| line.contains(*c));
+    let mut pieces: Vec<&str> = match separator {
+        Some(separator) => line.split(separator).collect(),
+        None => line.split_whitespace().collect(),
+    };
+    // A unit in brackets belongs to the name before it.
+    if separator.is_none() {
+        let joined = |i: usize| pieces.get(i).is_some_and(|next| next.starts_with(['[', '(']));
+        let ends: Vec<usize> = (0..pieces.len()).filter(|i| !joined(i + 1)).collect();
+        let mut first = 0;
+        let mut whole = Vec::new();
+        for end in ends {
+            let start = part(line, pieces[first]).start;
+            whole.push(&line[start..part(line, pieces[end]).end]);
+            first = end + 1;
+        }
+        pieces = whole;
+    }
+    let trimmed = pieces.into_iter().map(|piece| {
+        let piece = piece.trim().trim_matches('"').trim();
+        let Range { start, end } = part(line, piece);
+        offset + start..offset + end
+    });
+    trimmed.collect()
+}
+
+/// Where a slice of `line` stands in it.
+fn part(line: &str, piece: &str) -> Range<usize> {
+    let start = piece.as_ptr() as usize - line.as_ptr() as usize;
+    start..start + piece.len()
+}
+
+/// A decimal number with an optional sign.
+fn number(text: &str) -> Option<BigRational> {
+    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let (value, length) = decimal(unsigned)?;
+    let value = value.filter(|_| length == unsigned.len())?;
+    Some(if text.starts_with('-') { -value } else { value })
+}

@@ -1,0 +1,263 @@
+//! Tables of a law: a monotone cubic through the rows of a file, as a number that formulas can use.
+
+mod columns;
+mod cubic;
+mod draft;
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+pub(super) use draft::{TableDraft, read};
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+use crate::expression::{Function, Graph, Id, Relation};
+use crate::formula::{Formula, Number, pi};
+use crate::units::{Unit, nearest};
+use cubic::Cubic;
+
+/// A table of a law. Its numbers are in the system of units of the law's inputs and outputs.
+#[derive(Debug, Clone)]
+pub struct LawTable {
+    /// Symbol.
+    pub name: String,
+    /// The file of its rows.
+    pub file: Arc<Source>,
+    /// Name of the file as the law gives it.
+    pub path: String,
+    /// What it is looked up by, in the units of the law.
+    pub input: Formula,
+    /// Unit of the column of what it is looked up by.
+    pub input_unit: Unit,
+    /// Unit of the column of its values.
+    pub unit: Unit,
+    /// What becomes of inputs outside its rows.
+    pub extend: Extend,
+    /// The inputs of its rows, ascending: between them it is a cubic, at them its slope is continuous.
+    pub knots: Vec<BigRational>,
+    /// One piece more than there are splits.
+    pieces: Vec<Cubic>,
+    splits: Vec<BigRational>,
+    /// Slopes at both ends.
+    ends: [BigRational; 2],
+    /// How many definitions come before it.
+    pub(super) after: usize,
+}
+
+/// What becomes of inputs outside the rows of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extend {
+    /// The nearest row's value.
+    Constant,
+    /// A straight line with the slope at the nearest row.
+    Linear,
+    /// The rows repeat; the last is the first again.
+    Periodic,
+    /// There is no value.
+    Refuse,
+}
+
+/// Inputs beyond the end by less than this share of the whole are at the end, so that rounding of a unit
+/// does not refuse the end itself.
+fn margin(width: &BigRational) -> BigRational {
+    width / BigRational::from_integer((1_i64 << 30).into())
+}
+
+impl LawTable {
+    /// `x` and `y`: the rows; `x` rises.
+    fn fill(&mut self, x: Vec<BigRational>, y: &[BigRational]) {
+        let slopes = cubic::slopes(&x, y, self.extend == Extend::Periodic);
+        self.pieces = cubic::cubics(&x, y, &slopes);
+        let last = x.len() - 1;
+        self.splits = x[1..last].to_vec();
+        self.ends = [slopes[0].clone(), slopes[last].clone()];
+        let outside = |at: usize| {
+            let slope = match self.extend {
+                Extend::Linear => slopes[at].clone(),
+                _ => BigRational::zero(),
+            };
+            let coefficients = [y[at].clone(), slope, BigRational::zero(), BigRational::zero()];
+            Cubic { start: x[at].clone(), coefficients }
+        };
+        if matches!(self.extend, Extend::Linear | Extend::Constant) {
+            self.pieces.insert(0, outside(0));
+            self.pieces.push(outside(last));
+            self.splits.insert(0, x[0].clone());
+            self.splits.push(x[last].clone());
+        }
+        self.knots = x;
+    }
+
+    /// First and last input of the rows.
+    pub fn span(&self) -> [&BigRational; 2] {
+        [&self.knots[0], &self.knots[self.knots.len() - 1]]
+    }
+
+    /// Inputs at which the slope jumps, with the slopes below and above.
+    pub fn kinks(&self) -> Vec<(&BigRational, [BigRational; 2])> {
+        let [first, last] = self.span();
+        let [low, high] = self.ends.clone();
+        if self.extend != Extend::Constant {
+            return Vec::new();
+        }
+        let zero = BigRational::zero;
+        let both = [(first, [zero(), low]), (last, [high, zero()])];
+        both.into_iter().filter(|(_, [below, above])| below != above).collect()
+    }
+
+    /// Where the input stands: a whole number that changes where the table passes to another cubic.
+    pub fn interval(&self, input: f64) -> i64 {
+        let (input, turns) = match self.turns(input) {
+            Some(turns) => (input - turns as f64 * nearest(&self.period()), turns),
+            None => (input, 0),
+        };
+        let place = self.splits.partition_point(|at| nearest(at) <= input);
+        let outside = i64::from(self.extend == Extend::Refuse && self.is_outside(input));
+        turns * (self.pieces.len() as i64 + 1) + place as i64 - outside * i64::from(i32::MAX)
+    }
+
+    fn period(&self) -> BigRational {
+        let [first, last] = self.span();
+        last - first
+    }
+
+    /// How often a periodic input has passed its period.
+    fn turns(&self, input: f64) -> Option<i64> {
+        let period = nearest(&self.period());
+        let turns = ((input - nearest(&self.knots[0])) / period).floor();
+        (self.extend == Extend::Periodic).then_some(turns as i64)
+    }
+
+    /// The ends between which there are values, if there are none elsewhere.
+    fn bounds(&self) -> [BigRational; 2] {
+        let [first, last] = self.span();
+        let margin = margin(&self.period());
+        [first - &margin, last + &margin]
+    }
+
+    /// Whether the input is outside the rows of a table that is not extended.
+    pub fn is_outside(&self, input: f64) -> bool {
+        let [low, high] = self.bounds().map(|end| nearest(&end));
+        self.extend == Extend::Refuse && !(low..=high).contains(&input)
+    }
+
+    /// The value by direct evaluation.
+    pub fn value<N: Number>(&self, input: &N) -> N {
+        let mut input = input.clone();
+        if let Some(turns) = self.turns(input.value()) {
+            let shift = self.period() * BigRational::from_integer(turns.into());
+            input = input.sub(&N::exact(&shift));
+        }
+        if self.is_outside(input.value()) {
+            return N::exact(&-BigRational::one()).ln();
+        }
+        let place = self.splits.partition_point(|at| nearest(at) <= input.value());
+        let Cubic { start, coefficients } = &self.pieces[place];
+        let t = input.sub(&N::exact(start));
+        let [y, m, b, c] = coefficients.each_ref().map(N::exact);
+        y.add(&t.mul(&m.add(&t.mul(&b.add(&t.mul(&c))))))
+    }
+
+    /// The value on the graph.
+    pub(super) fn lower(&self, graph: &mut Graph, input: Id) -> Id {
+        let wrapped = if self.extend == Extend::Periodic { self.wrap(graph, input) } else { input };
+        let masks: Vec<Id> = (self.splits.iter())
+            .map(|at| {
+                let at = graph.number(at.clone());
+                graph.compare(Relation::Less, wrapped, at)
+            })
+            .collect();
+        let start = self.choose(graph, &masks, |piece| &piece.start);
+        let t = graph.sub(wrapped, start);
+        let mut value = self.choose(graph, &masks, |piece| &piece.coefficients[3]);
+        for power in (0..3).rev() {
+            let coefficient = self.choose(graph, &masks, |piece| &piece.coefficients[power]);
+            let product = graph.mul(t, value);
+            value = graph.add(coefficient, product);
+        }
+        if self.extend != Extend::Refuse {
+            return value;
+        }
+        let [low, high] = self.bounds().map(|end| graph.number(end));
+        let above = graph.compare(Relation::LessOrEqual, low, wrapped);
+        let below = graph.compare(Relation::LessOrEqual, wrapped, high);
+        let inside = graph.and(above, below);
+        let minus_one = graph.integer(-1);
+        let nothing = graph.function(Function::Ln, minus_one);
+        graph.select(inside, value, nothing)
+    }
+
+    /// A number of the piece that applies, by halves.
+    fn choose(
+        &self,
+        graph: &mut Graph,
+        masks: &[Id],
+        number: impl Fn(&Cubic) -> &BigRational,
+    ) -> Id {
+        fn half(graph: &mut Graph, masks: &[Id], numbers: &[Id]) -> Id {
+            let [first, .., _] = numbers else { return numbers[0] };
+            // All alike: no choice.
+            if numbers.iter().all(|number| number == first) {
+                return *first;
+            }
+            let middle = numbers.len() / 2;
+            let below = half(graph, &masks[..middle - 1], &numbers[..middle]);
+            let above = half(graph, &masks[middle..], &numbers[middle..]);
+            graph.select(masks[middle - 1], below, above)
+        }
+        let numbers: Vec<Id> =
+            self.pieces.iter().map(|piece| graph.number(number(piece).clone())).collect();
+        half(graph, masks, &numbers)
+    }
+
+    /// The input brought into the first period. Its derivative is 1: that of the arctangent cancels that of
+    /// the tangent.
+    fn wrap(&self, graph: &mut Graph, input: Id) -> Id {
+        let [first, last] = self.span();
+        let two = BigRational::from_integer(2.into());
+        let middle = graph.number((first + last) / two);
+        let scale = pi() / self.period();
+        let distance = graph.sub(input, middle);
+        let angle = graph.times(scale.clone(), distance);
+        let tangent = graph.function(Function::Tan, angle);
+        let wrapped = graph.function(Function::Atan, tangent);
+        let wrapped = graph.times(scale.recip(), wrapped);
+        graph.add(middle, wrapped)
+    }
+}
+
+/// What is wrong with the rows: inputs that do not rise, or ends of a period that differ.
+fn check_rows(
+    table: &LawTable,
+    x: &columns::Column,
+    y: &columns::Column,
+) -> Result<(), Diagnostics> {
+    let mut errors = Diagnostics::new();
+    let written = |place: &std::ops::Range<usize>| &table.file.text[place.clone()];
+    let falling = x.values.windows(2).all(|pair| pair[1].0 < pair[0].0);
+    for pair in x.values.windows(2) {
+        let [(before, first), (after, second)] = pair else { continue };
+        if before < after {
+            continue;
+        }
+        let (a, b) = (written(first), written(second));
+        let message = format!("the inputs of a table rise, but {b} follows {a}");
+        let error = Diagnostic::new(&table.file, Code::TABLE, second.clone(), message);
+        let help = if falling { "turn the rows around" } else { "sort the rows, each input once" };
+        errors.push(error.help(help));
+        break;
+    }
+    if let (Extend::Periodic, [(first, at), .., (last, end)]) = (table.extend, y.values.as_slice())
+    {
+        if first != last {
+            let (a, b) = (written(at), written(end));
+            let message =
+                format!("a periodic table ends with the value it starts with: {a}, not {b}");
+            errors.push(Diagnostic::new(&table.file, Code::TABLE, end.clone(), message));
+        }
+    }
+    errors.into_result(())
+}
