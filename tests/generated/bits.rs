@@ -5,11 +5,7 @@ use whirl_codegen::diagnostic::Source;
 use whirl_codegen::formula::Rounded;
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
-<<<<<<< HEAD
-use whirl_specs::{LAWS, Registers};
-=======
-use whirl_specs::{LAWS, TABLES};
->>>>>>> 81131a8 (Add tables, blended breaks, sums and atan2 to laws)
+use whirl_specs::{LAWS, Registers, TABLES};
 
 use crate::random::Random;
 
