@@ -29,21 +29,29 @@ impl Breaks {
         Breaks { tape: Tape::new(&program) }
     }
 
-    fn signs(&self, inputs: &[f64]) -> Vec<bool> {
-        let mut differences = vec![0.0; self.tape.outputs()];
-        let mut workspace = vec![0.0; self.tape.workspace()];
-        self.tape.evaluate(1, inputs, &mut differences, &mut workspace);
-        differences.iter().map(|difference| *difference < 0.0).collect()
+    /// Which of the steps along one input change no formula, on either side of a point.
+    pub(super) fn clear(&self, point: &[f64], input: usize, steps: &[f64]) -> Vec<bool> {
+        const SHARES: [f64; 5] = [0.0, -1.0, -0.5, 0.5, 1.0];
+        let moved = steps.iter().flat_map(|step| SHARES.map(|share| point[input] + share * step));
+        let moved: Vec<f64> = moved.collect();
+        let differences = along(&self.tape, point, input, &moved);
+        let signs = |place: usize| differences.iter().map(move |row| row[place] < 0.0);
+        (0..steps.len())
+            .map(|step| {
+                let first = step * SHARES.len();
+                (1..SHARES.len()).all(|other| signs(first + other).eq(signs(first)))
+            })
+            .collect()
     }
+}
 
-    /// Whether a formula changes within `step` of a point, along one input.
-    pub(super) fn straddled(&self, point: &[f64], input: usize, step: f64) -> bool {
-        let at = |share: f64| {
-            let mut inputs = point.to_vec();
-            inputs[input] += share * step;
-            self.signs(&inputs)
-        };
-        let here = at(0.0);
-        [-1.0, -0.5, 0.5, 1.0].into_iter().any(|share| at(share) != here)
-    }
+/// Rows of a tape where one input takes several values: [output][value of the input].
+pub(super) fn along(tape: &Tape, point: &[f64], input: usize, values: &[f64]) -> Vec<Vec<f64>> {
+    let rows = point.iter().enumerate().flat_map(|(place, x)| {
+        values.iter().map(move |value| if place == input { *value } else { *x })
+    });
+    let rows: Vec<f64> = rows.collect();
+    let mut outputs = vec![0.0; tape.outputs() * values.len()];
+    tape.evaluate(values.len(), &rows, &mut outputs, &mut vec![0.0; tape.workspace()]);
+    (0..tape.outputs()).map(|i| outputs[i * values.len()..][..values.len()].to_vec()).collect()
 }
