@@ -6,6 +6,7 @@ mod impact;
 mod kernel;
 mod mounts;
 mod reading;
+mod rolling;
 mod rub;
 mod slope;
 mod straddle;
