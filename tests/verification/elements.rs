@@ -59,15 +59,21 @@ fn direct(text: &str, form: &str, nodes: &[[f64; 3]]) -> DMatrix<f64> {
     let (spec, form) = found.expect("a shipped form");
     let material: BTreeMap<String, f64> =
         spec.material.iter().map(|p| (p.name.clone(), property(&p.name))).collect();
-    let cell = direct::evaluate(&element, spec, form, nodes, &material).unwrap();
+    let cell = direct::evaluate(&element, spec, form, nodes, &material);
     DMatrix::from_row_slice(cell.size, cell.size, &cell.entries)
 }
 
-/// The reference cell in metres, nodes displaced by `shifts`.
+/// The reference cell in metres, nodes displaced by `shifts` of half the smallest distance between nodes.
 fn displaced(element: &Element, shifts: &[f64]) -> Vec<[f64; 3]> {
+    let distance = |a: &[f64; 3], b: &[f64; 3]| -> f64 {
+        (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+    };
+    let nodes = element.reference_nodes;
+    let apart = (1..nodes.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
+    let least = apart.map(|(a, b)| distance(&nodes[a], &nodes[b])).fold(f64::INFINITY, f64::min);
     let mut shifts = shifts.iter().cycle();
-    let mut shift = || shifts.next().expect("it is endless");
-    element.reference_nodes.iter().map(|node| node.map(|x| x + shift())).collect()
+    let mut shift = || 0.5 * least * shifts.next().expect("it is endless");
+    nodes.iter().map(|node| node.map(|x| x + shift())).collect()
 }
 
 proptest! {
@@ -129,14 +135,15 @@ proptest! {
     fn a_distorted_cell_has_six_zero_energy_modes_and_no_more(
         shifts in prop::array::uniform24(-0.15..0.15_f64),
     ) {
-        for name in ["hex8", "hex8i", "wedge6"] {
-            let element = element(name);
+        for element in ELEMENTS {
+            let name = element.origin.name;
             let (k, _) = generated(element, "stiffness", &displaced(element, &shifts));
             let mut values: Vec<f64> = k.symmetric_eigenvalues().iter().copied().collect();
             values.sort_by(f64::total_cmp);
             let largest = values[values.len() - 1];
             prop_assert!(values[..6].iter().all(|v| v.abs() < 1e-13 * largest), "{name}: {values:?}");
-            prop_assert!(values[6] > 1e-3 * largest, "{name}: {values:?}");
+            // Far above rounding; quadratic elements have soft modes of short waves.
+            prop_assert!(values[6] > 1e-6 * largest, "{name}: {values:?}");
         }
     }
 }

@@ -48,13 +48,13 @@ impl Cell {
         }
     }
 
-    /// Families of named rules whose product is a rule of this cell; empty where there is none.
+    /// Families of named rules whose product is a rule of this cell.
     pub fn families(self) -> &'static [&'static str] {
         match self {
             Cell::Hexahedron => &["gauss", "gauss", "gauss"],
             Cell::Wedge => &["triangle", "gauss"],
             Cell::Tetrahedron => &["tetrahedron"],
-            Cell::Pyramid => &[],
+            Cell::Pyramid => &["pyramid"],
         }
     }
 
@@ -86,6 +86,36 @@ impl Cell {
                 !zeta.is_negative() && *zeta <= one && xi.abs() <= width && eta.abs() <= width
             }
         }
+    }
+
+    /// ξⁱ ηʲ ζᵏ as in a formula, such as `xi^2*eta`; over a pyramid the third variable is `(1 - zeta)`.
+    pub fn power(self, exponents: [i32; 3]) -> String {
+        let third = if self == Cell::Pyramid { "(1 - zeta)" } else { "zeta" };
+        let (mut above, mut below) = (Vec::new(), String::new());
+        for (name, exponent) in ["xi", "eta", third].into_iter().zip(exponents) {
+            match exponent {
+                0 => {}
+                1 => above.push(name.to_owned()),
+                2.. => above.push(format!("{name}^{exponent}")),
+                -1 => below = format!("/{name}"),
+                _ => below = format!("/{name}^{}", -exponent),
+            }
+        }
+        let above = if above.is_empty() { "1".to_owned() } else { above.join("*") };
+        above + &below
+    }
+
+    /// ∫ ξⁱ ηʲ ζᵏ over the cell; over a pyramid ∫ ξⁱ ηʲ (1 − ζ)ᵏ, where k may be negative. `None` where it
+    /// does not exist.
+    pub fn integral(self, exponents: [i32; 3]) -> Option<Rational> {
+        let [i, j, k] = exponents;
+        if self == Cell::Pyramid {
+            let (i, j) = (u32::try_from(i).ok()?, u32::try_from(j).ok()?);
+            let power = i64::from(i) + i64::from(j) + i64::from(k) + 3;
+            return (power > 0).then(|| line(i) * line(j) / Rational::from_integer(power.into()));
+        }
+        let [Ok(i), Ok(j), Ok(k)] = [i, j, k].map(u32::try_from) else { return None };
+        Some(self.monomial([i, j, k]))
     }
 
     /// ∫ ξⁱ ηʲ ζᵏ over the cell.

@@ -4,9 +4,6 @@
 use std::array::from_fn;
 use std::collections::BTreeMap;
 
-use super::exact;
-use super::table::Table;
-use crate::diagnostic::Diagnostic;
 use crate::expression::{Graph, Id, Node, Rational};
 use crate::spec::element::{ElementSpec, ModeJacobian};
 use crate::spec::form::{Form, FormSpec};
@@ -30,17 +27,14 @@ struct AtPoint {
 }
 
 /// Evaluates a form on the cell with the given nodes (m) and material (SI, by name).
-///
-/// # Errors
-/// A shape function that has no value at a point of the rule.
 pub fn evaluate(
     element: &ElementSpec,
     spec: &FormSpec,
     form: &Form,
     nodes: &[[f64; 3]],
     material: &BTreeMap<String, f64>,
-) -> Result<CellMatrix, Box<Diagnostic>> {
-    let (points, least_det) = points(element, &form.name, nodes)?;
+) -> CellMatrix {
+    let (points, least_det) = points(element, &form.name, nodes);
     let functions = points.first().map_or(0, |point| point.basis.len());
     let total = 3 * functions;
     let mut entries = vec![0.0; total * total];
@@ -58,33 +52,22 @@ pub fn evaluate(
     let size = 3 * nodes.len();
     condense(&mut entries, total, size);
     let entries = entries.chunks(total).take(size).flat_map(|row| &row[..size]).copied().collect();
-    Ok(CellMatrix { size, entries, least_det })
+    CellMatrix { size, entries, least_det }
 }
 
 /// ∫ ∂M/∂(x, y, z) of every enhanced mode over a cell; zero if a patch of such cells passes under constant
 /// strain.
-///
-/// # Errors
-/// A function that has no value at a point of the rule.
-pub fn mode_integrals(
-    element: &ElementSpec,
-    form: &str,
-    nodes: &[[f64; 3]],
-) -> Result<Vec<[f64; 3]>, Box<Diagnostic>> {
-    let (points, _) = points(element, form, nodes)?;
+pub fn mode_integrals(element: &ElementSpec, form: &str, nodes: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let (points, _) = points(element, form, nodes);
     let modes = element.enhanced_in(form).map_or(0, |enhanced| enhanced.modes.len());
     let integral = |m: usize, axis: usize| {
         points.iter().map(|point| point.weight * point.basis[nodes.len() + m][1 + axis]).sum()
     };
-    Ok((0..modes).map(|m| from_fn(|axis| integral(m, axis))).collect())
+    (0..modes).map(|m| from_fn(|axis| integral(m, axis))).collect()
 }
 
-fn points(
-    element: &ElementSpec,
-    form: &str,
-    nodes: &[[f64; 3]],
-) -> Result<(Vec<AtPoint>, f64), Box<Diagnostic>> {
-    let table = Table::new(element, form)?;
+fn points(element: &ElementSpec, form: &str, nodes: &[[f64; 3]]) -> (Vec<AtPoint>, f64) {
+    let table = element.table(form);
     let (inverse0, det0) = inverse(nodes, &table.centre_slopes);
     let mut points = Vec::with_capacity(table.weights.len());
     let mut least_det = f64::INFINITY;
@@ -113,7 +96,7 @@ fn points(
         }
         points.push(AtPoint { weight: weight * det, basis });
     }
-    Ok((points, least_det))
+    (points, least_det)
 }
 
 /// J⁻¹ [reference][physical] and det J of J = Σ x_a ⊗ ∇N_a.
@@ -160,7 +143,7 @@ fn number(graph: &Graph, id: Id, values: &BTreeMap<Id, f64>) -> f64 {
     }
     let ratio = |r: &Rational| crate::units::nearest(r);
     match graph.node(id) {
-        Node::Number(_) => exact::to_f64(graph, id).unwrap_or(f64::NAN),
+        Node::Number(value) => ratio(value),
         Node::Sum(terms) => {
             terms.iter().map(|(term, c)| ratio(c) * number(graph, *term, values)).sum()
         }

@@ -1,22 +1,33 @@
 //! Quadrature rules with exact points and weights, and the proof of their degree.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
-use num_traits::{One, Zero};
+use num_traits::One;
 
+use super::algebraic::{Algebraic, Field};
 use super::cell::Cell;
-use super::exact;
+use super::polynomial::{Exponents, Polynomial};
 use crate::diagnostic::Located;
-use crate::expression::{Graph, Id, Rational, normal};
+use crate::expression::{Graph, Rational};
 use crate::formula::{lower, parse};
 
-/// A point of a rule: reference coordinates and weight, exact numbers of a graph.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A point of a rule: reference coordinates and weight, numbers of the rule's field.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Point {
     /// ξ, η, ζ.
-    pub at: [Id; 3],
+    pub at: [Algebraic; 3],
     /// Weight; the weights sum to the cell's volume.
-    pub weight: Id,
+    pub weight: Algebraic,
+}
+
+/// A rule over some of the coordinates; a rule of a cell is a product of such.
+#[derive(Debug, Clone)]
+pub struct Factor {
+    /// The coordinates.
+    pub axes: Range<usize>,
+    /// For every point its coordinates and its weight.
+    pub points: Vec<(Vec<Algebraic>, Algebraic)>,
 }
 
 /// A rule on a reference cell.
@@ -24,89 +35,188 @@ pub struct Point {
 pub struct Quadrature {
     /// The rule in words, such as `gauss(2) × gauss(2) × gauss(2)`.
     pub title: String,
-    /// The points.
+    /// The field of all its numbers.
+    pub field: Field,
+    /// The rules whose product it is, in the order of the coordinates.
+    pub factors: Vec<Factor>,
+    /// The points; those of the first factor run fastest.
     pub points: Vec<Point>,
     /// Every monomial up to this total degree is integrated exactly.
     pub degree: u32,
+    /// Whether it is meant to have fewer points than the products in its forms need.
+    pub reduced: bool,
+    /// Whether it is enough that affine images of the cell pass the patch test.
+    pub affine: bool,
     /// Where it stands in the file.
-    pub place: std::ops::Range<usize>,
+    pub place: Range<usize>,
 }
 
 /// A monomial that a rule should integrate and does not.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct DegreeFailure {
-    /// Exponents of ξ, η, ζ.
-    pub powers: [u32; 3],
+pub struct Failure {
+    /// Exponents of the cell's variables.
+    pub powers: Exponents,
     /// What the rule gives.
     pub found: String,
     /// The exact integral.
     pub exact: String,
 }
 
-impl DegreeFailure {
-    /// The monomial as in a formula, such as `xi^2*eta`; `1` of degree 0.
-    pub fn monomial(&self) -> String {
-        let factors: Vec<String> = ["xi", "eta", "zeta"]
-            .iter()
-            .zip(self.powers)
-            .filter(|(_, power)| *power > 0)
-            .map(
-                |(name, power)| {
-                    if power == 1 { name.to_string() } else { format!("{name}^{power}") }
-                },
-            )
-            .collect();
-        if factors.is_empty() { "1".to_owned() } else { factors.join("*") }
-    }
-}
-
 impl Quadrature {
+    /// The product of these rules; `None` unless their coordinates together are three.
+    pub fn new(
+        title: String,
+        field: Field,
+        factors: Vec<Factor>,
+        degree: u32,
+        place: Range<usize>,
+    ) -> Option<Self> {
+        let one = || Algebraic::rational(Rational::one());
+        let mut points: Vec<(Vec<Algebraic>, Algebraic)> = vec![(Vec::new(), one())];
+        for factor in &factors {
+            let mut next = Vec::with_capacity(points.len() * factor.points.len());
+            for (at, weight) in &factor.points {
+                for (before, other) in &points {
+                    let at = before.iter().chain(at).cloned().collect();
+                    next.push((at, field.multiply(other, weight)));
+                }
+            }
+            points = next;
+        }
+        let point =
+            |(at, weight): (Vec<Algebraic>, _)| Some(Point { at: at.try_into().ok()?, weight });
+        let points = points.into_iter().map(point).collect::<Option<_>>()?;
+        Some(Quadrature {
+            title,
+            field,
+            factors,
+            points,
+            degree,
+            reduced: false,
+            affine: false,
+            place,
+        })
+    }
+
     /// Integrates every monomial up to `degree` and compares with the exact integral over the cell.
     ///
     /// # Errors
     /// The first monomial, by degree, that is not integrated exactly.
-    pub fn prove(&self, graph: &mut Graph, cell: Cell) -> Result<(), DegreeFailure> {
-        for total in 0..=self.degree {
+    pub fn prove(&self, cell: Cell) -> Result<(), Failure> {
+        let mut integrals = Integrals::new(self, cell);
+        for total in 0..=self.degree as i32 {
             for i in (0..=total).rev() {
                 for j in (0..=total - i).rev() {
-                    self.integrates(graph, cell, [i, j, total - i - j])?;
+                    integrals.exact([i, j, total - i - j])?;
                 }
             }
         }
         Ok(())
     }
+}
 
-    fn integrates(
-        &self,
-        graph: &mut Graph,
-        cell: Cell,
-        powers: [u32; 3],
-    ) -> Result<(), DegreeFailure> {
-        let mut terms = vec![(graph.integer(0), Rational::one())];
-        for point in &self.points {
-            let mut factors = vec![(point.weight, Rational::one())];
-            for (x, power) in point.at.iter().zip(powers) {
-                factors.push((*x, Rational::from_integer(power.into())));
-            }
-            factors.retain(|(_, power)| !power.is_zero());
-            terms.push((graph.product(&factors), Rational::one()));
-        }
-        let sum = graph.sum(&terms);
-        let found = normal::expand(graph, sum);
-        let exact = graph.number(cell.monomial(powers));
-        if normal::equal(graph, found, exact) {
+/// What a rule makes of monomials in a cell's variables, each computed once.
+pub struct Integrals<'r> {
+    rule: &'r Quadrature,
+    cell: Cell,
+    /// By the number of the factor and the exponents of its coordinates: weight times monomial at every
+    /// point, and the sum.
+    known: BTreeMap<(usize, Vec<i32>), Option<(Vec<Algebraic>, Algebraic)>>,
+}
+
+impl<'r> Integrals<'r> {
+    /// For a rule on a cell.
+    pub fn new(rule: &'r Quadrature, cell: Cell) -> Self {
+        Integrals { rule, cell, known: BTreeMap::new() }
+    }
+
+    /// Compares with the exact integral over the cell.
+    ///
+    /// # Errors
+    /// Both numbers, where they differ.
+    pub fn exact(&mut self, powers: Exponents) -> Result<(), Failure> {
+        let (found, exact) = (self.of(powers), self.cell.integral(powers));
+        if let (Some(found), Some(exact)) = (&found, &exact)
+            && found.minus(&Algebraic::rational(exact.clone())).is_zero()
+        {
             return Ok(());
         }
-        let [found, exact] = [found, exact].map(|id| exact::display(graph, id));
-        Err(DegreeFailure { powers, found, exact })
+        let none = || "no value".to_owned();
+        Err(Failure {
+            powers,
+            found: found.map_or_else(none, |found| self.rule.field.display(&found)),
+            exact: exact.map_or_else(none, |exact| exact.to_string()),
+        })
+    }
+
+    /// Σ w ξⁱ ηʲ ζᵏ; `None` where a point has no such power.
+    pub fn of(&mut self, powers: Exponents) -> Option<Algebraic> {
+        let mut product = Algebraic::rational(Rational::one());
+        for (place, factor) in self.rule.factors.iter().enumerate() {
+            let key = (place, powers[factor.axes.clone()].to_vec());
+            self.know(&key);
+            let (_, integral) = self.known[&key].as_ref()?;
+            product = self.rule.field.multiply(&product, integral);
+        }
+        Some(product)
+    }
+
+    /// Computes a monomial from the one with a power less.
+    fn know(&mut self, key: &(usize, Vec<i32>)) {
+        if self.known.contains_key(key) {
+            return;
+        }
+        let (place, powers) = key;
+        let (factor, field) = (&self.rule.factors[*place], &self.rule.field);
+        let products: Option<Vec<Algebraic>> = match powers.iter().rposition(|power| *power != 0) {
+            None => Some(factor.points.iter().map(|(_, weight)| weight.clone()).collect()),
+            Some(last) => {
+                let mut less = powers.clone();
+                less[last] -= powers[last].signum();
+                let less = (*place, less);
+                self.know(&less);
+                let axis = factor.axes.start + last;
+                let next = |((at, _), before): (&(Vec<Algebraic>, _), &Algebraic)| {
+                    let variable = variable(self.cell, axis, &at[last]);
+                    let by = field.power(&variable, powers[last].signum())?;
+                    Some(field.multiply(before, &by))
+                };
+                let before = self.known[&less].as_ref().map(|(before, _)| before);
+                before.and_then(|before| factor.points.iter().zip(before).map(next).collect())
+            }
+        };
+        let integral = products.map(|products| {
+            let mut sum = Algebraic::default();
+            products.iter().for_each(|term| sum.add(term, &Rational::one()));
+            (products, sum)
+        });
+        self.known.insert(key.clone(), integral);
+    }
+
+    /// Σ w p.
+    pub fn of_polynomial(&mut self, polynomial: &Polynomial) -> Option<Algebraic> {
+        let mut sum = Algebraic::default();
+        for (powers, coefficient) in polynomial.terms() {
+            sum.add(&self.of(*powers)?, coefficient);
+        }
+        Some(sum)
+    }
+}
+
+/// The cell's variable on an axis at a coordinate: 1 − ζ on the third of a pyramid, else the coordinate.
+pub(super) fn variable(cell: Cell, axis: usize, coordinate: &Algebraic) -> Algebraic {
+    match (cell, axis) {
+        (Cell::Pyramid, 2) => Algebraic::rational(Rational::one()).minus(coordinate),
+        _ => coordinate.clone(),
     }
 }
 
 /// A named rule: family, number of points, then for each point its coordinates and its weight.
 type Named = (&'static str, usize, &'static [&'static [&'static str]]);
 
-/// Rules on the line −1 … 1 (Gauss–Legendre), on the unit triangle (Strang & Fix; Radon) and on the unit
-/// tetrahedron (Hammer & Stroud).
+/// Rules on the line −1 … 1 (Gauss–Legendre), on the unit triangle (Strang & Fix; Cowper; Radon), on the unit
+/// tetrahedron (Hammer & Stroud; Stroud T3:5-1) and on the pyramid (Gauss–Legendre across, Gauss–Jacobi along
+/// the rays from the apex).
 const RULES: &[Named] = &[
     ("gauss", 1, &[&["0", "2"]]),
     ("gauss", 2, &[&["-1/sqrt(3)", "1"], &["1/sqrt(3)", "1"]]),
@@ -123,6 +233,42 @@ const RULES: &[Named] = &[
     ),
     ("triangle", 1, &[&["1/3", "1/3", "1/2"]]),
     ("triangle", 3, &[&["1/6", "1/6", "1/6"], &["2/3", "1/6", "1/6"], &["1/6", "2/3", "1/6"]]),
+    (
+        "triangle",
+        6,
+        &[
+            &[
+                "(8 - sqrt(10) + sqrt(38 - 44*sqrt(10)/5))/18",
+                "(8 - sqrt(10) + sqrt(38 - 44*sqrt(10)/5))/18",
+                "1/12 + (9*sqrt(10)/2 - 1)*sqrt(38 - 44*sqrt(10)/5)/1488",
+            ],
+            &[
+                "(1 + sqrt(10) - sqrt(38 - 44*sqrt(10)/5))/9",
+                "(8 - sqrt(10) + sqrt(38 - 44*sqrt(10)/5))/18",
+                "1/12 + (9*sqrt(10)/2 - 1)*sqrt(38 - 44*sqrt(10)/5)/1488",
+            ],
+            &[
+                "(8 - sqrt(10) + sqrt(38 - 44*sqrt(10)/5))/18",
+                "(1 + sqrt(10) - sqrt(38 - 44*sqrt(10)/5))/9",
+                "1/12 + (9*sqrt(10)/2 - 1)*sqrt(38 - 44*sqrt(10)/5)/1488",
+            ],
+            &[
+                "(8 - sqrt(10) - sqrt(38 - 44*sqrt(10)/5))/18",
+                "(8 - sqrt(10) - sqrt(38 - 44*sqrt(10)/5))/18",
+                "1/12 - (9*sqrt(10)/2 - 1)*sqrt(38 - 44*sqrt(10)/5)/1488",
+            ],
+            &[
+                "(1 + sqrt(10) + sqrt(38 - 44*sqrt(10)/5))/9",
+                "(8 - sqrt(10) - sqrt(38 - 44*sqrt(10)/5))/18",
+                "1/12 - (9*sqrt(10)/2 - 1)*sqrt(38 - 44*sqrt(10)/5)/1488",
+            ],
+            &[
+                "(8 - sqrt(10) - sqrt(38 - 44*sqrt(10)/5))/18",
+                "(1 + sqrt(10) + sqrt(38 - 44*sqrt(10)/5))/9",
+                "1/12 - (9*sqrt(10)/2 - 1)*sqrt(38 - 44*sqrt(10)/5)/1488",
+            ],
+        ],
+    ),
     (
         "triangle",
         7,
@@ -147,6 +293,132 @@ const RULES: &[Named] = &[
             &["(5 - sqrt(5))/20", "(5 - sqrt(5))/20", "(5 + 3*sqrt(5))/20", "1/24"],
         ],
     ),
+    (
+        "tetrahedron",
+        15,
+        &[
+            &["1/4", "1/4", "1/4", "8/405"],
+            &[
+                "(7 - sqrt(15))/34",
+                "(7 - sqrt(15))/34",
+                "(7 - sqrt(15))/34",
+                "(2665 + 14*sqrt(15))/226800",
+            ],
+            &[
+                "(13 + 3*sqrt(15))/34",
+                "(7 - sqrt(15))/34",
+                "(7 - sqrt(15))/34",
+                "(2665 + 14*sqrt(15))/226800",
+            ],
+            &[
+                "(7 - sqrt(15))/34",
+                "(13 + 3*sqrt(15))/34",
+                "(7 - sqrt(15))/34",
+                "(2665 + 14*sqrt(15))/226800",
+            ],
+            &[
+                "(7 - sqrt(15))/34",
+                "(7 - sqrt(15))/34",
+                "(13 + 3*sqrt(15))/34",
+                "(2665 + 14*sqrt(15))/226800",
+            ],
+            &[
+                "(7 + sqrt(15))/34",
+                "(7 + sqrt(15))/34",
+                "(7 + sqrt(15))/34",
+                "(2665 - 14*sqrt(15))/226800",
+            ],
+            &[
+                "(13 - 3*sqrt(15))/34",
+                "(7 + sqrt(15))/34",
+                "(7 + sqrt(15))/34",
+                "(2665 - 14*sqrt(15))/226800",
+            ],
+            &[
+                "(7 + sqrt(15))/34",
+                "(13 - 3*sqrt(15))/34",
+                "(7 + sqrt(15))/34",
+                "(2665 - 14*sqrt(15))/226800",
+            ],
+            &[
+                "(7 + sqrt(15))/34",
+                "(7 + sqrt(15))/34",
+                "(13 - 3*sqrt(15))/34",
+                "(2665 - 14*sqrt(15))/226800",
+            ],
+            &["(10 - 2*sqrt(15))/40", "(10 - 2*sqrt(15))/40", "(10 + 2*sqrt(15))/40", "5/567"],
+            &["(10 - 2*sqrt(15))/40", "(10 + 2*sqrt(15))/40", "(10 - 2*sqrt(15))/40", "5/567"],
+            &["(10 - 2*sqrt(15))/40", "(10 + 2*sqrt(15))/40", "(10 + 2*sqrt(15))/40", "5/567"],
+            &["(10 + 2*sqrt(15))/40", "(10 - 2*sqrt(15))/40", "(10 - 2*sqrt(15))/40", "5/567"],
+            &["(10 + 2*sqrt(15))/40", "(10 - 2*sqrt(15))/40", "(10 + 2*sqrt(15))/40", "5/567"],
+            &["(10 + 2*sqrt(15))/40", "(10 + 2*sqrt(15))/40", "(10 - 2*sqrt(15))/40", "5/567"],
+        ],
+    ),
+    ("pyramid", 1, &[&["0", "0", "1/4", "4/3"]]),
+    (
+        "pyramid",
+        4,
+        &[
+            &["-sqrt(3)/4", "-sqrt(3)/4", "1/4", "1/3"],
+            &["sqrt(3)/4", "-sqrt(3)/4", "1/4", "1/3"],
+            &["-sqrt(3)/4", "sqrt(3)/4", "1/4", "1/3"],
+            &["sqrt(3)/4", "sqrt(3)/4", "1/4", "1/3"],
+        ],
+    ),
+    (
+        "pyramid",
+        8,
+        &[
+            &[
+                "-(10 + sqrt(10))/(15*sqrt(3))",
+                "-(10 + sqrt(10))/(15*sqrt(3))",
+                "(5 - sqrt(10))/15",
+                "1/6 + sqrt(10)/48",
+            ],
+            &[
+                "(10 + sqrt(10))/(15*sqrt(3))",
+                "-(10 + sqrt(10))/(15*sqrt(3))",
+                "(5 - sqrt(10))/15",
+                "1/6 + sqrt(10)/48",
+            ],
+            &[
+                "-(10 + sqrt(10))/(15*sqrt(3))",
+                "(10 + sqrt(10))/(15*sqrt(3))",
+                "(5 - sqrt(10))/15",
+                "1/6 + sqrt(10)/48",
+            ],
+            &[
+                "(10 + sqrt(10))/(15*sqrt(3))",
+                "(10 + sqrt(10))/(15*sqrt(3))",
+                "(5 - sqrt(10))/15",
+                "1/6 + sqrt(10)/48",
+            ],
+            &[
+                "-(10 - sqrt(10))/(15*sqrt(3))",
+                "-(10 - sqrt(10))/(15*sqrt(3))",
+                "(5 + sqrt(10))/15",
+                "1/6 - sqrt(10)/48",
+            ],
+            &[
+                "(10 - sqrt(10))/(15*sqrt(3))",
+                "-(10 - sqrt(10))/(15*sqrt(3))",
+                "(5 + sqrt(10))/15",
+                "1/6 - sqrt(10)/48",
+            ],
+            &[
+                "-(10 - sqrt(10))/(15*sqrt(3))",
+                "(10 - sqrt(10))/(15*sqrt(3))",
+                "(5 + sqrt(10))/15",
+                "1/6 - sqrt(10)/48",
+            ],
+            &[
+                "(10 - sqrt(10))/(15*sqrt(3))",
+                "(10 - sqrt(10))/(15*sqrt(3))",
+                "(5 + sqrt(10))/15",
+                "1/6 - sqrt(10)/48",
+            ],
+        ],
+    ),
 ];
 
 /// Every named rule, such as `gauss(2)`.
@@ -163,29 +435,32 @@ fn find(name: &str) -> Option<&'static Named> {
     RULES.iter().find(|(family, n, _)| *name == format!("{family}({n})"))
 }
 
-/// The product of named rules whose coordinates together are ξ, η, ζ; the first runs fastest. `None` if a
-/// name is unknown or the coordinates are not three.
-pub fn product(graph: &mut Graph, names: &[&str]) -> Option<Vec<Point>> {
-    let mut points: Vec<(Vec<Id>, Id)> = vec![(Vec::new(), graph.integer(1))];
+/// The named rules as factors of a rule whose numbers are in `field`. `None` if a name is unknown.
+pub fn factors(field: &mut Field, names: &[&str]) -> Option<Vec<Factor>> {
+    let (mut factors, mut graph, mut axis) = (Vec::new(), Graph::new(), 0);
     for name in names {
         let (.., rule) = find(name)?;
-        let mut next = Vec::new();
+        let mut points = Vec::with_capacity(rule.len());
+        let mut known: BTreeMap<&str, Algebraic> = BTreeMap::new();
         for numbers in *rule {
-            let numbers: Vec<Id> = numbers.iter().map(|text| constant(graph, text)).collect();
-            let (weight, at) = numbers.split_last()?;
-            for (before, factor) in &points {
-                let at = before.iter().chain(at).copied().collect();
-                next.push((at, graph.mul(*factor, *weight)));
-            }
+            let number = |text: &&'static str| {
+                known.entry(text).or_insert_with(|| constant(field, &mut graph, text)).clone()
+            };
+            let mut numbers: Vec<Algebraic> = numbers.iter().map(number).collect();
+            let weight = numbers.pop()?;
+            points.push((numbers, weight));
         }
-        points = next;
+        let axes = axis..axis + points[0].0.len();
+        axis = axes.end;
+        factors.push(Factor { axes, points });
     }
-    points.into_iter().map(|(at, weight)| Some(Point { at: at.try_into().ok()?, weight })).collect()
+    Some(factors)
 }
 
-fn constant(graph: &mut Graph, text: &str) -> Id {
+fn constant(field: &mut Field, graph: &mut Graph, text: &str) -> Algebraic {
     let formula = parse(&Located::alone("named rule", text));
-    formula.and_then(|formula| lower(&formula, graph, &BTreeMap::new())).expect("a constant")
+    let id = formula.and_then(|formula| lower(&formula, graph, &BTreeMap::new()));
+    field.read(graph, id.expect("a constant")).expect("made by square roots")
 }
 
 #[cfg(test)]
@@ -193,11 +468,16 @@ mod tests {
     use super::*;
 
     fn proven(cell: Cell, rules: &[&str], degree: u32) -> Result<(), String> {
-        let mut graph = Graph::new();
-        let points = product(&mut graph, rules).expect("a rule");
-        let rule = Quadrature { title: rules.join(" × "), points, degree, place: 0..0 };
-        rule.prove(&mut graph, cell).map_err(|failure| {
-            format!("{}: {} instead of {}", failure.monomial(), failure.found, failure.exact)
+        let mut field = Field::default();
+        let factors = factors(&mut field, rules).expect("known rules");
+        let rule = Quadrature::new(rules.join(" × "), field, factors, degree, 0..0);
+        rule.expect("three coordinates").prove(cell).map_err(|failure| {
+            format!(
+                "{}: {} instead of {}",
+                cell.power(failure.powers),
+                failure.found,
+                failure.exact
+            )
         })
     }
 
@@ -209,13 +489,20 @@ mod tests {
             assert_eq!(proven(Cell::Hexahedron, &rules, 2 * n - 1), Ok(()), "{name}");
             assert!(proven(Cell::Hexahedron, &rules, 2 * n).is_err(), "{name}");
         }
-        for (name, degree) in [("triangle(1)", 1), ("triangle(3)", 2), ("triangle(7)", 5)] {
+        for (name, degree) in
+            [("triangle(1)", 1), ("triangle(3)", 2), ("triangle(6)", 4), ("triangle(7)", 5)]
+        {
             assert_eq!(proven(Cell::Wedge, &[name, "gauss(4)"], degree), Ok(()), "{name}");
             assert!(proven(Cell::Wedge, &[name, "gauss(4)"], degree + 1).is_err(), "{name}");
         }
-        for (name, degree) in [("tetrahedron(1)", 1), ("tetrahedron(4)", 2)] {
+        for (name, degree) in [("tetrahedron(1)", 1), ("tetrahedron(4)", 2), ("tetrahedron(15)", 5)]
+        {
             assert_eq!(proven(Cell::Tetrahedron, &[name], degree), Ok(()), "{name}");
             assert!(proven(Cell::Tetrahedron, &[name], degree + 1).is_err(), "{name}");
+        }
+        for (name, degree) in [("pyramid(1)", 1), ("pyramid(4)", 1), ("pyramid(8)", 3)] {
+            assert_eq!(proven(Cell::Pyramid, &[name], degree), Ok(()), "{name}");
+            assert!(proven(Cell::Pyramid, &[name], degree + 1).is_err(), "{name}");
         }
     }
 

@@ -1,12 +1,18 @@
-//! Shape functions and their reference gradients at the points of a rule: exact, then the nearest f64.
+//! Shape functions and their reference gradients at the points of a rule: the f64 nearest to the exact
+//! numbers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::exact;
-use super::quadrature::Quadrature;
+use num_bigint::BigInt;
+use num_traits::Zero;
+
+use super::algebraic::{self, Algebraic};
+use super::cell::Cell;
+use super::polynomial::{Exponents, Polynomial};
+use super::quadrature::{Point, Quadrature, variable};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expression::{Graph, Id, Rational, normal};
-use crate::spec::element::{ElementSpec, Function};
+use crate::spec::element::Function;
+use crate::units::nearest;
 
 /// Values at the points of a rule.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +27,8 @@ pub struct Table {
     pub mode_slopes: Vec<Vec<[f64; 3]>>,
     /// nodes: ∂N_a/∂(ξ, η, ζ) at the centre of the cell.
     pub centre_slopes: Vec<[f64; 3]>,
+    /// w N_a N_b.
+    pub products: Products,
 }
 
 /// w N_a N_b at the points, for all pairs a ≤ b of nodes; equal rows are kept once.
@@ -33,105 +41,141 @@ pub struct Products {
 }
 
 impl Table {
-    /// The values at the points of the rule of a form.
+    /// The values at the points of a rule.
     ///
     /// # Errors
-    /// A function that has no exact value at a point.
-    pub fn new(element: &ElementSpec, form: &str) -> Result<Self, Box<Diagnostic>> {
-        let mut graph = element.graph.clone();
-        let mut at = Evaluation { graph: &mut graph, coordinates: element.coordinates };
-        let modes = element.enhanced.as_ref().map_or(&[][..], |enhanced| &enhanced.modes);
-        let centre = element.cell.centre().map(|x| at.graph.number(x));
-        let centre_slopes = at.slopes(&element.shape, &centre)?;
+    /// A function that has no value at a point or at the centre.
+    pub fn new(
+        cell: Cell,
+        shape: &[Function],
+        modes: &[Function],
+        rule: &Quadrature,
+    ) -> Result<Self, Box<Diagnostic>> {
         let mut table = Table {
-            weights: Vec::new(),
+            weights: rule.points.iter().map(|point| rule.field.to_f64(&point.weight)).collect(),
             values: Vec::new(),
             slopes: Vec::new(),
             mode_slopes: Vec::new(),
-            centre_slopes,
+            centre_slopes: Vec::new(),
+            products: Products { rows: Vec::new(), places: Vec::new() },
         };
-        for point in &element.rule(form).points {
-            let weight = exact::to_f64(at.graph, point.weight);
-            table.weights.push(weight.unwrap_or(f64::NAN));
-            let values: Result<_, _> = (element.shape.iter())
-                .map(|function| at.number(function.value, function, &point.at))
-                .collect();
-            table.values.push(values?);
-            table.slopes.push(at.slopes(&element.shape, &point.at)?);
-            table.mode_slopes.push(at.slopes(modes, &point.at)?);
+        let centre = cell.centre();
+        for function in shape {
+            let slopes = function.slopes.each_ref().map(|slope| slope.at(cell, &centre));
+            let [Some(xi), Some(eta), Some(zeta)] = slopes else {
+                return Err(without_value(function, "the centre of the cell"));
+            };
+            table.centre_slopes.push([xi, eta, zeta].map(|slope| nearest(&slope)));
         }
+        let mut exact = Vec::with_capacity(rule.points.len());
+        for point in &rule.points {
+            let powers = Powers::new(cell, rule, point, shape.iter().chain(modes));
+            let values: Result<Vec<BigInt>, _> = (shape.iter())
+                .map(|function| powers.value(&function.polynomial, function, rule, point))
+                .collect();
+            let values = values?;
+            table.values.push(values.iter().map(algebraic::rounded).collect());
+            let slopes = |functions: &[Function]| -> Result<Vec<[f64; 3]>, Box<Diagnostic>> {
+                let of = |function: &Function| {
+                    let slope = |axis: usize| -> Result<f64, Box<Diagnostic>> {
+                        let slope = powers.value(&function.slopes[axis], function, rule, point)?;
+                        Ok(algebraic::rounded(&slope))
+                    };
+                    Ok([slope(0)?, slope(1)?, slope(2)?])
+                };
+                functions.iter().map(of).collect()
+            };
+            table.slopes.push(slopes(shape)?);
+            table.mode_slopes.push(slopes(modes)?);
+            exact.push((rule.field.fixed(&point.weight), values));
+        }
+        table.products = Products::new(&exact);
         Ok(table)
     }
 }
 
 impl Products {
-    /// The products for a rule.
-    ///
-    /// # Errors
-    /// A shape function that has no exact value at a point.
-    pub fn new(element: &ElementSpec, rule: &Quadrature) -> Result<Self, Box<Diagnostic>> {
-        let mut graph = element.graph.clone();
-        let mut at = Evaluation { graph: &mut graph, coordinates: element.coordinates };
-        let mut values: Vec<Vec<Id>> = Vec::with_capacity(rule.points.len());
-        for point in &rule.points {
-            let row = element.shape.iter().map(|f| at.exact(f.value, f, &point.at));
-            values.push(row.collect::<Result<_, _>>()?);
-        }
+    /// For every point its weight and the values of the shape functions.
+    fn new(points: &[(BigInt, Vec<BigInt>)]) -> Self {
+        let nodes = points.first().map_or(0, |(_, values)| values.len());
         let mut products = Products { rows: Vec::new(), places: Vec::new() };
-        let mut known: BTreeMap<Vec<Id>, usize> = BTreeMap::new();
-        for a in 0..element.nodes.len() {
-            for b in a..element.nodes.len() {
-                let mut row = Vec::with_capacity(rule.points.len());
-                for (point, values) in rule.points.iter().zip(&values) {
-                    let product = [point.weight, values[a], values[b]];
-                    let factors = product.map(|factor| (factor, Rational::from_integer(1.into())));
-                    let product = graph.product(&factors);
-                    row.push(normal::expand(&mut graph, product));
-                }
-                let place = *known.entry(row.clone()).or_insert_with(|| {
-                    let numbers = row.iter().map(|id| exact::to_f64(&graph, *id));
-                    products.rows.push(numbers.map(|x| x.unwrap_or(f64::NAN)).collect());
+        let mut known: BTreeMap<Vec<u64>, usize> = BTreeMap::new();
+        let weighted: Vec<Vec<BigInt>> = (points.iter())
+            .map(|(weight, values)| values.iter().map(|n| algebraic::product(weight, n)).collect())
+            .collect();
+        for a in 0..nodes {
+            for b in a..nodes {
+                let product = |((_, values), weighted): (&(BigInt, Vec<BigInt>), &Vec<BigInt>)| {
+                    algebraic::rounded(&algebraic::product(&weighted[a], &values[b]))
+                };
+                let row: Vec<f64> = points.iter().zip(&weighted).map(product).collect();
+                let bits = row.iter().map(|value| value.to_bits()).collect();
+                let place = *known.entry(bits).or_insert_with(|| {
+                    products.rows.push(row);
                     products.rows.len() - 1
                 });
                 products.places.push(place);
             }
         }
-        Ok(products)
+        products
     }
 }
 
-struct Evaluation<'g> {
-    graph: &'g mut Graph,
-    coordinates: [Id; 3],
+/// The powers of a point's coordinates that functions need, as fixed-point numbers.
+struct Powers {
+    of: BTreeMap<Exponents, BigInt>,
 }
 
-impl Evaluation<'_> {
-    fn exact(&mut self, id: Id, of: &Function, at: &[Id; 3]) -> Result<Id, Box<Diagnostic>> {
-        let by: BTreeMap<Id, Id> = self.coordinates.into_iter().zip(*at).collect();
-        let value = self.graph.substitute(id, &by);
-        let value = normal::expand(self.graph, value);
-        if exact::approximate(self.graph, value).is_some() {
-            return Ok(value);
+impl Powers {
+    fn new<'f>(
+        cell: Cell,
+        rule: &Quadrature,
+        point: &Point,
+        functions: impl Iterator<Item = &'f Function>,
+    ) -> Self {
+        let polynomials = functions.flat_map(|f| std::iter::once(&f.polynomial).chain(&f.slopes));
+        let used: BTreeSet<Exponents> = polynomials
+            .flat_map(|polynomial| polynomial.terms().map(|(powers, _)| *powers))
+            .collect();
+        let variables: [Algebraic; 3] =
+            std::array::from_fn(|axis| variable(cell, axis, &point.at[axis]));
+        let mut known: BTreeMap<(usize, i32), Option<BigInt>> = BTreeMap::new();
+        let mut power = |axis: usize, exponent: i32| {
+            let power = || {
+                let power = rule.field.power(&variables[axis], exponent)?;
+                Some(rule.field.fixed(&power))
+            };
+            known.entry((axis, exponent)).or_insert_with(power).clone()
+        };
+        let mut of = BTreeMap::new();
+        for exponents in used {
+            let [xi, eta, zeta] = [0, 1, 2].map(|axis| power(axis, exponents[axis]));
+            let (Some(xi), Some(eta), Some(zeta)) = (xi, eta, zeta) else { continue };
+            of.insert(exponents, algebraic::product(&algebraic::product(&xi, &eta), &zeta));
         }
-        let at = at.map(|x| exact::display(self.graph, x)).join(", ");
-        let message = format!("this function has no exact value at the point ({at})");
-        Err(Box::new(of.text.error_here(Code::SHAPE_FUNCTION, message)))
+        Powers { of }
     }
 
-    fn number(&mut self, id: Id, of: &Function, at: &[Id; 3]) -> Result<f64, Box<Diagnostic>> {
-        let value = self.exact(id, of, at)?;
-        Ok(exact::to_f64(self.graph, value).unwrap_or(f64::NAN))
+    fn value(
+        &self,
+        polynomial: &Polynomial,
+        function: &Function,
+        rule: &Quadrature,
+        point: &Point,
+    ) -> Result<BigInt, Box<Diagnostic>> {
+        let mut sum = BigInt::zero();
+        for (exponents, c) in polynomial.terms() {
+            let Some(power) = self.of.get(exponents) else {
+                let at = point.at.each_ref().map(|x| rule.field.display(x)).join(", ");
+                return Err(without_value(function, &format!("the point ({at})")));
+            };
+            sum += power * c.numer() / c.denom();
+        }
+        Ok(sum)
     }
+}
 
-    fn slopes(
-        &mut self,
-        functions: &[Function],
-        at: &[Id; 3],
-    ) -> Result<Vec<[f64; 3]>, Box<Diagnostic>> {
-        let slopes = functions.iter().map(|function| {
-            let [xi, eta, zeta] = function.gradient.map(|slope| self.number(slope, function, at));
-            Ok([xi?, eta?, zeta?])
-        });
-        slopes.collect()
-    }
+fn without_value(function: &Function, place: &str) -> Box<Diagnostic> {
+    let message = format!("this function or its gradient has no value at {place}");
+    Box::new(function.text.error_here(Code::SHAPE_FUNCTION, message))
 }

@@ -11,7 +11,7 @@ use super::facts::unscheduled;
 use super::program::{PAIR, Pairs, point_program};
 use super::table::{Tables, count, names, row, slopes};
 use crate::diagnostic::Diagnostics;
-use crate::element::{Products, Table};
+use crate::element::Table;
 use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::form::Structure;
 use crate::spec::element::{ElementSpec, ModeJacobian};
@@ -104,9 +104,9 @@ impl CellForm<'_> {
         )
     }
 
-    fn table(&self, tables: &mut Tables) -> Result<Table, Diagnostics> {
+    fn table(&self, tables: &mut Tables) -> &Table {
         let form = &self.form.name;
-        let table = Table::new(self.element, form).map_err(|error| Diagnostics::from(*error))?;
+        let table = self.element.table(form);
         let (points, nodes) = (count(table.weights.len()), count(self.element.nodes.len()));
         let rows = table.slopes.iter().map(|rows| slopes(rows));
         tables.add(
@@ -115,7 +115,7 @@ impl CellForm<'_> {
             quote!([[[f64; 3]; #nodes]; #points]),
             quote!([#(#rows),*]),
         );
-        Ok(table)
+        table
     }
 
     /// Only N_a N_b occurs, whose products at the points are constants: Σ_q det J w N_a N_b, of which few
@@ -126,9 +126,8 @@ impl CellForm<'_> {
         tables: &mut Tables,
     ) -> Result<(TokenStream, String), Diagnostics> {
         let form = &self.form.name;
-        let points = self.table(tables)?.weights.len();
-        let products = Products::new(self.element, self.element.rule(form))
-            .map_err(|error| Diagnostics::from(*error))?;
+        let table = self.table(tables);
+        let (points, products) = (table.weights.len(), &table.products);
         let (rows, places) = (products.rows.len(), products.places.len());
         let (products_name, places_name) =
             (tables.named("PRODUCTS", form), tables.named("PLACES", form));
@@ -195,7 +194,7 @@ impl CellForm<'_> {
         tables: &mut Tables,
     ) -> Result<(TokenStream, String), Diagnostics> {
         let form = &self.form.name;
-        let table = self.table(tables)?;
+        let table = self.table(tables);
         let enhanced = self.element.enhanced_in(form);
         let nodes = self.element.nodes.len();
         let modes = enhanced.map_or(0, |enhanced| enhanced.modes.len());
@@ -211,7 +210,7 @@ impl CellForm<'_> {
         );
         let used: BTreeSet<usize> = pairs.moments.iter().flat_map(|(a, b)| [*a, *b]).collect();
         let with_values = used.contains(&0);
-        let fill = self.fill(tables, &table, with_values)?;
+        let fill = self.fill(tables, table, with_values)?;
         let once = pairs.once();
         let sums = self.sums(pairs, &used);
         let (total_count, size) = (count(total), count(3 * total));

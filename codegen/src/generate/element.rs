@@ -9,6 +9,7 @@ use super::cell::CellForm;
 use super::facts::{About, variable};
 use super::table::Tables;
 use crate::diagnostic::{Code, Diagnostics};
+use crate::element::demand;
 use crate::emit::{documented, identifier, number};
 use crate::form::Structure;
 use crate::spec::element::ElementSpec;
@@ -23,6 +24,7 @@ pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel
     let mut entries = Vec::new();
     for spec in specs {
         for form in &spec.forms {
+            demand::prove(element, &form.name, &form.products())?;
             let cell = CellForm { element, spec, form };
             functions.extend(cell.functions(&mut tables)?);
             entries.push(entry(&cell));

@@ -10,9 +10,13 @@
 //! nodes = [[-1, -1, -1], …]  # exact: whole numbers, decimals, or formulas such as '1/3'
 //! shape = '(1 + xi_a*xi)*(1 + eta_a*eta)*(1 + zeta_a*zeta)/8'   # or a list, one a node
 //!
+//! complete = 1               # degree of the polynomials that the functions reproduce; 1 if left out
+//!
 //! [quadrature]
 //! rule = ["gauss(2)", "gauss(2)", "gauss(2)"]   # or points = [['xi', 'eta', 'zeta', 'weight'], …]
 //! degree = 3                                    # of the monomials integrated exactly
+//! reduced = false                               # true: fewer points than the form's products need
+//! patch_test = "any"                            # "affine": only affine images of the cell must pass
 //! [quadrature.forms.mass]                       # where a form wants another rule
 //!
 //! [enhanced]                                    # incompatible modes
@@ -34,7 +38,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostics, Located, Source};
-use crate::element::{Cell, Quadrature, prove};
+use crate::element::{Cell, Polynomial, Quadrature, Table, prove};
 use crate::expression::{Graph, Id, Rational};
 
 /// An element, ready to be emitted: see the module for the file.
@@ -58,12 +62,16 @@ pub struct ElementSpec {
     pub nodes: Vec<ReferenceNode>,
     /// One shape function a node.
     pub shape: Vec<Function>,
+    /// Degree up to which the shape functions reproduce polynomials.
+    pub complete: u32,
     /// Modes of the cell's own.
     pub enhanced: Option<Enhanced>,
     /// The rule of every form that has none of its own.
     pub quadrature: Quadrature,
     /// Rules of single forms.
     pub quadrature_of: BTreeMap<String, Quadrature>,
+    /// What functions and rules give together: of the common rule, and of those of single forms.
+    tables: (Table, BTreeMap<String, Table>),
     /// Element types of Abaqus and CalculiX.
     pub abaqus: Vec<Located>,
     /// Node of this element, from 0, at each place of an Abaqus line.
@@ -90,6 +98,10 @@ pub struct Function {
     pub value: Id,
     /// ∂/∂ξ, ∂/∂η, ∂/∂ζ.
     pub gradient: [Id; 3],
+    /// The value multiplied out.
+    pub polynomial: Polynomial,
+    /// The gradient multiplied out.
+    pub slopes: [Polynomial; 3],
     /// The formula.
     pub text: Located,
 }
@@ -130,8 +142,8 @@ impl ElementSpec {
     /// Everything wrong with the file, each with its place; every proof that fails, with the node, point
     /// or mode and the numbers.
     pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
-        let mut element = Self::read_unproved(file)?;
-        prove(&mut element)?;
+        let element = Self::read_unproved(file)?;
+        prove(&element)?;
         Ok(element)
     }
 
@@ -146,6 +158,12 @@ impl ElementSpec {
     /// The rule with which a form is integrated.
     pub fn rule(&self, form: &str) -> &Quadrature {
         self.quadrature_of.get(form).unwrap_or(&self.quadrature)
+    }
+
+    /// Weights and functions at the points of that rule.
+    pub fn table(&self, form: &str) -> &Table {
+        let (common, single) = &self.tables;
+        single.get(form).unwrap_or(common)
     }
 
     /// The enhanced modes, if they take part in a form.

@@ -24,12 +24,13 @@
 //! `grad`, `eps` (the symmetric part of `grad`), `trace`, `transpose`, `inner` of matrices and `dot` of
 //! vectors.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use num_traits::One;
 
 use crate::diagnostic::{Code, Diagnostics, Located, Source};
+use crate::element::demand::Part;
 use crate::expression::{Graph, Id, Rational, Shape};
 use crate::form::{Bilinear, Names, Structure, expand, structure};
 use crate::formula::{self, Meaning, dimension, lower, parse};
@@ -94,6 +95,14 @@ pub struct Form {
     pub bilinear: Bilinear,
     /// What was found in them.
     pub structure: Structure,
+}
+
+impl Form {
+    /// The parts of test and trial function that are multiplied.
+    pub fn products(&self) -> BTreeSet<(Part, Part)> {
+        let part = |place: usize| if place == 0 { Part::Value } else { Part::Gradient };
+        self.bilinear.keys().map(|place| (part(place.test), part(place.trial))).collect()
+    }
 }
 
 impl FormSpec {

@@ -11,7 +11,7 @@ use super::{direct, property};
 
 const TETRAHEDRON: &str = r#"
 kind = "element"
-name = "tet4"
+name = "dropped-tet"
 title = "Linear tetrahedron, 4 nodes"
 source = "Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., sec. 6.2"
 cell = "tetrahedron"
@@ -26,14 +26,14 @@ rule = ["tetrahedron(1)"]
 degree = 1
 
 [abaqus]
-types = ["C3D4"]
+types = ["TET4"]
 [vtk]
 type = 10
 "#;
 
 const MAIN: &str = r#"
 fn main() {
-    let element = dropped::ELEMENTS.iter().find(|e| e.abaqus.contains(&"C3D4")).unwrap();
+    let element = dropped::ELEMENTS.iter().find(|e| e.abaqus.contains(&"TET4")).unwrap();
     let nodes = NODES;
     for (form, material) in [("stiffness", &[200e9, 0.3][..]), ("mass", &[7860.0][..])] {
         let kernel = element.form(form).unwrap();
@@ -50,7 +50,8 @@ const NODES: [[f64; 3]; 4] = [[0.1, 0.0, 0.0], [1.2, 0.1, -0.1], [0.2, 0.9, 0.1]
 
 /// Every spec file of the crate of the specs, and the tetrahedron.
 fn spec_files(specs: &Path) -> Vec<SpecFile> {
-    let mut files = vec![SpecFile { path: "elements/tet4.toml".into(), text: TETRAHEDRON.into() }];
+    let mut files =
+        vec![SpecFile { path: "elements/dropped-tet.toml".into(), text: TETRAHEDRON.into() }];
     for folder in ["elements", "forms", "laws", "motion"] {
         for entry in fs::read_dir(specs.join(folder)).expect("a folder of specs") {
             let path = entry.expect("a readable folder").path();

@@ -8,7 +8,9 @@ use num_traits::{One, ToPrimitive};
 
 use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode};
 use crate::diagnostic::{Code, Diagnostics, Located, Source, suggest};
-use crate::element::{Cell, Point, Quadrature, quadrature};
+use crate::element::algebraic::{Algebraic, Field};
+use crate::element::quadrature::{self, Factor};
+use crate::element::{self, Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
 use crate::formula::{lower, parse};
 use crate::spec::read::{Document, Item, Table, Value};
@@ -18,6 +20,9 @@ const MOST: usize = 64;
 
 /// Highest degree of a rule that is proved.
 const HIGHEST_DEGREE: usize = 12;
+
+/// Highest degree of completeness.
+const MOST_COMPLETE: usize = 4;
 
 pub(super) fn read(file: &Arc<Source>) -> Result<ElementSpec, Diagnostics> {
     let document = Document::parse(file);
@@ -49,7 +54,11 @@ impl<'d> Reader<'d> {
         }
         let cell = root.word("cell", &Cell::NAMES).and_then(Cell::named);
         let nodes = self.nodes(&root);
-        let shape = nodes.as_deref().and_then(|nodes| self.shape(&root, nodes));
+        let shape = match (nodes.as_deref(), cell) {
+            (Some(nodes), Some(cell)) => self.shape(&root, nodes, cell),
+            _ => None,
+        };
+        let complete = self.complete(&root);
         let quadrature = root.table("quadrature");
         let (rule, rules) = match (&quadrature, cell) {
             (Some(table), Some(cell)) => (self.rule(table, cell), self.rules(table, cell)),
@@ -58,7 +67,9 @@ impl<'d> Reader<'d> {
         if let (Some(table), Some(_)) = (quadrature, cell) {
             table.finish();
         }
-        let enhanced = root.optional_table("enhanced").map(|table| self.enhanced(table));
+        let enhanced = root
+            .optional_table("enhanced")
+            .map(|table| cell.and_then(|cell| self.enhanced(table, cell)));
         let count = nodes.as_ref().map_or(0, Vec::len);
         let abaqus = root.table("abaqus").and_then(|table| self.abaqus(table, count));
         let vtk = root.table("vtk").and_then(|table| self.vtk(table, count));
@@ -71,19 +82,30 @@ impl<'d> Reader<'d> {
             Some(enhanced) => Some(enhanced?),
             None => None,
         };
+        let (cell, shape, rule) = (cell?, shape?, rule?);
+        let modes = enhanced.as_ref().map_or(&[][..], |enhanced: &Enhanced| &enhanced.modes);
+        let table = |rule: &Quadrature| {
+            let table = element::Table::new(cell, &shape, modes, rule);
+            table.map_err(|error| document.push(*error)).ok()
+        };
+        let single: Option<BTreeMap<String, element::Table>> =
+            rules.iter().map(|(form, rule)| Some((form.clone(), table(rule)?))).collect();
+        let tables = (table(&rule)?, single?);
         Some(ElementSpec {
             name: name?.text().to_owned(),
             title: title?.text().to_owned(),
             reference: reference?.text().to_owned(),
             file: file.clone(),
-            cell: cell?,
+            cell,
             graph: std::mem::take(&mut self.graph),
             coordinates: self.coordinates,
             nodes: nodes?,
-            shape: shape?,
+            shape,
+            complete: complete?,
             enhanced,
-            quadrature: rule?,
+            quadrature: rule,
             quadrature_of: rules,
+            tables,
             abaqus,
             abaqus_order,
             vtk,
@@ -185,8 +207,27 @@ impl<'d> Reader<'d> {
         names.into_iter().zip(self.coordinates).collect()
     }
 
-    fn function(&mut self, text: &Located, names: &BTreeMap<String, Id>) -> Option<Function> {
+    fn function(
+        &mut self,
+        text: &Located,
+        names: &BTreeMap<String, Id>,
+        cell: Cell,
+    ) -> Option<Function> {
         let value = self.formula(text, names)?;
+        let polynomial = Polynomial::read(&self.graph, value, &self.coordinates, cell);
+        let Some(polynomial) = polynomial else {
+            let divided = match cell {
+                Cell::Pyramid => ", divided by powers of 1 - zeta if need be",
+                _ => "",
+            };
+            let message = format!(
+                "expected a polynomial in xi, eta and zeta of moderate size with rational \
+                 coefficients{divided}"
+            );
+            self.document.push(text.error_here(Code::SHAPE_FUNCTION, message));
+            return None;
+        };
+        let slopes = [0, 1, 2].map(|axis| polynomial.slope(cell, axis));
         let mut gradient = [value; 3];
         for (slope, coordinate) in gradient.iter_mut().zip(self.coordinates) {
             match self.graph.differentiate(value, coordinate) {
@@ -197,10 +238,26 @@ impl<'d> Reader<'d> {
                 }
             }
         }
-        Some(Function { value, gradient, text: text.clone() })
+        Some(Function { value, gradient, polynomial, slopes, text: text.clone() })
     }
 
-    fn shape(&mut self, root: &Table<'_>, nodes: &[ReferenceNode]) -> Option<Vec<Function>> {
+    fn complete(&self, root: &Table<'_>) -> Option<u32> {
+        let complete = root.optional_count("complete").unwrap_or(1);
+        if complete > MOST_COMPLETE {
+            let span = root.value("complete").map_or(root.span(), |value| value.span());
+            let message = format!("completeness is proved up to degree {MOST_COMPLETE}");
+            self.error(Code::BAD_VALUE, span, message);
+            return None;
+        }
+        complete.to_u32()
+    }
+
+    fn shape(
+        &mut self,
+        root: &Table<'_>,
+        nodes: &[ReferenceNode],
+        cell: Cell,
+    ) -> Option<Vec<Function>> {
         let texts = match root.value("shape") {
             Some(Value::String(text)) => vec![text; nodes.len()],
             Some(Value::Array(items, span)) => {
@@ -225,7 +282,7 @@ impl<'d> Reader<'d> {
                 names.insert((*name).to_owned(), self.graph.number(at.clone()));
             }
             // A formula for all nodes that is wrong is reported once.
-            functions.push(self.function(text, &names)?);
+            functions.push(self.function(text, &names, cell)?);
         }
         Some(functions)
     }
@@ -251,28 +308,47 @@ impl<'d> Reader<'d> {
             return None;
         }
         let degree = degree.and_then(|degree| degree.to_u32());
-        let (title, points, place) = if table.has("points") {
+        let reduced = table.optional_boolean("reduced").unwrap_or(false);
+        let affine = table.optional_word("patch_test", &["any", "affine"]) == Some("affine");
+        let mut field = Field::default();
+        let (title, factors, place) = if table.has("points") {
             let items = self.bounded(table, "points", table.items("points")?)?;
             let place = table.value("points")?.span();
-            (format!("{} points", items.len()), self.points(&items)?, place)
+            let points = self.points(&items, &mut field)?;
+            (format!("{} points", items.len()), vec![Factor { axes: 0..3, points }], place)
         } else {
             let place = table.value("rule").map_or(table.span(), |value| value.span());
             let names = self.texts(&table.items("rule")?, "a rule such as \"gauss(2)\"")?;
-            let points = self.product(&names, cell, place.clone())?;
+            let factors = self.product(&names, cell, place.clone(), &mut field)?;
             let names: Vec<&str> = names.iter().map(Located::text).collect();
-            (names.join(" × "), points, place)
+            (names.join(" × "), factors, place)
         };
-        Some(Quadrature { title, points, degree: degree?, place })
+        let mut rule = Quadrature::new(title, field, factors, degree?, place)?;
+        (rule.reduced, rule.affine) = (reduced, affine);
+        Some(rule)
     }
 
-    fn points(&mut self, items: &[Item<'_>]) -> Option<Vec<Point>> {
+    fn points(
+        &mut self,
+        items: &[Item<'_>],
+        field: &mut Field,
+    ) -> Option<Vec<(Vec<Algebraic>, Algebraic)>> {
         let mut points = Vec::with_capacity(items.len());
         for item in items {
             let values = self.array(item, 4, "three coordinates and a weight")?;
-            let numbers: Option<Vec<Id>> =
-                values.iter().map(|value| self.constant(value)).collect();
-            let [xi, eta, zeta, weight] = numbers?.try_into().ok()?;
-            points.push(Point { at: [xi, eta, zeta], weight });
+            let mut numbers = Vec::with_capacity(4);
+            for value in &values {
+                let id = self.constant(value)?;
+                let number = field.read(&self.graph, id);
+                if number.is_none() {
+                    let message =
+                        "expected a number made of rational numbers and a few square roots";
+                    self.error(Code::QUADRATURE, value.span(), message.to_owned());
+                }
+                numbers.push(number?);
+            }
+            let weight = numbers.pop()?;
+            points.push((numbers, weight));
         }
         Some(points)
     }
@@ -282,7 +358,8 @@ impl<'d> Reader<'d> {
         names: &[Located],
         cell: Cell,
         place: Range<usize>,
-    ) -> Option<Vec<Point>> {
+        field: &mut Field,
+    ) -> Option<Vec<Factor>> {
         let known = quadrature::names();
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
         let mut families = Vec::new();
@@ -302,15 +379,12 @@ impl<'d> Reader<'d> {
         if families != cell.families() {
             let wanted: Vec<String> =
                 cell.families().iter().map(|f| format!("\"{f}(…)\"")).collect();
-            let message = match wanted.is_empty() {
-                true => format!("a {} has no product rule; give its `points`", cell.name()),
-                false => format!("the rule of a {} is [{}]", cell.name(), wanted.join(", ")),
-            };
+            let message = format!("the rule of a {} is [{}]", cell.name(), wanted.join(", "));
             self.error(Code::QUADRATURE, place, message);
             return None;
         }
         let names: Vec<&str> = names.iter().map(Located::text).collect();
-        quadrature::product(&mut self.graph, &names)
+        quadrature::factors(field, &names)
     }
 
     fn rules(&mut self, table: &Table<'_>, cell: Cell) -> BTreeMap<String, Quadrature> {
@@ -327,13 +401,13 @@ impl<'d> Reader<'d> {
         rules
     }
 
-    fn enhanced(&mut self, table: Table<'_>) -> Option<Enhanced> {
+    fn enhanced(&mut self, table: Table<'_>, cell: Cell) -> Option<Enhanced> {
         let forms = table.items("forms").and_then(|items| self.texts(&items, "a form's name"));
         let modes = table.items("modes").and_then(|items| self.bounded(&table, "modes", items));
         let modes = modes.and_then(|items| self.texts(&items, "a formula"));
         let names = self.names();
-        let modes: Option<Vec<Function>> =
-            modes.and_then(|texts| texts.iter().map(|text| self.function(text, &names)).collect());
+        let modes: Option<Vec<Function>> = modes
+            .and_then(|texts| texts.iter().map(|text| self.function(text, &names, cell)).collect());
         let jacobian = match table.word("jacobian", &["centre", "point"]) {
             Some("centre") => Some(ModeJacobian::Centre),
             Some(_) => Some(ModeJacobian::Point),

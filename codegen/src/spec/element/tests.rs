@@ -1,6 +1,9 @@
 //! The shipped elements are proved; each proof fails where it should, and says where.
 
+use std::collections::BTreeSet;
+
 use super::*;
+use crate::element::demand::{self, Part};
 
 const HEX8I: &str = include_str!("../../../../specs/elements/hex8i.toml");
 const WEDGE6: &str = include_str!("../../../../specs/elements/wedge6.toml");
@@ -208,12 +211,127 @@ fn quadratic_elements_are_proved() {
     }
     let rule = "rule = [\"tetrahedron(4)\"]\ndegree = 2";
     assert_eq!(read(&file("tetrahedron", &nodes, &shape, rule)).unwrap().nodes.len(), 10);
+}
 
-    // Linear tetrahedron: one point for the stiffness, four for the mass.
-    let rules = "rule = [\"tetrahedron(1)\"]\ndegree = 1\n[quadrature.forms.mass]\n\
-                 rule = [\"tetrahedron(4)\"]\ndegree = 2";
-    let linear = file("tetrahedron", &corners, &l.map(str::to_owned), rules);
-    let element = read(&linear).unwrap();
-    assert_eq!(element.rule("stiffness").points.len(), 1);
-    assert_eq!(element.rule("mass").points.len(), 4);
+/// Names and texts of the shipped files.
+fn shipped() -> Vec<(String, String)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/elements");
+    let entries = std::fs::read_dir(folder).expect("the shipped elements");
+    let mut files: Vec<(String, String)> = entries
+        .map(|entry| {
+            let path = entry.expect("an entry").path();
+            let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            (name, std::fs::read_to_string(path).expect("a text"))
+        })
+        .collect();
+    files.sort();
+    assert!(files.len() >= 8, "{}", files.len());
+    files
+}
+
+/// What gradients and functions of an element ask of its rules.
+fn demanded(text: &str) -> Result<(), Vec<String>> {
+    let element = read(text)?;
+    for (form, part) in [("stiffness", Part::Gradient), ("mass", Part::Value)] {
+        demand::prove(&element, form, &BTreeSet::from([(part, part)]))
+            .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+    }
+    Ok(())
+}
+
+#[test]
+fn every_shipped_element_is_proved_with_its_rules() {
+    for (name, text) in shipped() {
+        assert_eq!(demanded(&text), Ok(()), "{name}");
+    }
+}
+
+/// A function that vanishes at every node of any shipped element of the cell.
+fn bubble(cell: Cell) -> &'static str {
+    match cell {
+        Cell::Hexahedron => "(1 - xi^2)*(1 - eta^2)*(1 - zeta^2)",
+        Cell::Wedge => "xi*eta*(1 - xi - eta)*(1 - zeta^2)",
+        Cell::Tetrahedron => "xi*eta*zeta*(1 - xi - eta - zeta)",
+        Cell::Pyramid => "zeta*(1 - zeta)^3",
+    }
+}
+
+#[test]
+fn a_slip_in_any_shape_function_names_its_node() {
+    for (name, text) in shipped() {
+        let element = read(&text).unwrap();
+        for (place, function) in element.shape.iter().enumerate() {
+            let node = place + 1;
+            let formula = function.text.text();
+            let quoted = format!("'{formula}'");
+            if text.matches(&quoted).count() != 1 || text.contains("xi_a") {
+                continue;
+            }
+            let slipped = |term: &str| changed(&text, &quoted, &format!("'{formula} + {term}'"));
+            let found = slipped("1/1000");
+            let expected = format!("the shape function of node {node} is ");
+            assert!(found.len() == 1 && found[0].contains(&expected), "{name}: {found:?}");
+            let found = slipped(&format!("{}/1000", bubble(element.cell)));
+            let expected = format!(" at node {node})");
+            assert!(found.iter().all(|error| error.ends_with(&expected)), "{name}: {found:?}");
+            assert!(found[0].contains("the shape functions sum to "), "{name}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn completeness_is_what_the_file_claims() {
+    for (name, text) in shipped() {
+        let quadratic = matches!(name.as_str(), "hex20" | "wedge15" | "tet10");
+        assert_eq!(read(&text).unwrap().complete, if quadratic { 2 } else { 1 }, "{name}");
+        let (from, degree) = match quadratic {
+            true => ("complete = 2", 3),
+            false => ("\n[quadrature]\n", 2),
+        };
+        let claim = format!("\ncomplete = {degree}\n");
+        let to = if quadratic { claim } else { claim + from };
+        let found = changed(&text, from, &to);
+        let expected = "the shape functions times ";
+        assert!(found.iter().all(|error| error.contains(expected)), "{name}: {found:?}");
+        assert!(!found.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn rules_that_fall_short_of_a_form_name_the_nodes() {
+    let files: BTreeMap<String, String> = shipped().into_iter().collect();
+    let refused = |name: &str, from: &str, to: &str| -> String {
+        let text = &files[name];
+        assert!(text.contains(from), "{name}: {from}");
+        match demanded(&text.replace(from, to)) {
+            Ok(()) => "fine".to_owned(),
+            Err(errors) => errors.join("\n"),
+        }
+    };
+    let three = "\"gauss(3)\", \"gauss(3)\", \"gauss(3)\"]\ndegree = 5";
+    let two = "\"gauss(2)\", \"gauss(2)\", \"gauss(2)\"]\ndegree = 3";
+    let found = refused("hex20", three, two);
+    assert!(
+        found.contains("which occurs in `stiffness` in the product of the gradient of node "),
+        "{found}"
+    );
+    assert!(found.contains("write `reduced = true`"), "{found}");
+    let found = refused("hex20", three, &format!("{two}\nreduced = true"));
+    assert!(found.contains("in the determinant of the gradients of node "), "{found}");
+    assert!(found.contains("a patch of distorted cells fails under constant strain"), "{found}");
+    let affine = format!("{two}\nreduced = true\npatch_test = \"affine\"");
+    assert_eq!(refused("hex20", three, &affine), "fine");
+    let found = refused("tet10", "patch_test = \"affine\"\n", "");
+    assert!(found.contains("in the determinant of the gradients of node "), "{found}");
+    let found = refused("pyramid5", "\"pyramid(4)\"", "\"pyramid(1)\"");
+    assert!(found.contains("for the integral of "), "{found}");
+}
+
+#[test]
+fn what_is_no_polynomial_is_no_shape_function() {
+    let found = changed(HEX8I, "(1 + xi_a*xi)", "(1 + xi_a*sin(pi*xi/2))");
+    assert_eq!(found.len(), 1);
+    assert!(found[0].contains("expected a polynomial in xi, eta and zeta"), "{found:?}");
+    let found = changed(WEDGE6, "degree = 2", "degree = 2\npatch_tst = \"any\"");
+    assert!(found[0].contains("did you mean `patch_test`?"), "{found:?}");
 }

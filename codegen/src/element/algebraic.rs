@@ -1,0 +1,326 @@
+//! Exact numbers with square roots: a tower of quadratic extensions of the rationals, in which sums over the
+//! points of a rule are exact and cheap.
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use crate::expression::{Graph, Id, Node, Rational};
+
+/// Bits behind the point of an approximation: far more than 53, so that rounding to f64 is nearest.
+const BITS: u32 = 320;
+
+/// Most roots of one field: numbers have up to 2^roots coefficients.
+const ROOTS: usize = 8;
+
+/// Largest prime that is taken out of a square root; a larger square is kept as it is.
+const PRIMES: u32 = 1000;
+
+/// ℚ(r₁)(r₂)…: each rᵢ is the positive square root of a number of the field below it.
+#[derive(Debug, Clone, Default)]
+pub struct Field {
+    squares: Vec<Algebraic>,
+    /// rᵢ·2^BITS.
+    roots: Vec<BigInt>,
+}
+
+/// Σ over sets S of c_S Π_{i ∈ S} rᵢ; a set is a bit mask, no coefficient is zero.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Algebraic(BTreeMap<u32, Rational>);
+
+impl Algebraic {
+    /// A rational number.
+    pub fn rational(value: Rational) -> Self {
+        Algebraic(BTreeMap::from([(0, value)]).into_iter().filter(|(_, c)| !c.is_zero()).collect())
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The number, if it is rational.
+    pub fn as_rational(&self) -> Option<Rational> {
+        match self.0.len() {
+            0 => Some(Rational::zero()),
+            1 => self.0.get(&0).cloned(),
+            _ => None,
+        }
+    }
+
+    /// Adds scale · other.
+    pub fn add(&mut self, other: &Algebraic, scale: &Rational) {
+        for (set, coefficient) in &other.0 {
+            let sum = self.0.entry(*set).or_insert_with(Rational::zero);
+            *sum += coefficient * scale;
+            if sum.is_zero() {
+                self.0.remove(set);
+            }
+        }
+    }
+
+    /// scale · self.
+    pub fn times(&self, scale: &Rational) -> Self {
+        let mut product = Algebraic::default();
+        product.add(self, scale);
+        product
+    }
+
+    /// self − other.
+    pub fn minus(&self, other: &Algebraic) -> Self {
+        let mut difference = self.clone();
+        difference.add(other, &-Rational::one());
+        difference
+    }
+}
+
+impl Field {
+    /// a·b.
+    pub fn multiply(&self, a: &Algebraic, b: &Algebraic) -> Algebraic {
+        let mut product = Algebraic::default();
+        for (left, x) in &a.0 {
+            for (right, y) in &b.0 {
+                let rest = Algebraic(BTreeMap::from([(left ^ right, x * y)]));
+                let common = left & right;
+                let square = |term: Algebraic, place: usize| match common >> place & 1 {
+                    1 => self.multiply(&term, &self.squares[place]),
+                    _ => term,
+                };
+                let term =
+                    if common == 0 { rest } else { (0..self.squares.len()).fold(rest, square) };
+                product.add(&term, &Rational::one());
+            }
+        }
+        product
+    }
+
+    /// aⁿ; `None` of a negative power of zero.
+    pub fn power(&self, a: &Algebraic, exponent: i32) -> Option<Algebraic> {
+        let base = if exponent < 0 { self.inverse(a)? } else { a.clone() };
+        let one = Algebraic::rational(Rational::one());
+        Some((0..exponent.unsigned_abs()).fold(one, |power, _| self.multiply(&power, &base)))
+    }
+
+    /// 1/a: with a = p + q·r, r the last root in it, it is (p − q·r)/(p² − q²r²). `None` of zero.
+    pub fn inverse(&self, a: &Algebraic) -> Option<Algebraic> {
+        if let Some(value) = a.as_rational() {
+            return (!value.is_zero()).then(|| Algebraic::rational(value.recip()));
+        }
+        let last = a.0.keys().max()?.ilog2();
+        let conjugate =
+            a.0.iter().map(|(set, c)| (*set, if set >> last & 1 == 1 { -c } else { c.clone() }));
+        let conjugate = Algebraic(conjugate.collect());
+        let norm = self.multiply(a, &conjugate);
+        Some(self.multiply(&conjugate, &self.inverse(&norm)?))
+    }
+
+    /// √a, in a field that grows where it must; `None` of a negative number, or past [`ROOTS`].
+    pub fn root(&mut self, a: &Algebraic) -> Option<Algebraic> {
+        if a.is_zero() {
+            return Some(Algebraic::default());
+        }
+        if self.fixed(a).is_negative() {
+            return None;
+        }
+        // a = (n/d)·b, where b has whole coefficients without a common divisor.
+        let divisor = |f: fn(&BigInt, &BigInt) -> BigInt, part: fn(&Rational) -> &BigInt| {
+            a.0.values().map(part).fold(None, |common: Option<BigInt>, next| {
+                Some(common.map_or(next.abs(), |common| f(&common, next)))
+            })
+        };
+        let numerator = divisor(gcd, Rational::numer)?;
+        let denominator = divisor(|a, b| a / gcd(a, b) * b, Rational::denom)?;
+        let content = Rational::new(numerator.clone(), denominator.clone());
+        let mut root = self.root_of_whole(numerator * &denominator)?;
+        root = root.times(&Rational::new(BigInt::one(), denominator));
+        if a.as_rational().is_none() {
+            let adjoined = self.adjoin(a.times(&content.recip()))?;
+            root = self.multiply(&root, &adjoined);
+        }
+        Some(root)
+    }
+
+    /// √n by the roots of its primes, which are independent of each other.
+    fn root_of_whole(&mut self, mut n: BigInt) -> Option<Algebraic> {
+        let mut root = Algebraic::rational(Rational::one());
+        let whole = |n: BigInt| Algebraic::rational(Rational::from_integer(n));
+        let mut prime = 2;
+        while prime < PRIMES && BigInt::from(prime * prime) <= n {
+            let p = BigInt::from(prime);
+            while (&n % (&p * &p)).is_zero() {
+                n /= &p * &p;
+                root = root.times(&Rational::from_integer(p.clone()));
+            }
+            if (&n % &p).is_zero() {
+                n /= &p;
+                let factor = self.adjoin(whole(p))?;
+                root = self.multiply(&root, &factor);
+            }
+            prime += 1;
+        }
+        let exact = n.sqrt();
+        let rest = if &exact * &exact == n { whole(exact) } else { self.adjoin(whole(n))? };
+        Some(self.multiply(&root, &rest))
+    }
+
+    /// The root of this square, which is in the field already or is added to it.
+    fn adjoin(&mut self, square: Algebraic) -> Option<Algebraic> {
+        let known = self.squares.iter().position(|known| *known == square);
+        let place = match known {
+            Some(place) => place,
+            None if self.squares.len() == ROOTS => return None,
+            None => {
+                self.roots.push((self.fixed(&square) << BITS).sqrt());
+                self.squares.push(square);
+                self.squares.len() - 1
+            }
+        };
+        Some(Algebraic(BTreeMap::from([(1 << place, Rational::one())])))
+    }
+
+    /// A number of a graph; `None` if it is none, or not made by square roots.
+    pub fn read(&mut self, graph: &Graph, id: Id) -> Option<Algebraic> {
+        match graph.node(id) {
+            Node::Number(value) => Some(Algebraic::rational(value.clone())),
+            Node::Sum(terms) => {
+                let mut sum = Algebraic::default();
+                for (term, coefficient) in terms {
+                    sum.add(&self.read(graph, *term)?, coefficient);
+                }
+                Some(sum)
+            }
+            Node::Product(factors) => {
+                let mut product = Algebraic::rational(Rational::one());
+                for (base, exponent) in factors {
+                    let mut base = self.read(graph, *base)?;
+                    let mut exponent = exponent.clone();
+                    if !exponent.is_integer() {
+                        base = self.root(&base)?;
+                        exponent *= Rational::from_integer(2.into());
+                    }
+                    let whole = exponent.is_integer().then(|| exponent.to_integer().to_i32())??;
+                    if whole.abs() > 64 {
+                        return None;
+                    }
+                    product = self.multiply(&product, &self.power(&base, whole)?);
+                }
+                Some(product)
+            }
+            _ => None,
+        }
+    }
+
+    /// The number times 2^BITS, with an error of a few units.
+    pub fn fixed(&self, a: &Algebraic) -> BigInt {
+        let mut sum = BigInt::zero();
+        for (set, coefficient) in &a.0 {
+            let mut term = (coefficient.numer() << BITS) / coefficient.denom();
+            for (place, root) in self.roots.iter().enumerate() {
+                if set >> place & 1 == 1 {
+                    term = term * root >> BITS;
+                }
+            }
+            sum += term;
+        }
+        sum
+    }
+
+    /// The nearest f64.
+    pub fn to_f64(&self, a: &Algebraic) -> f64 {
+        rounded(&self.fixed(a))
+    }
+
+    /// The number as people write it: `3/8`, else six digits.
+    pub fn display(&self, a: &Algebraic) -> String {
+        match a.as_rational() {
+            Some(value) if value.denom().bits() + value.numer().bits() < 40 => value.to_string(),
+            _ => format!("{:.6}", self.to_f64(a)),
+        }
+    }
+}
+
+fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
+    let (mut a, mut b) = (a.abs(), b.abs());
+    while !b.is_zero() {
+        (a, b) = (b.clone(), a % b);
+    }
+    a
+}
+
+/// The product of two numbers times 2^BITS.
+pub(super) fn product(a: &BigInt, b: &BigInt) -> BigInt {
+    a * b >> BITS
+}
+
+/// The f64 nearest to a number times 2^BITS whose error is far below one part in 2^64. What is smaller than
+/// 2^−200 is zero: numbers with the few roots and small numerators of a rule are not that small otherwise.
+pub(super) fn rounded(fixed: &BigInt) -> f64 {
+    let bits = u32::try_from(fixed.bits()).unwrap_or(u32::MAX);
+    if bits < BITS - 200 {
+        return 0.0;
+    }
+    // 64 leading bits, the last of which tells whether anything follows.
+    let (shift, magnitude) = (bits.saturating_sub(64), fixed.magnitude());
+    let leading = magnitude >> shift;
+    let follows = &leading << shift != *magnitude;
+    let leading = leading.to_u64().unwrap_or(u64::MAX) | u64::from(follows);
+    let value = libm::scalbn(leading as f64, shift as i32 - BITS as i32);
+    if fixed.is_negative() { -value } else { value }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+    use crate::diagnostic::Located;
+    use crate::formula::{lower, parse};
+
+    fn read(field: &mut Field, text: &str) -> Algebraic {
+        let mut graph = Graph::new();
+        let formula = parse(&Located::alone("test", text)).expect("a formula");
+        let id = lower(&formula, &mut graph, &BTreeMap::new()).expect("a number");
+        field.read(&graph, id).expect("made by square roots")
+    }
+
+    #[test]
+    fn equal_numbers_are_equal_however_written() {
+        for (a, b) in [
+            ("sqrt(2/5)", "sqrt(10)/5"),
+            ("1/sqrt(3)", "sqrt(3)/3"),
+            ("sqrt(12)*sqrt(3)", "6"),
+            ("1/(1 + sqrt(2))", "sqrt(2) - 1"),
+            ("sqrt(3/7 - 2*sqrt(30)/35)*sqrt(35)", "sqrt(15 - 2*sqrt(30))"),
+            ("1/sqrt(15 - 2*sqrt(30))", "sqrt(15 - 2*sqrt(30))*(15 + 2*sqrt(30))/105"),
+        ] {
+            let mut field = Field::default();
+            let (a, b) = (read(&mut field, a), read(&mut field, b));
+            assert!(a.minus(&b).is_zero(), "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn approximations_are_the_nearest_numbers() {
+        let mut field = Field::default();
+        for (text, value) in [
+            ("1/sqrt(3)", 0.577_350_269_189_625_7),
+            ("-sqrt(15)/5", -0.774_596_669_241_483_4),
+            ("1/3", 1.0 / 3.0),
+            ("sqrt(2)*sqrt(3) - sqrt(6)", 0.0),
+            ("1e-12/7", 1.428_571_428_571_428_6e-13),
+            ("1e20/3", 1e20 / 3.0),
+        ] {
+            let number = read(&mut field, text);
+            assert_eq!(field.to_f64(&number), value, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_root_is_refused() {
+        let mut field = Field::default();
+        let minus = Algebraic::rational(-Rational::one());
+        assert_eq!(field.root(&minus), None);
+        assert_eq!(field.inverse(&Algebraic::default()), None);
+    }
+}

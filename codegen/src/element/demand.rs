@@ -1,0 +1,168 @@
+//! What a form asks of a rule: exact integrals where the Jacobian is constant, and consistency by the
+//! algebra of the patch test.
+
+use std::array::from_fn;
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::polynomial::{Exponents, Polynomial};
+use super::quadrature::{Failure, Integrals, Quadrature};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::spec::element::ElementSpec;
+
+/// Which part of a basis function occurs in a product.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// N.
+    Value,
+    /// ∇N.
+    Gradient,
+}
+
+/// Powers of the cell's variables that occur in some functions, each with a function that has it.
+type Powers = BTreeMap<Exponents, String>;
+
+/// Proves that the rule of a form integrates the products in it exactly over cells with a constant Jacobian
+/// (unless the rule is declared `reduced`), and that cells of any shape (or affine ones, where the rule says
+/// so) pass the patch test if gradients are multiplied.
+///
+/// With J = Σ x_b ⊗ ∇N_b, the force of a constant stress on node a is a sum over det(∇N_a, ∇N_b, ∇N_c) times
+/// coordinates: where the rule integrates every monomial of such products exactly, the forces are the exact
+/// integrals over the surface, which cancel between cells.
+///
+/// # Errors
+/// The first integral that fails, with the nodes it comes from.
+pub fn prove(
+    element: &ElementSpec,
+    form: &str,
+    products: &BTreeSet<(Part, Part)>,
+) -> Result<(), Diagnostics> {
+    let rule = element.rule(form);
+    let demand = Demand { element, form, rule };
+    let mut integrals = Integrals::new(rule, element.cell);
+    if !rule.reduced {
+        demand.products(products, &mut integrals)?;
+    }
+    if products.contains(&(Part::Gradient, Part::Gradient)) {
+        demand.patch_test(&mut integrals)?;
+    }
+    Ok(())
+}
+
+struct Demand<'a> {
+    element: &'a ElementSpec,
+    form: &'a str,
+    rule: &'a Quadrature,
+}
+
+impl Demand<'_> {
+    fn powers<'p>(&self, of: impl Fn(usize) -> Vec<&'p Polynomial>) -> Powers {
+        let mut powers = Powers::new();
+        for place in 0..self.element.nodes.len() {
+            for polynomial in of(place) {
+                for (exponents, _) in polynomial.terms() {
+                    powers.entry(*exponents).or_insert_with(|| format!("node {}", place + 1));
+                }
+            }
+        }
+        powers
+    }
+
+    fn products(
+        &self,
+        products: &BTreeSet<(Part, Part)>,
+        integrals: &mut Integrals,
+    ) -> Result<(), Diagnostics> {
+        let shape = &self.element.shape;
+        let values = self.powers(|a| vec![&shape[a].polynomial]);
+        let mut gradients = self.powers(|a| shape[a].slopes.iter().collect());
+        if let Some(enhanced) = self.element.enhanced_in(self.form) {
+            for (m, mode) in enhanced.modes.iter().enumerate() {
+                for (exponents, _) in mode.slopes.iter().flat_map(Polynomial::terms) {
+                    gradients.entry(*exponents).or_insert_with(|| format!("mode {}", m + 1));
+                }
+            }
+        }
+        let of = |part: Part| match part {
+            Part::Value => (&values, "function"),
+            Part::Gradient => (&gradients, "gradient"),
+        };
+        for (test, trial) in products {
+            let ((left, first), (right, second)) = (of(*test), of(*trial));
+            for (powers, [a, b]) in sums([left, right]) {
+                let Err(failure) = integrals.exact(powers) else { continue };
+                let message = format!(
+                    "{}, which occurs in `{}` in the product of the {first} of {a} and the {second} of {b}",
+                    self.says(&failure),
+                    self.form
+                );
+                let error = self.error(Code::QUADRATURE, message);
+                return Err(error
+                    .help("take more points, or write `reduced = true` where less is meant")
+                    .into());
+            }
+        }
+        Ok(())
+    }
+
+    fn patch_test(&self, integrals: &mut Integrals) -> Result<(), Diagnostics> {
+        let shape = &self.element.shape;
+        let slopes: [Powers; 3] = from_fn(|axis| self.powers(|a| vec![&shape[a].slopes[axis]]));
+        for (powers, node) in slopes.iter().flatten() {
+            let Err(failure) = integrals.exact(*powers) else { continue };
+            let message = format!(
+                "{}, which occurs in the gradient of the function of {node}: a patch of cells fails under \
+                 constant strain",
+                self.says(&failure)
+            );
+            return Err(self.error(Code::PATCH_TEST, message).help("take more points").into());
+        }
+        if self.rule.affine {
+            return Ok(());
+        }
+        for (powers, [a, b, c]) in sums(slopes.each_ref()) {
+            let Err(failure) = integrals.exact(powers) else { continue };
+            let message = format!(
+                "{}, which occurs in the determinant of the gradients of {a}, {b} and {c}: a patch of \
+                 distorted cells fails under constant strain",
+                self.says(&failure)
+            );
+            let help = "take more points, or write `patch_test = \"affine\"` if it is enough that affine \
+                        images of the reference cell pass";
+            return Err(self.error(Code::PATCH_TEST, message).help(help).into());
+        }
+        Ok(())
+    }
+
+    fn says(&self, failure: &Failure) -> String {
+        format!(
+            "the rule gives {} for the integral of {} over the {}, not {}",
+            failure.found,
+            self.element.cell.power(failure.powers),
+            self.element.cell.name(),
+            failure.exact
+        )
+    }
+
+    fn error(&self, code: Code, message: String) -> Diagnostic {
+        Diagnostic::new(&self.element.file, code, self.rule.place.clone(), message)
+    }
+}
+
+/// All sums of one exponent from each of several sets, with where each comes from.
+fn sums<const N: usize>(sets: [&Powers; N]) -> BTreeMap<Exponents, [String; N]> {
+    let mut sums: BTreeMap<Exponents, Vec<&String>> = BTreeMap::from([([0; 3], Vec::new())]);
+    for set in sets {
+        let mut next = BTreeMap::new();
+        for (before, names) in &sums {
+            for (powers, name) in set {
+                let sum: Exponents = from_fn(|axis| before[axis] + powers[axis]);
+                let names = || names.iter().copied().chain([name]).collect();
+                next.entry(sum).or_insert_with(names);
+            }
+        }
+        sums = next;
+    }
+    let named =
+        |(sum, names): (Exponents, Vec<&String>)| (sum, from_fn(|place| names[place].clone()));
+    sums.into_iter().map(named).collect()
+}
