@@ -2,9 +2,12 @@
 //! zero-energy modes, convergence, locking, inverted cells.
 
 mod dropped;
+mod files;
+mod gradients;
 mod patches;
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -51,15 +54,28 @@ fn generated(element: &Element, form: &str, nodes: &[[f64; 3]]) -> (DMatrix<f64>
     (full, det)
 }
 
-/// The same straight from a spec's text, without generated code.
-fn direct(text: &str, form: &str, nodes: &[[f64; 3]]) -> DMatrix<f64> {
-    let element = ElementSpec::read_unproved(&Source::new("element.toml", text)).unwrap();
-    let specs = FORMS.map(|text| FormSpec::read(&Source::new("form.toml", text)).unwrap());
-    let found = specs.iter().find_map(|s| Some((s, s.forms.iter().find(|f| f.name == form)?)));
+/// The specs of the elements and of the forms, read once.
+static SPECS: LazyLock<(BTreeMap<&str, ElementSpec>, [FormSpec; 2])> = LazyLock::new(|| {
+    let read = |element: &Element| {
+        let source = Source::new("element.toml", element.origin.text);
+        (element.origin.name, ElementSpec::read_unproved(&source).unwrap())
+    };
+    let forms = FORMS.map(|text| FormSpec::read(&Source::new("form.toml", text)).unwrap());
+    (ELEMENTS.iter().map(read).collect(), forms)
+});
+
+/// What the spec of an element says.
+fn spec(element: &Element) -> &'static ElementSpec {
+    &SPECS.0[element.origin.name]
+}
+
+/// The matrix of a cell straight from a spec, without generated code.
+fn direct(element: &ElementSpec, form: &str, nodes: &[[f64; 3]]) -> DMatrix<f64> {
+    let found = SPECS.1.iter().find_map(|s| Some((s, s.forms.iter().find(|f| f.name == form)?)));
     let (spec, form) = found.expect("a shipped form");
     let material: BTreeMap<String, f64> =
         spec.material.iter().map(|p| (p.name.clone(), property(&p.name))).collect();
-    let cell = direct::evaluate(&element, spec, form, nodes, &material);
+    let cell = direct::evaluate(element, spec, form, nodes, &material);
     DMatrix::from_row_slice(cell.size, cell.size, &cell.entries)
 }
 
@@ -120,7 +136,7 @@ proptest! {
             let nodes = displaced(element, &shifts);
             for form in element.forms {
                 let (matrix, _) = generated(element, form.form, &nodes);
-                let expected = direct(element.origin.text, form.form, &nodes);
+                let expected = direct(spec(element), form.form, &nodes);
                 let error = (matrix - &expected).amax() / expected.amax();
                 prop_assert!(error < 1e-12, "{} {}: {error:.1e}", element.origin.name, form.form);
             }
@@ -178,7 +194,7 @@ fn inertia_is_symmetric_and_its_coupling_skew() {
         for (form, sign) in
             [("stiffness", 1.0), ("mass", 1.0), ("spin_inertia", 1.0), ("spin_coupling", -1.0)]
         {
-            let matrix = direct(element.origin.text, form, &nodes);
+            let matrix = direct(spec(element), form, &nodes);
             let error = (&matrix - matrix.transpose() * sign).amax();
             assert!(error <= 1e-13 * matrix.amax(), "{} {form}", element.origin.name);
             let (matrix, _) = generated(element, form, &nodes);
@@ -192,7 +208,7 @@ fn inertia_is_symmetric_and_its_coupling_skew() {
 fn a_rigid_turn_has_the_polar_moment_of_inertia() {
     for element in ELEMENTS {
         // An affine image of the reference cell, where the integral follows from its monomials.
-        let cell = ElementSpec::read(&Source::new("e", element.origin.text)).unwrap().cell;
+        let cell = spec(element).cell;
         let (shift, side) = ([0.3, -0.2, 0.1], [0.05, 0.04, 0.03]);
         let nodes: Vec<[f64; 3]> = (element.reference_nodes.iter())
             .map(|node| std::array::from_fn(|i| shift[i] + side[i] * node[i]))

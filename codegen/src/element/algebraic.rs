@@ -218,7 +218,7 @@ impl Field {
             let mut term = (coefficient.numer() << BITS) / coefficient.denom();
             for (place, root) in self.roots.iter().enumerate() {
                 if set >> place & 1 == 1 {
-                    term = term * root >> BITS;
+                    term = (term * root) >> BITS;
                 }
             }
             sum += term;
@@ -250,7 +250,7 @@ fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
 
 /// The product of two numbers times 2^BITS.
 pub(super) fn product(a: &BigInt, b: &BigInt) -> BigInt {
-    a * b >> BITS
+    (a * b) >> BITS
 }
 
 /// The f64 nearest to a number times 2^BITS whose error is far below one part in 2^64. What is smaller than

@@ -119,9 +119,14 @@ impl Quadrature {
 pub struct Integrals<'r> {
     rule: &'r Quadrature,
     cell: Cell,
-    /// By the number of the factor and the exponents of its coordinates: weight times monomial at every
-    /// point, and the sum.
-    known: BTreeMap<(usize, Vec<i32>), Option<(Vec<Algebraic>, Algebraic)>>,
+    /// By the number of the factor and the exponents of its coordinates; `None` where there is no such power.
+    known: BTreeMap<(usize, Vec<i32>), Option<Known>>,
+}
+
+/// A monomial over one factor: times the weight at every point, and the sum over the points.
+struct Known {
+    products: Vec<Algebraic>,
+    sum: Algebraic,
 }
 
 impl<'r> Integrals<'r> {
@@ -155,8 +160,8 @@ impl<'r> Integrals<'r> {
         for (place, factor) in self.rule.factors.iter().enumerate() {
             let key = (place, powers[factor.axes.clone()].to_vec());
             self.know(&key);
-            let (_, integral) = self.known[&key].as_ref()?;
-            product = self.rule.field.multiply(&product, integral);
+            let known = self.known[&key].as_ref()?;
+            product = self.rule.field.multiply(&product, &known.sum);
         }
         Some(product)
     }
@@ -181,14 +186,14 @@ impl<'r> Integrals<'r> {
                     let by = field.power(&variable, powers[last].signum())?;
                     Some(field.multiply(before, &by))
                 };
-                let before = self.known[&less].as_ref().map(|(before, _)| before);
+                let before = self.known[&less].as_ref().map(|known| &known.products);
                 before.and_then(|before| factor.points.iter().zip(before).map(next).collect())
             }
         };
         let integral = products.map(|products| {
             let mut sum = Algebraic::default();
             products.iter().for_each(|term| sum.add(term, &Rational::one()));
-            (products, sum)
+            Known { products, sum }
         });
         self.known.insert(key.clone(), integral);
     }

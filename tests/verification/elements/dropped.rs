@@ -5,7 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use whirl_codegen::diagnostic::Source;
 use whirl_codegen::generate::{ENDINGS, SpecFile, generate};
+use whirl_codegen::spec::element::ElementSpec;
 
 use super::{direct, property};
 
@@ -76,11 +78,7 @@ fn an_element_dropped_into_the_specs_is_usable() {
     for file in generate(&spec_files(&specs)).unwrap_or_else(|errors| panic!("{errors}")) {
         fs::write(generated.join(&file.name), &file.text).expect("a kernel file");
     }
-    for entry in fs::read_dir(specs.join("src")).expect("the sources") {
-        let path = entry.expect("a source").path();
-        let name = path.file_name().expect("a file").to_owned();
-        fs::copy(&path, folder.join("src").join(name)).expect("a copy");
-    }
+    copy(&specs.join("src"), &folder.join("src"));
     // The sources include from OUT_DIR, which cargo sets for a crate with a build script.
     let build = "fn main() {\n    let out = std::env::var(\"OUT_DIR\").unwrap();\n    \
                  for file in std::fs::read_dir(\"generated\").unwrap() {\n        \
@@ -108,7 +106,8 @@ fn an_element_dropped_into_the_specs_is_usable() {
     let mut lines = printed.lines().map(|line| {
         line.split(' ').map(|value| value.parse::<f64>().expect("a number")).collect::<Vec<f64>>()
     });
-    let stiffness = direct(TETRAHEDRON, "stiffness", &NODES);
+    let element = ElementSpec::read(&Source::new("dropped-tet.toml", TETRAHEDRON)).unwrap();
+    let stiffness = direct(&element, "stiffness", &NODES);
     let upper = (0..12).flat_map(|r| (r..12).map(move |c| (r, c)));
     let expected: Vec<f64> = upper.map(|place| stiffness[place]).collect();
     close(&lines.next().expect("a stiffness"), &expected, stiffness.amax());
@@ -121,6 +120,20 @@ fn an_element_dropped_into_the_specs_is_usable() {
     let expected: Vec<f64> =
         (0..4).flat_map(|a| (a..4).map(move |b| if a == b { 2.0 * unit } else { unit })).collect();
     close(&lines.next().expect("a mass"), &expected, 2.0 * unit);
+}
+
+/// A folder with all that is in it.
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).expect("a folder");
+    for entry in fs::read_dir(from).expect("the sources") {
+        let path = entry.expect("a source").path();
+        let copied = to.join(path.file_name().expect("a name"));
+        if path.is_dir() {
+            copy(&path, &copied);
+        } else {
+            fs::copy(&path, copied).expect("a copy");
+        }
+    }
 }
 
 fn close(found: &[f64], expected: &[f64], scale: f64) {
