@@ -134,18 +134,24 @@ pub enum Error {
         what: String,
     },
     /// A bearing law that the solver cannot use.
-    #[error("law {law} {what}")]
+    #[error("law {law} {what}; {help}")]
     Law {
         /// Name of the law.
         law: String,
+        /// The bearing that cannot use it, counted from 0; none if no bearing names the law.
+        bearing: Option<usize>,
         /// What does not fit.
         what: String,
+        /// How to mend it.
+        help: String,
     },
     /// The bore of a bearing cannot carry springs.
     #[error("{bearing}: {what}")]
     Bore {
         /// Name of the bearing.
         bearing: String,
+        /// Its place, counted from 0.
+        place: usize,
         /// What is wrong with its nodes.
         what: String,
     },

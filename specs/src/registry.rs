@@ -174,6 +174,119 @@ pub struct Clearance {
     ),
     /// The axial interpolation A₁, A₂, A₃ of eq. (13) at z/L_b.
     pub axial: fn(z_over_length: f64) -> [f64; 3],
+    /// Kinds of laws that take or give more than Q(h, ḣ).
+    pub contacts: &'static [Contact],
+}
+
+/// A way in which a bore moves, a coordinate of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BoreMotion {
+    /// Outwards at a spring (m).
+    Radial,
+    /// Along the tangent (−sin ψ, cos ψ) at a spring (m).
+    Tangential,
+    /// Mean of the ring of nodes along x (m).
+    MeanX,
+    /// Mean of the ring of nodes along y (m).
+    MeanY,
+    /// Mean rotation of the ring of nodes about z (rad).
+    MeanTurn,
+}
+
+/// An input or a force of a kind of law.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactVariable {
+    /// What laws call it, such as `v_t` or `T`.
+    pub name: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Motions of the bore on which it depends (for a force: through which it acts), by their places in
+    /// [`Contact::bore`].
+    pub bore: &'static [usize],
+    /// Whether the journal's radius is needed for it.
+    pub radius: bool,
+}
+
+/// A kind of law, acting at every spring or once a ring, and what follows from the measures on which its
+/// forces work. Coordinates are those of the ring (θ, ε_x, ε_y), then the motions of the bore; rows have
+/// `count` values: springs of a plane, or 1.
+#[derive(Debug, Clone, Copy)]
+pub struct Contact {
+    /// `spring` or `ring`.
+    pub name: &'static str,
+    /// Whether such a law acts at every spring, or once a ring.
+    pub each_spring: bool,
+    /// What a law may take.
+    pub inputs: &'static [ContactVariable],
+    /// What a law may give.
+    pub forces: &'static [ContactVariable],
+    /// Motions of the bore, in kernel order.
+    pub bore: &'static [BoreMotion],
+    /// Rows of the table that `prepare` fills.
+    pub table: usize,
+    /// Fills the table from the springs' fixed angles ψ in rad. Once a machine.
+    pub prepare: fn(psi: &[f64], table: &mut [f64]),
+    /// All inputs, one row each.
+    pub evaluate: fn(count: usize, state: &ContactState, inputs: &mut [f64]),
+    /// Generalised forces on the ring, and on the motions of the bore (one row each), from the `forces` of
+    /// the law (one row each).
+    pub force: fn(
+        count: usize,
+        state: &ContactState,
+        forces: &[f64],
+        ring_force: &mut [f64; 3],
+        bore_force: &mut [f64],
+    ),
+    /// B + a1·P: derivatives of the generalised forces. `slopes`: for every force the rows of its
+    /// derivatives by all inputs.
+    pub tangent: fn(
+        count: usize,
+        state: &ContactState,
+        forces: &[f64],
+        slopes: &[f64],
+        a1: f64,
+        tangent: &mut ContactTangent,
+    ),
+}
+
+/// Where the kernels of a contact find the motion.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactState<'a> {
+    /// What `prepare` filled.
+    pub table: &'a [f64],
+    /// Coordinates of the ring.
+    pub ring: &'a Ring,
+    /// Radius of the journal (m).
+    pub radius: f64,
+    /// Motions of the bore, one row each.
+    pub bore: &'a [f64],
+    /// Their rates.
+    pub bore_dot: &'a [f64],
+}
+
+/// Derivatives of the generalised forces of a contact. Rows have one value a spring, or one a ring.
+#[derive(Debug, Clone, Default)]
+pub struct ContactTangent {
+    /// ∂(ring force)/∂(ring), row by row.
+    pub ring_ring: [[f64; 3]; 3],
+    /// ∂(ring force i)/∂(motion b of the bore): row i · motions + b.
+    pub ring_bore: Vec<f64>,
+    /// ∂(force on motion b)/∂(ring coordinate i): row 3 b + i.
+    pub bore_ring: Vec<f64>,
+    /// ∂(force on motion a)/∂(motion b): row a · motions + b.
+    pub bore_bore: Vec<f64>,
+}
+
+impl ContactTangent {
+    /// Zeros for `count` springs and that many motions of the bore.
+    pub fn new(count: usize, motions: usize) -> Self {
+        ContactTangent {
+            ring_ring: [[0.0; 3]; 3],
+            ring_bore: vec![0.0; 3 * motions * count],
+            bore_ring: vec![0.0; 3 * motions * count],
+            bore_bore: vec![0.0; motions * motions * count],
+        }
+    }
 }
 
 /// State of one ring: coordinates in the order θ (rad), ε_x, ε_y (m, body frame), their rates, and c (m).

@@ -3,6 +3,7 @@
 
 mod bits;
 mod clearance;
+mod contact;
 mod dropped;
 mod golden;
 mod hyper;

@@ -122,6 +122,7 @@ fn between_stops() -> Machine {
         journal: [0; 3],
         bore: [Vec::new(), Vec::new(), Vec::new()],
         clearance: GAP,
+        journal_radius: None,
         stations: vec![0.5],
         angles: vec![angle],
         law,

@@ -121,6 +121,7 @@ pub(crate) fn bearings(angles: &[f64], bore: [[Vec<usize>; 3]; 2]) -> Vec<Bearin
         journal: journal(number),
         bore,
         clearance: CLEARANCE,
+        journal_radius: None,
         stations: vec![0.0, 0.5, 1.0],
         angles: angles.to_vec(),
         law: 0,

@@ -22,6 +22,7 @@ pub static CLEARANCE: Clearance = Clearance {
     force,
     tangent,
     axial,
+    contacts: &[],
 };
 
 fn prepare(psi: &[f64], table: &mut [f64]) {

@@ -5,6 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Kernel;
+use super::clearance_contact;
 use super::clearance_kernels::Kernels;
 use super::facts::{About, unscheduled};
 use crate::diagnostic::Diagnostics;
@@ -40,7 +41,10 @@ pub(super) fn kernel(spec: &ClearanceSpec) -> Result<Kernel, Diagnostics> {
     let (value, axial) = (value(spec).map_err(refused)?, axial(spec).map_err(refused)?);
     let functions =
         [value, kernels.prepare(), kernels.clearance(), kernels.force(), kernels.tangent(), axial];
-    let functions: TokenStream = functions.into_iter().collect();
+    let measures = clearance_contact::measures(spec).map_err(refused)?;
+    let contacts = clearance_contact::modules(spec)?;
+    let functions: TokenStream = functions.into_iter().chain([measures, contacts]).collect();
+    let entries = clearance_contact::entries(spec);
     let origin = about.origin(&functions);
     let table = Literal::usize_unsuffixed(kernels.table());
     let name = identifier(&spec.name);
@@ -64,6 +68,7 @@ pub(super) fn kernel(spec: &ClearanceSpec) -> Result<Kernel, Diagnostics> {
                 force,
                 tangent,
                 axial,
+                contacts: #entries,
             };
         }
     };

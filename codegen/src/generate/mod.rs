@@ -2,6 +2,7 @@
 
 mod cell;
 mod clearance;
+mod clearance_contact;
 mod clearance_kernels;
 mod element;
 mod facts;

@@ -1,11 +1,11 @@
 //! Bearing laws as the marcher sees them: named inputs to named outputs, over rows of springs.
 
-use whirl_specs::Law;
+use whirl_specs::{Contact, ContactVariable, Law};
 
-use crate::error::{Error, nearest};
+use crate::error::nearest;
 
-/// A law that can be evaluated over rows of springs. Two kinds exist: compiled ones of the registry, and
-/// those of a law file, evaluated without a compiler.
+/// A law that can be evaluated over rows of springs, or of rings. Two kinds exist: compiled ones of the
+/// registry, and those of a law file, evaluated without a compiler.
 pub trait SpringLaw: Send + Sync {
     /// Name, as the case says it.
     fn name(&self) -> &str;
@@ -42,7 +42,7 @@ impl SpringLaw for &'static Law {
     }
 }
 
-/// What the solver can give to a law.
+/// What a law of normal forces takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Input {
     /// Clearance h (m).
@@ -52,8 +52,10 @@ pub(crate) enum Input {
 }
 
 const INPUTS: [(&str, Input); 2] = [("h", Input::Clearance), ("h_dot", Input::ClearanceRate)];
+/// The force that the quick kernels of the clearance carry.
+const NORMAL_FORCE: &str = "Q";
 
-/// A law with its inputs and outputs found by name.
+/// A law of normal forces Q(h, ḣ) with its inputs and outputs found by name.
 pub(crate) struct BoundLaw {
     pub(crate) law: Box<dyn SpringLaw>,
     pub(crate) inputs: Vec<Input>,
@@ -63,39 +65,135 @@ pub(crate) struct BoundLaw {
     pub(crate) q_row: usize,
 }
 
-impl BoundLaw {
+/// A law that takes or gives more, with its inputs and outputs found by name.
+pub(crate) struct ContactLaw {
+    pub(crate) law: Box<dyn SpringLaw>,
+    pub(crate) kind: &'static Contact,
+    /// For every input of the law its place in [`Contact::inputs`].
+    pub(crate) inputs: Vec<usize>,
+    /// For every output of the law its place in [`Contact::forces`].
+    pub(crate) forces: Vec<usize>,
+}
+
+/// A law by the kernels that it needs.
+pub(crate) enum Bound {
+    /// Q(h, ḣ).
+    Normal(BoundLaw),
+    /// Anything else.
+    Contact(ContactLaw),
+}
+
+impl Bound {
     /// Finds what the law takes and gives.
     ///
     /// # Errors
-    /// An input that the solver does not have, or no output `Q`.
-    pub(crate) fn new(law: Box<dyn SpringLaw>) -> Result<Self, Error> {
-        let known = INPUTS.map(|(name, _)| name);
-        let mut inputs = Vec::new();
-        for name in law.inputs() {
-            let Some((_, input)) = INPUTS.iter().find(|(input, _)| *input == name) else {
-                let hint = match nearest(name, known) {
-                    Some(near) => format!("did you mean {near}?"),
-                    None => format!("springs have {}", known.join(", ")),
-                };
-                let what = format!("takes the input {name}, which no spring has; {hint}");
-                return Err(Error::Law { law: law.name().to_owned(), what });
-            };
-            inputs.push(*input);
+    /// An input or an output that no kind of law has, or inputs and outputs of different kinds.
+    pub(crate) fn new(
+        law: Box<dyn SpringLaw>,
+        kinds: &'static [Contact],
+    ) -> Result<Self, WrongLaw> {
+        let quick = |name: &str| INPUTS.iter().find(|(input, _)| *input == name).map(|(_, i)| *i);
+        let inputs: Option<Vec<Input>> = law.inputs().into_iter().map(quick).collect();
+        if let (Some(inputs), [NORMAL_FORCE]) = (inputs, law.outputs().as_slice()) {
+            let output_rows = 1 + inputs.len();
+            return Ok(Bound::Normal(BoundLaw { output_rows, q_row: 0, inputs, law }));
         }
-        let outputs = law.outputs();
-        let Some(place) = outputs.iter().position(|name| *name == "Q") else {
-            let what = format!(
-                "gives {}, but a spring needs the normal force Q",
-                if outputs.is_empty() { "nothing".to_owned() } else { outputs.join(", ") }
-            );
-            return Err(Error::Law { law: law.name().to_owned(), what });
+        let kind = kind(law.as_ref(), kinds)?;
+        let place = |name: &str, list: &[ContactVariable]| {
+            list.iter().position(|own| own.name == name).expect("the kind has it")
         };
-        let rows = 1 + inputs.len();
-        Ok(BoundLaw { output_rows: outputs.len() * rows, q_row: place * rows, inputs, law })
+        let inputs = law.inputs().into_iter().map(|name| place(name, kind.inputs)).collect();
+        let forces = law.outputs().into_iter().map(|name| place(name, kind.forces)).collect();
+        Ok(Bound::Contact(ContactLaw { inputs, forces, kind, law }))
     }
+}
 
+/// What is wrong with a law, and how to mend it.
+#[derive(Debug)]
+pub(crate) struct WrongLaw {
+    pub(crate) what: String,
+    pub(crate) help: String,
+}
+
+/// The kind whose forces a law gives.
+fn kind(law: &dyn SpringLaw, kinds: &'static [Contact]) -> Result<&'static Contact, WrongLaw> {
+    let names = |list: &[ContactVariable]| list.iter().map(|own| own.name).collect::<Vec<_>>();
+    let all = |list: fn(&Contact) -> &[ContactVariable]| {
+        let mut all: Vec<&str> = kinds.iter().flat_map(|kind| names(list(kind))).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    };
+    let known = |name: &str, known: Vec<&'static str>| match nearest(name, known.clone()) {
+        Some(near) => format!("did you mean {near}?"),
+        None => format!("there are {}", known.join(", ")),
+    };
+    let has = |list: &[ContactVariable], name: &str| list.iter().any(|own| own.name == name);
+    let (inputs, outputs) = (law.inputs(), law.outputs());
+    let Some(first) = outputs.first() else {
+        let (what, help) = ("gives no force".to_owned(), "give it an output, such as Q".to_owned());
+        return Err(WrongLaw { what, help });
+    };
+    for name in &outputs {
+        if !kinds.iter().any(|kind| has(kind.forces, name)) {
+            let what = format!("gives {name}, which is no force of a spring or of a ring");
+            return Err(WrongLaw { what, help: known(name, all(|kind| kind.forces)) });
+        }
+    }
+    for name in &inputs {
+        if !kinds.iter().any(|kind| has(kind.inputs, name)) {
+            let what = format!("takes the input {name}, which neither springs nor rings have");
+            return Err(WrongLaw { what, help: known(name, all(|kind| kind.inputs)) });
+        }
+    }
+    let kind = kinds.iter().find(|kind| has(kind.forces, first)).expect("found above");
+    let foreign = outputs.iter().find(|name| !has(kind.forces, name));
+    let wrong_input = inputs.iter().find(|name| !has(kind.inputs, name));
+    let mixed = match (foreign, wrong_input) {
+        (Some(name), _) => Some(format!("gives {first}, a force of a {}, and {name}", kind.name)),
+        (None, Some(name)) => {
+            Some(format!("gives {first}, a force of a {}, but takes {name}", kind.name))
+        }
+        (None, None) => None,
+    };
+    if let Some(what) = mixed {
+        let each = |kind: &Contact| {
+            let (inputs, forces) = (names(kind.inputs).join(", "), names(kind.forces).join(", "));
+            format!("a law of a {} gives {forces} and takes {inputs}", kind.name)
+        };
+        let help = kinds.iter().map(each).collect::<Vec<_>>().join("; ");
+        return Err(WrongLaw { what, help });
+    }
+    let needed = kind.forces[0].name;
+    if !outputs.contains(&needed) {
+        let what = format!("gives {}, but a {} needs {needed}", outputs.join(", "), kind.name);
+        return Err(WrongLaw { what, help: format!("give it the output {needed}") });
+    }
+    Ok(kind)
+}
+
+impl BoundLaw {
     /// Whether the law depends on `input`.
     pub(crate) fn uses(&self, input: Input) -> bool {
         self.inputs.contains(&input)
+    }
+}
+
+impl ContactLaw {
+    /// What the law takes and gives.
+    fn variables(&self) -> impl Iterator<Item = &'static ContactVariable> {
+        let inputs = self.inputs.iter().map(|&place| &self.kind.inputs[place]);
+        inputs.chain(self.forces.iter().map(|&place| &self.kind.forces[place]))
+    }
+
+    /// For every motion of the bore of the kind whether the law needs it.
+    pub(crate) fn motions(&self) -> Vec<bool> {
+        let needs = |place: usize| self.variables().any(|own| own.bore.contains(&place));
+        (0..self.kind.bore.len()).map(needs).collect()
+    }
+
+    /// What of the law needs the journal's radius, if anything does.
+    pub(crate) fn needs_radius(&self) -> Option<&'static str> {
+        self.variables().find(|own| own.radius).map(|own| own.name)
     }
 }

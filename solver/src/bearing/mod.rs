@@ -1,19 +1,23 @@
 //! Springs between journals and bores: where they stand, how far the film is open there, what they push.
 
+mod bore;
+pub(crate) mod contact;
 pub mod law;
 mod spline;
 pub(crate) mod state;
 
 use std::ops::Range;
 
-use whirl_specs::Clearance;
+use whirl_specs::{BoreMotion, Clearance};
 
+pub(crate) use contact::Contacts;
 pub use law::SpringLaw;
-pub(crate) use law::{BoundLaw, Input};
+pub(crate) use law::{Bound, BoundLaw, Input};
 pub use spline::periodic_spline;
 pub use state::SpringState;
 
-use crate::body::BodyNode;
+use bore::bore_rows;
+
 use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::shaft::Shaft;
@@ -31,15 +35,18 @@ pub struct Bearing {
     pub bore: [Vec<usize>; 3],
     /// Radial clearance c (m).
     pub clearance: f64,
+    /// Radius of the journal (m), for laws that need it; without one the mean distance of the bore's nodes
+    /// from the axis less c.
+    pub journal_radius: Option<f64>,
     /// Planes of springs by their distance from the left end over the length L_b; 0, ½ and 1 are the three.
     pub stations: Vec<f64>,
-    /// Fixed angles ψ_j of the springs of each plane (rad).
+    /// Fixed angles ψ_j of the springs of each plane (rad); of no effect on a law that acts once a plane.
     pub angles: Vec<f64>,
     /// Which of the laws given to [`Springs::new`].
     pub law: usize,
 }
 
-/// One plane of springs.
+/// One plane of springs with a law Q(h, ḣ).
 pub(crate) struct Plane {
     /// Which bearing, counted from 0.
     pub(crate) bearing: usize,
@@ -53,9 +60,11 @@ pub(crate) struct Plane {
     pub(crate) table: Vec<f64>,
 }
 
-/// All springs of a machine, law after law.
+/// All springs of a machine, law after law: those of laws Q(h, ḣ), and apart from them whatever takes or
+/// gives more.
 pub struct Springs {
     pub(crate) kernels: &'static Clearance,
+    pub(crate) contacts: Contacts,
     pub(crate) laws: Vec<(BoundLaw, Range<usize>)>,
     pub(crate) planes: Vec<Plane>,
     /// T_b: radial displacement of the bore at every spring from the support's coordinates
@@ -79,13 +88,28 @@ impl Springs {
     ) -> Result<Self, Error> {
         let mut planes = Vec::new();
         let mut bound = Vec::new();
+        let mut contacts = Vec::new();
         let mut rows: Vec<Vec<f64>> = Vec::new();
         for (place, law) in laws.into_iter().enumerate() {
+            let name = law.name().to_owned();
+            let users = || bearings.iter().enumerate().filter(move |(_, b)| b.law == place);
+            let law = Bound::new(law, kernels.contacts).map_err(|wrong| {
+                let bearing = users().next().map(|(number, _)| number);
+                Error::Law { law: name, bearing, what: wrong.what, help: wrong.help }
+            })?;
+            let law = match law {
+                Bound::Normal(law) => law,
+                Bound::Contact(law) => {
+                    contacts.push((place, law));
+                    continue;
+                }
+            };
             let first = rows.len();
-            for (number, bearing) in bearings.iter().enumerate().filter(|(_, b)| b.law == place) {
+            for (number, bearing) in users() {
                 for &station in &bearing.stations {
                     let start = rows.len();
-                    rows.extend(bore_rows(kernels, bearing, station, support)?);
+                    let motion = BoreMotion::Radial;
+                    rows.extend(bore_rows(kernels, (number, bearing), station, support, motion)?);
                     let mut table = vec![0.0; kernels.table * bearing.angles.len()];
                     (kernels.prepare)(&bearing.angles, &mut table);
                     planes.push(Plane {
@@ -97,14 +121,15 @@ impl Springs {
                     });
                 }
             }
-            bound.push((BoundLaw::new(law)?, first..rows.len()));
+            bound.push((law, first..rows.len()));
         }
         let bore = Matrix::from_fn(rows.len(), support.size(), |i, j| rows[i][j]);
         let bore_transposed = bore.transpose();
-        Ok(Springs { kernels, laws: bound, planes, bore, bore_transposed })
+        let contacts = Contacts::new(kernels, contacts, bearings, shaft, support)?;
+        Ok(Springs { kernels, contacts, laws: bound, planes, bore, bore_transposed })
     }
 
-    /// Number of springs.
+    /// Number of springs with a law Q(h, ḣ).
     pub fn len(&self) -> usize {
         self.bore.rows
     }
@@ -112,6 +137,11 @@ impl Springs {
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Number of forces by which a step is judged: Q of every such spring, and whatever other laws give.
+    pub(crate) fn forces(&self) -> usize {
+        self.len() + self.contacts.forces()
     }
 
     /// Whether any law depends on the rate of the clearance.
@@ -138,42 +168,6 @@ fn eccentricity(
             .filter(|&(_, value): &(usize, f64)| value != 0.0)
             .collect()
     })
-}
-
-/// Rows of T_b of one plane, eqs. (20) to (23): splines of δ_x and δ_y along each of the three bore rings,
-/// then A_i(z) between them, then n_j·δ.
-fn bore_rows(
-    kernels: &Clearance,
-    bearing: &Bearing,
-    station: f64,
-    support: &Support,
-) -> Result<Vec<Vec<f64>>, Error> {
-    let mut rows = vec![vec![0.0; support.size()]; bearing.angles.len()];
-    for (ring, weight) in bearing.bore.iter().zip((kernels.axial)(station)) {
-        if ring.is_empty() || weight == 0.0 {
-            continue;
-        }
-        let ring: Vec<&BodyNode> = ring.iter().map(|&node| &support.nodes[node]).collect();
-        let knots: Vec<f64> =
-            ring.iter().map(|node| node.position[1].atan2(node.position[0])).collect();
-        let spline = periodic_spline(&knots, &bearing.angles).ok_or_else(|| Error::Bore {
-            bearing: bearing.name.clone(),
-            what: format!(
-                "{} nodes of its bore give no spline: at least three at different angles are needed",
-                ring.len()
-            ),
-        })?;
-        for (place, (row, angle)) in rows.iter_mut().zip(&bearing.angles).enumerate() {
-            let (sin, cos) = angle.sin_cos();
-            for (knot, node) in ring.iter().enumerate() {
-                let share = weight * spline[(place, knot)];
-                for (j, value) in row.iter_mut().enumerate() {
-                    *value += share * (cos * node.shapes[(0, j)] + sin * node.shapes[(1, j)]);
-                }
-            }
-        }
-    }
-    Ok(rows)
 }
 
 /// Mean displacement of a ring of nodes along x and y, as rows over the support's coordinates.

@@ -2,6 +2,7 @@
 
 use whirl_specs::{Ring, RingTangent, SpringForce};
 
+use super::contact::ContactsState;
 use super::{Input, Springs};
 
 /// Position and velocity of the machine's coordinates, as the springs see them.
@@ -24,12 +25,14 @@ pub struct SpringState {
     pub h: Vec<f64>,
     /// ḣ (m/s).
     pub h_dot: Vec<f64>,
-    /// Q (N).
-    pub q: Vec<f64>,
+    /// Forces by which a step is judged (N): Q of every spring with a law Q(h, ḣ), then what other laws
+    /// give, moments over the journal's radius.
+    pub forces: Vec<f64>,
     dq_dh: Vec<f64>,
     dq_dh_dot: Vec<f64>,
     /// State of every plane.
     rings: Vec<Ring>,
+    pub(crate) contacts: ContactsState,
     /// Generalised forces on (θ, ε_x, ε_y) of every plane: N·m, N, N; ε in the frame of the shaft.
     pub plane_force: Vec<[f64; 3]>,
     /// Generalised force on δ_j of every spring (N).
@@ -54,7 +57,8 @@ impl SpringState {
             delta_dot: row(),
             h: row(),
             h_dot: row(),
-            q: row(),
+            forces: vec![0.0; springs.forces()],
+            contacts: ContactsState::new(&springs.contacts),
             dq_dh: row(),
             dq_dh_dot: row(),
             rings: vec![Ring::default(); springs.planes.len()],
@@ -99,11 +103,13 @@ impl SpringState {
                 &plane.table,
                 ring,
                 &self.delta[range.clone()],
-                &self.q[range.clone()],
+                &self.forces[range.clone()],
                 force,
                 &mut self.spring_force[range],
             );
         }
+        let judged = &mut self.forces[springs.len()..];
+        self.contacts.update(&springs.contacts, motion, judged);
     }
 
     fn evaluate_laws(&mut self, springs: &Springs) {
@@ -120,7 +126,7 @@ impl SpringState {
             let outputs = &mut self.law_outputs[..law.output_rows * n];
             law.law.evaluate(n, inputs, outputs, &mut self.law_workspace);
             let row = |place: usize| &outputs[place * n..(place + 1) * n];
-            self.q[range.clone()].copy_from_slice(row(law.q_row));
+            self.forces[range.clone()].copy_from_slice(row(law.q_row));
             for (place, input) in law.inputs.iter().enumerate() {
                 let target = match input {
                     Input::Clearance => &mut self.dq_dh,
@@ -151,13 +157,14 @@ impl SpringState {
                 support.iter_mut().zip(column).for_each(|(sum, share)| *sum += share * force);
             }
         }
+        self.contacts.add_forces(&springs.contacts, theta, eta, support);
     }
 
     /// The derivatives of the generalised forces of one plane, B + a1 P; see [`RingTangent`].
     pub(crate) fn tangent(&self, springs: &Springs, plane: usize, a1: f64, out: &mut RingTangent) {
         let range = springs.planes[plane].springs.clone();
         let law = SpringForce {
-            q: &self.q[range.clone()],
+            q: &self.forces[range.clone()],
             dq_dh: &self.dq_dh[range.clone()],
             dq_dh_dot: &self.dq_dh_dot[range.clone()],
         };
@@ -180,7 +187,7 @@ pub(crate) fn along(row: &[(usize, f64)], x: &[f64]) -> f64 {
 }
 
 /// y = A x, column after column.
-fn multiply(matrix: &crate::linalg::Matrix, x: &[f64], y: &mut [f64]) {
+pub(crate) fn multiply(matrix: &crate::linalg::Matrix, x: &[f64], y: &mut [f64]) {
     y.fill(0.0);
     for (j, &value) in x.iter().enumerate() {
         y.iter_mut().zip(matrix.col(j)).for_each(|(sum, entry)| *sum += entry * value);

@@ -146,7 +146,7 @@ impl<'m> March<'m> {
             };
             return Err(Box::new(Failure { error, outcome }));
         }
-        let springs = machine.springs.len();
+        let springs = machine.springs.forces();
         Ok(March {
             machine,
             newton: Newton::new(options.newton, size, springs),
@@ -180,7 +180,7 @@ impl<'m> March<'m> {
         self.time = self.step as f64 * dt;
         self.iterations += self.last_iterations;
         if let Some(test) = &mut self.steady {
-            test.add(self.time, &self.system.springs.q);
+            test.add(self.time, &self.system.springs.forces);
         }
         self.record();
         Ok(())
@@ -250,9 +250,12 @@ impl<'m> March<'m> {
         let bearings = machine.monitors.len();
         self.row[..3].copy_from_slice(&[self.time, state.q[0], state.v[0]]);
         for (k, monitor) in machine.monitors.iter().enumerate() {
+            let springs = &self.system.springs;
+            let planes = monitor.planes.iter().map(|&plane| springs.plane_force[plane]);
+            let contacts =
+                monitor.contacts.iter().map(|&plane| springs.contacts.plane_force(plane));
             let mut force = [0.0; 2];
-            for &plane in &monitor.planes {
-                let [_, x, y] = self.system.springs.plane_force[plane];
+            for [_, x, y] in planes.chain(contacts) {
                 force[0] += x;
                 force[1] += y;
             }

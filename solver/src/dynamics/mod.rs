@@ -1,5 +1,6 @@
 //! Marching a machine in time.
 
+mod contacts;
 mod energy;
 mod march;
 mod newmark;

@@ -133,7 +133,7 @@ impl Newton {
                 return self.failed(iteration, norm, force_change);
             }
             self.direct(system);
-            self.forces.copy_from_slice(&system.springs.q);
+            self.forces.copy_from_slice(&system.springs.forces);
             let (share, tried) = loop {
                 match self.search(system, t, step, start, end, norm, fresh) {
                     Some(found) => break found,
@@ -152,7 +152,8 @@ impl Newton {
             end.copy_from(&self.trial);
             norm = tried;
             self.residuals.push(norm);
-            let changes = self.forces.iter().zip(&system.springs.q).map(|(a, b)| (a - b).abs());
+            let changes =
+                self.forces.iter().zip(&system.springs.forces).map(|(a, b)| (a - b).abs());
             force_change = changes.fold(0.0, f64::max);
             let scale = self.scale.max(self.size(system, end));
             let small = norm <= self.floor(scale, end);

@@ -3,6 +3,7 @@
 
 use whirl_specs::{MotionState, RingTangent};
 
+use super::contacts::{ContactTangents, ring_rows, subtract_ring};
 use super::newmark::{Coefficients, State};
 use crate::bearing::SpringState;
 use crate::bearing::state::Motion;
@@ -26,6 +27,7 @@ pub struct System<'m> {
     pub(crate) released: bool,
     shaft_block: Vec<f64>,
     tangents: Vec<RingTangent>,
+    contacts: ContactTangents,
     active: Vec<f64>,
     weighted: Vec<f64>,
     bore_block: Vec<f64>,
@@ -49,6 +51,7 @@ impl<'m> System<'m> {
             released: false,
             shaft_block: vec![0.0; (1 + n_s) * (1 + n_s)],
             tangents: springs.planes.iter().map(|p| RingTangent::new(p.springs.len())).collect(),
+            contacts: ContactTangents::new(&springs.contacts, n_b),
             active: vec![0.0; n_b * springs.len()],
             weighted: vec![0.0; n_b * springs.len()],
             bore_block: vec![0.0; n_b * n_b],
@@ -170,21 +173,10 @@ impl<'m> System<'m> {
         for plane in 0..springs.planes.len() {
             let tangent = &mut self.tangents[plane];
             self.springs.tangent(springs, plane, a1, tangent);
-            let [x, y] = &springs.planes[plane].eccentricity;
-            let theta = [(0, 1.0)];
-            let rows: [&[(usize, f64)]; 3] = [&theta, x, y];
+            let rows = ring_rows(&springs.planes[plane].eccentricity);
+            subtract_ring(&tangent.ring_ring, rows, size, out);
             // Places in q: θ is 0, η_j is 1 + j.
             let place = |i: usize, j: usize| if i == 0 { 0 } else { 1 + j };
-            for i in 0..3 {
-                for j in 0..3 {
-                    let value = tangent.ring_ring[i][j];
-                    for &(row, left) in rows[i] {
-                        for &(column, right) in rows[j] {
-                            out[place(j, column) * size + place(i, row)] -= left * right * value;
-                        }
-                    }
-                }
-            }
             let range = springs.planes[plane].springs.clone();
             for i in 0..3 {
                 combine(springs, &range, &tangent.ring_spring[i], &mut self.cross[..n_b]);
@@ -202,6 +194,7 @@ impl<'m> System<'m> {
             }
         }
         self.subtract_bores(first, out);
+        self.contacts.subtract(&springs.contacts, &self.springs.contacts, a1, first, size, out);
     }
 
     /// Subtracts Σ_j D_j t_jᵀt_j of the springs that act, t_j being rows of T_b.

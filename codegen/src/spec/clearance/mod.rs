@@ -22,14 +22,35 @@
 //! [axial]             # three functions of one variable, z over the length of the bearing
 //! s = ['…', '…', '…']
 //! ```
+//!
+//! Laws that take or give more than Q(h, ḣ) need further measures of the motion:
+//!
+//! ```toml
+//! [constants.R]       # a second length: the journal's radius
+//! unit = "m"
+//! [tangential.tau]    # the bore's other displacement at each spring
+//! unit = "m"
+//! [bore.b_x]          # mean motion of the bore: two displacements and an angle
+//! unit = "m"
+//! [measures.s]
+//! value = 'R*theta - …'
+//! rate = "v_t"        # what laws call its rate; `s_dot` if it says nothing
+//! force = "T"         # the force that works on it, if laws may give one
+//! [laws.spring]       # a kind of law: what it may take (measures, rates, shared coordinates, the angle)
+//! inputs = ["h", "h_dot", "v_t", "theta", "psi"]
+//! forces = ["Q", "T"]
+//! ```
 
+mod contact;
 mod derive;
+mod kinds;
 mod read;
 #[cfg(test)]
 mod tests;
 
 use std::sync::Arc;
 
+pub use contact::{Contact, ContactForce, ContactInput, DerivedContact, Taken};
 pub use derive::{Derived, Force, Tangent};
 
 use crate::diagnostic::{Diagnostics, Source};
@@ -38,6 +59,8 @@ use crate::formula::Formula;
 
 /// Ring coordinates: an angle and two displacements.
 pub const RING: usize = 3;
+/// Coordinates of the mean motion of a bore: two displacements and an angle.
+pub const BORE: usize = 3;
 /// Rings of a bearing, between which the axial functions interpolate.
 pub const RINGS: usize = 3;
 
@@ -60,6 +83,16 @@ pub struct ClearanceSpec {
     pub ring: [Coordinate; RING],
     /// The coordinate of each spring.
     pub radial: Coordinate,
+    /// Radius of the journal, if the spec has it.
+    pub radius: Option<Coordinate>,
+    /// Displacement of the bore along the tangent at each spring, if the spec has it.
+    pub tangential: Option<Coordinate>,
+    /// Mean displacements of the bore along x and y and its mean turn, if the spec has them.
+    pub bore: Option<[Coordinate; BORE]>,
+    /// Kinds of laws beyond Q(h, ḣ).
+    pub contacts: Vec<Contact>,
+    /// Names and values of the measures, the clearance first.
+    pub measures: Vec<(String, Id)>,
     /// Definitions in the order of the file, with what they stand for.
     pub definitions: Vec<(String, Id)>,
     /// Name of the clearance, such as `h`.
@@ -72,8 +105,26 @@ pub struct ClearanceSpec {
     pub axial_variable: Coordinate,
     /// The axial functions in the graph.
     pub axial: [Id; RINGS],
-    /// Symbols and values, all SI.
+    /// Symbols and values of the clearance and the axial functions, all SI. Measures are kept out of it, so
+    /// that the kernels of the clearance do not change with them.
     pub graph: Graph,
+    /// The same, and the measures.
+    pub contact_graph: Graph,
+}
+
+/// A way in which a bore moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BoreMotion {
+    /// Outwards at a spring.
+    Radial,
+    /// Along the tangent at a spring.
+    Tangential,
+    /// All around, along x.
+    MeanX,
+    /// All around, along y.
+    MeanY,
+    /// All around, turning.
+    MeanTurn,
 }
 
 /// A symbol of the spec.

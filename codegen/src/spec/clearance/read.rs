@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{ClearanceSpec, Coordinate, RING, RINGS};
+use super::kinds::Measure;
+use super::{BORE, ClearanceSpec, Coordinate, RING, RINGS};
 use crate::diagnostic::{Code, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::{self, Formula, Meaning, Scope};
@@ -11,8 +12,25 @@ use crate::spec::read::{Document, Table, Value};
 use crate::units::{Dimension, Unit};
 
 /// Names that the generated kernels use themselves.
-const KERNEL_NAMES: [&str; 9] =
-    ["springs", "table", "law", "tangent", "a1", "Q", "dQ_dh", "dQ_dh_dot", "j"];
+const KERNEL_NAMES: [&str; 17] = [
+    "springs",
+    "table",
+    "law",
+    "tangent",
+    "a1",
+    "Q",
+    "dQ_dh",
+    "dQ_dh_dot",
+    "j",
+    "count",
+    "state",
+    "ring",
+    "bore",
+    "bore_dot",
+    "forces",
+    "slopes",
+    "out",
+];
 
 pub(super) fn read(file: &Arc<Source>) -> Result<ClearanceSpec, Diagnostics> {
     let document = Document::parse(file);
@@ -23,9 +41,9 @@ pub(super) fn read(file: &Arc<Source>) -> Result<ClearanceSpec, Diagnostics> {
     document.into_result(spec)
 }
 
-struct Reader<'d> {
-    document: &'d Document<'d>,
-    graph: Graph,
+pub(super) struct Reader<'d> {
+    pub(super) document: &'d Document<'d>,
+    pub(super) graph: Graph,
     symbols: BTreeMap<String, Id>,
     meanings: BTreeMap<String, Meaning>,
 }
@@ -46,13 +64,20 @@ impl<'d> Reader<'d> {
         let (name, title, reference) =
             (root.string("name"), root.string("title"), root.string("source"));
         let spring = self.coordinates(&root, "spring", &[Dimension::ANGLE]);
-        let constant = self.coordinates(&root, "constants", &[Dimension::LENGTH]);
+        // The second, if there is one, is the journal's radius.
+        let constants = self.some_coordinates(&root, "constants", &[Dimension::LENGTH; 2], 1);
         let ring_units = [Dimension::ANGLE, Dimension::LENGTH, Dimension::LENGTH];
         let ring = self.coordinates(&root, "ring", &ring_units);
         let radial = self.coordinates(&root, "radial", &[Dimension::LENGTH]);
         let definitions = self.definitions(&root);
         let clearance = self.clearance(&root);
         let axial = self.axial(&root);
+        let graph = self.graph.clone();
+        let tangential = self.optional_coordinates(&root, "tangential", &[Dimension::LENGTH]);
+        let bore_units = [Dimension::LENGTH, Dimension::LENGTH, Dimension::ANGLE];
+        let bore = self.optional_coordinates(&root, "bore", &bore_units);
+        let measures = self.measures(&root);
+        let kinds = self.kinds(&root);
         root.finish();
         if self.document.has_errors() {
             return None;
@@ -61,13 +86,24 @@ impl<'d> Reader<'d> {
         let one = |list: Option<Vec<Coordinate>>| list?.into_iter().next();
         let (clearance, formula, value) = clearance?;
         let (axial_variable, axial) = axial?;
-        Some(ClearanceSpec {
+        let (tangential, bore) = (tangential?, bore?);
+        let mut constants = constants?.into_iter();
+        let mut spec = ClearanceSpec {
             name: text(name?),
             title: text(title?),
             reference: text(reference?),
             file: file.clone(),
             spring: one(spring)?,
-            constant: one(constant)?,
+            constant: constants.next()?,
+            radius: constants.next(),
+            tangential: tangential.into_iter().next(),
+            bore: if bore.is_empty() {
+                None
+            } else {
+                Some(<[Coordinate; BORE]>::try_from(bore).ok()?)
+            },
+            contacts: Vec::new(),
+            measures: Vec::new(),
             ring: <[Coordinate; RING]>::try_from(ring?).ok()?,
             radial: one(radial)?,
             definitions: definitions?,
@@ -76,12 +112,18 @@ impl<'d> Reader<'d> {
             value,
             axial_variable,
             axial,
-            graph: self.graph,
-        })
+            graph,
+            contact_graph: self.graph,
+        };
+        let measures: Vec<Measure> =
+            std::iter::once(Measure::clearance(&spec)).chain(measures).collect();
+        spec.contacts = super::kinds::bind(self.document, &spec, &measures, &kinds);
+        spec.measures = measures.into_iter().map(Measure::named).collect();
+        Some(spec)
     }
 
     /// A name that is free and means nothing else in the kernels.
-    fn name(&mut self, key: &Located) -> Option<String> {
+    pub(super) fn name(&mut self, key: &Located) -> Option<String> {
         let name = match formula::name(key.text()) {
             Ok(name) => name,
             Err(message) => {
@@ -91,7 +133,9 @@ impl<'d> Reader<'d> {
         };
         let reserved = KERNEL_NAMES.contains(&name.as_str())
             || ["_row", "_dot"].iter().any(|end| name.ends_with(end))
-            || name.starts_with("total_");
+            || name.starts_with("total_")
+            // Slopes of forces, such as dT_dh.
+            || name.starts_with('d') && name.contains("_d");
         if reserved || self.symbols.contains_key(&name) {
             let message = if reserved {
                 format!("the name `{name}` is kept for the kernels")
@@ -111,12 +155,27 @@ impl<'d> Reader<'d> {
         table: &str,
         units: &[Dimension],
     ) -> Option<Vec<Coordinate>> {
+        self.some_coordinates(root, table, units, units.len())
+    }
+
+    /// As [`Reader::coordinates`], but only the first `least` must be there.
+    fn some_coordinates(
+        &mut self,
+        root: &Table<'d>,
+        table: &str,
+        units: &[Dimension],
+        least: usize,
+    ) -> Option<Vec<Coordinate>> {
         let place = table;
         let table = root.table(place)?;
         let keys = table.names();
-        if keys.len() != units.len() {
+        if keys.len() < least || keys.len() > units.len() {
+            let needed = match least == units.len() {
+                true => least.to_string(),
+                false => format!("{least} to {}", units.len()),
+            };
             let message =
-                format!("`{place}` declares {} names, but {} are needed", keys.len(), units.len());
+                format!("`{place}` declares {} names, but {needed} are needed", keys.len());
             table.error(Code::BAD_VALUE, table.span(), message);
         }
         let mut list = Vec::new();
@@ -134,6 +193,16 @@ impl<'d> Reader<'d> {
         }
         table.finish();
         Some(list)
+    }
+
+    /// As [`Reader::coordinates`]; none where the table is not there.
+    fn optional_coordinates(
+        &mut self,
+        root: &Table<'d>,
+        table: &str,
+        units: &[Dimension],
+    ) -> Option<Vec<Coordinate>> {
+        if root.has(table) { self.coordinates(root, table, units) } else { Some(Vec::new()) }
     }
 
     fn declare(
@@ -239,7 +308,7 @@ impl<'d> Reader<'d> {
     }
 
     /// Parses, checks and lowers a formula of scalars.
-    fn formula(&mut self, text: &Located) -> Option<(Formula, Id, Option<Dimension>)> {
+    pub(super) fn formula(&mut self, text: &Located) -> Option<(Formula, Id, Option<Dimension>)> {
         let document = self.document;
         let refuse = |errors: Diagnostics| document.append(errors);
         let formula = formula::parse(text).map_err(refuse).ok()?;

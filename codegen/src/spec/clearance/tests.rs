@@ -1,5 +1,6 @@
 use super::*;
 use crate::diagnostic::Source;
+use crate::expression::Rational;
 
 const JOURNAL: &str = include_str!("../../../../specs/motion/clearance.toml");
 
@@ -31,6 +32,69 @@ fn a_force_does_no_work_that_the_clearance_does_not_do() {
     let expected = g.mul(d.q, d.h_dot);
     assert!(crate::expression::normal::equal(g, work, expected));
     assert!(!g.is_zero(d.force.ring[0]), "the force on the rotation is not zero");
+}
+
+#[test]
+fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
+    // Σ (generalised force) · (rate) = Σ F_m ẋ_m, and no kind works on a uniform motion of shaft and bore.
+    let spec = read(JOURNAL).expect("a clearance");
+    assert_eq!(spec.contacts.len(), 2);
+    for contact in &spec.contacts {
+        let mut d = spec.derive_contact(contact).expect("derivatives");
+        let coordinates: Vec<Id> = spec.ring.iter().map(|c| c.symbol).collect();
+        let g = &mut d.graph;
+        let mut work = g.integer(0);
+        for (force, rate) in d.force.iter().zip(&d.rates) {
+            let part = g.mul(*force, rate.symbol);
+            work = g.add(work, part);
+        }
+        let mut expected = g.integer(0);
+        for ((_, symbol), force) in d.forces.iter().zip(&contact.forces) {
+            for (place, rate) in d.rates.iter().enumerate() {
+                let own = contact.bore.get(place.wrapping_sub(RING)).map(|(_, own)| own.symbol);
+                let coordinate = own.unwrap_or_else(|| coordinates[place]);
+                let slope = g.differentiate(force.measure, coordinate).expect("smooth");
+                let part = g.product(&[
+                    (*symbol, Rational::from_integer(1.into())),
+                    (slope, Rational::from_integer(1.into())),
+                    (rate.symbol, Rational::from_integer(1.into())),
+                ]);
+                expected = g.add(expected, part);
+            }
+        }
+        assert!(crate::expression::normal::equal(g, work, expected), "{}", contact.name);
+        assert!(!g.is_zero(d.force[0]), "{}: a torque on the shaft", contact.name);
+    }
+}
+
+#[test]
+fn kinds_of_laws_know_what_they_need() {
+    let spec = read(JOURNAL).expect("a clearance");
+    let [spring, ring] = spec.contacts.as_slice() else { panic!("two kinds") };
+    assert!(spring.each_spring && !ring.each_spring);
+    let motions = |contact: &Contact| contact.bore.iter().map(|(m, _)| *m).collect::<Vec<_>>();
+    use BoreMotion::{MeanTurn, MeanX, MeanY, Radial, Tangential};
+    assert_eq!(motions(spring), [Radial, Tangential, MeanTurn]);
+    assert_eq!(motions(ring), [MeanX, MeanY, MeanTurn]);
+    let units = |contact: &Contact| {
+        contact.inputs.iter().map(|input| input.unit.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(units(spring), ["m", "m/s", "rad", "rad/s", "m/s", "rad"]);
+    assert_eq!(ring.forces[2].unit, "N*m");
+}
+
+#[test]
+fn errors_of_kinds_name_the_place() {
+    let error = |from: &str, to: &str| read(&JOURNAL.replace(from, to)).expect_err("an error");
+    let wrong = error("\"omega\", \"v_t\"", "\"omega\", \"v_y\"");
+    assert!(wrong.contains("`v_y` is no measure, rate or coordinate"), "{wrong}");
+    assert!(error("[\"Q\", \"T\"]", "[\"Q\", \"S\"]").contains("`S` is no force of a measure"));
+    assert!(error("force = \"T\"", "force = \"R\"").contains("the name `R` is taken"));
+    assert!(error("value = 'theta - beta'", "value = 'theta - b_x'").contains("clearance.toml:"));
+    assert!(
+        error("value = 'u_x - b_x'", "value = '(u_x - b_x)^2'").contains("a length or an angle")
+    );
+    assert!(error("[bore.beta]", "[bore.gamma]").contains("beta"));
 }
 
 #[test]

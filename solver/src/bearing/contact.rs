@@ -1,0 +1,341 @@
+//! Laws that take or give more than Q(h, ḣ): where they act, and what they do at one instant.
+
+use std::ops::Range;
+
+use whirl_specs::{Clearance, ContactState, ContactTangent, Ring};
+
+use super::bore::{bore_rows, journal_radius};
+use super::law::ContactLaw;
+use super::state::{Motion, along, multiply};
+use super::{Bearing, eccentricity};
+use crate::error::Error;
+use crate::linalg::Matrix;
+use crate::shaft::Shaft;
+use crate::support::Support;
+
+/// One plane in which such a law acts: at every spring, or once.
+pub(crate) struct ContactPlane {
+    /// Which bearing, counted from 0.
+    pub(crate) bearing: usize,
+    /// Springs, or 1.
+    pub(crate) count: usize,
+    /// ε_x and ε_y as Σ coefficient · η.
+    pub(crate) eccentricity: [Vec<(usize, f64)>; 2],
+    /// For every motion of the bore its first row in [`Contacts::bore`]; none if the law does not need it.
+    pub(crate) motions: Vec<Option<usize>>,
+    /// Radial clearance c (m).
+    clearance: f64,
+    /// Radius of the journal (m); of no effect where no law needs it and none is known.
+    radius: f64,
+    /// What moments are divided by to be judged beside forces (m).
+    arm: f64,
+    table: Vec<f64>,
+}
+
+/// All such planes, law after law.
+pub(crate) struct Contacts {
+    pub(crate) laws: Vec<(ContactLaw, Range<usize>)>,
+    pub(crate) planes: Vec<ContactPlane>,
+    /// Motions of the bores from the support's coordinates (rows × coordinates).
+    bore: Matrix,
+    /// One column a row of `bore`.
+    pub(crate) bore_transposed: Matrix,
+}
+
+impl Contacts {
+    /// Places the laws, each with its place among all laws, in the bearings that name it.
+    ///
+    /// # Errors
+    /// A law that needs a radius which nothing gives; bore nodes through which no spline passes.
+    pub(super) fn new(
+        kernels: &Clearance,
+        laws: Vec<(usize, ContactLaw)>,
+        bearings: &[Bearing],
+        shaft: &Shaft,
+        support: &Support,
+    ) -> Result<Self, Error> {
+        let mut planes = Vec::new();
+        let mut placed = Vec::new();
+        let mut rows: Vec<Vec<f64>> = Vec::new();
+        for (place, law) in laws {
+            let first = planes.len();
+            let kind = law.kind;
+            for (number, bearing) in bearings.iter().enumerate().filter(|(_, b)| b.law == place) {
+                let radius = radius(&law, (number, bearing), support)?;
+                let count = if kind.each_spring { bearing.angles.len() } else { 1 };
+                let mut table = vec![0.0; kind.table * count];
+                (kind.prepare)(&bearing.angles[..count.min(bearing.angles.len())], &mut table);
+                for &station in &bearing.stations {
+                    let mut motions = Vec::new();
+                    for (motion, needed) in kind.bore.iter().zip(law.motions()) {
+                        motions.push(needed.then_some(rows.len()));
+                        if needed {
+                            let own =
+                                bore_rows(kernels, (number, bearing), station, support, *motion)?;
+                            // A motion of the whole ring is that of each of its springs.
+                            let own = own.into_iter().cycle().take(count);
+                            rows.extend(own);
+                        }
+                    }
+                    planes.push(ContactPlane {
+                        bearing: number,
+                        count,
+                        eccentricity: eccentricity(kernels, bearing, station, shaft),
+                        motions,
+                        clearance: bearing.clearance,
+                        radius: radius.unwrap_or(0.0),
+                        arm: radius.filter(|radius| *radius > 0.0).unwrap_or(1.0),
+                        table: table.clone(),
+                    });
+                }
+            }
+            placed.push((law, first..planes.len()));
+        }
+        let bore = Matrix::from_fn(rows.len(), support.size(), |i, j| rows[i][j]);
+        let bore_transposed = bore.transpose();
+        Ok(Contacts { laws: placed, planes, bore, bore_transposed })
+    }
+
+    /// Number of forces: every force that a law gives, at every spring or ring.
+    pub(crate) fn forces(&self) -> usize {
+        let of_law = |(law, planes): &(ContactLaw, Range<usize>)| {
+            let counts = self.planes[planes.clone()].iter().map(|plane| plane.count);
+            law.forces.len() * counts.sum::<usize>()
+        };
+        self.laws.iter().map(of_law).sum()
+    }
+}
+
+/// The journal's radius, where it is known.
+fn radius(
+    law: &ContactLaw,
+    (place, bearing): (usize, &Bearing),
+    support: &Support,
+) -> Result<Option<f64>, Error> {
+    let radius = bearing.journal_radius.or_else(|| journal_radius(bearing, support));
+    match (radius, law.needs_radius()) {
+        (None, Some(name)) => Err(Error::Law {
+            law: law.law.name().to_owned(),
+            bearing: Some(place),
+            what: format!(
+                "needs the journal's radius for {name}, but {} gives none and has no bore to take it from",
+                bearing.name
+            ),
+            help: "add `journal_radius = \"25 mm\"`, with the radius that the journal has"
+                .to_owned(),
+        }),
+        _ => Ok(radius),
+    }
+}
+
+/// What the laws of [`Contacts`] do at one instant. Allocated once, filled at will.
+pub(crate) struct ContactsState {
+    planes: Vec<PlaneState>,
+    /// Motions of the bores and their rates.
+    bore: Vec<f64>,
+    bore_dot: Vec<f64>,
+    law_inputs: Vec<f64>,
+    law_outputs: Vec<f64>,
+    law_workspace: Vec<f64>,
+}
+
+/// One plane; rows as in [`whirl_specs::Contact`].
+struct PlaneState {
+    ring: Ring,
+    bore: Vec<f64>,
+    bore_dot: Vec<f64>,
+    inputs: Vec<f64>,
+    forces: Vec<f64>,
+    slopes: Vec<f64>,
+    ring_force: [f64; 3],
+    bore_force: Vec<f64>,
+}
+
+impl ContactsState {
+    /// Memory for the planes.
+    pub(crate) fn new(contacts: &Contacts) -> Self {
+        let of_law = |(law, planes): &(ContactLaw, Range<usize>)| {
+            let kind = law.kind;
+            let plane = |plane: &ContactPlane| {
+                let row = |rows: usize| vec![0.0; rows * plane.count];
+                PlaneState {
+                    ring: Ring::default(),
+                    bore: row(kind.bore.len()),
+                    bore_dot: row(kind.bore.len()),
+                    inputs: row(kind.inputs.len()),
+                    forces: row(kind.forces.len()),
+                    slopes: row(kind.forces.len() * kind.inputs.len()),
+                    ring_force: [0.0; 3],
+                    bore_force: row(kind.bore.len()),
+                }
+            };
+            contacts.planes[planes.clone()].iter().map(plane).collect::<Vec<_>>()
+        };
+        let most = |of: fn(&ContactLaw) -> usize| {
+            let rows = contacts.laws.iter().map(|(law, planes)| {
+                let counts = contacts.planes[planes.clone()].iter().map(|plane| plane.count);
+                of(law) * counts.sum::<usize>()
+            });
+            rows.max().unwrap_or(0)
+        };
+        let workspace = contacts.laws.iter().map(|(law, _)| law.law.workspace()).max();
+        ContactsState {
+            planes: contacts.laws.iter().flat_map(of_law).collect(),
+            bore: vec![0.0; contacts.bore.rows],
+            bore_dot: vec![0.0; contacts.bore.rows],
+            law_inputs: vec![0.0; most(|law| law.inputs.len())],
+            law_outputs: vec![0.0; most(|law| law.forces.len() * (1 + law.inputs.len()))],
+            law_workspace: vec![0.0; workspace.unwrap_or(0)],
+        }
+    }
+
+    /// Computes everything but the tangent from the motion, and the forces by which a step is judged (N):
+    /// law after law, force after force, plane after plane; moments over the journal's radius.
+    pub(crate) fn update(&mut self, contacts: &Contacts, motion: Motion, judged: &mut [f64]) {
+        multiply(&contacts.bore, motion.support, &mut self.bore);
+        multiply(&contacts.bore, motion.support_dot, &mut self.bore_dot);
+        let mut judged = judged.iter_mut();
+        for (law, range) in &contacts.laws {
+            for place in range.clone() {
+                self.move_plane(contacts, law, place, motion);
+            }
+            self.evaluate(contacts, law, range.clone());
+            for &force in &law.forces {
+                let is_moment = law.kind.forces[force].unit != "N";
+                for place in range.clone() {
+                    let plane = &contacts.planes[place];
+                    let scale = if is_moment { 1.0 / plane.arm } else { 1.0 };
+                    let row = &self.planes[place].forces[force * plane.count..][..plane.count];
+                    row.iter().zip(&mut judged).for_each(|(value, out)| *out = scale * value);
+                }
+            }
+            for place in range.clone() {
+                let (plane, own) = (&contacts.planes[place], &mut self.planes[place]);
+                let state = ContactState {
+                    table: &plane.table,
+                    ring: &own.ring,
+                    radius: plane.radius,
+                    bore: &own.bore,
+                    bore_dot: &own.bore_dot,
+                };
+                let (ring, bore) = (&mut own.ring_force, &mut own.bore_force);
+                (law.kind.force)(plane.count, &state, &own.forces, ring, bore);
+            }
+        }
+    }
+
+    /// The motion of a plane, and what its law takes there.
+    fn move_plane(&mut self, contacts: &Contacts, law: &ContactLaw, place: usize, motion: Motion) {
+        let (plane, own) = (&contacts.planes[place], &mut self.planes[place]);
+        let [x, y] = &plane.eccentricity;
+        own.ring = Ring {
+            position: [motion.theta, along(x, motion.eta), along(y, motion.eta)],
+            velocity: [motion.theta_dot, along(x, motion.eta_dot), along(y, motion.eta_dot)],
+            c: plane.clearance,
+        };
+        let rows = plane.motions.iter().zip(own.bore.chunks_exact_mut(plane.count.max(1)));
+        for ((row, values), rates) in rows.zip(own.bore_dot.chunks_exact_mut(plane.count.max(1))) {
+            if let Some(row) = *row {
+                values.copy_from_slice(&self.bore[row..row + plane.count]);
+                rates.copy_from_slice(&self.bore_dot[row..row + plane.count]);
+            }
+        }
+        let state = ContactState {
+            table: &plane.table,
+            ring: &own.ring,
+            radius: plane.radius,
+            bore: &own.bore,
+            bore_dot: &own.bore_dot,
+        };
+        (law.kind.evaluate)(plane.count, &state, &mut own.inputs);
+    }
+
+    /// Evaluates a law over all its planes at once.
+    fn evaluate(&mut self, contacts: &Contacts, law: &ContactLaw, planes: Range<usize>) {
+        let count = |place: usize| contacts.planes[place].count;
+        let total: usize = planes.clone().map(count).sum();
+        for (&input, row) in law.inputs.iter().zip(self.law_inputs.chunks_exact_mut(total.max(1))) {
+            let mut start = 0;
+            for place in planes.clone() {
+                let n = count(place);
+                let values = &self.planes[place].inputs[input * n..(input + 1) * n];
+                row[start..start + n].copy_from_slice(values);
+                start += n;
+            }
+        }
+        let inputs = &self.law_inputs[..law.inputs.len() * total];
+        let outputs = &mut self.law_outputs[..law.forces.len() * (1 + law.inputs.len()) * total];
+        law.law.evaluate(total, inputs, outputs, &mut self.law_workspace);
+        let mut rows = self.law_outputs.chunks_exact(total.max(1));
+        for &force in &law.forces {
+            let values = rows.next().expect("a row an output");
+            let mut start = 0;
+            for place in planes.clone() {
+                let n = count(place);
+                let own = &mut self.planes[place].forces[force * n..(force + 1) * n];
+                own.copy_from_slice(&values[start..start + n]);
+                start += n;
+            }
+            for &input in &law.inputs {
+                let values = rows.next().expect("a row a derivative");
+                let row = force * law.kind.inputs.len() + input;
+                let mut start = 0;
+                for place in planes.clone() {
+                    let n = count(place);
+                    let own = &mut self.planes[place].slopes[row * n..(row + 1) * n];
+                    own.copy_from_slice(&values[start..start + n]);
+                    start += n;
+                }
+            }
+        }
+    }
+
+    /// Generalised forces on (θ, ε_x, ε_y) of a plane: N·m, N, N; ε in the frame of the shaft.
+    pub(crate) fn plane_force(&self, plane: usize) -> [f64; 3] {
+        self.planes[plane].ring_force
+    }
+
+    /// Adds the generalised forces on θ, η and the support's coordinates.
+    pub(crate) fn add_forces(
+        &self,
+        contacts: &Contacts,
+        theta: &mut f64,
+        eta: &mut [f64],
+        support: &mut [f64],
+    ) {
+        for (plane, own) in contacts.planes.iter().zip(&self.planes) {
+            *theta += own.ring_force[0];
+            for (row, value) in plane.eccentricity.iter().zip(&own.ring_force[1..]) {
+                row.iter().for_each(|&(j, share)| eta[j] += share * value);
+            }
+            for (row, forces) in plane.motions.iter().zip(own.bore_force.chunks(plane.count.max(1)))
+            {
+                let Some(row) = *row else { continue };
+                for (j, &force) in forces.iter().enumerate().filter(|(_, force)| **force != 0.0) {
+                    let column = contacts.bore_transposed.col(row + j);
+                    support.iter_mut().zip(column).for_each(|(sum, share)| *sum += share * force);
+                }
+            }
+        }
+    }
+
+    /// The derivatives of the generalised forces of a plane of `law`, B + a1 P; see [`ContactTangent`].
+    pub(crate) fn tangent(
+        &self,
+        contacts: &Contacts,
+        law: &ContactLaw,
+        plane: usize,
+        a1: f64,
+        out: &mut ContactTangent,
+    ) {
+        let (own, place) = (&self.planes[plane], &contacts.planes[plane]);
+        let state = ContactState {
+            table: &place.table,
+            ring: &own.ring,
+            radius: place.radius,
+            bore: &own.bore,
+            bore_dot: &own.bore_dot,
+        };
+        (law.kind.tangent)(place.count, &state, &own.forces, &own.slopes, a1, out);
+    }
+}
