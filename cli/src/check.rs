@@ -81,7 +81,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor) -> Result<(), Failure> {
                 k + 1,
                 bearing.springs,
                 rounded(1e6 * bearing.radial_clearance),
-                bearing.law.name()
+                bearing.law.source.name()
             ),
         );
     }
@@ -137,7 +137,7 @@ fn say_lumped(text: &mut String, lumped: &Lumped) {
     line(text, format_args!("starts at {displacement} m with {velocity} m/s"));
     for stop in &lumped.stops {
         let side = format!("{:?}", stop.side).to_lowercase();
-        line(text, format_args!("stop {side}, gap {} m, law {}", stop.gap, stop.law.name()));
+        line(text, format_args!("stop {side}, gap {} m, law {}", stop.gap, stop.law.source.name()));
     }
 }
 

@@ -310,8 +310,13 @@ fn inputs_follow_from_the_measures() {
                 for (i, ([value, _], own)) in exact.iter().zip(bench.kind.inputs).enumerate() {
                     let error = (inputs[i * bench.count + j] - value).abs();
                     // Slip is R θ̇ with the rest lost in it; a rate of a length is θ̇ times one.
-                    let size = size(own.unit).max(R * SIZES[2] * f64::from(u8::from(own.unit == "m/s")));
-                    assert!(error <= 32.0 * f64::EPSILON * size.max(6.0), "{}: {error:e}", own.name);
+                    let size =
+                        size(own.unit).max(R * SIZES[2] * f64::from(u8::from(own.unit == "m/s")));
+                    assert!(
+                        error <= 32.0 * f64::EPSILON * size.max(6.0),
+                        "{}: {error:e}",
+                        own.name
+                    );
                 }
             }
         }

@@ -19,6 +19,15 @@ pub enum LawSource {
     File(Arc<LawSpec>),
 }
 
+/// A law, and where the case names it.
+#[derive(Debug, Clone)]
+pub struct NamedLaw {
+    /// The law.
+    pub source: LawSource,
+    /// The value of the key `law`.
+    pub name: Located,
+}
+
 impl LawSource {
     /// How results call the law: its name, or the path of its file.
     pub fn name(&self) -> String {
@@ -52,9 +61,10 @@ fn built_in_table(law: &Law, name: &str) -> Result<Arc<Source>, String> {
     Ok(Source::new(Path::new("specs").join(path), *text))
 }
 
-/// The law that `law` of a table names, if the key is there.
-pub(super) fn read(shelf: Shelf, table: &Reader) -> Option<LawSource> {
-    find(shelf, table, &table.text("law")?)
+/// The law that `law` of a table names, and where it does, if the key is there.
+pub(super) fn read(shelf: Shelf, table: &Reader) -> Option<NamedLaw> {
+    let name = table.text("law")?;
+    find(shelf, table, &name).map(|source| NamedLaw { source, name })
 }
 
 /// The law called `name`; what is wrong with it is noted in `table`.

@@ -2,7 +2,7 @@
 
 use whirl_specs::Motion;
 
-use super::law::{self, LawSource};
+use super::law::{self, NamedLaw};
 use super::library::Shelf;
 use super::machine;
 use super::reader::{DAMPING, FORCE, MASS, POSITION, Reader, STIFFNESS, VELOCITY};
@@ -35,8 +35,8 @@ pub struct Stop {
     pub side: Side,
     /// h at x = 0, in m.
     pub gap: f64,
-    /// Q(h, ḣ).
-    pub law: LawSource,
+    /// Q(h, ḣ), or more.
+    pub law: NamedLaw,
 }
 
 /// The side of a mass on which a stop stands.

@@ -192,6 +192,7 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
     let shared_law = shared.as_ref().and_then(|table| law::read(shelf, table));
     let shared_number = shared.as_ref().and_then(|t| t.count("number", FEWEST_SPRINGS));
     let shared_clearance = shared.as_ref().and_then(|t| t.quantity("radial_clearance", &LENGTH));
+    let shared_radius = shared.as_ref().and_then(|t| t.quantity("journal_radius", &LENGTH));
     let shares = |key| shared.as_ref().is_some_and(|table| table.has(key));
     let each = |table: Reader| {
         let names = |key, example| table.needed_names(key, Some(STATIONS), example);
@@ -202,6 +203,7 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
         let own_law = law::read(shelf, &table);
         let own_number = table.count("number", FEWEST_SPRINGS);
         let own_clearance = table.quantity("radial_clearance", &LENGTH);
+        let own_radius = table.quantity("journal_radius", &LENGTH);
         for (key, example) in
             [("number", "24"), ("radial_clearance", "\"35 um\""), ("law", "\"hu2003-nonlinear\"")]
         {
@@ -215,6 +217,7 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
             stations,
             springs: own_number.or(shared_number)?,
             radial_clearance: own_clearance.or(shared_clearance)?,
+            journal_radius: own_radius.or(shared_radius),
             law: own_law.or_else(|| shared_law.clone())?,
         })
     };

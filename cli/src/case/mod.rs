@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
 
-pub use law::LawSource;
+pub use law::{LawSource, NamedLaw};
 pub use library::embedded_cases;
 pub use loads::Load;
 pub use lumped::{Lumped, Side, Stop};
@@ -70,8 +70,8 @@ impl Case {
     /// The laws of the case, each once, in the order in which the case first names them.
     pub fn laws(&self) -> Vec<&LawSource> {
         let all: Vec<&LawSource> = match &self.system {
-            System::Rotor(rotor) => rotor.bearings.iter().map(|bearing| &bearing.law).collect(),
-            System::Lumped(lumped) => lumped.stops.iter().map(|stop| &stop.law).collect(),
+            System::Rotor(rotor) => rotor.bearings.iter().map(|b| &b.law.source).collect(),
+            System::Lumped(lumped) => lumped.stops.iter().map(|stop| &stop.law.source).collect(),
         };
         let mut laws: Vec<&LawSource> = Vec::new();
         for law in all {

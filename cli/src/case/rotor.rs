@@ -9,7 +9,7 @@ use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::Motion;
 
-use super::law::LawSource;
+use super::law::NamedLaw;
 use super::loads::Load;
 
 /// Shaft, support, what lies between, and what drives and loads them.
@@ -114,8 +114,10 @@ pub struct Bearing {
     pub stations: Vec<f64>,
     /// Radial clearance c in m.
     pub radial_clearance: f64,
-    /// Q(h, ḣ) of one spring.
-    pub law: LawSource,
+    /// Radius of the journal in m, if the case says it.
+    pub journal_radius: Option<f64>,
+    /// The law of one spring, or of a whole ring.
+    pub law: NamedLaw,
 }
 
 /// A couple of forces fixed to the shaft, acting until a speed is reached.

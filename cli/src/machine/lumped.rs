@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use whirl_solver::Error;
 use whirl_solver::bearing::Bearing;
 use whirl_solver::loads::{Course, Frame, Load};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
@@ -9,7 +10,7 @@ use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use super::Built;
-use super::springs::{Laws, clearance};
+use super::springs::{Laws, clearance, wrong_law};
 use crate::case::{Lumped, Side};
 use crate::errors::Failure;
 
@@ -24,12 +25,14 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
             journal: [0; 3],
             bore: [const { Vec::new() }; 3],
             clearance: stop.gap,
+            // Nothing turns, so that a radius is of no effect.
+            journal_radius: Some(0.0),
             stations: vec![0.5],
             angles: vec![match stop.side {
                 Side::Above => 0.0,
                 Side::Below => PI,
             }],
-            law: laws.place(&stop.law)?,
+            law: laws.place(&stop.law.source)?,
         });
     }
     let weight = Load {
@@ -48,6 +51,12 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         laws: laws.into_laws(),
         bearings,
         loads: if lumped.force == 0.0 { Vec::new() } else { vec![weight] },
+    })
+    .map_err(|error| match &error {
+        Error::Law { bearing: Some(place), .. } => {
+            wrong_law(&lumped.stops[*place].law.name, &error)
+        }
+        _ => error.into(),
     })?;
     Ok(Built {
         machine,

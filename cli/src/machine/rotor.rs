@@ -1,5 +1,7 @@
 //! The machine of a shaft on a support.
 
+use whirl_codegen::diagnostic::{Code, Diagnostics};
+use whirl_solver::Error;
 use whirl_solver::bearing::Bearing;
 use whirl_solver::cache::Cache;
 use whirl_solver::loads::{Course, Frame, Load};
@@ -8,7 +10,7 @@ use whirl_solver::shaft::Shaft;
 
 use super::bodies::bodies;
 use super::plan::Plan;
-use super::springs::{Laws, angles, clearance};
+use super::springs::{Laws, angles, clearance, wrong_law};
 use super::{BodyFacts, Built};
 use crate::case::{self, Rotor};
 use crate::errors::Failure;
@@ -16,12 +18,28 @@ use crate::errors::Failure;
 pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failure> {
     let Assembled { parts, law_hashes, facts } = assemble(rotor, cache)?;
     Ok(Built {
-        machine: Machine::new(parts)?,
+        machine: Machine::new(parts).map_err(|error| explain(rotor, error))?,
         initial: [Vec::new(), Vec::new()],
         clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),
         law_hashes,
         bodies: Some(facts),
     })
+}
+
+/// An error of the machine where the case causes it.
+fn explain(rotor: &Rotor, error: Error) -> Failure {
+    match &error {
+        Error::Law { bearing: Some(place), .. } => {
+            wrong_law(&rotor.bearings[*place].law.name, &error)
+        }
+        Error::Bore { place, .. } => match rotor.bearings[*place].bore.first() {
+            Some(set) => {
+                Diagnostics::from(set.error_here(Code::BAD_VALUE, error.to_string())).into()
+            }
+            None => error.into(),
+        },
+        _ => error.into(),
+    }
 }
 
 /// What a machine is made from, and what results say about it.
@@ -74,12 +92,13 @@ fn bearings(
             journal,
             bore: plan.bores[place].clone(),
             clearance: bearing.radial_clearance,
+            journal_radius: bearing.journal_radius,
             stations: stations(
                 bearing,
                 [journal[0], journal[2]].map(|n| shaft.nodes[n].position[2]),
             ),
             angles: angles(bearing.springs),
-            law: laws.place(&bearing.law)?,
+            law: laws.place(&bearing.law.source)?,
         });
     }
     Ok(bearings)

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_solver::Error;
 use whirl_solver::bearing::SpringLaw;
 use whirl_specs::{CLEARANCES, Clearance};
 
@@ -41,6 +43,13 @@ impl Laws {
     pub(super) fn into_laws(self) -> Vec<Box<dyn SpringLaw>> {
         self.laws
     }
+}
+
+/// A law that cannot be used where the case names it.
+pub(super) fn wrong_law(place: &Located, error: &Error) -> Failure {
+    let Error::Law { law, what, help, .. } = error else { return error.clone().into() };
+    let message = format!("the law `{law}` {what}");
+    Diagnostics::from(place.error_here(Code::BAD_VALUE, message).help(help.clone())).into()
 }
 
 /// Fixed angles ψ_j of `count` springs, rad.

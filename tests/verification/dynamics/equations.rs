@@ -26,7 +26,7 @@ fn busy(motion: &'static Motion) -> Machine {
     Machine::new(parts).expect("a machine")
 }
 
-fn random_state(size: usize, seed: u64) -> State {
+pub(crate) fn random_state(size: usize, seed: u64) -> State {
     let mut random = wild(seed);
     let mut state = State::new(size);
     for i in 0..size {
@@ -40,7 +40,7 @@ fn random_state(size: usize, seed: u64) -> State {
 
 /// Largest difference between a column of the tangent and central differences of the residual, over the
 /// largest entry of that column, for one step of the difference.
-fn worst_column(machine: &Machine, state: &State, share: f64) -> Vec<f64> {
+pub(crate) fn worst_column(machine: &Machine, state: &State, share: f64) -> Vec<f64> {
     let (t, size) = (0.013, machine.size());
     let step = Coefficients::new(Newmark { gamma: 0.55, beta: 0.3 }, 1e-3);
     let mut system = System::new(machine);

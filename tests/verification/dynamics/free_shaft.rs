@@ -21,7 +21,7 @@ fn thrown(time_step: f64, steps: usize) -> MarchOptions {
 }
 
 /// Angular momentum about the axis.
-fn momentum(machine: &Machine, march: &March) -> f64 {
+pub(crate) fn momentum(machine: &Machine, march: &March) -> f64 {
     let state = march.state();
     let n = machine.shaft.size();
     let mut tensors = Vec::new();
