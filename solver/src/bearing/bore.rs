@@ -105,5 +105,5 @@ pub(super) fn journal_radius(bearing: &Bearing, support: &Support) -> Option<f64
         x.hypot(y)
     };
     let mean = nodes.iter().map(distance).sum::<f64>() / nodes.len() as f64;
-    (!nodes.is_empty()).then(|| mean - bearing.clearance)
+    (!nodes.is_empty()).then_some(mean - bearing.clearance)
 }
