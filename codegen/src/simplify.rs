@@ -36,22 +36,34 @@ const RULES: &[(&str, Rule)] = &[
     ("select(m, a*c, b*c) = select(m, a, b)*c", factor_of_choice),
 ];
 
+/// Most nodes of all expressions that are tried: what is not improved then stays as it is.
+const TRIED: usize = 2_000_000;
+
 /// The expressions with every rule applied that makes all of them together cheaper to compute.
 pub fn simplify(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     let mut roots = roots.to_vec();
     let mut best = cost(graph, &roots);
+    let mut room = TRIED;
     // Every round that goes on has a lower cost than the one before.
-    while let Some((better, cost)) = improved(graph, &roots, best) {
+    while let Some((better, cost)) = improved(graph, &roots, best, &mut room) {
         roots = better;
         best = cost;
     }
     roots
 }
 
-fn improved(graph: &mut Graph, roots: &[Id], best: u64) -> Option<(Vec<Id>, u64)> {
-    for id in graph.reachable(roots) {
+fn improved(
+    graph: &mut Graph,
+    roots: &[Id],
+    best: u64,
+    room: &mut usize,
+) -> Option<(Vec<Id>, u64)> {
+    let nodes = graph.reachable(roots);
+    for id in nodes.iter().copied() {
         for (name, rule) in RULES {
             let Some(other) = rule(graph, id).filter(|other| *other != id) else { continue };
+            // Roots may share nothing, and the cost looks at all nodes again.
+            *room = room.checked_sub(nodes.len() * (roots.len() + 1))?;
             debug_assert!(graph.same_signature(id, other), "{name}");
             let by = BTreeMap::from([(id, other)]);
             let changed: Vec<Id> = roots.iter().map(|root| graph.substitute(*root, &by)).collect();

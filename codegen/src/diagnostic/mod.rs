@@ -7,78 +7,15 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+mod code;
 mod nearest;
 mod render;
 mod source;
 
+pub use code::{Code, Explanation};
 pub use nearest::{nearest, suggest};
 pub use render::{Colours, render};
 pub use source::{Located, Source};
-
-/// A stable code, such as `E010`, under which an error can be looked up.
-///
-/// Codes below `E100` belong to specs and formulas; each user of this module numbers its own from there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Code(pub &'static str);
-
-impl Code {
-    /// The file is not TOML.
-    pub const TOML: Code = Code("E001");
-    /// A key that nothing reads.
-    pub const UNKNOWN_KEY: Code = Code("E002");
-    /// A key that must be there.
-    pub const MISSING_KEY: Code = Code("E003");
-    /// A value of the wrong type, or out of its range.
-    pub const BAD_VALUE: Code = Code("E004");
-    /// A name declared twice, or one that the grammar keeps for itself.
-    pub const BAD_NAME: Code = Code("E005");
-    /// A declared name that nothing uses.
-    pub const UNUSED: Code = Code("E006");
-    /// A formula that the grammar does not allow.
-    pub const SYNTAX: Code = Code("E010");
-    /// A name in a formula that nothing declares.
-    pub const UNKNOWN_NAME: Code = Code("E011");
-    /// A function that does not exist, or has another number of arguments.
-    pub const BAD_CALL: Code = Code("E012");
-    /// Shapes that do not fit, or a condition where a number is wanted.
-    pub const SHAPE: Code = Code("E013");
-    /// Dimensions that do not fit.
-    pub const DIMENSION: Code = Code("E014");
-    /// A formula beyond a limit of [`crate::formula::LIMITS`].
-    pub const LIMIT: Code = Code("E015");
-    /// A division by zero or another operation without a value.
-    pub const UNDEFINED: Code = Code("E016");
-    /// A unit that is not known.
-    pub const UNKNOWN_UNIT: Code = Code("E020");
-    /// A quantity of another dimension than wanted.
-    pub const WRONG_UNIT: Code = Code("E021");
-    /// A law whose value jumps at a break.
-    pub const JUMP: Code = Code("E030");
-    /// A law whose pieces never apply, or overlap in a way that cannot be followed.
-    pub const PIECES: Code = Code("E031");
-    /// A law that should engage at a root and has none.
-    pub const NO_ROOT: Code = Code("E032");
-    /// A table of a law whose rows do not fit.
-    pub const TABLE: Code = Code("E033");
-    /// A derivative that has no form in generated code.
-    pub const DERIVATIVE: Code = Code("E040");
-    /// Something declared that does not follow from the rest of the file.
-    pub const PROOF: Code = Code("E041");
-    /// Shape functions that do not sum to one, interpolate the nodes or reproduce the coordinates.
-    pub const SHAPE_FUNCTION: Code = Code("E050");
-    /// A quadrature rule that does not fit the cell or does not have its degree.
-    pub const QUADRATURE: Code = Code("E051");
-    /// Enhanced modes that do work against a constant stress.
-    pub const PATCH_TEST: Code = Code("E052");
-    /// A form that is not bilinear in u and v, or that the enhanced modes cannot be condensed out of.
-    pub const FORM: Code = Code("E053");
-}
-
-impl fmt::Display for Code {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.0)
-    }
-}
 
 /// One error in one file.
 #[derive(Debug, Clone, PartialEq, Eq)]

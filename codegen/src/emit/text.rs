@@ -13,11 +13,40 @@ pub fn formatted(file: TokenStream) -> Result<String, String> {
     }
 }
 
-/// Doc attributes, one a line of `text`; they become `///` comments before the item that follows.
+/// Doc attributes, one a line of `text`; they become `///` comments before the item that follows. Signs
+/// that a comment cannot hold appear as their escapes.
 pub fn documented(text: &str) -> TokenStream {
     let lines = text.lines().map(|line| {
-        let line = if line.is_empty() { String::new() } else { format!(" {line}") };
+        let line = if line.is_empty() { String::new() } else { format!(" {}", printable(line)) };
         quote!(#[doc = #line])
     });
     lines.collect()
+}
+
+/// Control signs would end a comment's line or hide in it; signs that turn the direction of text would show
+/// it in another order than the compiler reads it.
+fn printable(line: &str) -> String {
+    let hidden = |c: char| {
+        c.is_control() && c != '\t'
+            || matches!(c, '\u{2028}' | '\u{2029}' | '\u{200e}' | '\u{200f}' | '\u{61c}')
+            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    let mut text = String::with_capacity(line.len());
+    for c in line.chars() {
+        if hidden(c) { text.extend(c.escape_unicode()) } else { text.push(c) }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_comment_ends_where_its_line_ends() {
+        let text = documented("a\rfn b() {}\n\u{202e}c */ /* \u{0}");
+        let file = formatted(quote!(#text pub mod kernels {})).expect("Rust");
+        let expected = "/// a\\u{d}fn b() {}\n/// \\u{202e}c */ /* \\u{0}\npub mod kernels {}\n";
+        assert_eq!(file, expected);
+    }
 }

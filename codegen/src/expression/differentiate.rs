@@ -38,7 +38,7 @@ impl Graph {
             };
             derivatives.insert(id, derivative);
             if self.exceeded() {
-                return derivative;
+                return self.derivative_zero(self.shape(expression), by_vector);
             }
         }
         derivatives[&expression]
@@ -129,10 +129,16 @@ impl Graph {
                     if self.is_zero(of[base]?) {
                         continue;
                     }
+                    if self.exceeded() {
+                        break;
+                    }
                     let mut rest = factors.clone();
                     rest[place].1 = exponent - Rational::one();
                     let rest = self.product(&rest);
                     parts.push((self.mul(rest, of[base]?), exponent.clone()));
+                }
+                if self.exceeded() {
+                    return self.derivative_zero(shape, by_vector);
                 }
                 self.sum(&parts)
             }

@@ -10,9 +10,12 @@ use super::signature::{self, Value};
 /// Most bits of a numerator or denominator, and most nodes: a formula that grows past a bound is refused
 /// ([`Graph::exceeded`]) instead of filling the memory.
 pub(super) const NUMBER_BITS: u64 = 4096;
-const NODES: usize = 2_000_000;
+const NODES: usize = 500_000;
 /// Most operands of all nodes together: derivatives of long products have many long products.
 const OPERANDS: usize = 1_000_000;
+/// Most work, in operands of sums and products gathered: a power of a sum multiplied out costs far more
+/// than what is left of it. An operand takes some tenths of a microsecond.
+const WORK: u64 = 1_500_000;
 
 /// A hash-consed expression graph. Nodes are only added; equal nodes are stored once.
 #[derive(Debug, Clone, Default)]
@@ -22,6 +25,7 @@ pub struct Graph {
     signatures: Vec<[Value; signature::POINTS]>,
     index: HashMap<Node, Id>,
     operands: usize,
+    work: u64,
     exceeded: bool,
 }
 
@@ -59,6 +63,17 @@ impl Graph {
     /// Marks the graph as grown past its bounds.
     pub(super) fn overflow(&mut self) {
         self.exceeded = true;
+    }
+
+    /// Operands gathered so far: the work that the graph has cost, whatever was kept of it.
+    pub fn work(&self) -> u64 {
+        self.work
+    }
+
+    /// Counts work; past the bound the graph counts as exceeded, and nothing costs work any more.
+    pub(super) fn spend(&mut self, work: usize) {
+        self.work += work as u64;
+        self.exceeded |= self.work > WORK;
     }
 
     /// The value of a node at fixed random points; passes that keep the meaning keep it.
@@ -181,12 +196,12 @@ impl Graph {
             Node::Sum(parts) | Node::Product(parts) => parts.len(),
             _ => 0,
         };
-        if self.nodes.len() >= NODES || self.operands + operands > OPERANDS {
-            self.exceeded = true;
-            return Id(0);
+        self.exceeded |= self.nodes.len() >= NODES || self.operands + operands > OPERANDS;
+        let shape = self.shape_of(&node);
+        if self.exceeded && !is_leaf(&node) {
+            return self.zero(shape);
         }
         self.operands += operands;
-        let shape = self.shape_of(&node);
         let id = Id(self.nodes.len() as u32);
         let values = signature::evaluate(&node, |operand| &self.signatures[operand.index()]);
         self.signatures.push(values);
@@ -213,4 +228,12 @@ impl Graph {
             Node::Apply(..) => Shape::Vector,
         }
     }
+}
+
+/// Leaves are kept even past the bounds, so that whatever is built then still has its shape.
+fn is_leaf(node: &Node) -> bool {
+    matches!(
+        node,
+        Node::Number(_) | Node::Zero(_) | Node::Identity | Node::Symbol(_) | Node::Truth(_)
+    )
 }

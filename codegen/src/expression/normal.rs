@@ -9,7 +9,7 @@ use super::graph::Graph;
 use super::node::{Id, Node, Rational, Shape};
 
 /// Most terms of an expanded sum; past it the graph counts as exceeded.
-const TERMS: usize = 50_000;
+const TERMS: usize = 5_000;
 
 /// Whether `a` and `b` are equal as polynomials (functions and choices count as unknowns).
 pub fn equal(graph: &mut Graph, a: Id, b: Id) -> bool {
@@ -23,7 +23,8 @@ pub fn expand(graph: &mut Graph, id: Id) -> Id {
     let mut expanded: BTreeMap<Id, Id> = BTreeMap::new();
     for next in graph.reachable(&[id]) {
         if graph.exceeded() {
-            return next;
+            let shape = graph.shape(id);
+            return graph.zero(shape);
         }
         let form = step(graph, next, &expanded);
         expanded.insert(next, form);
@@ -64,10 +65,16 @@ fn pairs(graph: &mut Graph, a: Id, b: Id, combine: fn(&mut Graph, Id, Id) -> Id)
     let (left, right) = (graph.terms(a), graph.terms(b));
     if left.len() * right.len() > TERMS {
         graph.overflow();
-        return a;
+    }
+    if graph.exceeded() {
+        // A zero of the right shape.
+        return combine(graph, a, b);
     }
     let mut parts = Vec::with_capacity(left.len() * right.len());
     for (x, cx) in &left {
+        if graph.exceeded() {
+            return combine(graph, a, b);
+        }
         for (y, cy) in &right {
             parts.push((combine(graph, *x, *y), cx * cy));
         }
@@ -79,7 +86,15 @@ fn multiply_power(graph: &mut Graph, product: Id, base: Id, exponent: &Rational)
     let whole = exponent.is_integer().then(|| exponent.to_integer().to_u32()).flatten();
     match whole {
         Some(count) if !exponent.is_negative() && matches!(graph.node(base), Node::Sum(_)) => {
-            (0..count).fold(product, |product, _| pairs(graph, product, base, Graph::mul))
+            // A number above every bound on exponents stops at the bound on work.
+            let mut power = product;
+            for _ in 0..count {
+                power = pairs(graph, power, base, Graph::mul);
+                if graph.exceeded() {
+                    break;
+                }
+            }
+            power
         }
         _ => {
             let power = graph.power(base, exponent.clone());

@@ -11,7 +11,12 @@ impl Graph {
     /// Σ coefficient·term; the terms have one shape and there is at least one.
     pub fn sum(&mut self, terms: &[(Id, Rational)]) -> Id {
         let shape = self.shape(terms[0].0);
+        self.spend(terms.len());
+        if self.exceeded() {
+            return self.zero(shape);
+        }
         let one = self.integer(1);
+        let mut gathered = 0;
         let mut parts: BTreeMap<Id, Rational> = BTreeMap::new();
         let mut gather = |id: Id, coefficient: Rational| {
             *parts.entry(id).or_insert_with(Rational::zero) += coefficient;
@@ -22,11 +27,13 @@ impl Graph {
                 Node::Number(value) => gather(one, coefficient * value),
                 Node::Zero(_) => {}
                 Node::Sum(inner) => {
+                    gathered += inner.len();
                     inner.iter().for_each(|(id, c)| gather(*id, coefficient * c));
                 }
                 _ => gather(*id, coefficient.clone()),
             }
         }
+        self.spend(gathered);
         parts.retain(|_, coefficient| !coefficient.is_zero());
         match parts.len() {
             0 => self.zero(shape),
@@ -90,11 +97,15 @@ impl Graph {
 
     /// Π base^exponent of scalars.
     pub fn product(&mut self, factors: &[(Id, Rational)]) -> Id {
+        if self.exceeded() {
+            return self.integer(0);
+        }
         let mut coefficient = Rational::one();
         let mut parts: BTreeMap<Id, Rational> = BTreeMap::new();
         let mut open: Vec<(Id, Rational)> = factors.to_vec();
         // A base can fall apart (products, numbers) once its exponent becomes whole by merging.
         while !open.is_empty() {
+            self.spend(open.len());
             for (base, exponent) in open.drain(..) {
                 *parts.entry(base).or_insert_with(Rational::zero) += exponent;
             }

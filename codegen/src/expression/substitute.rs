@@ -9,7 +9,9 @@ impl Graph {
     /// `id` with every key of `by` replaced by its value, rebuilt by the constructors.
     pub fn substitute(&mut self, id: Id, by: &BTreeMap<Id, Id>) -> Id {
         let mut of: BTreeMap<Id, Id> = BTreeMap::new();
-        for next in self.reachable(&[id]) {
+        let nodes = self.reachable(&[id]);
+        self.spend(nodes.len());
+        for next in nodes {
             let replaced = match by.get(&next) {
                 Some(replacement) => *replacement,
                 None => self.rebuild(next, &of),

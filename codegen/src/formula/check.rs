@@ -1,6 +1,6 @@
 //! Shapes of terms: numbers, vectors and matrices of one run-time length, and conditions.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::function::{ELSEWHERE, FUNCTIONS};
@@ -44,7 +44,13 @@ impl<S: Into<String>> FromIterator<(S, Shape)> for Scope {
 /// Every name that is not declared, every function that does not exist, every place where shapes do not
 /// fit; an error inside a term is not followed by errors about the term.
 pub fn check(formula: &Formula, scope: &Scope) -> Result<Shape, Diagnostics> {
-    let mut checker = Checker { formula, scope, counters: Vec::new(), errors: Diagnostics::new() };
+    let mut checker = Checker {
+        formula,
+        scope,
+        counters: Vec::new(),
+        unknown: BTreeSet::new(),
+        errors: Diagnostics::new(),
+    };
     let shape = checker.shape(&formula.root);
     checker.errors.into_result(shape.unwrap_or(Shape::Scalar))
 }
@@ -54,6 +60,8 @@ struct Checker<'f> {
     scope: &'f Scope,
     /// Counters of the sums around the term.
     counters: Vec<&'f str>,
+    /// Unknown names reported so far.
+    unknown: BTreeSet<String>,
     errors: Diagnostics,
 }
 
@@ -113,9 +121,21 @@ impl<'f> Checker<'f> {
         }
     }
 
+    /// A term as it was written, cut if it is long.
+    fn written(&self, term: &Term) -> String {
+        const LONGEST: usize = 40;
+        let text = &self.formula.text.text()[term.span.clone()];
+        match text.char_indices().nth(LONGEST) {
+            Some((end, _)) => format!("{}…", &text[..end]),
+            None => text.to_owned(),
+        }
+    }
+
     fn wanted(&mut self, term: &'f Term, wanted: &str, found: Shape) {
         let message = format!("expected {wanted}, found {}", called(found));
-        self.error(Code::SHAPE, &term.span, message, None);
+        let label = format!("`{}` is {}", self.written(term), called(found));
+        let error = self.formula.text.error(Code::SHAPE, term.span.clone(), message);
+        self.errors.push(error.label(label));
     }
 
     fn number(&mut self, term: &'f Term) -> Option<Shape> {
@@ -141,6 +161,10 @@ impl<'f> Checker<'f> {
         }
         if name == PI || self.counters.contains(&name) {
             return Some(Shape::Scalar);
+        }
+        // Once a formula: the other places are mended with the first.
+        if !self.unknown.insert(name.to_owned()) {
+            return None;
         }
         let known: Vec<&str> = self.scope.names.keys().map(String::as_str).collect();
         let help = if Builtin::named(name).is_some() {
@@ -177,7 +201,10 @@ impl<'f> Checker<'f> {
                 (Some(first), Some(shape)) if first != *shape && first != Shape::Truth => {
                     let (a, b) = (called(*shape), called(first));
                     let message = format!("{a} cannot be added to {b}");
-                    self.error(Code::SHAPE, &part.span, message, None);
+                    let (part_text, first_text) = (self.written(part), self.written(&parts[0].1));
+                    let label = format!("`{part_text}` is {a}, `{first_text}` is {b}");
+                    let error = self.formula.text.error(Code::SHAPE, part.span.clone(), message);
+                    self.errors.push(error.label(label));
                     fine = false;
                 }
                 (_, None) => fine = false,

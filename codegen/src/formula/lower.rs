@@ -37,7 +37,7 @@ pub fn lower(
     let root = lowering.term(&formula.root);
     let mut errors = lowering.errors;
     if graph.exceeded() && !before && errors.is_empty() {
-        let message = "the exact numbers in this formula grow beyond all use";
+        let message = "the numbers and terms of this formula grow beyond all use";
         errors.push(formula.text.error_here(Code::LIMIT, message));
     }
     errors.into_result(root)
@@ -160,6 +160,7 @@ impl<'f> Lowering<'f> {
     fn product(&mut self, parts: &'f [(Side, Term)]) -> Id {
         let mut factors = Vec::new();
         let mut tensors = Vec::new();
+        let before = self.errors.len();
         for (side, part) in parts {
             let id = self.term(part);
             match side {
@@ -174,7 +175,8 @@ impl<'f> Lowering<'f> {
             }
         }
         let scalar = self.graph.product(&factors);
-        if let [(_, first), .., (_, last)] = parts {
+        let fine = self.errors.len() == before;
+        if let ([(_, first), .., (_, last)], true) = (parts, fine) {
             self.bound_exponents(scalar, &(first.span.start..last.span.end));
         }
         let Some(mut tensor) = tensors.pop() else {
@@ -379,7 +381,7 @@ mod tests {
                 "sum(i, 1, 60, sum(j, 1, 60, x))",
                 "f:1:15: the sums of this formula have more than 512 terms when written out",
             ),
-            ("x*1e300^20", "f:1:1: the exact numbers in this formula grow beyond all use"),
+            ("x*1e300^20", "f:1:1: the numbers and terms of this formula grow beyond all use"),
         ] {
             assert_eq!(lowered(&mut graph.clone(), text), Err(vec![expected.to_owned()]), "{text}");
         }

@@ -334,7 +334,10 @@ mod tests {
             ),
             (".5*h", "formula:1:1: unexpected `.` (write a digit before the point, as in `0.5`)"),
             ("h; drop", "formula:1:2: unexpected `;` (arguments are separated by `,`)"),
-            ("std::h", "formula:1:4: unexpected `:`\nformula:1:5: unexpected `:`"),
+            (
+                "std::h",
+                "formula:1:4: unexpected `::` (a formula has names and functions, no paths)",
+            ),
             ("\u{0}", "formula:1:1: unexpected `\\0`"),
             ("1e999", "formula:1:1: this number is too large, too small or too long"),
         ];

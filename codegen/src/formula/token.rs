@@ -55,6 +55,7 @@ const FOREIGN: &[(&str, &str)] = &[
     ("==", "numbers are compared with `<`, `<=`, `>` or `>=`"),
     ("=", "numbers are compared with `<`, `<=`, `>` or `>=`"),
     (";", "arguments are separated by `,`"),
+    ("::", "a formula has names and functions, no paths"),
     ("[", "use `(` and `)`"),
     ("{", "use `(` and `)`"),
     (".", "write a digit before the point, as in `0.5`"),

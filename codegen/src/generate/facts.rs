@@ -62,7 +62,11 @@ fn hash(texts: &[&str]) -> String {
 
 /// An expression of a spec that cannot be scheduled.
 pub(super) fn unscheduled(file: &std::sync::Arc<Source>, error: &ScheduleError) -> Diagnostics {
-    Diagnostic::new(file, Code::UNDEFINED, None, error.to_string()).into()
+    let code = match error {
+        ScheduleError::Exceeded => Code::LIMIT,
+        _ => Code::UNDEFINED,
+    };
+    Diagnostic::new(file, code, None, error.to_string()).into()
 }
 
 #[cfg(test)]

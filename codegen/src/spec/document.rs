@@ -20,11 +20,52 @@ pub struct Document<'s> {
     errors: RefCell<Diagnostics>,
 }
 
+/// Most bytes of a file, and most names joined by dots in a key: each opens a table in a table.
+const LONGEST: usize = 256 * 1024;
+const MOST_JOINED: usize = 64;
+
+/// What is wrong with a file before it is read.
+fn beyond_limits(source: &Arc<Source>) -> Option<Diagnostic> {
+    if source.text.len() > LONGEST {
+        let message = format!("a spec file is at most {LONGEST} bytes long");
+        return Some(Diagnostic::new(source, Code::LIMIT, None, message));
+    }
+    let place = deep_key(&source.text)?;
+    let message = format!("a key joins at most {MOST_JOINED} names by dots");
+    Some(Diagnostic::new(source, Code::LIMIT, place..place + 1, message))
+}
+
+/// Where a key joins too many names: dots between names with nothing else between them but blanks.
+fn deep_key(text: &str) -> Option<usize> {
+    let (mut dots, mut quote) = (0, None);
+    for (place, c) in text.char_indices() {
+        match (quote, c) {
+            (Some(_), '\n') => (dots, quote) = (0, None),
+            (Some(open), c) if c == open => quote = None,
+            (Some(_), _) => {}
+            (None, '"' | '\'') => quote = Some(c),
+            (None, '.') => dots += 1,
+            (None, ' ' | '\t' | '_' | '-') => {}
+            (None, c) if c.is_ascii_alphanumeric() => {}
+            (None, _) => dots = 0,
+        }
+        if dots > MOST_JOINED {
+            return Some(place);
+        }
+    }
+    None
+}
+
 impl<'s> Document<'s> {
     /// Parses the text; errors of TOML itself are collected like all others.
     pub fn parse(source: &'s Arc<Source>) -> Self {
-        let (root, errors) = DeTable::parse_recoverable(&source.text);
         let mut diagnostics = Diagnostics::new();
+        if let Some(error) = beyond_limits(source) {
+            diagnostics.push(error);
+        }
+        // What is beyond the limits is not read at all.
+        let text = if diagnostics.is_empty() { source.text.as_str() } else { "" };
+        let (root, errors) = DeTable::parse_recoverable(text);
         for error in errors {
             diagnostics.push(Diagnostic::new(source, Code::TOML, error.span(), error.message()));
         }
@@ -33,7 +74,8 @@ impl<'s> Document<'s> {
 
     /// Whether the text is TOML; if not, what its tables say is not worth reading.
     pub fn is_toml(&self) -> bool {
-        !self.errors.borrow().iter().any(|error| error.code == Some(Code::TOML))
+        let unread = |error: &Diagnostic| matches!(error.code, Some(Code::TOML | Code::LIMIT));
+        !self.errors.borrow().iter().any(unread)
     }
 
     /// The table of the whole file.
@@ -95,7 +137,7 @@ impl Value<'_> {
             Value::Boolean(..) => "a truth value",
             Value::Array(..) => "an array",
             Value::Table(_) => "a table",
-            Value::Other(_) => "something else",
+            Value::Other(_) => "a date or a number that is not finite",
         }
     }
 

@@ -293,6 +293,11 @@ impl Reader<'_> {
                 expand(&formula, &mut self.graph, &self.names).map_err(|error| (*error).into())
             });
             match expanded {
+                Ok(_) if self.graph.exceeded() => {
+                    let message = "the numbers and terms of this form grow beyond all use";
+                    self.document.push(text.error_here(Code::LIMIT, message));
+                    return forms;
+                }
                 Ok(bilinear) if bilinear.is_empty() => {
                     let message = format!("`{name}` is zero whatever u and v are");
                     self.document.push(text.error_here(Code::FORM, message));

@@ -309,7 +309,10 @@ impl Reader<'_> {
         if self.document.has_errors() {
             return None;
         }
-        self.check_symmetry(&mass);
+        let symmetric = self.check_symmetry(&mass);
+        if self.grown(root) {
+            return None;
+        }
         for (i, row) in mass.iter().enumerate() {
             for (j, block) in row.iter().enumerate() {
                 let names = [i, j].map(|place| self.coordinates[place].name.clone());
@@ -335,10 +338,30 @@ impl Reader<'_> {
             }
         };
         let blocks = [&derived.pf, &derived.b, &derived.p];
+        if self.grown(root) {
+            return None;
+        }
         for ((key, of, by, declared), derived) in declared.iter().zip(blocks) {
+            // What follows from a mass matrix that is wrong says nothing.
+            if *key == "PF" && !symmetric {
+                continue;
+            }
             self.prove(root, &format!("{key} = ∂({of})/∂{by}"), key, declared, derived);
+            if self.grown(root) {
+                return None;
+            }
         }
         (!self.document.has_errors()).then_some((equations, derived))
+    }
+
+    /// Reports that the terms grew past the bounds of the graph, where nothing can be proved any more.
+    fn grown(&mut self, root: &Table) -> bool {
+        let grown = self.graph.exceeded();
+        if grown {
+            let message = "the numbers and terms of this motion grow beyond all use";
+            root.error(Code::LIMIT, None, message.to_owned());
+        }
+        grown
     }
 
     /// The rows of a table, one formula a coordinate.
@@ -394,23 +417,27 @@ impl Reader<'_> {
     }
 
     /// M must be symmetric: block ij the transpose of block ji.
-    fn check_symmetry(&mut self, mass: &[Vec<Declared>]) {
+    fn check_symmetry(&mut self, mass: &[Vec<Declared>]) -> bool {
+        let mut symmetric = true;
         for (i, row) in mass.iter().enumerate() {
             for (j, block) in row.iter().enumerate().skip(i) {
                 let mirror = match self.graph.shape(block.value) {
                     Shape::Matrix => self.graph.transpose(mass[j][i].value),
                     _ => mass[j][i].value,
                 };
-                if !normal::equal(&mut self.graph, block.value, mirror) {
+                let equal = normal::equal(&mut self.graph, block.value, mirror);
+                if !equal && !self.graph.exceeded() {
                     let (a, b) = (&self.coordinates[i].name, &self.coordinates[j].name);
                     let message = format!("the mass matrix is not symmetric in {a} and {b}");
                     let place = block.text.as_ref().or(mass[j][i].text.as_ref());
                     if let Some(place) = place {
                         self.document.push(place.error_here(Code::PROOF, message));
                     }
+                    symmetric = false;
                 }
             }
         }
+        symmetric
     }
 
     fn prove(
@@ -424,7 +451,8 @@ impl Reader<'_> {
         for (i, row) in declared.iter().enumerate() {
             for (j, block) in row.iter().enumerate() {
                 let expected = derived[i][j];
-                if normal::equal(&mut self.graph, block.value, expected) {
+                let equal = normal::equal(&mut self.graph, block.value, expected);
+                if equal || self.graph.exceeded() {
                     continue;
                 }
                 let place =

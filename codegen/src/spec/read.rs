@@ -12,7 +12,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 pub use super::document::{Document, Item, Value};
-use crate::diagnostic::{Code, Diagnostic, Located, Source, suggest};
+use crate::diagnostic::{Code, Diagnostic, Located, Source, nearest, suggest};
 use crate::units::{Dimension, Quantity};
 
 /// A table of the file.
@@ -24,6 +24,8 @@ pub struct Table<'d> {
     /// Keys that lead here, such as `outputs.Q`; empty for the file itself.
     place: String,
     asked: RefCell<Vec<String>>,
+    /// Keys that must be there and are not. Told at the end: where one was misspelt, it is not missing.
+    missing: RefCell<Vec<(Vec<String>, Diagnostic)>>,
 }
 
 impl<'d> Table<'d> {
@@ -33,7 +35,14 @@ impl<'d> Table<'d> {
         span: Range<usize>,
         place: String,
     ) -> Self {
-        Table { document, entries, span, place, asked: RefCell::default() }
+        Table {
+            document,
+            entries,
+            span,
+            place,
+            asked: RefCell::default(),
+            missing: RefCell::default(),
+        }
     }
 
     /// The document it belongs to.
@@ -84,7 +93,13 @@ impl<'d> Table<'d> {
         };
         let span = if self.place.is_empty() { None } else { Some(self.span()) };
         let error = Diagnostic::new(self.source(), Code::MISSING_KEY, span, message);
-        self.document.push(error.help(help));
+        self.miss(&[key], error.help(help));
+    }
+
+    /// Reports an error because none of `keys` is there, unless one of them turns out to be misspelt.
+    pub fn miss(&self, keys: &[&str], error: Diagnostic) {
+        let keys = keys.iter().map(|key| (*key).to_owned()).collect();
+        self.missing.borrow_mut().push((keys, error));
     }
 
     /// A string, if the key is there; another type is an error.
@@ -258,20 +273,36 @@ impl<'d> Table<'d> {
     /// Reports every key that was not asked for, with the nearest that was.
     pub fn finish(self) {
         let asked = self.asked.borrow();
-        let known: Vec<&str> = asked.iter().map(String::as_str).collect();
-        for (key, _) in self.entries.iter().filter(|(key, _)| !known.contains(&&**key.get_ref())) {
-            let message = format!("unknown key `{}`", self.full(key.get_ref()));
-            let error = Diagnostic::new(self.source(), Code::UNKNOWN_KEY, key.span(), message);
-            self.document.push(error.maybe_help(suggest_key(key.get_ref(), &known)));
+        let mut known: Vec<&str> = asked.iter().map(String::as_str).collect();
+        known.sort_unstable();
+        known.dedup();
+        for (key, _) in self.entries.iter() {
+            let (name, span) = (key.get_ref().as_ref(), key.span());
+            if known.contains(&name) {
+                continue;
+            }
+            let message = format!("unknown key `{}`", self.full(name));
+            let error = Diagnostic::new(self.source(), Code::UNKNOWN_KEY, span, message);
+            // Of two keys as near, the one that is not there was meant.
+            let absent: Vec<String> =
+                self.missing.borrow().iter().flat_map(|(keys, _)| keys.clone()).collect();
+            let help = match nearest(name, absent.iter().map(String::as_str)) {
+                Some(meant) => {
+                    let mut missing = self.missing.borrow_mut();
+                    missing.retain(|(keys, _)| keys.iter().all(|key| key != meant));
+                    Some(format!("did you mean `{meant}`?"))
+                }
+                None => suggest(name, &known),
+            };
+            self.document.push(error.maybe_help(help));
         }
     }
 }
 
-fn suggest_key(key: &str, known: &[&str]) -> Option<String> {
-    let mut known = known.to_vec();
-    known.sort_unstable();
-    known.dedup();
-    suggest(key, &known)
+impl Drop for Table<'_> {
+    fn drop(&mut self) {
+        self.missing.borrow_mut().drain(..).for_each(|(_, error)| self.document.push(error));
+    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::{Dimension, Exponent, Factor, UnitError};
-use crate::diagnostic::{Code, suggest};
+use crate::diagnostic::{Code, nearest, suggest};
 
 /// A power of a unit above this is a slip.
 const LARGEST_POWER: i32 = 12;
@@ -67,6 +67,41 @@ fn unit_named(name: &str) -> Option<(Factor, Dimension)> {
         .map(|(_, ten, dimension)| (Factor::ten(*ten), *dimension))
 }
 
+/// Units in full, with what to write for them.
+const SPELLED_OUT: &[(&str, &str)] = &[
+    ("metre", "m"),
+    ("meter", "m"),
+    ("millimetre", "mm"),
+    ("millimeter", "mm"),
+    ("micrometre", "um"),
+    ("micrometer", "um"),
+    ("micron", "um"),
+    ("second", "s"),
+    ("millisecond", "ms"),
+    ("minute", "min"),
+    ("kilogram", "kg"),
+    ("gram", "g"),
+    ("tonne", "t"),
+    ("newton", "N"),
+    ("pascal", "Pa"),
+    ("joule", "J"),
+    ("watt", "W"),
+    ("kelvin", "K"),
+    ("radian", "rad"),
+    ("degree", "deg"),
+    ("hertz", "Hz"),
+];
+
+/// What to write for a unit that was written in full.
+fn spelled_out(name: &str) -> Option<String> {
+    let name = name.to_lowercase();
+    let word =
+        nearest(name.strip_suffix('s').unwrap_or(&name), SPELLED_OUT.iter().map(|(w, _)| *w))?;
+    let (_, unit) = SPELLED_OUT.iter().find(|(known, _)| *known == word)?;
+    // Short names are near to each other: these are units misspelt.
+    (name.len() > 4).then(|| format!("write `{unit}`"))
+}
+
 fn error(code: Code, span: std::ops::Range<usize>, message: impl Into<String>) -> UnitError {
     UnitError { span, message: message.into(), help: None, code }
 }
@@ -98,7 +133,9 @@ pub(super) fn unit(text: &str, start: usize) -> Result<(Factor, Dimension), Unit
         };
         if name.is_empty() {
             let width = rest.chars().next().map_or(0, char::len_utf8);
-            return Err(error(Code::UNKNOWN_UNIT, here..here + width, "expected a unit"));
+            let mut missing = error(Code::UNKNOWN_UNIT, here..here + width, "expected a unit");
+            missing.help = Some("such as `mm`, `N*s/m`, or `1` for a pure number".to_owned());
+            return Err(missing);
         }
         let Some((mut f, mut d)) = unit_named(name) else {
             let mut known: Vec<&str> = UNITS.iter().map(|(known, _, _)| *known).collect();
@@ -108,7 +145,7 @@ pub(super) fn unit(text: &str, start: usize) -> Result<(Factor, Dimension), Unit
                 here..here + name.len(),
                 format!("unknown unit `{name}`"),
             );
-            unknown.help = suggest(name, &known);
+            unknown.help = spelled_out(name).or_else(|| suggest(name, &known));
             return Err(unknown);
         };
         rest = after.trim_start();

@@ -54,6 +54,8 @@ impl<'d> Reader<'d> {
         }
         let cell = root.word("cell", &Cell::NAMES).and_then(Cell::named);
         let nodes = self.nodes(&root);
+        // Known even where the nodes, which it is read for, are wrong.
+        root.has("shape");
         let shape = match (nodes.as_deref(), cell) {
             (Some(nodes), Some(cell)) => self.shape(&root, nodes, cell),
             _ => None,
@@ -70,7 +72,7 @@ impl<'d> Reader<'d> {
         let enhanced = root
             .optional_table("enhanced")
             .map(|table| cell.and_then(|cell| self.enhanced(table, cell)));
-        let count = nodes.as_ref().map_or(0, Vec::len);
+        let count = nodes.as_ref().map(Vec::len);
         let abaqus = root.table("abaqus").and_then(|table| self.abaqus(table, count));
         let vtk = root.table("vtk").and_then(|table| self.vtk(table, count));
         root.finish();
@@ -261,7 +263,7 @@ impl<'d> Reader<'d> {
         let texts = match root.value("shape") {
             Some(Value::String(text)) => vec![text; nodes.len()],
             Some(Value::Array(items, span)) => {
-                let texts = self.texts(&items, "a formula")?;
+                let texts = self.texts(&items, "a formula in a string")?;
                 if texts.len() != nodes.len() {
                     let message =
                         format!("`shape` has {} formulas for {} nodes", texts.len(), nodes.len());
@@ -402,9 +404,10 @@ impl<'d> Reader<'d> {
     }
 
     fn enhanced(&mut self, table: Table<'_>, cell: Cell) -> Option<Enhanced> {
-        let forms = table.items("forms").and_then(|items| self.texts(&items, "a form's name"));
+        let forms =
+            table.items("forms").and_then(|items| self.texts(&items, "a form's name in a string"));
         let modes = table.items("modes").and_then(|items| self.bounded(&table, "modes", items));
-        let modes = modes.and_then(|items| self.texts(&items, "a formula"));
+        let modes = modes.and_then(|items| self.texts(&items, "a formula in a string"));
         let names = self.names();
         let modes: Option<Vec<Function>> = modes
             .and_then(|texts| texts.iter().map(|text| self.function(text, &names, cell)).collect());
@@ -427,14 +430,16 @@ impl<'d> Reader<'d> {
         Some(Enhanced { modes, jacobian, scale, scale_place, det, det0, forms })
     }
 
-    fn abaqus(&self, table: Table<'_>, nodes: usize) -> Option<(Vec<Located>, Vec<usize>)> {
-        let types = table.items("types").and_then(|items| self.texts(&items, "an element type"));
+    fn abaqus(&self, table: Table<'_>, nodes: Option<usize>) -> Option<(Vec<Located>, Vec<usize>)> {
+        let types = table
+            .items("types")
+            .and_then(|items| self.texts(&items, "an element type such as \"C3D8\""));
         let order = self.order(&table, nodes);
         table.finish();
         Some((types?, order?))
     }
 
-    fn vtk(&self, table: Table<'_>, nodes: usize) -> Option<(u8, Vec<usize>)> {
+    fn vtk(&self, table: Table<'_>, nodes: Option<usize>) -> Option<(u8, Vec<usize>)> {
         let kind = table.count("type").and_then(|kind| {
             let small = kind.to_u8();
             if small.is_none() {
@@ -449,8 +454,11 @@ impl<'d> Reader<'d> {
     }
 
     /// A permutation of the nodes, from 1 in the file and from 0 here; the identity if there is none.
-    fn order(&self, table: &Table<'_>, nodes: usize) -> Option<Vec<usize>> {
-        if !table.has("order") {
+    /// `nodes`: their number, if they are right.
+    fn order(&self, table: &Table<'_>, nodes: Option<usize>) -> Option<Vec<usize>> {
+        let given = table.has("order");
+        let nodes = nodes?;
+        if !given {
             return Some((0..nodes).collect());
         }
         let items = table.optional_items("order")?;

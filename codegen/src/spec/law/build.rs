@@ -11,7 +11,7 @@ use super::root::Polynomial;
 use super::system::System;
 use super::table::{LawTable, TableDraft};
 use super::{Condition, Definition, LawInput, LawOutput, LawReport, LawSpec, Parameter, Piece};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located};
 use crate::expression::{Graph, Id, Node, Relation, Shape};
 use crate::formula::{Formula, Meaning, PI, dimension, lower};
 use crate::units::{Unit, nearest};
@@ -266,9 +266,7 @@ fn lower_output(
     }
     errors.into_result(())?;
     if output.jumps == Jumps::Engaged {
-        engage(graph, inputs, &mut pieces, |message| {
-            Diagnostic::new(variable.key.source(), Code::NO_ROOT, output.place.clone(), message)
-        })?;
+        engage(graph, inputs, &mut pieces)?;
     }
     blend::set(&output, inputs, &mut pieces)?;
     let mut value = pieces[pieces.len() - 1].node;
@@ -357,12 +355,9 @@ pub(super) fn engaged(law: &LawSpec, pieces: &[Piece], place: usize) -> Option<B
     nearest_root(&mut graph, law.inputs[*input].symbol, difference, at).ok()
 }
 
-fn engage(
-    graph: &mut Graph,
-    inputs: &[LawInput],
-    pieces: &mut [Piece],
-    error: impl Fn(String) -> Diagnostic,
-) -> Result<(), Diagnostics> {
+fn engage(graph: &mut Graph, inputs: &[LawInput], pieces: &mut [Piece]) -> Result<(), Diagnostics> {
+    let places: Vec<Located> =
+        pieces.iter().map(|piece| super::scan::place_of(piece).clone()).collect();
     let mut errors = Diagnostics::new();
     let thresholds: Vec<Option<(usize, BigRational)>> = (pieces.iter())
         .map(|piece| match &piece.when {
@@ -377,7 +372,7 @@ fn engage(
         else {
             let message = "`engage = \"root\"` needs conditions such as `h < c0`: one input and a \
                            constant";
-            errors.push(error(message.to_owned()));
+            errors.push(places[place].error_here(Code::NO_ROOT, message.to_owned()));
             continue;
         };
         if graph.is_zero(difference) {
@@ -391,12 +386,20 @@ fn engage(
                     matches!(other, Some((i, x)) if i == input && low <= *x && *x <= high)
                 });
                 if crossed {
-                    errors.push(error("the root nearest to a break lies past another".to_owned()));
+                    errors.push(places[place].error_here(
+                        Code::NO_ROOT,
+                        "the root nearest to a break lies past another".to_owned(),
+                    ));
                 } else if root != *at {
                     *moved_from = Some(std::mem::replace(at, root));
                 }
             }
-            Err(message) => errors.push(error(message)),
+            Err(message) => {
+                let error = places[place].error_here(Code::NO_ROOT, message);
+                errors.push(error.help(
+                    "change the pieces or the break, or keep the jump by `jump = \"accept\"`",
+                ));
+            }
         }
     }
     errors.into_result(())

@@ -66,8 +66,6 @@ pub(super) struct Output {
     pub(super) jumps: Jumps,
     /// Length over which every break is blended, SI, with what it measures and where it stands.
     pub(super) smooth: Option<(Quantity, Located)>,
-    /// Where `engage` or `jump` stands, or else the output.
-    pub(super) place: Range<usize>,
 }
 
 /// Reads the file; formulas are parsed but their names are not looked up yet.
@@ -333,7 +331,8 @@ fn output(table: &Table<'_>, key: &Located, name: String) -> Option<Output> {
         (false, false) => {
             let message = format!("`{name}` has neither a `value` nor `pieces`");
             let error = key.error_here(Code::MISSING_KEY, message);
-            document.push(error.help("write for example `value = '1000*h'`"));
+            let error = error.help("write for example `value = '1000*h'`");
+            table.miss(&["value", "pieces"], error);
             None
         }
         (true, false) => {
@@ -344,7 +343,7 @@ fn output(table: &Table<'_>, key: &Located, name: String) -> Option<Output> {
     };
     // Read before any early return, so that none of its keys is unknown.
     let variable = variable(table, key, name, Acts::outputs, "an output");
-    Some(Output { variable: variable?, pieces: pieces?, jumps, smooth, place })
+    Some(Output { variable: variable?, pieces: pieces?, jumps, smooth })
 }
 
 /// The length over which breaks are blended; that it fits their inputs is checked where these are known.
@@ -381,7 +380,8 @@ fn pieces(table: &Table<'_>, key: &Located, name: &str) -> Option<Vec<(Option<Fo
         let last = place + 1 == items.len();
         if when.is_none() && !last {
             let message = "this piece has no `when`, so that none after it ever applies";
-            entry.error(Code::PIECES, entry.span(), message.to_owned());
+            let error = Diagnostic::new(table.source(), Code::PIECES, entry.span(), message);
+            document.push(error.help("write its condition, such as `when = 'h < 0'`"));
         }
         if let (Some(when), true) = (&when, last) {
             let error = when.error_here(Code::PIECES, "the last piece must apply everywhere else");
@@ -397,7 +397,8 @@ fn pieces(table: &Table<'_>, key: &Located, name: &str) -> Option<Vec<(Option<Fo
         }
     }
     if items.is_empty() {
-        document.push(key.error_here(Code::PIECES, format!("`{name}` has no pieces")));
+        let error = key.error_here(Code::PIECES, format!("`{name}` has no pieces"));
+        document.push(error.help("write at least `pieces = [{ value = '0' }]`"));
     }
     (fine && !pieces.is_empty()).then_some(pieces)
 }

@@ -128,12 +128,16 @@ error[E030]: `Q` jumps by 0.427821 N at h = 0.035687 mm: 0.427821 N below, 0 N a
 fn engage_needs_a_root() {
     assert_eq!(
         messages(&paper("engage = \"root\"", "1 + 1*h^2")),
-        ["law.toml:11:10: the pieces beside the break never have the same value"]
+        [
+            "law.toml:13:13: the pieces beside the break never have the same value (change the pieces or the \
+          break, or keep the jump by `jump = \"accept\"`)"
+        ]
     );
     assert_eq!(
         messages(&paper("engage = \"root\"", "1*exp(-h/c0)")),
         [
-            "law.toml:11:10: `engage = \"root\"` needs pieces that are polynomials in the input of the break"
+            "law.toml:13:13: `engage = \"root\"` needs pieces that are polynomials in the input of the break \
+             (change the pieces or the break, or keep the jump by `jump = \"accept\"`)"
         ]
     );
 }
@@ -193,7 +197,7 @@ pieces = []
         "law.toml:5:1: unknown key `colour` (known: `definitions`, `inputs`, `kind`, `name`, `outputs`, `parameters`, `source`, `tables`, `title`)",
         "law.toml:7:9: `h` is a length, but `N` is the unit of a force (write for example `unit = \"m\"`)",
         "law.toml:8:9: `hdot` is not an input of laws (did you mean `h_dot`?)",
-        "law.toml:11:27: unknown unit `milimeter` (known: `1`, `m`, `km`, `cm`, `mm`, `um`, `nm`, `kg`, `g`, `mg`, `t`, `s`, `ms`, `us`, `K`, `rad`, …)",
+        "law.toml:11:27: unknown unit `milimeter` (write `mm`)",
         "law.toml:12:1: `and` is a word of the formula language and cannot be a name",
         "law.toml:13:1: the name `h` is taken since line 6",
         "law.toml:14:10: `Q` has both a `value` and `pieces` (keep one of them)",
@@ -231,7 +235,9 @@ fn pieces_units_and_dimensions_are_checked() {
         (
             h,
             "unit = \"N\"\npieces = [{ value = 'k*h' }, { value = '0' }]",
-            &["law.toml:11:11: this piece has no `when`, so that none after it ever applies"],
+            &[
+                "law.toml:11:11: this piece has no `when`, so that none after it ever applies (write its condition, such as `when = 'h < 0'`)",
+            ],
         ),
         (
             h,
