@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::spec::law::{Acts, LawSpec};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace").to_path_buf()
@@ -47,4 +47,21 @@ fn the_law_in_the_readme_is_a_law() {
     if let Err(errors) = LawSpec::read(&Source::new("README.md", laws[0])) {
         panic!("{}", errors.render());
     }
+}
+
+#[test]
+fn the_law_in_the_page_on_laws_is_a_law() {
+    let text = document("docs/laws.md");
+    let mut laws =
+        fenced(&text, "toml").into_iter().filter(|block| block.contains("kind = \"law\""));
+    let law = laws.next().expect("a law");
+    let law = LawSpec::read(&Source::new("docs/laws.md", law));
+    let law = law.unwrap_or_else(|errors| panic!("{}", errors.render()));
+    // What the page says of names is what the language has.
+    for acts in Acts::ALL {
+        for quantity in acts.inputs().iter().chain(acts.outputs()) {
+            assert!(text.contains(&format!("`{}`", quantity.name)), "{}", quantity.name);
+        }
+    }
+    assert_eq!(law.acts, Acts::Spring);
 }

@@ -187,7 +187,7 @@ impl Names {
         match input {
             Ok(input) => {
                 let unit = draft.unit().clone();
-                let table = draft.build(system, after);
+                let mut table = draft.build(system, after);
                 let id = table.lower(graph, input);
                 self.add(&name, id, &unit, None);
                 Some(table)

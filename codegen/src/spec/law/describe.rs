@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::report::{Break, LawReport, OutputReport, Trend};
+use super::report::{Break, LawReport, OutputReport, TableReport, Trend};
+use super::table::Extend;
 
 /// A number to 6 digits.
 pub(super) fn short(x: f64) -> String {
@@ -11,6 +12,18 @@ pub(super) fn short(x: f64) -> String {
         format!("{rounded:e}")
     } else {
         format!("{rounded}")
+    }
+}
+
+/// The unit of a slope.
+pub(super) fn per(unit: &str, input: &str) -> String {
+    let bracketed = |text: &str| match text.contains(['*', '/']) {
+        true => format!("({text})"),
+        false => text.to_owned(),
+    };
+    match input {
+        "1" => unit.to_owned(),
+        _ => format!("{unit}/{}", bracketed(input)),
     }
 }
 
@@ -33,9 +46,16 @@ impl fmt::Display for LawReport {
                 format!("{name} from {} to {} {unit}", short(*low), short(*high))
             })
             .collect();
+        for table in &self.tables {
+            writeln!(f, "{table}")?;
+        }
         for output in &self.outputs {
             let OutputReport { name, unit, points, extent: [least, most], .. } = output;
-            writeln!(f, "{name} over {} ({points} points):", ranges.join(", "))?;
+            let how = match points {
+                0 => "exactly".to_owned(),
+                _ => format!("sampled at {points} points"),
+            };
+            writeln!(f, "{name} over {} ({how}):", ranges.join(", "))?;
             let sign = if *least >= 0.0 {
                 "never negative"
             } else if *most <= 0.0 {
@@ -47,8 +67,12 @@ impl fmt::Display for LawReport {
             for (input, trend) in &output.trends {
                 writeln!(f, "  {trend} with rising {input}")?;
             }
+            if let Some((motion, opposes)) = &output.opposes {
+                let never = if *opposes { "never drives" } else { "drives in places" };
+                writeln!(f, "  {never} {motion}: {name}*{motion} is the power that it gives")?;
+            }
             for found in &output.breaks {
-                writeln!(f, "  {found}, {unit}")?;
+                found.write(f, unit)?;
             }
             for (input, at) in &output.poles {
                 writeln!(f, "  pole at {input} = {}", short(*at))?;
@@ -62,18 +86,43 @@ impl fmt::Display for LawReport {
     }
 }
 
-impl fmt::Display for Break {
+impl fmt::Display for TableReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "break at {} = {} {}", self.input, short(self.at), self.unit)?;
+        let TableReport { name, file, rows, input: [input, unit], span: [first, last], extend } =
+            self;
+        let (first, last) = (short(*first), short(*last));
+        let beyond = match extend {
+            Extend::Constant => "constant beyond",
+            Extend::Linear => "straight beyond",
+            Extend::Periodic => "repeated beyond",
+            Extend::Refuse => "no value beyond",
+        };
+        write!(
+            f,
+            "{name}: monotone cubic through {rows} rows of {file}, {input} from {first} to {last} {unit}, \
+             continuous slope, {beyond}"
+        )
+    }
+}
+
+impl Break {
+    /// One line, with the unit of the output.
+    fn write(&self, f: &mut fmt::Formatter<'_>, unit: &str) -> fmt::Result {
+        write!(f, "  break at {} = {} {}", self.input, short(self.at), self.unit)?;
         if let Some(from) = self.moved_from {
             write!(f, " (moved from {})", short(from))?;
         }
+        if let Some(length) = self.blended {
+            write!(f, " (blended over {} {})", short(length), self.unit)?;
+        }
         let [below, above] = self.values.map(short);
         if self.jumps() {
-            write!(f, ": value {below} to {above}")?;
+            write!(f, ": value {below} to {above} {unit}")?;
         } else {
             write!(f, ": no jump")?;
         }
-        write!(f, ", slope {} to {}", short(self.slopes[0]), short(self.slopes[1]))
+        let [below, above] = self.slopes.map(short);
+        let per = per(unit, &self.unit);
+        writeln!(f, ", slope {below} to {above} {per}")
     }
 }

@@ -28,9 +28,11 @@
 
 mod acts;
 mod blend;
+mod branch;
 mod build;
 mod describe;
 mod draft;
+mod exact;
 mod poles;
 mod program;
 mod report;
@@ -45,7 +47,7 @@ use std::sync::Arc;
 use num_rational::BigRational;
 
 pub use acts::{Acts, Quantity};
-pub use report::{Break, LawReport, OutputReport, Trend};
+pub use report::{Break, LawReport, OutputReport, TableReport, Trend};
 pub use table::{Extend, LawTable};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};

@@ -1,10 +1,15 @@
 //! What can be said of a law before it is used: values and slopes at its breaks, sign, monotonicity,
-//! poles, and where all this was looked at. Works on the file's formulas by direct evaluation.
+//! poles, and where all this was looked at. Exactly for piecewise polynomials of one input; for all others
+//! on lines through the ranges of the inputs, by direct evaluation of the file's formulas.
 
-use super::describe::short;
+use super::branch::Branches;
+use std::collections::BTreeMap;
+
+use super::describe::{per, short};
+use super::exact;
 use super::poles::Signed;
 use super::scan::{self, Line};
-use super::{Condition, Extend, LawOutput, LawSpec, scalar};
+use super::{Condition, Extend, LawOutput, LawSpec, LawTable, scalar};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::formula::{Dual, Rounded};
 use crate::units::{Unit, nearest};
@@ -12,14 +17,38 @@ use crate::units::{Unit, nearest};
 /// Poles that are listed, and breaks along one line, beyond which a law is refused.
 const MOST_POLES: usize = 16;
 const MOST_BREAKS: usize = 256;
+/// Share of the distance between two points that counts as the same place.
+const NEAR: f64 = 1e-9;
+/// How often a comparison inside a formula of several inputs is looked at along one of them: where its break
+/// lies changes from line to line.
+const MOST_LOOKS: usize = 4;
 
 /// What was found about a law.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LawReport {
     /// Name, unit and range of every input over which the law was looked at, in the file's units.
     pub ranges: Vec<(String, String, [f64; 2])>,
+    /// One for every table.
+    pub tables: Vec<TableReport>,
     /// One for every output.
     pub outputs: Vec<OutputReport>,
+}
+
+/// What is known of a table, in the units of its columns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TableReport {
+    /// Symbol.
+    pub name: String,
+    /// The file as the law names it.
+    pub file: String,
+    /// Number of rows.
+    pub rows: usize,
+    /// What it is looked up by, with its unit.
+    pub input: [String; 2],
+    /// First and last input.
+    pub span: [f64; 2],
+    /// What becomes of other inputs.
+    pub extend: Extend,
 }
 
 /// What was found about an output, in the file's units.
@@ -29,13 +58,15 @@ pub struct OutputReport {
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// Number of points at which it was evaluated.
+    /// Number of points at which it was evaluated; 0 if all that is said of it is exact.
     pub points: usize,
     /// Least and largest value found.
     pub extent: [f64; 2],
     /// How it changes with each input.
     pub trends: Vec<(String, Trend)>,
-    /// Where pieces meet.
+    /// The motion that it should oppose, if it is a force against one, and whether it never drives it.
+    pub opposes: Option<(String, bool)>,
+    /// Where pieces meet, and where the value or the slope jumps inside them.
     pub breaks: Vec<Break>,
     /// Where a divisor passes through zero: input and value.
     pub poles: Vec<(String, f64)>,
@@ -56,7 +87,7 @@ pub enum Trend {
     Mixed,
 }
 
-/// A place where two pieces meet, in the file's units.
+/// A place where two formulas meet, in the file's units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Break {
     /// The input that crosses it.
@@ -67,6 +98,8 @@ pub struct Break {
     pub at: f64,
     /// Value in the file, if `engage` moved the break.
     pub moved_from: Option<f64>,
+    /// Length over which `smooth` blends the pieces.
+    pub blended: Option<f64>,
     /// Value of the output below and above; a difference below rounding is not a jump.
     pub values: [f64; 2],
     /// Bound of the rounding error of their difference.
@@ -75,7 +108,37 @@ pub struct Break {
     pub slopes: [f64; 2],
 }
 
+impl Trend {
+    fn of(rises: bool, falls: bool) -> Self {
+        match (rises, falls) {
+            (false, false) => Trend::Constant,
+            (true, false) => Trend::Rising,
+            (false, true) => Trend::Falling,
+            (true, true) => Trend::Mixed,
+        }
+    }
+}
+
 impl Break {
+    /// The jump of an output in words.
+    fn words(&self, name: &str, unit: &str) -> String {
+        let size = short((self.values[1] - self.values[0]).abs());
+        let per = per(unit, &self.unit);
+        let [below, above] = [0, 1].map(|side| {
+            format!(
+                "{} {unit} with slope {} {per}",
+                short(self.values[side]),
+                short(self.slopes[side])
+            )
+        });
+        format!(
+            "`{name}` jumps by {size} {unit} at {} = {} {}: {below} below, {above} above",
+            self.input,
+            short(self.at),
+            self.unit
+        )
+    }
+
     /// Whether the value jumps, beyond rounding.
     pub fn jumps(&self) -> bool {
         let jump = self.values[1] - self.values[0];
@@ -96,7 +159,12 @@ pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
     }
     let mut outputs = Vec::new();
     for output in &law.outputs {
-        match Look::new(law, output).over(&lines) {
+        let look = Look::new(law, output);
+        let looked = match exact::facts(law, output, ranges[0]) {
+            Some(facts) => look.exactly(facts),
+            None => look.over(&lines),
+        };
+        match looked {
             Ok(found) => {
                 check(law, output, &found, &mut errors);
                 outputs.push(found.report);
@@ -108,7 +176,19 @@ pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
         let range = range.map(|end| in_file(end, &input.unit));
         (input.name.clone(), input.unit.to_string(), range)
     });
-    errors.into_result(LawReport { ranges: named.collect(), outputs })
+    let tables = law.tables.iter().map(table_report).collect();
+    errors.into_result(LawReport { ranges: named.collect(), tables, outputs })
+}
+
+fn table_report(table: &LawTable) -> TableReport {
+    TableReport {
+        name: table.name.clone(),
+        file: table.path.clone(),
+        rows: table.knots.len(),
+        input: [table.input.text.text().to_owned(), table.input_unit.to_string()],
+        span: table.ends,
+        extend: table.extend,
+    }
 }
 
 /// A table without an extension must reach over the declared ranges.
@@ -147,14 +227,33 @@ fn check_tables(law: &LawSpec, lines: &[Line], errors: &mut Diagnostics) {
 /// What was seen of an output, and between which pieces each of its breaks lies.
 struct Seen {
     report: OutputReport,
-    between: Vec<[usize; 2]>,
+    between: Vec<Between>,
 }
+
+/// What a break lies between: two pieces, or two sides of a comparison inside one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Between {
+    pieces: [usize; 2],
+    comparison: Option<usize>,
+}
+
+/// Slopes that differ by less than this share of them are the same: at neighbouring numbers, those of a power
+/// such as 3/2 differ by the root of rounding, which differences of large terms enlarge.
+const SAME_SLOPE: f64 = 1e-4;
+
+/// Forces of friction, with the motions that they should oppose.
+const OPPOSED: [(&str, &str); 2] = [("T", "v_t"), ("M_z", "omega")];
 
 /// One output being looked at.
 struct Look<'l> {
     law: &'l LawSpec,
     output: &'l LawOutput,
     seen: Seen,
+    branches: Branches,
+    /// How often comparisons were looked at, by input and comparison.
+    looks: BTreeMap<(usize, Option<usize>), usize>,
+    /// Place of the input that the output should oppose.
+    motion: Option<usize>,
     /// Signs of the divisors at the point looked at last, if the piece was the same.
     signs_at_last: Option<u64>,
 }
@@ -171,12 +270,17 @@ impl<'l> Look<'l> {
             points: 0,
             extent: [f64::INFINITY, f64::NEG_INFINITY],
             trends: Vec::new(),
+            opposes: None,
             breaks: Vec::new(),
             poles: Vec::new(),
             undefined: None,
         };
         let seen = Seen { report, between: Vec::new() };
-        Look { law, output, seen, signs_at_last: None }
+        let motion = OPPOSED.iter().find(|(force, _)| *force == output.name);
+        let motion = motion
+            .and_then(|(_, motion)| law.inputs.iter().position(|input| input.name == *motion));
+        let branches = Branches::of(law, output);
+        Look { law, output, seen, branches, looks: BTreeMap::new(), motion, signs_at_last: None }
     }
 
     fn over(mut self, lines: &[Line]) -> Result<Seen, Diagnostic> {
@@ -185,19 +289,65 @@ impl<'l> Look<'l> {
             for line in lines.iter().filter(|line| line.input == input) {
                 self.along(line, &mut rises, &mut falls)?;
             }
-            let trend = match (rises, falls) {
-                (false, false) => Trend::Constant,
-                (true, false) => Trend::Rising,
-                (false, true) => Trend::Falling,
-                (true, true) => Trend::Mixed,
-            };
+            let trend = Trend::of(rises, falls);
             self.seen.report.trends.push((self.law.inputs[input].name.clone(), trend));
         }
         Ok(self.seen)
     }
 
+    /// The report of a piecewise polynomial of one input.
+    fn exactly(mut self, facts: exact::Facts) -> Result<Seen, Diagnostic> {
+        let (input, unit) = (&self.law.inputs[0], &self.output.unit);
+        let report = &mut self.seen.report;
+        report.extent = facts.extent.map(|value| in_file(value, unit));
+        report.trends = vec![(input.name.clone(), Trend::of(facts.rises, facts.falls))];
+        report.opposes = None;
+        for meeting in facts.meetings {
+            if meeting.piece.is_none() && !meeting.jumps && !meeting.kinks {
+                continue;
+            }
+            let at = nearest(&meeting.at);
+            let piece = match meeting.piece {
+                Some(piece) => piece,
+                None => self.output.active(&[at], &self.law.names(&[at])?)?,
+            };
+            let moved_from = match &self.output.pieces[piece].when {
+                Some(Condition::Threshold { moved_from: Some(from), .. }) => Some(nearest(from)),
+                _ => None,
+            };
+            let moved_from = moved_from.filter(|_| meeting.piece.is_some());
+            let per = input.unit.factor().to_f64();
+            self.seen.report.breaks.push(Break {
+                input: input.name.clone(),
+                unit: input.unit.to_string(),
+                at: in_file(at, &input.unit),
+                moved_from: moved_from.map(|from| in_file(from, &input.unit)),
+                blended: None,
+                values: meeting.values.map(|value| in_file(value, unit)),
+                rounding: in_file(meeting.rounding, unit),
+                slopes: meeting.slopes.map(|slope| in_file(slope, unit) * per),
+            });
+            let pieces = [piece, piece + usize::from(meeting.piece.is_some())];
+            self.seen.between.push(Between { pieces, comparison: None });
+        }
+        // Nothing jumps at a blended break, but it is one.
+        let range = scan::ranges(self.law)[0];
+        for place in 0..self.output.pieces.len() {
+            let Some(Condition::Threshold { at, blend: Some(_), .. }) =
+                &self.output.pieces[place].when
+            else {
+                continue;
+            };
+            let at = nearest(at);
+            if (range[0]..=range[1]).contains(&at) {
+                self.meet(&Line::alone(at), at, at, [place, place + 1])?;
+            }
+        }
+        Ok(self.seen)
+    }
+
     fn along(&mut self, line: &Line, rises: &mut bool, falls: &mut bool) -> Result<(), Diagnostic> {
-        let mut before: Option<(f64, usize, Rounded)> = None;
+        let mut before: Option<(f64, usize, Rounded, Vec<bool>)> = None;
         let mut breaks = 0;
         self.signs_at_last = None;
         for &x in &line.points {
@@ -206,18 +356,25 @@ impl<'l> Look<'l> {
             let piece = self.output.active(&inputs, &names)?;
             let value = self.output.value_at(&inputs, &names)?;
             self.record(line, x, value.value);
-            if let Some((low, other, last)) = before {
+            let sides = self.branches.sides(&line.at(x));
+            if let Some((low, other, last, before)) = before {
                 let rounding = value.error + last.error;
                 *rises |= value.value - last.value > rounding;
                 *falls |= last.value - value.value > rounding;
                 if other == piece {
-                    self.poles(line, piece, low, x)?;
+                    // With several inputs, only where no formula changes: there is no time for all others.
+                    if before == sides || self.law.inputs.len() == 1 {
+                        self.poles(line, piece, low, x)?;
+                    } else {
+                        self.signs_at_last = None;
+                    }
+                    self.kinks(line, piece, (low, x), (before, &sides), &mut breaks)?;
                 } else {
                     self.signs_at_last = None;
                     self.breaks(line, low, x, &mut breaks)?;
                 }
             }
-            before = Some((x, piece, value));
+            before = Some((x, piece, value, sides));
         }
         Ok(())
     }
@@ -226,6 +383,12 @@ impl<'l> Look<'l> {
         let report = &mut self.seen.report;
         report.points += 1;
         let value = in_file(si, &self.output.unit);
+        if let Some(motion) = self.motion {
+            let against = !(value * line.at(x)[motion] > 0.0);
+            let name = &self.law.inputs[motion].name;
+            let opposes = report.opposes.get_or_insert_with(|| (name.clone(), true));
+            opposes.1 &= against;
+        }
         if value.is_finite() {
             report.extent = [report.extent[0].min(value), report.extent[1].max(value)];
         } else if report.undefined.is_none() {
@@ -269,6 +432,64 @@ impl<'l> Look<'l> {
         }
     }
 
+    /// Finds where the value or the slope jumps inside a piece, between two points on different sides of a
+    /// comparison.
+    fn kinks(
+        &mut self,
+        line: &Line,
+        piece: usize,
+        (mut low, high): (f64, f64),
+        (mut sides, last): (Vec<bool>, &[bool]),
+        count: &mut usize,
+    ) -> Result<(), Diagnostic> {
+        while sides != last && *count < MOST_BREAKS {
+            *count += 1;
+            let first = sides.iter().zip(last).position(|(a, b)| a != b);
+            let looks = self.looks.entry((line.input, first)).or_insert(0);
+            *looks += 1;
+            if self.law.inputs.len() > 1 && *looks > MOST_LOOKS {
+                return Ok(());
+            }
+            let (a, b) =
+                scan::bisect(low, high, |x| Ok(self.branches.sides(&line.at(x)) == sides))?;
+            let next = self.branches.sides(&line.at(b));
+            // Bisection ends at the smallest numbers beside zero.
+            let place = if b.abs() <= NEAR * NEAR * (high - low) { 0.0 } else { b };
+            let comparison = sides.iter().zip(&next).position(|(a, b)| a != b);
+            let (unit, input) = (&self.output.unit, &self.law.inputs[line.input]);
+            let (mut values, mut slopes, mut rounding) = ([0.0; 2], [0.0; 2], 0.0);
+            for (side, x) in [a, b].into_iter().enumerate() {
+                let inputs: Vec<Rounded> = line.at(x).into_iter().map(Rounded::new).collect();
+                let value = self.output.value_at(&inputs, &self.law.names(&inputs)?)?;
+                let duals: Vec<Dual> = (line.at(x).into_iter().enumerate())
+                    .map(|(i, x)| Dual { value: x, slope: f64::from(i == line.input) })
+                    .collect();
+                let dual = self.output.value_at(&duals, &self.law.names(&duals)?)?;
+                values[side] = in_file(value.value, unit);
+                slopes[side] = in_file(dual.slope, unit) * input.unit.factor().to_f64();
+                rounding += in_file(value.error + (dual.slope * (b - a)).abs(), unit);
+            }
+            let found = Break {
+                input: input.name.clone(),
+                unit: input.unit.to_string(),
+                at: in_file(place, &input.unit),
+                moved_from: None,
+                blended: None,
+                values,
+                rounding,
+                slopes,
+            };
+            let steepest = slopes[0].abs().max(slopes[1].abs());
+            let kink = (slopes[1] - slopes[0]).abs() > SAME_SLOPE * steepest;
+            let finite = values.iter().all(|value| value.is_finite());
+            if finite && (found.jumps() || kink) {
+                self.keep(found, Between { pieces: [piece, piece], comparison });
+            }
+            (low, sides) = (b, next);
+        }
+        Ok(())
+    }
+
     /// Neighbours of the threshold at which a piece ends, if it ends at one between two points.
     fn known_end(
         &self,
@@ -306,12 +527,11 @@ impl<'l> Look<'l> {
         let mut slopes = [0.0; 2];
         let mut rounding = 0.0;
         // Beside a blended break both sides are the same function.
-        let blended = pieces.iter().any(|piece| {
-            matches!(
-                self.output.pieces[*piece].when,
-                Some(Condition::Threshold { blend: Some(_), .. })
-            )
+        let blend = pieces.iter().find_map(|piece| match &self.output.pieces[*piece].when {
+            Some(Condition::Threshold { blend: Some(half), .. }) => Some(2.0 * nearest(half)),
+            _ => None,
         });
+        let blended = blend.is_some();
         for (side, piece) in pieces.into_iter().enumerate() {
             let rounded: Vec<Rounded> = line.at(at).into_iter().map(Rounded::new).collect();
             let names = self.law.names(&rounded)?;
@@ -336,23 +556,33 @@ impl<'l> Look<'l> {
             unit: input.unit.to_string(),
             at: in_file(at, &input.unit),
             moved_from: moved_from.map(|at| in_file(at, &input.unit)),
+            blended: blend.map(|length| in_file(length, &input.unit)),
             values,
             rounding,
             slopes,
         };
+        self.keep(found, Between { pieces, comparison: None });
+        Ok(())
+    }
+
+    /// Lists a break; of those between the same formulas along different lines, the one that jumps most.
+    fn keep(&mut self, found: Break, between: Between) {
         let size = |b: &Break| if b.jumps() { (b.values[1] - b.values[0]).abs() } else { 0.0 };
-        let (breaks, between) = (&mut self.seen.report.breaks, &mut self.seen.between);
-        let same =
-            (0..breaks.len()).find(|&i| breaks[i].input == found.input && between[i] == pieces);
+        let (breaks, seen) = (&mut self.seen.report.breaks, &mut self.seen.between);
+        let several = self.law.inputs.len() > 1;
+        let same = (0..breaks.len()).find(|&i| {
+            breaks[i].input == found.input
+                && seen[i] == between
+                && (several || breaks[i].at == found.at)
+        });
         match same {
             Some(i) if size(&breaks[i]) >= size(&found) => {}
             Some(i) => breaks[i] = found,
             None => {
                 breaks.push(found);
-                between.push(pieces);
+                seen.push(between);
             }
         }
-        Ok(())
     }
 
     /// Records where a divisor of a piece changes its sign between two points.
@@ -361,7 +591,10 @@ impl<'l> Look<'l> {
             let inputs: Vec<Signed> = line.at(x).into_iter().map(Signed::new).collect();
             Ok(self.output.value_of(piece, &self.law.names(&inputs)?)?.signs)
         };
-        if self.seen.report.poles.len() == MOST_POLES {
+        // Of several inputs, where the pole of one lies depends on the others: one is an example.
+        let name = &self.law.inputs[line.input].name;
+        let known = self.seen.report.poles.iter().any(|(input, _)| input == name);
+        if self.seen.report.poles.len() == MOST_POLES || known && self.law.inputs.len() > 1 {
             return Ok(());
         }
         let first = self.signs_at_last.take().map_or_else(|| signs(low), Ok)?;
@@ -370,7 +603,14 @@ impl<'l> Look<'l> {
         if first == last {
             return Ok(());
         }
-        let (_, at) = scan::bisect(low, high, |x| Ok(signs(x)? == first))?;
+        let (below, at) = scan::bisect(low, high, |x| Ok(signs(x)? == first))?;
+        // A choice between formulas changes what is divided by; that is no pole. Formulas and graph round
+        // differently, so that the choice is looked for a little around.
+        let around = NEAR * (high - low);
+        let sides = [below - around, at + around].map(|x| self.branches.sides(&line.at(x)));
+        if sides[0] != sides[1] {
+            return Ok(());
+        }
         let input = &self.law.inputs[line.input];
         let pole = (input.name.clone(), in_file(at, &input.unit));
         if !self.seen.report.poles.contains(&pole) {
@@ -381,32 +621,15 @@ impl<'l> Look<'l> {
 }
 
 fn check(law: &LawSpec, output: &LawOutput, seen: &Seen, errors: &mut Diagnostics) {
-    for (found, pieces) in seen.report.breaks.iter().zip(&seen.between) {
+    for (found, between) in seen.report.breaks.iter().zip(&seen.between) {
         if output.accepts_jumps || !found.jumps() {
             continue;
         }
-        let piece = pieces[0].min(pieces[1]);
-        let (unit, at) = (&output.unit, short(found.at));
-        let [below, above] = found.values.map(short);
-        let size = short((found.values[1] - found.values[0]).abs());
-        let message = format!(
-            "`{}` jumps by {size} {unit} at {} = {at} {}: {below} {unit} below, {above} {unit} above",
-            output.name, found.input, found.unit
-        );
-        let root = root_beside(law, output, piece, found);
-        let help = match root {
-            Some(root) => format!(
-                "`engage = \"root\"` moves the break to {} = {} {}, where the pieces meet; \
-                 `jump = \"accept\"` keeps the jump",
-                found.input,
-                short(root),
-                found.unit
-            ),
-            None => "change the pieces so that they meet, or keep the jump by `jump = \"accept\"`"
-                .to_owned(),
-        };
+        let piece = between.pieces[0].min(between.pieces[1]);
         let place = scan::place_of(&output.pieces[piece]);
-        errors.push(place.error_here(Code::JUMP, message).help(help));
+        let error =
+            place.error_here(Code::JUMP, found.words(&output.name, &output.unit.to_string()));
+        errors.push(error.help(remedies(law, output, piece, found)));
     }
     let declared = law.inputs.iter().all(|input| input.range.is_some());
     if let (Some(point), true) = (&seen.report.undefined, declared) {
@@ -418,6 +641,30 @@ fn check(law: &LawSpec, output: &LawOutput, seen: &Seen, errors: &mut Diagnostic
         let help = "give this place a piece of its own, or make the `range` of the inputs smaller";
         errors.push(place.error_here(Code::UNDEFINED, message).help(help));
     }
+}
+
+/// What can be done about a jump.
+fn remedies(law: &LawSpec, output: &LawOutput, piece: usize, found: &Break) -> String {
+    let (input, unit) = (&found.input, &found.unit);
+    let mut ways = Vec::new();
+    if let Some(root) = root_beside(law, output, piece, found) {
+        let root = short(root);
+        ways.push(format!(
+            "`engage = \"root\"` moves the break to {input} = {root} {unit}, where the pieces meet"
+        ));
+    }
+    let threshold = matches!(output.pieces[piece].when, Some(Condition::Threshold { .. }));
+    if threshold {
+        // A twentieth of the distance from zero, to one digit, as an example of a length.
+        let length = if found.at == 0.0 { 0.1 } else { found.at.abs() / 20.0 };
+        let length: f64 = format!("{length:.0e}").parse().unwrap_or(length);
+        ways.push(format!(
+            "`smooth = \"{} {unit}\"` blends the pieces over that length of {input}",
+            short(length)
+        ));
+    }
+    ways.push("`jump = \"accept\"` keeps the jump".to_owned());
+    ways.join("; ")
 }
 
 /// Where `engage` would move a break to, in the file's unit.

@@ -8,10 +8,11 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::expression::{Graph, Id, Node};
 
-/// Highest degree whose roots are looked for, and most bits of a coefficient: the numbers of Sturm's
-/// chain grow with both.
+/// Highest degree whose roots are looked for, and most bits of a coefficient, for low degrees and for
+/// others: the numbers of Sturm's chain grow with both.
 const HIGHEST_DEGREE: usize = 12;
-const MOST_BITS: u64 = 256;
+const LOW_DEGREE: usize = 4;
+const MOST_BITS: [u64; 2] = [1024, 256];
 
 /// A polynomial Σ cᵢ xⁱ; the last coefficient is not zero.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,7 +33,7 @@ impl Polynomial {
     pub(super) fn of(graph: &Graph, expression: Id, x: Id) -> Option<Self> {
         let mut known: BTreeMap<Id, Polynomial> = BTreeMap::new();
         for id in graph.reachable(&[expression]) {
-            let constant = |value: &BigRational| Polynomial::new(vec![value.clone()]);
+            let constant = Polynomial::constant;
             let polynomial = match graph.node(id) {
                 _ if id == x => Polynomial::new(vec![BigRational::zero(), BigRational::one()]),
                 Node::Number(value) => constant(value),
@@ -46,14 +47,7 @@ impl Polynomial {
                 Node::Product(factors) => {
                     let mut product = constant(&BigRational::one());
                     for (base, exponent) in factors {
-                        let whole = exponent.is_integer() && exponent.is_positive();
-                        let count = exponent.to_integer().to_usize().filter(|_| whole)?;
-                        if count > HIGHEST_DEGREE {
-                            return None;
-                        }
-                        for _ in 0..count {
-                            product = product.times(known.get(base)?)?;
-                        }
+                        product = product.times(&known.get(base)?.power(exponent)?)?;
                     }
                     product
                 }
@@ -64,7 +58,23 @@ impl Polynomial {
         known.remove(&expression)
     }
 
-    fn plus(&self, other: &Polynomial) -> Polynomial {
+    pub(super) fn constant(value: &BigRational) -> Self {
+        Polynomial::new(vec![value.clone()])
+    }
+
+    pub(super) fn minus(&self, other: &Polynomial) -> Polynomial {
+        self.plus(&Polynomial::new(other.coefficients.iter().map(|c| -c).collect()))
+    }
+
+    /// A power with a whole positive exponent, unless it is beyond the limits.
+    pub(super) fn power(&self, exponent: &BigRational) -> Option<Polynomial> {
+        let whole = exponent.is_integer() && exponent.is_positive();
+        let count = exponent.to_integer().to_usize().filter(|n| whole && *n <= HIGHEST_DEGREE)?;
+        let one = Polynomial::constant(&BigRational::one());
+        (0..count).try_fold(one, |product, _| product.times(self))
+    }
+
+    pub(super) fn plus(&self, other: &Polynomial) -> Polynomial {
         let length = self.coefficients.len().max(other.coefficients.len());
         let zero = BigRational::zero();
         let at = |p: &Polynomial, i: usize| p.coefficients.get(i).unwrap_or(&zero).clone();
@@ -72,7 +82,7 @@ impl Polynomial {
     }
 
     /// The product, unless it is beyond the limits.
-    fn times(&self, other: &Polynomial) -> Option<Polynomial> {
+    pub(super) fn times(&self, other: &Polynomial) -> Option<Polynomial> {
         if self.is_zero() || other.is_zero() {
             return Some(Polynomial::new(Vec::new()));
         }
@@ -86,7 +96,8 @@ impl Polynomial {
             }
         }
         let bits = |c: &BigRational| c.numer().bits().max(c.denom().bits());
-        product.iter().all(|c| bits(c) <= MOST_BITS).then(|| Polynomial::new(product))
+        let most = MOST_BITS[usize::from(product.len() > LOW_DEGREE + 1)];
+        product.iter().all(|c| bits(c) <= most).then(|| Polynomial::new(product))
     }
 
     /// Slope and root of a polynomial of degree 1.
@@ -106,13 +117,91 @@ impl Polynomial {
     }
 
     /// p(x)
-    fn at(&self, x: &BigRational) -> BigRational {
+    pub(super) fn at(&self, x: &BigRational) -> BigRational {
         self.coefficients.iter().rev().fold(BigRational::zero(), |sum, c| sum * x + c)
     }
 
-    fn derivative(&self) -> Polynomial {
+    pub(super) fn derivative(&self) -> Polynomial {
         let slopes = self.coefficients.iter().enumerate().skip(1);
         Polynomial::new(slopes.map(|(i, c)| c * BigRational::from_integer(i.into())).collect())
+    }
+
+    /// Σ |cᵢ xⁱ|
+    pub(super) fn size_at(&self, x: &BigRational) -> BigRational {
+        let x = x.abs();
+        self.coefficients.iter().rev().fold(BigRational::zero(), |sum, c| sum * &x + c.abs())
+    }
+
+    /// p(x), or zero where it is no more than a share of the size of its terms.
+    pub(super) fn rounded_at(&self, x: &BigRational, share: &BigRational) -> BigRational {
+        let value = self.at(x);
+        if value.abs() <= self.size_at(x) * share { BigRational::zero() } else { value }
+    }
+
+    /// The different roots in the open interval, ascending, to 2⁻¹²⁰ of its width (exactly, for degree 1).
+    pub(super) fn roots_between(&self, low: &BigRational, high: &BigRational) -> Vec<BigRational> {
+        let inside = |root: &BigRational| low < root && root < high;
+        match self.degree() {
+            0 => return Vec::new(),
+            1 => {
+                let root = -&self.coefficients[0] / &self.coefficients[1];
+                return Some(root).filter(inside).into_iter().collect();
+            }
+            _ if self.keeps_its_sign(low, high) => return Vec::new(),
+            _ => {}
+        }
+        let chain = self.sturm_chain();
+        let mut roots = Vec::new();
+        let finest = (high - low) / BigRational::from_integer(BigInt::one() << 120);
+        let two = BigRational::from_integer(2.into());
+        // Intervals (start, end] that hold roots, the leftmost on top.
+        let mut open = vec![(low.clone(), high.clone())];
+        while let Some((start, end)) = open.pop() {
+            let count = changes(&chain, &start) - changes(&chain, &end);
+            if count == 0 {
+                continue;
+            }
+            let middle = (&start + &end) / &two;
+            if &end - &start <= finest {
+                roots.push(if self.at(&end).is_zero() { end } else { middle });
+                continue;
+            }
+            open.push((middle.clone(), end));
+            open.push((start, middle));
+        }
+        roots.retain(inside);
+        roots
+    }
+
+    /// Whether all coefficients in Bernstein's basis over the interval have one sign, so that the polynomial
+    /// has no root inside.
+    fn keeps_its_sign(&self, low: &BigRational, high: &BigRational) -> bool {
+        let n = self.degree();
+        // Coefficients in t, x = low + (high − low)·t.
+        let mut shifted = self.coefficients.clone();
+        for i in 0..n {
+            for k in (i..n).rev() {
+                let carried = &shifted[k + 1] * low;
+                shifted[k] += carried;
+            }
+        }
+        let mut width = BigRational::one();
+        for c in &mut shifted {
+            *c *= &width;
+            width *= high - low;
+        }
+        // bᵢ = Σⱼ C(i, j)/C(n, j) aⱼ
+        let signs = (0..=n).map(|i| {
+            let mut ratio = BigRational::one();
+            let mut sum = BigRational::zero();
+            for (j, a) in shifted.iter().enumerate().take(i + 1) {
+                sum += &ratio * a;
+                ratio *= BigRational::new((i - j).into(), (n - j).max(1).into());
+            }
+            sum
+        });
+        let signs: Vec<BigRational> = signs.collect();
+        signs.iter().all(|b| !b.is_negative()) || signs.iter().all(|b| !b.is_positive())
     }
 
     /// The remainder of the division by `divisor`, which is not zero.
@@ -143,7 +232,31 @@ impl Polynomial {
             let negated = rest.coefficients.iter().map(|c| -c).collect();
             chain.push(Polynomial::new(negated).scaled());
         }
+        // The last divides all others; without it multiple roots are simple, so that the chain counts them
+        // wherever an interval ends.
+        let last = chain[chain.len() - 1].clone();
+        if last.degree() > 0 {
+            chain = chain.iter().map(|p| p.quotient(&last)).collect();
+        }
         chain
+    }
+
+    /// The quotient of a division that leaves no remainder.
+    fn quotient(&self, divisor: &Polynomial) -> Polynomial {
+        let mut rest = self.coefficients.clone();
+        let lead = &divisor.coefficients[divisor.degree()];
+        let mut quotient = Vec::new();
+        while rest.len() > divisor.degree() {
+            let factor = &rest[rest.len() - 1] / lead;
+            let shift = rest.len() - 1 - divisor.degree();
+            for (i, c) in divisor.coefficients.iter().enumerate() {
+                rest[shift + i] -= &factor * c;
+            }
+            rest.pop();
+            quotient.push(factor);
+        }
+        quotient.reverse();
+        Polynomial::new(quotient)
     }
 
     fn scaled(&self) -> Polynomial {
@@ -169,13 +282,9 @@ impl Polynomial {
             return Some(place.clone());
         }
         let chain = self.sturm_chain();
-        let changes = |x: &BigRational| -> usize {
-            let signs = chain.iter().map(|p| p.at(x)).filter(|value| !value.is_zero());
-            let signs: Vec<bool> = signs.map(|value| value.is_positive()).collect();
-            signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
-        };
         // Number of different roots in (low, high].
-        let count = |low: &BigRational, high: &BigRational| changes(low) - changes(high);
+        let count =
+            |low: &BigRational, high: &BigRational| changes(&chain, low) - changes(&chain, high);
         let lead = self.coefficients[self.degree()].abs();
         let others = self.coefficients.iter().map(|c| c.abs() / &lead);
         let bound = others.fold(BigRational::one(), |sum, c| sum + c);
@@ -200,10 +309,34 @@ impl Polynomial {
     }
 }
 
+/// Changes of sign along a Sturm chain.
+fn changes(chain: &[Polynomial], x: &BigRational) -> usize {
+    let signs = chain.iter().map(|p| p.at(x)).filter(|value| !value.is_zero());
+    let signs: Vec<bool> = signs.map(|value| value.is_positive()).collect();
+    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::units::nearest;
+
+    #[test]
+    fn all_roots_of_an_interval_are_found() {
+        let between = |p: &Polynomial, low, high| -> Vec<f64> {
+            p.roots_between(&exact(low, 1), &exact(high, 1)).iter().map(nearest).collect()
+        };
+        let cubic = polynomial(&[-6, 11, -6, 1]);
+        assert_eq!(between(&cubic, 0, 5), [1.0, 2.0, 3.0]);
+        assert_eq!(between(&cubic, 1, 3), [2.0]);
+        assert!(between(&cubic, 4, 9).is_empty());
+        assert_eq!(
+            between(&polynomial(&[4, 0, -4, 0, 1]), -2, 2),
+            [-1.0, 1.0].map(|s| s * 2f64.sqrt())
+        );
+        assert!(between(&polynomial(&[1, 0, 1]), -9, 9).is_empty());
+        assert_eq!(between(&polynomial(&[-7, 2]), -9, 9), [3.5]);
+    }
 
     fn polynomial(coefficients: &[i64]) -> Polynomial {
         Polynomial::new(

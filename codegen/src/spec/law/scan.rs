@@ -11,11 +11,13 @@ use crate::units::nearest;
 const POINTS: usize = 1001;
 const LEVELS: usize = 3;
 /// Most lines an input.
-const LINES: usize = 81;
+const LINES: usize = 9;
+/// The inverse of the plastic number: multiples of its powers, modulo 1, spread evenly.
+const PLASTIC: f64 = 0.754_877_666_246_692_8;
 /// Fewest points along a line, and most terms to evaluate along all lines: bounds the time that a long law
 /// takes.
 const FEWEST_POINTS: usize = 11;
-const MOST_TERMS: usize = 400_000;
+const MOST_TERMS: usize = 20_000;
 
 /// Points that differ in one input only.
 pub(super) struct Line {
@@ -28,6 +30,11 @@ pub(super) struct Line {
 }
 
 impl Line {
+    /// A point of the only input.
+    pub(super) fn alone(x: f64) -> Self {
+        Line { input: 0, points: Vec::new(), rest: vec![x] }
+    }
+
     /// All inputs where the varying one is `x`.
     pub(super) fn at(&self, x: f64) -> Vec<f64> {
         let mut inputs = self.rest.clone();
@@ -83,11 +90,12 @@ fn thresholds(law: &LawSpec, input: usize) -> Vec<f64> {
     found
 }
 
-/// Lines through the ranges: every input in turn, the others at their ends and middles.
-/// `terms`: how many terms an evaluation costs.
+/// Lines through the ranges: every input in turn, the others at their ends and middles, or, if these are too
+/// many, spread evenly. `terms`: how many terms an evaluation costs.
 pub(super) fn lines(ranges: &[[f64; 2]], terms: usize) -> Vec<Line> {
     let mut lines = Vec::new();
-    let combinations = (1..ranges.len()).fold(1_usize, |n, _| n.saturating_mul(LEVELS)).min(LINES);
+    let all = (1..ranges.len()).fold(1_usize, |n, _| n.saturating_mul(LEVELS));
+    let combinations = all.min(LINES);
     let affordable = MOST_TERMS / (terms.max(1) * combinations * ranges.len().max(1));
     let count = affordable.clamp(FEWEST_POINTS, POINTS);
     for input in 0..ranges.len() {
@@ -96,6 +104,7 @@ pub(super) fn lines(ranges: &[[f64; 2]], terms: usize) -> Vec<Line> {
         let points: Vec<f64> = (0..count).map(|i| low + (high - low) * step(i)).collect();
         for line in 0..combinations {
             let mut digits = line;
+            let mut share = 1.0;
             let rest = (ranges.iter().enumerate())
                 .map(|(other, [low, high])| {
                     if other == input {
@@ -103,7 +112,13 @@ pub(super) fn lines(ranges: &[[f64; 2]], terms: usize) -> Vec<Line> {
                     }
                     let level = digits % LEVELS;
                     digits /= LEVELS;
-                    low + (high - low) * level as f64 / (LEVELS - 1) as f64
+                    share *= PLASTIC;
+                    let place = match all > LINES {
+                        // A Kronecker sequence.
+                        true => (0.5 + line as f64 * share).fract(),
+                        false => level as f64 / (LEVELS - 1) as f64,
+                    };
+                    low + (high - low) * place
                 })
                 .collect();
             lines.push(Line { input, points: points.clone(), rest });

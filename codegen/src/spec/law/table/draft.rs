@@ -9,7 +9,7 @@ use crate::formula::{Formula, parse};
 use crate::spec::law::Beside;
 use crate::spec::law::system::System;
 use crate::spec::read::{Document, Table, Value};
-use crate::units::Unit;
+use crate::units::{Unit, nearest};
 
 /// A table as the law file and the file of its columns give it.
 pub(in crate::spec::law) struct TableDraft {
@@ -39,7 +39,10 @@ impl TableDraft {
             values.map(|(value, _)| system.convert(value, &column.unit)).collect()
         };
         let (x, y) = (converted(&self.x), converted(&self.y));
-        let mut table = LawTable { after, ..self.empty };
+        let written = self.x.values.iter().map(|(value, _)| nearest(value));
+        let ends = written
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+        let mut table = LawTable { after, ends, ..self.empty };
         table.fill(x, &y);
         table
     }
@@ -90,6 +93,8 @@ pub(in crate::spec::law) fn read(
         pieces: Vec::new(),
         splits: Vec::new(),
         ends: Default::default(),
+        end_slopes: Default::default(),
+        inner: Vec::new(),
         after: 0,
     };
     let fine: Result<(), Diagnostics> = check_rows(&empty, &x, &y);

@@ -41,8 +41,12 @@ pub struct LawTable {
     /// One piece more than there are splits.
     pieces: Vec<Cubic>,
     splits: Vec<BigRational>,
+    /// First and last input in the unit of their column.
+    pub(super) ends: [f64; 2],
     /// Slopes at both ends.
-    ends: [BigRational; 2],
+    end_slopes: [BigRational; 2],
+    /// The comparisons of the input with the rows between the first and the last.
+    inner: Vec<Id>,
     /// How many definitions come before it.
     pub(super) after: usize,
 }
@@ -73,7 +77,7 @@ impl LawTable {
         self.pieces = cubic::cubics(&x, y, &slopes);
         let last = x.len() - 1;
         self.splits = x[1..last].to_vec();
-        self.ends = [slopes[0].clone(), slopes[last].clone()];
+        self.end_slopes = [slopes[0].clone(), slopes[last].clone()];
         let outside = |at: usize| {
             let slope = match self.extend {
                 Extend::Linear => slopes[at].clone(),
@@ -99,7 +103,7 @@ impl LawTable {
     /// Inputs at which the slope jumps, with the slopes below and above.
     pub fn kinks(&self) -> Vec<(&BigRational, [BigRational; 2])> {
         let [first, last] = self.span();
-        let [low, high] = self.ends.clone();
+        let [low, high] = self.end_slopes.clone();
         if self.extend != Extend::Constant {
             return Vec::new();
         }
@@ -117,6 +121,11 @@ impl LawTable {
         let place = self.splits.partition_point(|at| nearest(at) <= input);
         let outside = i64::from(self.extend == Extend::Refuse && self.is_outside(input));
         turns * (self.pieces.len() as i64 + 1) + place as i64 - outside * i64::from(i32::MAX)
+    }
+
+    /// Comparisons on the graph across which neither value nor slope jumps.
+    pub(super) fn inner(&self) -> &[Id] {
+        &self.inner
     }
 
     fn period(&self) -> BigRational {
@@ -162,7 +171,7 @@ impl LawTable {
     }
 
     /// The value on the graph.
-    pub(super) fn lower(&self, graph: &mut Graph, input: Id) -> Id {
+    pub(super) fn lower(&mut self, graph: &mut Graph, input: Id) -> Id {
         let wrapped = if self.extend == Extend::Periodic { self.wrap(graph, input) } else { input };
         let masks: Vec<Id> = (self.splits.iter())
             .map(|at| {
@@ -170,6 +179,9 @@ impl LawTable {
                 graph.compare(Relation::Less, wrapped, at)
             })
             .collect();
+        let rows = (self.splits.iter().zip(&masks))
+            .filter(|(at, _)| !self.span().contains(at) || self.extend == Extend::Linear);
+        self.inner = rows.map(|(_, mask)| *mask).collect();
         let start = self.choose(graph, &masks, |piece| &piece.start);
         let t = graph.sub(wrapped, start);
         let mut value = self.choose(graph, &masks, |piece| &piece.coefficients[3]);

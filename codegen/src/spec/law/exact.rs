@@ -1,0 +1,311 @@
+//! What can be said exactly of an output of one input that is a polynomial between its breaks, be they those
+//! of pieces, of `smooth`, of tables or of min, max and abs.
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::root::Polynomial;
+use super::{Condition, LawOutput, LawSpec};
+use crate::expression::{Function, Graph, Id, Node, Relation};
+use crate::formula::{Kind, PI, Side, Term};
+use crate::units::nearest;
+
+/// Most comparisons that are followed.
+const MOST_COMPARISONS: usize = 400;
+
+/// A range of the input in which the output is one polynomial; all SI.
+pub(super) struct Region {
+    pub(super) low: BigRational,
+    pub(super) high: BigRational,
+    polynomial: Polynomial,
+}
+
+/// Where two regions meet.
+pub(super) struct Meeting {
+    pub(super) at: BigRational,
+    /// Value and slope below and above, SI.
+    pub(super) values: [f64; 2],
+    pub(super) slopes: [f64; 2],
+    /// Bound of what the approximation of an irrational break adds to the value.
+    pub(super) rounding: f64,
+    /// The piece that ends there, if it is one that does.
+    pub(super) piece: Option<usize>,
+    /// Whether the value jumps, or the slope.
+    pub(super) jumps: bool,
+    pub(super) kinks: bool,
+}
+
+/// Least and largest value, whether it rises and falls anywhere, and where regions meet.
+pub(super) struct Facts {
+    pub(super) extent: [f64; 2],
+    pub(super) rises: bool,
+    pub(super) falls: bool,
+    pub(super) meetings: Vec<Meeting>,
+}
+
+/// 2⁻⁶⁰: irrational breaks are known to 2⁻¹²⁰, so that what is smaller relative to its parts is zero.
+fn negligible() -> BigRational {
+    BigRational::new(BigInt::one(), BigInt::one() << 60)
+}
+
+/// The facts over a range (SI), if the output is piecewise polynomial.
+pub(super) fn facts(law: &LawSpec, output: &LawOutput, range: [f64; 2]) -> Option<Facts> {
+    let [input] = law.inputs.as_slice() else { return None };
+    if !is_polynomial(law, output) {
+        return None;
+    }
+    let [low, high] = range.map(BigRational::from_float);
+    let regions = regions(&law.graph, output.value, input.symbol, low?, high?)?;
+    let mut facts = Facts {
+        extent: [f64::INFINITY, f64::NEG_INFINITY],
+        rises: false,
+        falls: false,
+        meetings: Vec::new(),
+    };
+    for region in &regions {
+        region.add(&mut facts);
+    }
+    for pair in regions.windows(2) {
+        let meeting = meet(output, &pair[0], &pair[1]);
+        facts.rises |= meeting.jumps && meeting.values[1] > meeting.values[0];
+        facts.falls |= meeting.jumps && meeting.values[1] < meeting.values[0];
+        facts.meetings.push(meeting);
+    }
+    Some(facts)
+}
+
+/// Whether the formulas themselves are polynomials with choices: the graph may cancel what makes them
+/// undefined, such as √h·√h.
+fn is_polynomial(law: &LawSpec, output: &LawOutput) -> bool {
+    let values = output.pieces.iter().map(|piece| &piece.value);
+    let conditions = output.pieces.iter().filter_map(|piece| match &piece.when {
+        Some(Condition::Formula(formula)) => Some(formula),
+        _ => None,
+    });
+    let definitions = law.definitions.iter().map(|definition| &definition.formula);
+    let tables = law.tables.iter().map(|table| &table.input);
+    let mut formulas = values.chain(conditions).chain(definitions).chain(tables);
+    formulas.all(|formula| is_plain(&formula.root, law))
+}
+
+/// Whether a term is a polynomial, with choices, in all that is not constant.
+fn is_plain(term: &Term, law: &LawSpec) -> bool {
+    let plain = |part: &Term| is_plain(part, law);
+    let part = match &term.kind {
+        Kind::Number(_) | Kind::Name(_) => true,
+        Kind::Negate(a) | Kind::Not(a) => plain(a),
+        Kind::Sum(parts) => parts.iter().all(|(_, part)| plain(part)),
+        Kind::Product(parts) => parts.iter().all(|(side, part)| match side {
+            Side::With => plain(part),
+            Side::Against => is_constant(part, law),
+        }),
+        Kind::Power(base, exponent) => plain(base) && is_count(exponent, law),
+        Kind::Call { function, arguments, .. } => {
+            matches!(function.as_str(), "min" | "max" | "abs") && arguments.iter().all(plain)
+        }
+        Kind::Series { body, .. } => plain(body),
+        Kind::Compare(first, rest) => plain(first) && rest.iter().all(|(_, part)| plain(part)),
+        Kind::And(parts) | Kind::Or(parts) => parts.iter().all(plain),
+    };
+    part || is_constant(term, law)
+}
+
+/// Whether a term is made of numbers and parameters.
+fn is_constant(term: &Term, law: &LawSpec) -> bool {
+    let mut constant = true;
+    term.visit(&mut |part| {
+        if let Kind::Name(name) = &part.kind {
+            constant &= name == PI || law.parameters.iter().any(|p| p.name == *name);
+        }
+    });
+    constant
+}
+
+/// Whether a term is 0, 1, 2, …, or a parameter of such a value.
+fn is_count(term: &Term, law: &LawSpec) -> bool {
+    let value = match &term.kind {
+        Kind::Number(value) => Some(value),
+        Kind::Name(name) => {
+            law.parameters.iter().find(|p| p.name == *name).map(|parameter| &parameter.value)
+        }
+        _ => None,
+    };
+    value.is_some_and(|value| value.is_integer() && !value.is_negative())
+}
+
+impl Region {
+    fn add(&self, facts: &mut Facts) {
+        let slope = self.polynomial.derivative();
+        let mut ends = vec![self.low.clone()];
+        ends.extend(slope.roots_between(&self.low, &self.high));
+        ends.push(self.high.clone());
+        for x in &ends {
+            let value = nearest(&self.polynomial.rounded_at(x, &negligible()));
+            facts.extent = [facts.extent[0].min(value), facts.extent[1].max(value)];
+        }
+        for pair in ends.windows(2) {
+            let middle = (&pair[0] + &pair[1]) / BigRational::from_integer(2.into());
+            let sign = slope.at(&middle);
+            facts.rises |= sign.is_positive();
+            facts.falls |= sign.is_negative();
+        }
+    }
+}
+
+fn meet(output: &LawOutput, below: &Region, above: &Region) -> Meeting {
+    let at = above.low.clone();
+    let sides = [&below.polynomial, &above.polynomial];
+    let slopes = sides.map(Polynomial::derivative);
+    let scale =
+        |polynomials: [&Polynomial; 2]| polynomials[0].size_at(&at) + polynomials[1].size_at(&at);
+    let rounding = scale(sides) * negligible();
+    let differs = |polynomials: [&Polynomial; 2], bound: &BigRational| {
+        (polynomials[0].at(&at) - polynomials[1].at(&at)).abs() > *bound
+    };
+    let slope_sides = [&slopes[0], &slopes[1]];
+    let jumps = differs(sides, &rounding);
+    let kinks = differs(slope_sides, &(scale(slope_sides) * negligible()));
+    let shown = |p: &Polynomial| nearest(&p.rounded_at(&at, &negligible()));
+    let piece = output.pieces.iter().position(
+        |piece| matches!(&piece.when, Some(Condition::Threshold { at: other, .. }) if *other == at),
+    );
+    Meeting {
+        values: sides.map(shown),
+        slopes: slope_sides.map(shown),
+        rounding: nearest(&rounding),
+        piece,
+        jumps,
+        kinks,
+        at,
+    }
+}
+
+/// The regions between `low` and `high`.
+fn regions(
+    graph: &Graph,
+    value: Id,
+    x: Id,
+    low: BigRational,
+    high: BigRational,
+) -> Option<Vec<Region>> {
+    let two = BigRational::from_integer(2.into());
+    let mut breaks = vec![low.clone(), high.clone()];
+    let mut count = 0;
+    // Operands come first, so that in every region known so far the sides of a comparison are polynomials.
+    for id in graph.reachable(&[value]) {
+        let [a, b] = match *graph.node(id) {
+            Node::Compare(_, a, b) => [Some(a), Some(b)],
+            Node::Function(Function::Abs, a) => [Some(a), None],
+            _ => continue,
+        };
+        count += 1;
+        if count > MOST_COMPARISONS {
+            return None;
+        }
+        let zero = Polynomial::constant(&BigRational::zero());
+        let everywhere = |id: Option<Id>| match id {
+            Some(id) => Polynomial::of(graph, id, x),
+            None => Some(zero.clone()),
+        };
+        let roots = match (everywhere(a), everywhere(b)) {
+            (Some(a), Some(b)) => a.minus(&b).roots_between(&low, &high),
+            _ => {
+                let mut roots = Vec::new();
+                for ends in breaks.windows(2) {
+                    let middle = (&ends[0] + &ends[1]) / &two;
+                    let mut choice = Choice { graph, x, middle, known: BTreeMap::new() };
+                    let mut side = |id: Option<Id>| match id {
+                        Some(id) => choice.polynomial(id),
+                        None => Some(zero.clone()),
+                    };
+                    let difference = side(a)?.minus(&side(b)?);
+                    roots.extend(difference.roots_between(&ends[0], &ends[1]));
+                }
+                roots
+            }
+        };
+        breaks.extend(roots);
+        breaks.sort();
+        breaks.dedup();
+        if breaks.len() > MOST_COMPARISONS {
+            return None;
+        }
+    }
+    breaks
+        .windows(2)
+        .map(|ends| {
+            let middle = (&ends[0] + &ends[1]) / &two;
+            let mut choice = Choice { graph, x, middle, known: BTreeMap::new() };
+            let polynomial = choice.polynomial(value)?;
+            Some(Region { low: ends[0].clone(), high: ends[1].clone(), polynomial })
+        })
+        .collect()
+}
+
+/// The polynomial that applies in a region.
+struct Choice<'g> {
+    graph: &'g Graph,
+    x: Id,
+    middle: BigRational,
+    known: BTreeMap<Id, Polynomial>,
+}
+
+impl Choice<'_> {
+    fn polynomial(&mut self, id: Id) -> Option<Polynomial> {
+        if let Some(known) = self.known.get(&id) {
+            return Some(known.clone());
+        }
+        let polynomial = match self.graph.node(id).clone() {
+            _ if id == self.x => Polynomial::of(self.graph, id, self.x)?,
+            Node::Number(value) => Polynomial::constant(&value),
+            Node::Sum(terms) => {
+                let mut sum = Polynomial::constant(&BigRational::zero());
+                for (term, coefficient) in terms {
+                    let term = self.polynomial(term)?;
+                    sum = sum.plus(&term.times(&Polynomial::constant(&coefficient))?);
+                }
+                sum
+            }
+            Node::Product(factors) => {
+                let mut product = Polynomial::constant(&BigRational::one());
+                for (base, exponent) in factors {
+                    let base = self.polynomial(base)?;
+                    product = product.times(&base.power(&exponent)?)?;
+                }
+                product
+            }
+            Node::Function(Function::Abs, a) => {
+                let a = self.polynomial(a)?;
+                let sign = if a.at(&self.middle).is_negative() { -1 } else { 1 };
+                a.times(&Polynomial::constant(&BigRational::from_integer(sign.into())))?
+            }
+            Node::Select(mask, a, b) => {
+                let chosen = if self.truth(mask)? { a } else { b };
+                self.polynomial(chosen)?
+            }
+            _ => return None,
+        };
+        self.known.insert(id, polynomial.clone());
+        Some(polynomial)
+    }
+
+    fn truth(&mut self, id: Id) -> Option<bool> {
+        Some(match *self.graph.node(id) {
+            Node::Compare(relation, a, b) => {
+                let difference = self.polynomial(a)?.minus(&self.polynomial(b)?).at(&self.middle);
+                match relation {
+                    Relation::Less => difference.is_negative(),
+                    Relation::LessOrEqual => !difference.is_positive(),
+                }
+            }
+            Node::Truth(value) => value,
+            Node::And(a, b) => self.truth(a)? && self.truth(b)?,
+            Node::Or(a, b) => self.truth(a)? || self.truth(b)?,
+            Node::Not(a) => !self.truth(a)?,
+            _ => return None,
+        })
+    }
+}
