@@ -174,10 +174,20 @@ fn derivatives_by_a_vector() {
         "x/dot(x, x)",
         "dot(x, y)*x + tanh(dot(x, x))*(H*x)",
         "S*(dot(x, y)*y)",
+        // Vectors whose Jacobian is a product of matrices.
+        "dot(y, S*N*x + x)",
+        "dot(y, dot(x, y)*(S*N*x) + x)",
     ] {
         let mut bench = Bench::new();
         let id = bench.read(text);
         bench.check(id, "x", text);
+    }
+    let mut bench = Bench::new();
+    for condition in ["0 < 1 + a^2", "1 + a^2 < 0"] {
+        let [mask, product, other] = [condition, "S*N*x", "H*N*x"].map(|text| bench.read(text));
+        let chosen = bench.graph.select(mask, product, other);
+        let along = bench.graph.dot(bench.names["y"], chosen);
+        bench.check(along, "x", condition);
     }
 }
 
