@@ -3,6 +3,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -209,14 +210,14 @@ impl<'f, N: Number> Evaluation<'f, N> {
         let builtin = Builtin::named(function).ok_or_else(|| self.misfit(term))?;
         let argument = |i: usize| arguments.get(i).ok_or_else(|| self.misfit(term));
         let choose = |better: fn(f64, f64) -> bool| {
-            let mut best = self.scalar(argument(0)?)?;
-            for other in &arguments[1..] {
-                let other = self.scalar(other)?;
+            let all: Vec<N> = arguments.iter().map(|a| self.scalar(a)).collect::<Result<_, _>>()?;
+            let mut best = all.first().ok_or_else(|| self.misfit(term))?;
+            for other in &all[1..] {
                 if better(other.value(), best.value()) {
                     best = other;
                 }
             }
-            Ok(Value::Scalar(best))
+            Ok(Value::Scalar(best.chosen(&all)))
         };
         match builtin {
             Builtin::Min => return choose(|a, b| a < b),
@@ -285,7 +286,9 @@ fn one() -> BigRational {
 
 /// The f64 nearest to π, as an exact number.
 pub(crate) fn pi() -> BigRational {
-    BigRational::from_float(std::f64::consts::PI).unwrap_or_else(one)
+    static PI: LazyLock<BigRational> =
+        LazyLock::new(|| BigRational::from_float(std::f64::consts::PI).unwrap_or_else(one));
+    PI.clone()
 }
 
 fn map<N>(value: Value<N>, f: &impl Fn(&N) -> N) -> Option<Value<N>> {

@@ -38,6 +38,11 @@ pub trait Number: Clone {
     fn tanh(&self) -> Self;
     /// |a|
     fn abs(&self) -> Self;
+    /// This one, chosen among `all` by its value.
+    fn chosen(&self, all: &[Self]) -> Self {
+        let _ = all;
+        self.clone()
+    }
 }
 
 impl Number for f64 {

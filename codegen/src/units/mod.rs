@@ -42,6 +42,8 @@ impl UnitError {
 pub struct Unit {
     text: String,
     factor: Factor,
+    /// The same exactly, if it is rational.
+    rational: Option<BigRational>,
     dimension: Dimension,
 }
 
@@ -53,7 +55,8 @@ impl Unit {
     /// An unknown name (with the nearest known one), or text that is no unit.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
         let (factor, dimension) = read::unit(text, 0)?;
-        Ok(Unit { text: text.trim().to_owned(), factor, dimension })
+        let rational = factor.to_rational();
+        Ok(Unit { text: text.trim().to_owned(), factor, rational, dimension })
     }
 
     /// The unit as it was written.
@@ -64,6 +67,11 @@ impl Unit {
     /// One of this unit in SI units.
     pub fn factor(&self) -> &Factor {
         &self.factor
+    }
+
+    /// One of this unit in SI units, if that is rational.
+    pub fn rational(&self) -> Option<&BigRational> {
+        self.rational.as_ref()
     }
 
     /// What it measures.
@@ -159,6 +167,14 @@ impl Quantity {
 
 /// The f64 nearest to a rational; infinite beyond the range of f64.
 pub(crate) fn nearest(value: &BigRational) -> f64 {
+    /// Whole numbers up to here are exact as f64, so that their quotient is rounded once.
+    const EXACT: u64 = 1 << 53;
+    if let (Some(n), Some(d)) = (value.numer().to_i64(), value.denom().to_i64())
+        && n.unsigned_abs() <= EXACT
+        && d.unsigned_abs() <= EXACT
+    {
+        return n as f64 / d as f64;
+    }
     value.to_f64().unwrap_or(f64::NAN)
 }
 

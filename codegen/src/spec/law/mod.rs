@@ -296,9 +296,9 @@ fn scalar<N: Number>(
 
 /// Factor of a unit to SI; the units of inputs and outputs were checked to have rational ones.
 fn in_si(unit: &Unit) -> BigRational {
-    let factor = unit.factor();
-    let inexact = || BigRational::from_float(factor.to_f64());
-    factor.to_rational().or_else(inexact).unwrap_or_else(|| BigRational::from_integer(1.into()))
+    let inexact = || BigRational::from_float(unit.factor().to_f64());
+    let factor = unit.rational().cloned().or_else(inexact);
+    factor.unwrap_or_else(|| BigRational::from_integer(1.into()))
 }
 
 #[cfg(test)]

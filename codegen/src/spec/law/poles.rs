@@ -93,4 +93,10 @@ impl Number for Signed {
     fn abs(&self) -> Self {
         self.map(self.value.abs())
     }
+    /// With the divisors of all, whichever is chosen: a choice between values with and without a divisor is
+    /// no pole.
+    fn chosen(&self, all: &[Self]) -> Self {
+        let signs = all.iter().fold(0, |signs, value| mixed(signs, value.signs));
+        Signed { value: self.value, signs }
+    }
 }

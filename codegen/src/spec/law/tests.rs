@@ -306,6 +306,21 @@ fn breaks_between_inputs_and_poles_are_found() {
 }
 
 #[test]
+fn a_choice_between_values_with_and_without_a_divisor_is_no_pole() {
+    let body = |value: &str| {
+        format!(
+            "[inputs]\nh = {{ unit = \"mm\", range = [-1, 1] }}\n\
+             [parameters]\nt = {{ value = 2, unit = \"mm\" }}\nF = {{ value = 1, unit = \"N\" }}\n\
+             [outputs.Q]\nunit = \"N\"\nvalue = 'F*{value}'\n"
+        )
+    };
+    let poles = |value: &str| read(&body(value)).unwrap().report.outputs[0].poles.clone();
+    assert_eq!(poles("max(h/t, 0.3)"), []);
+    assert_eq!(poles("min(1/(1 + max(h/t, 0)), 0.9)"), []);
+    assert!(!poles("max(t/(h - 0.333*t), -5)").is_empty());
+}
+
+#[test]
 fn the_kind_of_a_law_follows_from_its_names() {
     let of = |inputs: &str, outputs: &str| {
         read(&format!(
