@@ -1,3 +1,5 @@
 //! Benchmarks: generated kernels against hand-written twins.
 
 pub mod hand;
+pub mod measure;
+pub mod textbook;

@@ -11,6 +11,8 @@ mod registry;
 mod rows;
 pub mod vector;
 mod wide;
+#[cfg(target_arch = "x86_64")]
+mod x86;
 
 pub use lane::Lane;
 pub use registers::{Register, Registers};

@@ -107,6 +107,8 @@ pub struct FormKernel {
     pub material: &'static [Variable],
     /// Storage of a cell's matrix.
     pub structure: Structure,
+    /// Floating-point operations a cell as the kernel's text has them, a·b + c counted as two.
+    pub flops: usize,
     /// The kernel.
     pub evaluate: CellKernel,
 }

@@ -9,3 +9,4 @@ mod golden;
 mod hyper;
 mod motion;
 mod random;
+mod registers;

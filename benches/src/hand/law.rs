@@ -1,6 +1,10 @@
-//! The two laws of the reference system, written by hand: one pass over the springs without a branch.
+//! The two laws of the reference system, written by hand: one pass over the springs without a branch, as many
+//! side by side as a register holds.
 
-use whirl_specs::{Law, Origin, Variable};
+use std::marker::PhantomData;
+
+use whirl_specs::registers::{Register, Registers, Task};
+use whirl_specs::{Lane, Law, Origin, Variable};
 
 const H: Variable = Variable { name: "h", unit: "m", title: "clearance at the spring" };
 const Q: Variable = Variable { name: "Q", unit: "N", title: "normal force of one spring" };
@@ -12,44 +16,79 @@ const fn law(name: &'static str, source: &'static str, evaluate: whirl_specs::La
 }
 
 /// Q = 233 − 6517 h (N, mm) up to its root, eq. (51).
-pub static LINEAR: Law = law("hu2003-linear", "eq. (51)", linear);
+pub static LINEAR: Law = law("hu2003-linear", "eq. (51)", evaluate::<Linear>);
 
 /// Q = 388 − 18632 h + 217550 h² (N, mm) up to its lower root, eq. (52).
-pub static NONLINEAR: Law = law("hu2003-nonlinear", "eq. (52)", nonlinear);
+pub static NONLINEAR: Law = law("hu2003-nonlinear", "eq. (52)", evaluate::<Nonlinear>);
 
-fn rows<'a>(springs: usize, h: &'a [f64], out: &'a mut [f64]) -> Rows<'a> {
-    let (q, slope) = out[..2 * springs].split_at_mut(springs);
-    Rows { h: &h[..springs], q, slope }
+/// What a law computes for a lane of springs: Q and ∂Q/∂h.
+trait Spring {
+    fn spring<L: Lane>(h: L) -> [L; 2];
 }
 
-struct Rows<'a> {
+struct Rows<'a, S> {
     h: &'a [f64],
     q: &'a mut [f64],
     slope: &'a mut [f64],
+    spring: PhantomData<S>,
 }
 
-fn linear(springs: usize, h: &[f64], out: &mut [f64]) {
-    const SLOPE: f64 = 6517e3;
-    const ROOT: f64 = 233.0 / SLOPE;
-    let Rows { h, q, slope } = rows(springs, h, out);
-    for ((&h, q), slope) in h.iter().zip(q).zip(slope) {
-        let acts = h <= ROOT;
-        *q = if acts { 233.0 - SLOPE * h } else { 0.0 };
-        *slope = if acts { -SLOPE } else { 0.0 };
+impl<S: Spring> Task for Rows<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let whole = self.h.len() - self.h.len() % L::WIDTH;
+        each::<S, L>(&self.h[..whole], &mut self.q[..whole], &mut self.slope[..whole]);
+        each::<S, f64>(&self.h[whole..], &mut self.q[whole..], &mut self.slope[whole..]);
     }
 }
 
-fn nonlinear(springs: usize, h: &[f64], out: &mut [f64]) {
-    const A: f64 = 388.0;
-    const B: f64 = -18632e3;
-    const C: f64 = 217550e6;
-    // The lower root, in the form without cancellation.
-    let root = 2.0 * A / (-B + (B * B - 4.0 * A * C).sqrt());
-    let Rows { h, q, slope } = rows(springs, h, out);
-    for ((&h, q), slope) in h.iter().zip(q).zip(slope) {
-        let acts = h <= root;
-        *q = if acts { A + h * (B + h * C) } else { 0.0 };
-        *slope = if acts { B + 2.0 * C * h } else { 0.0 };
+#[inline(always)]
+fn each<S: Spring, L: Register>(h: &[f64], q: &mut [f64], slope: &mut [f64]) {
+    let rows = L::chunks(h).iter().zip(L::chunks_mut(q)).zip(L::chunks_mut(slope));
+    for ((h, q), slope) in rows {
+        let [force, derivative] = S::spring(L::load(h));
+        force.store(q);
+        derivative.store(slope);
+    }
+}
+
+fn evaluate<S: Spring>(springs: usize, h: &[f64], out: &mut [f64]) {
+    let (q, slope) = out[..2 * springs].split_at_mut(springs);
+    Registers::current().run(Rows { h: &h[..springs], q, slope, spring: PhantomData::<S> });
+}
+
+enum Linear {}
+
+impl Spring for Linear {
+    #[inline(always)]
+    fn spring<L: Lane>(h: L) -> [L; 2] {
+        const SLOPE: f64 = 6517e3;
+        const ROOT: f64 = 233.0 / SLOPE;
+        let acts = L::le(h, L::splat(ROOT));
+        let zero = L::splat(0.0);
+        [
+            L::select(acts, L::splat(233.0) - h * SLOPE, zero),
+            L::select(acts, L::splat(-SLOPE), zero),
+        ]
+    }
+}
+
+enum Nonlinear {}
+
+impl Spring for Nonlinear {
+    #[inline(always)]
+    fn spring<L: Lane>(h: L) -> [L; 2] {
+        const A: f64 = 388.0;
+        const B: f64 = -18632e3;
+        const C: f64 = 217550e6;
+        // The lower root, in the form without cancellation: 2A/(−B + √(B² − 4AC)).
+        const ROOT: f64 = 3.573_328_261_276_135e-5;
+        let acts = L::le(h, L::splat(ROOT));
+        let zero = L::splat(0.0);
+        let part = h * C;
+        [L::select(acts, (part + B) * h + A, zero), L::select(acts, part + part + B, zero)]
     }
 }
 

@@ -11,8 +11,11 @@ use crate::schedule::{Operand, Operation, Program};
 /// The number type of generated code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Numbers {
-    /// A type parameter `L: Lane`.
+    /// A type parameter `L: Lane`, every operation rounded.
     Lanes,
+    /// A type parameter `L: Lane`; a product that is added to something is not rounded where the lane type
+    /// has an instruction for that.
+    Fused,
     /// `f64`, with `Lane` in scope for the pinned functions.
     Plain,
 }
@@ -38,11 +41,11 @@ pub fn statements(program: &Program, stage: usize, numbers: Numbers) -> Vec<Toke
 /// An operand by its identifier, or as a number.
 pub fn operand(program: &Program, operand: Operand, numbers: Numbers) -> TokenStream {
     match (operand, numbers) {
-        (Operand::Constant(value), Numbers::Lanes) => {
+        (Operand::Constant(value), Numbers::Plain) => number(value),
+        (Operand::Constant(value), _) => {
             let value = number(value);
             quote!(L::splat(#value))
         }
-        (Operand::Constant(value), Numbers::Plain) => number(value),
         (other, _) => {
             let name = identifier(program.name_of(other).expect("only constants have no name"));
             quote!(#name)
@@ -115,7 +118,7 @@ impl<'a> Writer<'a> {
 
     fn call(&self, method: TokenStream, a: Operand) -> TokenStream {
         match self.numbers {
-            Numbers::Lanes => {
+            Numbers::Lanes | Numbers::Fused => {
                 let a = self.at_least(a, Binding::Atom);
                 quote!(#a.#method())
             }
@@ -127,6 +130,31 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// a·b + c for a sum of which one operand is a product written in place.
+    fn fused(&self, place: usize) -> Option<TokenStream> {
+        if self.numbers != Numbers::Fused {
+            return None;
+        }
+        let Operation::Add(a, b) = self.program.instructions[place].operation else { return None };
+        let product = |operand: Operand| match operand {
+            Operand::Value(value) if self.in_place[value] => {
+                match self.program.instructions[value].operation {
+                    Operation::Mul(a, b) => Some((a, b)),
+                    _ => None,
+                }
+            }
+            _ => None,
+        };
+        let ((x, y), other) = match (product(a), product(b)) {
+            (_, Some(factors)) => (factors, a),
+            (Some(factors), None) => (factors, b),
+            (None, None) => return None,
+        };
+        let (x, y) = (self.at_least(x, Binding::Atom), self.text(y).0);
+        let other = self.text(other).0;
+        Some(quote!(#x.mul_add(#y, #other)))
+    }
+
     fn operation(&self, place: usize) -> (TokenStream, Binding) {
         // Constants to the right where the order is free: there they need no lane.
         let ordered = |a: Operand, b: Operand| match a {
@@ -134,6 +162,9 @@ impl<'a> Writer<'a> {
             _ => (a, b),
         };
         let plain = self.numbers == Numbers::Plain;
+        if let Some(fused) = self.fused(place) {
+            return (fused, Binding::Atom);
+        }
         match self.program.instructions[place].operation {
             Operation::Add(a, b) => {
                 let (a, b) = ordered(a, b);

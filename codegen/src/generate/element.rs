@@ -21,13 +21,14 @@ pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel
     check_enhanced(element, specs)?;
     let mut tables = Tables::new(element);
     let mut functions = TokenStream::new();
-    let mut entries = Vec::new();
+    let (mut entries, mut known) = (Vec::new(), Vec::new());
     for spec in specs {
         for form in &spec.forms {
             demand::prove(element, &form.name, &form.products())?;
             let cell = CellForm { element, spec, form };
-            functions.extend(cell.functions(&mut tables)?);
-            entries.push(entry(&cell));
+            let (text, flops) = cell.functions(&mut tables, &mut known)?;
+            functions.extend(text);
+            entries.push(entry(&cell, flops));
         }
     }
     let tables = tables.tokens();
@@ -95,8 +96,8 @@ fn heading(element: &ElementSpec, about: &About) -> String {
 }
 
 /// The entry of a form in the registry.
-fn entry(cell: &CellForm) -> TokenStream {
-    let name = &cell.form.name;
+fn entry(cell: &CellForm, flops: usize) -> TokenStream {
+    let (name, flops) = (&cell.form.name, Literal::usize_unsuffixed(flops));
     let function = identifier(name);
     let material = (cell.spec.material_of(cell.form).into_iter())
         .map(|p| variable(&p.name, &p.unit.dimension().si_unit(), &p.title));
@@ -116,6 +117,7 @@ fn entry(cell: &CellForm) -> TokenStream {
             form: #name,
             material: &[#(#material),*],
             structure: #structure,
+            flops: #flops,
             evaluate: #function,
         }
     }

@@ -1,5 +1,6 @@
 //! From the texts of spec files to the texts of Rust files.
 
+mod basis;
 mod cell;
 mod clearance;
 mod clearance_contact;
@@ -7,10 +8,14 @@ mod clearance_kernels;
 mod element;
 mod facts;
 mod law;
+mod linear;
+mod modes;
 mod motion;
 mod program;
 mod read;
+mod sums;
 mod table;
+mod values;
 mod write;
 
 pub use read::{ENDINGS, SpecFile, folders};

@@ -20,7 +20,7 @@ pub(super) const MATERIAL: usize = 0;
 pub(super) const PAIR: usize = 1;
 
 /// Names of variables in the kernels' own text, which a spec's names must not hide.
-const OWN: [&str; 24] = [
+const OWN: [&str; 41] = [
     "x",
     "a",
     "b",
@@ -45,6 +45,23 @@ const OWN: [&str; 24] = [
     "a_q",
     "b_q",
     "condense",
+    "room",
+    "tangents",
+    "maps",
+    "mode_maps",
+    "roots",
+    "xi",
+    "eta",
+    "zeta",
+    "cells",
+    "directions",
+    "factors",
+    "sums",
+    "left",
+    "right",
+    "coupling",
+    "own",
+    "n",
 ];
 
 /// The components of a pair of basis functions over the sums of their products at the points,
@@ -106,7 +123,11 @@ impl Pairs {
         // In capitals, of some length: the tables.
         let table = |name: &str| name.len() > 2 && !name.chars().any(|c| c.is_ascii_lowercase());
         let own = |name: &str| {
-            OWN.contains(&name) || name.starts_with("s_") || name.starts_with("k_") || table(name)
+            OWN.contains(&name)
+                || name.starts_with("part_")
+                || name.starts_with("s_")
+                || name.starts_with("k_")
+                || table(name)
         };
         let free = |name: &str| if own(name) { format!("{name}_given") } else { name.to_owned() };
         let properties = spec.material_of(form);
@@ -138,14 +159,24 @@ impl Pairs {
 
     /// The statements that run once a cell.
     pub(super) fn once(&self) -> TokenStream {
-        let coefficients = statements(&self.coefficients, 0, Numbers::Lanes);
+        let coefficients = statements(&self.coefficients, 0, Numbers::Fused);
         let bound = self.coefficients.outputs.iter().filter_map(|output| {
             let name = identifier(&output.name);
-            let value = operand(&self.coefficients, output.operand, Numbers::Lanes);
+            let value = operand(&self.coefficients, output.operand, Numbers::Fused);
             (name != value.to_string()).then(|| quote!(let #name = #value;))
         });
-        let material = statements(&self.program, MATERIAL, Numbers::Lanes);
+        let material = statements(&self.program, MATERIAL, Numbers::Fused);
         quote!(#(#coefficients)* #(#bound)* #(#material)*)
+    }
+
+    /// Operations once a cell.
+    pub(super) fn once_flops(&self) -> usize {
+        self.coefficients.total_counts().arithmetic() + self.program.counts(MATERIAL).arithmetic()
+    }
+
+    /// Operations once a pair, without the sums.
+    pub(super) fn flops(&self) -> usize {
+        self.program.counts(PAIR).arithmetic()
     }
 
     /// Operations once a cell, in words.

@@ -72,3 +72,30 @@ pub(super) fn names(text: &TokenStream) -> BTreeSet<String> {
     }
     found
 }
+
+/// The rows Σ_a x_a row_a = ∂x/∂ξ_k of all points, each different one once: along ξ a tangent of a brick does
+/// not change with ξ.
+pub(super) struct Tangents {
+    /// rows × nodes.
+    pub(super) rows: Vec<Vec<f64>>,
+    /// points × (ξ, η, ζ): places of the rows.
+    pub(super) columns: Vec<[usize; 3]>,
+}
+
+impl Tangents {
+    /// From the slopes, points × nodes × (ξ, η, ζ).
+    pub(super) fn new(slopes: &[Vec<[f64; 3]>]) -> Self {
+        let mut rows: Vec<Vec<f64>> = Vec::new();
+        let mut place = |row: Vec<f64>| {
+            rows.iter().position(|known| *known == row).unwrap_or_else(|| {
+                rows.push(row);
+                rows.len() - 1
+            })
+        };
+        let columns = slopes
+            .iter()
+            .map(|nodes| [0, 1, 2].map(|k| place(nodes.iter().map(|slope| slope[k]).collect())))
+            .collect();
+        Tangents { rows, columns }
+    }
+}

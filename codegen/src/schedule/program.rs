@@ -309,6 +309,11 @@ impl Counts {
         counts
     }
 
+    /// Operations on numbers: additions, multiplications, divisions, roots and functions.
+    pub fn arithmetic(&self) -> usize {
+        self.add + self.mul + self.div + self.sqrt + self.function
+    }
+
     /// One figure: cheap operations count 1, divisions and roots 8, functions 40.
     fn weighted(&self) -> f64 {
         let cheap = self.add + self.mul + self.compare + self.select;

@@ -1,6 +1,11 @@
-//! Trilinear hexahedron with 2 × 2 × 2 Gauss points, with and without incompatible modes.
+//! Trilinear hexahedron with 2 × 2 × 2 Gauss points, with and without incompatible modes: as many cells side by
+//! side as a register holds.
 
-use super::isotropic::{Vector, cofactors, cross, dot, gram, isotropic, lame, tangents};
+use whirl_specs::Lane;
+use whirl_specs::registers::{Register, Registers, Task};
+
+use super::isotropic::Vector;
+use super::modes::{self, Modes};
 
 /// Corners in the order of Abaqus: the face ζ = −1 anticlockwise seen from ζ = 1, then ζ = 1.
 pub(super) const NODES: [Vector; 8] = [
@@ -59,162 +64,314 @@ const GRADIENTS: [[Vector; 8]; 8] = {
     table
 };
 
-const CENTRE: [Vector; 8] = gradients([0.0; 3]);
-
 /// Values of a packed upper triangle of 24 rows.
 const PACKED: usize = 300;
 
-/// Scaled gradients √det J ∇Nₐ of all points, and det J.
+/// A vector in space, one a cell.
+pub(super) type Space<L> = [L; 3];
+
 #[inline(always)]
-fn scaled_gradients(x: &[f64], g: &mut [[f64; 24]; 8], det: &mut [f64; 8]) {
-    for q in 0..8 {
-        let (j, rows) = cofactors(&tangents(x, &GRADIENTS[q]));
-        det[q] = j;
-        let scale = 1.0 / j.abs().sqrt();
-        let rows = rows.map(|row| row.map(|value| value * scale));
-        for (gradient, n) in g[q].as_chunks_mut::<3>().0.iter_mut().zip(&GRADIENTS[q]) {
-            for i in 0..3 {
-                gradient[i] = n[0] * rows[0][i] + n[1] * rows[1][i] + n[2] * rows[2][i];
+fn plus<L: Lane>(a: Space<L>, b: Space<L>) -> Space<L> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[inline(always)]
+fn minus<L: Lane>(a: Space<L>, b: Space<L>) -> Space<L> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+fn times<L: Lane>(a: Space<L>, factor: f64) -> Space<L> {
+    [a[0] * factor, a[1] * factor, a[2] * factor]
+}
+
+#[inline(always)]
+pub(super) fn dot<L: Lane>(a: Space<L>, b: Space<L>) -> L {
+    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
+}
+
+#[inline(always)]
+pub(super) fn cross<L: Lane>(a: Space<L>, b: Space<L>) -> Space<L> {
+    [
+        a[1].mul_add(b[2], -(a[2] * b[1])),
+        a[2].mul_add(b[0], -(a[0] * b[2])),
+        a[0].mul_add(b[1], -(a[1] * b[0])),
+    ]
+}
+
+/// The trip count of a loop that must not be unrolled: with everything unrolled, sums leave the registers.
+#[inline(always)]
+pub(super) fn trips(count: usize) -> usize {
+    std::hint::black_box(count).min(count)
+}
+
+/// ∂x/∂ξ, ∂x/∂η, ∂x/∂ζ at the Gauss points. x = Σ c ξᵃηᵇζᶜ, so that each tangent is bilinear in the other two
+/// coordinates and takes four values.
+struct Tangents<L> {
+    /// `along[k]` at the four combinations of the other two coordinates, the lower of the two fastest.
+    along: [[Space<L>; 4]; 3],
+    /// At the centre.
+    centre: [Space<L>; 3],
+}
+
+impl<L: Lane> Tangents<L> {
+    #[inline(always)]
+    fn new(x: &[Space<L>; 8]) -> Self {
+        // Sums and differences of neighbours along ξ, then η, then ζ give 8c.
+        let (s01, d01) = (plus(x[0], x[1]), minus(x[1], x[0]));
+        let (s32, d32) = (plus(x[3], x[2]), minus(x[2], x[3]));
+        let (s45, d45) = (plus(x[4], x[5]), minus(x[5], x[4]));
+        let (s76, d76) = (plus(x[7], x[6]), minus(x[6], x[7]));
+        let (near, near_eta) = (plus(s01, s32), minus(s32, s01));
+        let (far, far_eta) = (plus(s45, s76), minus(s76, s45));
+        let (near_xi, near_xi_eta) = (plus(d01, d32), minus(d32, d01));
+        let (far_xi, far_xi_eta) = (plus(d45, d76), minus(d76, d45));
+        let xi = times(plus(near_xi, far_xi), 0.125);
+        let eta = times(plus(near_eta, far_eta), 0.125);
+        let zeta = times(minus(far, near), 0.125);
+        let xi_eta = times(plus(near_xi_eta, far_xi_eta), 0.125 * GAUSS);
+        let xi_zeta = times(minus(far_xi, near_xi), 0.125 * GAUSS);
+        let eta_zeta = times(minus(far_eta, near_eta), 0.125 * GAUSS);
+        let all = times(minus(far_xi_eta, near_xi_eta), 0.125 * GAUSS * GAUSS);
+        Tangents {
+            along: [
+                Self::bilinear(xi, xi_eta, xi_zeta, all),
+                Self::bilinear(eta, xi_eta, eta_zeta, all),
+                Self::bilinear(zeta, xi_zeta, eta_zeta, all),
+            ],
+            centre: [xi, eta, zeta],
+        }
+    }
+
+    /// c ± first ± second ± both, the sign of `first` fastest.
+    #[inline(always)]
+    fn bilinear(c: Space<L>, first: Space<L>, second: Space<L>, both: Space<L>) -> [Space<L>; 4] {
+        let (low, high) = (minus(c, second), plus(c, second));
+        let (first_low, first_high) = (minus(first, both), plus(first, both));
+        [
+            minus(low, first_low),
+            plus(low, first_low),
+            minus(high, first_high),
+            plus(high, first_high),
+        ]
+    }
+
+    #[inline(always)]
+    fn at(&self, q: usize) -> [Space<L>; 3] {
+        let [t0, t1, t2] = &self.along;
+        [t0[q >> 1], t1[(q & 1) | (q >> 2) << 1], t2[q & 3]]
+    }
+}
+
+/// Operations of [`Tangents::new`]: 20 sums and 7 factors, then 8 sums a direction, of 3 components.
+const TANGENT_FLOPS: usize = 3 * (8 + 8 + 7 + 7 + 3 * 8);
+
+/// What is known of a cell at its Gauss points.
+struct Points<L> {
+    /// `gradients[a][q]`: √det J ∇Nₐ.
+    gradients: [[Space<L>; 8]; 8],
+    /// 1/√det J.
+    inverse_roots: [L; 8],
+    least: L,
+}
+
+/// Tangents; then cofactors, det J, a root and a division, the scaled cofactors; then the gradients.
+const POINT_FLOPS: usize = TANGENT_FLOPS + 8 * (27 + 5 + 2 + 9 + 8 * 15);
+
+impl<L: Lane> Points<L> {
+    #[inline(always)]
+    fn new() -> Self {
+        let zero = L::splat(0.0);
+        Points { gradients: [[[zero; 3]; 8]; 8], inverse_roots: [zero; 8], least: zero }
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, tangents: &Tangents<L>) {
+        let mut maps = [[[L::splat(0.0); 3]; 3]; 8];
+        let mut least = L::splat(f64::INFINITY);
+        for q in 0..trips(8) {
+            let [t0, t1, t2] = tangents.at(q);
+            let rows = [cross(t1, t2), cross(t2, t0), cross(t0, t1)];
+            let det = dot(t0, rows[0]);
+            least = L::select(L::lt(det, least), det, least);
+            let inverse_root = L::splat(1.0) / det.sqrt();
+            self.inverse_roots[q] = inverse_root;
+            for k in 0..3 {
+                for i in 0..3 {
+                    maps[q][k][i] = rows[k][i] * inverse_root;
+                }
+            }
+        }
+        self.least = least;
+        for q in 0..trips(8) {
+            let [m0, m1, m2] = maps[q];
+            for a in 0..trips(8) {
+                let [xi, eta, zeta] = GRADIENTS[q][a];
+                let (xi, eta, zeta) = (L::splat(xi), L::splat(eta), L::splat(zeta));
+                for i in 0..3 {
+                    let sum = m1[i].mul_add(eta, m0[i] * xi);
+                    self.gradients[a][q][i] = m2[i].mul_add(zeta, sum);
+                }
             }
         }
     }
 }
 
-fn smallest(det: &[f64; 8]) -> f64 {
-    // A comparison with NaN is false, so that NaN stays.
-    det.iter().fold(f64::INFINITY, |least, &j| if least <= j { least } else { j })
+/// Lamé's constants and what follows from them, the same for all cells.
+#[derive(Clone, Copy)]
+pub(super) struct Isotropic<L> {
+    pub(super) lambda: L,
+    pub(super) mu: L,
+    /// λ + 2μ.
+    normal: L,
+    /// λ + μ.
+    shear: L,
 }
 
-pub(super) fn stiffness(x: &[f64], material: &[f64], matrices: &mut [f64], jacobians: &mut [f64]) {
-    let (lambda, mu) = lame(material);
-    let (mut g, mut det) = ([[0.0; 24]; 8], [0.0; 8]);
-    let cells = x.chunks_exact(24).zip(matrices.chunks_exact_mut(PACKED)).zip(jacobians);
-    for ((x, matrix), jacobian) in cells {
-        scaled_gradients(x, &mut g, &mut det);
-        *jacobian = smallest(&det);
-        gram(&g, matrix);
-        isotropic::<24>(lambda, mu, matrix);
+impl<L: Lane> Isotropic<L> {
+    #[inline(always)]
+    fn new(material: &[f64]) -> Self {
+        let (lambda, mu) = super::isotropic::lame(material);
+        let [lambda, mu] = [L::splat(lambda), L::splat(mu)];
+        Isotropic { lambda, mu, normal: lambda + mu * 2.0, shear: lambda + mu }
+    }
+
+    /// λ Gᵢⱼ + μ Gⱼᵢ + μ tr G δᵢⱼ.
+    #[inline(always)]
+    pub(super) fn block(&self, g: &[[L; 3]; 3]) -> [[L; 3]; 3] {
+        let (xx, yy, zz) = (g[0][0] * self.mu, g[1][1] * self.mu, g[2][2] * self.mu);
+        let (l, m, n) = (self.lambda, self.mu, self.normal);
+        [
+            [
+                g[0][0].mul_add(n, yy + zz),
+                g[0][1].mul_add(l, g[1][0] * m),
+                g[0][2].mul_add(l, g[2][0] * m),
+            ],
+            [
+                g[1][0].mul_add(l, g[0][1] * m),
+                g[1][1].mul_add(n, xx + zz),
+                g[1][2].mul_add(l, g[2][1] * m),
+            ],
+            [
+                g[2][0].mul_add(l, g[0][2] * m),
+                g[2][1].mul_add(l, g[1][2] * m),
+                g[2][2].mul_add(n, xx + yy),
+            ],
+        ]
+    }
+
+    /// The stiffness without modes, packed.
+    #[inline(always)]
+    fn fill(&self, gradients: &[[Space<L>; 8]; 8], matrix: &mut [L; PACKED]) {
+        let mut start = 0;
+        for a in 0..8 {
+            let width = 24 - 3 * a;
+            let (row0, rest) = matrix[start..].split_at_mut(width);
+            let (row1, rest) = rest.split_at_mut(width - 1);
+            let row2 = &mut rest[..width - 2];
+            start += 3 * width - 3;
+
+            let mut g = [L::splat(0.0); 6];
+            for p in gradients[a].iter().take(trips(8)) {
+                let products = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+                for n in 0..6 {
+                    g[n] = p[products[n].0].mul_add(p[products[n].1], g[n]);
+                }
+            }
+            let trace = (g[0] + g[3] + g[5]) * self.mu;
+            row0[0] = g[0].mul_add(self.shear, trace);
+            row0[1] = g[1] * self.shear;
+            row0[2] = g[2] * self.shear;
+            row1[0] = g[3].mul_add(self.shear, trace);
+            row1[1] = g[4] * self.shear;
+            row2[0] = g[5].mul_add(self.shear, trace);
+
+            for b in a + 1..8 {
+                let mut g = [[L::splat(0.0); 3]; 3];
+                for (p, r) in gradients[a].iter().zip(&gradients[b]).take(trips(8)) {
+                    for i in 0..3 {
+                        for j in 0..3 {
+                            g[i][j] = p[i].mul_add(r[j], g[i][j]);
+                        }
+                    }
+                }
+                let block = self.block(&g);
+                let at = 3 * (b - a);
+                row0[at..at + 3].copy_from_slice(&block[0]);
+                row1[at - 1..at + 2].copy_from_slice(&block[1]);
+                row2[at - 2..at + 1].copy_from_slice(&block[2]);
+            }
+        }
     }
 }
 
-/// Incompatible modes 1 − ξ², 1 − η², 1 − ζ² with gradients −2ξₖ (det J₀/det J) ∇₀ξₖ, condensed.
-pub(super) fn incompatible_stiffness(
-    x: &[f64],
+/// A multiplication and an addition for every product of gradients at every point, then the blocks.
+pub(super) const STIFFNESS_FLOPS: usize =
+    POINT_FLOPS + 2 * 8 * (28 * 9 + 8 * 6) + 28 * BLOCK_FLOPS + 8 * 12;
+/// [`Isotropic::block`].
+pub(super) const BLOCK_FLOPS: usize = 3 + 6 * 3 + 3 * 3;
+
+struct Cells<'a> {
+    coordinates: &'a [f64],
+    material: &'a [f64],
+    matrices: &'a mut [f64],
+    jacobians: &'a mut [f64],
+}
+
+struct Stiffness<'a> {
+    cells: Cells<'a>,
+    modes: bool,
+}
+
+impl Task for Stiffness<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let Cells { coordinates, material, matrices, jacobians } = self.cells;
+        let isotropic = Isotropic::<L>::new(material);
+        let (mut x, mut matrix) = ([[L::splat(0.0); 3]; 8], [L::splat(0.0); PACKED]);
+        let (mut points, mut modes) = (Points::<L>::new(), Modes::<L>::new());
+        let coordinates = coordinates.chunks(24 * L::WIDTH);
+        let matrices = matrices.chunks_mut(PACKED * L::WIDTH);
+        let jacobians = jacobians.chunks_mut(L::WIDTH);
+        for ((coordinates, matrices), jacobians) in coordinates.zip(matrices).zip(jacobians) {
+            L::gather(coordinates, x.as_flattened_mut());
+            let tangents = Tangents::new(&x);
+            points.fill(&tangents);
+            isotropic.fill(&points.gradients, &mut matrix);
+            if self.modes {
+                modes.fill(&tangents.centre, &points.gradients, &points.inverse_roots);
+                modes.take_off(&isotropic, &mut matrix);
+            }
+            L::scatter(&matrix, matrices);
+            L::scatter(&[points.least], jacobians);
+        }
+    }
+}
+
+pub(super) fn stiffness(
+    coordinates: &[f64],
     material: &[f64],
     matrices: &mut [f64],
     jacobians: &mut [f64],
 ) {
-    let (lambda, mu) = lame(material);
-    let (mut g, mut det) = ([[0.0; 24]; 8], [0.0; 8]);
-    let cells = x.chunks_exact(24).zip(matrices.chunks_exact_mut(PACKED)).zip(jacobians);
-    for ((x, matrix), jacobian) in cells {
-        scaled_gradients(x, &mut g, &mut det);
-        *jacobian = smallest(&det);
-        gram(&g, matrix);
-        isotropic::<24>(lambda, mu, matrix);
-        let mut modes = Modes::new(x, &g, &det);
-        modes.blocks(lambda, mu);
-        modes.condense(matrix);
-    }
+    let cells = Cells { coordinates, material, matrices, jacobians };
+    Registers::current().run(Stiffness { cells, modes: false });
 }
 
-/// The nine amplitudes 3k + i of the incompatible modes of one cell.
-///
-/// Every gradient of mode k is along r_k = det J₀ ∇₀ξₖ, so that Σ ∇Nₐ ⊗ ∇mode = tₐₖ ⊗ r_k and
-/// Σ ∇mode_k ⊗ ∇mode_l = s_kl r_k ⊗ r_l.
-struct Modes {
-    r: [Vector; 3],
-    /// tₐₖ = −2 Σ ξₖ ∇Nₐ, at [k][a].
-    t: [[Vector; 8]; 3],
-    s: [[f64; 3]; 3],
-    own: [[f64; 9]; 9],
-    /// Coupling to the 24 displacements, one row a mode amplitude.
-    coupling: [[f64; 24]; 9],
+pub(super) fn incompatible_stiffness(
+    coordinates: &[f64],
+    material: &[f64],
+    matrices: &mut [f64],
+    jacobians: &mut [f64],
+) {
+    let cells = Cells { coordinates, material, matrices, jacobians };
+    Registers::current().run(Stiffness { cells, modes: true });
 }
 
-impl Modes {
-    #[inline(always)]
-    fn new(x: &[f64], g: &[[f64; 24]; 8], det: &[f64; 8]) -> Modes {
-        let (_, r) = cofactors(&tangents(x, &CENTRE));
-        let (mut t, mut s) = ([[[0.0; 3]; 8]; 3], [[0.0; 3]; 3]);
-        for q in 0..8 {
-            let point = POINTS[q];
-            let root = 1.0 / det[q].abs().sqrt();
-            for k in 0..3 {
-                // `g` carries √det J; t wants the bare gradient.
-                let factor = -2.0 * point[k] * root;
-                for (t, g) in t[k].as_flattened_mut().iter_mut().zip(&g[q]) {
-                    *t += factor * g;
-                }
-                for l in 0..=k {
-                    s[k][l] += 4.0 * point[k] * point[l] / det[q];
-                }
-            }
-        }
-        Modes { r, t, s, own: [[0.0; 9]; 9], coupling: [[0.0; 24]; 9] }
-    }
-
-    /// Isotropic blocks: λ Gᵢⱼ + μ Gⱼᵢ + μ tr G δᵢⱼ, with G of rank one.
-    #[inline(always)]
-    fn blocks(&mut self, lambda: f64, mu: f64) {
-        for k in 0..3 {
-            let rk = self.r[k];
-            for l in 0..=k {
-                let (s, rl) = (self.s[k][l], self.r[l]);
-                let trace = mu * s * dot(rk, rl);
-                for i in 0..3 {
-                    for j in 0..3 {
-                        self.own[3 * k + i][3 * l + j] =
-                            s * (lambda * rk[i] * rl[j] + mu * rk[j] * rl[i]);
-                    }
-                    self.own[3 * k + i][3 * l + i] += trace;
-                }
-            }
-            for a in 0..8 {
-                let t = self.t[k][a];
-                let trace = mu * dot(t, rk);
-                for j in 0..3 {
-                    let row = &mut self.coupling[3 * k + j][3 * a..3 * a + 3];
-                    for i in 0..3 {
-                        row[i] = lambda * t[i] * rk[j] + mu * t[j] * rk[i];
-                    }
-                    row[j] += trace;
-                }
-            }
-        }
-    }
-
-    /// K − Cᵀ S⁻¹ C with S = L Lᵀ: each row of L⁻¹ C is taken off the packed matrix when it is ready.
-    #[inline(always)]
-    fn condense(&mut self, matrix: &mut [f64]) {
-        for p in 0..9 {
-            for q in 0..=p {
-                let mut sum = self.own[p][q];
-                for m in 0..q {
-                    sum -= self.own[p][m] * self.own[q][m];
-                }
-                self.own[p][q] = if p == q { sum.sqrt() } else { sum / self.own[q][q] };
-            }
-            let (done, rest) = self.coupling.split_at_mut(p);
-            let row = &mut rest[0];
-            for (m, earlier) in done.iter().enumerate() {
-                let factor = self.own[p][m];
-                row.iter_mut().zip(earlier).for_each(|(value, e)| *value -= factor * e);
-            }
-            let scale = 1.0 / self.own[p][p];
-            row.iter_mut().for_each(|value| *value *= scale);
-        }
-        let mut start = 0;
-        for r in 0..24 {
-            let packed = &mut matrix[start..start + 24 - r];
-            for row in &self.coupling {
-                let factor = row[r];
-                packed.iter_mut().zip(&row[r..]).for_each(|(value, c)| *value -= factor * c);
-            }
-            start += 24 - r;
-        }
-    }
-}
+/// The stiffness, then the modes.
+pub(super) const INCOMPATIBLE_FLOPS: usize = STIFFNESS_FLOPS + modes::FLOPS;
 
 /// Products of two linear shape functions at the Gauss points −, +: both at −1, one at each, both at 1.
 const LINE: [[f64; 2]; 3] = {
@@ -244,66 +401,82 @@ const PLACES: [u8; 36] = {
     places
 };
 
-/// ∫ρ Nₐ N_b dV: 27 distinct values, summed one direction at a time.
-pub(super) fn mass(x: &[f64], material: &[f64], matrices: &mut [f64], jacobians: &mut [f64]) {
-    let rho = material[0];
-    let cells = x.chunks_exact(24).zip(matrices.chunks_exact_mut(36)).zip(jacobians);
-    for ((x, matrix), jacobian) in cells {
-        let det = determinants(x);
-        *jacobian = smallest(&det);
-        let mut along_xi = [[0.0; 3]; 4];
-        for (sums, d) in along_xi.iter_mut().zip(det.as_chunks::<2>().0) {
-            *sums = LINE.map(|l| rho * (l[0] * d[0] + l[1] * d[1]));
-        }
-        let mut along_eta = [[[0.0; 3]; 3]; 2];
-        for (sums, d) in along_eta.iter_mut().zip(along_xi.as_chunks::<2>().0) {
-            *sums = LINE.map(|l| [0, 1, 2].map(|i| l[0] * d[0][i] + l[1] * d[1][i]));
-        }
-        let mut values = [[[0.0; 3]; 3]; 3];
-        for (sums, l) in values.iter_mut().zip(&LINE) {
-            for (j, sums) in sums.iter_mut().enumerate() {
-                *sums = [0, 1, 2].map(|i| l[0] * along_eta[0][j][i] + l[1] * along_eta[1][j][i]);
+/// Products of shape functions along one direction at the two Gauss points: near at −, both at both, near at +.
+#[inline(always)]
+fn along<L: Lane>(low: L, high: L) -> [L; 3] {
+    let [[near, far], [mixed, _], _] = LINE;
+    [
+        low.mul_add(L::splat(near), high * far),
+        (low + high) * mixed,
+        high.mul_add(L::splat(near), low * far),
+    ]
+}
+
+struct Mass<'a>(Cells<'a>);
+
+impl Task for Mass<'_> {
+    type Output = ();
+
+    /// ∫ρ Nₐ N_b dV: 27 distinct values, summed one direction at a time.
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let Cells { coordinates, material, matrices, jacobians } = self.0;
+        let rho = L::splat(material[0]);
+        let mut x = [[L::splat(0.0); 3]; 8];
+        let mut matrix = [L::splat(0.0); 36];
+        let coordinates = coordinates.chunks(24 * L::WIDTH);
+        let matrices = matrices.chunks_mut(36 * L::WIDTH);
+        let jacobians = jacobians.chunks_mut(L::WIDTH);
+        for ((coordinates, matrices), jacobians) in coordinates.zip(matrices).zip(jacobians) {
+            L::gather(coordinates, x.as_flattened_mut());
+            let tangents = Tangents::new(&x);
+            let mut det = [L::splat(0.0); 8];
+            let mut least = L::splat(f64::INFINITY);
+            for q in 0..8 {
+                let [t0, t1, t2] = tangents.at(q);
+                det[q] = dot(t0, cross(t1, t2));
+                least = L::select(L::lt(det[q], least), det[q], least);
+                det[q] = det[q] * rho;
             }
-        }
-        let values = values.as_flattened().as_flattened();
-        for (entry, &place) in matrix.iter_mut().zip(&PLACES) {
-            *entry = values[place as usize];
+            let mut by_xi = [[L::splat(0.0); 3]; 4];
+            for n in 0..4 {
+                by_xi[n] = along(det[2 * n], det[2 * n + 1]);
+            }
+            let mut by_eta = [[[L::splat(0.0); 3]; 3]; 2];
+            for n in 0..2 {
+                for i in 0..3 {
+                    let sums = along(by_xi[2 * n][i], by_xi[2 * n + 1][i]);
+                    for j in 0..3 {
+                        by_eta[n][j][i] = sums[j];
+                    }
+                }
+            }
+            let mut values = [L::splat(0.0); 27];
+            for j in 0..3 {
+                for i in 0..3 {
+                    let sums = along(by_eta[0][j][i], by_eta[1][j][i]);
+                    for k in 0..3 {
+                        values[9 * k + 3 * j + i] = sums[k];
+                    }
+                }
+            }
+            for (entry, place) in matrix.iter_mut().zip(&PLACES) {
+                *entry = values[*place as usize];
+            }
+            L::scatter(&matrix, matrices);
+            L::scatter(&[least], jacobians);
         }
     }
 }
 
-/// det J at the Gauss points. x = Σ c ξᵃηᵇζᶜ, so each tangent is bilinear in the other two coordinates.
-#[inline(always)]
-fn determinants(x: &[f64]) -> [f64; 8] {
-    let mut nodes = [[0.0; 3]; 8];
-    nodes.as_flattened_mut().copy_from_slice(x);
-    // Sums and differences of neighbours along ξ, then η, then ζ give 8c.
-    let [x0, x1, x2, x3, x4, x5, x6, x7] = nodes;
-    let sum = |a: Vector, b: Vector| [0, 1, 2].map(|i| a[i] + b[i]);
-    let less = |a: Vector, b: Vector| [0, 1, 2].map(|i| a[i] - b[i]);
-    let along = |lower: [Vector; 2], upper: [Vector; 2]| {
-        (
-            [sum(lower[0], upper[0]), sum(lower[1], upper[1])],
-            [less(upper[0], lower[0]), less(upper[1], lower[1])],
-        )
-    };
-    let pair = |left: Vector, right: Vector| [sum(left, right), less(right, left)];
-    let (near, near_eta) = along(pair(x0, x1), pair(x3, x2));
-    let (far, far_eta) = along(pair(x4, x5), pair(x7, x6));
-    let xi = sum(near[1], far[1]);
-    let eta = sum(near_eta[0], far_eta[0]);
-    let xi_eta = sum(near_eta[1], far_eta[1]);
-    let zeta = less(far[0], near[0]);
-    let xi_zeta = less(far[1], near[1]);
-    let eta_zeta = less(far_eta[0], near_eta[0]);
-    let all = less(far_eta[1], near_eta[1]);
-    let at = |c: Vector, first: Vector, p: f64, second: Vector, q: f64| {
-        [0, 1, 2].map(|i| c[i] + first[i] * p + second[i] * q + all[i] * (p * q))
-    };
-    POINTS.map(|[p, q, r]| {
-        let t0 = at(xi, xi_eta, q, xi_zeta, r);
-        let t1 = at(eta, xi_eta, p, eta_zeta, r);
-        let t2 = at(zeta, xi_zeta, p, eta_zeta, q);
-        dot(t0, cross(t1, t2)) / 512.0
-    })
+pub(super) fn mass(
+    coordinates: &[f64],
+    material: &[f64],
+    matrices: &mut [f64],
+    jacobians: &mut [f64],
+) {
+    Registers::current().run(Mass(Cells { coordinates, material, matrices, jacobians }));
 }
+
+/// Tangents, det J, and 8 operations for every call of [`along`].
+pub(super) const MASS_FLOPS: usize = TANGENT_FLOPS + 8 * 15 + 8 * (4 + 6 + 9);

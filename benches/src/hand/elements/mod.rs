@@ -1,12 +1,13 @@
 //! Elements written by hand: trilinear hexahedron, the same with incompatible modes, linear wedge.
 //!
-//! Scalar code that uses all that is known of the forms: the 3 × 3 blocks of an isotropic stiffness all
+//! Code that uses all that is known of the forms: the 3 × 3 blocks of an isotropic stiffness all
 //! follow from Σ ∇Nₐ ⊗ ∇N_b, of which the upper triangle is summed with gradients scaled by √(w det J);
 //! M, Y and H are one scalar matrix with few distinct values, summed one reference direction at a time.
 //! Nothing is allocated.
 
 mod hex8;
 mod isotropic;
+mod modes;
 mod wedge6;
 
 use whirl_specs::{CellKernel, Element, FormKernel, Origin, Structure, Variable};
@@ -16,7 +17,12 @@ pub static HEX8: Element = hexahedron(
     "hex8",
     "trilinear hexahedron",
     &["C3D8"],
-    &[stiffness(hex8::stiffness), MASS_HEX8, SPIN_INERTIA_HEX8, SPIN_COUPLING_HEX8],
+    &[
+        stiffness(hex8::stiffness, hex8::STIFFNESS_FLOPS),
+        MASS_HEX8,
+        SPIN_INERTIA_HEX8,
+        SPIN_COUPLING_HEX8,
+    ],
 );
 
 /// Hexahedron with the incompatible modes of Wilson and Taylor.
@@ -24,7 +30,12 @@ pub static HEX8I: Element = hexahedron(
     "hex8i",
     "hexahedron with incompatible modes (Wilson, Taylor)",
     &["C3D8I"],
-    &[stiffness(hex8::incompatible_stiffness), MASS_HEX8, SPIN_INERTIA_HEX8, SPIN_COUPLING_HEX8],
+    &[
+        stiffness(hex8::incompatible_stiffness, hex8::INCOMPATIBLE_FLOPS),
+        MASS_HEX8,
+        SPIN_INERTIA_HEX8,
+        SPIN_COUPLING_HEX8,
+    ],
 );
 
 /// Linear wedge, 3 × 2 points.
@@ -38,10 +49,10 @@ pub static WEDGE6: Element = Element {
     // VTK lists the lower triangle the other way round.
     vtk_order: &[0, 2, 1, 3, 5, 4],
     forms: &[
-        stiffness(wedge6::stiffness),
-        scalar("mass", DOT, wedge6::mass),
-        scalar("spin_inertia", LATERAL, wedge6::mass),
-        scalar("spin_coupling", QUARTER_TURN, wedge6::mass),
+        stiffness(wedge6::stiffness, wedge6::STIFFNESS_FLOPS),
+        scalar("mass", DOT, wedge6::mass, wedge6::MASS_FLOPS),
+        scalar("spin_inertia", LATERAL, wedge6::mass, wedge6::MASS_FLOPS),
+        scalar("spin_coupling", QUARTER_TURN, wedge6::mass, wedge6::MASS_FLOPS),
     ],
 };
 
@@ -54,9 +65,10 @@ const LATERAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0
 /// A_θᵀA.
 const QUARTER_TURN: [[f64; 3]; 3] = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 0.0]];
 
-const MASS_HEX8: FormKernel = scalar("mass", DOT, hex8::mass);
-const SPIN_INERTIA_HEX8: FormKernel = scalar("spin_inertia", LATERAL, hex8::mass);
-const SPIN_COUPLING_HEX8: FormKernel = scalar("spin_coupling", QUARTER_TURN, hex8::mass);
+const MASS_HEX8: FormKernel = scalar("mass", DOT, hex8::mass, hex8::MASS_FLOPS);
+const SPIN_INERTIA_HEX8: FormKernel = scalar("spin_inertia", LATERAL, hex8::mass, hex8::MASS_FLOPS);
+const SPIN_COUPLING_HEX8: FormKernel =
+    scalar("spin_coupling", QUARTER_TURN, hex8::mass, hex8::MASS_FLOPS);
 
 const fn origin(name: &'static str, title: &'static str) -> Origin {
     Origin { name, title, source: "written by hand", spec: "", text: "", hash: "" }
@@ -80,7 +92,7 @@ const fn hexahedron(
     }
 }
 
-const fn stiffness(evaluate: CellKernel) -> FormKernel {
+const fn stiffness(evaluate: CellKernel, flops: usize) -> FormKernel {
     FormKernel {
         form: "stiffness",
         material: &[
@@ -88,15 +100,22 @@ const fn stiffness(evaluate: CellKernel) -> FormKernel {
             Variable { name: "nu", unit: "1", title: "Poisson's ratio" },
         ],
         structure: Structure::Symmetric,
+        flops,
         evaluate,
     }
 }
 
-const fn scalar(form: &'static str, pattern: [[f64; 3]; 3], evaluate: CellKernel) -> FormKernel {
+const fn scalar(
+    form: &'static str,
+    pattern: [[f64; 3]; 3],
+    evaluate: CellKernel,
+    flops: usize,
+) -> FormKernel {
     FormKernel {
         form,
         material: &[Variable { name: "rho", unit: "kg/m^3", title: "density" }],
         structure: Structure::Kronecker { pattern },
+        flops,
         evaluate,
     }
 }

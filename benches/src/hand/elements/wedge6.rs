@@ -125,3 +125,8 @@ pub(super) fn mass(x: &[f64], material: &[f64], matrices: &mut [f64], jacobians:
         }
     }
 }
+/// At a point: tangents, cofactors and det J, the scale, gradients; then their products and the blocks.
+pub(super) const STIFFNESS_FLOPS: usize =
+    6 * (2 * 9 * 6 + 32 + 12 + 6 * 15) + 2 * 6 * PACKED + 15 * 33 + 6 * 12;
+/// Tangents and det J at a point; then sums of six products.
+pub(super) const MASS_FLOPS: usize = 6 * (2 * 9 * 6 + 32) + 6 * (2 * 6 + 3 * 3);

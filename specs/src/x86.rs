@@ -1,11 +1,11 @@
-//! Registers of x86-64 processors. The types have no name outside `registers`, which hands them to a task only
-//! where the processor has their instructions: that is what makes the calls below sound.
+//! Registers of x86-64 processors. Nothing but [`crate::registers`] may name the types, which hands them to a task
+//! only where the processor has their instructions: that is what makes the calls below sound.
 
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::Register;
 use crate::Lane;
+use crate::registers::Register;
 
 /// A lane type by intrinsics. Arguments: vector, its integer and mask types, width; names of the operations;
 /// the operations that differ between the sets of instructions.
@@ -24,7 +24,7 @@ macro_rules! register {
         $(#[$about])*
         #[derive(Debug, Clone, Copy)]
         #[repr(transparent)]
-        pub(super) struct $name($vector);
+        pub(crate) struct $name($vector);
 
         $(
             impl $trait for $name {

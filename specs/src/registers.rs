@@ -3,6 +3,8 @@
 use std::cell::Cell;
 
 use crate::Lane;
+#[cfg(target_arch = "x86_64")]
+use crate::x86;
 
 /// A lane type that memory is read into and written from, WIDTH values at a time.
 pub trait Register: Lane {
@@ -196,9 +198,6 @@ impl Register for f64 {
         rows[..values.len()].copy_from_slice(values);
     }
 }
-
-#[cfg(target_arch = "x86_64")]
-mod x86;
 
 #[cfg(test)]
 mod tests {

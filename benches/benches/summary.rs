@@ -1,0 +1,140 @@
+//! Generated kernels against what the core can do at most, against twins written by hand and against plain matrix
+//! code: one table of ratios from one run.
+
+use std::cell::RefCell;
+use std::hint::black_box;
+
+use whirl_benches::measure::{fastest, peak_operations, peak_task};
+use whirl_benches::{hand, textbook};
+use whirl_codegen::diagnostic::Source;
+use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::tape::Tape;
+use whirl_specs::{ELEMENTS, Element, FormKernel, LAWS, Law, Registers};
+
+/// Cells of a batch: their matrices do not fit into the first cache, as in an assembly.
+const CELLS: usize = 64;
+/// Springs of the reference system.
+const SPRINGS: usize = 288;
+
+fn main() {
+    if !std::env::args().any(|argument| argument == "--bench") {
+        return;
+    }
+    let registers = Registers::current();
+    println!("registers: {}; fastest of many runs, taken in turns", registers.name());
+    println!();
+    for (name, form) in [("hex8", "stiffness"), ("hex8i", "stiffness"), ("hex8", "mass")] {
+        cells(registers, name, form);
+    }
+    println!();
+    for twin in [&hand::law::LINEAR, &hand::law::NONLINEAR] {
+        law(twin);
+    }
+}
+
+/// Numbers in (−1, 1), the same in every run.
+fn values(count: usize) -> impl Iterator<Item = f64> {
+    (0..count).map(|i| (1.3 * i as f64 + 0.7).sin())
+}
+
+/// Where kernels write: the same memory for all that are compared, since its place counts.
+struct Room {
+    matrices: Vec<f64>,
+    jacobians: Vec<f64>,
+}
+
+fn material(kernel: &FormKernel) -> Vec<f64> {
+    let value = |name| match name {
+        "E" => 200e9,
+        "nu" => 0.3,
+        _ => 7860.0,
+    };
+    kernel.material.iter().map(|property| value(property.name)).collect()
+}
+
+fn cells(registers: Registers, name: &str, form: &str) {
+    let named = |element: &&'static Element| element.origin.name == name;
+    let element = ELEMENTS.iter().find(named).expect("an element that is shipped");
+    let twin = hand::elements::ELEMENTS.into_iter().find(named).expect("a twin");
+    let [ours, by_hand] =
+        [element, twin].map(|element| element.form(form).expect("a form that is shipped"));
+    let nodes = (0..CELLS).flat_map(|_| element.reference_nodes.iter().flatten());
+    let cells: Vec<f64> = nodes
+        .zip(values(CELLS * element.nodes * 3))
+        .map(|(x, bump)| 5e-3 * (x + 0.1 * bump))
+        .collect();
+    let room = RefCell::new(Room {
+        matrices: vec![0.0; CELLS * ours.structure.len(element.nodes)],
+        jacobians: vec![0.0; CELLS],
+    });
+    let material = material(ours);
+    let run = |kernel: &FormKernel| {
+        let Room { matrices, jacobians } = &mut *room.borrow_mut();
+        (kernel.evaluate)(black_box(&cells), &material, matrices, jacobians);
+    };
+    let mut tasks: [&mut dyn FnMut(); 5] = [
+        &mut || peak_task(registers),
+        &mut || run(ours),
+        &mut || run(by_hand),
+        &mut || Registers::SINGLE.within(|| run(ours)),
+        &mut || {
+            for x in cells.chunks_exact(3 * element.nodes) {
+                black_box(textbook::stiffness(element, black_box(x), 200e9, 0.3));
+            }
+        },
+    ];
+    let plain = name == "hex8" && form == "stiffness";
+    let times = fastest(if plain { &mut tasks[..] } else { &mut tasks[..4] });
+    let peak = peak_operations(registers) / times[0];
+    let a_cell = |task: usize| times[task] / CELLS as f64;
+    let line = |what: &str, task: usize, ratio: &str| {
+        println!("  {what:<16}{:8.1} ns a cell{ratio}", 1e9 * a_cell(task));
+    };
+    println!("{name} {form}, {CELLS} cells");
+    line("generated", 1, "");
+    line("by hand", 2, &format!("; generated / by hand {:.2}", times[1] / times[2]));
+    line("one at a time", 3, &format!("; that / generated {:.1}", times[3] / times[1]));
+    if plain {
+        line("plain matrices", 4, &format!("; that / generated {:.1}", times[4] / times[1]));
+    }
+    let share = |flops: usize, task: usize| 100.0 * flops as f64 / a_cell(task) / peak;
+    println!(
+        "  of the peak of {:.1} Gflop/s: generated {:.0} % by its own count of {} operations a cell, \
+         {:.0} % by the {} of the twin, by hand {:.0} %",
+        1e-9 * peak,
+        share(ours.flops, 1),
+        ours.flops,
+        share(by_hand.flops, 1),
+        by_hand.flops,
+        share(by_hand.flops, 2),
+    );
+}
+
+fn law(twin: &'static Law) {
+    let name = twin.origin.name;
+    let ours = LAWS.iter().find(|law| law.origin.name == name).expect("a law that is shipped");
+    let spec = LawSpec::read(&Source::new(ours.origin.spec, ours.origin.text))
+        .unwrap_or_else(|errors| panic!("{errors}"));
+    let tape = Tape::new(&spec.program().expect("a program"));
+    // Clearances of a loaded bearing: some springs act, some do not.
+    let h: Vec<f64> = values(SPRINGS).map(|x| 3.5e-5 + 1e-5 * x).collect();
+    let inputs: Vec<f64> = ours.inputs.iter().flat_map(|_| h.iter().copied()).collect();
+    let rows = ours.outputs.len() * (1 + ours.inputs.len());
+    let outputs = RefCell::new(vec![0.0; rows * SPRINGS]);
+    let mut workspace = vec![0.0; tape.workspace()];
+    let run = |law: &Law, inputs: &[f64]| {
+        (law.evaluate)(SPRINGS, black_box(inputs), black_box(&mut outputs.borrow_mut()));
+    };
+    let times = fastest(&mut [&mut || run(ours, &inputs), &mut || run(twin, &inputs), &mut || {
+        let outputs = &mut outputs.borrow_mut();
+        tape.evaluate(SPRINGS, black_box(&inputs), black_box(outputs), &mut workspace);
+    }]);
+    let [generated, by_hand, taped] = [0, 1, 2].map(|task| 1e9 * times[task] / SPRINGS as f64);
+    println!("law {name}, {SPRINGS} springs, Q and its derivatives");
+    println!("  generated {generated:6.2} ns a spring");
+    println!(
+        "  by hand   {by_hand:6.2} ns a spring; generated / by hand {:.2}",
+        generated / by_hand
+    );
+    println!("  tape      {taped:6.2} ns a spring; that / generated {:.1}", taped / generated);
+}

@@ -1,0 +1,154 @@
+//! Incompatible modes 1 − ξ², 1 − η², 1 − ζ² of a hexahedron with gradients −2ξₖ (det J₀/det J) ∇₀ξₖ, condensed.
+//!
+//! Every gradient of mode k is along r_k = det J₀ ∇₀ξₖ, so that Σ ∇Nₐ ⊗ ∇mode = tₐₖ ⊗ r_k and
+//! Σ ∇mode_k ⊗ ∇mode_l = s_kl r_k ⊗ r_l.
+
+use whirl_specs::Lane;
+
+use super::hex8::{BLOCK_FLOPS, Isotropic, Space, cross, trips};
+
+/// 1/√3.
+const GAUSS: f64 = 0.577_350_269_189_625_8;
+
+/// The nine amplitudes 3k + i of the modes of one lane of cells.
+pub(super) struct Modes<L> {
+    r: [Space<L>; 3],
+    /// tₐₖ = −2 Σ ξₖ ∇Nₐ, at [k][a].
+    t: [[Space<L>; 8]; 3],
+    s: [[L; 3]; 3],
+    own: [[L; 9]; 9],
+    /// Coupling to the 24 displacements, one row a mode amplitude.
+    coupling: [[L; 24]; 9],
+}
+
+impl<L: Lane> Modes<L> {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        let zero = L::splat(0.0);
+        Modes {
+            r: [[zero; 3]; 3],
+            t: [[[zero; 3]; 8]; 3],
+            s: [[zero; 3]; 3],
+            own: [[zero; 9]; 9],
+            coupling: [[zero; 24]; 9],
+        }
+    }
+
+    /// r, t and s from the tangents at the centre, √det J ∇Nₐ and 1/√det J.
+    #[inline(always)]
+    pub(super) fn fill(
+        &mut self,
+        centre: &[Space<L>; 3],
+        gradients: &[[Space<L>; 8]; 8],
+        inverse_roots: &[L; 8],
+    ) {
+        let [t0, t1, t2] = *centre;
+        self.r = [cross(t1, t2), cross(t2, t0), cross(t0, t1)];
+        let mut factors = [[L::splat(0.0); 8]; 3];
+        for q in 0..8 {
+            for k in 0..3 {
+                let xi = if q >> k & 1 == 0 { -GAUSS } else { GAUSS };
+                factors[k][q] = inverse_roots[q] * (-2.0 * xi);
+            }
+        }
+        for k in 0..3 {
+            for l in k..3 {
+                let mut sum = L::splat(0.0);
+                for q in 0..8 {
+                    sum = factors[k][q].mul_add(factors[l][q], sum);
+                }
+                self.s[k][l] = sum;
+            }
+        }
+        for a in 0..trips(8) {
+            let mut t = [[L::splat(0.0); 3]; 3];
+            for q in 0..trips(8) {
+                for k in 0..3 {
+                    for i in 0..3 {
+                        t[k][i] = gradients[a][q][i].mul_add(factors[k][q], t[k][i]);
+                    }
+                }
+            }
+            for k in 0..3 {
+                self.t[k][a] = t[k];
+            }
+        }
+    }
+
+    /// K − CᵀS⁻¹C with S = UᵀU: the rows of U⁻ᵀC are taken off the packed matrix together.
+    #[inline(always)]
+    pub(super) fn take_off(&mut self, isotropic: &Isotropic<L>, matrix: &mut [L; 300]) {
+        for k in 0..3 {
+            for l in k..3 {
+                let block = isotropic.block(&outer(self.r[k], self.r[l], self.s[k][l]));
+                for i in 0..3 {
+                    for j in 0..3 {
+                        self.own[3 * k + i][3 * l + j] = block[i][j];
+                    }
+                }
+            }
+            for a in 0..trips(8) {
+                let block = isotropic.block(&outer(self.t[k][a], self.r[k], L::splat(1.0)));
+                for i in 0..3 {
+                    for j in 0..3 {
+                        self.coupling[3 * k + j][3 * a + i] = block[i][j];
+                    }
+                }
+            }
+        }
+        for p in 0..9 {
+            for q in p..9 {
+                let mut sum = self.own[p][q];
+                for m in 0..p {
+                    sum = (-self.own[m][p]).mul_add(self.own[m][q], sum);
+                }
+                self.own[p][q] = if p == q { sum.sqrt() } else { sum / self.own[p][p] };
+            }
+            let (done, rest) = self.coupling.split_at_mut(p);
+            let row = &mut rest[0];
+            for (m, earlier) in done.iter().enumerate() {
+                let factor = -self.own[m][p];
+                for c in 0..trips(24) {
+                    row[c] = earlier[c].mul_add(factor, row[c]);
+                }
+            }
+            let scale = L::splat(1.0) / self.own[p][p];
+            for value in row.iter_mut().take(trips(24)) {
+                *value = *value * scale;
+            }
+        }
+        let mut start = 0;
+        for r in 0..24 {
+            let packed = &mut matrix[start..start + 24 - r];
+            start += 24 - r;
+            let mut factors = [L::splat(0.0); 9];
+            for m in 0..9 {
+                factors[m] = -self.coupling[m][r];
+            }
+            for c in 0..24 - r {
+                let mut value = packed[c];
+                for m in 0..9 {
+                    value = factors[m].mul_add(self.coupling[m][r + c], value);
+                }
+                packed[c] = value;
+            }
+        }
+    }
+}
+
+/// scale · a ⊗ b.
+#[inline(always)]
+fn outer<L: Lane>(a: Space<L>, b: Space<L>, scale: L) -> [[L; 3]; 3] {
+    let b = [b[0] * scale, b[1] * scale, b[2] * scale];
+    let mut outer = [[L::splat(0.0); 3]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            outer[i][j] = a[i] * b[j];
+        }
+    }
+    outer
+}
+
+/// Sums, blocks of 6 + 24 pairs, factor of S, triangular solution, rank-9 update.
+pub(super) const FLOPS: usize =
+    27 + 24 + 2 * 8 * (6 + 8 * 9) + 30 * (9 + BLOCK_FLOPS) + 9 * 9 * 9 / 3 + 24 * 81 + 2 * 9 * 300;

@@ -1,0 +1,159 @@
+//! Values and gradients of all basis functions at all points, as the kernel of a form computes them.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::cell::CellForm;
+use super::facts::unscheduled;
+use super::modes::Aligned;
+use super::program::point_program;
+use super::table::{Tables, count, names, row, slopes};
+use crate::diagnostic::Diagnostics;
+use crate::element::Table;
+use crate::emit::{Numbers, operand, statements};
+use crate::spec::element::ModeJacobian;
+
+/// det J by one column's cofactors.
+pub(super) const DET_FLOPS: usize = 14;
+/// The other columns' cofactors.
+const COFACTOR_FLOPS: usize = 18;
+/// A gradient by a 3 × 3 map.
+const GRADIENT_FLOPS: usize = 15;
+
+impl CellForm<'_> {
+    /// Fills `basis[function][point]` with √(w det J) times the parts that the form uses.
+    pub(super) fn fill(
+        &self,
+        tables: &mut Tables,
+        table: &Table,
+        with_values: bool,
+        aligned: Option<&Aligned>,
+    ) -> Result<(TokenStream, usize), Diagnostics> {
+        let form = &self.form.name;
+        let enhanced = self.element.enhanced_in(form);
+        let nodes = self.element.nodes.len();
+        let modes = enhanced.map_or(0, |enhanced| enhanced.modes.len());
+        let program = point_program(self.element, form)
+            .map_err(|error| unscheduled(&self.element.file, &error))?;
+        let scales = statements(&program, 0, Numbers::Fused);
+        let scale = |name: &str| match program.output(name) {
+            Some(found) => operand(&program, found, Numbers::Lanes),
+            None => TokenStream::new(),
+        };
+        let (root, nodal, mode) = (scale("root"), scale("nodal"), scale("mode"));
+        let (nodes_count, points_count) = (count(nodes), count(table.weights.len()));
+        let modes_count = count(modes);
+        let (weights, slopes_name) = (tables.named("WEIGHTS", form), tables.named("SLOPES", form));
+        let rows = table.slopes.iter().map(|rows| slopes(rows));
+        tables.add(
+            &slopes_name,
+            "∂N_a/∂(ξ, η, ζ) at the points.",
+            quote!([[[f64; 3]; #nodes_count]; #points_count]),
+            quote!([#(#rows),*]),
+        );
+        let (roots, keep_root) = match with_values {
+            true => {
+                let roots = quote!(let mut roots = [L::splat(0.0); #points_count];);
+                (roots, quote!(roots[q] = #root;))
+            }
+            false => (TokenStream::new(), TokenStream::new()),
+        };
+        let node = if with_values {
+            let values = tables.named("VALUES", form);
+            let rows = table.values.iter().map(|values| row(values));
+            tables.add(
+                &values,
+                "N_a at the points.",
+                quote!([[f64; #nodes_count]; #points_count]),
+                quote!([#(#rows),*]),
+            );
+            quote! {
+                let [g_x, g_y, g_z] = cells::gradient(&maps[q], &#slopes_name[q][a]);
+                room.basis[a][q] = [roots[q] * #values[q][a], g_x, g_y, g_z];
+            }
+        } else {
+            quote!(room.basis[a][q] = cells::gradient(&maps[q], &#slopes_name[q][a]);)
+        };
+        let points = table.weights.len();
+        let mut flops = self.tangent_flops(table)
+            + points * (DET_FLOPS + COFACTOR_FLOPS + 9 + program.total_counts().arithmetic())
+            + points * nodes * (GRADIENT_FLOPS + usize::from(with_values));
+        let (mut centre, mut mode_maps) = (TokenStream::new(), TokenStream::new());
+        let (mut keep_mode_map, mut mode_loop) = (TokenStream::new(), TokenStream::new());
+        if let Some(enhanced) = enhanced {
+            let uses_centre = enhanced.jacobian == ModeJacobian::Centre;
+            let used = scales.iter().chain([&mode]).any(|text| names(text).contains("det0"));
+            if uses_centre || used {
+                let rows = [0, 1, 2].map(|k| {
+                    let values: Vec<f64> = table.centre_slopes.iter().map(|s| s[k]).collect();
+                    row(&values)
+                });
+                tables.add(
+                    &format_ident!("CENTRE_TANGENTS"),
+                    "Coefficients of the nodes in ∂x/∂ξ, ∂x/∂η and ∂x/∂ζ at the centre.",
+                    quote!([[f64; #nodes_count]; 3]),
+                    quote!([#(#rows),*]),
+                );
+                flops += 18 * nodes + DET_FLOPS;
+                centre = quote!(let centre = cells::Jacobian::new(cells::tangents(x, &CENTRE_TANGENTS)););
+            }
+            if used {
+                centre.extend(quote!(let det0 = centre.det;));
+            }
+            if let Some(aligned) = aligned {
+                [mode_maps, keep_mode_map] = aligned.fill(tables, form, &mode);
+            } else {
+                let mode_slopes = tables.named("MODE_SLOPES", form);
+                let rows = table.mode_slopes.iter().map(|rows| slopes(rows));
+                tables.add(
+                    &mode_slopes,
+                    "∂M_m/∂(ξ, η, ζ) at the points.",
+                    quote!([[[f64; 3]; #modes_count]; #points_count]),
+                    quote!([#(#rows),*]),
+                );
+                let map = match enhanced.jacobian {
+                    ModeJacobian::Centre => quote!(centre),
+                    ModeJacobian::Point => quote!(at),
+                };
+                let gradient = quote!(cells::gradient(&mode_maps[q], &#mode_slopes[q][m]));
+                flops += points * (9 + modes * GRADIENT_FLOPS);
+                mode_maps = quote!(let mut mode_maps = [[[L::splat(0.0); 3]; 3]; #points_count];);
+                keep_mode_map = quote!(mode_maps[q] = #map.map(#mode););
+                let filled = if with_values {
+                    quote! {
+                        let [g_x, g_y, g_z] = #gradient;
+                        room.basis[#nodes_count + m][q] = [L::splat(0.0), g_x, g_y, g_z];
+                    }
+                } else {
+                    quote!(room.basis[#nodes_count + m][q] = #gradient;)
+                };
+                mode_loop = quote!(for m in 0..#modes_count { #filled });
+            }
+        }
+        let (tangents, jacobian) = (self.tangents(tables, table), self.jacobian(tables));
+        let text = quote! {
+            #centre
+            #tangents
+            let mut least_det = L::splat(f64::INFINITY);
+            let mut maps = [[[L::splat(0.0); 3]; 3]; #points_count];
+            #roots
+            #mode_maps
+            for q in 0..cells::looped(#points_count) {
+                #jacobian
+                let (det, weight) = (at.det, L::splat(#weights[q]));
+                least_det = cells::least(least_det, det);
+                #(#scales)*
+                maps[q] = at.map(#nodal);
+                #keep_root
+                #keep_mode_map
+            }
+            for q in 0..cells::looped(#points_count) {
+                for a in 0..cells::looped(#nodes_count) {
+                    #node
+                }
+                #mode_loop
+            }
+        };
+        Ok((text, flops))
+    }
+}

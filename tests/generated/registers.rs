@@ -1,0 +1,74 @@
+//! Kernels of cells on every kind of register that this processor has.
+
+use whirl_specs::{ELEMENTS, Element, FormKernel, Registers};
+
+/// Not a whole number of registers of any width.
+const CELLS: usize = 11;
+
+/// Distorted cells, each another one.
+fn cells(element: &Element) -> Vec<f64> {
+    let nodes = (0..CELLS).flat_map(|_| element.reference_nodes.iter().flatten());
+    nodes.enumerate().map(|(i, x)| 0.01 * (x + 0.05 * (1.3 * i as f64 + 0.7).sin())).collect()
+}
+
+fn evaluate(kernel: &FormKernel, nodes: usize, cells: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let value = |name| match name {
+        "E" => 200e9,
+        "nu" => 0.3,
+        _ => 7860.0,
+    };
+    let material: Vec<f64> = kernel.material.iter().map(|m| value(m.name)).collect();
+    let count = cells.len() / (3 * nodes);
+    let mut matrices = vec![f64::NAN; count * kernel.structure.len(nodes)];
+    let mut jacobians = vec![f64::NAN; count];
+    (kernel.evaluate)(cells, &material, &mut matrices, &mut jacobians);
+    (matrices, jacobians)
+}
+
+fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|value| value.to_bits()).collect()
+}
+
+#[test]
+fn all_registers_give_the_same_matrices_to_rounding() {
+    for element in ELEMENTS {
+        let cells = cells(element);
+        for kernel in element.forms {
+            let (single, jacobians) =
+                Registers::SINGLE.within(|| evaluate(kernel, element.nodes, &cells));
+            assert!(jacobians.iter().all(|det| *det > 0.0), "{}", element.origin.name);
+            let largest = single.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+            for registers in Registers::all() {
+                let (found, dets) = registers.within(|| evaluate(kernel, element.nodes, &cells));
+                // A few hundred products, rounded once instead of twice, and a condensation.
+                let tolerance = 1e-12 * largest;
+                let same = found.iter().zip(&single).all(|(a, b)| (a - b).abs() <= tolerance);
+                let (name, form) = (element.origin.name, kernel.form);
+                assert!(same, "{name} {form} with {}", registers.name());
+                let dets = dets.iter().zip(&jacobians);
+                assert!(dets.clone().all(|(a, b)| (a / b - 1.0).abs() < 1e-13), "{name} {form}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_cell_does_not_depend_on_its_neighbours() {
+    for element in ELEMENTS {
+        let cells = cells(element);
+        for kernel in element.forms {
+            for registers in Registers::all() {
+                registers.within(|| {
+                    let (block, jacobians) = evaluate(kernel, element.nodes, &cells);
+                    let stored = block.chunks(kernel.structure.len(element.nodes));
+                    let alone = cells.chunks(3 * element.nodes);
+                    for ((cell, matrix), det) in alone.zip(stored).zip(jacobians) {
+                        let (own, own_det) = evaluate(kernel, element.nodes, cell);
+                        assert_eq!(bits(&own), bits(matrix), "{}", element.origin.name);
+                        assert_eq!(own_det[0].to_bits(), det.to_bits());
+                    }
+                });
+            }
+        }
+    }
+}
