@@ -71,7 +71,7 @@ pub mod example {
             Variable {
                 name: "Q",
                 unit: "N",
-                title: "normal force",
+                title: "normal force, positive if it pushes journal and bore apart",
             },
         ],
         evaluate,

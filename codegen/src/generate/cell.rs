@@ -15,7 +15,7 @@ use super::sums::Sums;
 use super::table::{Tables, Tangents, count, row};
 use crate::diagnostic::Diagnostics;
 use crate::element::Table;
-use crate::emit::{Numbers, documented, identifier, operand, statements};
+use crate::emit::{Numbers, documented, identifier, operand};
 use crate::form::Structure;
 use crate::spec::element::ElementSpec;
 use crate::spec::form::{Form, FormSpec};
