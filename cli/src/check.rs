@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
 
-use crate::case::{self, Case, Lumped, Rotor, System};
+use crate::case::{self, Case, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::machine::{BodyPlan, Plan};
 use crate::report::table;
@@ -135,9 +135,17 @@ fn say_lumped(text: &mut String, lumped: &Lumped) {
         ),
     );
     line(text, format_args!("starts at {displacement} m with {velocity} m/s"));
+    if let Some(unbalance) = lumped.unbalance {
+        let Unbalance { eccentricity, speed } = unbalance;
+        line(text, format_args!("unbalance: {eccentricity} m off the axis at {speed} rad/s"));
+    }
     for stop in &lumped.stops {
         let side = format!("{:?}", stop.side).to_lowercase();
-        line(text, format_args!("stop {side}, gap {} m, law {}", stop.gap, stop.law.source.name()));
+        let gap = match stop.side {
+            Side::Around => String::new(),
+            _ => format!(", gap {} m", stop.gap),
+        };
+        line(text, format_args!("stop {side}{gap}, law {}", stop.law.source.name()));
     }
 }
 

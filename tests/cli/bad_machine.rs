@@ -32,6 +32,45 @@ fn mounts_that_leave_a_mechanism_name_its_motion() {
 }
 
 #[test]
+fn a_bore_that_carries_no_spline_is_named_in_the_case() {
+    let machine = include_str!("../../specs/cases/hu2003.machine.toml");
+    let (before, after) = machine.split_once("bore = [").expect("a bore");
+    let (_, after) = after.split_once(']').expect("the end of a list");
+    let machine = format!("{before}bore = [\"MOUNTS\", \"MOUNTS\", \"MOUNTS\"]{after}");
+    let place = format!("m.toml:{}:", before.lines().count() + 1);
+    let case = case("").replace("hu2003.machine", "m");
+    let bench = Workbench::new().file("case.toml", &case).file("m.toml", &machine);
+    let outcome = bench.whirl(&["run", "case.toml"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    for words in [place.as_str(), "bearing 1", "give no spline", "at least three"] {
+        assert!(outcome.stderr.contains(words), "`{words}` is not in:\n{}", outcome.stderr);
+    }
+}
+
+#[test]
+fn a_stop_takes_the_law_of_its_side() {
+    let stop = |lines: &str| {
+        format!(
+            "title = \"a stop\"\n[mass]\nmass = \"1 kg\"\n[[stop]]\n{lines}\n\
+             [march]\ntime_step = \"1e-4 s\"\nsteps = 2\n"
+        )
+    };
+    let case = |lines: &str| Workbench::new().file("case.toml", &stop(lines));
+    refused(
+        &case("side = \"above\"\ngap = \"1 mm\"\nlaw = \"ocvirk\""),
+        &["case.toml:7:8", "`ocvirk` is a law of a ring", "side = \"around\""],
+    );
+    refused(
+        &case("side = \"around\"\nlaw = \"gap-linear\""),
+        &["case.toml:6:8", "`gap-linear` is a law of a spring", "F_x and F_y"],
+    );
+    refused(
+        &case("side = \"around\"\ngap = \"1 mm\"\nlaw = \"ocvirk\""),
+        &["case.toml:4:", "has its gap in its law", "leave `gap` out"],
+    );
+}
+
+#[test]
 fn a_dimension_that_cannot_be_is_named() {
     let bench =
         Workbench::new().file("case.toml", &case("[shaft.dimensions]\nloads = [\"251.3 mm\"]"));

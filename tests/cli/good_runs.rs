@@ -59,6 +59,45 @@ fn a_bounce_has_the_published_penetration() {
 }
 
 #[test]
+fn a_rub_all_around_has_the_amplitude_of_the_closed_form() {
+    let bench = Workbench::new();
+    let outcome = bench.whirl(&["run", "annular-rub"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let summary = summary(&bench, "results/annular-rub");
+    let statistic =
+        |column: &str, of: &str| summary["supports"][0][column][of].as_f64().expect("a number");
+    // |D| r = m e Ω², D = k + k_c (1 − c/r) − mΩ² + i dΩ, at r = 1.078299 mm, N = k_c (r − c) = 7.8299 N.
+    // Steps of 1e-4 s raise Ω² by (ΩΔt)²/6 = 2e-5; with ∂(|D| r)/∂r = 91 kN/m that is 2.5e-6 of r and, times
+    // r/(r − c), 3.4e-5 of N. A step may miss the end of the circle by (ΩΔt/2)²/2 = 1.5e-5.
+    for axis in ["X_um", "Y_um"] {
+        assert!((statistic(axis, "max") / 1078.299 - 1.0).abs() < 2e-5, "{}", outcome.stdout);
+        assert!((statistic(axis, "min") / -1078.299 - 1.0).abs() < 2e-5, "{}", outcome.stdout);
+    }
+    for axis in ["RX_N", "RY_N"] {
+        assert!((statistic(axis, "max") / 7.8299 - 1.0).abs() < 6e-5, "{}", outcome.stdout);
+    }
+    assert_eq!(summary["steady_state"]["reached"], true, "{}", outcome.stdout);
+}
+
+#[test]
+fn a_shaft_rubs_and_runs_in_rings() {
+    for (law, more) in [("rub-coulomb", ""), ("ocvirk", "journal_radius = \"34 mm\"")] {
+        let case = format!(
+            "include = \"hu2003-5.toml\"\ntitle = \"a short run\"\n[springs]\nlaw = \"{law}\"\n{more}\n\
+             [march]\nsteps = 40\n"
+        );
+        let bench = Workbench::new().file("case.toml", &case);
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let summary = summary(&bench, "results/case");
+        let balance = &summary["energy_balance_j"];
+        let part = |name: &str| balance[name].as_f64().expect("a number");
+        // The balance closes to second order in the step; the loads did some tenths of a joule.
+        assert!(part("error").abs() < 1e-3 * part("work_in").abs(), "{law}: {balance}");
+    }
+}
+
+#[test]
 fn a_run_of_the_reference_machine_writes_everything() {
     let bench = Workbench::new().file("case.toml", SHORT);
     let outcome = bench.whirl(&["run", "case.toml"]);

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Located, Source, suggest};
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::spec::law::{Acts, LawSpec};
 use whirl_specs::{LAWS, Law, TABLES};
 
 use super::library::Shelf;
@@ -34,6 +34,20 @@ impl LawSource {
         match self {
             LawSource::BuiltIn(law) => law.origin.name.to_string(),
             LawSource::File(spec) => spec.file.path.display().to_string(),
+        }
+    }
+
+    /// Whether the law is one of springs or of rings.
+    pub fn acts(&self) -> Acts {
+        match self {
+            LawSource::BuiltIn(law) => {
+                let gives = |acts: &Acts| {
+                    let forces = acts.outputs().iter();
+                    law.outputs.iter().any(|own| forces.clone().any(|force| force.name == own.name))
+                };
+                Acts::ALL.into_iter().find(gives).unwrap_or(Acts::Spring)
+            }
+            LawSource::File(spec) => spec.acts,
         }
     }
 

@@ -17,6 +17,8 @@ macro_rules! embedded {
 }
 
 embedded![
+    "annular-rub.law.toml",
+    "annular-rub.toml",
     "hu2003-1.toml",
     "hu2003-2.toml",
     "hu2003-3.toml",

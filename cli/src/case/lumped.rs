@@ -1,13 +1,17 @@
 //! One mass on a spring and a damper, between stops.
 
+use whirl_codegen::diagnostic::Code;
+use whirl_codegen::spec::law::Acts;
 use whirl_specs::Motion;
 
 use super::law::{self, NamedLaw};
 use super::library::Shelf;
 use super::machine;
-use super::reader::{DAMPING, FORCE, MASS, POSITION, Reader, STIFFNESS, VELOCITY};
+use super::reader::{
+    DAMPING, FORCE, LENGTH, MASS, POSITION, Reader, STIFFNESS, TARGET_SPEED, VELOCITY,
+};
 
-/// m ẍ + d ẋ + k x = F + stops.
+/// m ẍ + d ẋ + k x = F + m e Ω² cos Ωt + stops, and along y the same with sin Ωt and without F.
 #[derive(Debug, Clone)]
 pub struct Lumped {
     /// m in kg.
@@ -22,18 +26,30 @@ pub struct Lumped {
     pub velocity: f64,
     /// F in N, constant.
     pub force: f64,
+    /// What turns in the mass out of balance.
+    pub unbalance: Option<Unbalance>,
     /// How the marcher couples displacement to rotation; of no effect here, since nothing turns.
     pub motion: &'static Motion,
     /// What the mass may hit.
     pub stops: Vec<Stop>,
 }
 
-/// A stop: h = gap − x above the mass, h = gap + x below it; its force Q(h, ḣ) pushes the mass away.
+/// The whole mass turning at a constant speed with its centre off the axis.
+#[derive(Debug, Clone, Copy)]
+pub struct Unbalance {
+    /// e in m.
+    pub eccentricity: f64,
+    /// Ω in rad/s.
+    pub speed: f64,
+}
+
+/// A stop: h = gap − x above the mass, h = gap + x below it; its force Q(h, ḣ) pushes the mass away. Or one
+/// all around, with a law of a ring.
 #[derive(Debug, Clone)]
 pub struct Stop {
     /// Where it stands.
     pub side: Side,
-    /// h at x = 0, in m.
+    /// h at x = 0, in m; 0 around, where the law has the gap.
     pub gap: f64,
     /// Q(h, ḣ), or more.
     pub law: NamedLaw,
@@ -46,17 +62,21 @@ pub enum Side {
     Above,
     /// Towards smaller x.
     Below,
+    /// In all directions of x and y.
+    Around,
 }
 
 pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
     let stop = |stop: Reader| {
-        let side = stop.choice("side", &[("above", Side::Above), ("below", Side::Below)]);
-        let gap = stop.needed("gap", &POSITION);
+        let sides = [("above", Side::Above), ("below", Side::Below), ("around", Side::Around)];
+        let side = stop.choice("side", &sides).unwrap_or(Side::Above);
         let law = law::read(shelf, &stop);
+        let gap = gap(&stop, side);
+        law.iter().for_each(|law| fits(&stop, side, law));
         if law.is_none() && !stop.has("law") {
             stop.absent("law", "add `law = \"my.law.toml\"`");
         };
-        Some(Stop { side: side.unwrap_or(Side::Above), gap, law: law? })
+        Some(Stop { side, gap, law: law? })
     };
     let stops = file.tables("stop").into_iter().filter_map(stop).collect();
     let mass = file.needed_table("mass")?;
@@ -68,7 +88,40 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
         displacement: or_zero("displacement", &POSITION),
         velocity: or_zero("velocity", &VELOCITY),
         force: or_zero("force", &FORCE),
+        unbalance: mass.table("unbalance").map(|table| Unbalance {
+            eccentricity: table.needed("eccentricity", &LENGTH),
+            speed: table.needed("speed", &TARGET_SPEED),
+        }),
         motion: machine::motion(&mass)?,
         stops,
     })
+}
+
+fn gap(stop: &Reader, side: Side) -> f64 {
+    if side != Side::Around {
+        return stop.needed("gap", &POSITION);
+    }
+    if stop.quantity("gap", &POSITION).is_some() {
+        let message = "a stop around the mass has its gap in its law".to_owned();
+        let help = Some("leave `gap` out".to_owned());
+        stop.note(stop.place(), Code::BAD_VALUE, message, help);
+    }
+    0.0
+}
+
+/// Notes a law of springs around the mass, or one of rings on one side of it.
+fn fits(stop: &Reader, side: Side, law: &NamedLaw) {
+    let acts = law.source.acts();
+    let wanted = if side == Side::Around { Acts::Ring } else { Acts::Spring };
+    if acts != wanted {
+        let message =
+            format!("`{}` is {}, not {}", law.name.text(), acts.called(), wanted.called());
+        let help = match side {
+            Side::Around => {
+                "say `side = \"above\"` or `\"below\"`, or name a law that gives F_x and F_y"
+            }
+            _ => "say `side = \"around\"`, or name a law that gives Q",
+        };
+        stop.push(law.name.error_here(Code::BAD_VALUE, message).help(help));
+    }
 }

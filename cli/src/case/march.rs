@@ -40,10 +40,12 @@ pub(super) fn read(file: &Reader, system: Option<&System>) -> Option<March> {
     Some(March { time_step, steps, force_tolerance, cycle })
 }
 
-/// The longest period of the loads, or else two revolutions at the speed that the drive aims at.
+/// The longest period of the loads, or else two revolutions at the speed that the drive aims at; one
+/// revolution of an unbalance.
 fn natural_cycle(system: &System) -> Option<f64> {
-    let System::Rotor(rotor) = system else {
-        return None;
+    let rotor = match system {
+        System::Rotor(rotor) => rotor,
+        System::Lumped(lumped) => return lumped.unbalance.map(|own| TAU / own.speed),
     };
     let lowest = rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::min);
     let drive = &rotor.drive;

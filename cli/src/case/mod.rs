@@ -18,7 +18,7 @@ use whirl_codegen::diagnostic::Source;
 pub use law::{LawSource, NamedLaw};
 pub use library::embedded_cases;
 pub use loads::Load;
-pub use lumped::{Lumped, Side, Stop};
+pub use lumped::{Lumped, Side, Stop, Unbalance};
 pub use march::March;
 pub use read::read;
 pub use rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};

@@ -1,6 +1,6 @@
 //! The machine of one mass: a point shaft that does not turn, stops as single springs in a rigid support.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use whirl_solver::Error;
 use whirl_solver::bearing::Bearing;
@@ -11,7 +11,7 @@ use whirl_solver::support::Support;
 
 use super::Built;
 use super::springs::{Laws, clearance, wrong_law};
-use crate::case::{Lumped, Side};
+use crate::case::{Lumped, Side, Unbalance};
 use crate::errors::Failure;
 
 pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
@@ -28,19 +28,30 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
             // Nothing turns, so that a radius is of no effect.
             journal_radius: Some(0.0),
             stations: vec![0.5],
-            angles: vec![match stop.side {
-                Side::Above => 0.0,
-                Side::Below => PI,
-            }],
+            angles: match stop.side {
+                Side::Above => vec![0.0],
+                Side::Below => vec![PI],
+                Side::Around => Vec::new(),
+            },
             law: laws.place(&stop.law.source)?,
         });
     }
-    let weight = Load {
+    let load = |force: [f64; 2], course: Course| Load {
         node: shaft.nodes[0].clone(),
-        force: [lumped.force, 0.0, 0.0],
-        course: Course::Constant,
+        force: [force[0], force[1], 0.0],
+        course,
         frame: Frame::Space,
     };
+    let mut loads = Vec::new();
+    if lumped.force != 0.0 {
+        loads.push(load([lumped.force, 0.0], Course::Constant));
+    }
+    if let Some(Unbalance { eccentricity, speed }) = lumped.unbalance {
+        let force = lumped.mass * eccentricity * speed * speed;
+        let turning = |phase: f64| Course::Sine { frequency: speed / TAU, phase };
+        loads.push(load([force, 0.0], turning(0.5 * PI)));
+        loads.push(load([0.0, force], turning(0.0)));
+    }
     let law_hashes = laws.hashes();
     let machine = Machine::new(MachineParts {
         shaft,
@@ -50,7 +61,7 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         clearance: clearance(),
         laws: laws.into_laws(),
         bearings,
-        loads: if lumped.force == 0.0 { Vec::new() } else { vec![weight] },
+        loads,
     })
     .map_err(|error| match &error {
         Error::Law { bearing: Some(place), .. } => {
