@@ -33,6 +33,8 @@ mod build;
 mod describe;
 mod draft;
 mod exact;
+mod judge;
+mod look;
 mod poles;
 mod program;
 mod report;

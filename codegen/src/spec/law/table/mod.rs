@@ -262,14 +262,14 @@ fn check_rows(
         errors.push(error.help(help));
         break;
     }
-    if let (Extend::Periodic, [(first, at), .., (last, end)]) = (table.extend, y.values.as_slice())
-    {
-        if first != last {
+    match (table.extend, y.values.as_slice()) {
+        (Extend::Periodic, [(first, at), .., (last, end)]) if first != last => {
             let (a, b) = (written(at), written(end));
             let message =
                 format!("a periodic table ends with the value it starts with: {a}, not {b}");
             errors.push(Diagnostic::new(&table.file, Code::TABLE, end.clone(), message));
         }
+        _ => {}
     }
     errors.into_result(())
 }

@@ -1,0 +1,98 @@
+//! What is wrong with a law that was looked at: jumps that are not accepted, places without a value, tables
+//! that end too early.
+
+use super::describe::short;
+use super::look::{Seen, in_file};
+use super::report::Break;
+use super::scan::{self, Line};
+use super::{Condition, Extend, LawOutput, LawSpec, scalar};
+use crate::diagnostic::{Code, Diagnostics};
+use crate::units::nearest;
+
+/// A table without an extension must reach over the declared ranges.
+pub(super) fn tables(law: &LawSpec, lines: &[Line], errors: &mut Diagnostics) {
+    if law.inputs.iter().any(|input| input.range.is_none()) {
+        return;
+    }
+    for table in law.tables.iter().filter(|table| table.extend == Extend::Refuse) {
+        let points = lines.iter().flat_map(|line| line.points.iter().map(|x| line.at(*x)));
+        let inputs = points.filter_map(|inputs| {
+            scalar(&table.input, &law.names(&inputs).ok()?).ok().filter(|input| input.is_finite())
+        });
+        let [first, last] = table.span().map(nearest);
+        let [low, high] = inputs
+            .fold([first, last], |[low, high]: [f64; 2], input| [low.min(input), high.max(input)]);
+        for (reached, end) in [(low, first), (high, last)] {
+            if !table.is_outside(reached) {
+                continue;
+            }
+            let message = format!(
+                "`{}` reaches {}, but the rows of `{}` end at {}",
+                table.input.text.text(),
+                short(reached),
+                table.path,
+                short(end)
+            );
+            let error = table.input.text.error_here(Code::TABLE, message);
+            errors.push(error.help(
+                "extend the table by `extend = \"constant\"` or `\"linear\"`, or make the `range` of the \
+                 inputs smaller",
+            ));
+        }
+    }
+}
+
+/// Adds the errors of an output.
+pub(super) fn output(law: &LawSpec, output: &LawOutput, seen: &Seen, errors: &mut Diagnostics) {
+    for (found, between) in seen.report.breaks.iter().zip(&seen.between) {
+        if output.accepts_jumps || !found.jumps() {
+            continue;
+        }
+        let piece = between.pieces[0].min(between.pieces[1]);
+        let place = scan::place_of(&output.pieces[piece]);
+        let error =
+            place.error_here(Code::JUMP, found.words(&output.name, &output.unit.to_string()));
+        errors.push(error.help(remedies(law, output, piece, found)));
+    }
+    let declared = law.inputs.iter().all(|input| input.range.is_some());
+    if let (Some(point), true) = (&seen.report.undefined, declared) {
+        let point: Vec<String> = (law.inputs.iter().zip(point))
+            .map(|(input, x)| format!("{} = {} {}", input.name, short(*x), input.unit))
+            .collect();
+        let message = format!("`{}` has no finite value at {}", output.name, point.join(", "));
+        let place = scan::place_of(&output.pieces[0]);
+        let help = "give this place a piece of its own, or make the `range` of the inputs smaller";
+        errors.push(place.error_here(Code::UNDEFINED, message).help(help));
+    }
+}
+
+/// What can be done about a jump.
+fn remedies(law: &LawSpec, output: &LawOutput, piece: usize, found: &Break) -> String {
+    let (input, unit) = (&found.input, &found.unit);
+    let mut ways = Vec::new();
+    if let Some(root) = root_beside(law, output, piece, found) {
+        let root = short(root);
+        ways.push(format!(
+            "`engage = \"root\"` moves the break to {input} = {root} {unit}, where the pieces meet"
+        ));
+    }
+    let threshold = matches!(output.pieces[piece].when, Some(Condition::Threshold { .. }));
+    if threshold {
+        // A twentieth of the distance from zero, to one digit, as an example of a length.
+        let length = if found.at == 0.0 { 0.1 } else { found.at.abs() / 20.0 };
+        let length: f64 = format!("{length:.0e}").parse().unwrap_or(length);
+        ways.push(format!(
+            "`smooth = \"{} {unit}\"` blends the pieces over that length of {input}",
+            short(length)
+        ));
+    }
+    ways.push("`jump = \"accept\"` keeps the jump".to_owned());
+    ways.join("; ")
+}
+
+/// Where `engage` would move a break to, in the file's unit.
+fn root_beside(law: &LawSpec, output: &LawOutput, piece: usize, found: &Break) -> Option<f64> {
+    let root = super::build::engaged(law, &output.pieces, piece)?;
+    let input = law.inputs.iter().find(|input| input.name == found.input)?;
+    Some(in_file(nearest(&root), &input.unit))
+}
