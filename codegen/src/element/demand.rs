@@ -29,21 +29,31 @@ type Powers = BTreeMap<Exponents, String>;
 /// coordinates: where the rule integrates every monomial of such products exactly, the forces are the exact
 /// integrals over the surface, which cancel between cells.
 ///
+/// `forms`: names with the products in them.
+///
 /// # Errors
 /// The first integral that fails, with the nodes it comes from.
-pub fn prove(
+pub fn prove<'f>(
     element: &ElementSpec,
-    form: &str,
-    products: &BTreeSet<(Part, Part)>,
+    forms: impl IntoIterator<Item = (&'f str, BTreeSet<(Part, Part)>)>,
 ) -> Result<(), Diagnostics> {
-    let rule = element.rule(form);
-    let demand = Demand { element, form, rule };
-    let mut integrals = Integrals::new(rule, element.cell);
-    if !rule.reduced {
-        demand.products(products, &mut integrals)?;
-    }
-    if products.contains(&(Part::Gradient, Part::Gradient)) {
-        demand.patch_test(&mut integrals)?;
+    // Forms with one rule ask for many of the same integrals.
+    let mut integrals: Vec<(&Quadrature, Integrals)> = Vec::new();
+    for (form, products) in forms {
+        let rule = element.rule(form);
+        let known = integrals.iter().position(|(other, _)| std::ptr::eq(*other, rule));
+        let place = known.unwrap_or_else(|| {
+            integrals.push((rule, Integrals::new(rule, element.cell)));
+            integrals.len() - 1
+        });
+        let integrals = &mut integrals[place].1;
+        let demand = Demand { element, form, rule };
+        if !rule.reduced {
+            demand.products(&products, integrals)?;
+        }
+        if products.contains(&(Part::Gradient, Part::Gradient)) {
+            demand.patch_test(integrals)?;
+        }
     }
     Ok(())
 }

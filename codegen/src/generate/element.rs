@@ -19,12 +19,13 @@ use crate::units::nearest;
 /// The kernels of all forms on one element.
 pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel, Diagnostics> {
     check_enhanced(element, specs)?;
+    let forms = specs.iter().flat_map(|spec| &spec.forms);
+    demand::prove(element, forms.map(|form| (form.name.as_str(), form.products())))?;
     let mut tables = Tables::new(element);
     let mut functions = TokenStream::new();
     let (mut entries, mut known) = (Vec::new(), Vec::new());
     for spec in specs {
         for form in &spec.forms {
-            demand::prove(element, &form.name, &form.products())?;
             let cell = CellForm { element, spec, form };
             let (text, flops) = cell.functions(&mut tables, &mut known)?;
             functions.extend(text);

@@ -12,7 +12,7 @@ use crate::expression::{Function, Graph, Id, Node, Rational, Relation};
 
 /// Nearest f64 of an exact number.
 pub(super) fn nearest(value: &Rational) -> f64 {
-    value.to_f64().unwrap_or(f64::NAN)
+    crate::units::nearest(value)
 }
 
 /// Instructions in the order of the graph, with the operand of every output and of every named node.

@@ -232,11 +232,9 @@ fn shipped() -> Vec<(String, String)> {
 /// What gradients and functions of an element ask of its rules.
 fn demanded(text: &str) -> Result<(), Vec<String>> {
     let element = read(text)?;
-    for (form, part) in [("stiffness", Part::Gradient), ("mass", Part::Value)] {
-        demand::prove(&element, form, &BTreeSet::from([(part, part)]))
-            .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>())?;
-    }
-    Ok(())
+    let forms = [("stiffness", Part::Gradient), ("mass", Part::Value)];
+    demand::prove(&element, forms.map(|(form, part)| (form, BTreeSet::from([(part, part)]))))
+        .map_err(|errors| errors.iter().map(ToString::to_string).collect())
 }
 
 #[test]
