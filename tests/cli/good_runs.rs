@@ -208,7 +208,9 @@ fn check_says_what_would_be_run() {
 #[test]
 fn list_names_what_is_built_in() {
     let outcome = Workbench::new().whirl(&["list"]);
-    for name in ["hu2003-5", "sdnd101", "hu2003-linear", "hex8i", "wedge6", "consistent"] {
+    let names = ["hu2003-5", "sdnd101", "hu2003-linear", "hex8i", "wedge6", "consistent"];
+    let elements = ["hex20", "wedge15", "tet4", "tet10", "pyramid5"];
+    for name in names.into_iter().chain(elements) {
         assert!(outcome.stdout.contains(name), "`{name}` is not in:\n{}", outcome.stdout);
     }
 }

@@ -70,7 +70,7 @@ fn workspace(root: &Path) -> PathBuf {
         fs::write(path, text).expect("a file");
     };
     let text = |path: &str| fs::read_to_string(root.join(path)).expect("a file of the project");
-    for part in ["", "src", "src/registers", "elements", "forms", "laws", "motion"] {
+    for part in ["", "src", "elements", "forms", "laws", "motion"] {
         for entry in fs::read_dir(root.join("specs").join(part)).expect("a folder of the specs") {
             let path = entry.expect("an entry").path();
             if path.is_file() {

@@ -1,6 +1,7 @@
 //! Generated elements: against textbook integrals and the generator's own definitions, patch test,
 //! zero-energy modes, convergence, locking, inverted cells.
 
+mod bar;
 mod dropped;
 mod files;
 mod gradients;
