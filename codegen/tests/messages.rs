@@ -129,3 +129,26 @@ fn nothing_is_said_twice_of_one_place() {
         }
     }
 }
+
+/// The page of errors in the documents.
+fn page() -> String {
+    let mut text = "# Errors\n\n\
+        Every error of a spec, a formula or a case has a code that stays the same, the place in the file, and\n\
+        mostly a line that says how to mend it. All errors of a file are told at once; what only follows from\n\
+        another error is not. `codegen/tests/messages` holds a bad file and its messages for every code.\n\n\
+        | Code | What it means | How to mend it |\n|---|---|---|\n"
+        .to_owned();
+    for known in Code::ALL {
+        let cell = |text: &str| text.replace('|', "\\|");
+        let (meaning, remedy) = (cell(known.meaning), cell(known.remedy));
+        text += &format!("| {} | {meaning} | {remedy} |\n", known.code);
+    }
+    text
+}
+
+#[test]
+fn the_page_of_errors_lists_every_code() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/errors.md");
+    let found = compare(&path, &page());
+    assert_eq!(found, Ok(()), "WHIRL_RENEW_GOLDEN=1 renews it");
+}
