@@ -1,0 +1,90 @@
+//! Programs run one instruction after the other, with a sign flipped.
+
+use std::collections::BTreeSet;
+
+use whirl_codegen::expression::Relation;
+use whirl_codegen::schedule::{Operand, Operation, Program};
+
+/// One operand of one instruction, whose sign is flipped where it is read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Flip {
+    pub(crate) place: usize,
+    pub(crate) operand: usize,
+}
+
+/// The values of a program's outputs, one instruction after the other, with a sign flipped.
+pub(crate) fn run(program: &Program, inputs: &[f64], flip: Option<Flip>) -> Vec<f64> {
+    let mut values: Vec<f64> = Vec::with_capacity(program.instructions.len());
+    let read = |values: &[f64], operand: Operand| match operand {
+        Operand::Constant(value) => value,
+        Operand::Input(place) => inputs[place],
+        Operand::Value(place) => values[place],
+    };
+    for (place, instruction) in program.instructions.iter().enumerate() {
+        let mut of = [0.0; 3];
+        for (operand, from) in instruction.operation.operands().into_iter().enumerate() {
+            let value = read(&values, from);
+            of[operand] = if flip == Some(Flip { place, operand }) { -value } else { value };
+        }
+        let truth = |value: bool| f64::from(u8::from(value));
+        values.push(match instruction.operation {
+            Operation::Add(..) => of[0] + of[1],
+            Operation::Sub(..) => of[0] - of[1],
+            Operation::Mul(..) => of[0] * of[1],
+            Operation::Div(..) => of[0] / of[1],
+            Operation::Neg(_) => -of[0],
+            Operation::Sqrt(_) => of[0].sqrt(),
+            Operation::Function(function, _) => function.value(of[0]),
+            Operation::Power(..) => libm::pow(of[0], of[1]),
+            Operation::Compare(Relation::Less, ..) => truth(of[0] < of[1]),
+            Operation::Compare(Relation::LessOrEqual, ..) => truth(of[0] <= of[1]),
+            Operation::And(..) => truth(of[0] != 0.0 && of[1] != 0.0),
+            Operation::Or(..) => truth(of[0] != 0.0 || of[1] != 0.0),
+            Operation::Not(_) => truth(of[0] == 0.0),
+            Operation::Select(..) => of[if of[0] != 0.0 { 1 } else { 2 }],
+        });
+    }
+    program.outputs.iter().map(|output| read(&values, output.operand)).collect()
+}
+
+/// Every sign of the instructions that an output needs. Of the two operands of a product or quotient one
+/// stands for both; zero has no sign.
+pub(crate) fn flips(program: &Program, output: usize) -> Vec<Flip> {
+    let mut needed = BTreeSet::new();
+    let mut open = vec![program.outputs[output].operand];
+    while let Some(operand) = open.pop() {
+        if let Operand::Value(place) = operand
+            && needed.insert(place)
+        {
+            open.extend(program.instructions[place].operation.operands());
+        }
+    }
+    let mut flips = Vec::new();
+    for place in needed {
+        let operation = program.instructions[place].operation;
+        let operands = operation.operands();
+        let signs = match operation {
+            Operation::Mul(..) | Operation::Div(..) | Operation::Power(..) => 0..1,
+            Operation::And(..) | Operation::Or(..) | Operation::Not(_) => 0..0,
+            Operation::Select(..) => 1..3,
+            _ => 0..operands.len(),
+        };
+        let zero = |operand: &usize| operands[*operand] == Operand::Constant(0.0);
+        let signs = signs.filter(|operand| !zero(operand));
+        flips.extend(signs.map(|operand| Flip { place, operand }));
+    }
+    flips
+}
+
+/// A derivative by differences, and how far it may be off.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Difference {
+    pub(crate) value: f64,
+    pub(crate) bound: f64,
+}
+
+impl Difference {
+    pub(crate) fn agrees(&self, derivative: f64) -> bool {
+        !self.value.is_finite() || (derivative - self.value).abs() <= self.bound
+    }
+}
