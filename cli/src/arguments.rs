@@ -18,9 +18,11 @@ pub struct Arguments {
 pub enum Command {
     /// March a case in time and write its history, summary and figures
     Run(RunArguments),
-    /// Say what a case would run, and whether anything is wrong with it, without marching
+    /// Say what a case would run, or what is known of a spec, and whether anything is wrong with it
     Check(CheckArguments),
-    /// List the built-in cases, laws, elements and motions
+    /// Say what a spec says and what follows from it: equations, shapes, costs, report, plot, code
+    Explain(ExplainArguments),
+    /// List the built-in cases, laws, elements, forms, motions and clearances
     List,
 }
 
@@ -43,8 +45,22 @@ pub struct RunArguments {
 /// Arguments of `whirl check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    /// Path of a case or spec file, or the name of a built-in case (see `whirl list`)
     pub case: String,
+}
+
+/// Arguments of `whirl explain`.
+#[derive(Debug, Args)]
+pub struct ExplainArguments {
+    /// Path of a spec file, or the name of a built-in law, element, form, motion or clearance
+    #[arg(value_name = "SPEC")]
+    pub spec: String,
+    /// Print the Rust generated from this spec instead
+    #[arg(long)]
+    pub rust: bool,
+    /// Draw a law as SVG and PNG: FILE with either ending
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
 }
 
 /// Where reduced machines are kept between runs.

@@ -1,4 +1,4 @@
-//! `whirl check`: what a case would run, without marching.
+//! `whirl check`: what a case would run, without marching; what was found about a spec.
 
 use std::fmt::Write;
 
@@ -6,14 +6,20 @@ use whirl_solver::assembly::mass_properties;
 
 use crate::case::{self, Case, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
+use crate::explain;
 use crate::machine::{BodyPlan, Plan};
 use crate::report::table;
+use crate::spec_file;
 
-/// Reads a case and makes its meshes; says counts, masses, sets, laws and what would be marched.
+/// Reads a case and makes its meshes; says counts, masses, sets, laws and what would be marched. Of a spec
+/// file, says its report.
 ///
 /// # Errors
-/// Whatever is wrong with the case, its meshes and its sets.
+/// Whatever is wrong with the case, its meshes and its sets, or with the spec.
 pub(crate) fn check(name: &str) -> Result<String, Failure> {
+    if spec_file::is_spec(name) {
+        return explain::check(name);
+    }
     let case = case::read(name)?;
     let mut text = format!("{}: {}\n", case.name, case.title);
     if !case.origin.is_empty() {

@@ -4,6 +4,7 @@ pub mod arguments;
 pub mod case;
 mod check;
 pub mod errors;
+mod explain;
 mod figures;
 mod law_file;
 mod list;
@@ -12,6 +13,7 @@ mod output;
 mod progress;
 mod report;
 mod run;
+mod spec_file;
 pub mod version;
 
 use std::process::ExitCode;
@@ -26,6 +28,7 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {
         Command::Run(arguments) => run::run(arguments),
         Command::Check(arguments) => check::check(&arguments.case).map(|text| print!("{text}")),
+        Command::Explain(arguments) => explain::explain(arguments).map(|text| print!("{text}")),
         Command::List => {
             print!("{}", list::list());
             Ok(())

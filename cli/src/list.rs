@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use whirl_specs::{ELEMENTS, LAWS, MOTIONS, Origin};
+use whirl_specs::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS, Origin};
 
 use crate::case::{self, embedded_cases};
 
-/// Cases, laws, elements and motions, one a line with its title.
+/// Cases and specs by their kinds, one a line with its title.
 pub(crate) fn list() -> String {
     let mut text = String::new();
     let cases = embedded_cases()
@@ -15,7 +15,9 @@ pub(crate) fn list() -> String {
     let facts = |origin: &'static Origin| (origin.name, origin.title.to_string());
     section(&mut text, "Laws", LAWS.iter().map(|law| facts(&law.origin)));
     section(&mut text, "Elements", ELEMENTS.iter().map(|element| facts(&element.origin)));
+    section(&mut text, "Forms", FORMS.iter().map(facts));
     section(&mut text, "Motions", MOTIONS.iter().map(|motion| facts(&motion.origin)));
+    section(&mut text, "Clearances", CLEARANCES.iter().map(|spec| facts(&spec.origin)));
     text
 }
 

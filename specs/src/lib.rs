@@ -2,9 +2,11 @@
 //!
 //! The files under `elements/`, `forms/`, `laws/` and `motion/` are the source; the build script hands
 //! them to `whirl-codegen` and this crate includes the text it writes. [`ELEMENTS`], [`LAWS`],
-//! [`MOTIONS`] and [`CLEARANCES`] list what was found, each entry with its facts and its functions.
+//! [`MOTIONS`] and [`CLEARANCES`] list what was found, each entry with its facts and its functions;
+//! [`FORMS`] the forms that the elements integrate, and [`generated`] holds the text itself.
 
 pub mod cells;
+pub mod generated;
 pub mod lane;
 pub mod registers;
 mod registry;

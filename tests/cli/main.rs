@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod bad_machine;
+mod explain;
 mod good_runs;
 mod readme;
 mod workbench;

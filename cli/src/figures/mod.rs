@@ -15,16 +15,27 @@ use self::histories::Span;
 use crate::case::{Case, System};
 use crate::output::Output;
 
+pub(crate) use self::laws::{Curve, curves};
+
+/// Draws a law as `stem.svg` and `stem.png` into `output`.
+pub(crate) fn draw_law(law: &LawSpec, stem: &str, output: &mut Output) {
+    put(stem, &laws::law(law), output);
+}
+
+fn put(stem: &str, figure: &Figure, output: &mut Output) {
+    let svg = draw::svg(figure);
+    if let Some(png) = draw::png(&svg) {
+        output.put(&format!("{stem}.png"), png);
+    }
+    output.put(&format!("{stem}.svg"), svg);
+}
+
 /// Draws the figures of a case as SVG and PNG into `output`. `clearances`: of every support, in m.
 pub(crate) fn draw(case: &Case, history: &History, clearances: &[f64], output: &mut Output) {
     for (name, number, figure) in figures(case, history, clearances) {
         let place = number.map_or(String::new(), |number| format!(" (Fig. {number} of the paper)"));
         let figure = Figure { title: format!("{}: {}{place}", case.name, figure.title), ..figure };
-        let svg = draw::svg(&figure);
-        if let Some(png) = draw::png(&svg) {
-            output.put(&format!("{name}.png"), png);
-        }
-        output.put(&format!("{name}.svg"), svg);
+        put(name, &figure, output);
     }
 }
 

@@ -26,7 +26,16 @@ const LONGEST: usize = 20_000;
 /// pieces, appear as `select(condition, a, b)`, the unit matrix as `identity`. A text that would be very
 /// long is cut and ends in `…`.
 pub fn display(graph: &Graph, id: Id) -> String {
-    let mut text = Printer { graph, room: Cell::new(LONGEST) }.at_least(id, Binding::Any);
+    print(&Printer { graph, room: Cell::new(LONGEST), exact: true }, id)
+}
+
+/// The same for people: numbers that have no short decimal are rounded to 9 digits.
+pub fn display_rounded(graph: &Graph, id: Id) -> String {
+    print(&Printer { graph, room: Cell::new(LONGEST), exact: false }, id)
+}
+
+fn print(printer: &Printer, id: Id) -> String {
+    let mut text = printer.at_least(id, Binding::Any);
     if let Some((cut, _)) = text.char_indices().nth(LONGEST) {
         text.truncate(cut);
         text.push('…');
@@ -38,6 +47,8 @@ struct Printer<'g> {
     graph: &'g Graph,
     /// Characters that may still be written.
     room: Cell<usize>,
+    /// Whether numbers are written exactly.
+    exact: bool,
 }
 
 impl Printer<'_> {
@@ -65,7 +76,7 @@ impl Printer<'_> {
         };
         let call = |name: &str, parts: &[Id]| (format!("{name}({})", list(parts)), Binding::Atom);
         match self.graph.node(id) {
-            Node::Number(value) => number(value),
+            Node::Number(value) => self.number(value),
             Node::Zero(_) => ("0".to_owned(), Binding::Atom),
             Node::Identity => ("identity".to_owned(), Binding::Atom),
             Node::Symbol(symbol) => (symbol.name.clone(), Binding::Atom),
@@ -102,6 +113,10 @@ impl Printer<'_> {
         }
     }
 
+    fn number(&self, value: &Rational) -> (String, Binding) {
+        number(value, self.exact)
+    }
+
     fn chain(&self, a: Id, word: &str, b: Id) -> (String, Binding) {
         // "and" and "or" are never mixed without parentheses.
         let (a, b) = (self.at_least(a, Binding::Not), self.at_least(b, Binding::Not));
@@ -127,10 +142,10 @@ impl Printer<'_> {
     /// coefficient·term for a coefficient above zero.
     fn multiple(&self, coefficient: &Rational, term: Id) -> String {
         if self.graph.is_one(term) {
-            return number(coefficient).0;
+            return self.number(coefficient).0;
         }
         let text = self.at_least(term, Binding::Product);
-        if coefficient.is_one() { text } else { format!("{}*{text}", number(coefficient).0) }
+        if coefficient.is_one() { text } else { format!("{}*{text}", self.number(coefficient).0) }
     }
 
     /// Π base^exponent, times a vector or matrix.
@@ -165,16 +180,25 @@ impl Printer<'_> {
     }
 }
 
-/// A number: decimal where that is exact and short, else a fraction.
-fn number(value: &Rational) -> (String, Binding) {
-    let text = if value.is_integer() {
+/// A number: decimal where that is exact and short, else a fraction, or rounded unless `exact`.
+fn number(value: &Rational, exact: bool) -> (String, Binding) {
+    const SHORT: usize = 12;
+    let text = if value.is_integer() && (exact || value.to_string().len() <= SHORT) {
         value.to_string()
     } else {
-        let decimal = super::signature::to_f64(value).to_string();
-        let exact = decimal.len() <= 12
+        let nearest = super::signature::to_f64(value);
+        let decimal = nearest.to_string();
+        let is_exact = decimal.len() <= SHORT
             && crate::units::decimal(&decimal)
                 .is_some_and(|(read, _)| read.as_ref() == Some(value));
-        if exact { decimal } else { value.to_string() }
+        let fraction = value.to_string();
+        if is_exact {
+            decimal
+        } else if exact || fraction.len() <= 5 {
+            fraction
+        } else {
+            rounded(nearest)
+        }
     };
     let binding = match value.is_negative() {
         true => Binding::Sum,
@@ -182,6 +206,16 @@ fn number(value: &Rational) -> (String, Binding) {
         false => Binding::Atom,
     };
     (text, binding)
+}
+
+/// A number to 9 digits, with a power of ten where it would be long without.
+fn rounded(value: f64) -> String {
+    let short: f64 = format!("{value:.8e}").parse().unwrap_or(value);
+    if short == 0.0 || (1e-4..1e9).contains(&short.abs()) {
+        short.to_string()
+    } else {
+        format!("{short:e}")
+    }
 }
 
 /// Name of a function in the formula language.
@@ -268,6 +302,21 @@ mod tests {
             let id = lowered(&mut graph, &names, text);
             let shown = display(&graph, id);
             assert_eq!(lowered(&mut graph, &names, &shown), id, "{text} shown as {shown}");
+        }
+    }
+
+    #[test]
+    fn numbers_for_people_are_short() {
+        let mut graph = Graph::new();
+        let names = names(&mut graph);
+        for (text, expected) in [
+            ("a/3 - 1/7", "1/3*a - 1/7"),
+            ("233/6517*a", "0.0357526469*a"),
+            ("-1e-9/7*a", "-1.42857143e-10*a"),
+            ("123456789012345*a + 0.5", "1.23456789e14*a + 0.5"),
+        ] {
+            let id = lowered(&mut graph, &names, text);
+            assert_eq!(display_rounded(&graph, id), expected);
         }
     }
 

@@ -17,7 +17,7 @@ mod substitute;
 mod tests;
 
 pub use differentiate::DifferentiateError;
-pub use display::display;
+pub use display::{display, display_rounded};
 pub use graph::Graph;
 pub use node::{Function, Id, Node, Rational, Relation, Shape, Symbol, Symmetry};
 pub use signature::Value;

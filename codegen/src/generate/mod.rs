@@ -7,6 +7,7 @@ mod clearance_contact;
 mod clearance_kernels;
 mod element;
 mod facts;
+mod form;
 mod law;
 mod linear;
 mod modes;
@@ -45,7 +46,8 @@ pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
         Kind::of("clearances", "Clearance", gather(clearances, &mut errors)),
     ];
     let tables = specs.laws.iter().flat_map(|law| &law.tables).map(|table| &*table.file);
-    let files = write::files(&kinds, tables);
+    let forms: Vec<TokenStream> = specs.forms.iter().map(form::origin).collect();
+    let files = write::files(&kinds, tables, &forms);
     errors.into_result(files)
 }
 

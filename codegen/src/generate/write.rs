@@ -19,9 +19,11 @@ pub struct GeneratedFile {
 }
 
 /// One file a kind, and `kernels.rs`, which includes them and holds the registries and the tables of laws.
+/// `forms`: the origins of the forms.
 pub(super) fn files<'t>(
     kinds: &[Kind],
     tables: impl Iterator<Item = &'t Source>,
+    forms: &[TokenStream],
 ) -> Vec<GeneratedFile> {
     let mut files: Vec<GeneratedFile> = kinds.iter().map(kind).collect();
     let mut registries: TokenStream = kinds.iter().map(registry).collect();
@@ -31,6 +33,8 @@ pub(super) fn files<'t>(
     registries.extend(quote! {
         /// Path and text of every file of columns that a law reads, sorted by path.
         pub static TABLES: &[(&str, &str)] = &[#(#tables),*];
+        /// Where the forms come from that the elements integrate, sorted by the path of the spec.
+        pub static FORMS: &[Origin] = &[#(#forms),*];
     });
     files.push(GeneratedFile { name: "kernels.rs".to_string(), text: text(registries) });
     files

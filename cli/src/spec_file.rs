@@ -1,0 +1,168 @@
+//! Spec files of any kind: built in, by name, or on the disk, by path.
+
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
+use whirl_codegen::spec::clearance::ClearanceSpec;
+use whirl_codegen::spec::element::ElementSpec;
+use whirl_codegen::spec::form::FormSpec;
+use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::spec::motion::MotionSpec;
+use whirl_codegen::spec::read::Document;
+use whirl_specs::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS, Origin, TABLES};
+
+/// A spec that was read without errors, with all that follows from it.
+pub(crate) enum Spec {
+    Law(Box<LawSpec>),
+    Element(Box<ElementSpec>),
+    Form(Box<FormSpec>),
+    Motion(Box<MotionSpec>),
+    Clearance(Box<ClearanceSpec>),
+}
+
+/// Words of the key `kind`.
+const KINDS: [&str; 5] = ["law", "element", "form", "motion", "clearance"];
+
+impl Spec {
+    /// Reads a spec file of the kind that it says.
+    ///
+    /// # Errors
+    /// Everything wrong with it, each with its place.
+    pub(crate) fn read(source: &Arc<Source>) -> Result<Spec, Diagnostics> {
+        let document = Document::parse(source);
+        if document.is_toml() && !document.root().has("kind") {
+            let message = format!("`{}` is no spec: it has no `kind`", source.path.display());
+            let error = Diagnostic::new(source, Code::MISSING_KEY, None, message);
+            let help = "a spec says `kind = \"law\"`, `element`, `form`, `motion` or `clearance`; \
+                        for a case there is `whirl check`";
+            return Err(error.help(help).into());
+        }
+        let kind = if document.is_toml() { document.root().word("kind", &KINDS) } else { None };
+        Ok(match document.into_result(kind)? {
+            "law" => {
+                let beside = |name: &str| columns(source, name);
+                Spec::Law(Box::new(LawSpec::read_with(source, &beside)?))
+            }
+            "element" => Spec::Element(Box::new(ElementSpec::read(source)?)),
+            "form" => Spec::Form(Box::new(FormSpec::read(source)?)),
+            "motion" => Spec::Motion(Box::new(MotionSpec::read(source)?)),
+            _ => Spec::Clearance(Box::new(ClearanceSpec::read(source)?)),
+        })
+    }
+
+    /// What kind of spec it is.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Spec::Law(_) => "law",
+            Spec::Element(_) => "element",
+            Spec::Form(_) => "form",
+            Spec::Motion(_) => "motion",
+            Spec::Clearance(_) => "clearance",
+        }
+    }
+
+    /// Name, title, and paper or book.
+    pub(crate) fn about(&self) -> [&str; 3] {
+        match self {
+            Spec::Law(spec) => [&spec.name, &spec.title, &spec.reference],
+            Spec::Element(spec) => [&spec.name, &spec.title, &spec.reference],
+            Spec::Form(spec) => [&spec.name, &spec.title, &spec.reference],
+            Spec::Motion(spec) => [&spec.name, &spec.title, &spec.reference],
+            Spec::Clearance(spec) => [&spec.name, &spec.title, &spec.reference],
+        }
+    }
+
+    /// The file it was read from.
+    pub(crate) fn file(&self) -> &Arc<Source> {
+        match self {
+            Spec::Law(spec) => &spec.file,
+            Spec::Element(spec) => &spec.file,
+            Spec::Form(spec) => &spec.file,
+            Spec::Motion(spec) => &spec.file,
+            Spec::Clearance(spec) => &spec.file,
+        }
+    }
+}
+
+/// Whether `name` is the path of a TOML file that says its `kind`, as specs do and cases do not.
+pub(crate) fn is_spec(name: &str) -> bool {
+    let Ok(text) = fs::read_to_string(name) else { return false };
+    let source = Source::new(name, text);
+    let document = Document::parse(&source);
+    document.root().has("kind")
+}
+
+/// All specs that are built in.
+pub(crate) fn built_in() -> impl Iterator<Item = &'static Origin> {
+    let laws = LAWS.iter().map(|law| &law.origin);
+    let elements = ELEMENTS.iter().map(|element| &element.origin);
+    let motions = MOTIONS.iter().map(|motion| &motion.origin);
+    let clearances = CLEARANCES.iter().map(|clearance| &clearance.origin);
+    laws.chain(elements).chain(FORMS).chain(motions).chain(clearances)
+}
+
+/// The file of columns called `name` beside a law: on the disk, or built in.
+fn columns(law: &Source, name: &str) -> Result<Arc<Source>, String> {
+    let path = law.path.with_file_name(name);
+    if law.path.is_file() {
+        return match fs::read_to_string(&path) {
+            Ok(text) => Ok(Source::new(path, text)),
+            Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
+        };
+    }
+    let built_in = path.strip_prefix(FOLDER).unwrap_or(&path);
+    let found = TABLES.iter().find(|(other, _)| Path::new(other) == built_in);
+    let (_, text) = found.ok_or_else(|| format!("there is no built-in file `{name}`"))?;
+    Ok(Source::new(path, *text))
+}
+
+/// Folder under which the built-in files are shown in messages.
+const FOLDER: &str = "specs";
+
+/// The text of a built-in spec under the path at which messages show it.
+pub(crate) fn built_in_source(origin: &Origin) -> Arc<Source> {
+    Source::new(Path::new(FOLDER).join(origin.spec), origin.text)
+}
+
+/// The spec file that the user called `name`: a path, or the name or path of a built-in spec; with the
+/// entry of the registry where its text is built in.
+///
+/// # Errors
+/// Nothing is called so, or several are; a file that cannot be read.
+pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>), Diagnostics> {
+    let path = Path::new(name);
+    if path.is_file() {
+        let text = fs::read_to_string(path)
+            .map_err(|error| unfound(name, format!("cannot read `{name}`: {error}"), None))?;
+        let twin = built_in().find(|origin| origin.text == text);
+        return Ok((Source::new(path, text), twin));
+    }
+    let wanted = name.strip_prefix("specs/").unwrap_or(name);
+    let called: Vec<&Origin> =
+        built_in().filter(|origin| origin.name == name || origin.spec == wanted).collect();
+    match called.as_slice() {
+        [origin] => Ok((built_in_source(origin), Some(origin))),
+        [] => {
+            let message = if path.is_dir() {
+                format!("`{name}` is a folder, not a spec file")
+            } else {
+                format!("there is no file `{name}` and no built-in spec of this name")
+            };
+            let names: Vec<&str> = built_in().map(|origin| origin.name).collect();
+            Err(unfound(name, message, suggest(name, &names)))
+        }
+        several => {
+            let paths: Vec<String> =
+                several.iter().map(|origin| format!("`{}`", origin.spec)).collect();
+            let help = format!("say which: {}", paths.join(" or "));
+            Err(unfound(name, format!("several specs are called `{name}`"), Some(help)))
+        }
+    }
+}
+
+fn unfound(name: &str, message: String, help: Option<String>) -> Diagnostics {
+    let source = Source::new(name, "");
+    Diagnostic::new(&source, Code::BAD_VALUE, None, message).maybe_help(help).into()
+}

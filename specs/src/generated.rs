@@ -1,0 +1,84 @@
+//! The text of the generated kernels, for people who want to read it.
+
+/// Folder that held the generated files when this crate was built.
+pub const FOLDER: &str = env!("OUT_DIR");
+
+macro_rules! files {
+    ($($file:literal),*) => {
+        /// Generated files: name, and the whole text.
+        pub const FILES: &[(&str, &str)] =
+            &[$(($file, include_str!(concat!(env!("OUT_DIR"), "/", $file)))),*];
+    };
+}
+
+files!["elements.rs", "laws.rs", "motions.rs", "clearances.rs"];
+
+/// The module made from a spec.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Module {
+    /// Module of its kind, such as `laws`.
+    pub kind: &'static str,
+    /// Its own name, such as `hu2003_linear`.
+    pub name: &'static str,
+    /// The generated file, such as `laws.rs`.
+    pub file: &'static str,
+    /// Line of the file where the text begins, from 1.
+    pub line: usize,
+    /// Documentation and code.
+    pub text: &'static str,
+}
+
+/// The module made from the spec file at `path`, such as `laws/hu2003-linear.toml`; forms have none of
+/// their own: they are part of every element's.
+pub fn module(path: &str) -> Option<Module> {
+    let origin = format!("spec: {path:?},");
+    FILES.iter().find_map(|&(file, text)| {
+        modules(text).find(|(_, module)| module.contains(&origin)).and_then(|(start, module)| {
+            let head = module.lines().find_map(|line| line.strip_prefix("pub mod "))?;
+            Some(Module {
+                kind: file.strip_suffix(".rs")?,
+                name: head.split_whitespace().next()?,
+                file,
+                line: 1 + text[..start].matches('\n').count(),
+                text: module,
+            })
+        })
+    })
+}
+
+/// The modules of a generated file with their places: each ends with the first brace at the margin.
+fn modules(text: &'static str) -> impl Iterator<Item = (usize, &'static str)> {
+    const END: &str = "\n}\n";
+    let mut start = 0;
+    std::iter::from_fn(move || {
+        let rest = &text[start..];
+        let end = rest.find(END)? + END.len();
+        let found = (start, &rest[..end]);
+        start += end;
+        Some(found)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{CLEARANCES, ELEMENTS, LAWS, MOTIONS};
+
+    #[test]
+    fn every_entry_of_the_registries_has_its_module() {
+        let laws = LAWS.iter().map(|law| law.origin);
+        let elements = ELEMENTS.iter().map(|element| element.origin);
+        let motions = MOTIONS.iter().map(|motion| motion.origin);
+        let clearances = CLEARANCES.iter().map(|clearance| clearance.origin);
+        for origin in laws.chain(elements).chain(motions).chain(clearances) {
+            let module = module(origin.spec).unwrap_or_else(|| panic!("{} has none", origin.spec));
+            assert!(module.text.contains(&format!("hash: {:?},", origin.hash)), "{}", origin.spec);
+            assert!(module.text.starts_with("///"), "{}", module.text);
+            assert_eq!(module.text.matches("\npub mod ").count(), 1, "{}", origin.spec);
+            let (_, text) = FILES.iter().find(|(file, _)| *file == module.file).unwrap();
+            let line = text.lines().nth(module.line - 1).unwrap();
+            assert_eq!(line, module.text.lines().next().unwrap());
+        }
+        assert_eq!(module("laws/no-such-law.toml"), None);
+    }
+}

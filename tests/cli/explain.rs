@@ -1,0 +1,163 @@
+//! `whirl explain` and `whirl check` of spec files: every spec has its page, every mistake its message.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::workbench::{Outcome, Workbench};
+
+fn specs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs")
+}
+
+/// Path, kind and name of every spec file that is shipped.
+fn shipped() -> Vec<(PathBuf, String, String)> {
+    let mut found = Vec::new();
+    for folder in ["laws", "elements", "forms", "motion"] {
+        for entry in fs::read_dir(specs().join(folder)).expect("the folder is there") {
+            let path = entry.expect("an entry").path();
+            if path.extension().is_none_or(|extension| extension != "toml") {
+                continue;
+            }
+            let text = fs::read_to_string(&path).expect("a text");
+            let table: toml::Table = text.parse().expect("TOML");
+            let word = |key: &str| table[key].as_str().expect("a word").to_string();
+            found.push((path, word("kind"), word("name")));
+        }
+    }
+    assert!(found.len() >= 12, "{found:?}");
+    found
+}
+
+fn fine(outcome: &Outcome) {
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert_eq!(outcome.stderr, "");
+}
+
+fn says(outcome: &Outcome, words: &[&str]) {
+    for word in words {
+        assert!(outcome.stdout.contains(word), "`{word}` is not in:\n{}", outcome.stdout);
+    }
+}
+
+#[test]
+fn every_spec_is_explained_by_its_name_and_checked_by_its_path() {
+    let bench = Workbench::new();
+    let mut kinds = BTreeSet::new();
+    for (path, kind, name) in shipped() {
+        let page = bench.whirl(&["explain", &name]);
+        fine(&page);
+        says(&page, &[&format!("{kind} {name}: "), "\nsource: ", "\nGenerated Rust\n"]);
+        // Of every kind, one by its path too; all would take long.
+        if !kinds.insert(kind.clone()) {
+            continue;
+        }
+        let by_path = bench.whirl(&["explain", path.to_str().expect("a path")]);
+        let body = |text: &str| text.splitn(4, '\n').nth(3).map(str::to_string);
+        // A file with the text of a built-in spec has its kernels too; only its path differs.
+        assert_eq!(body(&by_path.stdout), body(&page.stdout), "{name}");
+        let checked = bench.whirl(&["check", path.to_str().expect("a path")]);
+        fine(&checked);
+        says(&checked, &[&format!("{kind} {name}: ")]);
+        assert!(!checked.stdout.contains("Generated Rust"), "{}", checked.stdout);
+    }
+    assert!(bench.listing().is_empty());
+}
+
+#[test]
+fn the_rust_of_a_spec_is_exactly_its_module() {
+    let bench = Workbench::new();
+    for (path, kind, name) in shipped().iter().filter(|(_, kind, _)| kind != "form") {
+        let outcome = bench.whirl(&["explain", name, "--rust"]);
+        fine(&outcome);
+        let file = path.file_name().expect("a name").to_string_lossy();
+        says(&outcome, &[&format!("/{file}\","), "pub const ENTRY: "]);
+        assert_eq!(outcome.stdout.matches("\npub mod ").count(), 1, "{kind} {name}");
+        assert!(outcome.stdout.ends_with("\n}\n"));
+    }
+    let outcome = bench.whirl(&["explain", "elasticity", "--rust"]);
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.stderr.contains("in the module of every element"), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_law_is_explained_with_equations_report_and_plot() {
+    let outcome = Workbench::new().whirl(&["explain", "hu2003-linear"]);
+    fine(&outcome);
+    says(
+        &outcome,
+        &[
+            "c0 = 0.035687 mm",
+            "= 233 - 6517*h  where h <= c0",
+            "  dQ_dh (N/mm)\n    = -6517  where h <= 0.0357526 (the root; the file says h <= c0)\n",
+            "never rises with rising h",
+            "slope -6517 to 0",
+            "Plot of Q (N) over h (mm)",
+            "233 |*",
+            "module whirl_specs::laws::hu2003_linear",
+            "out/laws.rs:",
+        ],
+    );
+}
+
+#[test]
+fn forms_motions_and_clearances_show_what_was_derived() {
+    let bench = Workbench::new();
+    for (name, words) in [
+        (
+            "elasticity",
+            &["symmetric, 3n × 3n", "k_xy = lambda*dNa_dx*dNb_dy + mu*dNb_dx*dNa_dy"][..],
+        ),
+        ("inertia", &["⊗ [[0, 1, 0], [-1, 0, 0], [0, 0, 0]]", "s_ab = rho*Na*Nb"]),
+        ("consistent", &["B.eta.eta = theta_dot^2*Y", "PF.theta.theta = PF.eta.theta = 0"]),
+        ("journal", &["on delta (N) = Q", "delta.delta = dQ_dh + dQ_dh_dot*a1"]),
+        ("hex8i", &["gradients: polynomials of degree 2", "8 points, exact to degree 3", "M1 = 1"]),
+    ] {
+        let outcome = bench.whirl(&["explain", name]);
+        fine(&outcome);
+        says(&outcome, words);
+    }
+}
+
+const MINE: &str = "kind = \"law\"\nname = \"mine\"\ntitle = \"Mine\"\nsource = \"a test\"\n\n\
+    [inputs.h]\nunit = \"mm\"\n\n[parameters.k]\nvalue = 5\nunit = \"N/mm\"\n\n\
+    [outputs.Q]\nunit = \"N\"\npieces = [{ when = 'h < 0', value = '-k*h' }, { value = '0' }]\n";
+
+#[test]
+fn a_law_of_ones_own_is_explained_and_drawn() {
+    let bench = Workbench::new().file("mine.toml", MINE);
+    let outcome = bench.whirl(&["explain", "mine.toml", "--plot", "figures/mine.svg"]);
+    fine(&outcome);
+    says(&outcome, &["= -k  where h < 0", "k = 5 N/mm", "compiled at the next build"]);
+    let svg = fs::read_to_string(bench.path("figures/mine.svg")).expect("a figure");
+    assert!(svg.contains("Mine") && svg.contains("h (mm)"), "{svg}");
+    let png = fs::read(bench.path("figures/mine.png")).expect("a figure");
+    assert!(png.starts_with(b"\x89PNG"));
+
+    let outcome = bench.whirl(&["explain", "mine.toml", "--rust"]);
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.stderr.contains("put the file into `specs/laws`"), "{}", outcome.stderr);
+}
+
+#[test]
+fn what_cannot_be_explained_is_told() {
+    let bench = Workbench::new()
+        .file("case.toml", "title = \"a case\"\n")
+        .file("broken.toml", &MINE.replace("-k*h", "-k*hh"));
+    for (arguments, words) in [
+        (&["explain", "hu2003-linaer"][..], &["did you mean `hu2003-linear`?"][..]),
+        (&["explain", "case.toml"], &["it has no `kind`", "whirl check"]),
+        (&["explain", "."], &["is a folder"]),
+        (&["explain", "hex8", "--plot", "x.svg"], &["`--plot` draws laws"]),
+        (&["explain", "broken.toml"], &["broken.toml:15:", "unknown name `hh`", "^^"]),
+        (&["check", "broken.toml"], &["broken.toml:15:", "unknown name `hh`", "^^"]),
+    ] {
+        let before = bench.listing();
+        let outcome = bench.whirl(arguments);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{arguments:?}");
+        for word in words {
+            assert!(outcome.stderr.contains(word), "`{word}` is not in:\n{}", outcome.stderr);
+        }
+        assert_eq!(bench.listing(), before);
+    }
+}
