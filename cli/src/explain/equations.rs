@@ -270,7 +270,7 @@ mod tests {
             texts(&equations.outputs),
             [
                 "Q = overlap*(1 - a*h_dot)",
-                "dQ_dh = (1 - a*h_dot)*doverlap_dh",
+                "dQ_dh = doverlap_dh*(1 - a*h_dot)",
                 "dQ_dh_dot = -a*overlap"
             ]
         );

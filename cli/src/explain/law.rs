@@ -37,7 +37,7 @@ pub(super) fn explain(page: &mut Page, law: &LawSpec) {
 
 /// What was found about a law when it was read.
 pub(super) fn report(page: &mut Page, law: &LawSpec) {
-    page.heading("Report");
+    page.heading(&format!("Report: {}", law.acts.called()));
     law.report.to_string().lines().for_each(|line| page.item(line));
 }
 
