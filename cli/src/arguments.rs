@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Transient dynamics of a rotating flexible shaft on a flexible support with clearances.
 #[derive(Debug, Parser)]
@@ -22,6 +22,8 @@ pub enum Command {
     Check(CheckArguments),
     /// Say what a spec says and what follows from it: equations, shapes, costs, report, plot, code
     Explain(ExplainArguments),
+    /// Write a commented file to start from: a law, an element or a case
+    New(NewArguments),
     /// List the built-in cases, laws, elements, forms, motions and clearances
     List,
 }
@@ -61,6 +63,30 @@ pub struct ExplainArguments {
     /// Draw a law as SVG and PNG: FILE with either ending
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+}
+
+/// Arguments of `whirl new`.
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// What to begin
+    pub kind: NewKind,
+    /// Its name: the file is NAME.toml
+    #[arg(value_name = "NAME")]
+    pub name: String,
+    /// Folder of the file
+    #[arg(long, value_name = "DIR", default_value = ".", hide_default_value = true)]
+    pub dir: PathBuf,
+}
+
+/// Kinds of files that `whirl new` can write.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum NewKind {
+    /// A bearing law
+    Law,
+    /// A finite element
+    Element,
+    /// A case on the built-in machine
+    Case,
 }
 
 /// Where reduced machines are kept between runs.

@@ -9,6 +9,7 @@ mod figures;
 mod law_file;
 mod list;
 mod machine;
+mod new;
 mod output;
 mod progress;
 mod report;
@@ -29,6 +30,7 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Run(arguments) => run::run(arguments),
         Command::Check(arguments) => check::check(&arguments.case).map(|text| print!("{text}")),
         Command::Explain(arguments) => explain::explain(arguments).map(|text| print!("{text}")),
+        Command::New(arguments) => new::new(arguments).map(|text| print!("{text}")),
         Command::List => {
             print!("{}", list::list());
             Ok(())

@@ -4,5 +4,6 @@ mod bad_input;
 mod bad_machine;
 mod explain;
 mod good_runs;
+mod new;
 mod readme;
 mod workbench;

@@ -71,6 +71,24 @@ fn the_same_specs_give_the_same_text_in_any_order() {
 }
 
 #[test]
+fn files_to_start_from_are_accepted() {
+    let named = |text: &str| text.replace("@NAME@", "begun");
+    let law = named(include_str!("../../cli/src/new/law.toml"));
+    let element = named(include_str!("../../cli/src/new/element.toml"));
+    let form = include_str!("../../specs/forms/elasticity.toml");
+    let files = generated(&[
+        file("laws/begun.toml", &law),
+        file("elements/begun.toml", &element),
+        file("forms/elasticity.toml", form),
+    ]);
+    let text = text(&files, "kernels.rs");
+    assert!(
+        text.contains("laws::begun::ENTRY") && text.contains("elements::begun::ENTRY"),
+        "{text}"
+    );
+}
+
+#[test]
 fn a_name_given_twice_is_an_error() {
     let other = LAW.replace("Quadratic", "Another quadratic");
     let errors = generate(&[file("laws/a.toml", LAW), file("laws/b.toml", &other)]);

@@ -1,0 +1,102 @@
+//! `whirl new`: a commented file to start from.
+
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use whirl_codegen::diagnostic::{Code, Diagnostic, Source};
+
+use crate::arguments::{NewArguments, NewKind};
+use crate::errors::Failure;
+
+/// Stands in the templates where the name belongs.
+const NAME: &str = "@NAME@";
+
+/// The text of a new file, with [`NAME`] for its name.
+fn template(kind: NewKind) -> &'static str {
+    match kind {
+        NewKind::Law => include_str!("law.toml"),
+        NewKind::Element => include_str!("element.toml"),
+        NewKind::Case => include_str!("case.toml"),
+    }
+}
+
+/// Writes the file and says what to do with it.
+///
+/// # Errors
+/// A name that cannot be one, a file of this name that is there already, a folder that cannot be written.
+pub(crate) fn new(arguments: &NewArguments) -> Result<String, Failure> {
+    let NewArguments { kind, name, dir } = arguments;
+    check_name(name)?;
+    let file = format!("{name}.toml");
+    // Shown without the folder where there is none.
+    let path = if dir == Path::new(".") { PathBuf::from(file) } else { dir.join(file) };
+    let text = template(*kind).replace(NAME, name);
+    let failure = |reason: String| Failure::Output { path: path.clone(), reason };
+    std::fs::create_dir_all(dir).map_err(|error| failure(error.to_string()))?;
+    // Made anew or not at all: an older file is never written over, not even by two commands at once.
+    let mut file = match OpenOptions::new().write(true).create_new(true).open(&path) {
+        Ok(file) => file,
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => return Err(taken(&path)),
+        Err(error) => return Err(failure(error.to_string())),
+    };
+    file.write_all(text.as_bytes()).map_err(|error| failure(error.to_string()))?;
+    Ok(format!("{}\n{}", path.display(), next(*kind, &path)))
+}
+
+/// What comes next.
+fn next(kind: NewKind, path: &Path) -> String {
+    let path = path.display();
+    match kind {
+        NewKind::Law => format!(
+            "edit it, then: whirl check {path}, whirl explain {path}; a case names it by `law = \"{path}\"`\n"
+        ),
+        NewKind::Element => format!(
+            "edit it, then: whirl check {path}; in `specs/elements` it is compiled at the next build\n"
+        ),
+        NewKind::Case => format!("edit it, then: whirl check {path}, whirl run {path}\n"),
+    }
+}
+
+/// Names become names of files and of kernels.
+fn check_name(name: &str) -> Result<(), Failure> {
+    const LONGEST: usize = 60;
+    let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    let starts = name.starts_with(|c: char| c.is_ascii_alphabetic());
+    if starts && name.len() <= LONGEST && name.chars().all(fine) && !name.ends_with(".toml") {
+        return Ok(());
+    }
+    let bare = name.strip_suffix(".toml").filter(|bare| !bare.is_empty());
+    let help = match bare {
+        Some(bare) if check_name(bare).is_ok() => format!("leave the ending out: `{bare}`"),
+        _ => format!(
+            "a letter, then letters, digits, `-`, `_` and `.`, {LONGEST} at most; the folder goes to `--dir`"
+        ),
+    };
+    let source = Source::new(PathBuf::from("NAME"), "");
+    let message = format!("`{name}` cannot be the name of a new file");
+    Err(Failure::Input(Diagnostic::new(&source, Code::BAD_NAME, None, message).help(help).into()))
+}
+
+fn taken(path: &Path) -> Failure {
+    let source = Source::new(path, "");
+    let message = format!("`{}` is there already and is left as it is", path.display());
+    let error = Diagnostic::new(&source, Code::BAD_NAME, None, message);
+    Failure::Input(error.help("choose another name, or another folder with `--dir DIR`").into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_checked() {
+        for name in ["a", "my-law", "ball.bearing_2", "Hex8"] {
+            assert!(check_name(name).is_ok(), "{name}");
+        }
+        let long = "x".repeat(61);
+        for name in ["", "-law", "2law", ".", "..", "a/b", "a\\b", "a b", "ü", "law.toml", &long] {
+            assert!(check_name(name).is_err(), "{name}");
+        }
+    }
+}
