@@ -86,8 +86,12 @@ fn mesh<D>(
             if !table.has("material") {
                 table.absent("material", "a mesh made from dimensions needs `material = \"…\"`");
             }
+            // Read without a material too, so that its keys are not unknown ones.
+            let none = || Material { name: String::new(), properties: BTreeMap::new() };
+            let made = make(&dimensions, material.cloned().unwrap_or_else(none));
+            material?;
             Some(Mesh::Made(Made {
-                dimensions: make(&dimensions, material?.clone()),
+                dimensions: made,
                 table: dimensions.place().text(""),
                 places: dimensions.places(),
             }))

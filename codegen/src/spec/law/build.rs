@@ -20,11 +20,14 @@ use crate::units::{Unit, nearest};
 pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
     let mut errors = Diagnostics::new();
     check_units(&draft, &mut errors);
-    check_unused(&draft, &mut errors);
+    let unused = unused(&draft);
     let variables = draft.inputs.iter().chain(draft.outputs.iter().map(|o| &o.variable));
     let system = match System::of(variables.clone().map(|v| &v.unit)) {
         Ok(system) if errors.is_empty() => system,
-        Ok(_) => return Err(errors),
+        Ok(_) => {
+            errors.append(unused);
+            return Err(errors);
+        }
         Err(place) => {
             if let Some(odd) = variables.clone().nth(place) {
                 let message =
@@ -96,6 +99,10 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
             Err(found) => errors.append(found),
         }
     }
+    // Where a name is unknown, the one that was meant may be unused for that alone.
+    if errors.iter().all(|error| error.code != Some(Code::UNKNOWN_NAME)) {
+        errors.append(unused);
+    }
     let mut law = errors.into_result(LawSpec {
         name: draft.name,
         title: draft.title,
@@ -115,7 +122,8 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
 }
 
 /// A name that nothing uses is most likely a slip of the pen.
-fn check_unused(draft: &Draft, errors: &mut Diagnostics) {
+fn unused(draft: &Draft) -> Diagnostics {
+    let mut errors = Diagnostics::new();
     let outputs = draft.outputs.iter().flat_map(|output| &output.pieces);
     let formulas = outputs.flat_map(|(when, value)| when.iter().chain([value]));
     let formulas = formulas.chain(draft.definitions.iter().map(|(_, _, formula)| formula));
@@ -132,6 +140,7 @@ fn check_unused(draft: &Draft, errors: &mut Diagnostics) {
             errors.push(error.help("leave it out"));
         }
     }
+    errors
 }
 
 /// Formulas know no degrees, and the graph only rational factors.
