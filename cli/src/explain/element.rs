@@ -95,11 +95,12 @@ pub(super) fn report(page: &mut Page, element: &ElementSpec) {
 }
 
 fn rule(page: &mut Page, name: &str, quadrature: &Quadrature) {
-    let points = count(quadrature.points.len(), "point");
-    page.item(&format!(
-        "{name}: {}, {points}, exact to degree {}",
-        quadrature.title, quadrature.degree
-    ));
+    let Quadrature { title, points, degree, reduced, affine, .. } = quadrature;
+    let points = count(points.len(), "point");
+    let reduced =
+        if *reduced { ", reduced: fewer points than the products of a form need" } else { "" };
+    let affine = if *affine { ", patch test on affine images of the cell only" } else { "" };
+    page.item(&format!("{name}: {title}, {points}, exact to degree {degree}{reduced}{affine}"));
 }
 
 /// Highest sum of exponents of the coordinates; `None` for what is no polynomial.

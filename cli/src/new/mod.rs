@@ -27,7 +27,7 @@ fn template(kind: NewKind) -> &'static str {
 /// A name that cannot be one, a file of this name that is there already, a folder that cannot be written.
 pub(crate) fn new(arguments: &NewArguments) -> Result<String, Failure> {
     let NewArguments { kind, name, dir } = arguments;
-    check_name(name)?;
+    check_name(*kind, name)?;
     let file = format!("{name}.toml");
     // Shown without the folder where there is none.
     let path = if dir == Path::new(".") { PathBuf::from(file) } else { dir.join(file) };
@@ -59,18 +59,20 @@ fn next(kind: NewKind, path: &Path) -> String {
 }
 
 /// Names become names of files and of kernels.
-fn check_name(name: &str) -> Result<(), Failure> {
+fn check_name(kind: NewKind, name: &str) -> Result<(), Failure> {
     const LONGEST: usize = 60;
-    let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    // The name of an element is that of a type in mesh files too.
+    let dots = kind != NewKind::Element;
+    let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_') || dots && c == '.';
     let starts = name.starts_with(|c: char| c.is_ascii_alphabetic());
     if starts && name.len() <= LONGEST && name.chars().all(fine) && !name.ends_with(".toml") {
         return Ok(());
     }
     let bare = name.strip_suffix(".toml").filter(|bare| !bare.is_empty());
     let help = match bare {
-        Some(bare) if check_name(bare).is_ok() => format!("leave the ending out: `{bare}`"),
+        Some(bare) if check_name(kind, bare).is_ok() => format!("leave the ending out: `{bare}`"),
         _ => format!(
-            "a letter, then letters, digits, `-`, `_` and `.`, {LONGEST} at most; the folder goes to `--dir`"
+            "a letter, then letters, digits, `-` and `_`, {LONGEST} at most; the folder goes to `--dir`"
         ),
     };
     let source = Source::new(PathBuf::from("NAME"), "");
@@ -92,11 +94,12 @@ mod tests {
     #[test]
     fn names_are_checked() {
         for name in ["a", "my-law", "ball.bearing_2", "Hex8"] {
-            assert!(check_name(name).is_ok(), "{name}");
+            assert!(check_name(NewKind::Law, name).is_ok(), "{name}");
         }
         let long = "x".repeat(61);
         for name in ["", "-law", "2law", ".", "..", "a/b", "a\\b", "a b", "ü", "law.toml", &long] {
-            assert!(check_name(name).is_err(), "{name}");
+            assert!(check_name(NewKind::Case, name).is_err(), "{name}");
         }
+        assert!(check_name(NewKind::Element, "ball.bearing").is_err());
     }
 }
