@@ -24,6 +24,8 @@ pub enum Command {
     Explain(ExplainArguments),
     /// Write a commented file to start from: a law, an element or a case
     New(NewArguments),
+    /// Print the JSON schema of a kind of file, for editors
+    Schema(SchemaArguments),
     /// List the built-in cases, laws, elements, forms, motions and clearances
     List,
 }
@@ -86,6 +88,30 @@ pub enum NewKind {
     /// A finite element
     Element,
     /// A case on the built-in machine
+    Case,
+}
+
+/// Arguments of `whirl schema`.
+#[derive(Debug, Args)]
+pub struct SchemaArguments {
+    /// Kind of file; the kinds are listed if it is left out
+    pub kind: Option<SchemaKind>,
+}
+
+/// Kinds of files that have a schema.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SchemaKind {
+    /// A bearing law
+    Law,
+    /// A finite element
+    Element,
+    /// Bilinear forms
+    Form,
+    /// The motion of a shaft
+    Motion,
+    /// The clearance of springs
+    Clearance,
+    /// A case or machine
     Case,
 }
 

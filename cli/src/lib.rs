@@ -14,6 +14,7 @@ mod output;
 mod progress;
 mod report;
 mod run;
+mod schema;
 mod spec_file;
 pub mod version;
 
@@ -31,6 +32,10 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Check(arguments) => check::check(&arguments.case).map(|text| print!("{text}")),
         Command::Explain(arguments) => explain::explain(arguments).map(|text| print!("{text}")),
         Command::New(arguments) => new::new(arguments).map(|text| print!("{text}")),
+        Command::Schema(arguments) => {
+            print!("{}", schema::schema(arguments.kind));
+            Ok(())
+        }
         Command::List => {
             print!("{}", list::list());
             Ok(())
