@@ -7,4 +7,5 @@ mod first_law;
 mod good_runs;
 mod new;
 mod readme;
+mod schema;
 mod workbench;

@@ -26,6 +26,12 @@ pub(super) fn explain(page: &mut Page, spec: &ClearanceSpec) {
             show(weight)
         ));
     }
+    if !spec.measures.is_empty() {
+        page.heading("What else laws may depend on, and their other forces work on");
+        for (name, value) in &spec.measures {
+            page.item(&format!("{name} = {}", display_rounded(&spec.contact_graph, *value)));
+        }
+    }
     let derived = match spec.derive() {
         Ok(derived) => derived,
         Err(errors) => {
@@ -130,7 +136,10 @@ pub(super) fn report(page: &mut Page, spec: &ClearanceSpec) {
     };
     page.heading("Names");
     let mut rows = vec![row("a spring, fixed", &spec.spring), row("a bearing", &spec.constant)];
+    rows.extend(spec.radius.iter().map(|coordinate| row("a bearing", coordinate)));
     rows.extend(spec.ring.iter().map(|coordinate| row("a ring", coordinate)));
     rows.push(row("a spring", &spec.radial));
+    rows.extend(spec.tangential.iter().map(|coordinate| row("a spring", coordinate)));
+    rows.extend(spec.bore.iter().flatten().map(|coordinate| row("a ring", coordinate)));
     page.columns(&rows);
 }

@@ -206,6 +206,16 @@ pub(super) fn clearance() -> Shape {
             key("title", Text, "one line for people"),
         ]))
     };
+    let measure = Table(vec![
+        needed("value", Formula, "a length or an angle"),
+        key("title", Text, "one line for people"),
+        key("rate", Text, "name of its rate, as laws call it"),
+        key("force", Text, "name of the force that works on it"),
+    ]);
+    let laws = Table(vec![
+        needed("inputs", list(Text), "names that such a law may take"),
+        needed("forces", list(Text), "names that such a law may give"),
+    ]);
     spec(
         "clearance",
         vec![
@@ -214,16 +224,28 @@ pub(super) fn clearance() -> Shape {
                 coordinate(),
                 "one angle, fixed, by which the springs of a ring differ",
             ),
-            needed("constants", coordinate(), "one length: the radial clearance"),
+            needed(
+                "constants",
+                coordinate(),
+                "lengths: the radial clearance, and the journal's radius",
+            ),
             needed(
                 "ring",
                 coordinate(),
                 "an angle and two displacements that the springs of a ring share",
             ),
             needed("radial", coordinate(), "one displacement, each spring's own"),
+            key(
+                "tangential",
+                coordinate(),
+                "one displacement, each spring's own, along the tangent",
+            ),
+            key("bore", coordinate(), "two mean displacements of the bore's ring and its rotation"),
             key("definitions", named(Formula), "names for parts of the formula"),
             needed("clearance", named(Formula), "the clearance"),
             needed("axial", named(tuple(Formula, 3)), "weights of the three rings over the length"),
+            key("measures", named(measure), "what else laws depend on, and their forces work on"),
+            key("laws", named(laws), "what laws of springs and of rings may take and give"),
         ],
     )
 }

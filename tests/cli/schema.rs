@@ -1,0 +1,325 @@
+//! `whirl schema`: the copies under schemas/ are what the command prints (WHIRL_RENEW_GOLDEN=1 writes them
+//! anew), and schemas and readers know the same keys.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Map, Value, json};
+
+use crate::workbench::Workbench;
+
+const KINDS: [&str; 6] = ["law", "element", "form", "motion", "clearance", "case"];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn schema(kind: &str) -> Value {
+    let outcome = Workbench::new().whirl(&["schema", kind]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    serde_json::from_str(&outcome.stdout).expect("JSON")
+}
+
+#[test]
+fn the_committed_schemas_are_those_of_the_program() {
+    let bench = Workbench::new();
+    for kind in KINDS {
+        let found = bench.whirl(&["schema", kind]).stdout;
+        let path = root().join(format!("schemas/{kind}.json"));
+        if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
+            fs::write(&path, &found).expect("the schema can be written");
+        }
+        let committed = fs::read_to_string(&path).expect("the schema is there");
+        assert!(committed == found, "{kind}: WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
+    }
+    let files = fs::read_dir(root().join("schemas")).expect("the folder").count();
+    assert_eq!(files, KINDS.len());
+    let kinds = bench.whirl(&["schema"]).stdout;
+    assert!(KINDS.iter().all(|kind| kinds.contains(kind)), "{kinds}");
+}
+
+/// What is wrong with a value; the part of JSON schema that the schemas use.
+fn wrong(schema: &Value, value: &Value, place: &str) -> Vec<String> {
+    let known = [
+        "$schema",
+        "title",
+        "description",
+        "examples",
+        "type",
+        "enum",
+        "minimum",
+        "items",
+        "minItems",
+        "maxItems",
+        "anyOf",
+        "properties",
+        "patternProperties",
+        "additionalProperties",
+        "required",
+    ];
+    let rules = schema.as_object().expect("a schema");
+    assert!(rules.keys().all(|rule| known.contains(&rule.as_str())), "{rules:?}");
+    if let Some(shapes) = rules.get("anyOf") {
+        let found: Vec<_> = shapes
+            .as_array()
+            .expect("shapes")
+            .iter()
+            .map(|shape| wrong(shape, value, place))
+            .collect();
+        // Of equals the last, which says most.
+        let best = found.iter().rev().min_by_key(|errors| errors.len()).expect("a shape");
+        return if found.iter().any(Vec::is_empty) { Vec::new() } else { best.clone() };
+    }
+    if let Some(words) = rules.get("enum") {
+        let fine = words.as_array().expect("words").contains(value);
+        return if fine { Vec::new() } else { vec![format!("{place} cannot be {value}")] };
+    }
+    let fine = match rules["type"].as_str().expect("a type") {
+        "string" => value.is_string(),
+        "number" => value.is_number(),
+        "boolean" => value.is_boolean(),
+        "integer" => value.as_u64().is_some_and(|n| n >= rules["minimum"].as_u64().unwrap_or(0)),
+        "array" => value.is_array(),
+        "object" => value.is_object(),
+        other => panic!("{other}"),
+    };
+    if !fine {
+        return vec![format!("{place} cannot be {value}")];
+    }
+    match value {
+        Value::Array(items) => {
+            let limit = |rule: &str| rules.get(rule).and_then(Value::as_u64);
+            let count = items.len() as u64;
+            let mut errors = Vec::new();
+            if limit("minItems").is_some_and(|n| count < n)
+                || limit("maxItems").is_some_and(|n| count > n)
+            {
+                errors.push(format!("{place} has {count} items"));
+            }
+            errors.extend(items.iter().flat_map(|item| wrong(&rules["items"], item, place)));
+            errors
+        }
+        Value::Object(entries) => wrong_keys(rules, entries, place),
+        _ => Vec::new(),
+    }
+}
+
+fn wrong_keys(
+    rules: &Map<String, Value>,
+    entries: &Map<String, Value>,
+    place: &str,
+) -> Vec<String> {
+    let mut errors = Vec::new();
+    let needed = rules.get("required").and_then(Value::as_array).into_iter().flatten();
+    for key in needed.filter_map(Value::as_str).filter(|key| !entries.contains_key(*key)) {
+        errors.push(format!("{place} has no {key}"));
+    }
+    for (key, value) in entries {
+        let named = rules.get("properties").and_then(|keys| keys.get(key));
+        // The one pattern: other spellings than ASCII.
+        let spelled =
+            || rules.get("patternProperties").filter(|_| !key.is_ascii()).map(|p| &p["[^ -~]"]);
+        let free = || rules.get("additionalProperties").filter(|shape| shape.is_object());
+        match named.or_else(spelled).or_else(free) {
+            Some(shape) => errors.extend(wrong(shape, value, &format!("{place}.{key}"))),
+            None => errors.push(format!("{place} must not have {key}")),
+        }
+    }
+    errors
+}
+
+fn toml_of(text: &str) -> Value {
+    let table: toml::Table = text.parse().expect("TOML");
+    serde_json::to_value(table).expect("a value")
+}
+
+/// Every file that is shipped, with its kind.
+fn shipped() -> Vec<(String, Value)> {
+    let mut files = Vec::new();
+    for folder in ["laws", "elements", "forms", "motion", "cases"] {
+        for entry in fs::read_dir(root().join("specs").join(folder)).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.extension().is_some_and(|extension| extension == "toml") {
+                let value = toml_of(&fs::read_to_string(&path).expect("a text"));
+                let kind = value.get("kind").and_then(Value::as_str).unwrap_or("case").to_string();
+                files.push((kind, value));
+            }
+        }
+    }
+    assert!(files.len() > 20);
+    files
+}
+
+#[test]
+fn every_file_that_is_shipped_or_begun_fits_its_schema() {
+    let bench = Workbench::new();
+    let mut files = shipped();
+    for kind in ["law", "element", "case"] {
+        assert_eq!(bench.whirl(&["new", kind, kind]).status, 0);
+        let text = fs::read_to_string(bench.path(&format!("{kind}.toml"))).expect("a file");
+        files.push((kind.to_string(), toml_of(&text)));
+    }
+    let schemas = KINDS.map(|kind| (kind, schema(kind)));
+    for (kind, value) in files {
+        let (_, schema) = schemas.iter().find(|(name, _)| *name == kind).expect("a schema");
+        assert_eq!(wrong(schema, &value, &kind), [""; 0], "{}", value["title"]);
+    }
+}
+
+/// A value that fits a schema as far as keys and types go, with every key that it knows.
+fn sample(schema: &Value) -> Value {
+    // Of several shapes the last: it says most.
+    if let Some(shapes) = schema.get("anyOf").and_then(Value::as_array) {
+        return sample(shapes.last().expect("a shape"));
+    }
+    if let Some(words) = schema.get("enum") {
+        return words[0].clone();
+    }
+    match schema["type"].as_str().expect("a type") {
+        "string" => schema.get("examples").map_or(json!("x"), |examples| examples[0].clone()),
+        "number" => json!(0.25),
+        "boolean" => json!(true),
+        "integer" => schema["minimum"].clone(),
+        "array" => {
+            let count = schema.get("minItems").and_then(Value::as_u64).unwrap_or(1);
+            (0..count).map(|_| sample(&schema["items"])).collect()
+        }
+        _ => {
+            // Of names that are known, such as those of inputs, one stands for all.
+            let most = if schema.get("patternProperties").is_some() { 1 } else { usize::MAX };
+            let keys = schema.get("properties").and_then(Value::as_object);
+            let keys = keys.into_iter().flatten().take(most);
+            let mut table: Map<_, _> =
+                keys.map(|(key, shape)| (key.clone(), sample(shape))).collect();
+            if let Some(shape) =
+                schema.get("additionalProperties").filter(|shape| shape.is_object())
+            {
+                table.insert("chosen".to_string(), sample(shape));
+            }
+            Value::Object(table)
+        }
+    }
+}
+
+/// Takes out every key of one of the names.
+fn without(value: &mut Value, names: &[&str]) {
+    match value {
+        Value::Object(table) => {
+            names.iter().for_each(|name| drop(table.remove(*name)));
+            table.values_mut().for_each(|value| without(value, names));
+        }
+        Value::Array(items) => items.iter_mut().for_each(|value| without(value, names)),
+        _ => {}
+    }
+}
+
+/// Names of the keys that the reader says it does not know.
+fn unknown(bench: &Workbench, value: &Value) -> Vec<String> {
+    let text = toml::to_string(value).expect("TOML");
+    fs::write(bench.path("file.toml"), text).expect("written");
+    let outcome = bench.whirl(&["check", "file.toml"]);
+    assert!(!outcome.stderr.contains(" more errors"), "not all are shown: {}", outcome.stderr);
+    let said = |line: &str| {
+        let key = line.split_once("unknown key `").or_else(|| line.split_once(" has no key `"))?.1;
+        Some(key.split('`').next()?.to_string())
+    };
+    outcome.stderr.lines().filter_map(said).collect()
+}
+
+/// Keys that exclude each other, so that a file with both would leave tables of one unread.
+fn variants(kind: &str) -> &'static [&'static [&'static str]] {
+    match kind {
+        "law" => &[&["value"], &["pieces"]],
+        "element" => &[&["points"], &["rule"]],
+        "motion" => &[&["kinetic_energy"], &["mass", "quadratic_velocity", "PF", "B", "P"]],
+        "case" => &[
+            &["include", "mass", "stop", "mesh"],
+            &["include", "mass", "stop", "dimensions"],
+            &["include", "shaft", "support", "springs", "bearing", "drive", "load", "material"],
+        ],
+        _ => &[&[]],
+    }
+}
+
+#[test]
+fn readers_know_every_key_of_the_schemas() {
+    let bench = Workbench::new();
+    for kind in KINDS {
+        let schema = schema(kind);
+        for dropped in variants(kind) {
+            let mut value = sample(&schema);
+            if kind == "element" {
+                // Shape functions are read when there are nodes.
+                value["nodes"] = json!([[0, 0, 0]]);
+            }
+            without(&mut value, dropped);
+            assert_eq!(unknown(&bench, &value), [""; 0], "{kind} without {dropped:?}");
+        }
+    }
+}
+
+/// Pointers to every table with fixed keys inside a value, by the schema.
+fn closed(schema: &Value, value: &Value, place: String, found: &mut BTreeSet<String>) {
+    if let Some(shapes) = schema.get("anyOf").and_then(Value::as_array) {
+        for shape in shapes.iter().filter(|shape| wrong(shape, value, "").is_empty()) {
+            closed(shape, value, place.clone(), found);
+        }
+        return;
+    }
+    match value {
+        Value::Object(table) => {
+            if schema["additionalProperties"] == json!(false) {
+                found.insert(place.clone());
+            }
+            for (key, inner) in table {
+                let shape =
+                    schema["properties"].get(key).unwrap_or(&schema["additionalProperties"]);
+                if shape.is_object() {
+                    closed(shape, inner, format!("{place}/{key}"), found);
+                }
+            }
+        }
+        Value::Array(items) => {
+            for (i, item) in items.iter().enumerate().take(1) {
+                closed(&schema["items"], item, format!("{place}/{i}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A key that nothing knows is refused by both, in every table with fixed keys.
+#[test]
+fn schemas_and_readers_refuse_the_same_keys() {
+    const STRAY: &str = "no_such_key";
+    let bench = Workbench::new();
+    for kind in KINDS {
+        let schema = schema(kind);
+        for dropped in variants(kind) {
+            let mut value = sample(&schema);
+            if kind == "element" {
+                // Shape functions are read when there are nodes.
+                value["nodes"] = json!([[0, 0, 0]]);
+            }
+            without(&mut value, dropped);
+            let mut places = BTreeSet::new();
+            closed(&schema, &value, String::new(), &mut places);
+            // One file with a stray key in every table at once.
+            for place in &places {
+                let table =
+                    value.pointer_mut(place).and_then(Value::as_object_mut).expect("a table");
+                table.insert(STRAY.to_string(), json!(1));
+            }
+            let strays = wrong(&schema, &value, kind);
+            let strays = strays.iter().filter(|error| error.ends_with(STRAY)).count();
+            assert!(strays >= places.len(), "{kind}: {strays} of {places:?}");
+            let refused = unknown(&bench, &value);
+            let refused: Vec<_> = refused.iter().filter(|key| key.ends_with(STRAY)).collect();
+            // Names of inputs and outputs are refused as such.
+            let names =
+                places.iter().filter(|p| matches!(p.as_str(), "/inputs" | "/outputs")).count();
+            assert_eq!(refused.len() + names, places.len(), "{kind}: {refused:?} of {places:?}");
+        }
+    }
+}
