@@ -17,8 +17,12 @@ pub(super) fn case() -> Shape {
         key("phase", Quantity("90 deg"), "φ"),
     ]);
     let stop = Table(vec![
-        key("side", Words(vec!["above", "below"]), "towards greater or smaller x"),
-        needed("gap", Quantity("1 mm"), "clearance at x = 0"),
+        key(
+            "side",
+            Words(vec!["above", "below", "around"]),
+            "towards greater or smaller x, or all around",
+        ),
+        key("gap", Quantity("1 mm"), "clearance at x = 0; a law all around has it in itself"),
         needed("law", Text, "the name of a law, or the path of a law file"),
     ]);
     Table(vec![
@@ -149,7 +153,12 @@ fn drive() -> Shape {
 
 fn mass() -> Shape {
     let motions = MOTIONS.iter().map(|motion| motion.origin.name).collect();
+    let unbalance = Table(vec![
+        key("eccentricity", Quantity("0.5 mm"), "of the centre of mass"),
+        key("speed", Quantity("4500 rpm"), "constant"),
+    ]);
     Table(vec![
+        key("unbalance", unbalance, "the mass turns off its axis"),
         key("mass", Quantity("100 kg"), "m"),
         key("stiffness", Quantity("1e4 N/m"), "of its spring"),
         key("damping", Quantity("20 N*s/m"), "of its damper"),
