@@ -79,12 +79,13 @@ impl CellForm<'_> {
             }
             let mut entries = [L::splat(0.0); #rows];
             #sums
-            for (entry, s_nn) in entries.iter_mut().zip(sums) {
+            for (entry, s_nn) in entries.iter_mut().zip(&sums) {
+                let s_nn = *s_nn;
                 #(#pair)*
                 *entry = #result;
             }
-            for (entry, place) in matrix.iter_mut().zip(#places_name) {
-                *entry = entries[place];
+            for (entry, place) in matrix.iter_mut().zip(&#places_name) {
+                *entry = entries[*place];
             }
             least_det
         };
