@@ -70,9 +70,9 @@ impl<L: Lane> Jacobian<L> {
         let mut cofactors = [[L::splat(0.0); 3]; 3];
         for k in 0..3 {
             let (u, v) = (columns[(k + 1) % 3], columns[(k + 2) % 3]);
-            for i in 0..3 {
+            for (i, cofactor) in cofactors[k].iter_mut().enumerate() {
                 let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-                cofactors[k][i] = u[p].mul_add(v[q], -(u[q] * v[p]));
+                *cofactor = u[p].mul_add(v[q], -(u[q] * v[p]));
             }
         }
         let (first, normal) = (columns[0], cofactors[0]);
@@ -202,8 +202,8 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
         let mut matrix = [L::splat(0.0); LEN];
         let mut room = K::room::<L>();
         let mut material = [L::splat(0.0); M];
-        for m in 0..M {
-            material[m] = L::splat(self.properties[m]);
+        for (lane, property) in material.iter_mut().zip(self.properties) {
+            *lane = L::splat(property);
         }
         let cells = self.coordinates.chunks(3 * N * L::WIDTH);
         let matrices = self.matrices.chunks_mut(LEN * L::WIDTH);
@@ -301,8 +301,8 @@ pub fn take_off<L: Lane, const N: usize, const M: usize>(
         }
         let pivot = rest[0][p].sqrt();
         let inverse = L::splat(1.0) / pivot;
-        for q in p..M {
-            rest[0][q] = rest[0][q] * inverse;
+        for entry in &mut rest[0][p..] {
+            *entry = *entry * inverse;
         }
         let (done, rest) = coupling.split_at_mut(p);
         let row = &mut rest[0];

@@ -44,7 +44,7 @@ impl Sums<'_> {
         };
         let (test, trial) = (parts_of("a", |m| m.0), parts_of("b", |m| m.1));
         let name = |moment: &(usize, usize)| identifier(&Pairs::name(*moment));
-        let sums: Vec<Ident> = own.iter().map(|moment| name(moment)).collect();
+        let sums: Vec<Ident> = own.iter().map(&name).collect();
         let at = |part: usize| parts.iter().position(|p| *p == part).unwrap_or(0);
         let products = own.iter().zip(&sums).map(|((i, j), sum)| {
             let (a, b) = (&test[at(*i)], &trial[at(*j)]);
