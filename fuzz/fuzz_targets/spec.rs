@@ -1,0 +1,10 @@
+//! Spec files of every kind, through the whole generator.
+#![no_main]
+
+#[path = "../../codegen/tests/hostile/target.rs"]
+#[allow(dead_code, reason = "the other target uses the rest")]
+mod target;
+
+libfuzzer_sys::fuzz_target!(|text: &str| {
+    target::spec(text);
+});
