@@ -7,7 +7,7 @@ use std::ops::Range;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::{Builtin, Formula, Kind, Side, Term};
+use super::{Builtin, FUNCTIONS, Formula, Kind, Side, Term};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::units::{Dimension, Exponent};
 
@@ -189,7 +189,12 @@ impl Checker<'_> {
     }
 
     fn call(&mut self, term: &Term, function: &str, arguments: &[Term]) -> Option<Dimension> {
-        match Builtin::named(function)? {
+        let (_, builtin, least, most) = FUNCTIONS.iter().find(|(known, ..)| *known == function)?;
+        if !(*least..=*most).contains(&arguments.len()) {
+            // The check of shapes says so.
+            return None;
+        }
+        match builtin {
             Builtin::Sqrt => {
                 let dimension = self.term(&arguments[0])?;
                 self.sane(term, dimension.power(Exponent::new(1, 2)))
