@@ -1,6 +1,11 @@
 //! Trilinear hexahedron with 2 × 2 × 2 Gauss points, with and without incompatible modes: as many cells side by
 //! side as a register holds.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "indices of points and components read as in the formulas"
+)]
+
 use whirl_specs::Lane;
 use whirl_specs::registers::{Register, Registers, Task};
 

@@ -3,6 +3,11 @@
 //! Every gradient of mode k is along r_k = det J₀ ∇₀ξₖ, so that Σ ∇Nₐ ⊗ ∇mode = tₐₖ ⊗ r_k and
 //! Σ ∇mode_k ⊗ ∇mode_l = s_kl r_k ⊗ r_l.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "indices of points and components read as in the formulas"
+)]
+
 use whirl_specs::Lane;
 
 use super::hex8::{BLOCK_FLOPS, Isotropic, Space, cross, trips};
