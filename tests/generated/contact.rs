@@ -195,9 +195,9 @@ impl Bench {
             (self.kind.tangent)(n, state, &forces, &slopes, A1, &mut t);
         });
         let mut product = vec![0.0; self.coordinates()];
-        for i in 0..3 {
-            for k in 0..3 {
-                product[i] += t.ring_ring[i][k] * direction[k];
+        for (sum, row) in product.iter_mut().zip(&t.ring_ring) {
+            for (entry, along) in row.iter().zip(direction) {
+                *sum += entry * along;
             }
         }
         for j in 0..n {

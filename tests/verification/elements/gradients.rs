@@ -34,7 +34,7 @@ fn at_all_points(
     check: impl Fn(&Function, Option<[f64; 3]>, [f64; 3], Option<f64>, [f64; 3]),
 ) {
     let nodes: Vec<[f64; 3]> =
-        (element.nodes.iter()).map(|node| node.at.each_ref().map(|x| Number::exact(x))).collect();
+        (element.nodes.iter()).map(|node| node.at.each_ref().map(Number::exact)).collect();
     for form in ["stiffness", "mass"] {
         let (rule, table) = (element.rule(form), element.table(form));
         let modes = element.enhanced_in(form).map_or(&[][..], |enhanced| &enhanced.modes);

@@ -262,7 +262,7 @@ fn modes_without_their_correction_fail_the_patch_test() {
         ("scale = 'det0/det'", "scale = '1'"),
     ] {
         assert!(shipped.contains(from));
-        let text = Source::new("element.toml", &shipped.replacen(from, to, 1));
+        let text = Source::new("element.toml", shipped.replacen(from, to, 1));
         let spec = ElementSpec::read_unproved(&text).unwrap();
         let error = patch.error_inside(&|x| direct(&spec, "stiffness", x), constant_strain);
         if from.is_empty() {
