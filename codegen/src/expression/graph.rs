@@ -14,8 +14,8 @@ const NODES: usize = 500_000;
 /// Most operands of all nodes together: derivatives of long products have many long products.
 const OPERANDS: usize = 1_000_000;
 /// Most work, in operands of sums and products gathered: a power of a sum multiplied out costs far more
-/// than what is left of it. An operand takes some tenths of a microsecond.
-const WORK: u64 = 1_500_000;
+/// than what is left of it. An operand takes a microsecond or two.
+const WORK: u64 = 500_000;
 
 /// A hash-consed expression graph. Nodes are only added; equal nodes are stored once.
 #[derive(Debug, Clone, Default)]

@@ -153,13 +153,12 @@ impl Graph {
     fn falls_apart(&self, base: Id, exponent: &Rational) -> bool {
         match self.node(base) {
             Node::Number(value) => {
-                if exponent.is_integer() {
-                    !(value.is_zero() && exponent.is_negative())
-                } else {
-                    value.is_one()
-                        || is_half(exponent) && root(value).is_some()
-                        || value.is_positive() && !is_proper(exponent)
-                }
+                let divides_by_zero = value.is_zero() && exponent.is_negative();
+                let exact = exponent.is_integer()
+                    || value.is_one()
+                    || is_half(exponent) && root(value).is_some()
+                    || value.is_positive() && !is_proper(exponent);
+                exact && !divides_by_zero
             }
             Node::Product(_) => exponent.is_integer(),
             Node::Sum(terms) => {

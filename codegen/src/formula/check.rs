@@ -286,7 +286,7 @@ impl<'f> Checker<'f> {
             let count = match (*least, *most) {
                 (1, 1) => "one argument".to_owned(),
                 (least, most) if least == most => format!("{least} arguments"),
-                (least, _) => format!("at least {least} arguments"),
+                (least, most) => format!("{least} to {most} arguments"),
             };
             let message = format!("`{function}` takes {count}, not {}", arguments.len());
             self.error(Code::BAD_CALL, &term.span, message, None);
@@ -355,7 +355,7 @@ mod tests {
             ),
             ("2*sqrt", &["f:1:3: unknown name `sqrt` (`sqrt` is a function: write `sqrt(…)`)"]),
             ("sin(h, h)", &["f:1:1: `sin` takes one argument, not 2"]),
-            ("max(h)", &["f:1:1: `max` takes at least 2 arguments, not 1"]),
+            ("max(h)", &["f:1:1: `max` takes 2 to 32 arguments, not 1"]),
             ("dot(eta)", &["f:1:1: `dot` takes 2 arguments, not 1"]),
             ("h + eta", &["f:1:5: a vector cannot be added to a number"]),
             (

@@ -27,9 +27,9 @@ pub enum Builtin {
     Tanh,
     /// |a|
     Abs,
-    /// The least of two or more.
+    /// The least of two to [`MOST_COMPARED`].
     Min,
-    /// The greatest of two or more.
+    /// The greatest of two to [`MOST_COMPARED`].
     Max,
     /// a·b of vectors
     Dot,
@@ -38,6 +38,9 @@ pub enum Builtin {
     /// Aᵀ of a matrix
     Transpose,
 }
+
+/// Most arguments of `min` and `max`: every one of them is compared with what the others leave.
+pub const MOST_COMPARED: usize = 32;
 
 /// Name, function, and the least and largest number of arguments.
 pub const FUNCTIONS: &[(&str, Builtin, usize, usize)] = &[
@@ -53,8 +56,8 @@ pub const FUNCTIONS: &[(&str, Builtin, usize, usize)] = &[
     ("cosh", Builtin::Cosh, 1, 1),
     ("tanh", Builtin::Tanh, 1, 1),
     ("abs", Builtin::Abs, 1, 1),
-    ("min", Builtin::Min, 2, usize::MAX),
-    ("max", Builtin::Max, 2, usize::MAX),
+    ("min", Builtin::Min, 2, MOST_COMPARED),
+    ("max", Builtin::Max, 2, MOST_COMPARED),
     ("dot", Builtin::Dot, 2, 2),
     ("outer", Builtin::Outer, 2, 2),
     ("transpose", Builtin::Transpose, 1, 1),

@@ -207,9 +207,11 @@ impl<'f> Lowering<'f> {
         }
         if negative_base && !constant.is_integer() {
             self.error(Code::UNDEFINED, &term.span, "a broken power of a negative number");
+            return a;
         }
         if self.graph.is_zero(a) && constant.is_negative() {
             self.error(Code::UNDEFINED, &term.span, "division by zero");
+            return a;
         }
         let power = self.graph.power(a, constant);
         self.bound_exponents(power, &term.span);

@@ -47,8 +47,8 @@ pub(crate) fn formula(text: &str) -> bool {
         }
     };
     let is_number = graph.shape(root) == Shape::Scalar;
-    let only_scalars =
-        vectors.iter().chain(&matrices).all(|(_, symbol)| !graph.depends(root, *symbol));
+    let named = formula.names();
+    let only_scalars = vectors.iter().chain(&matrices).all(|(name, _)| !named.contains_key(name));
     let mut outputs = vec![("value".to_owned(), root)];
     for (name, symbol) in scalars {
         if let Ok(derivative) = graph.differentiate(root, symbol) {
