@@ -34,7 +34,7 @@ use num_rational::BigRational;
 pub use check::{Scope, check};
 pub(crate) use evaluate::pi;
 pub use evaluate::{Value, evaluate};
-pub use function::{Builtin, FUNCTIONS};
+pub use function::{Builtin, FUNCTIONS, MOST_COMPARED};
 pub use lower::lower;
 pub use number::{Dual, Number};
 pub use parse::parse;
