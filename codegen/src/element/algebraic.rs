@@ -115,7 +115,7 @@ impl Field {
         Some(self.multiply(&conjugate, &self.inverse(&norm)?))
     }
 
-    /// √a, in a field that grows where it must; `None` of a negative number, or past [`ROOTS`].
+    /// √a, in a field that grows where it must; `None` of a negative number, or past `ROOTS`.
     pub fn root(&mut self, a: &Algebraic) -> Option<Algebraic> {
         if a.is_zero() {
             return Some(Algebraic::default());
