@@ -98,9 +98,9 @@ fn cost(graph: &Graph, roots: &[Id]) -> u64 {
 /// Cost of one more factor base^exponent.
 fn power_cost(exponent: &Rational) -> u64 {
     let size = exponent.abs();
-    let power = match size.to_integer().to_u64() {
+    let power = match size.to_u64() {
         Some(whole) if size.is_integer() => u64::from(whole.max(1).ilog2() + whole.count_ones()),
-        _ if *size.denom() == 2.into() => 9,
+        _ if size.is_over(2) => 9,
         _ => 41,
     };
     power + if exponent.is_negative() { 8 } else { 0 }

@@ -227,7 +227,7 @@ mod tests {
     fn every_spring_of_every_block_is_evaluated() {
         let mut g = Graph::new();
         let (x, y) = (g.scalar("x"), g.scalar("y"));
-        let (half, zero) = (g.number(Rational::new(1.into(), 2.into())), g.integer(0));
+        let (half, zero) = (g.number(Rational::new(1, 2)), g.integer(0));
         let mask = g.compare(Relation::Less, x, half);
         let sine = g.function(Function::Sin, y);
         let product = g.mul(x, sine);

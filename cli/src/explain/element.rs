@@ -110,7 +110,7 @@ fn total_degree(graph: &mut Graph, id: Id, coordinates: &[Id; 3]) -> Option<u32>
     for (term, _) in graph.terms(expanded) {
         let factors: Vec<(Id, Rational)> = match graph.node(term) {
             Node::Product(factors) => factors.clone(),
-            _ => vec![(term, Rational::from_integer(1.into()))],
+            _ => vec![(term, Rational::from(1))],
         };
         let mut degree = Rational::zero();
         for (base, exponent) in factors {

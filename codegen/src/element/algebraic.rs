@@ -124,9 +124,9 @@ impl Field {
             return None;
         }
         // a = (n/d)·b, where b has whole coefficients without a common divisor.
-        let divisor = |f: fn(&BigInt, &BigInt) -> BigInt, part: fn(&Rational) -> &BigInt| {
+        let divisor = |f: fn(&BigInt, &BigInt) -> BigInt, part: fn(&Rational) -> BigInt| {
             a.0.values().map(part).fold(None, |common: Option<BigInt>, next| {
-                Some(common.map_or(next.abs(), |common| f(&common, next)))
+                Some(common.map_or(next.abs(), |common| f(&common, &next)))
             })
         };
         let numerator = divisor(gcd, Rational::numer)?;
@@ -144,13 +144,13 @@ impl Field {
     /// √n by the roots of its primes, which are independent of each other.
     fn root_of_whole(&mut self, mut n: BigInt) -> Option<Algebraic> {
         let mut root = Algebraic::rational(Rational::one());
-        let whole = |n: BigInt| Algebraic::rational(Rational::from_integer(n));
+        let whole = |n: BigInt| Algebraic::rational(Rational::from(n));
         let mut prime = 2;
         while prime < PRIMES && BigInt::from(prime * prime) <= n {
             let p = BigInt::from(prime);
             while (&n % (&p * &p)).is_zero() {
                 n /= &p * &p;
-                root = root.times(&Rational::from_integer(p.clone()));
+                root = root.times(&Rational::from(p.clone()));
             }
             if (&n % &p).is_zero() {
                 n /= &p;
@@ -197,9 +197,9 @@ impl Field {
                     let mut exponent = exponent.clone();
                     if !exponent.is_integer() {
                         base = self.root(&base)?;
-                        exponent *= Rational::from_integer(2.into());
+                        exponent *= Rational::from(2);
                     }
-                    let whole = exponent.is_integer().then(|| exponent.to_integer().to_i32())??;
+                    let whole = exponent.is_integer().then(|| exponent.to_i32())??;
                     if whole.abs() > 64 {
                         return None;
                     }

@@ -60,7 +60,7 @@ impl Cell {
 
     /// Its centroid, where the centre Jacobian J₀ is taken.
     pub fn centre(self) -> [Rational; 3] {
-        let ratio = |n: i64, d: i64| Rational::new(n.into(), d.into());
+        let ratio = |n: i64, d: i64| Rational::new(n, d);
         match self {
             Cell::Hexahedron => [ratio(0, 1), ratio(0, 1), ratio(0, 1)],
             Cell::Wedge => [ratio(1, 3), ratio(1, 3), ratio(0, 1)],
@@ -112,7 +112,7 @@ impl Cell {
         if self == Cell::Pyramid {
             let (i, j) = (u32::try_from(i).ok()?, u32::try_from(j).ok()?);
             let power = i64::from(i) + i64::from(j) + i64::from(k) + 3;
-            return (power > 0).then(|| line(i) * line(j) / Rational::from_integer(power.into()));
+            return (power > 0).then(|| line(i) * line(j) / Rational::from(power));
         }
         let [Ok(i), Ok(j), Ok(k)] = [i, j, k].map(u32::try_from) else { return None };
         Some(self.monomial([i, j, k]))
@@ -136,12 +136,12 @@ impl Cell {
 
 /// ∫ xⁿ over −1 ≤ x ≤ 1.
 fn line(n: u32) -> Rational {
-    if n % 2 == 1 { Rational::zero() } else { Rational::new(2.into(), (n + 1).into()) }
+    if n % 2 == 1 { Rational::zero() } else { Rational::new(2, n + 1) }
 }
 
 /// ∫ Π xᵢ^nᵢ over the unit simplex: Π nᵢ! / (Σ nᵢ + d)!.
 fn simplex(powers: &[u32]) -> Rational {
-    let numerator = powers.iter().map(|n| factorial(*n)).product();
+    let numerator: BigInt = powers.iter().map(|n| factorial(*n)).product();
     Rational::new(numerator, factorial(powers.iter().sum::<u32>() + powers.len() as u32))
 }
 
@@ -158,7 +158,7 @@ mod tests {
         for (name, volume) in Cell::NAMES.iter().zip([(8, 1), (1, 1), (1, 6), (4, 3)]) {
             let cell = Cell::named(name).expect("a known cell");
             assert_eq!(cell.name(), *name);
-            let exact = Rational::new(volume.0.into(), volume.1.into());
+            let exact = Rational::new(volume.0, volume.1);
             assert_eq!(cell.monomial([0; 3]), exact, "{name}");
             for (axis, centre) in cell.centre().into_iter().enumerate() {
                 let mut powers = [0; 3];
@@ -166,8 +166,7 @@ mod tests {
                 assert_eq!(cell.monomial(powers), &exact * centre, "{name}");
             }
             assert!(cell.contains(&cell.centre()));
-            let outside =
-                [Rational::one(), Rational::one(), Rational::new(1001.into(), 1000.into())];
+            let outside = [Rational::one(), Rational::one(), Rational::new(1001, 1000)];
             assert!(!cell.contains(&outside), "{name}");
         }
     }

@@ -141,7 +141,7 @@ fn number(graph: &Graph, id: Id, values: &BTreeMap<Id, f64>) -> f64 {
     if let Some(value) = values.get(&id) {
         return *value;
     }
-    let ratio = |r: &Rational| crate::units::nearest(r);
+    let ratio = |r: &Rational| crate::rational::nearest(r);
     match graph.node(id) {
         Node::Number(value) => ratio(value),
         Node::Sum(terms) => {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::cell::Cell;
 use crate::expression::{Graph, Id, Node, Rational};
@@ -80,8 +80,7 @@ impl Polynomial {
                 let mut product = Self::constant(Rational::one());
                 for (base, exponent) in factors {
                     let base = Self::read(graph, *base, coordinates, cell)?;
-                    let exponent =
-                        exponent.is_integer().then(|| exponent.to_integer().to_i32())??;
+                    let exponent = exponent.is_integer().then(|| exponent.to_i32())??;
                     product = product.multiply(&base.power(exponent, cell)?)?;
                 }
                 Some(product)
@@ -111,8 +110,7 @@ impl Polynomial {
 
     fn bounded(self) -> Option<Self> {
         let small = |(exponents, c): (&Exponents, &Rational)| {
-            exponents.iter().all(|exponent| exponent.abs() <= HIGHEST)
-                && c.numer().bits().max(c.denom().bits()) <= NUMBER_BITS
+            exponents.iter().all(|exponent| exponent.abs() <= HIGHEST) && c.bits() <= NUMBER_BITS
         };
         (self.terms.len() <= TERMS && self.terms.iter().all(small)).then_some(self)
     }
@@ -140,7 +138,7 @@ impl Polynomial {
         for (exponents, c) in &self.terms {
             let mut lower = *exponents;
             lower[axis] -= 1;
-            slope.insert(lower, c * Rational::from_integer((sign * exponents[axis]).into()));
+            slope.insert(lower, c * Rational::from(sign * exponents[axis]));
         }
         slope
     }
@@ -172,7 +170,7 @@ impl Polynomial {
                 match exponent {
                     0 => {}
                     1 => term *= x,
-                    _ => term *= Pow::pow(x.clone(), *exponent),
+                    _ => term *= x.pow(*exponent),
                 }
             }
             sum += term;
@@ -243,7 +241,7 @@ mod tests {
     }
 
     fn point(at: [(i64, i64); 3]) -> [Rational; 3] {
-        at.map(|(n, d)| Rational::new(n.into(), d.into()))
+        at.map(|(n, d)| Rational::new(n, d))
     }
 
     #[test]
@@ -256,7 +254,7 @@ mod tests {
         assert_eq!(Some(p.slope(cell, 0)), read(cell, "-2*xi*(eta/2 + zeta)^2"));
         assert_eq!(Some(p.slope(cell, 1)), read(cell, "(1 - xi^2)*(eta/2 + zeta)"));
         let at = point([(1, 2), (1, 3), (-1, 1)]);
-        assert_eq!(p.at(cell, &at), Some(Rational::new(25.into(), 48.into())));
+        assert_eq!(p.at(cell, &at), Some(Rational::new(25, 48)));
         assert_eq!(
             read(cell, "1 - 3*xi^2*zeta/2 + eta").expect("a polynomial").display(cell).to_string(),
             "1 + eta - 3/2*xi^2*zeta"

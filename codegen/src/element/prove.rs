@@ -2,15 +2,15 @@
 
 use std::array::from_fn;
 
-use num_traits::{One, Pow, Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::direct;
 use super::polynomial::Polynomial;
 use super::quadrature::{Integrals, Quadrature};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expression::{Rational, normal};
+use crate::rational::nearest;
 use crate::spec::element::{ElementSpec, Enhanced, ModeJacobian, ReferenceNode};
-use crate::units::nearest;
 
 /// Proves N_a(x_b) = δ_ab, Σ N_a p(x_a) = p for every monomial p up to the degree of completeness, the degree
 /// of every rule, and that enhanced modes do no work against a constant stress.
@@ -58,7 +58,7 @@ fn shape_functions_interpolate(element: &ElementSpec, errors: &mut Diagnostics) 
     for (a, function) in element.shape.iter().enumerate() {
         for (b, node) in element.nodes.iter().enumerate() {
             let found = match function.polynomial.at(element.cell, &node.at) {
-                Some(value) if value == Rational::from_integer(u8::from(a == b).into()) => continue,
+                Some(value) if value == Rational::from(u8::from(a == b)) => continue,
                 Some(value) => value.to_string(),
                 None => "without a value".to_owned(),
             };
@@ -97,8 +97,8 @@ fn reproduces(element: &ElementSpec, powers: [i32; 3]) -> Result<(), Box<Diagnos
     let (cell, one) = (element.cell, Rational::one());
     let mut sum = Polynomial::default();
     for (function, node) in element.shape.iter().zip(&element.nodes) {
-        let factors = node.at.iter().zip(powers).map(|(x, power)| Pow::pow(x.clone(), power));
-        sum.add(&function.polynomial, &factors.product());
+        let factors = node.at.iter().zip(powers).map(|(x, power)| x.pow(power));
+        sum.add(&function.polynomial, &factors.product::<Rational>());
     }
     let mut wanted = Some(Polynomial::monomial([0; 3], one.clone()));
     for (axis, power) in powers.into_iter().enumerate() {

@@ -11,8 +11,8 @@ use super::cell::Cell;
 use super::polynomial::{Exponents, Polynomial};
 use super::quadrature::{Point, Quadrature, variable};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::rational::nearest;
 use crate::spec::element::Function;
-use crate::units::nearest;
 
 /// Values at the points of a rule.
 #[derive(Debug, Clone, PartialEq)]

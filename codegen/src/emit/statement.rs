@@ -290,7 +290,7 @@ mod tests {
     use crate::schedule::{Request, schedule};
 
     fn ratio(numer: i64, denom: i64) -> Rational {
-        Rational::new(numer.into(), denom.into())
+        Rational::new(numer, denom)
     }
 
     fn body(program: &Program, numbers: Numbers) -> Vec<String> {

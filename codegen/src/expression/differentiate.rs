@@ -195,16 +195,16 @@ impl Graph {
                 self.neg(sine)
             }
             Function::Tan => {
-                let square = self.power(value, Rational::from_integer(2.into()));
+                let square = self.power(value, Rational::from(2));
                 self.add(one, square)
             }
             Function::Atan => {
-                let square = self.power(a, Rational::from_integer(2.into()));
+                let square = self.power(a, Rational::from(2));
                 let denominator = self.add(one, square);
                 self.power(denominator, -Rational::one())
             }
             Function::Tanh => {
-                let square = self.power(value, Rational::from_integer(2.into()));
+                let square = self.power(value, Rational::from(2));
                 self.sub(one, square)
             }
             Function::Abs => {

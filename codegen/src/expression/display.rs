@@ -168,7 +168,7 @@ impl Printer<'_> {
         if exponent.is_one() {
             return self.at_least(base, Binding::Power);
         }
-        if *exponent == Rational::new(1.into(), 2.into()) {
+        if *exponent == Rational::half() {
             return format!("sqrt({})", self.at_least(base, Binding::Any));
         }
         let base = self.at_least(base, Binding::Atom);

@@ -108,7 +108,7 @@ impl Graph {
 
     /// An exact number.
     pub fn number(&mut self, value: Rational) -> Id {
-        if value.numer().bits().max(value.denom().bits()) > NUMBER_BITS {
+        if value.bits() > NUMBER_BITS {
             self.exceeded = true;
             return self.intern(Node::Number(Rational::one()));
         }
@@ -117,7 +117,7 @@ impl Graph {
 
     /// A whole number.
     pub fn integer(&mut self, value: i64) -> Id {
-        self.number(Rational::from_integer(value.into()))
+        self.number(Rational::from(value))
     }
 
     /// Zero of a shape.

@@ -1,7 +1,6 @@
 //! What a node of the graph can be.
 
-/// Exact rational number.
-pub type Rational = num_rational::BigRational;
+pub use crate::rational::Rational;
 
 /// A node of a [`super::Graph`]. Operands always have smaller ids than the node that uses them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

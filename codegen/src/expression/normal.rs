@@ -83,7 +83,7 @@ fn pairs(graph: &mut Graph, a: Id, b: Id, combine: fn(&mut Graph, Id, Id) -> Id)
 }
 
 fn multiply_power(graph: &mut Graph, product: Id, base: Id, exponent: &Rational) -> Id {
-    let whole = exponent.is_integer().then(|| exponent.to_integer().to_u32()).flatten();
+    let whole = exponent.is_integer().then(|| exponent.to_u32()).flatten();
     match whole {
         Some(count) if !exponent.is_negative() && matches!(graph.node(base), Node::Sum(_)) => {
             // A number above every bound on exponents stops at the bound on work.
@@ -173,7 +173,7 @@ mod tests {
         let (a, b) = (g.scalar("a"), g.scalar("b"));
         let (plus, minus) = (g.add(a, b), g.sub(a, b));
         let product = g.mul(plus, minus);
-        let two = Rational::from_integer(2.into());
+        let two = Rational::from(2);
         let (aa, bb) = (g.power(a, two.clone()), g.power(b, two));
         let difference = g.sub(aa, bb);
         assert_ne!(product, difference);
@@ -190,10 +190,10 @@ mod tests {
         let sx = g.apply(s, x);
         let form = g.dot(x, sx);
         let gradient = g.differentiate(form, x).expect("a gradient");
-        let twice = g.times(Rational::from_integer(2.into()), sx);
+        let twice = g.times(Rational::from(2), sx);
         assert_eq!(gradient, twice);
         let hessian = g.differentiate(gradient, x).expect("a Hessian");
-        let two_s = g.times(Rational::from_integer(2.into()), s);
+        let two_s = g.times(Rational::from(2), s);
         assert_eq!(hessian, two_s);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::graph::{Graph, NUMBER_BITS};
 use super::node::{Function, Id, Node, Rational, Relation, Shape};
@@ -156,7 +156,7 @@ impl Graph {
                 let divides_by_zero = value.is_zero() && exponent.is_negative();
                 let exact = exponent.is_integer()
                     || value.is_one()
-                    || is_half(exponent) && root(value).is_some()
+                    || exponent.is_over(2) && value.root().is_some()
                     || value.is_positive() && !is_proper(exponent);
                 exact && !divides_by_zero
             }
@@ -172,7 +172,8 @@ impl Graph {
     /// equal roots of a number are equal nodes: 3^(−1/2) = 3⁻¹·3^(1/2), 3^(3/2) = 3·3^(1/2).
     fn split_power(&mut self, value: &Rational, exponent: &Rational) -> (Rational, (Id, Rational)) {
         let one = self.integer(1);
-        if exponent.is_integer() || value.is_one() || is_half(exponent) && root(value).is_some() {
+        if exponent.is_integer() || value.is_one() || exponent.is_over(2) && value.root().is_some()
+        {
             return (exponent.clone(), (one, Rational::zero()));
         }
         let whole = exponent.floor();
@@ -186,12 +187,11 @@ impl Graph {
             return Some(Rational::one());
         }
         let (value, exponent) = if exponent.is_integer() {
-            (value.clone(), exponent.to_integer().to_i32()?)
+            (value.clone(), exponent.to_i32()?)
         } else {
-            (root(value)?, (exponent * Rational::from_integer(2.into())).to_integer().to_i32()?)
+            (value.root()?, (exponent * Rational::from(2)).to_i32()?)
         };
-        let bits = value.numer().bits().max(value.denom().bits());
-        if bits.saturating_mul(u64::from(exponent.unsigned_abs())) > 2 * NUMBER_BITS {
+        if value.bits().saturating_mul(u64::from(exponent.unsigned_abs())) > 2 * NUMBER_BITS {
             return None;
         }
         Some(value.pow(exponent))
@@ -204,7 +204,7 @@ impl Graph {
 
     /// √a of a scalar.
     pub fn sqrt(&mut self, a: Id) -> Id {
-        self.power(a, Rational::new(1.into(), 2.into()))
+        self.power(a, Rational::half())
     }
 
     /// a·b: scalar with anything, or matrix with vector.
@@ -319,18 +319,4 @@ impl Graph {
 /// Between 0 and 1.
 fn is_proper(exponent: &Rational) -> bool {
     exponent.is_positive() && *exponent < Rational::one()
-}
-
-fn is_half(exponent: &Rational) -> bool {
-    *exponent.denom() == 2.into()
-}
-
-/// √value where it is rational.
-fn root(value: &Rational) -> Option<Rational> {
-    if value.is_negative() {
-        return None;
-    }
-    let (numer, denom) = (value.numer().sqrt(), value.denom().sqrt());
-    (&numer * &numer == *value.numer() && &denom * &denom == *value.denom())
-        .then(|| Rational::new(numer, denom))
 }

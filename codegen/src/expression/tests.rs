@@ -45,7 +45,7 @@ impl Bench {
     /// The derivative along a direction by central differences, extrapolated from two steps.
     fn difference(&mut self, id: Id, symbol: Id, direction: Id) -> Vec<f64> {
         let mut central = |numer: i64, denom: i64| -> Vec<f64> {
-            let step = Rational::new(numer.into(), denom.into());
+            let step = Rational::new(numer, denom);
             let ahead = self.moved(id, symbol, direction, step.clone());
             let behind = self.moved(id, symbol, direction, -step);
             let width = 2.0 * numer as f64 / denom as f64;
@@ -270,13 +270,13 @@ fn equal_texts_are_one_node() {
 #[test]
 fn numbers_stay_exact_and_bounded() {
     let mut bench = Bench::new();
-    let (half, two) = (Rational::new(1.into(), 2.into()), bench.graph.integer(2));
+    let (half, two) = (Rational::new(1, 2), bench.graph.integer(2));
     let root = bench.graph.power(two, half.clone());
     assert!(bench.graph.as_number(root).is_none());
     let square = bench.graph.mul(root, root);
     assert_eq!(square, two);
     let zero = bench.graph.integer(0);
-    let inverse = bench.graph.power(zero, -Rational::from_integer(1.into()));
+    let inverse = bench.graph.power(zero, -Rational::from(1));
     assert!(bench.graph.as_number(inverse).is_none());
     assert!(!bench.graph.exceeded());
     let mut huge = bench.graph.integer(7);

@@ -331,7 +331,7 @@ impl Expansion<'_> {
         let value = match (function, values.as_slice()) {
             ("grad", [Value::Field(_, g)]) => Value::Matrix(*g),
             ("eps", [Value::Field(_, g)]) => {
-                let half = Rational::new(1.into(), 2.into());
+                let half = Rational::half();
                 Value::Matrix(from_fn(|k| {
                     from_fn(|l| self.graph.sum(&[(g[k][l], half.clone()), (g[l][k], half.clone())]))
                 }))

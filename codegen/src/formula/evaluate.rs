@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use num_traits::Zero;
 
 use super::series::{self, Budget};
@@ -105,7 +105,7 @@ impl<'f, N: Number> Evaluation<'f, N> {
                 }
             },
             Kind::Negate(inner) => {
-                let zero = N::exact(&BigRational::zero());
+                let zero = N::exact(&Rational::zero());
                 map(self.term(inner)?, &|x| zero.sub(x)).ok_or_else(|| self.misfit(inner))?
             }
             Kind::Sum(parts) => {
@@ -246,7 +246,7 @@ impl<'f, N: Number> Evaluation<'f, N> {
             _ => {}
         }
         let x = self.scalar(argument(0)?)?;
-        let half = N::exact(&BigRational::new(1.into(), 2.into()));
+        let half = N::exact(&Rational::half());
         let inverse = || N::exact(&one()).div(&x.exp());
         Ok(Value::Scalar(match builtin {
             Builtin::Sqrt => x.sqrt(),
@@ -266,7 +266,7 @@ impl<'f, N: Number> Evaluation<'f, N> {
 
 /// The angle of (x, y) from the axis x, by the arctangent of the smaller over the larger of the two.
 fn angle<N: Number>(y: &N, x: &N) -> N {
-    let turn = |quarters: i64| N::exact(&(pi() * BigRational::new(quarters.into(), 2.into())));
+    let turn = |quarters: i64| N::exact(&(pi() * Rational::new(quarters, 2)));
     if y.value().abs() <= x.value().abs() {
         let angle = y.div(x).atan();
         match (x.value() > 0.0, y.value() >= 0.0) {
@@ -280,14 +280,14 @@ fn angle<N: Number>(y: &N, x: &N) -> N {
     }
 }
 
-fn one() -> BigRational {
-    BigRational::from_integer(1.into())
+fn one() -> Rational {
+    Rational::from(1)
 }
 
 /// The f64 nearest to π, as an exact number.
-pub(crate) fn pi() -> BigRational {
-    static PI: LazyLock<BigRational> =
-        LazyLock::new(|| BigRational::from_float(std::f64::consts::PI).unwrap_or_else(one));
+pub(crate) fn pi() -> Rational {
+    static PI: LazyLock<Rational> =
+        LazyLock::new(|| Rational::from_float(std::f64::consts::PI).unwrap_or_else(one));
     PI.clone()
 }
 
@@ -318,7 +318,7 @@ fn zip<N>(a: Value<N>, b: Value<N>, f: fn(&N, &N) -> N) -> Option<Value<N>> {
 }
 
 fn dot<N: Number>(a: &[N], b: &[N]) -> Option<N> {
-    let zero = N::exact(&BigRational::zero());
+    let zero = N::exact(&Rational::zero());
     (a.len() == b.len()).then(|| a.iter().zip(b).fold(zero, |sum, (x, y)| sum.add(&x.mul(y))))
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use num_traits::{One, Signed};
 
 use super::evaluate::pi;
@@ -84,8 +84,8 @@ impl<'f> Lowering<'f> {
                 let parts: Vec<_> = (parts.iter())
                     .map(|(side, part)| {
                         let sign = match side {
-                            Side::With => BigRational::one(),
-                            Side::Against => -BigRational::one(),
+                            Side::With => Rational::one(),
+                            Side::Against => -Rational::one(),
                         };
                         (self.term(part), sign)
                     })
@@ -142,7 +142,7 @@ impl<'f> Lowering<'f> {
         for count in counts {
             self.counters.push((counter, count));
             let errors = self.errors.len();
-            parts.push((self.term(body), BigRational::one()));
+            parts.push((self.term(body), Rational::one()));
             self.counters.pop();
             // What is wrong for one value of the counter mostly is for the next.
             if self.errors.len() > errors || self.graph.exceeded() {
@@ -167,9 +167,9 @@ impl<'f> Lowering<'f> {
                 Side::Against if self.graph.is_zero(id) => {
                     self.error(Code::UNDEFINED, &part.span, "division by zero");
                 }
-                Side::Against => factors.push((id, -BigRational::one())),
+                Side::Against => factors.push((id, -Rational::one())),
                 Side::With if self.graph.shape(id) == Shape::Scalar => {
-                    factors.push((id, BigRational::one()));
+                    factors.push((id, Rational::one()));
                 }
                 Side::With => tensors.push(id),
             }
@@ -200,7 +200,7 @@ impl<'f> Lowering<'f> {
             let product = self.graph.mul(b, logarithm);
             return self.graph.function(Function::Exp, product);
         };
-        if constant.abs() > BigRational::from_integer(LIMITS.exponent.into()) {
+        if constant.abs() > Rational::from(LIMITS.exponent) {
             let message = format!("an exponent is at most {}", LIMITS.exponent);
             self.error(Code::LIMIT, &exponent.span, message);
             return a;
@@ -220,11 +220,11 @@ impl<'f> Lowering<'f> {
 
     /// Reports exponents that grew by merging, as those of powers of powers do.
     fn bound_exponents(&mut self, id: Id, span: &Range<usize>) {
-        let limit = BigRational::from_integer(LIMITS.exponent.into());
+        let limit = Rational::from(LIMITS.exponent);
         let terms = self.graph.terms(id);
         let [(only, _)] = terms.as_slice() else { return };
         if let Node::Product(factors) = self.graph.node(*only) {
-            let fine = |e: &BigRational| e.abs() <= limit && e.denom().bits() <= 64;
+            let fine = |e: &Rational| e.abs() <= limit && e.denom().bits() <= 64;
             if !factors.iter().all(|(_, exponent)| fine(exponent)) {
                 let message = format!("the exponents grow beyond {} here", LIMITS.exponent);
                 self.error(Code::LIMIT, span, message);
@@ -262,8 +262,8 @@ impl<'f> Lowering<'f> {
             Builtin::Atan => Function::Atan,
             Builtin::Tanh => Function::Tanh,
             Builtin::Abs => Function::Abs,
-            Builtin::Sinh => return self.hyperbolic(a, -BigRational::one()),
-            Builtin::Cosh => return self.hyperbolic(a, BigRational::one()),
+            Builtin::Sinh => return self.hyperbolic(a, -Rational::one()),
+            Builtin::Cosh => return self.hyperbolic(a, Rational::one()),
             Builtin::Min | Builtin::Max => {
                 return ids[1..].iter().fold(a, |best, &other| {
                     let (low, high) = match builtin {
@@ -286,9 +286,8 @@ impl<'f> Lowering<'f> {
     /// it divides by zero at the origin only.
     fn angle(&mut self, y: Id, x: Id) -> Id {
         let zero = self.graph.integer(0);
-        let turn = |graph: &mut Graph, quarters: i64| {
-            graph.number(pi() * BigRational::new(quarters.into(), 2.into()))
-        };
+        let turn =
+            |graph: &mut Graph, quarters: i64| graph.number(pi() * Rational::new(quarters, 2));
         let [back, up, none, down, behind] =
             [-2, 1, 0, -1, 2].map(|quarters| turn(self.graph, quarters));
         let (tall, wide) =
@@ -310,10 +309,10 @@ impl<'f> Lowering<'f> {
     }
 
     /// ½eᵃ + sign·½e⁻ᵃ
-    fn hyperbolic(&mut self, a: Id, sign: BigRational) -> Id {
-        let half = BigRational::new(1.into(), 2.into());
+    fn hyperbolic(&mut self, a: Id, sign: Rational) -> Id {
+        let half = Rational::new(1, 2);
         let grows = self.graph.function(Function::Exp, a);
-        let falls = self.graph.power(grows, -BigRational::one());
+        let falls = self.graph.power(grows, -Rational::one());
         self.graph.sum(&[(grows, half.clone()), (falls, sign * half)])
     }
 }
@@ -328,7 +327,7 @@ mod tests {
     fn lowered(graph: &mut Graph, text: &str) -> Result<Id, Vec<String>> {
         let names = BTreeMap::from([
             ("x".to_owned(), graph.scalar("x")),
-            ("n".to_owned(), graph.number(BigRational::new(3.into(), 2.into()))),
+            ("n".to_owned(), graph.number(Rational::new(3, 2))),
             ("v".to_owned(), graph.vector("v")),
             ("A".to_owned(), graph.matrix("A", Symmetry::None)),
         ]);

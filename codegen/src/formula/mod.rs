@@ -29,7 +29,7 @@ mod unit;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 
 pub use check::{Scope, check};
 pub(crate) use evaluate::pi;
@@ -114,7 +114,7 @@ pub enum Comparison {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Kind {
     /// A number, exactly.
-    Number(BigRational),
+    Number(Rational),
     /// A name, in its ASCII spelling.
     Name(String),
     /// −a

@@ -1,13 +1,13 @@
 //! The numbers over which a formula can be evaluated directly.
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 
-use crate::units::nearest;
+use crate::rational::nearest;
 
 /// A field with the functions of the formula language.
 pub trait Number: Clone {
     /// An exact number.
-    fn exact(value: &BigRational) -> Self;
+    fn exact(value: &Rational) -> Self;
     /// The value that comparisons look at.
     fn value(&self) -> f64;
     /// a + b
@@ -46,7 +46,7 @@ pub trait Number: Clone {
 }
 
 impl Number for f64 {
-    fn exact(value: &BigRational) -> Self {
+    fn exact(value: &Rational) -> Self {
         nearest(value)
     }
     fn value(&self) -> f64 {
@@ -125,7 +125,7 @@ impl Dual {
 }
 
 impl Number for Dual {
-    fn exact(value: &BigRational) -> Self {
+    fn exact(value: &Rational) -> Self {
         Dual::constant(nearest(value))
     }
     fn value(&self) -> f64 {

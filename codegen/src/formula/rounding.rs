@@ -1,9 +1,9 @@
 //! Numbers that carry a bound of their rounding error, to tell a jump from rounding.
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 
 use super::Number;
-use crate::units::nearest;
+use crate::rational::nearest;
 
 /// A value and a first-order bound of its error, when inputs and every operation are rounded to f64.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,7 @@ impl Rounded {
 }
 
 impl Number for Rounded {
-    fn exact(value: &BigRational) -> Self {
+    fn exact(value: &Rational) -> Self {
         Rounded::new(nearest(value))
     }
     fn value(&self) -> f64 {

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::ops::RangeInclusive;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use num_traits::ToPrimitive;
 
 use super::LIMITS;
@@ -43,8 +43,8 @@ impl Budget {
 }
 
 /// A whole number of moderate size.
-pub(crate) fn whole(value: &BigRational) -> Option<i64> {
-    value.is_integer().then(|| value.to_integer().to_i32()).flatten().map(i64::from)
+pub(crate) fn whole(value: &Rational) -> Option<i64> {
+    value.is_integer().then(|| value.to_i32()).flatten().map(i64::from)
 }
 
 /// The same of an f64.
@@ -53,6 +53,6 @@ pub(super) fn whole_f64(value: f64) -> Option<i64> {
 }
 
 /// A value of a counter as an exact number.
-pub(super) fn exact(count: i64) -> BigRational {
-    BigRational::from_integer(count.into())
+pub(super) fn exact(count: i64) -> Rational {
+    Rational::from(count)
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 
 use crate::diagnostic::{Code, Diagnostics, Located};
 use crate::units::decimal;
@@ -10,7 +10,7 @@ use crate::units::decimal;
 /// What a token is.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Token {
-    Number(BigRational),
+    Number(Rational),
     Name(String),
     /// `+ - * / ^ ( ) , < <= > >=`
     Sign(&'static str),

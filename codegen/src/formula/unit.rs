@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::{Builtin, FUNCTIONS, Formula, Kind, Side, Term};
@@ -17,7 +17,7 @@ pub struct Meaning {
     /// What it measures.
     pub dimension: Dimension,
     /// The value of a constant.
-    pub value: Option<BigRational>,
+    pub value: Option<Rational>,
 }
 
 /// The dimension of a formula; `None` if the numbers in it leave it open, or for a condition. Names that
@@ -157,13 +157,13 @@ impl Checker<'_> {
     }
 
     /// The exact value of a term made of small numbers and constants.
-    fn constant(&self, term: &Term) -> Option<BigRational> {
+    fn constant(&self, term: &Term) -> Option<Rational> {
         match &term.kind {
             Kind::Number(value) => Some(value.clone()),
             Kind::Name(name) => self.names.get(name)?.value.clone(),
             Kind::Negate(inner) => Some(-self.constant(inner)?),
             Kind::Sum(parts) => {
-                let mut sum = BigRational::zero();
+                let mut sum = Rational::zero();
                 for (side, part) in parts {
                     match side {
                         Side::With => sum += self.constant(part)?,
@@ -173,7 +173,7 @@ impl Checker<'_> {
                 Some(sum)
             }
             Kind::Product(parts) => {
-                let mut product = BigRational::one();
+                let mut product = Rational::one();
                 for (side, part) in parts {
                     let factor = self.constant(part)?;
                     match side {
@@ -218,7 +218,7 @@ impl Checker<'_> {
 }
 
 /// A rational as the exponent of a unit, if it is small enough.
-fn small(value: &BigRational) -> Option<Exponent> {
+fn small(value: &Rational) -> Option<Exponent> {
     let (n, d) = (value.numer().to_i32()?, value.denom().to_i32()?);
     (n.abs() <= 1000 && d <= 1000).then(|| Exponent::new(n, d))
 }
@@ -232,7 +232,7 @@ mod tests {
     fn found(text: &str) -> Result<Option<Dimension>, Vec<String>> {
         let meaning = |dimension, value: Option<(i32, i32)>| Meaning {
             dimension,
-            value: value.map(|(n, d)| BigRational::new(n.into(), d.into())),
+            value: value.map(|(n, d)| Rational::new(n, d)),
         };
         let hertz = Dimension::FORCE.over(&Dimension::LENGTH.power(Exponent::new(3, 2)));
         let names = BTreeMap::from([

@@ -12,9 +12,9 @@ use crate::diagnostic::{Code, Diagnostics};
 use crate::element::demand;
 use crate::emit::{documented, identifier, number};
 use crate::form::Structure;
+use crate::rational::nearest;
 use crate::spec::element::ElementSpec;
 use crate::spec::form::FormSpec;
-use crate::units::nearest;
 
 /// The kernels of all forms on one element.
 pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel, Diagnostics> {

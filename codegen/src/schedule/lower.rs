@@ -9,11 +9,7 @@ use super::build::{Builder, Signed};
 use super::program::{Operand, Operation};
 use super::request::{Request, ScheduleError};
 use crate::expression::{Function, Graph, Id, Node, Rational, Relation};
-
-/// Nearest f64 of an exact number.
-pub(super) fn nearest(value: &Rational) -> f64 {
-    crate::units::nearest(value)
-}
+use crate::rational::nearest;
 
 /// Instructions in the order of the graph, with the operand of every output and of every named node.
 pub(super) struct Lowered {
@@ -226,7 +222,7 @@ impl Lowering<'_> {
                 .iter()
                 .map(|&other| {
                     done[other] = true;
-                    let sign = Rational::from_integer(terms[other].1.signum().to_integer());
+                    let sign = terms[other].1.signum();
                     self.term(terms[other].0, &sign)
                 })
                 .collect();
@@ -350,7 +346,7 @@ impl Lowering<'_> {
 
 /// Whether the exponent is neither whole nor half, or past all sense.
 fn is_real_power(exponent: &Rational) -> bool {
-    let twice = exponent * Rational::from_integer(2.into());
+    let twice = exponent * Rational::from(2);
     !twice.is_integer() || twice.to_i64().is_none()
 }
 
@@ -361,7 +357,7 @@ fn power(builder: &mut Builder, value: Signed, exponent: &Rational) -> Signed {
         let exponent = Operand::Constant(nearest(exponent));
         return Signed::plus(builder.emit(Operation::Power(base, exponent)));
     }
-    let whole = exponent.to_integer().to_u64().expect("checked above");
+    let whole = exponent.to_u64().expect("checked above");
     if exponent.is_integer() {
         return builder.whole_power(value, whole);
     }

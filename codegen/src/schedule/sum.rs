@@ -59,7 +59,7 @@ fn mixed(graph: &mut Graph, id: Id, node: &Node, parts: &BTreeMap<Id, Parts>) ->
             let mut all = vec![(graph.integer(1), graph.integer(1))];
             for (base, exponent) in factors {
                 let whole_power = exponent.is_integer();
-                let count = whole_power.then(|| exponent.abs().to_integer().to_u32()).flatten();
+                let count = whole_power.then(|| exponent.abs().to_u32()).flatten();
                 let next: (Parts, u32) = match (parts[base].as_slice(), count) {
                     (&[(shared, own)], _)
                         if whole_power || graph.is_one(shared) || graph.is_one(own) =>
@@ -125,7 +125,7 @@ mod tests {
         // (x p + y q)² = x²·p² + 2xy·pq + y²·q².
         let (xp, yq) = (g.mul(x, p), g.mul(y, q));
         let sum = g.add(xp, yq);
-        let square = g.power(sum, Rational::from_integer(2.into()));
+        let square = g.power(sum, Rational::from(2));
         let parts = take_out(&mut g, square, &[p, q]);
         assert_eq!(parts.len(), 3);
         let mut total = g.integer(0);

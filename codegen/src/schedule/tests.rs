@@ -2,7 +2,7 @@ use super::*;
 use crate::expression::{Function, Rational, Relation};
 
 fn ratio(numer: i64, denom: i64) -> Rational {
-    Rational::new(numer.into(), denom.into())
+    Rational::new(numer, denom)
 }
 
 /// The text of a program, one instruction a line.
@@ -135,7 +135,7 @@ fn opposite_sums_are_computed_once() {
 fn numbers_are_rounded_to_nearest() {
     for (numer, denom) in [(1, 10), (1, 3), (233, 6517), (35_687, 1_000_000_000), (-2, 7)] {
         let nearest = numer as f64 / denom as f64;
-        assert_eq!(lower::nearest(&ratio(numer, denom)).to_bits(), nearest.to_bits());
+        assert_eq!(crate::rational::nearest(&ratio(numer, denom)).to_bits(), nearest.to_bits());
     }
 }
 

@@ -80,7 +80,7 @@ pub(super) fn sum_of_squares(graph: &mut Graph, id: Id) -> Option<Id> {
     // What multiplies the square of `function(a)`, and a.
     let part = |graph: &mut Graph, term: Id, function| {
         let factors = factors(graph, term);
-        let two = Rational::from_integer(2.into());
+        let two = Rational::from(2);
         let place = factors.iter().position(|(base, exponent)| {
             *exponent == two && argument(graph, *base, function).is_some()
         })?;
@@ -164,7 +164,7 @@ fn exponent(graph: &mut Graph, id: Id) -> Option<Id> {
 }
 
 fn is_even(exponent: &Rational) -> bool {
-    exponent.is_integer() && (exponent.numer() % 2u8).is_zero()
+    (exponent / Rational::from(2)).is_integer()
 }
 
 pub(super) fn even_power_of_absolute(graph: &mut Graph, id: Id) -> Option<Id> {

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::ops::Range;
 use std::sync::Arc;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -118,7 +118,7 @@ pub enum Value<'d> {
     /// A string.
     String(Located),
     /// An integer or float, exactly, and where it stands.
-    Number(BigRational, Range<usize>),
+    Number(Rational, Range<usize>),
     /// A truth value, and where it stands.
     Boolean(bool, Range<usize>),
     /// An array: see [`Table::items`].
@@ -184,7 +184,7 @@ impl<'s> Document<'s> {
             DeValue::Integer(number) if number.radix() == 10 => exact(number.as_str(), span),
             DeValue::Integer(number) => {
                 match i64::from_str_radix(number.as_str(), number.radix()) {
-                    Ok(value) => Value::Number(BigRational::from_integer(value.into()), span),
+                    Ok(value) => Value::Number(Rational::from(value), span),
                     Err(_) => Value::Other(span),
                 }
             }

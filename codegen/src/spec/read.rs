@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::ops::Range;
 use std::sync::Arc;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use num_traits::ToPrimitive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -143,7 +143,7 @@ impl<'d> Table<'d> {
     }
 
     /// An exact number, if the key is there, and where it stands.
-    pub fn optional_number(&self, key: &str) -> Option<(BigRational, Range<usize>)> {
+    pub fn optional_number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
         match self.value(key)? {
             Value::Number(value, span) => Some((value, span)),
             other => {
@@ -154,7 +154,7 @@ impl<'d> Table<'d> {
     }
 
     /// An exact number that must be there, and where it stands.
-    pub fn number(&self, key: &str) -> Option<(BigRational, Range<usize>)> {
+    pub fn number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
         if !self.has(key) {
             self.missing(key, &format!("write for example `{key} = 1.5`"));
         }
@@ -370,9 +370,9 @@ h = 4
         let source = Source::new("f.toml", "a = 0.035687\nb = -1_000\nc = inf\nd = 0x10\n");
         let document = Document::parse(&source);
         let root = document.root();
-        let exact = BigRational::new(35687.into(), 1_000_000.into());
+        let exact = Rational::new(35687, 1_000_000);
         assert_eq!(root.number("a").unwrap().0, exact);
-        assert_eq!(root.number("b").unwrap().0, BigRational::from_integer((-1000).into()));
+        assert_eq!(root.number("b").unwrap().0, Rational::from(-1000));
         assert!(root.number("c").is_none());
         assert_eq!(root.count("d"), Some(16));
     }

@@ -2,11 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
+use crate::rational::{Rational, nearest};
 use num_traits::{One, Zero};
 
-use super::{Exponent, nearest};
+use super::Exponent;
 
 /// A positive number Π pᵢ^eᵢ · π^e with rational exponents: closed under products and rational powers,
 /// and equal factors are equal values.
@@ -87,7 +86,7 @@ impl Factor {
     }
 
     /// The exact value, if it is rational.
-    pub fn to_rational(&self) -> Option<BigRational> {
+    pub fn to_rational(&self) -> Option<Rational> {
         let integers = self.primes.values().all(|e| e.is_integer());
         (integers && self.pi.is_zero()).then(|| self.whole_part())
     }
@@ -107,10 +106,10 @@ impl Factor {
         value
     }
 
-    fn whole_part(&self) -> BigRational {
-        let mut value = BigRational::one();
+    fn whole_part(&self) -> Rational {
+        let mut value = Rational::one();
         for (p, e) in &self.primes {
-            let power = BigRational::from(BigInt::from(*p)).pow(e.to_integer());
+            let power = Rational::from(*p).pow(e.to_integer());
             value *= power;
         }
         value

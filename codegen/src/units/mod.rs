@@ -6,8 +6,7 @@ mod read;
 
 use std::ops::Range;
 
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use crate::rational::{Rational, nearest};
 
 pub use dimension::{Dimension, Exponent};
 pub use factor::Factor;
@@ -43,7 +42,7 @@ pub struct Unit {
     text: String,
     factor: Factor,
     /// The same exactly, if it is rational.
-    rational: Option<BigRational>,
+    rational: Option<Rational>,
     dimension: Dimension,
 }
 
@@ -70,7 +69,7 @@ impl Unit {
     }
 
     /// One of this unit in SI units, if that is rational.
-    pub fn rational(&self) -> Option<&BigRational> {
+    pub fn rational(&self) -> Option<&Rational> {
         self.rational.as_ref()
     }
 
@@ -81,7 +80,7 @@ impl Unit {
 
     /// A value in this unit as a value in SI units, rounded once where the factor is rational.
     pub fn to_si(&self, value: f64) -> f64 {
-        match (self.factor.to_rational(), BigRational::from_float(value)) {
+        match (self.factor.to_rational(), Rational::from_float(value)) {
             (Some(factor), Some(value)) => nearest(&(value * factor)),
             _ => value * self.factor.to_f64(),
         }
@@ -163,19 +162,6 @@ impl Quantity {
     fn has_unit(&self) -> bool {
         self.text.contains(char::is_whitespace) || self.text.ends_with(char::is_alphabetic)
     }
-}
-
-/// The f64 nearest to a rational; infinite beyond the range of f64.
-pub(crate) fn nearest(value: &BigRational) -> f64 {
-    /// Whole numbers up to here are exact as f64, so that their quotient is rounded once.
-    const EXACT: u64 = 1 << 53;
-    if let (Some(n), Some(d)) = (value.numer().to_i64(), value.denom().to_i64())
-        && n.unsigned_abs() <= EXACT
-        && d.unsigned_abs() <= EXACT
-    {
-        return n as f64 / d as f64;
-    }
-    value.to_f64().unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]

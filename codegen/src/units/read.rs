@@ -1,7 +1,7 @@
 //! The text of units and numbers.
 
+use crate::rational::Rational;
 use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::{Dimension, Exponent, Factor, UnitError};
@@ -235,7 +235,7 @@ fn small_rational(text: &str) -> Option<Exponent> {
 }
 
 /// Reads a decimal number at the start of `text`, and where it ends.
-pub(super) fn number(text: &str) -> Result<(BigRational, usize), UnitError> {
+pub(super) fn number(text: &str) -> Result<(Rational, usize), UnitError> {
     let body = text.trim_start();
     let start = text.len() - body.len();
     let unsigned = body.strip_prefix(['-', '+']).unwrap_or(body);
@@ -256,7 +256,7 @@ pub(super) fn number(text: &str) -> Result<(BigRational, usize), UnitError> {
 
 /// The decimal number at the start of `text` exactly, and its length in bytes: digits, optionally a
 /// point and digits, optionally `e` and a power of ten. `None` inside if it is beyond the limits.
-pub(crate) fn decimal(text: &str) -> Option<(Option<BigRational>, usize)> {
+pub(crate) fn decimal(text: &str) -> Option<(Option<Rational>, usize)> {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let whole = digits(text);
     if whole == 0 {
@@ -283,9 +283,12 @@ pub(crate) fn decimal(text: &str) -> Option<(Option<BigRational>, usize)> {
     }
     let ten = ten.filter(|ten| ten.abs() <= LARGEST_TEN && mantissa.len() <= MOST_DIGITS);
     let value = ten.map(|ten| {
-        let integer: BigInt = mantissa.parse().unwrap_or_else(|_| BigInt::zero());
+        let integer = match mantissa.parse::<u64>() {
+            Ok(integer) => integer.into(),
+            Err(_) => Rational::from(mantissa.parse().unwrap_or_else(|_| BigInt::zero())),
+        };
         let shift = ten - i32::try_from(fraction).unwrap_or(0);
-        BigRational::from(integer) * BigRational::from(BigInt::from(10)).pow(shift)
+        integer * Rational::ten(shift)
     });
     Some((value, length))
 }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use num_rational::BigRational;
 use whirl_codegen::diagnostic::{Diagnostics, Located, Source};
 use whirl_codegen::expression::{Graph, Id, Shape, Symmetry, display, normal};
 use whirl_codegen::formula::{Dual, Rounded, Value, dimension, evaluate, lower, parse};
 use whirl_codegen::generate::{GeneratedFile, SpecFile, generate};
+use whirl_codegen::rational::Rational;
 use whirl_codegen::schedule::{Request, schedule};
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
@@ -36,7 +36,7 @@ pub(crate) fn formula(text: &str) -> bool {
     let vectors = ["v", "eta", "eta_dot"].map(|name| (name, graph.vector(name)));
     let matrices = [("A", Symmetry::None), ("S", Symmetry::Symmetric), ("H", Symmetry::Skew)]
         .map(|(name, symmetry)| (name, graph.matrix(name, symmetry)));
-    let constant = ("K", graph.number(BigRational::new(3.into(), 2.into())));
+    let constant = ("K", graph.number(Rational::new(3, 2)));
     let all = scalars.iter().chain(&vectors).chain(&matrices).chain([&constant]);
     let names: BTreeMap<String, Id> = all.map(|(name, id)| ((*name).to_owned(), *id)).collect();
     let root = match lower(&formula, &mut graph, &names) {

@@ -65,7 +65,7 @@ fn asked(kernel: &Kernel) -> Vec<Asked> {
 
 fn kernels(spec: &MotionSpec, graph: &mut Graph) -> Vec<Kernel> {
     let (equations, derived) = (&spec.equations, &spec.derivatives);
-    let minus = -Rational::from_integer(1.into());
+    let minus = -Rational::from(1);
     let inertia_force: Vec<Id> = (equations.quadratic_velocity.iter())
         .zip(&derived.mass_times_acceleration)
         .map(|(q_v, ma)| {

@@ -55,9 +55,9 @@ fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
                 let coordinate = own.unwrap_or_else(|| coordinates[place]);
                 let slope = g.differentiate(force.measure, coordinate).expect("smooth");
                 let part = g.product(&[
-                    (*symbol, Rational::from_integer(1.into())),
-                    (slope, Rational::from_integer(1.into())),
-                    (rate.symbol, Rational::from_integer(1.into())),
+                    (*symbol, Rational::from(1)),
+                    (slope, Rational::from(1)),
+                    (rate.symbol, Rational::from(1)),
                 ]);
                 expected = g.add(expected, part);
             }

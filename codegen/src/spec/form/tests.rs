@@ -13,7 +13,7 @@ fn read(text: &str) -> Result<FormSpec, Vec<String>> {
 }
 
 fn pattern(rows: [[i64; 3]; 3]) -> [[Rational; 3]; 3] {
-    rows.map(|row| row.map(|entry| Rational::from_integer(entry.into())))
+    rows.map(|row| row.map(Rational::from))
 }
 
 #[test]
@@ -22,7 +22,7 @@ fn the_stiffness_is_symmetric_with_the_coefficients_of_lame() {
     let form = spec.forms[0].clone();
     assert_eq!(form.structure, Structure::Symmetric);
     let [lambda, mu] = [0, 1].map(|place| spec.coefficients[place].symbol);
-    let two_mu = spec.graph.times(Rational::from_integer(2.into()), mu);
+    let two_mu = spec.graph.times(Rational::from(2), mu);
     let stretch = spec.graph.add(lambda, two_mu);
     for (i, j, test, trial, expected) in
         [(0, 0, 1, 1, stretch), (0, 0, 2, 2, mu), (0, 1, 1, 2, lambda), (0, 1, 2, 1, mu)]

@@ -4,14 +4,14 @@
 
 use std::collections::BTreeMap;
 
-use num_rational::BigRational;
+use crate::rational::{Rational, nearest};
 
 use super::draft::Output;
 use super::{Condition, LawInput, LawOutput, Piece};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expression::{Graph, Id, Relation};
 use crate::formula::{Number, Value};
-use crate::units::{Unit, nearest};
+use crate::units::Unit;
 
 /// Gives every break of an output the length of its `smooth`, if there is one.
 pub(super) fn set(
@@ -37,7 +37,7 @@ pub(super) fn set(
         match length.expect(unit.dimension()) {
             Ok(si) => {
                 let half = si / 2.0;
-                *blend = BigRational::from_float(half);
+                *blend = Rational::from_float(half);
             }
             Err(error) => {
                 let at =
@@ -56,7 +56,7 @@ pub(super) fn set(
 pub(super) fn lower(
     graph: &mut Graph,
     x: Id,
-    (at, below, half): (&BigRational, bool, &BigRational),
+    (at, below, half): (&Rational, bool, &Rational),
     piece: Id,
     rest: Id,
 ) -> Id {
@@ -64,7 +64,7 @@ pub(super) fn lower(
     let (before, behind) = if below { (piece, rest) } else { (rest, piece) };
     let distance = graph.sub(x, start);
     let s = graph.times((half + half).recip(), distance);
-    let (three, two) = (graph.integer(3), BigRational::from_integer(2.into()));
+    let (three, two) = (graph.integer(3), Rational::from(2));
     let twice = graph.times(two.clone(), s);
     let falling = graph.sub(three, twice);
     let square = graph.power(s, two);
@@ -119,7 +119,7 @@ impl LawOutput {
             let (piece, rest) =
                 (self.value_of(place, names)?, self.value_from(place + 1, inputs, names)?);
             let (before, behind) = if *below { (piece, rest) } else { (rest, piece) };
-            let number = |value: i64| N::exact(&BigRational::from_integer(value.into()));
+            let number = |value: i64| N::exact(&Rational::from(value));
             let s = x.sub(&N::exact(&start)).div(&N::exact(&(half + half)));
             let weight = s.mul(&s).mul(&number(3).sub(&number(2).mul(&s)));
             return Ok(before.add(&behind.sub(&before).mul(&weight)));

@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 
 use super::{LawOutput, LawSpec};
 use crate::expression::{Function, Graph, Id, Node, Relation};
-use crate::units::nearest;
+use crate::rational::nearest;
 
 /// The comparisons of an output's formulas, but for those between the rows of a table, where neither value
 /// nor slope jumps.
@@ -80,7 +80,7 @@ fn step(law: &LawSpec, graph: &Graph, id: Id, places: &BTreeMap<Id, usize>) -> S
         }
         Node::Product(factors) => {
             let factors = factors.iter().map(|(base, exponent)| {
-                let whole = exponent.to_integer().to_i32().filter(|_| exponent.is_integer());
+                let whole = exponent.to_i32().filter(|_| exponent.is_integer());
                 let power = whole.map_or_else(|| Power::Other(nearest(exponent)), Power::Whole);
                 (at(base), power)
             });

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_rational::BigRational;
+use crate::rational::{Rational, nearest};
 use num_traits::Signed;
 
 use super::blend;
@@ -14,7 +14,7 @@ use super::{Condition, Definition, LawInput, LawOutput, LawReport, LawSpec, Para
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located};
 use crate::expression::{Graph, Id, Node, Relation, Shape};
 use crate::formula::{Formula, Meaning, PI, dimension, lower};
-use crate::units::{Unit, nearest};
+use crate::units::Unit;
 
 /// Checks and lowers a draft.
 pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
@@ -45,7 +45,7 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         let symbol = graph.scalar(&input.name);
         let scaled = graph.times(super::in_si(&input.unit).recip(), symbol);
         names.add(&input.name, scaled, &input.unit, None);
-        let si = |end: &BigRational| nearest(&(end * super::in_si(&input.unit)));
+        let si = |end: &Rational| nearest(&(end * super::in_si(&input.unit)));
         inputs.push(LawInput {
             name: input.name.clone(),
             title: input.title.clone(),
@@ -162,7 +162,7 @@ struct Names {
 }
 
 impl Names {
-    fn add(&mut self, name: &str, id: Id, unit: &Unit, value: Option<BigRational>) {
+    fn add(&mut self, name: &str, id: Id, unit: &Unit, value: Option<Rational>) {
         self.ids.insert(name.to_owned(), id);
         let meaning = Meaning { dimension: *unit.dimension(), value };
         self.meanings.insert(name.to_owned(), meaning);
@@ -343,8 +343,8 @@ fn nearest_root(
     graph: &mut Graph,
     x: Id,
     difference: Id,
-    at: &BigRational,
-) -> Result<BigRational, String> {
+    at: &Rational,
+) -> Result<Rational, String> {
     let polynomial = Polynomial::of(graph, difference, x)
         .ok_or("`engage = \"root\"` needs pieces that are polynomials in the input of the break")?;
     polynomial
@@ -353,7 +353,7 @@ fn nearest_root(
 }
 
 /// Where `engage` would move the break after a piece to, SI; `None` if nowhere.
-pub(super) fn engaged(law: &LawSpec, pieces: &[Piece], place: usize) -> Option<BigRational> {
+pub(super) fn engaged(law: &LawSpec, pieces: &[Piece], place: usize) -> Option<Rational> {
     let [Piece { when: Some(Condition::Threshold { input, at, .. }), node, .. }, next] =
         pieces.get(place..place + 2)?
     else {
@@ -368,7 +368,7 @@ fn engage(graph: &mut Graph, inputs: &[LawInput], pieces: &mut [Piece]) -> Resul
     let places: Vec<Located> =
         pieces.iter().map(|piece| super::scan::place_of(piece).clone()).collect();
     let mut errors = Diagnostics::new();
-    let thresholds: Vec<Option<(usize, BigRational)>> = (pieces.iter())
+    let thresholds: Vec<Option<(usize, Rational)>> = (pieces.iter())
         .map(|piece| match &piece.when {
             Some(Condition::Threshold { input, at, .. }) => Some((*input, at.clone())),
             _ => None,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 
 use super::Beside;
 use super::acts::{self, Acts, Quantity as Known};
@@ -40,7 +40,7 @@ pub(super) struct Variable {
     pub(super) only: Option<Acts>,
     pub(super) unit: Unit,
     pub(super) unit_place: Located,
-    pub(super) range: Option<[BigRational; 2]>,
+    pub(super) range: Option<[Rational; 2]>,
 }
 
 pub(super) struct Constant {
@@ -48,7 +48,7 @@ pub(super) struct Constant {
     pub(super) name: String,
     pub(super) title: String,
     pub(super) unit: Unit,
-    pub(super) value: BigRational,
+    pub(super) value: Rational,
 }
 
 /// What becomes of a jump between two pieces.
@@ -282,7 +282,7 @@ fn variable(
     Some(Variable { key: key.clone(), name, title, only: *only, unit, unit_place, range })
 }
 
-fn range(table: &Table<'_>) -> Option<[BigRational; 2]> {
+fn range(table: &Table<'_>) -> Option<[Rational; 2]> {
     let items = table.optional_items("range")?;
     let ends: Vec<_> = items.iter().map(|item| item.value()).collect();
     match ends.as_slice() {

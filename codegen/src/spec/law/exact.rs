@@ -3,29 +3,29 @@
 
 use std::collections::BTreeMap;
 
+use crate::rational::Rational;
 use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::root::Polynomial;
 use super::{Condition, LawOutput, LawSpec};
 use crate::expression::{Function, Graph, Id, Node, Relation};
 use crate::formula::{Kind, PI, Side, Term};
-use crate::units::nearest;
+use crate::rational::nearest;
 
 /// Most comparisons that are followed.
 const MOST_COMPARISONS: usize = 400;
 
 /// A range of the input in which the output is one polynomial; all SI.
 pub(super) struct Region {
-    pub(super) low: BigRational,
-    pub(super) high: BigRational,
+    pub(super) low: Rational,
+    pub(super) high: Rational,
     polynomial: Polynomial,
 }
 
 /// Where two regions meet.
 pub(super) struct Meeting {
-    pub(super) at: BigRational,
+    pub(super) at: Rational,
     /// Value and slope below and above, SI.
     pub(super) values: [f64; 2],
     pub(super) slopes: [f64; 2],
@@ -47,8 +47,8 @@ pub(super) struct Facts {
 }
 
 /// 2⁻⁶⁰: irrational breaks are known to 2⁻¹²⁰, so that what is smaller relative to its parts is zero.
-fn negligible() -> BigRational {
-    BigRational::new(BigInt::one(), BigInt::one() << 60)
+fn negligible() -> Rational {
+    Rational::new(BigInt::one(), BigInt::one() << 60)
 }
 
 /// The facts over a range (SI), if the output is piecewise polynomial.
@@ -57,7 +57,7 @@ pub(super) fn facts(law: &LawSpec, output: &LawOutput, range: [f64; 2]) -> Optio
     if !is_polynomial(law, output) {
         return None;
     }
-    let [low, high] = range.map(BigRational::from_float);
+    let [low, high] = range.map(Rational::from_float);
     let regions = regions(&law.graph, output.value, input.symbol, low?, high?)?;
     let mut facts = Facts {
         extent: [f64::INFINITY, f64::NEG_INFINITY],
@@ -147,7 +147,7 @@ impl Region {
             facts.extent = [facts.extent[0].min(value), facts.extent[1].max(value)];
         }
         for pair in ends.windows(2) {
-            let middle = (&pair[0] + &pair[1]) / BigRational::from_integer(2.into());
+            let middle = (&pair[0] + &pair[1]) / Rational::from(2);
             let sign = slope.at(&middle);
             facts.rises |= sign.is_positive();
             facts.falls |= sign.is_negative();
@@ -162,7 +162,7 @@ fn meet(output: &LawOutput, below: &Region, above: &Region) -> Meeting {
     let scale =
         |polynomials: [&Polynomial; 2]| polynomials[0].size_at(&at) + polynomials[1].size_at(&at);
     let rounding = scale(sides) * negligible();
-    let differs = |polynomials: [&Polynomial; 2], bound: &BigRational| {
+    let differs = |polynomials: [&Polynomial; 2], bound: &Rational| {
         (polynomials[0].at(&at) - polynomials[1].at(&at)).abs() > *bound
     };
     let slope_sides = [&slopes[0], &slopes[1]];
@@ -184,14 +184,8 @@ fn meet(output: &LawOutput, below: &Region, above: &Region) -> Meeting {
 }
 
 /// The regions between `low` and `high`.
-fn regions(
-    graph: &Graph,
-    value: Id,
-    x: Id,
-    low: BigRational,
-    high: BigRational,
-) -> Option<Vec<Region>> {
-    let two = BigRational::from_integer(2.into());
+fn regions(graph: &Graph, value: Id, x: Id, low: Rational, high: Rational) -> Option<Vec<Region>> {
+    let two = Rational::from(2);
     let mut breaks = vec![low.clone(), high.clone()];
     let mut count = 0;
     // Operands come first, so that in every region known so far the sides of a comparison are polynomials.
@@ -205,7 +199,7 @@ fn regions(
         if count > MOST_COMPARISONS {
             return None;
         }
-        let zero = Polynomial::constant(&BigRational::zero());
+        let zero = Polynomial::constant(&Rational::zero());
         let everywhere = |id: Option<Id>| match id {
             Some(id) => Polynomial::of(graph, id, x),
             None => Some(zero.clone()),
@@ -249,7 +243,7 @@ fn regions(
 struct Choice<'g> {
     graph: &'g Graph,
     x: Id,
-    middle: BigRational,
+    middle: Rational,
     known: BTreeMap<Id, Polynomial>,
 }
 
@@ -262,7 +256,7 @@ impl Choice<'_> {
             _ if id == self.x => Polynomial::of(self.graph, id, self.x)?,
             Node::Number(value) => Polynomial::constant(&value),
             Node::Sum(terms) => {
-                let mut sum = Polynomial::constant(&BigRational::zero());
+                let mut sum = Polynomial::constant(&Rational::zero());
                 for (term, coefficient) in terms {
                     let term = self.polynomial(term)?;
                     sum = sum.plus(&term.times(&Polynomial::constant(&coefficient))?);
@@ -270,7 +264,7 @@ impl Choice<'_> {
                 sum
             }
             Node::Product(factors) => {
-                let mut product = Polynomial::constant(&BigRational::one());
+                let mut product = Polynomial::constant(&Rational::one());
                 for (base, exponent) in factors {
                     let base = self.polynomial(base)?;
                     product = product.times(&base.power(&exponent)?)?;
@@ -280,7 +274,7 @@ impl Choice<'_> {
             Node::Function(Function::Abs, a) => {
                 let a = self.polynomial(a)?;
                 let sign = if a.at(&self.middle).is_negative() { -1 } else { 1 };
-                a.times(&Polynomial::constant(&BigRational::from_integer(sign.into())))?
+                a.times(&Polynomial::constant(&Rational::from(sign)))?
             }
             Node::Select(mask, a, b) => {
                 let chosen = if self.truth(mask)? { a } else { b };

@@ -7,7 +7,7 @@ use super::report::Break;
 use super::scan::{self, Line};
 use super::{Condition, Extend, LawOutput, LawSpec, scalar};
 use crate::diagnostic::{Code, Diagnostics};
-use crate::units::nearest;
+use crate::rational::nearest;
 
 /// A table without an extension must reach over the declared ranges.
 pub(super) fn tables(law: &LawSpec, lines: &[Line], errors: &mut Diagnostics) {

@@ -10,7 +10,8 @@ use super::scan::{self, Line};
 use super::{Condition, LawOutput, LawSpec};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::formula::{Dual, Rounded};
-use crate::units::{Unit, nearest};
+use crate::rational::nearest;
+use crate::units::Unit;
 
 /// Poles that are listed, and breaks along one line, beyond which a law is refused.
 const MOST_POLES: usize = 16;

@@ -46,7 +46,7 @@ mod table;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use num_rational::BigRational;
+use crate::rational::{Rational, nearest};
 
 pub use acts::{Acts, Quantity};
 pub use report::{Break, LawReport, OutputReport, TableReport, Trend};
@@ -55,7 +55,7 @@ pub use table::{Extend, LawTable};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::{Formula, Number, Value, evaluate};
-use crate::units::{Unit, nearest};
+use crate::units::Unit;
 
 /// Finds the file of the given name beside a law; says why not if there is none.
 pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
@@ -114,7 +114,7 @@ pub struct Parameter {
     /// Unit in which the file gives it.
     pub unit: Unit,
     /// Value in the system of units of the file's inputs and outputs.
-    pub value: BigRational,
+    pub value: Rational,
 }
 
 /// A named formula that others use.
@@ -164,15 +164,15 @@ pub enum Condition {
         /// Place of the input in [`LawSpec::inputs`].
         input: usize,
         /// The value, SI, exactly or to 2⁻¹²⁰.
-        at: BigRational,
+        at: Rational,
         /// Whether the piece applies below it.
         below: bool,
         /// Whether it applies at the value itself.
         inclusive: bool,
         /// The value that the file gives, if `engage` moved it.
-        moved_from: Option<BigRational>,
+        moved_from: Option<Rational>,
         /// Half of the length over which `smooth` blends this piece with what follows, SI.
-        blend: Option<BigRational>,
+        blend: Option<Rational>,
         /// The condition as the file gives it.
         text: Located,
     },
@@ -297,10 +297,10 @@ fn scalar<N: Number>(
 }
 
 /// Factor of a unit to SI; the units of inputs and outputs were checked to have rational ones.
-fn in_si(unit: &Unit) -> BigRational {
-    let inexact = || BigRational::from_float(unit.factor().to_f64());
+fn in_si(unit: &Unit) -> Rational {
+    let inexact = || Rational::from_float(unit.factor().to_f64());
     let factor = unit.rational().cloned().or_else(inexact);
-    factor.unwrap_or_else(|| BigRational::from_integer(1.into()))
+    factor.unwrap_or_else(|| Rational::from(1))
 }
 
 #[cfg(test)]

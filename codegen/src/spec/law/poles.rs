@@ -1,9 +1,9 @@
 //! Poles, found by the signs of everything that a formula divides by.
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 
 use crate::formula::Number;
-use crate::units::nearest;
+use crate::rational::nearest;
 
 /// A value, and a digest of the signs of all divisors met on the way to it: two points between which the
 /// digest changes have a pole between them.
@@ -42,7 +42,7 @@ fn mixed(a: u64, b: u64) -> u64 {
 }
 
 impl Number for Signed {
-    fn exact(value: &BigRational) -> Self {
+    fn exact(value: &Rational) -> Self {
         Signed::new(nearest(value))
     }
     fn value(&self) -> f64 {

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::rational::Rational;
 use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::expression::{Graph, Id, Node};
@@ -17,11 +17,11 @@ const MOST_BITS: [u64; 2] = [1024, 256];
 /// A polynomial Σ cᵢ xⁱ; the last coefficient is not zero.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Polynomial {
-    coefficients: Vec<BigRational>,
+    coefficients: Vec<Rational>,
 }
 
 impl Polynomial {
-    fn new(mut coefficients: Vec<BigRational>) -> Self {
+    fn new(mut coefficients: Vec<Rational>) -> Self {
         while coefficients.last().is_some_and(Zero::is_zero) {
             coefficients.pop();
         }
@@ -35,7 +35,7 @@ impl Polynomial {
         for id in graph.reachable(&[expression]) {
             let constant = Polynomial::constant;
             let polynomial = match graph.node(id) {
-                _ if id == x => Polynomial::new(vec![BigRational::zero(), BigRational::one()]),
+                _ if id == x => Polynomial::new(vec![Rational::zero(), Rational::one()]),
                 Node::Number(value) => constant(value),
                 Node::Sum(terms) => {
                     let mut sum = Polynomial::new(Vec::new());
@@ -45,7 +45,7 @@ impl Polynomial {
                     sum
                 }
                 Node::Product(factors) => {
-                    let mut product = constant(&BigRational::one());
+                    let mut product = constant(&Rational::one());
                     for (base, exponent) in factors {
                         product = product.times(&known.get(base)?.power(exponent)?)?;
                     }
@@ -58,7 +58,7 @@ impl Polynomial {
         known.remove(&expression)
     }
 
-    pub(super) fn constant(value: &BigRational) -> Self {
+    pub(super) fn constant(value: &Rational) -> Self {
         Polynomial::new(vec![value.clone()])
     }
 
@@ -67,16 +67,16 @@ impl Polynomial {
     }
 
     /// A power with a whole positive exponent, unless it is beyond the limits.
-    pub(super) fn power(&self, exponent: &BigRational) -> Option<Polynomial> {
+    pub(super) fn power(&self, exponent: &Rational) -> Option<Polynomial> {
         let whole = exponent.is_integer() && exponent.is_positive();
-        let count = exponent.to_integer().to_usize().filter(|n| whole && *n <= HIGHEST_DEGREE)?;
-        let one = Polynomial::constant(&BigRational::one());
+        let count = exponent.to_usize().filter(|n| whole && *n <= HIGHEST_DEGREE)?;
+        let one = Polynomial::constant(&Rational::one());
         (0..count).try_fold(one, |product, _| product.times(self))
     }
 
     pub(super) fn plus(&self, other: &Polynomial) -> Polynomial {
         let length = self.coefficients.len().max(other.coefficients.len());
-        let zero = BigRational::zero();
+        let zero = Rational::zero();
         let at = |p: &Polynomial, i: usize| p.coefficients.get(i).unwrap_or(&zero).clone();
         Polynomial::new((0..length).map(|i| at(self, i) + at(other, i)).collect())
     }
@@ -89,19 +89,19 @@ impl Polynomial {
         if self.degree() + other.degree() > HIGHEST_DEGREE {
             return None;
         }
-        let mut product = vec![BigRational::zero(); self.degree() + other.degree() + 1];
+        let mut product = vec![Rational::zero(); self.degree() + other.degree() + 1];
         for (i, a) in self.coefficients.iter().enumerate() {
             for (j, b) in other.coefficients.iter().enumerate() {
                 product[i + j] += a * b;
             }
         }
-        let bits = |c: &BigRational| c.numer().bits().max(c.denom().bits());
+        let bits = |c: &Rational| c.bits();
         let most = MOST_BITS[usize::from(product.len() > LOW_DEGREE + 1)];
         product.iter().all(|c| bits(c) <= most).then(|| Polynomial::new(product))
     }
 
     /// Slope and root of a polynomial of degree 1.
-    pub(super) fn linear(&self) -> Option<(BigRational, BigRational)> {
+    pub(super) fn linear(&self) -> Option<(Rational, Rational)> {
         match self.coefficients.as_slice() {
             [constant, slope] => Some((slope.clone(), -constant / slope)),
             _ => None,
@@ -117,30 +117,30 @@ impl Polynomial {
     }
 
     /// p(x)
-    pub(super) fn at(&self, x: &BigRational) -> BigRational {
-        self.coefficients.iter().rev().fold(BigRational::zero(), |sum, c| sum * x + c)
+    pub(super) fn at(&self, x: &Rational) -> Rational {
+        self.coefficients.iter().rev().fold(Rational::zero(), |sum, c| sum * x + c)
     }
 
     pub(super) fn derivative(&self) -> Polynomial {
         let slopes = self.coefficients.iter().enumerate().skip(1);
-        Polynomial::new(slopes.map(|(i, c)| c * BigRational::from_integer(i.into())).collect())
+        Polynomial::new(slopes.map(|(i, c)| c * Rational::from(i)).collect())
     }
 
     /// Σ |cᵢ xⁱ|
-    pub(super) fn size_at(&self, x: &BigRational) -> BigRational {
+    pub(super) fn size_at(&self, x: &Rational) -> Rational {
         let x = x.abs();
-        self.coefficients.iter().rev().fold(BigRational::zero(), |sum, c| sum * &x + c.abs())
+        self.coefficients.iter().rev().fold(Rational::zero(), |sum, c| sum * &x + c.abs())
     }
 
     /// p(x), or zero where it is no more than a share of the size of its terms.
-    pub(super) fn rounded_at(&self, x: &BigRational, share: &BigRational) -> BigRational {
+    pub(super) fn rounded_at(&self, x: &Rational, share: &Rational) -> Rational {
         let value = self.at(x);
-        if value.abs() <= self.size_at(x) * share { BigRational::zero() } else { value }
+        if value.abs() <= self.size_at(x) * share { Rational::zero() } else { value }
     }
 
     /// The different roots in the open interval, ascending, to 2⁻¹²⁰ of its width (exactly, for degree 1).
-    pub(super) fn roots_between(&self, low: &BigRational, high: &BigRational) -> Vec<BigRational> {
-        let inside = |root: &BigRational| low < root && root < high;
+    pub(super) fn roots_between(&self, low: &Rational, high: &Rational) -> Vec<Rational> {
+        let inside = |root: &Rational| low < root && root < high;
         match self.degree() {
             0 => return Vec::new(),
             1 => {
@@ -152,8 +152,8 @@ impl Polynomial {
         }
         let chain = self.sturm_chain();
         let mut roots = Vec::new();
-        let finest = (high - low) / BigRational::from_integer(BigInt::one() << 120);
-        let two = BigRational::from_integer(2.into());
+        let finest = (high - low) / Rational::from(BigInt::one() << 120);
+        let two = Rational::from(2);
         // Intervals (start, end] that hold roots, the leftmost on top.
         let mut open = vec![(low.clone(), high.clone())];
         while let Some((start, end)) = open.pop() {
@@ -175,7 +175,7 @@ impl Polynomial {
 
     /// Whether all coefficients in Bernstein's basis over the interval have one sign, so that the polynomial
     /// has no root inside.
-    fn keeps_its_sign(&self, low: &BigRational, high: &BigRational) -> bool {
+    fn keeps_its_sign(&self, low: &Rational, high: &Rational) -> bool {
         let n = self.degree();
         // Coefficients in t, x = low + (high − low)·t.
         let mut shifted = self.coefficients.clone();
@@ -185,22 +185,22 @@ impl Polynomial {
                 shifted[k] += carried;
             }
         }
-        let mut width = BigRational::one();
+        let mut width = Rational::one();
         for c in &mut shifted {
             *c *= &width;
             width *= high - low;
         }
         // bᵢ = Σⱼ C(i, j)/C(n, j) aⱼ
         let signs = (0..=n).map(|i| {
-            let mut ratio = BigRational::one();
-            let mut sum = BigRational::zero();
+            let mut ratio = Rational::one();
+            let mut sum = Rational::zero();
             for (j, a) in shifted.iter().enumerate().take(i + 1) {
                 sum += &ratio * a;
-                ratio *= BigRational::new((i - j).into(), (n - j).max(1).into());
+                ratio *= Rational::new(i - j, (n - j).max(1));
             }
             sum
         });
-        let signs: Vec<BigRational> = signs.collect();
+        let signs: Vec<Rational> = signs.collect();
         signs.iter().all(|b| !b.is_negative()) || signs.iter().all(|b| !b.is_positive())
     }
 
@@ -269,7 +269,7 @@ impl Polynomial {
 
     /// The root nearest to `place` to a relative accuracy of 2⁻¹²⁰ (exactly, for degree 1), and of two
     /// equally near ones the lower; `None` if there is no real root.
-    pub(super) fn root_nearest(&self, place: &BigRational) -> Option<BigRational> {
+    pub(super) fn root_nearest(&self, place: &Rational) -> Option<Rational> {
         match self.degree() {
             0 => None,
             1 => Some(-&self.coefficients[0] / &self.coefficients[1]),
@@ -277,27 +277,26 @@ impl Polynomial {
         }
     }
 
-    fn isolated_root(&self, place: &BigRational) -> Option<BigRational> {
+    fn isolated_root(&self, place: &Rational) -> Option<Rational> {
         if self.at(place).is_zero() {
             return Some(place.clone());
         }
         let chain = self.sturm_chain();
         // Number of different roots in (low, high].
-        let count =
-            |low: &BigRational, high: &BigRational| changes(&chain, low) - changes(&chain, high);
+        let count = |low: &Rational, high: &Rational| changes(&chain, low) - changes(&chain, high);
         let lead = self.coefficients[self.degree()].abs();
         let others = self.coefficients.iter().map(|c| c.abs() / &lead);
-        let bound = others.fold(BigRational::one(), |sum, c| sum + c);
+        let bound = others.fold(Rational::one(), |sum, c| sum + c);
         // Distances from the place: no root nearer than `near`, one within `far`.
-        let (mut near, mut far) = (BigRational::zero(), bound + place.abs());
-        let within = |d: &BigRational| count(&(place - d), &(place + d)) > 0;
+        let (mut near, mut far) = (Rational::zero(), bound + place.abs());
+        let within = |d: &Rational| count(&(place - d), &(place + d)) > 0;
         if !within(&far) {
             return None;
         }
-        let two = BigRational::from_integer(2.into());
-        let smallest = |d: &BigRational| {
+        let two = Rational::from(2);
+        let smallest = |d: &Rational| {
             let scale = place.abs().max(d.clone());
-            scale / BigRational::from_integer(BigInt::one() << 124)
+            scale / Rational::from(BigInt::one() << 124)
         };
         while &far - &near > smallest(&far) {
             let middle = (&near + &far) / &two;
@@ -310,7 +309,7 @@ impl Polynomial {
 }
 
 /// Changes of sign along a Sturm chain.
-fn changes(chain: &[Polynomial], x: &BigRational) -> usize {
+fn changes(chain: &[Polynomial], x: &Rational) -> usize {
     let signs = chain.iter().map(|p| p.at(x)).filter(|value| !value.is_zero());
     let signs: Vec<bool> = signs.map(|value| value.is_positive()).collect();
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
@@ -319,7 +318,7 @@ fn changes(chain: &[Polynomial], x: &BigRational) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::nearest;
+    use crate::rational::nearest;
 
     #[test]
     fn all_roots_of_an_interval_are_found() {
@@ -339,13 +338,11 @@ mod tests {
     }
 
     fn polynomial(coefficients: &[i64]) -> Polynomial {
-        Polynomial::new(
-            coefficients.iter().map(|c| BigRational::from_integer((*c).into())).collect(),
-        )
+        Polynomial::new(coefficients.iter().map(|c| Rational::from(*c)).collect())
     }
 
-    fn exact(n: i64, d: i64) -> BigRational {
-        BigRational::new(n.into(), d.into())
+    fn exact(n: i64, d: i64) -> Rational {
+        Rational::new(n, d)
     }
 
     #[test]
@@ -356,7 +353,7 @@ mod tests {
         let root = polynomial(&[388, -18632, 217_550]).root_nearest(&c0).unwrap();
         // (18632 − √(18632² − 4·388·217550))/(2·217550) in 29 digits.
         let digits = "35733282612761347904256322711";
-        let expected = BigRational::new(digits.parse().unwrap(), BigInt::from(10).pow(30));
+        let expected = Rational::new(digits.parse::<BigInt>().unwrap(), BigInt::from(10).pow(30));
         assert_eq!(nearest(&root), nearest(&expected));
         let other = polynomial(&[388, -18632, 217_550]).root_nearest(&exact(1, 20)).unwrap();
         assert!((nearest(&other) - 0.04991).abs() < 1e-5);

@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 use super::{Condition, LawSpec, Piece};
 use crate::diagnostic::{Diagnostic, Located};
 use crate::expression::Node;
-use crate::units::nearest;
+use crate::rational::nearest;
 
 /// Most points along a line, and values of each other input, where an input varies alone.
 const POINTS: usize = 1001;

@@ -1,6 +1,6 @@
 //! One system of units for all formulas of a file, so that a product of quantities in any units is right.
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use num_traits::{One, Zero};
 
 use crate::units::{Dimension, Exponent, Factor, Unit};
@@ -62,11 +62,11 @@ impl System {
 
     /// A value in `unit` as a value in this system: exact if the ratio of the units is rational, else the
     /// nearest f64.
-    pub(super) fn convert(&self, value: &BigRational, unit: &Unit) -> BigRational {
+    pub(super) fn convert(&self, value: &Rational, unit: &Unit) -> Rational {
         let factor = unit.factor().over(&self.scale(unit.dimension()));
         let ratio = factor.to_rational();
-        let ratio = ratio.or_else(|| BigRational::from_float(factor.to_f64()));
-        value * ratio.unwrap_or_else(BigRational::one)
+        let ratio = ratio.or_else(|| Rational::from_float(factor.to_f64()));
+        value * ratio.unwrap_or_else(Rational::one)
     }
 }
 
@@ -90,14 +90,14 @@ mod tests {
         System::of(&units)
     }
 
-    fn converted(system: &System, value: i64, unit: &str) -> BigRational {
-        system.convert(&BigRational::from_integer(value.into()), &Unit::parse(unit).unwrap())
+    fn converted(system: &System, value: i64, unit: &str) -> Rational {
+        system.convert(&Rational::from(value), &Unit::parse(unit).unwrap())
     }
 
     #[test]
     fn parameters_are_converted_to_the_units_of_inputs_and_outputs() {
         let mm_n = system(&["mm", "N"]).unwrap();
-        let exact = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+        let exact = |n: i64, d: i64| Rational::new(n, d);
         assert_eq!(converted(&mm_n, 35, "um"), exact(35, 1000));
         assert_eq!(converted(&mm_n, 5, "N/m"), exact(5, 1000));
         assert_eq!(converted(&mm_n, 200, "GPa"), exact(200_000, 1));

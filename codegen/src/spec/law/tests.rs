@@ -49,9 +49,9 @@ fn the_papers_laws_engage_at_their_roots() {
     else {
         panic!("a threshold")
     };
-    assert_eq!(*at, BigRational::new(233.into(), 6_517_000.into()));
+    assert_eq!(*at, Rational::new(233, 6_517_000));
     assert!(below);
-    assert_eq!(*moved_from, Some(BigRational::new(35687.into(), 1_000_000_000.into())));
+    assert_eq!(*moved_from, Some(Rational::new(35687, 1_000_000_000)));
     let found = &law.report.outputs[0].breaks[0];
     assert!(!found.jumps());
     assert!((found.at - 0.035_752_646_923_431_03).abs() < 1e-16);
@@ -79,8 +79,8 @@ fn derivatives_on_the_graph_are_those_of_dual_numbers() {
     let law = read(&paper("engage = \"root\"", QUADRATIC)).unwrap();
     let mut graph = law.graph.clone();
     let h = law.inputs[0].symbol;
-    let slope = graph.number(BigRational::from_integer((-18_632_000).into()));
-    let h_term = graph.times(BigRational::from_integer(435_100_000_000_i64.into()), h);
+    let slope = graph.number(Rational::from(-18_632_000));
+    let h_term = graph.times(Rational::from(435_100_000_000_i64), h);
     let expected = graph.add(slope, h_term);
     // In SI the polynomial's slope is −18632e3 + 2·217550e6·h, where the first piece applies.
     let crate::expression::Node::Select(_, first, second) =

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use crate::units::{Unit, decimal};
@@ -48,7 +48,7 @@ pub(super) enum Which {
 pub(super) struct Column {
     pub(super) unit: Unit,
     /// Values with their places, in the unit of the column.
-    pub(super) values: Vec<(BigRational, Range<usize>)>,
+    pub(super) values: Vec<(Rational, Range<usize>)>,
 }
 
 impl Columns {
@@ -226,7 +226,7 @@ fn part(line: &str, piece: &str) -> Range<usize> {
 }
 
 /// A decimal number with an optional sign.
-fn number(text: &str) -> Option<BigRational> {
+fn number(text: &str) -> Option<Rational> {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
     let (value, length) = decimal(unsigned)?;
     let value = value.filter(|_| length == unsigned.len())?;

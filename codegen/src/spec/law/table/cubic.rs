@@ -5,22 +5,22 @@
 //! (the square region of Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246). Where the limit does
 //! not bind, values are of third order.
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use num_traits::{Signed, Zero};
 
 /// y + t(m + t(b + t c)), where t is the distance from the start of the interval.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Cubic {
-    pub(super) start: BigRational,
+    pub(super) start: Rational,
     /// y, m, b, c.
-    pub(super) coefficients: [BigRational; 4],
+    pub(super) coefficients: [Rational; 4],
 }
 
 /// Slopes at the points; `x` rises. `periodic`: the last point is the first again.
-pub(super) fn slopes(x: &[BigRational], y: &[BigRational], periodic: bool) -> Vec<BigRational> {
+pub(super) fn slopes(x: &[Rational], y: &[Rational], periodic: bool) -> Vec<Rational> {
     let last = x.len() - 1;
-    let widths: Vec<BigRational> = (0..last).map(|i| &x[i + 1] - &x[i]).collect();
-    let secants: Vec<BigRational> = (0..last).map(|i| (&y[i + 1] - &y[i]) / &widths[i]).collect();
+    let widths: Vec<Rational> = (0..last).map(|i| &x[i + 1] - &x[i]).collect();
+    let secants: Vec<Rational> = (0..last).map(|i| (&y[i + 1] - &y[i]) / &widths[i]).collect();
     let between = |left: usize, right: usize| {
         let (a, b) = (&secants[left], &secants[right]);
         let (wa, wb) = (&widths[left], &widths[right]);
@@ -44,21 +44,21 @@ pub(super) fn slopes(x: &[BigRational], y: &[BigRational], periodic: bool) -> Ve
         .collect()
 }
 
-fn limited(slope: BigRational, a: &BigRational, b: &BigRational) -> BigRational {
-    let three = BigRational::from_integer(3.into());
+fn limited(slope: Rational, a: &Rational, b: &Rational) -> Rational {
+    let three = Rational::from(3);
     let most = three * a.abs().min(b.abs());
     let fine = a.signum() == b.signum() && slope.signum() == a.signum();
     match fine {
-        false => BigRational::zero(),
+        false => Rational::zero(),
         true if slope.abs() <= most => slope,
         true => most * a.signum(),
     }
 }
 
 /// The cubics between the points.
-pub(super) fn cubics(x: &[BigRational], y: &[BigRational], slopes: &[BigRational]) -> Vec<Cubic> {
-    let two = BigRational::from_integer(2.into());
-    let three = BigRational::from_integer(3.into());
+pub(super) fn cubics(x: &[Rational], y: &[Rational], slopes: &[Rational]) -> Vec<Cubic> {
+    let two = Rational::from(2);
+    let three = Rational::from(3);
     (0..x.len() - 1)
         .map(|i| {
             let width = &x[i + 1] - &x[i];

@@ -1,6 +1,6 @@
 //! `[tables.NAME]` of a law file.
 
-use num_rational::BigRational;
+use crate::rational::{Rational, nearest};
 
 use super::columns::{Column, Columns, Wanted, Which};
 use super::{Extend, LawTable, check_rows};
@@ -9,7 +9,7 @@ use crate::formula::{Formula, parse};
 use crate::spec::law::Beside;
 use crate::spec::law::system::System;
 use crate::spec::read::{Document, Table, Value};
-use crate::units::{Unit, nearest};
+use crate::units::Unit;
 
 /// A table as the law file and the file of its columns give it.
 pub(in crate::spec::law) struct TableDraft {
@@ -34,7 +34,7 @@ impl TableDraft {
 
     /// The table in a system of units, after the first `after` definitions.
     pub(in crate::spec::law) fn build(self, system: &System, after: usize) -> LawTable {
-        let converted = |column: &Column| -> Vec<BigRational> {
+        let converted = |column: &Column| -> Vec<Rational> {
             let values = column.values.iter();
             values.map(|(value, _)| system.convert(value, &column.unit)).collect()
         };

@@ -8,7 +8,7 @@ mod tests;
 
 use std::sync::Arc;
 
-use num_rational::BigRational;
+use crate::rational::{Rational, nearest};
 use num_traits::{One, Zero};
 
 pub(super) use draft::{TableDraft, read};
@@ -16,7 +16,7 @@ pub(super) use draft::{TableDraft, read};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::expression::{Function, Graph, Id, Relation};
 use crate::formula::{Formula, Number, pi};
-use crate::units::{Unit, nearest};
+use crate::units::Unit;
 use cubic::Cubic;
 
 /// A table of a law. Its numbers are in the system of units of the law's inputs and outputs.
@@ -37,14 +37,14 @@ pub struct LawTable {
     /// What becomes of inputs outside its rows.
     pub extend: Extend,
     /// The inputs of its rows, ascending: between them it is a cubic, at them its slope is continuous.
-    pub knots: Vec<BigRational>,
+    pub knots: Vec<Rational>,
     /// One piece more than there are splits.
     pieces: Vec<Cubic>,
-    splits: Vec<BigRational>,
+    splits: Vec<Rational>,
     /// First and last input in the unit of their column.
     pub(super) ends: [f64; 2],
     /// Slopes at both ends.
-    end_slopes: [BigRational; 2],
+    end_slopes: [Rational; 2],
     /// The comparisons of the input with the rows between the first and the last.
     inner: Vec<Id>,
     /// How many definitions come before it.
@@ -66,13 +66,13 @@ pub enum Extend {
 
 /// Inputs beyond the end by less than this share of the whole are at the end, so that rounding of a unit
 /// does not refuse the end itself.
-fn margin(width: &BigRational) -> BigRational {
-    width / BigRational::from_integer((1_i64 << 30).into())
+fn margin(width: &Rational) -> Rational {
+    width / Rational::from(1_i64 << 30)
 }
 
 impl LawTable {
     /// `x` and `y`: the rows; `x` rises.
-    fn fill(&mut self, x: Vec<BigRational>, y: &[BigRational]) {
+    fn fill(&mut self, x: Vec<Rational>, y: &[Rational]) {
         let slopes = cubic::slopes(&x, y, self.extend == Extend::Periodic);
         self.pieces = cubic::cubics(&x, y, &slopes);
         let last = x.len() - 1;
@@ -81,9 +81,9 @@ impl LawTable {
         let outside = |at: usize| {
             let slope = match self.extend {
                 Extend::Linear => slopes[at].clone(),
-                _ => BigRational::zero(),
+                _ => Rational::zero(),
             };
-            let coefficients = [y[at].clone(), slope, BigRational::zero(), BigRational::zero()];
+            let coefficients = [y[at].clone(), slope, Rational::zero(), Rational::zero()];
             Cubic { start: x[at].clone(), coefficients }
         };
         if matches!(self.extend, Extend::Linear | Extend::Constant) {
@@ -96,18 +96,18 @@ impl LawTable {
     }
 
     /// First and last input of the rows.
-    pub fn span(&self) -> [&BigRational; 2] {
+    pub fn span(&self) -> [&Rational; 2] {
         [&self.knots[0], &self.knots[self.knots.len() - 1]]
     }
 
     /// Inputs at which the slope jumps, with the slopes below and above.
-    pub fn kinks(&self) -> Vec<(&BigRational, [BigRational; 2])> {
+    pub fn kinks(&self) -> Vec<(&Rational, [Rational; 2])> {
         let [first, last] = self.span();
         let [low, high] = self.end_slopes.clone();
         if self.extend != Extend::Constant {
             return Vec::new();
         }
-        let zero = BigRational::zero;
+        let zero = Rational::zero;
         let both = [(first, [zero(), low]), (last, [high, zero()])];
         both.into_iter().filter(|(_, [below, above])| below != above).collect()
     }
@@ -128,7 +128,7 @@ impl LawTable {
         &self.inner
     }
 
-    fn period(&self) -> BigRational {
+    fn period(&self) -> Rational {
         let [first, last] = self.span();
         last - first
     }
@@ -141,7 +141,7 @@ impl LawTable {
     }
 
     /// The ends between which there are values, if there are none elsewhere.
-    fn bounds(&self) -> [BigRational; 2] {
+    fn bounds(&self) -> [Rational; 2] {
         let [first, last] = self.span();
         let margin = margin(&self.period());
         [first - &margin, last + &margin]
@@ -157,11 +157,11 @@ impl LawTable {
     pub fn value<N: Number>(&self, input: &N) -> N {
         let mut input = input.clone();
         if let Some(turns) = self.turns(input.value()) {
-            let shift = self.period() * BigRational::from_integer(turns.into());
+            let shift = self.period() * Rational::from(turns);
             input = input.sub(&N::exact(&shift));
         }
         if self.is_outside(input.value()) {
-            return N::exact(&-BigRational::one()).ln();
+            return N::exact(&-Rational::one()).ln();
         }
         let place = self.splits.partition_point(|at| nearest(at) <= input.value());
         let Cubic { start, coefficients } = &self.pieces[place];
@@ -203,12 +203,7 @@ impl LawTable {
     }
 
     /// A number of the piece that applies, by halves.
-    fn choose(
-        &self,
-        graph: &mut Graph,
-        masks: &[Id],
-        number: impl Fn(&Cubic) -> &BigRational,
-    ) -> Id {
+    fn choose(&self, graph: &mut Graph, masks: &[Id], number: impl Fn(&Cubic) -> &Rational) -> Id {
         fn half(graph: &mut Graph, masks: &[Id], numbers: &[Id]) -> Id {
             let [first, .., _] = numbers else { return numbers[0] };
             // All alike: no choice.
@@ -229,7 +224,7 @@ impl LawTable {
     /// the tangent.
     fn wrap(&self, graph: &mut Graph, input: Id) -> Id {
         let [first, last] = self.span();
-        let two = BigRational::from_integer(2.into());
+        let two = Rational::from(2);
         let middle = graph.number((first + last) / two);
         let scale = pi() / self.period();
         let distance = graph.sub(input, middle);
