@@ -32,14 +32,14 @@ impl Spec {
     /// Everything wrong with it, each with its place.
     pub(crate) fn read(source: &Arc<Source>) -> Result<Spec, Diagnostics> {
         let document = Document::parse(source);
-        if document.is_toml() && !document.root().has("kind") {
+        if document.is_toml() && !document.has_kind() {
             let message = format!("`{}` is no spec: it has no `kind`", source.path.display());
             let error = Diagnostic::new(source, Code::MISSING_KEY, None, message);
             let help = "a spec says `kind = \"law\"`, `element`, `form`, `motion` or `clearance`; \
                         for a case there is `whirl check`";
             return Err(error.help(help).into());
         }
-        let kind = if document.is_toml() { document.root().word("kind", &KINDS) } else { None };
+        let kind = if document.is_toml() { document.kind(&KINDS) } else { None };
         Ok(match document.into_result(kind)? {
             "law" => {
                 let beside = |name: &str| columns(source, name);
@@ -91,7 +91,7 @@ pub(crate) fn is_spec(name: &str) -> bool {
     let Ok(text) = fs::read_to_string(name) else { return false };
     let source = Source::new(name, text);
     let document = Document::parse(&source);
-    document.root().has("kind")
+    document.has_kind()
 }
 
 /// All specs that are built in.

@@ -1,5 +1,5 @@
 //! `whirl schema`: the copies under schemas/ are what the command prints (WHIRL_RENEW_GOLDEN=1 writes them
-//! anew), and schemas and readers know the same keys.
+//! anew), and every key that they show is read.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -49,6 +49,8 @@ fn wrong(schema: &Value, value: &Value, place: &str) -> Vec<String> {
         "type",
         "enum",
         "minimum",
+        "exclusiveMinimum",
+        "exclusiveMaximum",
         "items",
         "minItems",
         "maxItems",
@@ -77,7 +79,11 @@ fn wrong(schema: &Value, value: &Value, place: &str) -> Vec<String> {
     }
     let fine = match rules["type"].as_str().expect("a type") {
         "string" => value.is_string(),
-        "number" => value.is_number(),
+        "number" => value.as_f64().is_some_and(|number| {
+            let bound = |rule: &str| rules.get(rule).and_then(Value::as_f64);
+            bound("exclusiveMinimum").is_none_or(|low| number > low)
+                && bound("exclusiveMaximum").is_none_or(|high| number < high)
+        }),
         "boolean" => value.is_boolean(),
         "integer" => value.as_u64().is_some_and(|n| n >= rules["minimum"].as_u64().unwrap_or(0)),
         "array" => value.is_array(),
@@ -242,19 +248,26 @@ fn variants(kind: &str) -> &'static [&'static [&'static str]] {
     }
 }
 
+/// Files with every key of a schema, one for each of its variants.
+fn samples(kind: &str, schema: &Value) -> Vec<Value> {
+    let samples = variants(kind).iter().map(|dropped| {
+        let mut value = sample(schema);
+        if kind == "element" {
+            // Shape functions are read when there are nodes.
+            value["nodes"] = json!([[0, 0, 0]]);
+        }
+        without(&mut value, dropped);
+        value
+    });
+    samples.collect()
+}
+
 #[test]
 fn readers_know_every_key_of_the_schemas() {
     let bench = Workbench::new();
     for kind in KINDS {
-        let schema = schema(kind);
-        for dropped in variants(kind) {
-            let mut value = sample(&schema);
-            if kind == "element" {
-                // Shape functions are read when there are nodes.
-                value["nodes"] = json!([[0, 0, 0]]);
-            }
-            without(&mut value, dropped);
-            assert_eq!(unknown(&bench, &value), [""; 0], "{kind} without {dropped:?}");
+        for value in samples(kind, &schema(kind)) {
+            assert_eq!(unknown(&bench, &value), [""; 0], "{kind}: {value:#}");
         }
     }
 }
@@ -296,13 +309,7 @@ fn schemas_and_readers_refuse_the_same_keys() {
     let bench = Workbench::new();
     for kind in KINDS {
         let schema = schema(kind);
-        for dropped in variants(kind) {
-            let mut value = sample(&schema);
-            if kind == "element" {
-                // Shape functions are read when there are nodes.
-                value["nodes"] = json!([[0, 0, 0]]);
-            }
-            without(&mut value, dropped);
+        for mut value in samples(kind, &schema) {
             let mut places = BTreeSet::new();
             closed(&schema, &value, String::new(), &mut places);
             // One file with a stray key in every table at once.

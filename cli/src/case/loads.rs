@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::Located;
 
-use super::reader::{ANGLE, FORCE, FREQUENCY, Reader};
+use super::reader::Reader;
 
 /// A force on sets of shaft nodes, fixed in space: F(t) = F, or F sin(2π f t + φ).
 #[derive(Debug, Clone)]
@@ -30,11 +30,11 @@ impl Load {
 
 pub(super) fn read(file: &Reader) -> Vec<Load> {
     let each = |load: Reader| Load {
-        sets: load.needed_names("sets", None, "[\"LOAD1\"]"),
-        direction: load.choice("direction", &[("x", 0), ("y", 1)]).unwrap_or(0),
-        force: load.needed("force", &FORCE),
-        frequency: load.quantity("frequency", &FREQUENCY),
-        phase: load.quantity("phase", &ANGLE).unwrap_or(0.0),
+        sets: load.names("sets"),
+        direction: usize::from(load.word("direction") == Some("y")),
+        force: load.quantity_or_one("force"),
+        frequency: load.quantity("frequency"),
+        phase: load.quantity("phase").unwrap_or(0.0),
     };
     file.tables("load").into_iter().map(each).collect()
 }

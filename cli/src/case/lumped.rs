@@ -7,9 +7,7 @@ use whirl_specs::Motion;
 use super::law::{self, NamedLaw};
 use super::library::Shelf;
 use super::machine;
-use super::reader::{
-    DAMPING, FORCE, LENGTH, MASS, POSITION, Reader, STIFFNESS, TARGET_SPEED, VELOCITY,
-};
+use super::reader::Reader;
 
 /// m ẍ + d ẋ + k x = F + m e Ω² cos Ωt + stops, and along y the same with sin Ωt and without F.
 #[derive(Debug, Clone)]
@@ -68,29 +66,29 @@ pub enum Side {
 
 pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
     let stop = |stop: Reader| {
-        let sides = [("above", Side::Above), ("below", Side::Below), ("around", Side::Around)];
-        let side = stop.choice("side", &sides).unwrap_or(Side::Above);
+        let side = match stop.word("side") {
+            Some("around") => Side::Around,
+            Some("below") => Side::Below,
+            _ => Side::Above,
+        };
         let law = law::read(shelf, &stop);
         let gap = gap(&stop, side);
         law.iter().for_each(|law| fits(&stop, side, law));
-        if law.is_none() && !stop.has("law") {
-            stop.absent("law", "add `law = \"my.law.toml\"`");
-        };
         Some(Stop { side, gap, law: law? })
     };
     let stops = file.tables("stop").into_iter().filter_map(stop).collect();
-    let mass = file.needed_table("mass")?;
-    let or_zero = |key: &'static str, kind| mass.quantity(key, kind).unwrap_or(0.0);
+    let mass = file.table("mass")?;
+    let or_zero = |key| mass.quantity(key).unwrap_or(0.0);
     Some(Lumped {
-        mass: mass.needed("mass", &MASS),
-        stiffness: or_zero("stiffness", &STIFFNESS),
-        damping: or_zero("damping", &DAMPING),
-        displacement: or_zero("displacement", &POSITION),
-        velocity: or_zero("velocity", &VELOCITY),
-        force: or_zero("force", &FORCE),
+        mass: mass.quantity_or_one("mass"),
+        stiffness: or_zero("stiffness"),
+        damping: or_zero("damping"),
+        displacement: or_zero("displacement"),
+        velocity: or_zero("velocity"),
+        force: or_zero("force"),
         unbalance: mass.table("unbalance").map(|table| Unbalance {
-            eccentricity: table.needed("eccentricity", &LENGTH),
-            speed: table.needed("speed", &TARGET_SPEED),
+            eccentricity: table.quantity_or_one("eccentricity"),
+            speed: table.quantity_or_one("speed"),
         }),
         motion: machine::motion(&mass)?,
         stops,
@@ -99,9 +97,10 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
 
 fn gap(stop: &Reader, side: Side) -> f64 {
     if side != Side::Around {
-        return stop.needed("gap", &POSITION);
+        stop.demand("gap");
+        return stop.quantity_or_one("gap");
     }
-    if stop.quantity("gap", &POSITION).is_some() {
+    if stop.quantity("gap").is_some() {
         let message = "a stop around the mass has its gap in its law".to_owned();
         let help = Some("leave `gap` out".to_owned());
         stop.note(stop.place(), Code::BAD_VALUE, message, help);

@@ -11,17 +11,11 @@ use whirl_specs::{MOTIONS, Motion};
 use super::law;
 use super::library::{Shelf, resolve};
 use super::loads;
-use super::reader::{
-    DAMPING_TIME, DENSITY, LENGTH, MODULUS, POSITION, Reader, STIFFNESS, TARGET_SPEED, TORQUE,
-};
+use super::reader::Reader;
 use super::rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};
 
 type Materials = BTreeMap<String, Material>;
 
-/// Left, middle and right of a bearing.
-const STATIONS: usize = 3;
-/// Fewer springs leave directions without one.
-const FEWEST_SPRINGS: usize = 3;
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
 
@@ -39,9 +33,9 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Rotor> {
 
 fn material(name: &str, table: &Reader) -> Material {
     let values = [
-        ("E", table.needed("youngs_modulus", &MODULUS)),
-        ("nu", table.needed_number("poissons_ratio", (-1.0, 0.5), "0.3")),
-        ("rho", table.needed("density", &DENSITY)),
+        ("E", table.quantity_or_one("youngs_modulus")),
+        ("nu", table.number_or_middle("poissons_ratio")),
+        ("rho", table.quantity_or_one("density")),
     ];
     let properties = values.map(|(symbol, value)| (symbol.to_string(), value)).into();
     Material { name: name.to_string(), properties }
@@ -109,15 +103,15 @@ fn mesh<D>(
 fn solid_shaft(table: &Reader, material: Material) -> SolidShaft {
     let usual = SectionCells::default();
     let cells = table.table("cells");
-    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key, 1)).unwrap_or(usual);
+    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key)).unwrap_or(usual);
     SolidShaft {
-        length: table.needed("length", &LENGTH),
-        diameter: table.needed("diameter", &LENGTH),
-        supports: table.needed_quantities("supports", &POSITION),
-        support_length: table.needed("support_length", &LENGTH),
-        layers_in_support: table.needed_count("layers_in_support", 1),
-        layers_between: table.needed_count("layers_between", 1),
-        loads: table.quantities("loads", &POSITION).unwrap_or_default(),
+        length: table.quantity_or_one("length"),
+        diameter: table.quantity_or_one("diameter"),
+        supports: table.quantities("supports"),
+        support_length: table.quantity_or_one("support_length"),
+        layers_in_support: table.count_or_one("layers_in_support"),
+        layers_between: table.count_or_one("layers_between"),
+        loads: table.quantities("loads"),
         section: SectionCells {
             sectors: count("sectors", usual.sectors),
             rings: count("rings", usual.rings),
@@ -129,19 +123,19 @@ fn solid_shaft(table: &Reader, material: Material) -> SolidShaft {
 fn ring_support(table: &Reader, material: Material) -> RingSupport {
     let usual = SupportCells::default();
     let cells = table.table("cells");
-    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key, 1)).unwrap_or(usual);
+    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key)).unwrap_or(usual);
     RingSupport {
-        start: table.needed("start", &POSITION),
-        length: table.needed("length", &LENGTH),
-        height: table.needed("height", &LENGTH),
-        width: table.needed("width", &LENGTH),
-        pedestal_height: table.needed("pedestal_height", &LENGTH),
-        rings: table.needed_quantities("rings", &POSITION),
-        ring_length: table.needed("ring_length", &LENGTH),
-        ring_thickness: table.needed("ring_thickness", &LENGTH),
-        bore_radius: table.needed("bore_radius", &LENGTH),
-        layers_in_ring: table.needed_count("layers_in_ring", 1),
-        layers_between: table.needed_count("layers_between", 1),
+        start: table.quantity_or_one("start"),
+        length: table.quantity_or_one("length"),
+        height: table.quantity_or_one("height"),
+        width: table.quantity_or_one("width"),
+        pedestal_height: table.quantity_or_one("pedestal_height"),
+        rings: table.quantities("rings"),
+        ring_length: table.quantity_or_one("ring_length"),
+        ring_thickness: table.quantity_or_one("ring_thickness"),
+        bore_radius: table.quantity_or_one("bore_radius"),
+        layers_in_ring: table.count_or_one("layers_in_ring"),
+        layers_between: table.count_or_one("layers_between"),
         section: SupportCells {
             height: count("height", usual.height),
             width: count("width", usual.width),
@@ -154,14 +148,15 @@ fn ring_support(table: &Reader, material: Material) -> RingSupport {
 }
 
 fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
-    let table = file.needed_table("shaft")?;
+    file.demand("shaft");
+    let table = file.table("shaft")?;
     let material = material_of(&table, materials);
     let mesh = mesh(shelf, &table, material.as_ref(), solid_shaft);
     let motion = motion(&table);
     let shaft = Shaft {
-        modes: table.needed_count("modes", 0),
-        damping: table.quantity("damping", &DAMPING_TIME).unwrap_or(0.0),
-        axial_restraint: table.needed_text("axial_restraint", "\"NAME_OF_A_NODE_SET\""),
+        modes: table.count_or_one("modes"),
+        damping: table.quantity("damping").unwrap_or(0.0),
+        axial_restraint: table.text_or_none("axial_restraint"),
         material,
         motion: motion?,
         mesh: mesh?,
@@ -170,19 +165,23 @@ fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
 }
 
 fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support> {
-    let table = file.needed_table("support")?;
+    file.demand("support");
+    let table = file.table("support")?;
     let material = material_of(&table, materials);
     let mesh = mesh(shelf, &table, material.as_ref(), ring_support);
-    let directions = [("x", 0), ("y", 1), ("z", 2)];
     let ground_spring = |spring: Reader| GroundSpring {
-        set: spring.needed_text("set", "\"NAME_OF_A_NODE_SET\""),
-        direction: spring.choice("direction", &directions).unwrap_or(0),
-        stiffness: spring.needed("stiffness", &STIFFNESS),
+        set: spring.text_or_none("set"),
+        direction: match spring.word("direction") {
+            Some("z") => 2,
+            Some("y") => 1,
+            _ => 0,
+        },
+        stiffness: spring.quantity_or_one("stiffness"),
     };
     let support = Support {
-        modes: table.needed_count("modes", 0),
-        damping: table.quantity("damping", &DAMPING_TIME).unwrap_or(0.0),
-        mounts: table.needed_text("mounts", "\"NAME_OF_A_NODE_SET\""),
+        modes: table.count_or_one("modes"),
+        damping: table.quantity("damping").unwrap_or(0.0),
+        mounts: table.text_or_none("mounts"),
         ground_springs: table.tables("ground_spring").into_iter().map(ground_spring).collect(),
         material,
         mesh: mesh?,
@@ -194,24 +193,20 @@ fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support
 fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
     let shared = file.table("springs");
     let shared_law = shared.as_ref().and_then(|table| law::read(shelf, table));
-    let shared_number = shared.as_ref().and_then(|t| t.count("number", FEWEST_SPRINGS));
-    let shared_clearance = shared.as_ref().and_then(|t| t.quantity("radial_clearance", &LENGTH));
-    let shared_radius = shared.as_ref().and_then(|t| t.quantity("journal_radius", &LENGTH));
+    let shared_number = shared.as_ref().and_then(|t| t.count("number"));
+    let shared_clearance = shared.as_ref().and_then(|t| t.quantity("radial_clearance"));
+    let shared_radius = shared.as_ref().and_then(|t| t.quantity("journal_radius"));
     let shares = |key| shared.as_ref().is_some_and(|table| table.has(key));
     let each = |table: Reader| {
-        let names = |key, example| table.needed_names(key, Some(STATIONS), example);
-        let journal =
-            names("journal", "[\"JOURNAL1_LEFT\", \"JOURNAL1_MIDDLE\", \"JOURNAL1_RIGHT\"]");
-        let bore = names("bore", "[\"BORE1_LEFT\", \"BORE1_MIDDLE\", \"BORE1_RIGHT\"]");
-        let stations = table.quantities("stations", &POSITION).unwrap_or_default();
+        let (journal, bore) = (table.names("journal"), table.names("bore"));
+        let stations = table.quantities("stations");
         let own_law = law::read(shelf, &table);
-        let own_number = table.count("number", FEWEST_SPRINGS);
-        let own_clearance = table.quantity("radial_clearance", &LENGTH);
-        let own_radius = table.quantity("journal_radius", &LENGTH);
-        for (key, example) in
-            [("number", "24"), ("radial_clearance", "\"35 um\""), ("law", "\"hu2003-nonlinear\"")]
-        {
+        let own_number = table.count("number");
+        let own_clearance = table.quantity("radial_clearance");
+        let own_radius = table.quantity("journal_radius");
+        for key in ["number", "radial_clearance", "law"] {
             if !table.has(key) && !shares(key) {
+                let example = table.example(key);
                 table.absent(key, &format!("add `{key} = {example}` here, or to `[springs]`"));
             }
         }
@@ -233,12 +228,13 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
 }
 
 fn drive(file: &Reader) -> Option<Drive> {
-    let table = file.needed_table("drive")?;
+    file.demand("drive");
+    let table = file.table("drive")?;
     Some(Drive {
-        top: table.needed_text("top", "\"DRIVE_TOP\""),
-        bottom: table.needed_text("bottom", "\"DRIVE_BOTTOM\""),
-        torque: table.needed("torque", &TORQUE),
-        target_speed: table.needed("target_speed", &TARGET_SPEED),
+        top: table.text_or_none("top"),
+        bottom: table.text_or_none("bottom"),
+        torque: table.quantity_or_one("torque"),
+        target_speed: table.quantity_or_one("target_speed"),
         acts: table.flag("acts").unwrap_or(true),
     })
 }

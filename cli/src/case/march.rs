@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::System;
-use super::reader::{FREQUENCY, Reader, TIME, TOLERANCE};
+use super::reader::Reader;
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]
@@ -29,11 +29,11 @@ impl March {
 const FORCE_TOLERANCE: f64 = 1e-3;
 
 pub(super) fn read(file: &Reader, system: Option<&System>) -> Option<March> {
-    let march = file.needed_table("march")?;
-    let time_step = march.needed("time_step", &TIME);
+    let march = file.table("march")?;
+    let time_step = march.quantity_or_one("time_step");
     let steps = steps(&march, time_step);
-    let force_tolerance = march.quantity("force_tolerance", &TOLERANCE).unwrap_or(FORCE_TOLERANCE);
-    let cycle = match march.quantity("cycle_frequency", &FREQUENCY) {
+    let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
+    let cycle = match march.quantity("cycle_frequency") {
         Some(frequency) => 1.0 / frequency,
         None => system.and_then(natural_cycle).unwrap_or(time_step * steps as f64),
     };
@@ -55,7 +55,7 @@ fn natural_cycle(system: &System) -> Option<f64> {
 }
 
 fn steps(march: &Reader, time_step: f64) -> usize {
-    let (steps, duration) = (march.count("steps", 1), march.quantity("duration", &TIME));
+    let (steps, duration) = (march.count("steps"), march.quantity("duration"));
     match (march.has("steps"), march.has("duration")) {
         (true, true) => march.conflict("steps", "duration"),
         (false, false) => march.absent("steps", "add `steps = 1000` or `duration = \"0.1 s\"`"),

@@ -9,6 +9,7 @@ mod march;
 mod read;
 mod reader;
 mod rotor;
+mod schema;
 mod tree;
 
 use std::sync::Arc;

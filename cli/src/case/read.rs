@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Source};
+use whirl_codegen::spec::schema::Described;
 
 use super::library::{Shelf, load};
 use super::reader::Reader;
@@ -18,13 +19,14 @@ pub fn read(name: &str) -> Result<Case, Diagnostics> {
     let (shelf, path) = Shelf::find(name)?;
     let (table, sources) = load(shelf, &path)?;
     let errors = RefCell::new(Diagnostics::new());
-    let case = assemble(shelf, &path, &sources, &Reader::file(&sources[0], &table, &errors));
+    let case =
+        assemble(shelf, &path, &sources, &Reader::file(&sources[0], &table, Case::SHAPE, &errors));
     let case = errors.into_inner().into_result(case)?;
     case.ok_or_else(|| unreachable!("whatever is missing has been noted"))
 }
 
 fn assemble(shelf: Shelf, path: &Path, sources: &[Arc<Source>], file: &Reader) -> Option<Case> {
-    let title = file.needed_text("title", "\"what this case is\"");
+    let title = file.text_or_none("title");
     let origin = file.text("source");
     let figures = figures(shelf, file);
     let system = system(shelf, file);
@@ -65,12 +67,12 @@ fn figures(shelf: Shelf, file: &Reader) -> Figures {
     let Some(figures) = file.table("figures") else {
         return Figures::default();
     };
-    let names = figures.names("laws").unwrap_or_default();
+    let names = figures.names("laws");
     Figures {
         laws: names.iter().filter_map(|name| law::find(shelf, &figures, name)).collect(),
-        law: figures.count("law", 1),
-        reactions: figures.count("reactions", 1),
-        eccentricity: figures.count("eccentricity", 1),
-        rotation: figures.count("rotation", 1),
+        law: figures.count("law"),
+        reactions: figures.count("reactions"),
+        eccentricity: figures.count("eccentricity"),
+        rotation: figures.count("rotation"),
     }
 }

@@ -1,11 +1,13 @@
-//! Strict reading of one table: every key asked for is known, every other one is an error.
+//! Strict reading of one table: keys are read as they are declared (see [`super::schema`]), and one that
+//! nothing asked for is an error.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
-use whirl_codegen::units::{Dimension, Quantity};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, nearest, suggest};
+use whirl_codegen::spec::schema::{Measure, Need, Range, Shape};
+use whirl_codegen::units::Quantity;
 
 use super::tree::{Node, Place, Table, Value};
 
@@ -13,22 +15,38 @@ use super::tree::{Node, Place, Table, Value};
 /// on; the notes make the whole reading fail in the end.
 pub(crate) struct Reader<'a> {
     table: &'a Table,
+    /// What it may say.
+    shape: &'static Shape,
     /// How messages call the table, such as `[shaft]`; empty for a whole file.
     name: String,
     place: Place,
     asked: RefCell<BTreeSet<&'static str>>,
+    /// Keys that must be there and are not. Told at the end: where one was misspelt, it is not missing.
+    missing: RefCell<Vec<(&'static str, Diagnostic)>>,
     errors: &'a RefCell<Diagnostics>,
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the whole of `source`.
+    /// Reads the whole of `source`, of which `shape` says what it may hold.
     pub(crate) fn file(
         source: &Arc<Source>,
         table: &'a Table,
+        shape: &'static Shape,
         errors: &'a RefCell<Diagnostics>,
     ) -> Self {
         let place = Place { source: source.clone(), span: 0..0 };
-        Reader { table, name: String::new(), place, asked: RefCell::default(), errors }
+        Reader::new(table, shape, String::new(), place, errors)
+    }
+
+    fn new(
+        table: &'a Table,
+        shape: &'static Shape,
+        name: String,
+        place: Place,
+        errors: &'a RefCell<Diagnostics>,
+    ) -> Self {
+        let (asked, missing) = (RefCell::default(), RefCell::default());
+        Reader { table, shape, name, place, asked, missing, errors }
     }
 
     /// Where the table stands.
@@ -58,15 +76,59 @@ impl<'a> Reader<'a> {
         self.table.entries.contains_key(key)
     }
 
-    fn get(&self, key: &'static str) -> Option<&'a Node> {
+    /// What a key takes, if it is declared so that `fits`. One that is not is never read: a case that has it
+    /// is refused.
+    fn declared(&self, key: &str, fits: fn(&Shape) -> bool) -> Option<&'static Shape> {
+        let shape = self.shape.of_key(key).filter(|shape| shape.admits(fits));
+        debug_assert!(shape.is_some(), "`{}` is read but not so declared", self.path(key));
+        shape
+    }
+
+    fn get(
+        &self,
+        key: &'static str,
+        fits: fn(&Shape) -> bool,
+    ) -> Option<(&'a Node, &'static Shape)> {
+        let shape = self.declared(key, fits)?;
         self.asked.borrow_mut().insert(key);
-        self.table.entries.get(key).map(|(_, node)| node)
+        self.table.entries.get(key).map(|(_, node)| (node, shape))
+    }
+
+    /// A value of a key as it would be written in TOML.
+    pub(crate) fn example(&self, key: &str) -> String {
+        let Some(key) = self.shape.key(key) else { return String::new() };
+        if !key.example.is_empty() {
+            return key.example.to_string();
+        }
+        match &key.shape {
+            Shape::Quantity(measure) => format!("\"{}\"", measure.example),
+            Shape::List(Shape::Quantity(measure)) => format!("[\"{}\"]", measure.example),
+            Shape::Count(least) => (*least).max(1).to_string(),
+            shape if shape.is_text() => "\"…\"".to_string(),
+            _ => "…".to_string(),
+        }
     }
 
     /// Notes that `key` is missing, and how to mend that.
-    pub(crate) fn absent(&self, key: &str, help: &str) {
+    pub(crate) fn absent(&self, key: &'static str, help: &str) {
         let message = format!("{} does not say `{key}`", self.called("the case"));
-        self.note(&self.place, Code::MISSING_KEY, message, Some(help.to_string()));
+        let error = self.place.error(Code::MISSING_KEY, message).help(help);
+        self.missing.borrow_mut().push((key, error));
+    }
+
+    /// Notes that a key is missing if it is not there; for those that only some tables must have.
+    pub(crate) fn demand(&self, key: &'static str) {
+        self.asked.borrow_mut().insert(key);
+        if self.has(key) {
+            return;
+        }
+        if self.declared(key, |_| true).is_some_and(Shape::is_table) {
+            let message = format!("the table `[{}]` is missing", self.path(key));
+            let error = self.place.error(Code::MISSING_KEY, message);
+            self.missing.borrow_mut().push((key, error));
+        } else {
+            self.absent(key, &format!("add `{key} = {}`", self.example(key)));
+        }
     }
 
     /// Notes that two keys are given where one excludes the other.
@@ -82,12 +144,6 @@ impl<'a> Reader<'a> {
         if self.name.is_empty() { whole.to_string() } else { format!("`{}`", self.name) }
     }
 
-    /// Notes that `key` is missing; the place is that of the table.
-    fn missing(&self, key: &str, example: &str) -> Place {
-        self.absent(key, &format!("add `{key} = {example}`"));
-        self.place.clone()
-    }
-
     fn wrong(&self, key: &str, node: &Node, wanted: &str, example: &str) {
         self.note(
             &node.place,
@@ -99,7 +155,7 @@ impl<'a> Reader<'a> {
 
     /// Text, if given.
     pub(crate) fn text(&self, key: &'static str) -> Option<Located> {
-        let node = self.get(key)?;
+        let (node, _) = self.get(key, Shape::is_text)?;
         match &node.value {
             Value::Text(text) => Some(node.place.text(text)),
             _ => {
@@ -109,32 +165,28 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Text that must be given.
-    pub(crate) fn needed_text(&self, key: &'static str, example: &str) -> Located {
-        if !self.has(key) {
-            let place = self.missing(key, example);
-            self.asked.borrow_mut().insert(key);
-            return place.text("");
-        }
+    /// Text, or none with the place of the table.
+    pub(crate) fn text_or_none(&self, key: &'static str) -> Located {
         self.text(key).unwrap_or_else(|| self.place.text(""))
     }
 
-    /// One of a few words, if given.
-    pub(crate) fn choice<T: Copy>(&self, key: &'static str, words: &[(&str, T)]) -> Option<T> {
+    /// One of the words declared, if given.
+    pub(crate) fn word(&self, key: &'static str) -> Option<&'static str> {
+        let words = self.declared(key, |shape| matches!(shape, Shape::Words(_)))?.words();
         let text = self.text(key)?;
-        let found = words.iter().find(|(word, _)| *word == text.text());
+        let found = words.iter().find(|word| **word == text.text()).copied();
         if found.is_none() {
-            let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
             let message = format!("`{key}` cannot be `{}`", text.text());
             let error = text.error_here(Code::BAD_VALUE, message);
-            self.push(error.maybe_help(suggest(text.text(), &known)));
+            self.push(error.maybe_help(suggest(text.text(), &words)));
         }
-        found.map(|(_, value)| *value)
+        found
     }
 
-    /// Names in a list, or one alone, if given.
-    pub(crate) fn names(&self, key: &'static str) -> Option<Vec<Located>> {
-        let node = self.get(key)?;
+    /// Names in a list, or one alone where this is declared; as many as declared.
+    pub(crate) fn names(&self, key: &'static str) -> Vec<Located> {
+        let is_list = |shape: &Shape| shape.of_items().is_some_and(Shape::is_text);
+        let Some((node, shape)) = self.get(key, is_list) else { return Vec::new() };
         let alone = std::slice::from_ref(node);
         let list = match &node.value {
             Value::List(list) => list.as_slice(),
@@ -147,30 +199,19 @@ impl<'a> Reader<'a> {
                 _ => self.wrong(key, item, "names", "[\"A\", \"B\"]"),
             }
         }
-        Some(names)
-    }
-
-    /// Names that must be given, `count` of them where a number is asked for.
-    pub(crate) fn needed_names(
-        &self,
-        key: &'static str,
-        count: Option<usize>,
-        example: &str,
-    ) -> Vec<Located> {
-        let Some(names) = self.names(key) else {
-            if !self.has(key) {
-                self.missing(key, example);
-            }
-            return Vec::new();
+        let needed = self.shape.key(key).is_some_and(|key| key.need != Need::Free);
+        let wanted = match shape {
+            Shape::Tuple(_, count) if names.len() != *count => format!("{count} names"),
+            _ if needed && names.is_empty() => "at least one name".to_string(),
+            _ => return names,
         };
-        let enough = count.map_or(!names.is_empty(), |count| names.len() == count);
-        if !enough && let Some(node) = self.get(key) {
-            let wanted = count.map_or("at least one name".to_string(), |n| format!("{n} names"));
+        // Names of another type have been noted.
+        if names.len() == list.len() {
             self.note(
                 &node.place,
                 Code::BAD_VALUE,
                 format!("`{key}` takes {wanted}, here are {}", names.len()),
-                Some(format!("such as `{key} = {example}`")),
+                Some(format!("such as `{key} = {}`", self.example(key))),
             );
         }
         names
@@ -178,7 +219,7 @@ impl<'a> Reader<'a> {
 
     /// True or false, if given.
     pub(crate) fn flag(&self, key: &'static str) -> Option<bool> {
-        let node = self.get(key)?;
+        let (node, _) = self.get(key, |shape| matches!(shape, Shape::Flag))?;
         match node.value {
             Value::Flag(flag) => Some(flag),
             _ => {
@@ -188,9 +229,10 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A whole number of at least `least`, if given.
-    pub(crate) fn count(&self, key: &'static str, least: usize) -> Option<usize> {
-        let node = self.get(key)?;
+    /// A whole number, if given.
+    pub(crate) fn count(&self, key: &'static str) -> Option<usize> {
+        let (node, shape) = self.get(key, |shape| matches!(shape, Shape::Count(_)))?;
+        let Shape::Count(least) = *shape else { return None };
         let Value::Integer(integer) = node.value else {
             self.wrong(key, node, "a whole number", &least.max(1).to_string());
             return None;
@@ -205,39 +247,36 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A whole number that must be given.
-    pub(crate) fn needed_count(&self, key: &'static str, least: usize) -> usize {
-        if !self.has(key) {
-            self.asked.borrow_mut().insert(key);
-            self.missing(key, &least.max(1).to_string());
-        }
-        self.count(key, least).unwrap_or(least.max(1))
+    /// A whole number, or one.
+    pub(crate) fn count_or_one(&self, key: &'static str) -> usize {
+        self.count(key).unwrap_or(1)
     }
 
-    /// A number without unit that must be given and lie in the open interval `range`.
-    pub(crate) fn needed_number(&self, key: &'static str, range: (f64, f64), example: &str) -> f64 {
-        let stand_in = 0.5 * (range.0 + range.1);
-        let Some(node) = self.get(key) else {
-            self.missing(key, example);
-            return stand_in;
+    /// A number without unit between bounds, or one in their middle.
+    pub(crate) fn number_or_middle(&self, key: &'static str) -> f64 {
+        let Some(&Shape::Between(low, high)) =
+            self.declared(key, |shape| matches!(shape, Shape::Between(..)))
+        else {
+            return 0.0;
         };
+        let middle = 0.5 * (low + high);
+        let Some((node, _)) = self.get(key, |_| true) else { return middle };
         let value = match node.value {
             Value::Number(value) => value,
             Value::Integer(value) => value as f64,
             _ => {
-                self.wrong(key, node, "a number without unit", example);
-                return stand_in;
+                self.wrong(key, node, "a number without unit", &self.example(key));
+                return middle;
             }
         };
-        if !(range.0 < value && value < range.1) {
-            let message =
-                format!("`{key}` must lie between {} and {}, not {value}", range.0, range.1);
+        if !(low < value && value < high) {
+            let message = format!("`{key}` must lie between {low} and {high}, not {value}");
             self.note(&node.place, Code::BAD_VALUE, message, None);
         }
         value
     }
 
-    fn quantity_of(&self, key: &str, node: &Node, kind: &Kind) -> Option<f64> {
+    fn quantity_of(&self, key: &str, node: &Node, kind: &Measure) -> Option<f64> {
         let text = match &node.value {
             Value::Text(text) => text,
             Value::Integer(_) | Value::Number(_) => {
@@ -265,13 +304,13 @@ impl<'a> Reader<'a> {
                 let mut diagnostic = error.at(&node.place.source, start);
                 diagnostic.message = format!("`{key}`: {}", diagnostic.message);
                 diagnostic.help = Some(format!("such as `{key} = \"{}\"`", kind.example));
-                self.errors.borrow_mut().push(diagnostic);
+                self.push(diagnostic);
                 None
             }
         }
     }
 
-    fn in_range(&self, key: &str, node: &Node, kind: &Kind, value: f64) -> Option<f64> {
+    fn in_range(&self, key: &str, node: &Node, kind: &Measure, value: f64) -> Option<f64> {
         let fault = match kind.range {
             Range::Any => None,
             Range::Positive if value > 0.0 => None,
@@ -292,48 +331,38 @@ impl<'a> Reader<'a> {
     }
 
     /// A quantity, if given; SI.
-    pub(crate) fn quantity(&self, key: &'static str, kind: &Kind) -> Option<f64> {
-        self.quantity_of(key, self.get(key)?, kind)
-    }
-
-    /// A quantity that must be given; SI.
-    pub(crate) fn needed(&self, key: &'static str, kind: &Kind) -> f64 {
-        match self.get(key) {
-            Some(node) => self.quantity_of(key, node, kind).unwrap_or(1.0),
-            None => {
-                self.missing(key, &format!("\"{}\"", kind.example));
-                1.0
-            }
+    pub(crate) fn quantity(&self, key: &'static str) -> Option<f64> {
+        match self.get(key, |shape| matches!(shape, Shape::Quantity(_)))? {
+            (node, Shape::Quantity(measure)) => self.quantity_of(key, node, measure),
+            _ => None,
         }
     }
 
-    /// A list of quantities that must be given; SI.
-    pub(crate) fn needed_quantities(&self, key: &'static str, kind: &Kind) -> Vec<f64> {
-        if !self.has(key) {
-            self.missing(key, &format!("[\"{}\"]", kind.example));
-        }
-        self.quantities(key, kind).unwrap_or_default()
+    /// A quantity in SI, or one.
+    pub(crate) fn quantity_or_one(&self, key: &'static str) -> f64 {
+        self.quantity(key).unwrap_or(1.0)
     }
 
-    /// A list of quantities, if given; SI.
-    pub(crate) fn quantities(&self, key: &'static str, kind: &Kind) -> Option<Vec<f64>> {
-        let node = self.get(key)?;
-        let Value::List(list) = &node.value else {
-            self.wrong(key, node, "a list of quantities", &format!("[\"{}\"]", kind.example));
-            return None;
+    /// A list of quantities; SI.
+    pub(crate) fn quantities(&self, key: &'static str) -> Vec<f64> {
+        let is_list = |shape: &Shape| matches!(shape, Shape::List(Shape::Quantity(_)));
+        let Some((node, Shape::List(Shape::Quantity(measure)))) = self.get(key, is_list) else {
+            return Vec::new();
         };
-        let read = list.iter().filter_map(|item| self.quantity_of(key, item, kind));
-        Some(read.collect())
+        let Value::List(list) = &node.value else {
+            self.wrong(key, node, "a list of quantities", &self.example(key));
+            return Vec::new();
+        };
+        list.iter().filter_map(|item| self.quantity_of(key, item, measure)).collect()
     }
 
     /// A table inside this one, if given.
     pub(crate) fn table(&self, key: &'static str) -> Option<Reader<'a>> {
-        let (key_place, node) = {
-            self.asked.borrow_mut().insert(key);
-            self.table.entries.get(key)?
-        };
+        let shape = self.declared(key, Shape::is_table)?;
+        self.asked.borrow_mut().insert(key);
+        let (key_place, node) = self.table.entries.get(key)?;
         match &node.value {
-            Value::Table(table) => Some(self.inner(self.path(key), key_place, table)),
+            Value::Table(table) => Some(self.inner(self.path(key), shape, key_place, table)),
             _ => {
                 self.wrong(key, node, "a table", "{ … }");
                 None
@@ -341,26 +370,11 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A table inside this one that must be given.
-    pub(crate) fn needed_table(&self, key: &'static str) -> Option<Reader<'a>> {
-        if !self.has(key) {
-            self.asked.borrow_mut().insert(key);
-            self.note(
-                &self.place,
-                Code::MISSING_KEY,
-                format!("the table `[{}]` is missing", self.path(key)),
-                None,
-            );
-        }
-        self.table(key)
-    }
-
     /// Tables in a list (`[[key]]`); none if the key is not given.
     pub(crate) fn tables(&self, key: &'static str) -> Vec<Reader<'a>> {
-        let Some(node) = self.get(key) else {
-            return Vec::new();
-        };
-        let Value::List(list) = &node.value else {
+        let is_list = |shape: &Shape| shape.of_items().is_some_and(Shape::is_table);
+        let Some((node, shape)) = self.get(key, is_list) else { return Vec::new() };
+        let (Value::List(list), Some(shape)) = (&node.value, shape.of_items()) else {
             self.wrong(key, node, "a list of tables", "[{ … }]");
             return Vec::new();
         };
@@ -368,7 +382,7 @@ impl<'a> Reader<'a> {
         for item in list {
             match &item.value {
                 Value::Table(table) => {
-                    readers.push(self.inner(self.path(key), &item.place, table));
+                    readers.push(self.inner(self.path(key), shape, &item.place, table));
                 }
                 _ => self.wrong(key, item, "a table", "{ … }"),
             }
@@ -378,19 +392,17 @@ impl<'a> Reader<'a> {
 
     /// Tables by names that the user chose, such as `[material.steel]`.
     pub(crate) fn named_tables(&self, key: &'static str) -> Vec<(String, Reader<'a>)> {
-        let Some(node) = self.get(key) else {
-            return Vec::new();
-        };
+        let Some((node, shape)) = self.get(key, Shape::names_are_free) else { return Vec::new() };
         let Value::Table(outer) = &node.value else {
             self.wrong(key, node, "tables by name", "{ … }");
             return Vec::new();
         };
         let mut readers = Vec::new();
         for (name, (place, node)) in &outer.entries {
-            match &node.value {
-                Value::Table(table) => {
+            match (&node.value, shape.of_key(name)) {
+                (Value::Table(table), Some(shape)) => {
                     let path = format!("{}.{name}", self.path(key));
-                    readers.push((name.clone(), self.inner(path, place, table)));
+                    readers.push((name.clone(), self.inner(path, shape, place, table)));
                 }
                 _ => self.wrong(name, node, "a table", "{ … }"),
             }
@@ -405,82 +417,45 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn inner(&self, path: String, place: &Place, table: &'a Table) -> Reader<'a> {
-        Reader {
-            table,
-            name: format!("[{path}]"),
-            place: place.clone(),
-            asked: RefCell::default(),
-            errors: self.errors,
-        }
+    fn inner(
+        &self,
+        path: String,
+        shape: &'static Shape,
+        place: &Place,
+        table: &'a Table,
+    ) -> Reader<'a> {
+        Reader::new(table, shape, format!("[{path}]"), place.clone(), self.errors)
     }
 }
 
-/// Notes every key that nothing has asked for.
+/// Notes every key that must be there and is not, and every key that nothing has asked for.
 impl Drop for Reader<'_> {
     fn drop(&mut self) {
+        for key in self.shape.keys().filter(|key| key.need != Need::Free) {
+            self.demand(key.name);
+        }
         let asked = self.asked.borrow();
         let known: Vec<&str> = asked.iter().copied().collect();
+        let mut missing = std::mem::take(&mut *self.missing.borrow_mut());
         for (key, (place, _)) in &self.table.entries {
             if asked.contains(key.as_str()) {
                 continue;
             }
-            self.note(
-                place,
-                Code::UNKNOWN_KEY,
-                format!("{} has no key `{key}`", self.called("a case")),
-                suggest(key, &known),
-            );
+            // Of two keys as near, the one that is not there was meant.
+            let meant = nearest(key, missing.iter().map(|(absent, _)| *absent)).map(str::to_owned);
+            let help = match meant {
+                Some(meant) => {
+                    missing.retain(|(absent, _)| *absent != meant);
+                    Some(format!("did you mean `{meant}`?"))
+                }
+                None => suggest(key, &known),
+            };
+            let message = format!("{} has no key `{key}`", self.called("a case"));
+            self.note(place, Code::UNKNOWN_KEY, message, help);
         }
+        missing.into_iter().for_each(|(_, error)| self.push(error));
     }
 }
 
 /// Bytes before the text of a string.
 const OPENING_QUOTE: usize = 1;
-
-/// What a quantity is.
-pub(crate) struct Kind {
-    /// What it measures.
-    dimension: Dimension,
-    /// As a user would write it.
-    example: &'static str,
-    /// Values allowed.
-    range: Range,
-}
-
-/// Values that a quantity may take.
-#[derive(Clone, Copy)]
-enum Range {
-    Any,
-    Positive,
-    NotNegative,
-}
-
-macro_rules! kinds {
-    ($($name:ident: $dimension:ident, $example:literal, $range:ident;)*) => {
-        $(pub(crate) const $name: Kind = Kind {
-            dimension: Dimension::$dimension,
-            example: $example,
-            range: Range::$range,
-        };)*
-    };
-}
-
-kinds! {
-    LENGTH: LENGTH, "12.5 mm", Positive;
-    POSITION: LENGTH, "12.5 mm", Any;
-    VELOCITY: SPEED, "1 m/s", Any;
-    MASS: MASS, "100 kg", Positive;
-    MODULUS: PRESSURE, "200 GPa", Positive;
-    DENSITY: DENSITY, "7860 kg/m^3", Positive;
-    TIME: TIME, "7.4e-5 s", Positive;
-    DAMPING_TIME: TIME, "1e-4 s", NotNegative;
-    STIFFNESS: STIFFNESS, "1e8 N/m", NotNegative;
-    DAMPING: DAMPING, "20 N*s/m", NotNegative;
-    FORCE: FORCE, "1000 N", Any;
-    TOLERANCE: FORCE, "1e-3 N", Positive;
-    TORQUE: TORQUE, "109 N*m", Any;
-    TARGET_SPEED: ANGULAR_SPEED, "4500 rpm", Positive;
-    FREQUENCY: FREQUENCY, "37.5 Hz", Positive;
-    ANGLE: ANGLE, "90 deg", Any;
-}

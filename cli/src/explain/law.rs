@@ -8,6 +8,7 @@ use whirl_codegen::expression::Rational;
 use whirl_codegen::formula;
 use whirl_codegen::spec::law::{Condition, LawSpec, Parameter};
 use whirl_codegen::spec::read::Document;
+use whirl_codegen::spec::schema::Described;
 
 use super::equations::{Equation, equations};
 use super::page::Page;
@@ -72,7 +73,9 @@ fn variables(page: &mut Page, law: &LawSpec) {
 /// Values of the parameters in the units in which the file gives them.
 fn given_values(law: &LawSpec) -> BTreeMap<String, Rational> {
     let document = Document::parse(&law.file);
-    let Some(table) = document.root().optional_table("parameters") else { return BTreeMap::new() };
+    let Some(table) = document.root(LawSpec::SHAPE).optional_table("parameters") else {
+        return BTreeMap::new();
+    };
     let value = |key: Located| {
         let (value, _) = table.optional_table(key.text())?.optional_number("value")?;
         Some((formula::name(key.text()).ok()?, value))

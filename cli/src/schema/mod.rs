@@ -1,11 +1,16 @@
-//! `whirl schema`: what every kind of file may say, as JSON schema for editors. The readers check more
-//! (units, names, proofs); a test holds the keys of both together.
+//! `whirl schema`: what every kind of file may say, as JSON schema for editors. It is printed from the
+//! declarations through which the readers read; the readers check more (units, names, proofs).
 
-mod case;
-mod shape;
-mod specs;
+mod json;
+
+use whirl_codegen::spec::clearance::ClearanceSpec;
+use whirl_codegen::spec::element::ElementSpec;
+use whirl_codegen::spec::form::FormSpec;
+use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::spec::motion::MotionSpec;
 
 use crate::arguments::SchemaKind;
+use crate::case::Case;
 
 /// The schema of a kind of file as text; without a kind, the kinds.
 pub(crate) fn schema(kind: Option<SchemaKind>) -> String {
@@ -14,13 +19,13 @@ pub(crate) fn schema(kind: Option<SchemaKind>) -> String {
                 `whirl schema law > law.schema.json` writes a schema for editors\n"
             .to_string();
     };
-    let (shape, title) = match kind {
-        SchemaKind::Law => (specs::law(), "whirl: bearing law"),
-        SchemaKind::Element => (specs::element(), "whirl: finite element"),
-        SchemaKind::Form => (specs::form(), "whirl: bilinear forms"),
-        SchemaKind::Motion => (specs::motion(), "whirl: motion of a shaft"),
-        SchemaKind::Clearance => (specs::clearance(), "whirl: clearance of springs"),
-        SchemaKind::Case => (case::case(), "whirl: case or machine"),
+    let schema = match kind {
+        SchemaKind::Law => json::document::<LawSpec>(),
+        SchemaKind::Element => json::document::<ElementSpec>(),
+        SchemaKind::Form => json::document::<FormSpec>(),
+        SchemaKind::Motion => json::document::<MotionSpec>(),
+        SchemaKind::Clearance => json::document::<ClearanceSpec>(),
+        SchemaKind::Case => json::document::<Case>(),
     };
-    format!("{:#}\n", shape.document(title))
+    format!("{schema:#}\n")
 }

@@ -110,7 +110,7 @@ fn kind(source: &Arc<Source>) -> Result<&'static str, Diagnostics> {
         return Err(error.help(format!("move the file to one of: {}", folders.join(", "))).into());
     };
     let document = Document::parse(source);
-    let kind = if document.is_toml() { document.root().word("kind", kinds) } else { None };
+    let kind = if document.is_toml() { document.kind(kinds) } else { None };
     document.into_result(kind)
 }
 

@@ -9,6 +9,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::read::Table;
+use super::schema::{Shape, key};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::units::decimal;
 
@@ -23,6 +24,9 @@ pub struct Document<'s> {
 /// Most bytes of a file, and most names joined by dots in a key: each opens a table in a table.
 const LONGEST: usize = 256 * 1024;
 const MOST_JOINED: usize = 64;
+
+/// A file of which only the kind is asked for.
+static ANY_KIND: Shape = Shape::Table(&[&[key("kind", Shape::Text, "the kind of spec")]]);
 
 /// What is wrong with a file before it is read.
 fn beyond_limits(source: &Arc<Source>) -> Option<Diagnostic> {
@@ -78,9 +82,31 @@ impl<'s> Document<'s> {
         !self.errors.borrow().iter().any(unread)
     }
 
-    /// The table of the whole file.
-    pub fn root(&self) -> Table<'_> {
-        Table::new(self, self.root.get_ref(), self.root.span(), String::new())
+    /// The table of the whole file, of which `shape` says what it may hold.
+    pub fn root(&self, shape: &'static Shape) -> Table<'_> {
+        Table::new(self, self.root.get_ref(), shape, self.root.span(), String::new())
+    }
+
+    /// Whether the file says its `kind`, as specs do.
+    pub fn has_kind(&self) -> bool {
+        self.root(&ANY_KIND).has("kind")
+    }
+
+    /// The `kind` that the file says it is, which must be one of `kinds`.
+    pub fn kind(&self, kinds: &[&'static str]) -> Option<&'static str> {
+        let root = self.root(&ANY_KIND);
+        if !root.has("kind") {
+            let example = kinds.first().copied().unwrap_or("…");
+            let message = "`kind` is missing";
+            let error = Diagnostic::new(self.source, Code::MISSING_KEY, None, message);
+            self.push(error.help(format!("write `kind = \"{example}\"`")));
+        }
+        root.word_among("kind", kinds)
+    }
+
+    /// Reports an error at a place of the file.
+    pub fn error(&self, code: Code, span: impl Into<Option<Range<usize>>>, message: String) {
+        self.push(Diagnostic::new(self.source, code, span, message));
     }
 
     /// Adds an error.
@@ -159,22 +185,27 @@ impl Value<'_> {
 pub struct Item<'d> {
     document: &'d Document<'d>,
     value: &'d Spanned<DeValue<'d>>,
+    shape: &'static Shape,
 }
 
 impl<'d> Item<'d> {
     /// What it is.
     pub fn value(&self) -> Value<'d> {
-        self.document.value(self.value)
+        self.document.value(self.value, self.shape)
     }
 
     /// The element as a table called `place` in messages; another type is an error.
     pub fn table(&self, place: &str) -> Option<Table<'d>> {
-        self.document.table(self.value, place.to_owned())
+        self.document.table(self.value, self.shape, place.to_owned())
     }
 }
 
 impl<'s> Document<'s> {
-    pub(super) fn value<'d>(&'d self, value: &'d Spanned<DeValue<'d>>) -> Value<'d>
+    pub(super) fn value<'d>(
+        &'d self,
+        value: &'d Spanned<DeValue<'d>>,
+        shape: &'static Shape,
+    ) -> Value<'d>
     where
         's: 'd,
     {
@@ -192,7 +223,9 @@ impl<'s> Document<'s> {
             DeValue::Boolean(truth) => Value::Boolean(*truth, span),
             DeValue::Datetime(_) => Value::Other(span),
             DeValue::Array(items) => {
-                let items = items.iter().map(|value| Item { document: self, value });
+                // Of a list where none is declared, no item is read any further.
+                let shape = shape.of_items().unwrap_or(&Shape::Either(&[]));
+                let items = items.iter().map(|value| Item { document: self, value, shape });
                 Value::Array(items.collect(), span)
             }
             DeValue::Table(_) => Value::Table(span),
@@ -202,15 +235,16 @@ impl<'s> Document<'s> {
     pub(super) fn table<'d>(
         &'d self,
         value: &'d Spanned<DeValue<'d>>,
+        shape: &'static Shape,
         place: String,
     ) -> Option<Table<'d>>
     where
         's: 'd,
     {
         match value.get_ref() {
-            DeValue::Table(entries) => Some(Table::new(self, entries, value.span(), place)),
+            DeValue::Table(entries) => Some(Table::new(self, entries, shape, value.span(), place)),
             _ => {
-                self.wrong_type(&place, "a table", &self.value(value));
+                self.wrong_type(&place, "a table", &self.value(value, shape));
                 None
             }
         }

@@ -33,6 +33,7 @@
 //! ```
 
 mod read;
+mod schema;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -24,6 +24,8 @@
 //! `grad`, `eps` (the symmetric part of `grad`), `trace`, `transpose`, `inner` of matrices and `dot` of
 //! vectors.
 
+mod schema;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -35,6 +37,7 @@ use crate::expression::{Graph, Id, Rational, Shape};
 use crate::form::{Bilinear, Names, Structure, expand, structure};
 use crate::formula::{self, Meaning, dimension, lower, parse};
 use crate::spec::read::{Document, Item, Table, Value};
+use crate::spec::schema::Described;
 use crate::units::Unit;
 
 /// Forms over one material, ready to be emitted: see the module for the file.
@@ -148,8 +151,8 @@ struct Reader<'d> {
 
 impl Reader<'_> {
     fn spec(&mut self, file: &Arc<Source>) -> Option<FormSpec> {
-        let root = self.document.root();
-        root.word("kind", &["form"]);
+        let root = self.document.root(FormSpec::SHAPE);
+        root.word("kind");
         let (name, title) = (root.string("name"), root.string("title"));
         let reference = root.string("source");
         let material = root.table("material").map(|table| self.material(table));
@@ -269,7 +272,7 @@ impl Reader<'_> {
                     self.names.matrices.insert(name, rows);
                 }
                 None => {
-                    let span = table.value(key.text()).map_or(table.span(), |value| value.span());
+                    let span = table.place(key.text());
                     let message = format!("`{name}` must be three rows of three numbers");
                     table.error(Code::BAD_VALUE, span, message);
                 }

@@ -7,3 +7,4 @@ pub mod form;
 pub mod law;
 pub mod motion;
 pub mod read;
+pub mod schema;

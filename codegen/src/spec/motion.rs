@@ -20,6 +20,7 @@
 //! In place of `kinetic_energy`: tables `mass`, `PF`, `B`, `P` with a formula a block (`theta.eta = '…'`)
 //! and `quadratic_velocity` with a formula a row; what is left out is zero.
 
+mod schema;
 #[cfg(test)]
 mod tests;
 
@@ -27,6 +28,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::read::{Document, Table};
+use super::schema::Described;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id, Shape, Symmetry, display, normal};
 use crate::formula::{self, lower, parse};
@@ -119,8 +121,8 @@ impl MotionSpec {
 }
 
 fn read(document: &Document, file: &Arc<Source>) -> Option<MotionSpec> {
-    let root = document.root();
-    root.word("kind", &["motion"]);
+    let root = document.root(MotionSpec::SHAPE);
+    root.word("kind");
     let name = root.string("name");
     let (title, reference) = (root.string("title"), root.string("source"));
     let mut graph = Graph::new();
@@ -157,9 +159,8 @@ fn coordinates(
     names: &mut BTreeMap<String, Id>,
 ) -> Vec<Coordinate> {
     if let Some(table) = root.table("coordinates") {
-        for (name, shape) in COORDINATES {
-            let word = if *shape == Shape::Scalar { "scalar" } else { "vector" };
-            table.word(name, &[word]);
+        for (name, _) in COORDINATES {
+            table.word(name);
         }
         table.finish();
     }
@@ -176,10 +177,9 @@ fn coordinates(
 
 fn tensors(root: &Table, graph: &mut Graph, names: &mut BTreeMap<String, Id>) -> Vec<Tensor> {
     let Some(table) = root.table("tensors") else { return Vec::new() };
-    let words = TENSORS.map(|(word, ..)| word);
     let mut tensors = Vec::new();
     for key in table.names() {
-        let word = table.word(key.text(), &words);
+        let word = table.word(key.text());
         let name = match formula::name(key.text()) {
             Ok(name)
                 if KERNEL_NAMES.contains(&name.as_str())

@@ -1,6 +1,7 @@
 //! TOML tables read key by key, so that every error is found at once and carries its place.
 //!
-//! A reader asks a [`Table`] for the keys it knows and calls [`Table::finish`], which reports the rest.
+//! A reader asks a [`Table`] for keys that are declared for it (see [`super::schema`]) and calls
+//! [`Table::finish`], which reports keys that it did not ask for and declared ones that are missing.
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -12,14 +13,16 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 pub use super::document::{Document, Item, Value};
+use super::schema::{Need, Shape};
 use crate::diagnostic::{Code, Diagnostic, Located, Source, nearest, suggest};
-use crate::units::{Dimension, Quantity};
 
 /// A table of the file.
 #[derive(Debug)]
 pub struct Table<'d> {
     document: &'d Document<'d>,
     entries: &'d DeTable<'d>,
+    /// What it may say.
+    shape: &'static Shape,
     span: Range<usize>,
     /// Keys that lead here, such as `outputs.Q`; empty for the file itself.
     place: String,
@@ -32,12 +35,14 @@ impl<'d> Table<'d> {
     pub(super) fn new(
         document: &'d Document<'d>,
         entries: &'d DeTable<'d>,
+        shape: &'static Shape,
         span: Range<usize>,
         place: String,
     ) -> Self {
         Table {
             document,
             entries,
+            shape,
             span,
             place,
             asked: RefCell::default(),
@@ -69,19 +74,83 @@ impl<'d> Table<'d> {
         if self.place.is_empty() { key.to_owned() } else { format!("{}.{key}", self.place) }
     }
 
-    fn entry(&self, key: &str) -> Option<&'d Spanned<DeValue<'d>>> {
+    /// What a key takes, if it is declared so that `fits`. One that is not is never read: a file that has it
+    /// is refused.
+    fn declared(&self, key: &str, fits: fn(&Shape) -> bool) -> Option<&'static Shape> {
+        let shape = self.shape.of_key(key).filter(|shape| shape.admits(fits));
+        debug_assert!(shape.is_some(), "`{}` is read but not so declared", self.full(key));
+        shape
+    }
+
+    /// The value of a key, which counts as known from now on, and what it takes.
+    fn entry(
+        &self,
+        key: &str,
+        fits: fn(&Shape) -> bool,
+    ) -> Option<(&'d Spanned<DeValue<'d>>, &'static Shape)> {
+        let shape = self.declared(key, fits)?;
         self.asked.borrow_mut().push(key.to_owned());
-        self.entries.iter().find(|(name, _)| name.get_ref() == key).map(|(_, value)| value)
+        let (_, value) = self.entries.iter().find(|(name, _)| name.get_ref() == key)?;
+        Some((value, shape))
+    }
+
+    /// The value of a key that `fits`, for which messages say that `wanted` must stand there.
+    fn value_of(&self, key: &str, fits: fn(&Shape) -> bool) -> Option<Value<'d>> {
+        let (value, shape) = self.entry(key, fits)?;
+        Some(self.document.value(value, shape))
     }
 
     /// Whether the key is there; the key counts as known from now on.
     pub fn has(&self, key: &str) -> bool {
-        self.entry(key).is_some()
+        self.entry(key, |_| true).is_some()
     }
 
-    /// The value of a key, of any type.
+    /// Where the value of a key stands; the table if there is none.
+    pub fn place(&self, key: &str) -> Range<usize> {
+        self.entry(key, |_| true).map_or(self.span(), |(value, _)| value.span())
+    }
+
+    /// The value of a key that takes any of several types.
     pub fn value(&self, key: &str) -> Option<Value<'d>> {
-        self.entry(key).map(|value| self.document.value(value))
+        debug_assert!(matches!(self.shape.of_key(key), Some(Shape::Either(_))), "`{key}`");
+        self.value_of(key, |_| true)
+    }
+
+    /// Reports that a key is not there; to be called where one that is declared as free must be there.
+    fn demand(&self, key: &str) {
+        if !self.has(key)
+            && let Some(shape) = self.declared(key, |_| true)
+        {
+            self.missing(key, &self.mend(key, shape));
+        }
+    }
+
+    /// How to write a key that is not there.
+    fn mend(&self, key: &str, shape: &Shape) -> String {
+        match shape {
+            Shape::Words(_) | Shape::Registered(_) => {
+                format!("write `{key} = \"{}\"`", shape.words().first().copied().unwrap_or("…"))
+            }
+            Shape::Text | Shape::Formula => format!("write `{key} = \"…\"`"),
+            Shape::Quantity(measure) => {
+                let (wanted, example) = (measure.dimension, measure.example);
+                format!("{wanted} is wanted: write for example `{key} = \"{example}\"`")
+            }
+            Shape::Number => format!("write for example `{key} = 1.5`"),
+            Shape::Between(low, high) => {
+                format!("write for example `{key} = {}`", 0.5 * (low + high))
+            }
+            Shape::Count(_) => format!("write for example `{key} = 24`"),
+            Shape::Flag => format!("write `{key} = true`"),
+            Shape::List(_) | Shape::Tuple(..) => format!("write `{key} = [ … ]`"),
+            Shape::Either(shapes) => match shapes.first() {
+                Some(shape) => self.mend(key, shape),
+                None => String::new(),
+            },
+            Shape::Table(_) | Shape::Named(_) | Shape::Known(..) => {
+                format!("write a section `[{}]`", self.full(key))
+            }
+        }
     }
 
     /// Reports that a key that must be there is not.
@@ -104,7 +173,7 @@ impl<'d> Table<'d> {
 
     /// A string, if the key is there; another type is an error.
     pub fn optional_string(&self, key: &str) -> Option<Located> {
-        match self.value(key)? {
+        match self.value_of(key, Shape::is_text)? {
             Value::String(text) => Some(text),
             other => {
                 self.document.wrong_type(&self.full(key), "a string", &other);
@@ -115,14 +184,23 @@ impl<'d> Table<'d> {
 
     /// A string that must be there.
     pub fn string(&self, key: &str) -> Option<Located> {
-        if !self.has(key) {
-            self.missing(key, &format!("write `{key} = \"…\"`"));
-        }
+        self.demand(key);
         self.optional_string(key)
     }
 
-    /// One of a few words, if the key is there; any other string is an error that names the nearest.
-    pub fn optional_word(&self, key: &str, words: &[&'static str]) -> Option<&'static str> {
+    /// One of the words declared, if the key is there; any other string is an error that names the nearest.
+    pub fn optional_word(&self, key: &str) -> Option<&'static str> {
+        let shape = self.declared(key, |shape| matches!(shape, Shape::Words(_)))?;
+        self.word_among(key, &shape.words())
+    }
+
+    /// One of the words declared, which must be there.
+    pub fn word(&self, key: &str) -> Option<&'static str> {
+        self.demand(key);
+        self.optional_word(key)
+    }
+
+    pub(super) fn word_among(&self, key: &str, words: &[&'static str]) -> Option<&'static str> {
         let text = self.optional_string(key)?;
         let word = words.iter().find(|word| **word == text.text()).copied();
         if word.is_none() {
@@ -133,18 +211,13 @@ impl<'d> Table<'d> {
         word
     }
 
-    /// One of a few words, which must be there.
-    pub fn word(&self, key: &str, words: &[&'static str]) -> Option<&'static str> {
-        if !self.has(key) {
-            let word = words.first().copied().unwrap_or("…");
-            self.missing(key, &format!("write `{key} = \"{word}\"`"));
-        }
-        self.optional_word(key, words)
-    }
-
     /// An exact number, if the key is there, and where it stands.
     pub fn optional_number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
-        match self.value(key)? {
+        self.number_of(key, |shape| matches!(shape, Shape::Number))
+    }
+
+    fn number_of(&self, key: &str, fits: fn(&Shape) -> bool) -> Option<(Rational, Range<usize>)> {
+        match self.value_of(key, fits)? {
             Value::Number(value, span) => Some((value, span)),
             other => {
                 self.document.wrong_type(&self.full(key), "a finite number", &other);
@@ -155,15 +228,13 @@ impl<'d> Table<'d> {
 
     /// An exact number that must be there, and where it stands.
     pub fn number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
-        if !self.has(key) {
-            self.missing(key, &format!("write for example `{key} = 1.5`"));
-        }
+        self.demand(key);
         self.optional_number(key)
     }
 
     /// A count (0, 1, 2, …), if the key is there.
     pub fn optional_count(&self, key: &str) -> Option<usize> {
-        let (value, span) = self.optional_number(key)?;
+        let (value, span) = self.number_of(key, |shape| matches!(shape, Shape::Count(_)))?;
         let count = if value.is_integer() { value.to_usize() } else { None };
         if count.is_none() {
             let message = format!("`{}` must be a count such as 1 or 24", self.full(key));
@@ -174,15 +245,13 @@ impl<'d> Table<'d> {
 
     /// A count that must be there.
     pub fn count(&self, key: &str) -> Option<usize> {
-        if !self.has(key) {
-            self.missing(key, &format!("write for example `{key} = 24`"));
-        }
+        self.demand(key);
         self.optional_count(key)
     }
 
     /// A truth value, if the key is there.
     pub fn optional_boolean(&self, key: &str) -> Option<bool> {
-        match self.value(key)? {
+        match self.value_of(key, |shape| matches!(shape, Shape::Flag))? {
             Value::Boolean(truth, _) => Some(truth),
             other => {
                 self.document.wrong_type(&self.full(key), "`true` or `false`", &other);
@@ -191,59 +260,21 @@ impl<'d> Table<'d> {
         }
     }
 
-    /// A quantity such as `"1404 mm"` in SI units, if the key is there; a number alone serves only where
-    /// a pure number is wanted.
-    pub fn optional_quantity(&self, key: &str, wanted: &Dimension) -> Option<f64> {
-        let (text, span) = match self.value(key)? {
-            Value::String(text) => (text.text().to_owned(), text.place(0..text.text().len())),
-            Value::Number(value, _) if *wanted == Dimension::NUMBER => return value.to_f64(),
-            Value::Number(_, span) => (self.source().text[span.clone()].to_owned(), span),
-            other => {
-                let example = wanted.example().unwrap_or_default();
-                let wanted = format!("{wanted}, such as \"{example}\"");
-                self.document.wrong_type(&self.full(key), &wanted, &other);
-                return None;
-            }
-        };
-        match Quantity::parse(&text).and_then(|quantity| quantity.expect(wanted)) {
-            Ok(si) => Some(si),
-            Err(error) => {
-                let error = error.at(self.source(), span.start);
-                self.document.push(error);
-                None
-            }
-        }
-    }
-
-    /// A quantity that must be there, in SI units.
-    pub fn quantity(&self, key: &str, wanted: &Dimension) -> Option<f64> {
-        if !self.has(key) {
-            let example = wanted.example().unwrap_or_else(|| "1".to_owned());
-            self.missing(
-                key,
-                &format!("{wanted} is wanted: write for example `{key} = \"{example}\"`"),
-            );
-        }
-        self.optional_quantity(key, wanted)
-    }
-
     /// A table, if the key is there.
     pub fn optional_table(&self, key: &str) -> Option<Table<'d>> {
-        let value = self.entry(key)?;
-        self.document.table(value, self.full(key))
+        let (value, shape) = self.entry(key, Shape::is_table)?;
+        self.document.table(value, shape, self.full(key))
     }
 
     /// A table that must be there.
     pub fn table(&self, key: &str) -> Option<Table<'d>> {
-        if !self.has(key) {
-            self.missing(key, &format!("write a section `[{}]`", self.full(key)));
-        }
+        self.demand(key);
         self.optional_table(key)
     }
 
     /// The elements of an array, if the key is there.
     pub fn optional_items(&self, key: &str) -> Option<Vec<Item<'d>>> {
-        match self.value(key)? {
+        match self.value_of(key, |shape| shape.of_items().is_some())? {
             Value::Array(items, _) => Some(items),
             other => {
                 self.document.wrong_type(&self.full(key), "an array", &other);
@@ -254,14 +285,13 @@ impl<'d> Table<'d> {
 
     /// The elements of an array that must be there.
     pub fn items(&self, key: &str) -> Option<Vec<Item<'d>>> {
-        if !self.has(key) {
-            self.missing(key, &format!("write `{key} = [ … ]`"));
-        }
+        self.demand(key);
         self.optional_items(key)
     }
 
     /// Every key, in the order of the file, each counted as known: for tables whose keys are names.
     pub fn names(&self) -> Vec<Located> {
+        debug_assert!(self.shape.names_are_free(), "the keys of `{}` are fixed", self.place);
         let mut names: Vec<Located> = (self.entries.iter())
             .map(|(key, _)| Located::new(self.source(), key.span(), key.get_ref().as_ref()))
             .collect();
@@ -270,8 +300,16 @@ impl<'d> Table<'d> {
         names
     }
 
-    /// Reports every key that was not asked for, with the nearest that was.
+    /// Reports every key that must be there and is not, and every key that was not asked for, with the
+    /// nearest that was.
     pub fn finish(self) {
+        for key in self.shape.keys().filter(|key| key.need == Need::Always) {
+            let noted =
+                self.missing.borrow().iter().any(|(keys, _)| keys.iter().any(|k| k == key.name));
+            if !noted {
+                self.demand(key.name);
+            }
+        }
         let asked = self.asked.borrow();
         let mut known: Vec<&str> = asked.iter().map(String::as_str).collect();
         known.sort_unstable();
@@ -308,11 +346,29 @@ impl Drop for Table<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::schema::{key, needed};
+
+    /// Keys of the files below.
+    static SHAPE: Shape = Shape::Table(&[&[
+        key("name", Shape::Text, ""),
+        key("title", Shape::Text, ""),
+        key("count", Shape::Count(0), ""),
+        key("engage", Shape::Words(&["root"]), ""),
+        needed("source", Shape::Text, ""),
+        key("inputs", Shape::Named(&Shape::Table(&[])), ""),
+    ]]);
+    static NUMBERS: Shape = Shape::Table(&[&[
+        key("a", Shape::Number, ""),
+        key("b", Shape::Number, ""),
+        key("c", Shape::Number, ""),
+        key("d", Shape::Count(0), ""),
+    ]]);
+    static TEXTS: Shape = Shape::Named(&Shape::Text);
 
     fn messages(text: &str, read: impl Fn(&Table<'_>)) -> Vec<String> {
         let source = Source::new("f.toml", text);
         let document = Document::parse(&source);
-        let root = document.root();
+        let root = document.root(&SHAPE);
         read(&root);
         root.finish();
         let errors = document.into_result(Some(())).err().unwrap_or_default();
@@ -324,8 +380,6 @@ mod tests {
         let text = "\
 name = 3
 tilte = \"x\"
-length = \"3 N\"
-density = 7860
 count = 1.5
 engage = \"roof\"
 [inputs]
@@ -334,11 +388,8 @@ h = 4
         let found = messages(text, |root| {
             assert!(root.string("name").is_none());
             assert!(root.optional_string("title").is_none());
-            assert!(root.quantity("length", &Dimension::LENGTH).is_none());
-            assert!(root.quantity("density", &Dimension::DENSITY).is_none());
-            assert!(root.quantity("speed", &Dimension::ANGULAR_SPEED).is_none());
             assert!(root.count("count").is_none());
-            assert!(root.optional_word("engage", &["root"]).is_none());
+            assert!(root.optional_word("engage").is_none());
             let inputs = root.table("inputs").unwrap();
             for name in inputs.names() {
                 assert!(inputs.table(name.text()).is_none());
@@ -347,12 +398,11 @@ h = 4
         let expected = [
             "f.toml:1:8: `name` must be a string, not a number",
             "f.toml:2:1: unknown key `tilte` (did you mean `title`?)",
-            "f.toml:3:11: expected a length, but `3 N` is a force (write for example `1 mm`)",
-            "f.toml:4:11: expected a density, but `7860` has no unit (write for example `7860 kg/m^3`)",
-            "f.toml:5:9: `count` must be a count such as 1 or 24",
-            "f.toml:6:11: `engage` cannot be `roof` (did you mean `root`?)",
-            "f.toml:8:5: `inputs.h` must be a table, not a number",
-            "f.toml: `speed` is missing (an angular speed is wanted: write for example `speed = \"4500 rpm\"`)",
+            "f.toml:3:9: `count` must be a count such as 1 or 24",
+            "f.toml:4:11: `engage` cannot be `roof` (did you mean `root`?)",
+            "f.toml:6:5: `inputs.h` must be a table, not a number",
+            // Declared as needed, whatever the reader asks for.
+            "f.toml: `source` is missing (write `source = \"…\"`)",
         ];
         assert_eq!(found, expected);
     }
@@ -369,7 +419,7 @@ h = 4
     fn numbers_are_exact() {
         let source = Source::new("f.toml", "a = 0.035687\nb = -1_000\nc = inf\nd = 0x10\n");
         let document = Document::parse(&source);
-        let root = document.root();
+        let root = document.root(&NUMBERS);
         let exact = Rational::new(35687, 1_000_000);
         assert_eq!(root.number("a").unwrap().0, exact);
         assert_eq!(root.number("b").unwrap().0, Rational::from(-1000));
@@ -381,7 +431,7 @@ h = 4
     fn places_in_strings_are_places_in_the_file() {
         let source = Source::new("f.toml", "a = 'x + y'\nb = \"x\\u0020+ y\"\n");
         let document = Document::parse(&source);
-        let root = document.root();
+        let root = document.root(&TEXTS);
         assert_eq!(root.string("a").unwrap().place(4..5), 9..10);
         assert_eq!(root.string("b").unwrap().place(4..5), 16..28);
     }

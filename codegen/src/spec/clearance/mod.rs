@@ -45,6 +45,7 @@ mod contact;
 mod derive;
 mod kinds;
 mod read;
+mod schema;
 #[cfg(test)]
 mod tests;
 

@@ -9,6 +9,7 @@ use crate::diagnostic::{Code, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::{self, Formula, Meaning, Scope};
 use crate::spec::read::{Document, Table, Value};
+use crate::spec::schema::Described;
 use crate::units::{Dimension, Unit};
 
 /// Names that the generated kernels use themselves.
@@ -59,8 +60,8 @@ impl<'d> Reader<'d> {
     }
 
     fn spec(mut self, file: &Arc<Source>) -> Option<ClearanceSpec> {
-        let root = self.document.root();
-        root.word("kind", &["clearance"]);
+        let root = self.document.root(ClearanceSpec::SHAPE);
+        root.word("kind");
         let (name, title, reference) =
             (root.string("name"), root.string("title"), root.string("source"));
         let spring = self.coordinates(&root, "spring", &[Dimension::ANGLE]);

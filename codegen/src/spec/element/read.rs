@@ -14,6 +14,7 @@ use crate::element::{self, Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
 use crate::formula::{lower, parse};
 use crate::spec::read::{Document, Item, Table, Value};
+use crate::spec::schema::Described;
 
 /// Most nodes of an element, points of a rule, and modes: far above any element in use.
 const MOST: usize = 64;
@@ -45,14 +46,14 @@ struct Reader<'d> {
 impl<'d> Reader<'d> {
     fn element(&mut self, file: &Arc<Source>) -> Option<ElementSpec> {
         let document = self.document;
-        let root = document.root();
-        root.word("kind", &["element"]);
+        let root = document.root(ElementSpec::SHAPE);
+        root.word("kind");
         let (name, title) = (root.string("name"), root.string("title"));
         let reference = root.string("source");
         if let Some(name) = &name {
             self.check_name(name);
         }
-        let cell = root.word("cell", &Cell::NAMES).and_then(Cell::named);
+        let cell = root.word("cell").and_then(Cell::named);
         let nodes = self.nodes(&root);
         // Known even where the nodes, which it is read for, are wrong.
         root.has("shape");
@@ -149,7 +150,7 @@ impl<'d> Reader<'d> {
     }
 
     fn error(&self, code: Code, span: Range<usize>, message: String) {
-        self.document.root().error(code, span, message);
+        self.document.error(code, span, message);
     }
 
     /// The elements of an array of `count` values; another type or length is an error that says `wanted`.
@@ -195,7 +196,7 @@ impl<'d> Reader<'d> {
         items: Vec<Item<'i>>,
     ) -> Option<Vec<Item<'i>>> {
         if items.is_empty() || items.len() > MOST {
-            let span = table.value(key).map_or(table.span(), |value| value.span());
+            let span = table.place(key);
             let message = format!("`{key}` must have 1 to {MOST} entries, not {}", items.len());
             self.error(Code::BAD_VALUE, span, message);
             return None;
@@ -246,7 +247,7 @@ impl<'d> Reader<'d> {
     fn complete(&self, root: &Table<'_>) -> Option<u32> {
         let complete = root.optional_count("complete").unwrap_or(1);
         if complete > MOST_COMPLETE {
-            let span = root.value("complete").map_or(root.span(), |value| value.span());
+            let span = root.place("complete");
             let message = format!("completeness is proved up to degree {MOST_COMPLETE}");
             self.error(Code::BAD_VALUE, span, message);
             return None;
@@ -302,24 +303,22 @@ impl<'d> Reader<'d> {
 
     fn rule(&mut self, table: &Table<'_>, cell: Cell) -> Option<Quadrature> {
         let degree = table.count("degree");
-        if let (Some(degree), Some(value)) =
-            (degree.filter(|degree| *degree > HIGHEST_DEGREE), table.value("degree"))
-        {
+        if let Some(degree) = degree.filter(|degree| *degree > HIGHEST_DEGREE) {
             let message = format!("a degree is at most {HIGHEST_DEGREE}, not {degree}");
-            self.error(Code::BAD_VALUE, value.span(), message);
+            self.error(Code::BAD_VALUE, table.place("degree"), message);
             return None;
         }
         let degree = degree.and_then(|degree| degree.to_u32());
         let reduced = table.optional_boolean("reduced").unwrap_or(false);
-        let affine = table.optional_word("patch_test", &["any", "affine"]) == Some("affine");
+        let affine = table.optional_word("patch_test") == Some("affine");
         let mut field = Field::default();
         let (title, factors, place) = if table.has("points") {
             let items = self.bounded(table, "points", table.items("points")?)?;
-            let place = table.value("points")?.span();
+            let place = table.place("points");
             let points = self.points(&items, &mut field)?;
             (format!("{} points", items.len()), vec![Factor { axes: 0..3, points }], place)
         } else {
-            let place = table.value("rule").map_or(table.span(), |value| value.span());
+            let place = table.place("rule");
             let names = self.texts(&table.items("rule")?, "a rule such as \"gauss(2)\"")?;
             let factors = self.product(&names, cell, place.clone(), &mut field)?;
             let names: Vec<&str> = names.iter().map(Located::text).collect();
@@ -411,7 +410,7 @@ impl<'d> Reader<'d> {
         let names = self.names();
         let modes: Option<Vec<Function>> = modes
             .and_then(|texts| texts.iter().map(|text| self.function(text, &names, cell)).collect());
-        let jacobian = match table.word("jacobian", &["centre", "point"]) {
+        let jacobian = match table.word("jacobian") {
             Some("centre") => Some(ModeJacobian::Centre),
             Some(_) => Some(ModeJacobian::Point),
             None => None,
@@ -443,7 +442,7 @@ impl<'d> Reader<'d> {
         let kind = table.count("type").and_then(|kind| {
             let small = kind.to_u8();
             if small.is_none() {
-                let span = table.value("type").map_or(table.span(), |value| value.span());
+                let span = table.place("type");
                 self.error(Code::BAD_VALUE, span, "a VTK cell type is below 256".to_owned());
             }
             small
@@ -476,7 +475,7 @@ impl<'d> Reader<'d> {
         if items.len() == nodes && sorted.into_iter().eq(0..nodes) {
             return Some(order);
         }
-        let span = table.value("order").map_or(table.span(), |value| value.span());
+        let span = table.place("order");
         let message = format!("`order` must name every node from 1 to {nodes} once");
         self.error(Code::BAD_VALUE, span, message);
         None

@@ -6,12 +6,13 @@ use std::sync::Arc;
 
 use crate::rational::Rational;
 
-use super::Beside;
 use super::acts::{self, Acts, Quantity as Known};
 use super::table::{self, TableDraft};
+use super::{Beside, LawSpec};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use crate::formula::{self, Formula};
 use crate::spec::read::{Document, Table, Value};
+use crate::spec::schema::Described;
 use crate::units::{Quantity, Unit};
 
 /// Most bytes of a law file.
@@ -78,8 +79,8 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
     if !document.is_toml() {
         return document.into_result(None);
     }
-    let root = document.root();
-    root.word("kind", &["law"]);
+    let root = document.root(LawSpec::SHAPE);
+    root.word("kind");
     let (name, title, reference) =
         (root.string("name"), root.string("title"), root.string("source"));
     if let Some(name) = &name {
@@ -300,11 +301,11 @@ fn range(table: &Table<'_>) -> Option<[Rational; 2]> {
 
 fn output(table: &Table<'_>, key: &Located, name: String) -> Option<Output> {
     let document = table.document();
-    let engage = table.optional_word("engage", &["root"]);
-    let jump = table.optional_word("jump", &["accept"]);
+    let engage = table.optional_word("engage");
+    let jump = table.optional_word("jump");
     let place = ["engage", "jump"]
         .iter()
-        .find_map(|key| table.value(key).map(|value| value.span()))
+        .find_map(|key| table.has(key).then(|| table.place(key)))
         .unwrap_or_else(|| key.span());
     let jumps = match (engage, jump) {
         (Some(_), Some(_)) => {

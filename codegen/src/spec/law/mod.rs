@@ -40,6 +40,7 @@ mod program;
 mod report;
 mod root;
 mod scan;
+mod schema;
 mod system;
 mod table;
 

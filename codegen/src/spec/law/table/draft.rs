@@ -60,8 +60,7 @@ pub(in crate::spec::law) fn read(
     let input = section.string("input");
     let input = input.and_then(|text| parse(&text).map_err(|e| document.append(e)).ok());
     let (x, y) = (wanted(section, key, "x", 0), wanted(section, key, "y", 1));
-    let modes = ["constant", "linear", "periodic", "refuse"];
-    let extend = match section.optional_word("extend", &modes) {
+    let extend = match section.optional_word("extend") {
         Some("constant") => Extend::Constant,
         Some("linear") => Extend::Linear,
         Some("periodic") => Extend::Periodic,
@@ -113,10 +112,6 @@ fn wanted(section: &Table<'_>, key: &Located, axis: &str, place: usize) -> Optio
         Some(Value::Table(_)) => {
             let table = section.table(axis)?;
             let value = table.value("column");
-            if value.is_none() {
-                let message = format!("`{axis}.column` is missing");
-                table.error(Code::MISSING_KEY, table.span(), message);
-            }
             let unit = table.optional_string("unit");
             table.finish();
             (value?, unit)

@@ -1,0 +1,217 @@
+//! What case and machine files may say. An included file can give whatever is left out, so that only
+//! the entries of lists, which are never merged, need keys in the file itself.
+
+use whirl_codegen::spec::schema::Shape::{
+    Between, Count, Either, Flag, List, Named, Quantity, Registered, Table, Text, Tuple, Words,
+};
+use whirl_codegen::spec::schema::{Described, Key, Measure, Range, Shape, key, merged, needed};
+use whirl_codegen::units::Dimension;
+use whirl_specs::MOTIONS;
+
+use super::Case;
+
+impl Described for Case {
+    const TITLE: &'static str = "case or machine";
+    const SHAPE: &'static Shape = &Table(&[CASE]);
+}
+
+macro_rules! measures {
+    ($($name:ident: $dimension:ident, $example:literal, $range:ident;)*) => {
+        $(const $name: Shape = Quantity(Measure {
+            dimension: Dimension::$dimension,
+            example: $example,
+            range: Range::$range,
+        });)*
+    };
+}
+
+measures! {
+    LENGTH: LENGTH, "12.5 mm", Positive;
+    CLEARANCE: LENGTH, "35 um", Positive;
+    POSITION: LENGTH, "12.5 mm", Any;
+    VELOCITY: SPEED, "1 m/s", Any;
+    MASS: MASS, "100 kg", Positive;
+    MODULUS: PRESSURE, "200 GPa", Positive;
+    DENSITY: DENSITY, "7860 kg/m^3", Positive;
+    TIME: TIME, "7.4e-5 s", Positive;
+    DURATION: TIME, "0.1 s", Positive;
+    DAMPING_TIME: TIME, "1e-4 s", NotNegative;
+    STIFFNESS: STIFFNESS, "1e8 N/m", NotNegative;
+    DAMPING: DAMPING, "20 N*s/m", NotNegative;
+    FORCE: FORCE, "1000 N", Any;
+    TOLERANCE: FORCE, "1e-3 N", Positive;
+    TORQUE: TORQUE, "109 N*m", Any;
+    TARGET_SPEED: ANGULAR_SPEED, "4500 rpm", Positive;
+    FREQUENCY: FREQUENCY, "37.5 Hz", Positive;
+    ANGLE: ANGLE, "90 deg", Any;
+}
+
+/// Names in a list, or one alone.
+const NAMES: Shape = Either(&[Text, List(&Text)]);
+/// Left, middle and right.
+const SETS: Shape = Tuple(&Text, 3);
+const MOTION: Shape = Registered(motions);
+
+const CASE: &[Key] = &[
+    key("include", NAMES, "files whose keys hold where this one says nothing"),
+    merged("title", Text, "one line for people").like("\"what this case is\""),
+    key("source", Text, "paper, standard or book"),
+    key("material", Named(&Table(&[MATERIAL])), "materials by name"),
+    key("shaft", Table(&[BODY, SHAFT]), "the rotating body"),
+    key("support", Table(&[BODY, SUPPORT]), "the standing body"),
+    key("springs", Table(&[SPRINGS]), "what all bearings share"),
+    key("bearing", List(&Table(&[BEARING, SPRINGS])), "where the shaft runs in the support"),
+    key("drive", Table(&[DRIVE]), "what turns the shaft"),
+    key("load", List(&Table(&[LOAD])), "forces on the shaft"),
+    key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
+    key("stop", List(&Table(&[STOP])), "what the mass may strike"),
+    merged("march", Table(&[MARCH]), "steps in time"),
+    key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
+];
+
+const MATERIAL: &[Key] = &[
+    merged("youngs_modulus", MODULUS, "E"),
+    merged("poissons_ratio", Between(-1.0, 0.5), "ν").like("0.3"),
+    merged("density", DENSITY, "mass a volume"),
+];
+
+const BODY: &[Key] = &[
+    key("mesh", Text, "an Abaqus or CalculiX input file in m, Pa, kg/m³"),
+    key("material", Text, "the name of a material"),
+    merged("modes", Count(0), "fixed-interface modes kept"),
+    key("damping", DAMPING_TIME, "C = damping · K"),
+];
+
+const SHAFT: &[Key] = &[
+    key("dimensions", Table(&[SHAFT_DIMENSIONS]), "a mesh made from a few dimensions"),
+    merged("axial_restraint", Text, "set of one node held along z").like("\"NAME_OF_A_NODE_SET\""),
+    key("motion", MOTION, "how rotation is coupled to deformation"),
+];
+
+const SHAFT_DIMENSIONS: &[Key] = &[
+    merged("length", LENGTH, "of the shaft"),
+    merged("diameter", LENGTH, "of the shaft"),
+    merged("supports", List(&POSITION), "z of their middles"),
+    merged("support_length", LENGTH, "along z"),
+    merged("layers_in_support", Count(1), "cells along a support"),
+    merged("layers_between", Count(1), "cells along z between supports"),
+    key("loads", List(&POSITION), "z of loaded nodes on the centre line"),
+    key("cells", Table(&[SHAFT_CELLS]), "cells of the section"),
+];
+
+const SHAFT_CELLS: &[Key] = &[
+    key("sectors", Count(1), "cells around"),
+    key("rings", Count(1), "cells from the centre outwards"),
+];
+
+const SUPPORT: &[Key] = &[
+    key("dimensions", Table(&[SUPPORT_DIMENSIONS]), "a mesh made from a few dimensions"),
+    merged("mounts", Text, "node set held in x, y and z").like("\"NAME_OF_A_NODE_SET\""),
+    key("ground_spring", List(&Table(&[GROUND_SPRING])), "springs to the ground"),
+];
+
+const SUPPORT_DIMENSIONS: &[Key] = &[
+    merged("start", POSITION, "z of the beam's end"),
+    merged("length", LENGTH, "of the beam"),
+    merged("height", LENGTH, "of the beam"),
+    merged("width", LENGTH, "of the beam"),
+    merged("pedestal_height", LENGTH, "between beam and ring"),
+    merged("rings", List(&POSITION), "z of their middles"),
+    merged("ring_length", LENGTH, "along z"),
+    merged("ring_thickness", LENGTH, "of the wall"),
+    merged("bore_radius", LENGTH, "of the bore"),
+    merged("layers_in_ring", Count(1), "cells along a ring"),
+    merged("layers_between", Count(1), "cells along z between rings"),
+    key("cells", Table(&[SUPPORT_CELLS]), "cells of the section"),
+];
+
+const SUPPORT_CELLS: &[Key] = &[
+    key("height", Count(1), "cells over the height of the beam"),
+    key("width", Count(1), "cells over the width of the beam"),
+    key("pedestal", Count(1), "cells over the height of the pedestal"),
+    key("around", Count(1), "cells around the ring"),
+    key("radial", Count(1), "cells over the ring's wall"),
+];
+
+const GROUND_SPRING: &[Key] = &[
+    needed("set", Text, "node set").like("\"NAME_OF_A_NODE_SET\""),
+    key("direction", Words(&["x", "y", "z"]), "x if left out"),
+    needed("stiffness", STIFFNESS, "of each node"),
+];
+
+const SPRINGS: &[Key] = &[
+    key("number", Count(3), "springs in a ring").like("24"),
+    key("radial_clearance", CLEARANCE, "of the undeformed bearing"),
+    key("journal_radius", LENGTH, "for slip; that of the bore less the clearance if left out"),
+    key("law", Text, "the name of a law, or the path of a law file").like("\"hu2003-nonlinear\""),
+];
+
+const BEARING: &[Key] = &[
+    needed("journal", SETS, "sets of one node: left, middle, right")
+        .like("[\"JOURNAL1_LEFT\", \"JOURNAL1_MIDDLE\", \"JOURNAL1_RIGHT\"]"),
+    needed("bore", SETS, "sets around the bore: left, middle, right")
+        .like("[\"BORE1_LEFT\", \"BORE1_MIDDLE\", \"BORE1_RIGHT\"]"),
+    key("stations", List(&POSITION), "z of the rings of springs"),
+];
+
+const DRIVE: &[Key] = &[
+    merged("top", Text, "set of one node").like("\"DRIVE_TOP\""),
+    merged("bottom", Text, "set of one node").like("\"DRIVE_BOTTOM\""),
+    merged("torque", TORQUE, "until the target speed is reached"),
+    merged("target_speed", TARGET_SPEED, "of the shaft"),
+    key("acts", Flag, "false leaves the shaft without a drive"),
+];
+
+const LOAD: &[Key] = &[
+    needed("sets", NAMES, "node sets; every node carries the force").like("[\"LOAD1\"]"),
+    key("direction", Words(&["x", "y"]), "fixed in space; x if left out"),
+    needed("force", FORCE, "on each node"),
+    key("frequency", FREQUENCY, "of F sin(2πft + φ); a constant force without it"),
+    key("phase", ANGLE, "φ"),
+];
+
+const LUMPED: &[Key] = &[
+    key("unbalance", Table(&[UNBALANCE]), "the mass turns off its axis"),
+    merged("mass", MASS, "m"),
+    key("stiffness", STIFFNESS, "of its spring"),
+    key("damping", DAMPING, "of its damper"),
+    key("displacement", POSITION, "at t = 0"),
+    key("velocity", VELOCITY, "at t = 0"),
+    key("force", FORCE, "constant"),
+    key("motion", MOTION, "without effect: nothing turns"),
+];
+
+const UNBALANCE: &[Key] = &[
+    merged("eccentricity", LENGTH, "of the centre of mass"),
+    merged("speed", TARGET_SPEED, "constant"),
+];
+
+const STOP: &[Key] = &[
+    key(
+        "side",
+        Words(&["above", "below", "around"]),
+        "towards greater or smaller x, or all around",
+    ),
+    key("gap", POSITION, "clearance at x = 0; a law all around has it in itself"),
+    needed("law", Text, "the name of a law, or the path of a law file").like("\"my.law.toml\""),
+];
+
+const MARCH: &[Key] = &[
+    merged("time_step", TIME, "Δt"),
+    key("steps", Count(1), "or a duration"),
+    key("duration", DURATION, "or a number of steps"),
+    key("force_tolerance", TOLERANCE, "change of a spring force at which a step has converged"),
+    key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),
+];
+
+const FIGURES: &[Key] = &[
+    key("laws", NAMES, "laws drawn beside each other"),
+    key("law", Count(1), "number of the figure in the paper"),
+    key("reactions", Count(1), "number of the figure in the paper"),
+    key("eccentricity", Count(1), "number of the figure in the paper"),
+    key("rotation", Count(1), "number of the figure in the paper"),
+];
+
+fn motions() -> Vec<&'static str> {
+    MOTIONS.iter().map(|motion| motion.origin.name).collect()
+}

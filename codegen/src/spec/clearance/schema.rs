@@ -1,0 +1,45 @@
+//! What a clearance file may say.
+
+use super::ClearanceSpec;
+use crate::spec::schema::Shape::{Formula, List, Named, Table, Text, Tuple, Words};
+use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+
+impl Described for ClearanceSpec {
+    const TITLE: &'static str = "clearance of springs";
+    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, CLEARANCE]);
+}
+
+const KIND: &[Key] = &[needed("kind", Words(&["clearance"]), "the kind of spec")];
+
+const CLEARANCE: &[Key] = &[
+    needed("spring", COORDINATES, "one angle, fixed, by which the springs of a ring differ"),
+    needed("constants", COORDINATES, "lengths: the radial clearance, and the journal's radius"),
+    needed("ring", COORDINATES, "an angle and two displacements that the springs of a ring share"),
+    needed("radial", COORDINATES, "one displacement, each spring's own"),
+    key("tangential", COORDINATES, "one displacement, each spring's own, along the tangent"),
+    key("bore", COORDINATES, "two mean displacements of the bore's ring and its rotation"),
+    key("definitions", Named(&Formula), "names for parts of the formula"),
+    needed("clearance", Named(&Formula), "the clearance"),
+    needed("axial", Named(&Tuple(&Formula, 3)), "weights of the three rings over the length"),
+    key(
+        "measures",
+        Named(&Table(&[MEASURE])),
+        "what else laws depend on, and their forces work on",
+    ),
+    key("laws", Named(&Table(&[LAWS])), "what laws of springs and of rings may take and give"),
+];
+
+const COORDINATES: Shape =
+    Named(&Table(&[&[needed("unit", Text, "SI unit"), key("title", Text, "one line for people")]]));
+
+const MEASURE: &[Key] = &[
+    needed("value", Formula, "a length or an angle"),
+    key("title", Text, "one line for people"),
+    key("rate", Text, "name of its rate, as laws call it"),
+    key("force", Text, "name of the force that works on it"),
+];
+
+const LAWS: &[Key] = &[
+    needed("inputs", List(&Text), "names that such a law may take"),
+    needed("forces", List(&Text), "names that such a law may give"),
+];

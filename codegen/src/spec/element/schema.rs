@@ -1,0 +1,57 @@
+//! What an element file may say.
+
+use super::ElementSpec;
+use crate::element::Cell;
+use crate::spec::schema::Shape::{
+    Count, Either, Flag, Formula, List, Named, Number, Table, Text, Tuple, Words,
+};
+use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+
+impl Described for ElementSpec {
+    const TITLE: &'static str = "finite element";
+    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, ELEMENT]);
+}
+
+const KIND: &[Key] = &[needed("kind", Words(&["element"]), "the kind of spec")];
+
+/// A number, or a formula without names.
+const EXACT: Shape = Either(&[Number, Formula]);
+
+const ELEMENT: &[Key] = &[
+    needed("cell", Words(&Cell::NAMES), "the reference cell"),
+    needed("nodes", List(&Tuple(&EXACT, 3)), "reference coordinates of the nodes"),
+    needed(
+        "shape",
+        Either(&[Formula, List(&Formula)]),
+        "one formula over xi_a, eta_a, zeta_a, or one a node",
+    ),
+    key("complete", Count(0), "degree of polynomials reproduced; 1 if left out"),
+    needed("quadrature", Table(&[RULE, RULES]), "how forms are integrated"),
+    key("enhanced", Table(&[ENHANCED]), "incompatible modes"),
+    needed("abaqus", Table(&[ABAQUS, ORDER]), "how mesh files call it"),
+    needed("vtk", Table(&[VTK, ORDER]), "how pictures call it"),
+];
+
+const RULE: &[Key] = &[
+    key("rule", List(&Text), "a product of named rules, such as [\"gauss(2)\", …]"),
+    key("points", List(&Tuple(&EXACT, 4)), "xi, eta, zeta and weight of every point"),
+    needed("degree", Count(0), "every monomial up to this degree is integrated exactly"),
+    key("reduced", Flag, "true: fewer points than the products of the form need"),
+    key("patch_test", Words(&["any", "affine"]), "cells that must pass the patch test"),
+];
+
+const RULES: &[Key] = &[key("forms", Named(&Table(&[RULE])), "rules of single forms")];
+
+const ENHANCED: &[Key] = &[
+    needed("forms", List(&Text), "forms in which the modes take part"),
+    needed("modes", List(&Formula), "functions of xi, eta, zeta"),
+    needed("jacobian", Words(&["centre", "point"]), "which turns their gradients"),
+    key("scale", Formula, "factor of their gradients over det and det0"),
+];
+
+const ABAQUS: &[Key] = &[needed("types", List(&Text), "element types of Abaqus and CalculiX")];
+
+const VTK: &[Key] = &[needed("type", Count(0), "VTK cell type")];
+
+const ORDER: &[Key] =
+    &[key("order", List(&Count(1)), "this element's nodes in the order of the other program")];

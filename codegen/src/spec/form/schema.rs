@@ -1,0 +1,22 @@
+//! What a file of forms may say.
+
+use super::FormSpec;
+use crate::spec::schema::Shape::{Formula, Named, Number, Table, Text, Tuple, Words};
+use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+
+impl Described for FormSpec {
+    const TITLE: &'static str = "bilinear forms";
+    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, FORM]);
+}
+
+const KIND: &[Key] = &[needed("kind", Words(&["form"]), "the kind of spec")];
+
+const FORM: &[Key] = &[
+    needed("material", Named(&Table(&[PROPERTY])), "properties of the material"),
+    key("coefficients", Named(&Formula), "formulas over the material"),
+    key("matrices", Named(&Tuple(&Tuple(&Number, 3), 3)), "constant 3 × 3 matrices"),
+    needed("forms", Named(&Formula), "bilinear in u (trial, columns) and v (test, rows)"),
+];
+
+const PROPERTY: &[Key] =
+    &[needed("unit", Text, "SI unit"), needed("title", Text, "one line for people")];

@@ -1,0 +1,83 @@
+//! What a law file may say.
+
+use super::LawSpec;
+use super::acts::{Acts, Quantity};
+use crate::spec::schema::Shape::{
+    Count, Either, Formula, Known, List, Named, Number, Table, Text, Tuple, Words,
+};
+use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+
+impl Described for LawSpec {
+    const TITLE: &'static str = "bearing law";
+    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, LAW]);
+}
+
+const KIND: &[Key] = &[needed("kind", Words(&["law"]), "the kind of spec")];
+
+const LAW: &[Key] = &[
+    needed("inputs", Known(inputs, &Table(&[VARIABLE])), "what it depends on"),
+    key("parameters", Named(&Table(&[PARAMETER])), "constants"),
+    key(
+        "tables",
+        Named(&Table(&[TABLE])),
+        "measured curves: monotone cubics through columns of a file",
+    ),
+    key("definitions", Named(&Formula), "names for parts of formulas"),
+    needed("outputs", Known(outputs, &Table(&[VARIABLE, OUTPUT])), "what it gives"),
+];
+
+const VARIABLE: &[Key] = &[
+    needed("unit", Text, "unit in which formulas take or give it, such as \"mm\""),
+    key("title", Text, "one line for people"),
+    key("range", Tuple(&Number, 2), "where the law is looked at and meant to be used"),
+];
+
+const OUTPUT: &[Key] = &[
+    key("value", Formula, "one formula for all inputs"),
+    key("pieces", List(&Table(&[PIECE])), "formulas with conditions; the first that holds applies"),
+    key("engage", Words(&["root"]), "moves breaks to where the pieces meet"),
+    key("jump", Words(&["accept"]), "keeps jumps"),
+    key("smooth", Text, "blends pieces over this length of the input").like("\"1 um\""),
+];
+
+const PIECE: &[Key] = &[
+    key("when", Formula, "the condition under which it applies; the last piece has none"),
+    needed("value", Formula, "what it gives"),
+];
+
+const PARAMETER: &[Key] = &[
+    needed("value", Number, "in the unit beside it"),
+    needed("unit", Text, "any unit; \"1\" for a pure number"),
+    key("title", Text, "one line for people"),
+];
+
+const TABLE: &[Key] = &[
+    needed("file", Text, "the file of columns beside this one, such as \"gap.csv\""),
+    needed("input", Formula, "what it is looked up by, such as 'h'"),
+    key("x", COLUMN, "the column of the input; the first if left out"),
+    key("y", COLUMN, "the column of the values; the second if left out"),
+    key("extend", EXTEND, "what becomes of inputs outside its rows"),
+];
+
+const EXTEND: Shape = Words(&["constant", "linear", "periodic", "refuse"]);
+
+const COLUMN: Shape = Either(&[Text, Count(1), Table(&[APART])]);
+
+const APART: &[Key] = &[
+    needed("column", Either(&[Text, Count(1)]), "its name, or its number from 1"),
+    key("unit", Text, "its unit, where the file does not say it"),
+];
+
+fn inputs() -> Vec<(&'static str, &'static str)> {
+    titles(Acts::inputs)
+}
+
+fn outputs() -> Vec<(&'static str, &'static str)> {
+    titles(Acts::outputs)
+}
+
+/// Names that laws of either kind know, each once, with what they are.
+fn titles(of: fn(Acts) -> &'static [Quantity]) -> Vec<(&'static str, &'static str)> {
+    let known = super::acts::known(of);
+    known.into_iter().map(|(quantity, _)| (quantity.name, quantity.title)).collect()
+}
