@@ -4,6 +4,7 @@ use whirl_specs::{Ring, RingTangent, SpringForce};
 
 use super::contact::ContactsState;
 use super::{Input, Springs};
+use crate::linalg::{Matrix, add_product};
 
 /// Position and velocity of the machine's coordinates, as the springs see them.
 #[derive(Debug, Clone, Copy)]
@@ -151,12 +152,7 @@ impl SpringState {
                 row.iter().for_each(|&(j, share)| eta[j] += share * value);
             }
         }
-        for (j, &force) in self.spring_force.iter().enumerate() {
-            if force != 0.0 {
-                let column = springs.bore_transposed.col(j);
-                support.iter_mut().zip(column).for_each(|(sum, share)| *sum += share * force);
-            }
-        }
+        add_product(support, &springs.bore_transposed, &self.spring_force);
         self.contacts.add_forces(&springs.contacts, theta, eta, support);
     }
 
@@ -186,10 +182,8 @@ pub(crate) fn along(row: &[(usize, f64)], x: &[f64]) -> f64 {
     row.iter().map(|&(j, share)| share * x[j]).sum()
 }
 
-/// y = A x, column after column.
-pub(crate) fn multiply(matrix: &crate::linalg::Matrix, x: &[f64], y: &mut [f64]) {
+/// y = A x.
+pub(crate) fn multiply(matrix: &Matrix, x: &[f64], y: &mut [f64]) {
     y.fill(0.0);
-    for (j, &value) in x.iter().enumerate() {
-        y.iter_mut().zip(matrix.col(j)).for_each(|(sum, entry)| *sum += entry * value);
-    }
+    add_product(y, matrix, x);
 }

@@ -7,7 +7,7 @@ use super::contacts::{ContactTangents, ring_rows, subtract_ring};
 use super::newmark::{Coefficients, State};
 use crate::bearing::SpringState;
 use crate::bearing::state::Motion;
-use crate::linalg::{Columns, Matrix, multiply_transpose_add};
+use crate::linalg::{Columns, add_columns, add_product, multiply_transpose_add};
 use crate::loads::Position;
 use crate::machine::{Machine, Rotation};
 
@@ -79,8 +79,9 @@ impl<'m> System<'m> {
         (machine.motion.inertia_force)(&self.tensors, &motion, &mut self.workspace, inertia);
 
         self.damper.fill(0.0);
-        add_product(&shaft.damping, eta_dot, &mut self.damper[1..first]);
-        subtract_product(&shaft.stiffness, eta, &mut self.residual[1..first]);
+        add_product(&mut self.damper[1..first], &shaft.damping, eta_dot);
+        let columns = eta.iter().enumerate().map(|(j, eta)| (shaft.stiffness.col(j), -eta));
+        add_columns(&mut self.residual[1..first], columns);
         for i in 0..support.size() {
             let (x, v, a) = (state.q[first + i], state.v[first + i], state.a[first + i]);
             self.damper[first + i] = support.damping[i] * v;
@@ -271,20 +272,6 @@ fn motion_state(state: &State, first: usize) -> MotionState<'_> {
     }
 }
 
-/// y += A x.
-fn add_product(matrix: &Matrix, x: &[f64], y: &mut [f64]) {
-    for (j, value) in x.iter().enumerate() {
-        y.iter_mut().zip(matrix.col(j)).for_each(|(sum, entry)| *sum += entry * value);
-    }
-}
-
-/// y −= A x.
-fn subtract_product(matrix: &Matrix, x: &[f64], y: &mut [f64]) {
-    for (j, value) in x.iter().enumerate() {
-        y.iter_mut().zip(matrix.col(j)).for_each(|(sum, entry)| *sum -= entry * value);
-    }
-}
-
 /// Σ_j weight_j t_j over the springs of a plane.
 fn combine(
     springs: &crate::bearing::Springs,
@@ -293,10 +280,6 @@ fn combine(
     out: &mut [f64],
 ) {
     out.fill(0.0);
-    for (j, &weight) in range.clone().zip(weights) {
-        if weight != 0.0 {
-            let row = springs.bore_transposed.col(j);
-            out.iter_mut().zip(row).for_each(|(sum, share)| *sum += weight * share);
-        }
-    }
+    let rows = range.clone().map(|j| springs.bore_transposed.col(j));
+    add_columns(out, rows.zip(weights.iter().copied()));
 }

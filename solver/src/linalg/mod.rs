@@ -4,6 +4,7 @@
 //! than they give, and independent cases run side by side instead.
 
 mod cholesky;
+mod combination;
 mod eigen;
 mod lower;
 mod lu;
@@ -12,6 +13,7 @@ mod product;
 mod sparse;
 
 pub use cholesky::Cholesky;
+pub(crate) use combination::{add_columns, add_product};
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
 pub use lower::LowerTriangle;
 pub use lu::Lu;
