@@ -1,7 +1,7 @@
 //! Schedules as readable Rust, through quote, syn and prettyplease.
 
 mod identifier;
-mod motion;
+pub mod motion;
 mod statement;
 mod text;
 

@@ -50,8 +50,13 @@ pub(crate) fn run(program: &Program, inputs: &[f64], flip: Option<Flip>) -> Vec<
 /// Every sign of the instructions that an output needs. Of the two operands of a product or quotient one
 /// stands for both; zero has no sign.
 pub(crate) fn flips(program: &Program, output: usize) -> Vec<Flip> {
+    flips_of(program, &[output])
+}
+
+/// As [`flips`], of what several outputs need.
+pub(crate) fn flips_of(program: &Program, outputs: &[usize]) -> Vec<Flip> {
     let mut needed = BTreeSet::new();
-    let mut open = vec![program.outputs[output].operand];
+    let mut open: Vec<Operand> = outputs.iter().map(|o| program.outputs[*o].operand).collect();
     while let Some(operand) = open.pop() {
         if let Operand::Value(place) = operand
             && needed.insert(place)

@@ -4,6 +4,7 @@
 mod clearances;
 mod flip;
 mod laws;
+mod motions;
 #[path = "../hostile/random.rs"]
 #[allow(dead_code, reason = "the fuzzer uses the rest")]
 mod random;

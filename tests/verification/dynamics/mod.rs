@@ -2,6 +2,7 @@
 
 mod contacts;
 mod equations;
+mod films;
 mod free_shaft;
 mod lumped;
 mod newton;

@@ -9,10 +9,12 @@ use crate::expression::{Graph, Id, Node, Rational, Shape};
 
 /// An output of a kernel, with coefficients of a type `C`.
 #[derive(Debug)]
-pub(super) enum Form<C> {
+pub enum Form<C> {
+    /// One number.
     Scalar(C),
     /// Σ coefficient · vectors.
     Vector(Vec<Group<C>>),
+    /// The sum of three parts.
     Matrix {
         /// Σ coefficient · stored matrices.
         stored: Vec<Group<C>>,
@@ -25,16 +27,20 @@ pub(super) enum Form<C> {
 
 /// coefficient · Σ ± terms.
 #[derive(Debug)]
-pub(super) struct Group<C> {
-    pub(super) coefficient: C,
-    pub(super) terms: Vec<Term>,
+pub struct Group<C> {
+    /// What all terms are multiplied by.
+    pub coefficient: C,
+    /// The terms, at least one.
+    pub terms: Vec<Term>,
 }
 
 /// ± a vector or matrix.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Term {
-    pub(super) negative: bool,
-    pub(super) id: Id,
+pub struct Term {
+    /// Whether it is subtracted.
+    pub negative: bool,
+    /// A vector symbol or a word; a stored matrix, or its transpose.
+    pub id: Id,
 }
 
 impl<C> Form<C> {

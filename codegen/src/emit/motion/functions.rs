@@ -17,6 +17,7 @@ const ROWS: [&str; 2] = ["theta_row", "by"];
 const BLOCKS: [&str; 4] = ["corner", "row", "column", "block"];
 
 /// A kernel to be written.
+#[derive(Debug)]
 struct Kernel {
     name: &'static str,
     title: &'static str,
@@ -36,21 +37,52 @@ pub struct MotionFunctions {
     pub words: usize,
 }
 
+/// A kernel of a motion before it is written.
+#[derive(Debug)]
+pub struct Planned {
+    kernel: Kernel,
+    /// What it computes.
+    pub plan: Plan,
+    /// The graph in which the plan names things: the motion's, and more.
+    pub graph: Graph,
+}
+
+impl Planned {
+    /// Name of the function.
+    pub fn name(&self) -> &'static str {
+        self.kernel.name
+    }
+
+    /// What its outputs are.
+    pub fn kind(&self) -> Kind {
+        self.kernel.kind
+    }
+}
+
+/// The kernels of a motion before they are written, in the order of [`motion`].
+///
+/// # Errors
+/// As [`motion`].
+pub fn planned(spec: &MotionSpec) -> Result<Vec<Planned>, ScheduleError> {
+    let mut graph = spec.graph.clone();
+    let kernels = kernels(spec, &mut graph);
+    let planned = kernels.into_iter().map(|kernel| {
+        let mut graph = graph.clone();
+        let plan = plan(&mut graph, &asked(&kernel))?;
+        Ok(Planned { kernel, plan, graph })
+    });
+    planned.collect()
+}
+
 /// Writes the kernels of a motion.
 ///
 /// # Errors
 /// Terms that cannot be written as loops over words.
 pub fn motion(spec: &MotionSpec) -> Result<MotionFunctions, ScheduleError> {
-    let mut graph = spec.graph.clone();
-    let mut functions = quote!();
-    let mut words = 0;
-    for kernel in kernels(spec, &mut graph) {
-        let mut graph = graph.clone();
-        let plan = plan(&mut graph, &asked(&kernel))?;
-        words = words.max(plan.words.len());
-        functions.extend(function(spec, &graph, &kernel, &plan));
-    }
-    Ok(MotionFunctions { functions, words })
+    let planned = planned(spec)?;
+    let words = planned.iter().map(|planned| planned.plan.words.len()).max().unwrap_or(0);
+    let functions = planned.iter().map(|planned| function(spec, planned));
+    Ok(MotionFunctions { functions: functions.collect(), words })
 }
 
 fn asked(kernel: &Kernel) -> Vec<Asked> {
@@ -128,7 +160,7 @@ fn kernels(spec: &MotionSpec, graph: &mut Graph) -> Vec<Kernel> {
     kernels
 }
 
-fn function(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &Plan) -> TokenStream {
+fn function(spec: &MotionSpec, Planned { kernel, plan, graph }: &Planned) -> TokenStream {
     let name = format_ident!("{}", kernel.name);
     let header = documented(&header(spec, graph, kernel, plan));
     let body = Writer { spec, graph, plan }.body(kernel.kind);

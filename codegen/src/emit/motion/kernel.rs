@@ -16,7 +16,7 @@ use crate::spec::motion::MotionSpec;
 
 /// What the outputs of a kernel are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub enum Kind {
     /// One scalar.
     Value,
     /// 1 + n values: a scalar and a vector.

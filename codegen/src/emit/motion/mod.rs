@@ -11,4 +11,7 @@ mod kernel;
 mod plan;
 mod word;
 
-pub use functions::{MotionFunctions, motion};
+pub use form::{Form, Group, Term};
+pub use functions::{MotionFunctions, Planned, motion, planned};
+pub use kernel::Kind;
+pub use plan::{AFTER, BEFORE, DotProduct, Plan, Word};

@@ -10,44 +10,49 @@ use crate::expression::{Graph, Id, Node, Shape, Symbol, normal};
 use crate::schedule::{Input, Operand, Output, Program, Request, ScheduleError, Stage, schedule};
 
 /// Stage of scalars that need no dot product.
-pub(super) const BEFORE: usize = 0;
+pub const BEFORE: usize = 0;
 /// Stage of scalars that need dot products.
-pub(super) const AFTER: usize = 1;
+pub const AFTER: usize = 1;
 
 /// A kernel, ready to be written.
 #[derive(Debug)]
-pub(super) struct Plan {
+pub struct Plan {
     /// Matrix–vector products, operands first.
-    pub(super) words: Vec<Word>,
+    pub words: Vec<Word>,
     /// Dot products, after all words.
-    pub(super) dots: Vec<DotProduct>,
+    pub dots: Vec<DotProduct>,
     /// Scalars, in the stages [`BEFORE`] and [`AFTER`] the dot products.
-    pub(super) scalars: Program,
+    pub scalars: Program,
     /// The outputs, in the order of the request.
-    pub(super) outputs: Vec<Form<Operand>>,
-    /// Names of symbols and words.
-    pub(super) names: BTreeMap<Id, String>,
+    pub outputs: Vec<Form<Operand>>,
+    /// Names of symbols, words, and stored matrices that are used transposed.
+    pub names: BTreeMap<Id, String>,
 }
 
 /// matrix × vector.
 #[derive(Debug)]
-pub(super) struct Word {
-    pub(super) id: Id,
-    /// The stored matrix, and whether its transpose is meant.
-    pub(super) matrix: Id,
-    pub(super) transposed: bool,
+pub struct Word {
+    /// The product.
+    pub id: Id,
+    /// The stored matrix.
+    pub matrix: Id,
+    /// Whether the transpose of the matrix is meant.
+    pub transposed: bool,
     /// A vector symbol or an earlier word.
-    pub(super) of: Id,
+    pub of: Id,
     /// Matrices in the word: 1 for a product with a symbol.
-    pub(super) level: usize,
+    pub level: usize,
 }
 
 /// A dot product of symbols or words.
 #[derive(Debug)]
-pub(super) struct DotProduct {
-    pub(super) name: String,
-    pub(super) a: Id,
-    pub(super) b: Id,
+pub struct DotProduct {
+    /// Name of its value among the scalars.
+    pub name: String,
+    /// One vector.
+    pub a: Id,
+    /// The other.
+    pub b: Id,
 }
 
 /// An output as asked for.
