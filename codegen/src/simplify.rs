@@ -66,7 +66,7 @@ fn improved(
             *room = room.checked_sub(nodes.len() * (roots.len() + 1))?;
             debug_assert!(graph.same_signature(id, other), "{name}");
             let by = BTreeMap::from([(id, other)]);
-            let changed: Vec<Id> = roots.iter().map(|root| graph.substitute(*root, &by)).collect();
+            let changed = graph.substitute_all(roots, &by);
             let cost = cost(graph, &changed);
             if cost < best && !graph.exceeded() {
                 return Some((changed, cost));

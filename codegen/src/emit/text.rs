@@ -6,10 +6,9 @@ use quote::quote;
 /// Formatted Rust of a whole file. Tokens that are no Rust are a defect of the generator; the message
 /// then holds what was to be formatted.
 pub fn formatted(file: TokenStream) -> Result<String, String> {
-    let text = file.to_string();
-    match syn::parse2::<syn::File>(file) {
+    match syn::parse2::<syn::File>(file.clone()) {
         Ok(file) => Ok(prettyplease::unparse(&file)),
-        Err(error) => Err(format!("generated text is no Rust ({error}): {text}")),
+        Err(error) => Err(format!("generated text is no Rust ({error}): {file}")),
     }
 }
 

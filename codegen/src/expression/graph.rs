@@ -1,8 +1,9 @@
 //! The store of nodes.
 
-use std::collections::HashMap;
+use std::hash::BuildHasher;
 
 use num_traits::{One, Zero};
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 use super::node::{Id, Node, Rational, Shape, Symbol, Symmetry};
 use super::signature::{self, Value};
@@ -23,7 +24,8 @@ pub struct Graph {
     nodes: Vec<Node>,
     shapes: Vec<Shape>,
     signatures: Vec<[Value; signature::POINTS]>,
-    index: HashMap<Node, Id>,
+    /// Nodes by their hashes; one whose hash is taken is under the next that is free.
+    index: FxHashMap<u64, Id>,
     operands: usize,
     work: u64,
     exceeded: bool,
@@ -189,8 +191,12 @@ impl Graph {
 
     /// Stores a node that is already in canonical form.
     pub(super) fn intern(&mut self, node: Node) -> Id {
-        if let Some(id) = self.index.get(&node) {
-            return *id;
+        let mut hash = FxBuildHasher.hash_one(&node);
+        while let Some(id) = self.index.get(&hash) {
+            if *self.node(*id) == node {
+                return *id;
+            }
+            hash = hash.wrapping_add(1);
         }
         let operands = match &node {
             Node::Sum(parts) | Node::Product(parts) => parts.len(),
@@ -206,8 +212,8 @@ impl Graph {
         let values = signature::evaluate(&node, |operand| &self.signatures[operand.index()]);
         self.signatures.push(values);
         self.shapes.push(shape);
-        self.nodes.push(node.clone());
-        self.index.insert(node, id);
+        self.nodes.push(node);
+        self.index.insert(hash, id);
         id
     }
 

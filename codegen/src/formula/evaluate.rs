@@ -35,13 +35,32 @@ impl<N> Value<N> {
     }
 }
 
+/// Values of names.
+pub trait Names<N> {
+    /// The value of a name, if it has one.
+    fn named(&self, name: &str) -> Option<&Value<N>>;
+}
+
+impl<N> Names<N> for BTreeMap<String, Value<N>> {
+    fn named(&self, name: &str) -> Option<&Value<N>> {
+        self.get(name)
+    }
+}
+
+/// Few names, and many evaluations.
+impl<N> Names<N> for Vec<(&str, Value<N>)> {
+    fn named(&self, name: &str) -> Option<&Value<N>> {
+        self.iter().find(|(known, _)| *known == name).map(|(_, value)| value)
+    }
+}
+
 /// The value of a formula where names have the given values.
 ///
 /// # Errors
 /// A name without a value, or values whose shapes do not fit (see [`super::check`] for better words).
 pub fn evaluate<N: Number>(
     formula: &Formula,
-    names: &BTreeMap<String, Value<N>>,
+    names: &impl Names<N>,
 ) -> Result<Value<N>, Diagnostic> {
     let (counters, budget) = (RefCell::default(), Budget::new());
     let evaluation = Evaluation { formula, names, counters, budget };
@@ -50,7 +69,7 @@ pub fn evaluate<N: Number>(
 
 struct Evaluation<'f, N> {
     formula: &'f Formula,
-    names: &'f BTreeMap<String, Value<N>>,
+    names: &'f dyn Names<N>,
     /// Counters of the sums around the term, with their values.
     counters: RefCell<Vec<(&'f str, i64)>>,
     budget: Budget,
@@ -91,7 +110,7 @@ impl<'f, N: Number> Evaluation<'f, N> {
     fn term(&self, term: &'f Term) -> Evaluated<N> {
         Ok(match &term.kind {
             Kind::Number(value) => Value::Scalar(N::exact(value)),
-            Kind::Name(name) => match self.names.get(name) {
+            Kind::Name(name) => match self.names.named(name) {
                 Some(value) => value.clone(),
                 None if let Some(count) = self.count(name) => {
                     Value::Scalar(N::exact(&series::exact(count)))

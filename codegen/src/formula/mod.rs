@@ -33,7 +33,7 @@ use crate::rational::Rational;
 
 pub use check::{Scope, check};
 pub(crate) use evaluate::pi;
-pub use evaluate::{Value, evaluate};
+pub use evaluate::{Names, Value, evaluate};
 pub use function::{Builtin, FUNCTIONS, MOST_COMPARED};
 pub use lower::lower;
 pub use number::{Dual, Number};

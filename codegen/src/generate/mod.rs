@@ -12,6 +12,7 @@ mod law;
 mod linear;
 mod modes;
 mod motion;
+mod parallel;
 mod program;
 mod read;
 mod sums;
@@ -25,6 +26,11 @@ pub use write::GeneratedFile;
 use proc_macro2::TokenStream;
 
 use crate::diagnostic::Diagnostics;
+use crate::spec::clearance::ClearanceSpec;
+use crate::spec::element::ElementSpec;
+use crate::spec::form::FormSpec;
+use crate::spec::law::LawSpec;
+use crate::spec::motion::MotionSpec;
 use read::Specs;
 
 /// The Rust files made from all spec files: the kernels of every spec and the registries that list them.
@@ -35,20 +41,56 @@ use read::Specs;
 pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
     let specs = Specs::read(files)?;
     let mut errors = Diagnostics::new();
-    let laws = specs.laws.iter().map(law::kernel);
-    let motions = specs.motions.iter().map(motion::kernel);
-    let clearances = specs.clearances.iter().map(clearance::kernel);
-    let elements = specs.elements.iter().map(|element| element::kernel(element, &specs.forms));
+    let elements = specs.elements.iter().map(Task::Element);
+    let tasks = elements.chain(specs.laws.iter().map(Task::Law));
+    let tasks = tasks.chain(specs.motions.iter().map(Task::Motion));
+    let tasks: Vec<_> = tasks.chain(specs.clearances.iter().map(Task::Clearance)).collect();
+    let kernels = parallel::map(&tasks, Task::size, |task| task.kernel(&specs.forms));
+    let mut kernels = kernels.into_iter();
+    let mut kind = |module, entry, count: usize| {
+        let kernels = gather(kernels.by_ref().take(count), &mut errors);
+        Kind { module, entry, kernels }
+    };
     let kinds = [
-        Kind::of("elements", "Element", gather(elements, &mut errors)),
-        Kind::of("laws", "Law", gather(laws, &mut errors)),
-        Kind::of("motions", "Motion", gather(motions, &mut errors)),
-        Kind::of("clearances", "Clearance", gather(clearances, &mut errors)),
+        kind("elements", "Element", specs.elements.len()),
+        kind("laws", "Law", specs.laws.len()),
+        kind("motions", "Motion", specs.motions.len()),
+        kind("clearances", "Clearance", specs.clearances.len()),
     ];
     let tables = specs.laws.iter().flat_map(|law| &law.tables).map(|table| &*table.file);
     let forms: Vec<TokenStream> = specs.forms.iter().map(form::origin).collect();
     let files = write::files(&kinds, tables, &forms);
     errors.into_result(files)
+}
+
+/// A spec of which kernels are made.
+enum Task<'s> {
+    Element(&'s ElementSpec),
+    Law(&'s LawSpec),
+    Motion(&'s MotionSpec),
+    Clearance(&'s ClearanceSpec),
+}
+
+impl Task<'_> {
+    /// Grows with the time that the kernels take to be made.
+    fn size(&self) -> usize {
+        match self {
+            Task::Element(element) => element.file.text.len(),
+            Task::Law(law) => law.file.text.len(),
+            Task::Motion(motion) => motion.file.text.len(),
+            Task::Clearance(clearance) => clearance.file.text.len(),
+        }
+    }
+
+    fn kernel(&self, forms: &[FormSpec]) -> Result<Written, Diagnostics> {
+        let kernel = match self {
+            Task::Element(element) => element::kernel(element, forms),
+            Task::Law(law) => law::kernel(law),
+            Task::Motion(motion) => motion::kernel(motion),
+            Task::Clearance(clearance) => clearance::kernel(clearance),
+        };
+        kernel.map(|Kernel { name, module }| Written { name, text: write::text(module) })
+    }
 }
 
 /// The kernels of one spec: a module that holds them and an item `ENTRY` for the registry.
@@ -59,26 +101,27 @@ struct Kernel {
     module: TokenStream,
 }
 
+/// The same as text.
+struct Written {
+    /// Name of the spec.
+    name: String,
+    text: String,
+}
+
 /// All kernels of one kind of spec.
 struct Kind {
     /// Name of the module and, in capitals, of the registry.
     module: &'static str,
     /// Type of an entry of the registry.
     entry: &'static str,
-    kernels: Vec<Kernel>,
-}
-
-impl Kind {
-    fn of(module: &'static str, entry: &'static str, kernels: Vec<Kernel>) -> Self {
-        Kind { module, entry, kernels }
-    }
+    kernels: Vec<Written>,
 }
 
 /// The kernels that could be made; what is wrong with the others is added to `errors`.
 fn gather(
-    kernels: impl Iterator<Item = Result<Kernel, Diagnostics>>,
+    kernels: impl Iterator<Item = Result<Written, Diagnostics>>,
     errors: &mut Diagnostics,
-) -> Vec<Kernel> {
+) -> Vec<Written> {
     let mut fine = Vec::new();
     for kernel in kernels {
         match kernel {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use super::parallel;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::emit::identifier;
 use crate::spec::clearance::ClearanceSpec;
@@ -63,32 +64,43 @@ impl Specs {
         sorted.sort_by(|a, b| a.path.cmp(&b.path));
         let (tables, sorted): (Vec<_>, Vec<_>) =
             sorted.into_iter().partition(|file| file.path.ends_with(".csv"));
-        for file in sorted {
-            let source = Source::new(&file.path, &file.text);
-            let read = match kind(&source) {
-                Ok("element") => ElementSpec::read(&source)
-                    .and_then(|element| names.take_element(&element, &source).map(|()| element))
-                    .map(|element| specs.elements.push(element)),
-                Ok("form") => FormSpec::read(&source)
-                    .and_then(|spec| names.take_forms(&spec, &source).map(|()| spec))
-                    .map(|spec| specs.forms.push(spec)),
-                Ok("law") => LawSpec::read_with(&source, &|name| beside(&source, name, &tables))
-                    .and_then(|law| names.take("law", &law.name, &source).map(|()| law))
-                    .map(|law| specs.laws.push(law)),
-                Ok("clearance") => ClearanceSpec::read(&source)
-                    .and_then(|spec| names.take("clearance", &spec.name, &source).map(|()| spec))
-                    .map(|spec| specs.clearances.push(spec)),
-                Ok("motion") => MotionSpec::read(&source)
-                    .and_then(|spec| names.take("motion", &spec.name, &source).map(|()| spec))
-                    .map(|spec| specs.motions.push(spec)),
-                Ok(other) => unreachable!("{other} is not in the table of folders"),
-                Err(wrong) => Err(wrong),
-            };
-            if let Err(wrong) = read {
-                errors.append(wrong);
+        let read = parallel::map(&sorted, |file| file.text.len(), |file| Spec::read(file, &tables));
+        for spec in read {
+            let taken = spec.and_then(|spec| names.take_all(&spec).map(|()| spec));
+            match taken {
+                Ok(Spec::Element(element)) => specs.elements.push(*element),
+                Ok(Spec::Form(form)) => specs.forms.push(form),
+                Ok(Spec::Law(law)) => specs.laws.push(*law),
+                Ok(Spec::Clearance(clearance)) => specs.clearances.push(*clearance),
+                Ok(Spec::Motion(motion)) => specs.motions.push(motion),
+                Err(wrong) => errors.append(wrong),
             }
         }
         errors.into_result(specs)
+    }
+}
+
+/// A spec of any kind.
+enum Spec {
+    Element(Box<ElementSpec>),
+    Form(FormSpec),
+    Law(Box<LawSpec>),
+    Clearance(Box<ClearanceSpec>),
+    Motion(MotionSpec),
+}
+
+impl Spec {
+    fn read(file: &SpecFile, tables: &[&SpecFile]) -> Result<Self, Diagnostics> {
+        let source = Source::new(&file.path, &file.text);
+        match kind(&source)? {
+            "element" => ElementSpec::read(&source).map(|spec| Spec::Element(Box::new(spec))),
+            "form" => FormSpec::read(&source).map(Spec::Form),
+            "law" => LawSpec::read_with(&source, &|name| beside(&source, name, tables))
+                .map(|spec| Spec::Law(Box::new(spec))),
+            "clearance" => ClearanceSpec::read(&source).map(|spec| Spec::Clearance(Box::new(spec))),
+            "motion" => MotionSpec::read(&source).map(Spec::Motion),
+            other => unreachable!("{other} is not in the table of folders"),
+        }
     }
 }
 
@@ -121,6 +133,16 @@ struct Names {
 }
 
 impl Names {
+    fn take_all(&mut self, spec: &Spec) -> Result<(), Diagnostics> {
+        match spec {
+            Spec::Element(element) => self.take_element(element, &element.file),
+            Spec::Form(forms) => self.take_forms(forms, &forms.file),
+            Spec::Law(law) => self.take("law", &law.name, &law.file),
+            Spec::Clearance(spec) => self.take("clearance", &spec.name, &spec.file),
+            Spec::Motion(motion) => self.take("motion", &motion.name, &motion.file),
+        }
+    }
+
     /// An element's name, and the Abaqus types that are read as it.
     fn take_element(
         &mut self,

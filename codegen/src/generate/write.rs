@@ -25,7 +25,10 @@ pub(super) fn files<'t>(
     tables: impl Iterator<Item = &'t Source>,
     forms: &[TokenStream],
 ) -> Vec<GeneratedFile> {
-    let mut files: Vec<GeneratedFile> = kinds.iter().map(kind).collect();
+    let text_of = |kind: &Kind| kind.kernels.iter().map(|kernel| kernel.text.as_str()).collect();
+    let file_of =
+        |kind: &Kind| GeneratedFile { name: format!("{}.rs", kind.module), text: text_of(kind) };
+    let mut files: Vec<GeneratedFile> = kinds.iter().map(file_of).collect();
     let mut registries: TokenStream = kinds.iter().map(registry).collect();
     let tables: BTreeMap<String, &str> =
         tables.map(|table| (table.path.display().to_string(), table.text.as_str())).collect();
@@ -38,12 +41,6 @@ pub(super) fn files<'t>(
     });
     files.push(GeneratedFile { name: "kernels.rs".to_string(), text: text(registries) });
     files
-}
-
-fn kind(kind: &Kind) -> GeneratedFile {
-    let modules = kind.kernels.iter().map(|kernel| &kernel.module);
-    let text = text(quote!(#(#modules)*));
-    GeneratedFile { name: format!("{}.rs", kind.module), text }
 }
 
 fn registry(kind: &Kind) -> TokenStream {
@@ -73,6 +70,7 @@ fn registry(kind: &Kind) -> TokenStream {
     }
 }
 
-fn text(tokens: TokenStream) -> String {
+/// The text of items.
+pub(super) fn text(tokens: TokenStream) -> String {
     formatted(tokens).unwrap_or_else(|message| panic!("{message}"))
 }

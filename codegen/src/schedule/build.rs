@@ -1,6 +1,6 @@
 //! Builds instructions: folds constants, shares equal instructions, places each in its stage.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::program::{Operand, Operation, Stage};
 use crate::expression::{Function, Relation};
@@ -53,7 +53,7 @@ pub(super) struct Builder {
     inputs: Vec<Needs>,
     pub(super) operations: Vec<Operation>,
     needs: Vec<Needs>,
-    shared: HashMap<Key, Operand>,
+    shared: FxHashMap<Key, Operand>,
 }
 
 impl Builder {
@@ -63,7 +63,7 @@ impl Builder {
             inputs: inputs.map(|stage| 1 << stage).collect(),
             operations: Vec::new(),
             needs: Vec::new(),
-            shared: HashMap::new(),
+            shared: FxHashMap::default(),
         }
     }
 

@@ -1,9 +1,10 @@
 //! From the graph to instructions: sums and products of many operands become chains of binary
 //! operations, ordered by stage so that what is known early is computed early.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use num_traits::{One, Signed as _, ToPrimitive};
+use rustc_hash::FxHashMap;
 
 use super::build::{Builder, Signed};
 use super::program::{Operand, Operation};
@@ -33,25 +34,25 @@ pub(super) fn lower(
         builder: Builder::new(&request.stages, request.inputs.iter().map(|input| input.stage)),
         inputs: inputs.map(|(place, input)| (input.symbol, Operand::Input(place))).collect(),
         uses: Uses::of(graph, &reachable, outputs),
-        values: BTreeMap::new(),
-        sums: HashMap::new(),
+        values: Values(vec![None; reachable.last().map_or(0, |last| last.index() + 1)]),
+        sums: FxHashMap::default(),
     };
     for id in &reachable {
         if !lowering.uses.written_in_place(graph, *id) {
             let value = lowering.node(*id).map_err(|refusal| refusal.at(graph, request, *id))?;
-            lowering.values.insert(*id, value);
+            lowering.values.0[id.index()] = Some(value);
         }
     }
     let mut operands = Vec::with_capacity(outputs.len());
     for (output, asked) in outputs.iter().zip(&request.outputs) {
-        let operand = lowering.builder.plain(lowering.values[output]);
+        let operand = lowering.builder.plain(lowering.values.of(*output));
         if lowering.builder.stage_of(operand) >= request.stages.len() {
             return Err(ScheduleError::NoStage { output: asked.name.clone() });
         }
         operands.push(operand);
     }
     let named = names.iter().filter_map(|(id, name)| {
-        let value = lowering.values.get(id)?;
+        let value = lowering.values.get(*id)?;
         (!value.negative).then(|| (value.operand, name.clone()))
     });
     let names = named.collect();
@@ -78,46 +79,62 @@ impl Refusal {
     }
 }
 
-/// How often nodes are used, and how.
-struct Uses {
-    /// Users of a node, counting outputs.
-    count: BTreeMap<Id, usize>,
-    /// Products whose users include a sum that multiplies them by a number other than ±1.
-    multiplied: BTreeMap<Id, bool>,
-    /// In how many products a base stands in the denominator.
-    below: BTreeMap<Id, usize>,
+/// What nodes were lowered to, by their places in the graph.
+struct Values(Vec<Option<Signed>>);
+
+impl Values {
+    fn get(&self, id: Id) -> Option<Signed> {
+        self.0.get(id.index()).copied().flatten()
+    }
+
+    fn of(&self, id: Id) -> Signed {
+        self.get(id).expect("operands come first")
+    }
 }
+
+/// How often a node is used, and how.
+#[derive(Clone, Copy, Default)]
+struct Use {
+    /// Its users, counting outputs.
+    count: usize,
+    /// Whether they include a sum that multiplies it by a number other than ±1.
+    multiplied: bool,
+    /// In how many products it stands in the denominator.
+    below: usize,
+}
+
+/// The uses of nodes by their places in the graph.
+struct Uses(Vec<Use>);
 
 impl Uses {
     fn of(graph: &Graph, reachable: &[Id], outputs: &[Id]) -> Self {
-        let mut uses =
-            Uses { count: BTreeMap::new(), multiplied: BTreeMap::new(), below: BTreeMap::new() };
-        outputs.iter().for_each(|output| *uses.count.entry(*output).or_default() += 1);
+        let count = reachable.last().map_or(0, |last| last.index() + 1);
+        let mut uses = vec![Use::default(); count];
+        outputs.iter().for_each(|output| uses[output.index()].count += 1);
         for id in reachable {
-            graph.node(*id).operands(|operand| *uses.count.entry(operand).or_default() += 1);
+            graph.node(*id).operands(|operand| uses[operand.index()].count += 1);
             match graph.node(*id) {
                 Node::Sum(terms) => {
                     for (term, _) in terms.iter().filter(|(_, c)| !c.abs().is_one()) {
-                        uses.multiplied.insert(*term, true);
+                        uses[term.index()].multiplied = true;
                     }
                 }
                 Node::Product(factors) => {
                     for (base, _) in factors.iter().filter(|(_, e)| e.is_negative()) {
-                        *uses.below.entry(*base).or_default() += 1;
+                        uses[base.index()].below += 1;
                     }
                 }
                 _ => {}
             }
         }
-        uses
+        Uses(uses)
     }
 
     /// Whether the node is a product that only one sum uses, with a coefficient: the coefficient then
     /// goes into the factors that are known first.
     fn written_in_place(&self, graph: &Graph, id: Id) -> bool {
-        matches!(graph.node(id), Node::Product(_))
-            && self.count.get(&id) == Some(&1)
-            && self.multiplied.contains_key(&id)
+        let Use { count, multiplied, .. } = self.0[id.index()];
+        matches!(graph.node(id), Node::Product(_)) && count == 1 && multiplied
     }
 }
 
@@ -126,15 +143,15 @@ struct Lowering<'a> {
     builder: Builder,
     inputs: BTreeMap<Id, Operand>,
     uses: Uses,
-    values: BTreeMap<Id, Signed>,
+    values: Values,
     /// Values of sums by their terms, to find the negative of a sum that is already there.
-    sums: HashMap<Vec<(Id, Rational)>, Signed>,
+    sums: FxHashMap<Vec<(Id, Rational)>, Signed>,
 }
 
 impl Lowering<'_> {
     fn node(&mut self, id: Id) -> Result<Signed, Refusal> {
         let graph = self.graph;
-        let of = |values: &BTreeMap<Id, Signed>, id: &Id| values[id];
+        let of = |values: &Values, id: &Id| values.of(*id);
         Ok(match graph.node(id) {
             Node::Number(value) => Signed::constant(nearest(value)),
             Node::Truth(value) => Signed::constant(f64::from(*value)),
@@ -247,8 +264,8 @@ impl Lowering<'_> {
         }
         let negative = coefficient.is_negative();
         let size = nearest(&coefficient.abs());
-        let value = match (self.values.get(&term), graph.node(term)) {
-            (Some(value), _) => self.builder.mul(*value, Signed::constant(size)),
+        let value = match (self.values.get(term), graph.node(term)) {
+            (Some(value), _) => self.builder.mul(value, Signed::constant(size)),
             (None, Node::Product(factors)) => self.product(factors, size),
             (None, _) => unreachable!("only products are written in place"),
         };
@@ -260,9 +277,9 @@ impl Lowering<'_> {
     fn product(&mut self, factors: &[(Id, Rational)], coefficient: f64) -> Signed {
         let mut groups: BTreeMap<usize, (Vec<Signed>, Vec<Signed>)> = BTreeMap::new();
         for (base, exponent) in factors {
-            let value = self.values[base];
+            let value = self.values.of(*base);
             let stage = self.builder.stage_of(value.operand);
-            let shared = self.uses.below.get(base).is_some_and(|count| *count > 1);
+            let shared = self.uses.0[base.index()].below > 1;
             let (above, below) = groups.entry(stage).or_default();
             if !exponent.is_negative() || is_real_power(exponent) {
                 above.push(power(&mut self.builder, value, exponent));
@@ -333,11 +350,11 @@ impl Lowering<'_> {
     }
 
     fn stage_of_term(&self, term: Id) -> usize {
-        match (self.values.get(&term), self.graph.node(term)) {
+        match (self.values.get(term), self.graph.node(term)) {
             (Some(value), _) => self.builder.stage_of(value.operand),
             (None, node) => {
                 let mut needs = 0;
-                node.operands(|base| needs |= self.builder.needs(self.values[&base].operand));
+                node.operands(|base| needs |= self.builder.needs(self.values.of(base).operand));
                 self.builder.stage(needs)
             }
         }

@@ -15,6 +15,7 @@ use crate::expression::{Graph, Id, Shape, normal};
 use crate::simplify::simplify;
 
 use lower::Lowered;
+use program::cost;
 pub use program::{
     Counts, Instruction, Operand, Operation, Program, ProgramInput, ProgramOutput, Stage,
 };
@@ -92,28 +93,48 @@ const EXPANSION: usize = 100_000;
 /// Most instructions × outputs for which each output's way is chosen by itself.
 const CHOICES: usize = 200_000;
 
+/// What one choice of ways comes to: its operations, those that are needed in their order, and their cost.
+struct Candidate {
+    lowered: Lowered,
+    order: Vec<usize>,
+    cost: f64,
+}
+
+impl Candidate {
+    fn new(request: &Request, lowered: Lowered) -> Self {
+        let order = needed_by_stage(&lowered);
+        let of_stage = |stage: usize| {
+            let places = order.iter().filter(|place| lowered.stages[**place] == stage);
+            Counts::of(places.map(|place| lowered.operations[*place]))
+        };
+        let cost = cost(&request.stages, of_stage);
+        Candidate { lowered, order, cost }
+    }
+}
+
 /// Begins with the cheapest way for all outputs, then changes single outputs while that is cheaper.
 fn cheapest(graph: &Graph, request: &Request, ways: &[Way]) -> Result<Program, ScheduleError> {
     let names: Vec<(Id, String)> = ways.iter().flat_map(|way| way.names.clone()).collect();
-    let program = |outputs: &[Id]| {
-        lower::lower(graph, request, outputs, &names).map(|lowered| assemble(request, lowered))
+    let candidate = |outputs: &[Id]| {
+        lower::lower(graph, request, outputs, &names)
+            .map(|lowered| Candidate::new(request, lowered))
     };
-    let (mut outputs, mut best) = (ways[0].outputs.clone(), program(&ways[0].outputs)?);
+    let (mut outputs, mut best) = (ways[0].outputs.clone(), candidate(&ways[0].outputs)?);
     for way in &ways[1..] {
-        let other = program(&way.outputs)?;
-        if other.cost() < best.cost() {
+        let other = candidate(&way.outputs)?;
+        if other.cost < best.cost {
             (outputs, best) = (way.outputs.clone(), other);
         }
     }
-    if outputs.len() == 1 || best.instructions.len() * outputs.len() > CHOICES {
-        return Ok(best);
+    if outputs.len() == 1 || best.order.len() * outputs.len() > CHOICES {
+        return Ok(assemble(request, best));
     }
     for place in 0..outputs.len() {
         for way in ways {
             let before = std::mem::replace(&mut outputs[place], way.outputs[place]);
             if before != outputs[place] {
-                let other = program(&outputs)?;
-                if other.cost() < best.cost() {
+                let other = candidate(&outputs)?;
+                if other.cost < best.cost {
                     best = other;
                 } else {
                     outputs[place] = before;
@@ -121,7 +142,7 @@ fn cheapest(graph: &Graph, request: &Request, ways: &[Way]) -> Result<Program, S
             }
         }
     }
-    Ok(best)
+    Ok(assemble(request, best))
 }
 
 fn only_scalars(graph: &Graph, request: &Request) -> Result<(), ScheduleError> {
@@ -140,9 +161,8 @@ fn same_meaning(graph: &Graph, request: &Request, new: &[Id]) -> Result<(), Sche
     Ok(())
 }
 
-/// Drops what no output needs, sorts by stage, and names the values.
-fn assemble(request: &Request, lowered: Lowered) -> Program {
-    let order = needed_by_stage(&lowered);
+/// The operations that are needed, in their order and with names.
+fn assemble(request: &Request, Candidate { lowered, order, .. }: Candidate) -> Program {
     let mut places = vec![usize::MAX; lowered.operations.len()];
     order.iter().enumerate().for_each(|(new, old)| places[*old] = new);
     let moved = |operand: Operand| match operand {

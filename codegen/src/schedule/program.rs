@@ -255,20 +255,23 @@ impl Program {
 
     /// Operation counts of a stage.
     pub fn counts(&self, stage: usize) -> Counts {
-        Counts::of(&self.instructions[self.stage(stage)])
+        Counts::of(self.instructions[self.stage(stage)].iter().map(|i| i.operation))
     }
 
     /// Operation counts of all stages together.
     pub fn total_counts(&self) -> Counts {
-        Counts::of(&self.instructions)
+        Counts::of(self.instructions.iter().map(|i| i.operation))
     }
 
     /// Σ over the stages of operations × runs.
     pub fn cost(&self) -> f64 {
-        (0..self.stages.len())
-            .map(|stage| self.stages[stage].runs * self.counts(stage).weighted())
-            .sum()
+        cost(&self.stages, |stage| self.counts(stage))
     }
+}
+
+/// Σ over the stages of operations × runs.
+pub(super) fn cost(stages: &[Stage], counts: impl Fn(usize) -> Counts) -> f64 {
+    (stages.iter().enumerate()).map(|(place, stage)| stage.runs * counts(place).weighted()).sum()
 }
 
 /// How many operations of each kind.
@@ -291,10 +294,10 @@ pub struct Counts {
 }
 
 impl Counts {
-    fn of(instructions: &[Instruction]) -> Self {
+    pub(super) fn of(operations: impl Iterator<Item = Operation>) -> Self {
         let mut counts = Counts::default();
-        for instruction in instructions {
-            match instruction.operation {
+        for operation in operations {
+            match operation {
                 Operation::Add(..) | Operation::Sub(..) | Operation::Neg(_) => counts.add += 1,
                 Operation::Mul(..) => counts.mul += 1,
                 Operation::Div(..) => counts.div += 1,

@@ -2,15 +2,13 @@
 //! sides are weighted with the smoothstep w = s²(3 − 2s), whose slope is zero at both ends, so that value and
 //! slope are continuous whatever the pieces do.
 
-use std::collections::BTreeMap;
-
 use crate::rational::{Rational, nearest};
 
 use super::draft::Output;
-use super::{Condition, LawInput, LawOutput, Piece};
+use super::{Condition, LawInput, LawOutput, Named, Piece};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expression::{Graph, Id, Relation};
-use crate::formula::{Number, Value};
+use crate::formula::Number;
 use crate::units::Unit;
 
 /// Gives every break of an output the length of its `smooth`, if there is one.
@@ -83,7 +81,7 @@ impl LawOutput {
     pub(super) fn value_at<N: Number>(
         &self,
         inputs: &[N],
-        names: &BTreeMap<String, Value<N>>,
+        names: &Named<'_, N>,
     ) -> Result<N, Diagnostic> {
         self.value_from(0, inputs, names)
     }
@@ -93,7 +91,7 @@ impl LawOutput {
         &self,
         first: usize,
         inputs: &[N],
-        names: &BTreeMap<String, Value<N>>,
+        names: &Named<'_, N>,
     ) -> Result<N, Diagnostic> {
         for place in first..self.pieces.len() {
             let Some(Condition::Threshold { input, at, below, blend: Some(half), .. }) =

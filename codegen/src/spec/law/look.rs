@@ -6,8 +6,8 @@ use super::branch::Branches;
 use super::exact;
 use super::poles::Signed;
 use super::report::{Break, OutputReport, Trend};
-use super::scan::{self, Line};
-use super::{Condition, LawOutput, LawSpec};
+use super::scan::{self, Line, Lined, Point, names_at};
+use super::{Condition, LawOutput, LawSpec, Named};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::formula::{Dual, Rounded};
 use crate::rational::nearest;
@@ -81,11 +81,11 @@ impl<'l> Look<'l> {
         Look { law, output, seen, branches, looks: BTreeMap::new(), motion, signs_at_last: None }
     }
 
-    pub(super) fn over(mut self, lines: &[Line]) -> Result<Seen, Diagnostic> {
+    pub(super) fn over(mut self, lines: &[Lined<'l>]) -> Result<Seen, Diagnostic> {
         for input in 0..self.law.inputs.len() {
             let (mut rises, mut falls) = (false, false);
-            for line in lines.iter().filter(|line| line.input == input) {
-                self.along(line, &mut rises, &mut falls)?;
+            for Lined { line, points } in lines.iter().filter(|lined| lined.line.input == input) {
+                self.along(line, points, &mut rises, &mut falls)?;
             }
             let trend = Trend::of(rises, falls);
             self.seen.report.trends.push((self.law.inputs[input].name.clone(), trend));
@@ -144,25 +144,32 @@ impl<'l> Look<'l> {
         Ok(self.seen)
     }
 
-    fn along(&mut self, line: &Line, rises: &mut bool, falls: &mut bool) -> Result<(), Diagnostic> {
-        let mut before: Option<(f64, usize, Rounded, Vec<bool>)> = None;
+    fn along(
+        &mut self,
+        line: &Line,
+        points: &[Point<'l>],
+        rises: &mut bool,
+        falls: &mut bool,
+    ) -> Result<(), Diagnostic> {
+        let mut before: Option<(&Point<'l>, usize, Rounded, Vec<bool>)> = None;
         let mut breaks = 0;
         self.signs_at_last = None;
-        for &x in &line.points {
-            let inputs: Vec<Rounded> = line.at(x).into_iter().map(Rounded::new).collect();
-            let names = self.law.names(&inputs)?;
-            let piece = self.output.active(&inputs, &names)?;
-            let value = self.output.value_at(&inputs, &names)?;
+        for point in points {
+            let Point { x, inputs, names, .. } = point;
+            let x = *x;
+            let piece = self.output.active(inputs, names)?;
+            let value = self.output.value_at(inputs, names)?;
             self.record(line, x, value.value);
             let sides = self.branches.sides(&line.at(x));
-            if let Some((low, other, last, before)) = before {
+            if let Some((low_point, other, last, before)) = before {
+                let low = low_point.x;
                 let rounding = value.error + last.error;
                 *rises |= value.value - last.value > rounding;
                 *falls |= last.value - value.value > rounding;
                 if other == piece {
                     // With several inputs, only where no formula changes: there is no time for all others.
                     if before == sides || self.law.inputs.len() == 1 {
-                        self.poles(line, piece, low, x)?;
+                        self.poles(line, piece, low_point, point)?;
                     } else {
                         self.signs_at_last = None;
                     }
@@ -172,7 +179,7 @@ impl<'l> Look<'l> {
                     self.breaks(line, low, x, &mut breaks)?;
                 }
             }
-            before = Some((x, piece, value, sides));
+            before = Some((point, piece, value, sides));
         }
         Ok(())
     }
@@ -384,10 +391,15 @@ impl<'l> Look<'l> {
     }
 
     /// Records where a divisor of a piece changes its sign between two points.
-    fn poles(&mut self, line: &Line, piece: usize, low: f64, high: f64) -> Result<(), Diagnostic> {
-        let signs = |x: f64| -> Result<u64, Diagnostic> {
-            let inputs: Vec<Signed> = line.at(x).into_iter().map(Signed::new).collect();
-            Ok(self.output.value_of(piece, &self.law.names(&inputs)?)?.signs)
+    fn poles(
+        &mut self,
+        line: &Line,
+        piece: usize,
+        low: &Point<'l>,
+        high: &Point<'l>,
+    ) -> Result<(), Diagnostic> {
+        let signs = |names: &Named<'l, Signed>| -> Result<u64, Diagnostic> {
+            Ok(self.output.value_of(piece, names)?.signs)
         };
         // Of several inputs, where the pole of one lies depends on the others: one is an example.
         let name = &self.law.inputs[line.input].name;
@@ -395,13 +407,19 @@ impl<'l> Look<'l> {
         if self.seen.report.poles.len() == MOST_POLES || known && self.law.inputs.len() > 1 {
             return Ok(());
         }
-        let first = self.signs_at_last.take().map_or_else(|| signs(low), Ok)?;
-        let last = signs(high)?;
+        let first = match self.signs_at_last {
+            Some(signs) => signs,
+            None => signs(low.signed(self.law, line)?)?,
+        };
+        let last = signs(high.signed(self.law, line)?)?;
         self.signs_at_last = Some(last);
         if first == last {
             return Ok(());
         }
-        let (below, at) = scan::bisect(low, high, |x| Ok(signs(x)? == first))?;
+        let (low, high) = (low.x, high.x);
+        let (below, at) = scan::bisect(low, high, |x| {
+            Ok(signs(&names_at(self.law, line, x, Signed::new)?)? == first)
+        })?;
         // A choice between formulas changes what is divided by; that is no pole. Formulas and graph round
         // differently, so that the choice is looked for a little around.
         let around = NEAR * (high - low);

@@ -44,7 +44,6 @@ mod schema;
 mod system;
 mod table;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::rational::{Rational, nearest};
@@ -89,6 +88,9 @@ pub struct LawSpec {
     /// What was found about the law.
     pub report: LawReport,
 }
+
+/// Values of the names of a law.
+type Named<'l, N> = Vec<(&'l str, Value<N>)>;
 
 /// An input of a law.
 #[derive(Debug, Clone)]
@@ -218,23 +220,24 @@ impl LawSpec {
     }
 
     /// Values of all names in the units of the file.
-    fn names<N: Number>(&self, inputs: &[N]) -> Result<BTreeMap<String, Value<N>>, Diagnostic> {
-        let mut names = BTreeMap::new();
+    fn names<N: Number>(&self, inputs: &[N]) -> Result<Named<'_, N>, Diagnostic> {
+        let count = self.parameters.len() + self.tables.len() + self.definitions.len();
+        let mut names = Vec::with_capacity(self.inputs.len() + count);
         for (input, value) in self.inputs.iter().zip(inputs) {
             let value = value.mul(&N::exact(&in_si(&input.unit).recip()));
-            names.insert(input.name.clone(), Value::Scalar(value));
+            names.push((input.name.as_str(), Value::Scalar(value)));
         }
         for parameter in &self.parameters {
-            names.insert(parameter.name.clone(), Value::Scalar(N::exact(&parameter.value)));
+            names.push((&parameter.name, Value::Scalar(N::exact(&parameter.value))));
         }
         for place in 0..=self.definitions.len() {
             for table in self.tables.iter().filter(|table| table.after == place) {
                 let input = scalar(&table.input, &names)?;
-                names.insert(table.name.clone(), Value::Scalar(table.value(&input)));
+                names.push((&table.name, Value::Scalar(table.value(&input))));
             }
             if let Some(definition) = self.definitions.get(place) {
                 let value = evaluate(&definition.formula, &names)?;
-                names.insert(definition.name.clone(), value);
+                names.push((&definition.name, value));
             }
         }
         Ok(names)
@@ -243,11 +246,7 @@ impl LawSpec {
 
 impl LawOutput {
     /// Place of the piece that applies; where two are blended, the one on this side of the break.
-    fn active<N: Number>(
-        &self,
-        inputs: &[N],
-        names: &BTreeMap<String, Value<N>>,
-    ) -> Result<usize, Diagnostic> {
+    fn active<N: Number>(&self, inputs: &[N], names: &Named<'_, N>) -> Result<usize, Diagnostic> {
         for place in 0..self.pieces.len() {
             if self.holds(place, inputs, names)? {
                 return Ok(place);
@@ -261,7 +260,7 @@ impl LawOutput {
         &self,
         place: usize,
         inputs: &[N],
-        names: &BTreeMap<String, Value<N>>,
+        names: &Named<'_, N>,
     ) -> Result<bool, Diagnostic> {
         Ok(match &self.pieces[place].when {
             None => true,
@@ -277,21 +276,14 @@ impl LawOutput {
     }
 
     /// Value of a piece, SI, whether it applies or not.
-    fn value_of<N: Number>(
-        &self,
-        piece: usize,
-        names: &BTreeMap<String, Value<N>>,
-    ) -> Result<N, Diagnostic> {
+    fn value_of<N: Number>(&self, piece: usize, names: &Named<'_, N>) -> Result<N, Diagnostic> {
         let value = scalar(&self.pieces[piece].value, names)?;
         Ok(value.mul(&N::exact(&in_si(&self.unit))))
     }
 }
 
 /// The value of a formula that was checked to be a number.
-fn scalar<N: Number>(
-    formula: &Formula,
-    names: &BTreeMap<String, Value<N>>,
-) -> Result<N, Diagnostic> {
+fn scalar<N: Number>(formula: &Formula, names: &Named<'_, N>) -> Result<N, Diagnostic> {
     evaluate(formula, names)?
         .scalar()
         .ok_or_else(|| formula.text.error_here(Code::SHAPE, "expected a number, found a condition"))

@@ -2,11 +2,13 @@
 //! poles, and where all this was looked at. Exactly for piecewise polynomials of one input; for all others
 //! on lines through the ranges of the inputs, by direct evaluation of the file's formulas.
 
+use std::cell::OnceCell;
+
 use super::describe::{per, short};
 use super::exact;
 use super::judge;
 use super::look::{Look, in_file};
-use super::scan;
+use super::scan::{self, Lined};
 use super::table::Extend;
 use super::{LawSpec, LawTable};
 use crate::diagnostic::Diagnostics;
@@ -146,11 +148,20 @@ pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
         return Err(errors);
     }
     let mut outputs = Vec::new();
+    // Names have the same values for all outputs.
+    let lined: OnceCell<Vec<Lined<'_>>> = OnceCell::new();
     for output in &law.outputs {
         let look = Look::new(law, output);
         let looked = match exact::facts(law, output, ranges[0]) {
             Some(facts) => look.exactly(facts),
-            None => look.over(&lines),
+            None => match lined.get() {
+                Some(lined) => look.over(lined),
+                None => lines
+                    .iter()
+                    .map(|line| Lined::new(law, line))
+                    .collect::<Result<_, _>>()
+                    .and_then(|new| look.over(lined.get_or_init(|| new))),
+            },
         };
         match looked {
             Ok(found) => {

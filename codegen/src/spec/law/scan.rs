@@ -1,10 +1,14 @@
 //! The points at which a law is looked at.
 
+use std::cell::OnceCell;
+
 use num_traits::ToPrimitive;
 
-use super::{Condition, LawSpec, Piece};
+use super::poles::Signed;
+use super::{Condition, LawSpec, Named, Piece};
 use crate::diagnostic::{Diagnostic, Located};
 use crate::expression::Node;
+use crate::formula::{Number, Rounded};
 use crate::rational::nearest;
 
 /// Most points along a line, and values of each other input, where an input varies alone.
@@ -41,6 +45,59 @@ impl Line {
         inputs[self.input] = x;
         inputs
     }
+}
+
+/// A line with what all outputs need at its points.
+pub(super) struct Lined<'l> {
+    pub(super) line: &'l Line,
+    pub(super) points: Vec<Point<'l>>,
+}
+
+impl<'l> Lined<'l> {
+    pub(super) fn new(law: &'l LawSpec, line: &'l Line) -> Result<Self, Diagnostic> {
+        let point = |x: &f64| {
+            let inputs: Vec<Rounded> = line.at(*x).into_iter().map(Rounded::new).collect();
+            let names = law.names(&inputs)?;
+            Ok(Point { x: *x, inputs, names, signed: OnceCell::new() })
+        };
+        Ok(Lined { line, points: line.points.iter().map(point).collect::<Result<_, _>>()? })
+    }
+}
+
+/// A point of a line.
+pub(super) struct Point<'l> {
+    pub(super) x: f64,
+    pub(super) inputs: Vec<Rounded>,
+    pub(super) names: Named<'l, Rounded>,
+    signed: OnceCell<Named<'l, Signed>>,
+}
+
+impl<'l> Point<'l> {
+    /// The names with the signs of divisors.
+    pub(super) fn signed(
+        &self,
+        law: &'l LawSpec,
+        line: &Line,
+    ) -> Result<&Named<'l, Signed>, Diagnostic> {
+        match self.signed.get() {
+            Some(names) => Ok(names),
+            None => {
+                let names = names_at(law, line, self.x, Signed::new)?;
+                Ok(self.signed.get_or_init(|| names))
+            }
+        }
+    }
+}
+
+/// The values of all names at a point.
+pub(super) fn names_at<'l, N: Number>(
+    law: &'l LawSpec,
+    line: &Line,
+    x: f64,
+    new: fn(f64) -> N,
+) -> Result<Named<'l, N>, Diagnostic> {
+    let inputs: Vec<N> = line.at(x).into_iter().map(new).collect();
+    law.names(&inputs)
 }
 
 /// The range of every input, SI: what the file says, or what shows the thresholds with as much on their

@@ -92,6 +92,7 @@ pub(in crate::spec::law) fn read(
         pieces: Vec::new(),
         splits: Vec::new(),
         ends: Default::default(),
+        bounds: Default::default(),
         end_slopes: Default::default(),
         inner: Vec::new(),
         after: 0,

@@ -43,6 +43,8 @@ pub struct LawTable {
     splits: Vec<Rational>,
     /// First and last input in the unit of their column.
     pub(super) ends: [f64; 2],
+    /// The ends between which there are values, if there are none elsewhere.
+    bounds: [Rational; 2],
     /// Slopes at both ends.
     end_slopes: [Rational; 2],
     /// The comparisons of the input with the rows between the first and the last.
@@ -92,6 +94,8 @@ impl LawTable {
             self.splits.insert(0, x[0].clone());
             self.splits.push(x[last].clone());
         }
+        let margin = margin(&(&x[last] - &x[0]));
+        self.bounds = [&x[0] - &margin, &x[last] + &margin];
         self.knots = x;
     }
 
@@ -140,16 +144,9 @@ impl LawTable {
         (self.extend == Extend::Periodic).then_some(turns as i64)
     }
 
-    /// The ends between which there are values, if there are none elsewhere.
-    fn bounds(&self) -> [Rational; 2] {
-        let [first, last] = self.span();
-        let margin = margin(&self.period());
-        [first - &margin, last + &margin]
-    }
-
     /// Whether the input is outside the rows of a table that is not extended.
     pub fn is_outside(&self, input: f64) -> bool {
-        let [low, high] = self.bounds().map(|end| nearest(&end));
+        let [low, high] = self.bounds.each_ref().map(nearest);
         self.extend == Extend::Refuse && !(low..=high).contains(&input)
     }
 
@@ -193,7 +190,7 @@ impl LawTable {
         if self.extend != Extend::Refuse {
             return value;
         }
-        let [low, high] = self.bounds().map(|end| graph.number(end));
+        let [low, high] = self.bounds.clone().map(|end| graph.number(end));
         let above = graph.compare(Relation::LessOrEqual, low, wrapped);
         let below = graph.compare(Relation::LessOrEqual, wrapped, high);
         let inside = graph.and(above, below);
