@@ -36,7 +36,7 @@ impl<N> Value<N> {
 }
 
 /// Values of names.
-pub trait Names<N> {
+pub(crate) trait Names<N> {
     /// The value of a name, if it has one.
     fn named(&self, name: &str) -> Option<&Value<N>>;
 }
@@ -60,7 +60,15 @@ impl<N> Names<N> for Vec<(&str, Value<N>)> {
 /// A name without a value, or values whose shapes do not fit (see [`super::check`] for better words).
 pub fn evaluate<N: Number>(
     formula: &Formula,
-    names: &impl Names<N>,
+    names: &BTreeMap<String, Value<N>>,
+) -> Result<Value<N>, Diagnostic> {
+    evaluate_with(formula, names)
+}
+
+/// The same where the names are kept in another way.
+pub(crate) fn evaluate_with<N: Number>(
+    formula: &Formula,
+    names: &dyn Names<N>,
 ) -> Result<Value<N>, Diagnostic> {
     let (counters, budget) = (RefCell::default(), Budget::new());
     let evaluation = Evaluation { formula, names, counters, budget };

@@ -54,7 +54,7 @@ pub use table::{Extend, LawTable};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
-use crate::formula::{Formula, Number, Value, evaluate};
+use crate::formula::{Formula, Number, Value, evaluate_with};
 use crate::units::Unit;
 
 /// Finds the file of the given name beside a law; says why not if there is none.
@@ -236,7 +236,7 @@ impl LawSpec {
                 names.push((&table.name, Value::Scalar(table.value(&input))));
             }
             if let Some(definition) = self.definitions.get(place) {
-                let value = evaluate(&definition.formula, &names)?;
+                let value = evaluate_with(&definition.formula, &names)?;
                 names.push((&definition.name, value));
             }
         }
@@ -270,7 +270,7 @@ impl LawOutput {
                 strictly || *inclusive && x == at
             }
             Some(Condition::Formula(formula)) => {
-                matches!(evaluate(formula, names)?, Value::Truth(true))
+                matches!(evaluate_with(formula, names)?, Value::Truth(true))
             }
         })
     }
@@ -284,7 +284,7 @@ impl LawOutput {
 
 /// The value of a formula that was checked to be a number.
 fn scalar<N: Number>(formula: &Formula, names: &Named<'_, N>) -> Result<N, Diagnostic> {
-    evaluate(formula, names)?
+    evaluate_with(formula, names)?
         .scalar()
         .ok_or_else(|| formula.text.error_here(Code::SHAPE, "expected a number, found a condition"))
 }
