@@ -78,7 +78,7 @@ fn asperities_carry_what_greenwood_and_tripps_integral_says() {
     {
         let error = force(height) / scale / asperity_integral(height) - 1.0;
         assert!(error.abs() < bound, "{height}: {error}");
-        // The fit of Patir and Cheng (1978), to its own accuracy in the middle of its range.
+        // The fit in common use, to its own accuracy in the middle of its range.
         if (0.5..=2.0).contains(&height) {
             let fit = 4.4086e-5 * (4.0 - height).powf(6.804);
             assert!((force(height) / scale / fit - 1.0).abs() < 0.11, "{height}");

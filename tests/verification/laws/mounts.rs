@@ -17,9 +17,14 @@ fn elliptic(modulus: f64) -> f64 {
 #[test]
 fn a_mass_on_the_foil_moves_as_duffings_oscillator() {
     let law = Kernel::named("foil-cubic");
-    // Heshmat's stiffness of an area for his foil: 0.102 mm thick, half a bump 1.778 mm, pitch 4.572 mm.
     let k_1 = -law.slope("Q", "h", &[("h", -1e-12)]);
-    assert!((k_1 / 190e-6 / 4.825e9 - 1.0).abs() < 1e-3, "{k_1}");
+    // A free bump as a strip of twice its half length, simply supported and loaded in the middle, by virtual
+    // work: a unit load a width bends it by 2 ∫ (x/2)² dx/D. One bump a pitch.
+    let (thickness, half_length, pitch, area): (f64, f64, f64, f64) =
+        (0.102e-3, 1.778e-3, 4.572e-3, 190e-6);
+    let bending = 214e9 * thickness.powi(3) / (12.0 * (1.0 - 0.29 * 0.29));
+    let flexibility = 2.0 * integral(0.0, half_length, |x| 0.25 * x * x / bending);
+    assert!((k_1 / area * pitch * flexibility - 1.0).abs() < 1e-12, "{k_1}");
     let (mass, hardening) = (0.5, 60e-6);
     for speed in [0.02, 0.1] {
         let found = strike(Body { mass, speed }, |h, _| law.value("Q", &[("h", h)]), 1e-7);
