@@ -2,4 +2,5 @@
 
 pub mod hand;
 pub mod measure;
+pub mod specs;
 pub mod textbook;

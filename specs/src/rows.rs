@@ -56,6 +56,13 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> EachSpring<'_, K, I,
         }
         first + count * L::WIDTH
     }
+
+    /// Springs from `first` on one by one: without fused operations the bits are the same. Compiled once,
+    /// not for every register.
+    #[inline(never)]
+    fn rest(&mut self, first: usize) {
+        self.chunks::<f64>(first);
+    }
 }
 
 impl<K: SpringKernel<I, O>, const I: usize, const O: usize> Task for EachSpring<'_, K, I, O> {
@@ -63,9 +70,10 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> Task for EachSpring<
 
     #[inline(always)]
     fn run<L: Register>(mut self) {
-        let rest = self.chunks::<L>(0);
-        // The rest one by one: without fused operations the bits are the same.
-        self.chunks::<f64>(rest);
+        let first = if L::WIDTH == 1 { 0 } else { self.chunks::<L>(0) };
+        if self.outputs.iter().any(|row| row.len() > first) {
+            self.rest(first);
+        }
     }
 }
 
