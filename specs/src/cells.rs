@@ -1,9 +1,10 @@
-//! What kernels of cells share: the map from the reference cell, storage of symmetric matrices, static
-//! condensation.
+//! What kernels of cells share: the map from the reference cell, the loop over cells, storage of symmetric
+//! matrices.
 
 use std::marker::PhantomData;
 
 use crate::Lane;
+pub use crate::condensation::*;
 use crate::registers::{Register, Registers, Task};
 
 /// The Jacobian J = Σ x_a ⊗ ∇N_a of the map from the reference cell, by its cofactors: J⁻ᵀ = cof J / det J.
@@ -33,19 +34,6 @@ pub fn tangents<L: Lane, const N: usize, const ROWS: usize>(
         *tangent = sum;
     }
     tangents
-}
-
-/// a + factor · b.
-#[inline(always)]
-pub fn add_scaled<L: Lane>(a: [L; 3], b: [L; 3], factor: f64) -> [L; 3] {
-    let factor = L::splat(factor);
-    [b[0].mul_add(factor, a[0]), b[1].mul_add(factor, a[1]), b[2].mul_add(factor, a[2])]
-}
-
-/// factor · a.
-#[inline(always)]
-pub fn scaled<L: Lane>(a: [L; 3], factor: f64) -> [L; 3] {
-    [a[0] * factor, a[1] * factor, a[2] * factor]
 }
 
 /// Σ_q det_q row_q for every row.
@@ -220,7 +208,7 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
 
 /// Place of entry (row, row) in the upper triangle by rows of a symmetric matrix with `size` rows.
 #[inline(always)]
-const fn diagonal(size: usize, row: usize) -> usize {
+pub(crate) const fn diagonal(size: usize, row: usize) -> usize {
     row * (2 * size + 1 - row) / 2
 }
 
@@ -259,166 +247,11 @@ pub fn store_entry<L: Lane>(matrix: &mut [L], size: usize, a: usize, b: usize, e
     matrix[diagonal(size, a) + b - a] = entry;
 }
 
-/// Condenses the last M of N + M degrees of freedom out of a symmetric matrix:
-/// K_uu − K_ua K_aa⁻¹ K_au. Both matrices are upper triangles by rows.
-/// Not a number where K_aa is not positive definite.
-#[inline(always)]
-pub fn condense<L: Lane, const N: usize, const M: usize>(whole: &[L], condensed: &mut [L]) {
-    let size = N + M;
-    let zero = L::splat(0.0);
-    let (mut own, mut coupling) = ([[zero; M]; M], [[zero; N]; M]);
-    for p in 0..M {
-        for q in p..M {
-            own[p][q] = whole[diagonal(size, N + p) + q - p];
-        }
-        for r in 0..N {
-            coupling[p][r] = whole[diagonal(size, r) + N + p - r];
-        }
-    }
-    for r in 0..N {
-        let to = &mut condensed[diagonal(N, r)..][..N - r];
-        to.copy_from_slice(&whole[diagonal(size, r)..][..N - r]);
-    }
-    take_off(&mut own, &mut coupling, condensed);
-}
-
-/// K_uu − K_ua K_aa⁻¹ K_au by the Cholesky factor of K_aa. `own`: the upper triangle of K_aa; `coupling`: K_au;
-/// `matrix`: the upper triangle by rows of K_uu. Not a number where K_aa is not positive definite.
-#[inline(always)]
-pub fn take_off<L: Lane, const N: usize, const M: usize>(
-    own: &mut [[L; M]; M],
-    coupling: &mut [[L; N]; M],
-    matrix: &mut [L],
-) {
-    for p in 0..M {
-        // K_aa = UᵀU, row after row, and UᵀW = K_au.
-        let (above, rest) = own.split_at_mut(p);
-        for row in above.iter() {
-            let factor = -row[p];
-            for q in p..M {
-                rest[0][q] = factor.mul_add(row[q], rest[0][q]);
-            }
-        }
-        let pivot = rest[0][p].sqrt();
-        let inverse = L::splat(1.0) / pivot;
-        for entry in &mut rest[0][p..] {
-            *entry = *entry * inverse;
-        }
-        let (done, rest) = coupling.split_at_mut(p);
-        let row = &mut rest[0];
-        for (row_above, w) in above.iter().zip(done.iter()) {
-            let factor = -row_above[p];
-            for (entry, w) in row.iter_mut().zip(w).take(looped(N)) {
-                *entry = w.mul_add(factor, *entry);
-            }
-        }
-        for entry in row.iter_mut().take(looped(N)) {
-            *entry = *entry * inverse;
-        }
-    }
-    for r in 0..looped(N) {
-        let mut factors = [L::splat(0.0); M];
-        for p in 0..M {
-            factors[p] = -coupling[p][r];
-        }
-        let row = &mut matrix[diagonal(N, r)..][..N - r];
-        for (c, to) in row.iter_mut().enumerate() {
-            let mut entry = *to;
-            for p in 0..M {
-                entry = factors[p].mul_add(coupling[p][r + c], entry);
-            }
-            *to = entry;
-        }
-    }
-}
-
-/// Σ_q g_q f_mq for every mode m: what a function's gradients have in common with modes whose gradients all
-/// lie along one vector.
-#[inline(always)]
-pub fn along_modes<L: Lane, const POINTS: usize, const MODES: usize>(
-    gradients: &[[L; 3]; POINTS],
-    factors: &[[L; MODES]; POINTS],
-) -> [[L; 3]; MODES] {
-    let mut sums = [[L::splat(0.0); 3]; MODES];
-    for (gradient, factors) in gradients.iter().zip(factors).take(looped(POINTS)) {
-        for m in 0..MODES {
-            for i in 0..3 {
-                sums[m][i] = gradient[i].mul_add(factors[m], sums[m][i]);
-            }
-        }
-    }
-    sums
-}
-
-/// Σ_q f_mq f_nq · direction.
-#[inline(always)]
-pub fn between_modes<L: Lane, const POINTS: usize, const MODES: usize>(
-    factors: &[[L; MODES]; POINTS],
-    [m, n]: [usize; 2],
-    direction: &[L; 3],
-) -> [L; 3] {
-    let mut sum = L::splat(0.0);
-    for factors in factors {
-        sum = factors[m].mul_add(factors[n], sum);
-    }
-    [direction[0] * sum, direction[1] * sum, direction[2] * sum]
-}
-
-/// The first M rows of N values.
-///
-/// # Panics
-/// If there are fewer.
-#[inline(always)]
-pub fn rows_of<L, const N: usize, const M: usize>(values: &mut [L]) -> &mut [[L; N]; M] {
-    values.as_chunks_mut().0.first_chunk_mut().expect("as many rows")
-}
-
-/// Stores the block of basis function a and mode m with the mode's components as rows.
-#[inline(always)]
-pub fn store_coupling<L: Lane, const N: usize, const M: usize>(
-    coupling: &mut [[L; N]; M],
-    a: usize,
-    m: usize,
-    block: [[L; 3]; 3],
-) {
-    for j in 0..3 {
-        let row = &mut coupling[3 * m + j][3 * a..3 * a + 3];
-        for i in 0..3 {
-            row[i] = block[i][j];
-        }
-    }
-}
-
-/// Stores the block of modes m ≤ n.
-#[inline(always)]
-pub fn store_own<L: Lane, const M: usize>(
-    own: &mut [[L; M]; M],
-    m: usize,
-    n: usize,
-    block: [[L; 3]; 3],
-) {
-    for i in 0..3 {
-        own[3 * m + i][3 * n..3 * n + 3].copy_from_slice(&block[i]);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::array::from_fn;
 
     use super::*;
-
-    #[test]
-    fn condensation_is_the_schur_complement() {
-        // [[4, 1, 2], [1, 5, 1], [2, 1, 3]], the last row condensed.
-        let whole = [4.0, 1.0, 2.0, 5.0, 1.0, 3.0];
-        let mut condensed = [0.0; 3];
-        condense::<f64, 2, 1>(&whole, &mut condensed);
-        let expected = [4.0 - 4.0 / 3.0, 1.0 - 2.0 / 3.0, 5.0 - 1.0 / 3.0];
-        for (found, expected) in condensed.iter().zip(expected) {
-            assert!((found - expected).abs() < 1e-15 * 5.0, "{found} {expected}");
-        }
-    }
 
     #[test]
     fn blocks_land_in_the_upper_triangle() {

@@ -6,6 +6,7 @@
 //! [`FORMS`] the forms that the elements integrate, and [`generated`] holds the text itself.
 
 pub mod cells;
+mod condensation;
 pub mod generated;
 pub mod lane;
 pub mod registers;

@@ -66,12 +66,13 @@ impl Registers {
     /// All that this processor has, narrow to wide.
     pub fn all() -> Vec<Registers> {
         let mut all = vec![Registers::SINGLE];
-        #[cfg(target_arch = "x86_64")]
-        {
-            let here = [(Kind::Avx2, has_avx2()), (Kind::Avx512, has_avx512())];
-            all.extend(here.iter().filter(|(_, here)| *here).map(|(kind, _)| Registers(*kind)));
-        }
+        all.extend(wide().into_iter().filter(|(_, here)| *here).map(|(kind, _)| Registers(kind)));
         all
+    }
+
+    /// Names of those that kernels are compiled for and this processor lacks.
+    pub fn absent() -> Vec<&'static str> {
+        wide().into_iter().filter(|(_, here)| !here).map(|(kind, _)| kind.name()).collect()
     }
 
     /// Those that kernels use: the widest, unless [`Registers::within`] says otherwise.
@@ -121,13 +122,7 @@ impl Registers {
 
     /// Name for people.
     pub fn name(self) -> &'static str {
-        match self.0 {
-            Kind::Single => "one value at a time",
-            #[cfg(target_arch = "x86_64")]
-            Kind::Avx2 => "AVX2 with FMA",
-            #[cfg(target_arch = "x86_64")]
-            Kind::Avx512 => "AVX-512",
-        }
+        self.0.name()
     }
 
     /// Does a task over these registers.
@@ -143,6 +138,29 @@ impl Registers {
             Kind::Avx512 => unsafe { avx512(task) },
         }
     }
+}
+
+impl Kind {
+    fn name(self) -> &'static str {
+        match self {
+            Kind::Single => "one value at a time",
+            #[cfg(target_arch = "x86_64")]
+            Kind::Avx2 => "AVX2 with FMA",
+            #[cfg(target_arch = "x86_64")]
+            Kind::Avx512 => "AVX-512",
+        }
+    }
+}
+
+/// Registers wider than one value, and whether this processor has them, narrow to wide.
+#[cfg(target_arch = "x86_64")]
+fn wide() -> [(Kind, bool); 2] {
+    [(Kind::Avx2, has_avx2()), (Kind::Avx512, has_avx512())]
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn wide() -> [(Kind, bool); 0] {
+    []
 }
 
 #[cfg(target_arch = "x86_64")]

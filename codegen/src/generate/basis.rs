@@ -75,7 +75,8 @@ impl CellForm<'_> {
             quote!(room.basis[a][q] = cells::gradient(&maps[q], &#slopes_name[q][a]);)
         };
         let points = table.weights.len();
-        let mut flops = self.tangent_flops(table)
+        let (tangents, tangent_flops) = self.tangents(tables, table);
+        let mut flops = tangent_flops
             + points * (DET_FLOPS + COFACTOR_FLOPS + 9 + program.total_counts().arithmetic())
             + points * nodes * (GRADIENT_FLOPS + usize::from(with_values));
         let (mut centre, mut mode_maps) = (TokenStream::new(), TokenStream::new());
@@ -130,7 +131,7 @@ impl CellForm<'_> {
                 mode_loop = quote!(for m in 0..#modes_count { #filled });
             }
         }
-        let (tangents, jacobian) = (self.tangents(tables, table), self.jacobian(tables));
+        let jacobian = self.jacobian(tables);
         let text = quote! {
             #centre
             #tangents

@@ -49,7 +49,7 @@ impl CellForm<'_> {
         let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
         let properties = count(material.len());
         let (function, lane) = (identifier(&self.form.name), lane_name(&self.form.name));
-        let about_lane = documented(&self.header(&pairs, &about, flops));
+        let about_lane = documented(&self.header(&about, flops));
         let about_block = documented(&format!(
             "`{}` of a block of cells: see [`crate::CellKernel`].",
             self.form.name
@@ -136,7 +136,7 @@ impl CellForm<'_> {
         }
     }
 
-    fn header(&self, pairs: &Pairs, about: &str, flops: usize) -> String {
+    fn header(&self, about: &str, flops: usize) -> String {
         let (nodes, form) = (self.element.nodes.len(), self.form);
         let (size, stored) = (3 * nodes, self.stored());
         let matrix = match &form.structure {
@@ -154,7 +154,7 @@ impl CellForm<'_> {
             .collect();
         format!(
             "`{}`: ∫ `{}` dV (`{}`), rows from v, columns from u.\n\nx: nodes × 3 (m). {}. matrix: {matrix}. \
-             Gives the smallest det J.\n\nRule: {}. {about} Once a cell: {}; once a pair: {}. Together \
+             Gives the smallest det J.\n\nRule: {}. {about} Together \
              {flops} operations a cell, a multiplication with the addition behind it counted as two; {} \
              bytes read, {} written.",
             form.name,
@@ -162,8 +162,6 @@ impl CellForm<'_> {
             self.spec.file.path.display(),
             material.join(", "),
             self.element.rule(&form.name).title,
-            pairs.once_counts(),
-            pairs.program.counts(PAIR),
             8 * 3 * nodes,
             8 * (stored + 1),
         )
@@ -196,24 +194,37 @@ impl CellForm<'_> {
         table
     }
 
-    /// Declares `tangents`; inside a loop over q, [`Self::jacobian`] declares `at` from it.
-    pub(super) fn tangents(&self, tables: &Tables, table: &Table) -> TokenStream {
-        let rows = tables.named("TANGENTS", &self.form.name);
-        match Linear::new(&Tangents::new(&table.slopes).rows) {
-            None => quote!(let tangents = cells::tangents(x, &#rows);),
-            Some(linear) => {
-                let nodes = self.element.nodes.len();
-                let node = |a: usize| {
-                    let a = count(a);
-                    quote!(x[#a])
-                };
-                let (steps, rows) = linear.vectors(nodes, node);
-                quote! {
-                    #steps
-                    let tangents = [#(#rows),*];
-                }
+    /// Declares `tangents`; inside a loop over q, [`Self::jacobian`] declares `at` from it. And the operations
+    /// that it takes.
+    pub(super) fn tangents(&self, tables: &Tables, table: &Table) -> (TokenStream, usize) {
+        let rows = Tangents::new(&table.slopes).rows;
+        let nodes = self.element.nodes.len();
+        match Linear::new(&rows) {
+            None => {
+                let name = tables.named("TANGENTS", &self.form.name);
+                let text = quote!(let tangents = cells::tangents(x, &#name););
+                (text, 6 * nodes * rows.len())
             }
+            Some(linear) => self.linear_tangents(&linear),
         }
+    }
+
+    /// One component after the other: fewer values are alive at a time than with all three.
+    pub(super) fn linear_tangents(&self, linear: &Linear) -> (TokenStream, usize) {
+        let node = |a: usize| {
+            let a = count(a);
+            quote!(x[#a][i])
+        };
+        let (steps, rows) = linear.text(self.element.nodes.len(), node);
+        let (row_count, places) = (count(rows.len()), (0..rows.len()).map(count));
+        let text = quote! {
+            let mut tangents = [[L::splat(0.0); 3]; #row_count];
+            for i in 0..3 {
+                #steps
+                #(tangents[#places][i] = #rows;)*
+            }
+        };
+        (text, 3 * linear.flops())
     }
 
     pub(super) fn jacobian(&self, tables: &Tables) -> TokenStream {
@@ -221,14 +232,6 @@ impl CellForm<'_> {
         quote! {
             let [xi, eta, zeta] = #columns[q];
             let at = cells::Jacobian::new([tangents[xi], tangents[eta], tangents[zeta]]);
-        }
-    }
-
-    pub(super) fn tangent_flops(&self, table: &Table) -> usize {
-        let rows = Tangents::new(&table.slopes).rows;
-        match Linear::new(&rows) {
-            Some(linear) => 3 * linear.flops(),
-            None => 6 * self.element.nodes.len() * rows.len(),
         }
     }
 
@@ -340,6 +343,8 @@ impl CellForm<'_> {
             flops += condensing;
             about += &format!(" {condensing} operations to condense {m} parameters.");
         }
+        let (cell, pair) = (pairs.once_counts(), pairs.program.counts(PAIR));
+        about += &format!(" Once a cell: {cell}; once a pair: {pair}.");
         Ok(Body { room: Some(room), text, about, flops })
     }
 }

@@ -6,7 +6,8 @@ use quote::{format_ident, quote};
 
 use crate::emit::number;
 
-/// How the rows follow from the entries of the vector.
+/// How the rows follow from the entries of the vector. In every sum the coefficient of largest size is 1, of two
+/// such the positive one: what is left to scale rows with then takes few values, often one.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Linear {
     /// Value `columns + i` is `value[first] + factor · value[second]`; the values before are the vector's.
@@ -42,31 +43,10 @@ impl Linear {
     }
 
     /// The steps and the rows over lanes; `entry`: text of an entry of the vector, which has `columns`.
-    pub(super) fn numbers(
+    pub(super) fn text(
         &self,
         columns: usize,
         entry: impl Fn(usize) -> TokenStream,
-    ) -> (TokenStream, Vec<TokenStream>) {
-        let step = |first: TokenStream, second: TokenStream, factor: TokenStream| quote!(#second.mul_add(L::splat(#factor), #first));
-        self.text(columns, entry, step, |value, scale| quote!(#value * (#scale)))
-    }
-
-    /// The same where an entry is a vector of three lanes.
-    pub(super) fn vectors(
-        &self,
-        columns: usize,
-        entry: impl Fn(usize) -> TokenStream,
-    ) -> (TokenStream, Vec<TokenStream>) {
-        let step = |first: TokenStream, second: TokenStream, factor: TokenStream| quote!(cells::add_scaled(#first, #second, #factor));
-        self.text(columns, entry, step, |value, scale| quote!(cells::scaled(#value, #scale)))
-    }
-
-    fn text(
-        &self,
-        columns: usize,
-        entry: impl Fn(usize) -> TokenStream,
-        step: impl Fn(TokenStream, TokenStream, TokenStream) -> TokenStream,
-        scaled: impl Fn(TokenStream, TokenStream) -> TokenStream,
     ) -> (TokenStream, Vec<TokenStream>) {
         let value = |id: usize| match id.checked_sub(columns) {
             Some(place) => {
@@ -75,22 +55,54 @@ impl Linear {
             }
             None => entry(id),
         };
-        let steps = self.steps.iter().enumerate().map(|(place, s)| {
+        let steps = self.steps.iter().enumerate().map(|(place, step)| {
             let name = format_ident!("part_{place}");
-            let text = step(value(s.first), value(s.second), number(s.factor));
-            quote!(let #name = #text;)
+            let (first, second) = (value(step.first), value(step.second));
+            let factor = number(step.factor);
+            match step.factor {
+                1.0 => quote!(let #name = #first + #second;),
+                -1.0 => quote!(let #name = #first - #second;),
+                _ => quote!(let #name = #second.mul_add(L::splat(#factor), #first);),
+            }
         });
         let steps = steps.collect();
         let rows = self.rows.iter().map(|row| match row {
-            Some((id, scale)) => scaled(value(*id), number(*scale)),
-            None => scaled(value(0), number(0.0)),
+            Some((id, 1.0)) => value(*id),
+            Some((id, scale)) => {
+                let (value, scale) = (value(*id), number(*scale));
+                quote!(#value * (#scale))
+            }
+            None => quote!(L::splat(0.0)),
         });
         (steps, rows.collect())
     }
 
     /// Multiplications and additions.
     pub(super) fn flops(&self) -> usize {
-        2 * self.steps.len() + self.rows.len()
+        let steps = self.steps.iter().map(|step| if step.factor.abs() == 1.0 { 1 } else { 2 });
+        let scaled = self.rows.iter().flatten().filter(|(_, scale)| *scale != 1.0);
+        steps.sum::<usize>() + scaled.count()
+    }
+
+    /// The scale that all rows have in common, if it is positive; they are left without it.
+    pub(super) fn take_scale(&mut self) -> Option<f64> {
+        let (_, common) = (*self.rows.first()?)?;
+        let alike = |row: &Option<(usize, f64)>| row.is_some_and(|(_, s)| same(&[s], &[common]));
+        if common <= 0.0 || !self.rows.iter().all(alike) {
+            return None;
+        }
+        self.rows.iter_mut().flatten().for_each(|(_, scale)| *scale = 1.0);
+        Some(common)
+    }
+
+    /// The largest scale of a row, by which all are divided: rows that have it are left without one.
+    pub(super) fn take_largest(&mut self) -> f64 {
+        let largest = self.rows.iter().flatten().fold(0.0, |l: f64, (_, scale)| l.max(scale.abs()));
+        if largest == 0.0 {
+            return 1.0;
+        }
+        self.rows.iter_mut().flatten().for_each(|(_, scale)| *scale = unit(*scale / largest));
+        largest
     }
 
     /// Adds the steps for rows over the values `ids`; `columns`: length of the vector.
@@ -121,20 +133,20 @@ impl Linear {
         for Row { place, row } in rows.iter().cloned() {
             let (mut values, mut scales) = (Vec::new(), Vec::new());
             for ((group, known), row) in groups.iter().zip(&mut known).zip(row.chunks(size)) {
-                let Some(leading) = row.iter().position(|c| *c != 0.0) else {
+                let Some(leading) = leading(row) else {
                     // Nothing of this group: any of its values, times zero.
                     values.push(group[0]);
                     scales.push(0.0);
                     continue;
                 };
-                let ratios: Vec<f64> = row.iter().map(|c| c / row[leading]).collect();
+                let ratios: Vec<f64> = row.iter().map(|c| unit(c / row[leading])).collect();
                 let found = known.iter().find(|(other, _)| same(other, &ratios));
                 let value = match found {
                     Some((_, value)) => *value,
                     None => {
                         let mut value = group[leading];
-                        for (id, factor) in group.iter().zip(&ratios).skip(leading + 1) {
-                            if *factor != 0.0 {
+                        for (place, (id, factor)) in group.iter().zip(&ratios).enumerate() {
+                            if place != leading && *factor != 0.0 {
                                 let step = Step { first: value, second: *id, factor: *factor };
                                 self.steps.push(step);
                                 value = columns + self.steps.len() - 1;
@@ -163,6 +175,19 @@ impl Linear {
 struct Row {
     place: usize,
     row: Vec<f64>,
+}
+
+/// Place of the coefficient of largest size, of two such the positive one; none where all are zero.
+fn leading(row: &[f64]) -> Option<usize> {
+    let largest = row.iter().fold(0.0, |largest: f64, c| largest.max(c.abs()));
+    let large = |c: &f64| *c != 0.0 && c.abs() >= largest * (1.0 - SAME);
+    let positive = row.iter().position(|c| large(c) && *c > 0.0);
+    positive.or_else(|| row.iter().position(large))
+}
+
+/// ±1 where a ratio is that but for rounding.
+fn unit(ratio: f64) -> f64 {
+    if same(&[ratio.abs()], &[1.0]) { ratio.signum() } else { ratio }
 }
 
 fn same(a: &[f64], b: &[f64]) -> bool {
@@ -197,6 +222,49 @@ mod tests {
             // Eight terms of size 1, each with some roundings.
             assert!((found - expected).abs() < 8.0 * 8.0 * f64::EPSILON, "{found} {expected}");
         }
+    }
+
+    #[test]
+    fn rows_that_differ_by_signs_and_order_have_one_scale() {
+        // The tangents of a brick at its Gauss points: −1, 1 along one direction, interpolated along the others.
+        let (near, far) = (0.8, 0.2);
+        let coefficient = |direction: usize, point: usize, node: usize, k: usize| {
+            let [node, point] = [node, point].map(|place| place >> k & 1);
+            match k == direction {
+                true => [-1.0, 1.0][node],
+                false => [far, near][usize::from(node == point)],
+            }
+        };
+        let mut matrix: Vec<Vec<f64>> = Vec::new();
+        for direction in 0..3 {
+            for point in (0..8).filter(|point| point >> direction & 1 == 0) {
+                let row = |node| (0..3).map(|k| coefficient(direction, point, node, k)).product();
+                matrix.push((0..8).map(row).collect());
+            }
+        }
+        let mut linear = Linear::new(&matrix).expect("fewer operations");
+        assert_eq!(linear.steps.len(), 40);
+        let x = [0.3, -1.2, 0.7, 2.0, -0.4, 1.1, 0.9, -0.6];
+        let before = times(&linear, &x);
+        let scale = linear.take_scale().expect("one of all");
+        assert!((scale - near * near).abs() < 4.0 * f64::EPSILON);
+        assert!(linear.rows.iter().all(|row| row.is_some_and(|(_, scale)| scale == 1.0)));
+        let found = times(&linear, &x).into_iter().map(|value| value * scale);
+        for ((found, before), row) in found.zip(before).zip(&matrix) {
+            let expected: f64 = row.iter().zip(&x).map(|(a, x)| a * x).sum();
+            // Eight terms of size 1, each with some roundings; the scales differ in their last digit.
+            assert!((found - expected).abs() < 8.0 * 8.0 * f64::EPSILON, "{found} {expected}");
+            assert!((found - before).abs() <= 16.0 * f64::EPSILON * before.abs());
+        }
+    }
+
+    #[test]
+    fn rows_of_different_scales_keep_them() {
+        let mut linear = Linear::new(&[vec![1.0; 6], vec![2.0; 6]]).expect("fewer operations");
+        assert_eq!(linear.take_scale(), None);
+        assert_eq!(times(&linear, &[1.0; 6]), [6.0, 12.0]);
+        assert_eq!(linear.take_largest(), 2.0);
+        assert_eq!(times(&linear, &[1.0; 6]), [3.0, 6.0]);
     }
 
     #[test]

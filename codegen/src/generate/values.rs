@@ -6,13 +6,14 @@ use super::basis::DET_FLOPS;
 use super::cell::{Body, CellForm};
 use super::linear::Linear;
 use super::program::{PAIR, Pairs};
-use super::table::{Tables, count, row};
+use super::table::{Tables, Tangents, count, row};
 use crate::diagnostic::Diagnostics;
-use crate::emit::{Numbers, operand, statements};
+use crate::emit::{Numbers, number, operand, statements};
 
 impl CellForm<'_> {
     /// Only N_a N_b occurs, whose products at the points are constants: Σ_q det J w N_a N_b, of which few
-    /// differ.
+    /// differ. What the form makes of N_a N_b is a multiple of it, so that det J takes that factor at every
+    /// point, together with what all tangents and the entries have as a scale.
     pub(super) fn values_only(
         &self,
         pairs: &Pairs,
@@ -25,7 +26,24 @@ impl CellForm<'_> {
         let (different, pairs_of_nodes) = (products.rows.len(), products.places.len());
         let (products_name, places_name) =
             (tables.named("PRODUCTS", form), tables.named("PLACES", form));
-        let linear = Linear::new(&products.rows);
+        let (mut linear, mut linear_tangents) =
+            (Linear::new(&products.rows), Linear::new(&Tangents::new(&table.slopes).rows));
+        let scale = linear.as_mut().and(linear_tangents.as_mut()).and_then(Linear::take_scale);
+        // det J over that of the tangents without their scale.
+        let volume = scale.map(|scale| scale.powi(3));
+        let largest = linear.as_mut().map_or(1.0, Linear::take_largest);
+        let factor = number(volume.unwrap_or(1.0) * largest);
+        let (tangents, tangent_flops) = match &linear_tangents {
+            Some(linear) => self.linear_tangents(linear),
+            None => self.tangents(tables, table),
+        };
+        let least = match volume {
+            Some(volume) => {
+                let volume = number(volume);
+                quote!(least_det * #volume)
+            }
+            None => quote!(least_det),
+        };
         let (points, rows, places) = (count(points), count(different), count(pairs_of_nodes));
         let det = |q: usize| {
             let q = count(q);
@@ -33,10 +51,10 @@ impl CellForm<'_> {
         };
         let sums = match &linear {
             Some(linear) => {
-                let (steps, sums) = linear.numbers(table.weights.len(), det);
+                let (steps, sums) = linear.text(table.weights.len(), det);
                 quote! {
                     #steps
-                    let sums = [#(#sums),*];
+                    let entries = [#(#sums),*];
                 }
             }
             None => {
@@ -47,7 +65,7 @@ impl CellForm<'_> {
                     quote!([[f64; #points]; #rows]),
                     quote!([#(#values),*]),
                 );
-                quote!(let sums = cells::sums(&det, &#products_name);)
+                quote!(let entries = cells::sums(&det, &#products_name);)
             }
         };
         let values = products.places.iter().map(|place| count(*place));
@@ -57,37 +75,38 @@ impl CellForm<'_> {
             quote!([usize; #places]),
             quote!([#(#values),*]),
         );
-        let (tangents, jacobian) = (self.tangents(tables, table), self.jacobian(tables));
+        let jacobian = self.jacobian(tables);
         let once = pairs.once();
         let pair = statements(&pairs.program, PAIR, Numbers::Fused);
         let result = operand(&pairs.program, pairs.program.outputs[0].operand, Numbers::Fused);
-        let about = format!("{different} different entries of {pairs_of_nodes}.");
+        let (before, then) = (pairs.once_counts(), pairs.program.counts(PAIR));
+        let about = format!(
+            "{different} different entries of {pairs_of_nodes}. Once a cell: {before}, then {then}."
+        );
         let sum_flops = linear.map_or(2 * different * table.weights.len(), |linear| linear.flops());
-        let flops = self.tangent_flops(table)
-            + table.weights.len() * DET_FLOPS
-            + sum_flops
-            + different * pairs.flops();
+        let flops = tangent_flops
+            + table.weights.len() * (DET_FLOPS + 1)
+            + pairs.flops()
+            + usize::from(volume.is_some())
+            + sum_flops;
         let text = quote! {
             #once
             #tangents
+            let s_nn = L::splat(#factor);
+            #(#pair)*
+            let s_factor = #result;
             let mut det = [L::splat(0.0); #points];
             let mut least_det = L::splat(f64::INFINITY);
             for q in 0..#points {
                 #jacobian
-                det[q] = at.det;
-                least_det = cells::least(least_det, det[q]);
+                least_det = cells::least(least_det, at.det);
+                det[q] = at.det * s_factor;
             }
-            let mut entries = [L::splat(0.0); #rows];
             #sums
-            for (entry, s_nn) in entries.iter_mut().zip(&sums) {
-                let s_nn = *s_nn;
-                #(#pair)*
-                *entry = #result;
-            }
             for (entry, place) in matrix.iter_mut().zip(&#places_name) {
                 *entry = entries[*place];
             }
-            least_det
+            #least
         };
         Ok(Body { room: None, text, about, flops })
     }

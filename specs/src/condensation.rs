@@ -1,0 +1,205 @@
+//! Static condensation of the parameters of enhanced modes: what generated kernels of cells call as [`crate::cells`].
+
+use crate::Lane;
+use crate::cells::{diagonal, looped};
+
+/// Condenses the last M of N + M degrees of freedom out of a symmetric matrix:
+/// K_uu − K_ua K_aa⁻¹ K_au. Both matrices are upper triangles by rows; N is a multiple of three.
+/// Not a number where K_aa is not positive definite.
+#[inline(always)]
+pub fn condense<L: Lane, const N: usize, const M: usize>(whole: &[L], condensed: &mut [L]) {
+    let size = N + M;
+    let zero = L::splat(0.0);
+    let (mut own, mut coupling) = ([[zero; M]; M], [[zero; M]; N]);
+    for p in 0..M {
+        for q in p..M {
+            own[p][q] = whole[diagonal(size, N + p) + q - p];
+        }
+    }
+    for r in 0..N {
+        let row = &whole[diagonal(size, r)..][..size - r];
+        let (to, kept) = (&mut condensed[diagonal(N, r)..][..N - r], &row[..N - r]);
+        to.copy_from_slice(kept);
+        coupling[r].copy_from_slice(&row[N - r..]);
+    }
+    take_off(&mut own, &mut coupling, condensed);
+}
+
+/// K_uu − K_ua K_aa⁻¹ K_au by the Cholesky factor of K_aa. `own`: the upper triangle of K_aa; `coupling`: K_ua by
+/// rows, whose number is a multiple of three; `matrix`: the upper triangle by rows of K_uu. Not a number where
+/// K_aa is not positive definite.
+#[inline(always)]
+pub fn take_off<L: Lane, const N: usize, const M: usize>(
+    own: &mut [[L; M]; M],
+    coupling: &mut [[L; M]; N],
+    matrix: &mut [L],
+) {
+    // K_aa = UᵀU, row after row; what is kept are −U above the diagonal and 1/U_pp.
+    for p in 0..M {
+        let (above, rest) = own.split_at_mut(p);
+        let row = &mut rest[0];
+        for above in above.iter() {
+            for q in p..M {
+                row[q] = above[p].mul_add(-above[q], row[q]);
+            }
+        }
+        let inverse = L::splat(1.0) / row[p].sqrt();
+        row[p] = inverse;
+        for entry in &mut row[p + 1..] {
+            *entry = -(*entry * inverse);
+        }
+    }
+    // W U = K_ua: a row of W stays in registers.
+    for row in coupling.iter_mut().take(looped(N)) {
+        let mut w = *row;
+        for p in 0..M {
+            w[p] = w[p] * own[p][p];
+            for q in p + 1..M {
+                w[q] = own[p][q].mul_add(w[p], w[q]);
+            }
+        }
+        *row = w;
+    }
+    // K_uu − W Wᵀ, three rows and three columns at a time.
+    let rows = coupling.as_chunks::<3>().0;
+    for a in 0..looped(N / 3) {
+        let left = &rows[a];
+        for b in a..looped(N / 3) {
+            let right = &rows[b];
+            let mut block = [[L::splat(0.0); 3]; 3];
+            for p in 0..looped(M) {
+                for i in 0..3 {
+                    for j in 0..3 {
+                        block[i][j] = left[i][p].mul_add(right[j][p], block[i][j]);
+                    }
+                }
+            }
+            if a == b {
+                for i in 0..3 {
+                    let start = diagonal(N, 3 * a + i);
+                    let entries = &mut matrix[start..start + 3 - i];
+                    for j in i..3 {
+                        entries[j - i] = entries[j - i] - block[i][j];
+                    }
+                }
+            } else {
+                for i in 0..3 {
+                    let row = 3 * a + i;
+                    let start = diagonal(N, row) + 3 * b - row;
+                    let entries = &mut matrix[start..start + 3];
+                    for j in 0..3 {
+                        entries[j] = entries[j] - block[i][j];
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Σ_q g_q f_mq for every mode m: what a function's gradients have in common with modes whose gradients all
+/// lie along one vector.
+#[inline(always)]
+pub fn along_modes<L: Lane, const POINTS: usize, const MODES: usize>(
+    gradients: &[[L; 3]; POINTS],
+    factors: &[[L; MODES]; POINTS],
+) -> [[L; 3]; MODES] {
+    let mut sums = [[L::splat(0.0); 3]; MODES];
+    for (gradient, factors) in gradients.iter().zip(factors).take(looped(POINTS)) {
+        for m in 0..MODES {
+            for i in 0..3 {
+                sums[m][i] = gradient[i].mul_add(factors[m], sums[m][i]);
+            }
+        }
+    }
+    sums
+}
+
+/// Σ_q f_mq f_nq · direction.
+#[inline(always)]
+pub fn between_modes<L: Lane, const POINTS: usize, const MODES: usize>(
+    factors: &[[L; MODES]; POINTS],
+    [m, n]: [usize; 2],
+    direction: &[L; 3],
+) -> [L; 3] {
+    let mut sum = L::splat(0.0);
+    for factors in factors {
+        sum = factors[m].mul_add(factors[n], sum);
+    }
+    [direction[0] * sum, direction[1] * sum, direction[2] * sum]
+}
+
+/// The first N rows of M values.
+///
+/// # Panics
+/// If there are fewer.
+#[inline(always)]
+pub fn rows_of<L, const N: usize, const M: usize>(values: &mut [L]) -> &mut [[L; M]; N] {
+    values.as_chunks_mut().0.first_chunk_mut().expect("as many rows")
+}
+
+/// Stores the block of basis function a and mode m.
+#[inline(always)]
+pub fn store_coupling<L: Lane, const N: usize, const M: usize>(
+    coupling: &mut [[L; M]; N],
+    a: usize,
+    m: usize,
+    block: [[L; 3]; 3],
+) {
+    for i in 0..3 {
+        coupling[3 * a + i][3 * m..3 * m + 3].copy_from_slice(&block[i]);
+    }
+}
+
+/// Stores the block of modes m ≤ n.
+#[inline(always)]
+pub fn store_own<L: Lane, const M: usize>(
+    own: &mut [[L; M]; M],
+    m: usize,
+    n: usize,
+    block: [[L; 3]; 3],
+) {
+    for i in 0..3 {
+        own[3 * m + i][3 * n..3 * n + 3].copy_from_slice(&block[i]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn condensation_is_the_schur_complement() {
+        // Twelve unknowns, of which five are condensed: a diagonally dominant matrix.
+        let entry = |i: usize, j: usize| match i == j {
+            true => 12.0,
+            false => ((3 * i.min(j) + i.max(j)) as f64).sin(),
+        };
+        let whole: Vec<f64> = (0..17).flat_map(|i| (i..17).map(move |j| entry(i, j))).collect();
+        let mut condensed = [0.0; 78];
+        condense::<f64, 12, 5>(&whole, &mut condensed);
+        // The same by Gauss' elimination of one unknown after the other, the last first.
+        let mut full: Vec<Vec<f64>> =
+            (0..17).map(|i| (0..17).map(|j| entry(i, j)).collect()).collect();
+        for p in (12..17).rev() {
+            for i in 0..p {
+                for j in 0..p {
+                    full[i][j] -= full[i][p] * full[p][j] / full[p][p];
+                }
+            }
+        }
+        let expected = (0..12).flat_map(|i| (i..12).map(move |j| (i, j)));
+        for (found, (i, j)) in condensed.iter().zip(expected) {
+            // Some dozens of roundings of numbers up to 12.
+            assert!((found - full[i][j]).abs() < 12.0 * 64.0 * f64::EPSILON, "{i} {j}: {found}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_positive_definite_is_not_a_number() {
+        // [[I, 1], [1, −1]].
+        let whole = [1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, -1.0];
+        let mut condensed = [0.0; 6];
+        condense::<f64, 3, 1>(&whole, &mut condensed);
+        assert!(condensed.iter().all(|entry| entry.is_nan()));
+    }
+}
