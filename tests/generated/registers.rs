@@ -1,5 +1,7 @@
 //! Kernels of cells on every kind of register that this processor has.
 
+use std::io::Write;
+
 use whirl_specs::{ELEMENTS, Element, FormKernel, Registers};
 
 /// Not a whole number of registers of any width.
@@ -27,6 +29,20 @@ fn evaluate(kernel: &FormKernel, nodes: usize, cells: &[f64]) -> (Vec<f64>, Vec<
 
 fn bits(values: &[f64]) -> Vec<u64> {
     values.iter().map(|value| value.to_bits()).collect()
+}
+
+/// Said past the capture of the tests' output, since a test cannot say that it covered less than its name.
+#[test]
+fn the_registers_that_are_tested_are_told() {
+    let names: Vec<&str> = Registers::all().iter().map(|registers| registers.name()).collect();
+    let absent = Registers::absent();
+    assert!(names.iter().all(|name| !absent.contains(name)));
+    assert_eq!(names.last(), Some(&Registers::current().name()));
+    let mut text = format!("kernels are tested with: {}", names.join(", "));
+    if !absent.is_empty() {
+        text += &format!("; NOT with {}, which this processor lacks", absent.join(", "));
+    }
+    writeln!(std::io::stderr(), "{text}").expect("standard error");
 }
 
 #[test]
