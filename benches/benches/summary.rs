@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 use std::hint::black_box;
 
-use whirl_benches::measure::{fastest, peak_operations, peak_task};
+use whirl_benches::measure::{Times, peak_operations, peak_task};
 use whirl_benches::{hand, textbook};
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::spec::law::LawSpec;
@@ -22,8 +22,16 @@ fn main() {
     }
     let registers = Registers::current();
     println!("registers: {}; fastest of many runs, taken in turns", registers.name());
+    println!("in brackets: the middle half of the ratios of single rounds");
     println!();
-    for (name, form) in [("hex8", "stiffness"), ("hex8i", "stiffness"), ("hex8", "mass")] {
+    let kernels = [
+        ("hex8", "stiffness"),
+        ("hex8i", "stiffness"),
+        ("hex8", "mass"),
+        ("wedge6", "stiffness"),
+        ("wedge6", "mass"),
+    ];
+    for (name, form) in kernels {
         cells(registers, name, form);
     }
     println!();
@@ -72,30 +80,34 @@ fn cells(registers: Registers, name: &str, form: &str) {
         let Room { matrices, jacobians } = &mut *room.borrow_mut();
         (kernel.evaluate)(black_box(&cells), &material, matrices, jacobians);
     };
-    let mut tasks: [&mut dyn FnMut(); 5] = [
+    let plainly = |stiffness: fn(&Element, &[f64], f64, f64) -> textbook::Stiffness| {
+        for x in cells.chunks_exact(3 * element.nodes) {
+            black_box(stiffness(element, black_box(x), 200e9, 0.3));
+        }
+    };
+    let mut tasks: [&mut dyn FnMut(); 6] = [
         &mut || peak_task(registers),
         &mut || run(ours),
         &mut || run(by_hand),
         &mut || Registers::SINGLE.within(|| run(ours)),
-        &mut || {
-            for x in cells.chunks_exact(3 * element.nodes) {
-                black_box(textbook::stiffness(element, black_box(x), 200e9, 0.3));
-            }
-        },
+        &mut || plainly(textbook::stiffness),
+        &mut || plainly(textbook::accumulated_stiffness),
     ];
     let plain = name == "hex8" && form == "stiffness";
-    let times = fastest(if plain { &mut tasks[..] } else { &mut tasks[..4] });
-    let peak = peak_operations(registers) / times[0];
-    let a_cell = |task: usize| times[task] / CELLS as f64;
+    let times = Times::measure(if plain { &mut tasks[..] } else { &mut tasks[..4] });
+    let peak = peak_operations(registers) / times.fastest(0);
+    let a_cell = |task: usize| times.fastest(task) / CELLS as f64;
     let line = |what: &str, task: usize, ratio: &str| {
         println!("  {what:<16}{:8.1} ns a cell{ratio}", 1e9 * a_cell(task));
     };
+    let slower = |task: usize| format!("; that / generated {:.1}", times.ratio(task, 1));
     println!("{name} {form}, {CELLS} cells");
     line("generated", 1, "");
-    line("by hand", 2, &format!("; generated / by hand {:.2}", times[1] / times[2]));
-    line("one at a time", 3, &format!("; that / generated {:.1}", times[3] / times[1]));
+    line("by hand", 2, &beside(&times, 1, 2));
+    line("one at a time", 3, &slower(3));
     if plain {
-        line("plain matrices", 4, &format!("; that / generated {:.1}", times[4] / times[1]));
+        line("plain matrices", 4, &format!("{}: nalgebra, K += Bᵀ(DB)", slower(4)));
+        line("plain matrices", 5, &format!("{}: nalgebra, K.gemm(Bᵀ, DB)", slower(5)));
     }
     let share = |flops: usize, task: usize| 100.0 * flops as f64 / a_cell(task) / peak;
     println!(
@@ -108,6 +120,13 @@ fn cells(registers: Registers, name: &str, form: &str) {
         by_hand.flops,
         share(by_hand.flops, 2),
     );
+}
+
+/// How a task compares with its twin.
+fn beside(times: &Times, task: usize, twin: usize) -> String {
+    let [low, _, high] = times.ratios(task, twin);
+    let ratio = times.ratio(task, twin);
+    format!("; generated / by hand {ratio:.2} [{low:.2} to {high:.2}]")
 }
 
 fn law(twin: &'static Law) {
@@ -125,16 +144,16 @@ fn law(twin: &'static Law) {
     let run = |law: &Law, inputs: &[f64]| {
         (law.evaluate)(SPRINGS, black_box(inputs), black_box(&mut outputs.borrow_mut()));
     };
-    let times = fastest(&mut [&mut || run(ours, &inputs), &mut || run(twin, &inputs), &mut || {
+    let mut by_tape = || {
         let outputs = &mut outputs.borrow_mut();
         tape.evaluate(SPRINGS, black_box(&inputs), black_box(outputs), &mut workspace);
-    }]);
-    let [generated, by_hand, taped] = [0, 1, 2].map(|task| 1e9 * times[task] / SPRINGS as f64);
+    };
+    let (mut generated, mut by_hand) = (|| run(ours, &inputs), || run(twin, &inputs));
+    let times = Times::measure(&mut [&mut generated, &mut by_hand, &mut by_tape]);
+    let a_spring = |task: usize| 1e9 * times.fastest(task) / SPRINGS as f64;
+    let [generated, by_hand, taped] = [0, 1, 2].map(a_spring);
     println!("law {name}, {SPRINGS} springs, Q and its derivatives");
     println!("  generated {generated:6.2} ns a spring");
-    println!(
-        "  by hand   {by_hand:6.2} ns a spring; generated / by hand {:.2}",
-        generated / by_hand
-    );
+    println!("  by hand   {by_hand:6.2} ns a spring{}", beside(&times, 0, 1));
     println!("  tape      {taped:6.2} ns a spring; that / generated {:.1}", taped / generated);
 }

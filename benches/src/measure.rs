@@ -1,4 +1,4 @@
-//! Times that can be compared: taken in turns, the fastest of many.
+//! Times that can be compared: taken in turns, many of each.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -6,22 +6,47 @@ use std::time::{Duration, Instant};
 use whirl_specs::registers::{Register, Registers, Task};
 
 /// How often each task is timed.
-const ROUNDS: usize = 300;
+const ROUNDS: usize = 400;
 /// One timing covers as many runs as fill this.
 const ENOUGH: Duration = Duration::from_micros(40);
 
-/// Seconds that one run of each task takes. The tasks take turns, so that what disturbs the machine disturbs
-/// all of them, and the fastest of many timings counts.
-pub fn fastest(tasks: &mut [&mut dyn FnMut()]) -> Vec<f64> {
-    let runs: Vec<u32> = tasks.iter_mut().map(|task| runs(task)).collect();
-    let mut best = vec![f64::INFINITY; tasks.len()];
-    for _ in 0..ROUNDS {
-        for ((task, runs), best) in tasks.iter_mut().zip(&runs).zip(&mut best) {
-            let time = timed(task, *runs).as_secs_f64() / f64::from(*runs);
-            *best = best.min(time);
+/// Seconds that one run of each task took: task after task, round after round.
+pub struct Times(Vec<Vec<f64>>);
+
+impl Times {
+    /// The tasks take turns, the first one last in every other round, so that what disturbs the machine
+    /// disturbs all of them.
+    pub fn measure(tasks: &mut [&mut dyn FnMut()]) -> Self {
+        let runs: Vec<u32> = tasks.iter_mut().map(|task| runs(task)).collect();
+        let mut times = vec![Vec::with_capacity(ROUNDS); tasks.len()];
+        for round in 0..ROUNDS {
+            for turn in 0..tasks.len() {
+                let place = if round % 2 == 0 { turn } else { tasks.len() - 1 - turn };
+                let time = timed(tasks[place], runs[place]).as_secs_f64();
+                times[place].push(time / f64::from(runs[place]));
+            }
         }
+        Times(times)
     }
-    best
+
+    /// The fastest of all timings of a task: what it takes where nothing disturbs it.
+    pub fn fastest(&self, task: usize) -> f64 {
+        self.0[task].iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The fastest timing of a task over that of another.
+    pub fn ratio(&self, task: usize, other: usize) -> f64 {
+        self.fastest(task) / self.fastest(other)
+    }
+
+    /// Lower quartile, median and upper quartile of the ratios of one round each: how far a single
+    /// comparison on this machine can be trusted.
+    pub fn ratios(&self, task: usize, other: usize) -> [f64; 3] {
+        let pairs = self.0[task].iter().zip(&self.0[other]);
+        let mut ratios: Vec<f64> = pairs.map(|(task, other)| task / other).collect();
+        ratios.sort_by(f64::total_cmp);
+        [1, 2, 3].map(|quarter| ratios[quarter * (ratios.len() - 1) / 4])
+    }
 }
 
 fn timed(task: &mut dyn FnMut(), runs: u32) -> Duration {

@@ -9,8 +9,9 @@
 use whirl_specs::Lane;
 use whirl_specs::registers::{Register, Registers, Task};
 
-use super::isotropic::Vector;
+use super::isotropic::{Isotropic, fill_flops};
 use super::modes::{self, Modes};
+use super::space::{Cells, Space, Vector, cross, dot, minus, plus, times, trips};
 
 /// Corners in the order of Abaqus: the face ζ = −1 anticlockwise seen from ζ = 1, then ζ = 1.
 pub(super) const NODES: [Vector; 8] = [
@@ -72,44 +73,6 @@ const GRADIENTS: [[Vector; 8]; 8] = {
 /// Values of a packed upper triangle of 24 rows.
 const PACKED: usize = 300;
 
-/// A vector in space, one a cell.
-pub(super) type Space<L> = [L; 3];
-
-#[inline(always)]
-fn plus<L: Lane>(a: Space<L>, b: Space<L>) -> Space<L> {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-#[inline(always)]
-fn minus<L: Lane>(a: Space<L>, b: Space<L>) -> Space<L> {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-#[inline(always)]
-fn times<L: Lane>(a: Space<L>, factor: f64) -> Space<L> {
-    [a[0] * factor, a[1] * factor, a[2] * factor]
-}
-
-#[inline(always)]
-pub(super) fn dot<L: Lane>(a: Space<L>, b: Space<L>) -> L {
-    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
-}
-
-#[inline(always)]
-pub(super) fn cross<L: Lane>(a: Space<L>, b: Space<L>) -> Space<L> {
-    [
-        a[1].mul_add(b[2], -(a[2] * b[1])),
-        a[2].mul_add(b[0], -(a[0] * b[2])),
-        a[0].mul_add(b[1], -(a[1] * b[0])),
-    ]
-}
-
-/// The trip count of a loop that must not be unrolled: with everything unrolled, sums leave the registers.
-#[inline(always)]
-pub(super) fn trips(count: usize) -> usize {
-    std::hint::black_box(count).min(count)
-}
-
 /// ∂x/∂ξ, ∂x/∂η, ∂x/∂ζ at the Gauss points. x = Σ c ξᵃηᵇζᶜ, so that each tangent is bilinear in the other two
 /// coordinates and takes four values.
 struct Tangents<L> {
@@ -168,6 +131,9 @@ impl<L: Lane> Tangents<L> {
     }
 }
 
+/// The stiffness from its gradients.
+pub(super) const STIFFNESS_FLOPS: usize = POINT_FLOPS + fill_flops(8, 8);
+
 /// Operations of [`Tangents::new`]: 20 sums and 7 factors, then 8 sums a direction, of 3 components.
 const TANGENT_FLOPS: usize = 3 * (8 + 8 + 7 + 7 + 3 * 8);
 
@@ -220,107 +186,6 @@ impl<L: Lane> Points<L> {
             }
         }
     }
-}
-
-/// Lamé's constants and what follows from them, the same for all cells.
-#[derive(Clone, Copy)]
-pub(super) struct Isotropic<L> {
-    pub(super) lambda: L,
-    pub(super) mu: L,
-    /// λ + 2μ.
-    normal: L,
-    /// λ + μ.
-    shear: L,
-}
-
-impl<L: Lane> Isotropic<L> {
-    #[inline(always)]
-    fn new(material: &[f64]) -> Self {
-        let (lambda, mu) = super::isotropic::lame(material);
-        let [lambda, mu] = [L::splat(lambda), L::splat(mu)];
-        Isotropic { lambda, mu, normal: lambda + mu * 2.0, shear: lambda + mu }
-    }
-
-    /// λ Gᵢⱼ + μ Gⱼᵢ + μ tr G δᵢⱼ.
-    #[inline(always)]
-    pub(super) fn block(&self, g: &[[L; 3]; 3]) -> [[L; 3]; 3] {
-        let (xx, yy, zz) = (g[0][0] * self.mu, g[1][1] * self.mu, g[2][2] * self.mu);
-        let (l, m, n) = (self.lambda, self.mu, self.normal);
-        [
-            [
-                g[0][0].mul_add(n, yy + zz),
-                g[0][1].mul_add(l, g[1][0] * m),
-                g[0][2].mul_add(l, g[2][0] * m),
-            ],
-            [
-                g[1][0].mul_add(l, g[0][1] * m),
-                g[1][1].mul_add(n, xx + zz),
-                g[1][2].mul_add(l, g[2][1] * m),
-            ],
-            [
-                g[2][0].mul_add(l, g[0][2] * m),
-                g[2][1].mul_add(l, g[1][2] * m),
-                g[2][2].mul_add(n, xx + yy),
-            ],
-        ]
-    }
-
-    /// The stiffness without modes, packed.
-    #[inline(always)]
-    fn fill(&self, gradients: &[[Space<L>; 8]; 8], matrix: &mut [L; PACKED]) {
-        let mut start = 0;
-        for a in 0..8 {
-            let width = 24 - 3 * a;
-            let (row0, rest) = matrix[start..].split_at_mut(width);
-            let (row1, rest) = rest.split_at_mut(width - 1);
-            let row2 = &mut rest[..width - 2];
-            start += 3 * width - 3;
-
-            let mut g = [L::splat(0.0); 6];
-            for p in gradients[a].iter().take(trips(8)) {
-                let products = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
-                for n in 0..6 {
-                    g[n] = p[products[n].0].mul_add(p[products[n].1], g[n]);
-                }
-            }
-            let trace = (g[0] + g[3] + g[5]) * self.mu;
-            row0[0] = g[0].mul_add(self.shear, trace);
-            row0[1] = g[1] * self.shear;
-            row0[2] = g[2] * self.shear;
-            row1[0] = g[3].mul_add(self.shear, trace);
-            row1[1] = g[4] * self.shear;
-            row2[0] = g[5].mul_add(self.shear, trace);
-
-            for b in a + 1..8 {
-                let mut g = [[L::splat(0.0); 3]; 3];
-                for (p, r) in gradients[a].iter().zip(&gradients[b]).take(trips(8)) {
-                    for i in 0..3 {
-                        for j in 0..3 {
-                            g[i][j] = p[i].mul_add(r[j], g[i][j]);
-                        }
-                    }
-                }
-                let block = self.block(&g);
-                let at = 3 * (b - a);
-                row0[at..at + 3].copy_from_slice(&block[0]);
-                row1[at - 1..at + 2].copy_from_slice(&block[1]);
-                row2[at - 2..at + 1].copy_from_slice(&block[2]);
-            }
-        }
-    }
-}
-
-/// A multiplication and an addition for every product of gradients at every point, then the blocks.
-pub(super) const STIFFNESS_FLOPS: usize =
-    POINT_FLOPS + 2 * 8 * (28 * 9 + 8 * 6) + 28 * BLOCK_FLOPS + 8 * 12;
-/// [`Isotropic::block`].
-pub(super) const BLOCK_FLOPS: usize = 3 + 6 * 3 + 3 * 3;
-
-struct Cells<'a> {
-    coordinates: &'a [f64],
-    material: &'a [f64],
-    matrices: &'a mut [f64],
-    jacobians: &'a mut [f64],
 }
 
 struct Stiffness<'a> {
@@ -408,7 +273,7 @@ const PLACES: [u8; 36] = {
 
 /// Products of shape functions along one direction at the two Gauss points: near at −, both at both, near at +.
 #[inline(always)]
-fn along<L: Lane>(low: L, high: L) -> [L; 3] {
+pub(super) fn along<L: Lane>(low: L, high: L) -> [L; 3] {
     let [[near, far], [mixed, _], _] = LINE;
     [
         low.mul_add(L::splat(near), high * far),

@@ -1,84 +1,111 @@
-//! What the stiffness kernels share: Jacobians and the blocks of an isotropic material.
+//! The stiffness of an isotropic material: its 3 × 3 blocks follow from Σ ∇Nₐ ⊗ ∇N_b.
 
-pub(super) type Vector = [f64; 3];
+#![allow(clippy::needless_range_loop, reason = "indices of components read as in the formulas")]
 
-/// Lamé's λ and μ from E and ν.
-pub(super) fn lame(material: &[f64]) -> (f64, f64) {
-    let (e, nu) = (material[0], material[1]);
-    (e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), e / (2.0 * (1.0 + nu)))
+use whirl_specs::Lane;
+
+use super::space::{Space, trips};
+
+/// Lamé's constants and what follows from them, the same for all cells.
+#[derive(Clone, Copy)]
+pub(super) struct Isotropic<L> {
+    lambda: L,
+    mu: L,
+    /// λ + 2μ.
+    normal: L,
+    /// λ + μ.
+    shear: L,
 }
 
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// ∂x/∂ξ, ∂x/∂η, ∂x/∂ζ from the nodes' positions (N × 3) and reference gradients.
-#[inline(always)]
-pub(super) fn tangents<const N: usize>(x: &[f64], gradients: &[Vector; N]) -> [Vector; 3] {
-    let mut tangents = [[0.0; 3]; 3];
-    for (x, gradient) in x.chunks_exact(3).zip(gradients) {
-        for (tangent, g) in tangents.iter_mut().zip(gradient) {
-            for (t, x) in tangent.iter_mut().zip(x) {
-                *t += g * x;
-            }
-        }
+impl<L: Lane> Isotropic<L> {
+    /// From E and ν.
+    #[inline(always)]
+    pub(super) fn new(material: &[f64]) -> Self {
+        let (e, nu) = (material[0], material[1]);
+        let lambda = L::splat(e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)));
+        let mu = L::splat(e / (2.0 * (1.0 + nu)));
+        Isotropic { lambda, mu, normal: lambda + mu * 2.0, shear: lambda + mu }
     }
-    tangents
-}
 
-/// det J and the cofactors det J · ∂ξ/∂x, det J · ∂η/∂x, det J · ∂ζ/∂x.
-#[inline(always)]
-pub(super) fn cofactors(tangents: &[Vector; 3]) -> (f64, [Vector; 3]) {
-    let [t0, t1, t2] = *tangents;
-    let cofactors = [cross(t1, t2), cross(t2, t0), cross(t0, t1)];
-    (dot(t0, cofactors[0]), cofactors)
-}
-
-/// Σ over points of g gᵀ, upper triangle by rows; `g`: points × 3N scaled gradients √(w det J) ∇Nₐ.
-#[inline(always)]
-pub(super) fn gram<const P: usize, const D: usize>(g: &[[f64; D]; P], upper: &mut [f64]) {
-    let mut start = 0;
-    for r in 0..D {
-        let row = &mut upper[start..start + D - r];
-        row.fill(0.0);
-        for point in g {
-            let factor = point[r];
-            for (sum, value) in row.iter_mut().zip(&point[r..]) {
-                *sum += factor * value;
-            }
-        }
-        start += D - r;
+    /// λ Gᵢⱼ + μ Gⱼᵢ + μ tr G δᵢⱼ.
+    #[inline(always)]
+    pub(super) fn block(&self, g: &[[L; 3]; 3]) -> [[L; 3]; 3] {
+        let (xx, yy, zz) = (g[0][0] * self.mu, g[1][1] * self.mu, g[2][2] * self.mu);
+        let (l, m, n) = (self.lambda, self.mu, self.normal);
+        [
+            [
+                g[0][0].mul_add(n, yy + zz),
+                g[0][1].mul_add(l, g[1][0] * m),
+                g[0][2].mul_add(l, g[2][0] * m),
+            ],
+            [
+                g[1][0].mul_add(l, g[0][1] * m),
+                g[1][1].mul_add(n, xx + zz),
+                g[1][2].mul_add(l, g[2][1] * m),
+            ],
+            [
+                g[2][0].mul_add(l, g[0][2] * m),
+                g[2][1].mul_add(l, g[1][2] * m),
+                g[2][2].mul_add(n, xx + yy),
+            ],
+        ]
     }
-}
 
-/// Turns Σ ∇Nₐ ⊗ ∇N_b into λ Gᵢⱼ + μ Gⱼᵢ + μ tr G δᵢⱼ, block by block, in place.
-#[inline(always)]
-pub(super) fn isotropic<const D: usize>(lambda: f64, mu: f64, upper: &mut [f64]) {
-    let row = |r: usize| r * (2 * D - r + 1) / 2;
-    for a in (0..D).step_by(3) {
-        let [r0, r1, r2] = [row(a), row(a + 1) - 1, row(a + 2) - 2];
-        // Diagonal block: G is symmetric.
-        let trace = mu * (upper[r0] + upper[r1 + 1] + upper[r2 + 2]);
-        for (r, i) in [(r0, 0), (r1, 1), (r2, 2)] {
-            upper[r + i] = (lambda + mu) * upper[r + i] + trace;
-            for j in i + 1..3 {
-                upper[r + j] *= lambda + mu;
-            }
-        }
-        for b in (3..D - a).step_by(3) {
-            let block = [r0 + b, r1 + b, r2 + b];
-            let g: [Vector; 3] = block.map(|r| [upper[r], upper[r + 1], upper[r + 2]]);
-            let trace = mu * (g[0][0] + g[1][1] + g[2][2]);
-            for (i, r) in block.into_iter().enumerate() {
-                for j in 0..3 {
-                    upper[r + j] = lambda * g[i][j] + mu * g[j][i];
+    /// The stiffness from √(w det J) ∇Nₐ at [a][q], packed.
+    #[inline(always)]
+    pub(super) fn fill<const N: usize, const P: usize>(
+        &self,
+        gradients: &[[Space<L>; P]; N],
+        matrix: &mut [L],
+    ) {
+        let mut start = 0;
+        for a in 0..N {
+            let width = 3 * (N - a);
+            let (row0, rest) = matrix[start..].split_at_mut(width);
+            let (row1, rest) = rest.split_at_mut(width - 1);
+            let row2 = &mut rest[..width - 2];
+            start += 3 * width - 3;
+
+            let mut g = [L::splat(0.0); 6];
+            for p in gradients[a].iter().take(trips(P)) {
+                let products = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+                for n in 0..6 {
+                    g[n] = p[products[n].0].mul_add(p[products[n].1], g[n]);
                 }
-                upper[r + i] += trace;
+            }
+            let trace = (g[0] + g[3] + g[5]) * self.mu;
+            row0[0] = g[0].mul_add(self.shear, trace);
+            row0[1] = g[1] * self.shear;
+            row0[2] = g[2] * self.shear;
+            row1[0] = g[3].mul_add(self.shear, trace);
+            row1[1] = g[4] * self.shear;
+            row2[0] = g[5].mul_add(self.shear, trace);
+
+            for b in a + 1..N {
+                let mut g = [[L::splat(0.0); 3]; 3];
+                for (p, r) in gradients[a].iter().zip(&gradients[b]).take(trips(P)) {
+                    for i in 0..3 {
+                        for j in 0..3 {
+                            g[i][j] = p[i].mul_add(r[j], g[i][j]);
+                        }
+                    }
+                }
+                let block = self.block(&g);
+                let at = 3 * (b - a);
+                row0[at..at + 3].copy_from_slice(&block[0]);
+                row1[at - 1..at + 2].copy_from_slice(&block[1]);
+                row2[at - 2..at + 1].copy_from_slice(&block[2]);
             }
         }
     }
 }
+
+/// Operations of [`Isotropic::fill`]: a multiplication and an addition for every product of gradients at every
+/// point, then the blocks.
+pub(super) const fn fill_flops(nodes: usize, points: usize) -> usize {
+    let pairs = nodes * (nodes - 1) / 2;
+    2 * points * (9 * pairs + 6 * nodes) + pairs * BLOCK_FLOPS + nodes * 12
+}
+
+/// [`Isotropic::block`].
+pub(super) const BLOCK_FLOPS: usize = 3 + 6 * 3 + 3 * 3;

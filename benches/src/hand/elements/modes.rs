@@ -10,7 +10,8 @@
 
 use whirl_specs::Lane;
 
-use super::hex8::{BLOCK_FLOPS, Isotropic, Space, cross, trips};
+use super::isotropic::{BLOCK_FLOPS, Isotropic};
+use super::space::{Space, cross, trips};
 
 /// 1/√3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
@@ -22,8 +23,8 @@ pub(super) struct Modes<L> {
     t: [[Space<L>; 8]; 3],
     s: [[L; 3]; 3],
     own: [[L; 9]; 9],
-    /// Coupling to the 24 displacements, one row a mode amplitude.
-    coupling: [[L; 24]; 9],
+    /// Coupling of the 24 displacements, one row each, to the mode amplitudes.
+    coupling: [[L; 9]; 24],
 }
 
 impl<L: Lane> Modes<L> {
@@ -35,7 +36,7 @@ impl<L: Lane> Modes<L> {
             t: [[[zero; 3]; 8]; 3],
             s: [[zero; 3]; 3],
             own: [[zero; 9]; 9],
-            coupling: [[zero; 24]; 9],
+            coupling: [[zero; 9]; 24],
         }
     }
 
@@ -80,7 +81,8 @@ impl<L: Lane> Modes<L> {
         }
     }
 
-    /// K − CᵀS⁻¹C with S = UᵀU: the rows of U⁻ᵀC are taken off the packed matrix together.
+    /// K − C S⁻¹Cᵀ with S = UᵀU: rows of W = C U⁻¹ stay in registers, then W Wᵀ is taken off the packed matrix
+    /// by blocks of nodes.
     #[inline(always)]
     pub(super) fn take_off(&mut self, isotropic: &Isotropic<L>, matrix: &mut [L; 300]) {
         for k in 0..3 {
@@ -95,9 +97,7 @@ impl<L: Lane> Modes<L> {
             for a in 0..trips(8) {
                 let block = isotropic.block(&outer(self.t[k][a], self.r[k], L::splat(1.0)));
                 for i in 0..3 {
-                    for j in 0..3 {
-                        self.coupling[3 * k + j][3 * a + i] = block[i][j];
-                    }
+                    self.coupling[3 * a + i][3 * k..3 * k + 3].copy_from_slice(&block[i]);
                 }
             }
         }
@@ -107,35 +107,59 @@ impl<L: Lane> Modes<L> {
                 for m in 0..p {
                     sum = (-self.own[m][p]).mul_add(self.own[m][q], sum);
                 }
-                self.own[p][q] = if p == q { sum.sqrt() } else { sum / self.own[p][p] };
-            }
-            let (done, rest) = self.coupling.split_at_mut(p);
-            let row = &mut rest[0];
-            for (m, earlier) in done.iter().enumerate() {
-                let factor = -self.own[m][p];
-                for c in 0..trips(24) {
-                    row[c] = earlier[c].mul_add(factor, row[c]);
-                }
-            }
-            let scale = L::splat(1.0) / self.own[p][p];
-            for value in row.iter_mut().take(trips(24)) {
-                *value = *value * scale;
+                // The diagonal keeps 1/U_pp.
+                let root = || L::splat(1.0) / sum.sqrt();
+                self.own[p][q] = if p == q { root() } else { sum * self.own[p][p] };
             }
         }
-        let mut start = 0;
-        for r in 0..24 {
-            let packed = &mut matrix[start..start + 24 - r];
-            start += 24 - r;
-            let mut factors = [L::splat(0.0); 9];
-            for m in 0..9 {
-                factors[m] = -self.coupling[m][r];
+        for p in 0..9 {
+            for q in p + 1..9 {
+                self.own[p][q] = -self.own[p][q];
             }
-            for c in 0..24 - r {
-                let mut value = packed[c];
-                for m in 0..9 {
-                    value = factors[m].mul_add(self.coupling[m][r + c], value);
+        }
+        for row in self.coupling.iter_mut().take(trips(24)) {
+            let mut w = *row;
+            for p in 0..9 {
+                w[p] = w[p] * self.own[p][p];
+                for q in p + 1..9 {
+                    w[q] = self.own[p][q].mul_add(w[p], w[q]);
                 }
-                packed[c] = value;
+            }
+            *row = w;
+        }
+        self.subtract_products(matrix);
+    }
+
+    #[inline(always)]
+    fn subtract_products(&self, matrix: &mut [L; 300]) {
+        let rows = self.coupling.as_chunks::<3>().0;
+        let mut start = 0;
+        for a in 0..trips(8) {
+            let width = 24 - 3 * a;
+            let (row0, rest) = matrix[start..].split_at_mut(width);
+            let (row1, rest) = rest.split_at_mut(width - 1);
+            let row2 = &mut rest[..width - 2];
+            start += 3 * width - 3;
+            for b in a..trips(8) {
+                let mut g = [[L::splat(0.0); 3]; 3];
+                for m in 0..trips(9) {
+                    for i in 0..3 {
+                        for j in 0..3 {
+                            g[i][j] = rows[a][i][m].mul_add(rows[b][j][m], g[i][j]);
+                        }
+                    }
+                }
+                let at = 3 * (b - a);
+                for j in 0..3 {
+                    row0[at + j] = row0[at + j] - g[0][j];
+                    // Below the diagonal nothing is stored.
+                    if at + j >= 1 {
+                        row1[at + j - 1] = row1[at + j - 1] - g[1][j];
+                    }
+                    if at + j >= 2 {
+                        row2[at + j - 2] = row2[at + j - 2] - g[2][j];
+                    }
+                }
             }
         }
     }

@@ -1,6 +1,20 @@
-//! Linear wedge: three points in the triangle times two Gauss points along the axis.
+//! Linear wedge: three points in the triangle times two Gauss points along the axis; as many cells side by side as
+//! a register holds.
+//!
+//! ∂x/∂ξ and ∂x/∂η change along the axis only, ∂x/∂ζ in the triangle only, and ∇N of a node is that of its corner
+//! in the triangle and a share of ∇ζ.
 
-use super::isotropic::{Vector, cofactors, gram, isotropic, lame, tangents};
+#![allow(
+    clippy::needless_range_loop,
+    reason = "indices of points and components read as in the formulas"
+)]
+
+use whirl_specs::Lane;
+use whirl_specs::registers::{Register, Registers, Task};
+
+use super::hex8::along;
+use super::isotropic::{Isotropic, fill_flops};
+use super::space::{Cells, Space, Vector, cross, dot, minus, plus, times};
 
 /// Corners in the order of Abaqus: triangle ζ = −1, then ζ = 1.
 pub(super) const NODES: [Vector; 6] = [
@@ -12,121 +26,209 @@ pub(super) const NODES: [Vector; 6] = [
     [0.0, 1.0, 1.0],
 ];
 
-/// 1/√3.
-const GAUSS: f64 = 0.577_350_269_189_625_8;
+/// ½(1 ± 1/√3): a linear function along the axis at the Gauss point near its node, and at the other.
+const NEAR: f64 = 0.788_675_134_594_812_9;
+const FAR: f64 = 0.211_324_865_405_187_1;
 
-/// Area coordinates of the points in the triangle; each has a third of its area ½.
-const TRIANGLE: [Vector; 3] = [
-    [2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0],
-    [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0],
-    [1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0],
-];
+/// Each point in the triangle has a third of its area ½; there one area coordinate is 2/3, the others 1/6.
 const WEIGHT: f64 = 1.0 / 6.0;
-
-/// Reference gradients at the points, triangle points fastest.
-const GRADIENTS: [[Vector; 6]; 6] = {
-    let slope = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
-    let mut table = [[[0.0; 3]; 6]; 6];
-    let mut q = 0;
-    while q < 6 {
-        let zeta = if q < 3 { -GAUSS } else { GAUSS };
-        let mut a = 0;
-        while a < 6 {
-            let end = if a < 3 { -1.0 } else { 1.0 };
-            let along = 0.5 * (1.0 + end * zeta);
-            table[q][a] = [
-                slope[a % 3][0] * along,
-                slope[a % 3][1] * along,
-                TRIANGLE[q % 3][a % 3] * 0.5 * end,
-            ];
-            a += 1;
-        }
-        q += 1;
-    }
-    table
-};
 
 /// Values of a packed upper triangle of 18 rows.
 const PACKED: usize = 171;
 
-fn smallest(det: &[f64; 6]) -> f64 {
-    // A comparison with NaN is false, so that NaN stays.
-    det.iter().fold(f64::INFINITY, |least, &j| if least <= j { least } else { j })
+/// ∂x/∂ξ, ∂x/∂η and their cross product in both layers of points, and ∂x/∂ζ at the three points of a layer.
+struct Tangents<L> {
+    xi: [Space<L>; 2],
+    eta: [Space<L>; 2],
+    normal: [Space<L>; 2],
+    zeta: [Space<L>; 3],
 }
 
-pub(super) fn stiffness(x: &[f64], material: &[f64], matrices: &mut [f64], jacobians: &mut [f64]) {
-    let (lambda, mu) = lame(material);
-    let (mut g, mut det) = ([[0.0; 18]; 6], [0.0; 6]);
-    let cells = x.chunks_exact(18).zip(matrices.chunks_exact_mut(PACKED)).zip(jacobians);
-    for ((x, matrix), jacobian) in cells {
-        for q in 0..6 {
-            let (j, rows) = cofactors(&tangents(x, &GRADIENTS[q]));
-            det[q] = j;
-            let scale = WEIGHT.sqrt() / j.abs().sqrt();
-            let rows = rows.map(|row| row.map(|value| value * scale));
-            for (gradient, n) in g[q].as_chunks_mut::<3>().0.iter_mut().zip(&GRADIENTS[q]) {
+impl<L: Lane> Tangents<L> {
+    #[inline(always)]
+    fn new(x: &[Space<L>; 6]) -> Self {
+        let xi = layers(minus(x[1], x[0]), minus(x[4], x[3]));
+        let eta = layers(minus(x[2], x[0]), minus(x[5], x[3]));
+        let up = [minus(x[3], x[0]), minus(x[4], x[1]), minus(x[5], x[2])];
+        // ½ Σ Lₐ upₐ with Lₐ = 1/6, and ½ more at the own corner.
+        let mean = times(plus(plus(up[0], up[1]), up[2]), 1.0 / 12.0);
+        Tangents {
+            xi,
+            eta,
+            normal: [cross(xi[0], eta[0]), cross(xi[1], eta[1])],
+            zeta: [
+                add_scaled(mean, up[0], 0.25),
+                add_scaled(mean, up[1], 0.25),
+                add_scaled(mean, up[2], 0.25),
+            ],
+        }
+    }
+}
+
+/// Linear between the ends, at the lower and the upper Gauss point.
+#[inline(always)]
+fn layers<L: Lane>(low: Space<L>, high: Space<L>) -> [Space<L>; 2] {
+    [add_scaled(times(low, NEAR), high, FAR), add_scaled(times(low, FAR), high, NEAR)]
+}
+
+#[inline(always)]
+fn add_scaled<L: Lane>(a: Space<L>, b: Space<L>, factor: f64) -> Space<L> {
+    let factor = L::splat(factor);
+    [b[0].mul_add(factor, a[0]), b[1].mul_add(factor, a[1]), b[2].mul_add(factor, a[2])]
+}
+
+#[inline(always)]
+fn smaller<L: Lane>(det: L, least: L) -> L {
+    L::select(L::lt(det, least), det, least)
+}
+
+/// Operations of [`Tangents::new`]: seven differences, two edges in two layers, ∂x/∂ζ, two normals.
+const TANGENT_FLOPS: usize = 3 * (7 + 2 * 2 * 3 + 3 + 3 * 2) + 2 * 9;
+
+/// √(w det J) ∇Nₐ at [a][q], triangle points fastest, and the least det J.
+struct Points<L> {
+    gradients: [[Space<L>; 6]; 6],
+    least: L,
+}
+
+/// Cofactors, det J, root and quotient, the scaled cofactors; then the gradients.
+const POINT_FLOPS: usize = TANGENT_FLOPS + 6 * (18 + 5 + 2 + 9 + 3 * (2 + 2 + 6 * 2));
+
+impl<L: Lane> Points<L> {
+    #[inline(always)]
+    fn fill(&mut self, tangents: &Tangents<L>) {
+        self.least = L::splat(f64::INFINITY);
+        for layer in 0..2 {
+            let (xi, eta) = (tangents.xi[layer], tangents.eta[layer]);
+            let shares = [[NEAR, FAR], [FAR, NEAR]][layer];
+            for corner in 0..3 {
+                let zeta = tangents.zeta[corner];
+                let det = dot(zeta, tangents.normal[layer]);
+                self.least = smaller(det, self.least);
+                let scale = L::splat(WEIGHT.sqrt()) / det.sqrt();
+                let (to_xi, to_eta) = (cross(eta, zeta), cross(zeta, xi));
+                let normal = tangents.normal[layer];
                 for i in 0..3 {
-                    gradient[i] = n[0] * rows[0][i] + n[1] * rows[1][i] + n[2] * rows[2][i];
+                    let (xi, eta) = (to_xi[i] * scale, to_eta[i] * scale);
+                    let along = normal[i] * scale;
+                    let slopes = [-xi - eta, xi, eta];
+                    // ½ Lₐ ∂ζ/∂x.
+                    let (own, other) = (along * (1.0 / 3.0), along * (1.0 / 12.0));
+                    for a in 0..3 {
+                        let rise = if a == corner { own } else { other };
+                        let q = 3 * layer + corner;
+                        self.gradients[a][q][i] = slopes[a].mul_add(L::splat(shares[0]), -rise);
+                        self.gradients[a + 3][q][i] = slopes[a].mul_add(L::splat(shares[1]), rise);
+                    }
                 }
             }
         }
-        *jacobian = smallest(&det);
-        gram(&g, matrix);
-        isotropic::<18>(lambda, mu, matrix);
     }
 }
 
-/// The six products of two area coordinates, (0,0), (0,1), (0,2), (1,1), (1,2), (2,2), at the points.
-const AREA: [Vector; 6] = {
-    let mut products = [[0.0; 3]; 6];
-    let pairs = [[0, 0], [0, 1], [0, 2], [1, 1], [1, 2], [2, 2]];
-    let mut n = 0;
-    while n < 6 {
-        let mut q = 0;
-        while q < 3 {
-            products[n][q] = WEIGHT * TRIANGLE[q][pairs[n][0]] * TRIANGLE[q][pairs[n][1]];
-            q += 1;
-        }
-        n += 1;
-    }
-    products
-};
+struct Stiffness<'a>(Cells<'a>);
 
-/// Place in [`AREA`] of the product of area coordinates a and b.
-const PAIR: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+impl Task for Stiffness<'_> {
+    type Output = ();
 
-/// ∫ρ Nₐ N_b dV: 18 distinct values, summed over the triangle, then along the axis.
-pub(super) fn mass(x: &[f64], material: &[f64], matrices: &mut [f64], jacobians: &mut [f64]) {
-    let rho = material[0];
-    let (near, far) = (0.5 * (1.0 + GAUSS), 0.5 * (1.0 - GAUSS));
-    let line = [[near * near, far * far], [near * far, near * far], [far * far, near * near]];
-    let cells = x.chunks_exact(18).zip(matrices.chunks_exact_mut(21)).zip(jacobians);
-    for ((x, matrix), jacobian) in cells {
-        let mut det = [0.0; 6];
-        for (det, gradients) in det.iter_mut().zip(&GRADIENTS) {
-            *det = cofactors(&tangents(x, gradients)).0;
-        }
-        *jacobian = smallest(&det);
-        let (lower, upper) = (&det[..3], &det[3..]);
-        let mut values = [[0.0; 6]; 3];
-        for (n, area) in AREA.iter().enumerate() {
-            let sum = |det: &[f64]| rho * (area[0] * det[0] + area[1] * det[1] + area[2] * det[2]);
-            let (below, above) = (sum(lower), sum(upper));
-            for (values, l) in values.iter_mut().zip(&line) {
-                values[n] = l[0] * below + l[1] * above;
-            }
-        }
-        let mut n = 0;
-        for a in 0..6 {
-            for b in a..6 {
-                matrix[n] = values[a / 3 + b / 3][PAIR[a % 3][b % 3]];
-                n += 1;
-            }
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let Cells { coordinates, material, matrices, jacobians } = self.0;
+        let isotropic = Isotropic::<L>::new(material);
+        let zero = L::splat(0.0);
+        let (mut x, mut matrix) = ([[zero; 3]; 6], [zero; PACKED]);
+        let mut points = Points { gradients: [[[zero; 3]; 6]; 6], least: zero };
+        let coordinates = coordinates.chunks(18 * L::WIDTH);
+        let matrices = matrices.chunks_mut(PACKED * L::WIDTH);
+        let jacobians = jacobians.chunks_mut(L::WIDTH);
+        for ((coordinates, matrices), jacobians) in coordinates.zip(matrices).zip(jacobians) {
+            L::gather(coordinates, x.as_flattened_mut());
+            points.fill(&Tangents::new(&x));
+            isotropic.fill(&points.gradients, &mut matrix);
+            L::scatter(&matrix, matrices);
+            L::scatter(&[points.least], jacobians);
         }
     }
 }
-/// At a point: tangents, cofactors and det J, the scale, gradients; then their products and the blocks.
-pub(super) const STIFFNESS_FLOPS: usize =
-    6 * (2 * 9 * 6 + 32 + 12 + 6 * 15) + 2 * 6 * PACKED + 15 * 33 + 6 * 12;
-/// Tangents and det J at a point; then sums of six products.
-pub(super) const MASS_FLOPS: usize = 6 * (2 * 9 * 6 + 32) + 6 * (2 * 6 + 3 * 3);
+
+pub(super) fn stiffness(
+    coordinates: &[f64],
+    material: &[f64],
+    matrices: &mut [f64],
+    jacobians: &mut [f64],
+) {
+    Registers::current().run(Stiffness(Cells { coordinates, material, matrices, jacobians }));
+}
+
+/// The stiffness from its gradients.
+pub(super) const STIFFNESS_FLOPS: usize = POINT_FLOPS + fill_flops(6, 6);
+
+/// Place of the product of area coordinates a and b: (0,0), (1,1), (2,2), then those without 0, 1, 2.
+const PAIR: [[usize; 3]; 3] = [[0, 5, 4], [5, 1, 3], [4, 3, 2]];
+
+struct Mass<'a>(Cells<'a>);
+
+impl Task for Mass<'_> {
+    type Output = ();
+
+    /// ∫ρ Nₐ N_b dV: 18 distinct values, summed over the triangle, then along the axis.
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let Cells { coordinates, material, matrices, jacobians } = self.0;
+        let density = L::splat(WEIGHT * material[0]);
+        let zero = L::splat(0.0);
+        let (mut x, mut matrix) = ([[zero; 3]; 6], [zero; 21]);
+        let coordinates = coordinates.chunks(18 * L::WIDTH);
+        let matrices = matrices.chunks_mut(21 * L::WIDTH);
+        let jacobians = jacobians.chunks_mut(L::WIDTH);
+        for ((coordinates, matrices), jacobians) in coordinates.zip(matrices).zip(jacobians) {
+            L::gather(coordinates, x.as_flattened_mut());
+            let tangents = Tangents::new(&x);
+            let mut least = L::splat(f64::INFINITY);
+            let mut sums = [[zero; 6]; 2];
+            for layer in 0..2 {
+                let mut d = [zero; 3];
+                for corner in 0..3 {
+                    let det = dot(tangents.zeta[corner], tangents.normal[layer]);
+                    least = smaller(det, least);
+                    d[corner] = det * density;
+                }
+                // Lₐ² is 4/9 at the own point, 1/36 at the others; Lₐ L_b is 1/9 at both, 1/36 at the third.
+                let mean = (d[0] + d[1] + d[2]) * (1.0 / 36.0);
+                let both = mean * 4.0;
+                for corner in 0..3 {
+                    sums[layer][corner] = d[corner].mul_add(L::splat(15.0 / 36.0), mean);
+                    sums[layer][3 + corner] = d[corner].mul_add(L::splat(-1.0 / 12.0), both);
+                }
+            }
+            let mut values = [[zero; 6]; 3];
+            for pair in 0..6 {
+                let ends = along(sums[0][pair], sums[1][pair]);
+                for k in 0..3 {
+                    values[k][pair] = ends[k];
+                }
+            }
+            let mut n = 0;
+            for a in 0..6 {
+                for b in a..6 {
+                    matrix[n] = values[a / 3 + b / 3][PAIR[a % 3][b % 3]];
+                    n += 1;
+                }
+            }
+            L::scatter(&matrix, matrices);
+            L::scatter(&[least], jacobians);
+        }
+    }
+}
+
+pub(super) fn mass(
+    coordinates: &[f64],
+    material: &[f64],
+    matrices: &mut [f64],
+    jacobians: &mut [f64],
+) {
+    Registers::current().run(Mass(Cells { coordinates, material, matrices, jacobians }));
+}
+
+/// Tangents and det J, two layers, then 8 operations for every call of [`along`].
+pub(super) const MASS_FLOPS: usize = TANGENT_FLOPS + 6 * 5 + 2 * (3 + 2 + 1 + 1 + 6 * 2) + 6 * 8;
