@@ -1,5 +1,10 @@
 //! Static condensation of the parameters of enhanced modes: what generated kernels of cells call as [`crate::cells`].
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "indices of nodes, modes and components read as in the formulas"
+)]
+
 use crate::Lane;
 use crate::cells::{diagonal, looped};
 
