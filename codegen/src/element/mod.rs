@@ -7,6 +7,7 @@ pub mod direct;
 pub mod polynomial;
 mod prove;
 pub mod quadrature;
+pub mod rules;
 mod table;
 
 pub use cell::Cell;

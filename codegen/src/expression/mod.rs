@@ -6,6 +6,7 @@
 
 mod differentiate;
 mod display;
+mod function;
 mod graph;
 mod linear;
 mod node;

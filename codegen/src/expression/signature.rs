@@ -2,7 +2,7 @@
 
 use num_traits::{Signed, ToPrimitive};
 
-use super::node::{Function, Id, Node, Rational, Relation, Shape, Symmetry};
+use super::node::{Id, Node, Rational, Relation, Shape, Symmetry};
 
 /// Number of random points.
 pub(super) const POINTS: usize = 2;
@@ -129,22 +129,6 @@ fn at(node: &Node, point: usize, of: &dyn Fn(Id) -> Value) -> Value {
         Node::Outer(a, b) => {
             let (a, b) = (vector(*a), vector(*b));
             Value::Matrix(a.map(|x| b.map(|y| x * y)))
-        }
-    }
-}
-
-impl Function {
-    /// The function's value, from the pinned implementation.
-    pub fn value(self, x: f64) -> f64 {
-        match self {
-            Function::Exp => libm::exp(x),
-            Function::Ln => libm::log(x),
-            Function::Sin => libm::sin(x),
-            Function::Cos => libm::cos(x),
-            Function::Tan => libm::tan(x),
-            Function::Atan => libm::atan(x),
-            Function::Tanh => libm::tanh(x),
-            Function::Abs => x.abs(),
         }
     }
 }

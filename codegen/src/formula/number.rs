@@ -1,8 +1,7 @@
 //! The numbers over which a formula can be evaluated directly.
 
-use crate::rational::Rational;
-
-use crate::rational::nearest;
+use crate::expression::Function;
+use crate::rational::{Rational, nearest};
 
 /// A field with the functions of the formula language.
 pub trait Number: Clone {
@@ -22,22 +21,40 @@ pub trait Number: Clone {
     fn power(&self, exponent: &Self) -> Self;
     /// √a
     fn sqrt(&self) -> Self;
+    /// A function of one number.
+    fn function(&self, function: Function) -> Self;
     /// eᵃ
-    fn exp(&self) -> Self;
+    fn exp(&self) -> Self {
+        self.function(Function::Exp)
+    }
     /// ln a
-    fn ln(&self) -> Self;
+    fn ln(&self) -> Self {
+        self.function(Function::Ln)
+    }
     /// sin a
-    fn sin(&self) -> Self;
+    fn sin(&self) -> Self {
+        self.function(Function::Sin)
+    }
     /// cos a
-    fn cos(&self) -> Self;
+    fn cos(&self) -> Self {
+        self.function(Function::Cos)
+    }
     /// tan a
-    fn tan(&self) -> Self;
+    fn tan(&self) -> Self {
+        self.function(Function::Tan)
+    }
     /// arctan a
-    fn atan(&self) -> Self;
+    fn atan(&self) -> Self {
+        self.function(Function::Atan)
+    }
     /// tanh a
-    fn tanh(&self) -> Self;
+    fn tanh(&self) -> Self {
+        self.function(Function::Tanh)
+    }
     /// |a|
-    fn abs(&self) -> Self;
+    fn abs(&self) -> Self {
+        self.function(Function::Abs)
+    }
     /// This one, chosen among `all` by its value.
     fn chosen(&self, all: &[Self]) -> Self {
         let _ = all;
@@ -70,29 +87,8 @@ impl Number for f64 {
     fn sqrt(&self) -> Self {
         libm::sqrt(*self)
     }
-    fn exp(&self) -> Self {
-        libm::exp(*self)
-    }
-    fn ln(&self) -> Self {
-        libm::log(*self)
-    }
-    fn sin(&self) -> Self {
-        libm::sin(*self)
-    }
-    fn cos(&self) -> Self {
-        libm::cos(*self)
-    }
-    fn tan(&self) -> Self {
-        libm::tan(*self)
-    }
-    fn atan(&self) -> Self {
-        libm::atan(*self)
-    }
-    fn tanh(&self) -> Self {
-        libm::tanh(*self)
-    }
-    fn abs(&self) -> Self {
-        f64::abs(*self)
+    fn function(&self, function: Function) -> Self {
+        function.value(*self)
     }
 }
 
@@ -158,32 +154,8 @@ impl Number for Dual {
         let root = libm::sqrt(self.value);
         self.chain(root, 0.5 / root)
     }
-    fn exp(&self) -> Self {
-        let value = libm::exp(self.value);
-        self.chain(value, value)
-    }
-    fn ln(&self) -> Self {
-        self.chain(libm::log(self.value), 1.0 / self.value)
-    }
-    fn sin(&self) -> Self {
-        self.chain(libm::sin(self.value), libm::cos(self.value))
-    }
-    fn cos(&self) -> Self {
-        self.chain(libm::cos(self.value), -libm::sin(self.value))
-    }
-    fn tan(&self) -> Self {
-        let value = libm::tan(self.value);
-        self.chain(value, 1.0 + value * value)
-    }
-    fn atan(&self) -> Self {
-        self.chain(libm::atan(self.value), 1.0 / (1.0 + self.value * self.value))
-    }
-    fn tanh(&self) -> Self {
-        let value = libm::tanh(self.value);
-        self.chain(value, 1.0 - value * value)
-    }
-    fn abs(&self) -> Self {
-        let sign = if self.value < 0.0 { -1.0 } else { 1.0 };
-        self.chain(f64::abs(self.value), sign)
+    fn function(&self, function: Function) -> Self {
+        let value = function.value(self.value);
+        self.chain(value, function.slope(self.value, value))
     }
 }

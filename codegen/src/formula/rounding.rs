@@ -1,9 +1,8 @@
 //! Numbers that carry a bound of their rounding error, to tell a jump from rounding.
 
-use crate::rational::Rational;
-
 use super::Number;
-use crate::rational::nearest;
+use crate::expression::Function;
+use crate::rational::{Rational, nearest};
 
 /// A value and a first-order bound of its error, when inputs and every operation are rounded to f64.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,32 +67,13 @@ impl Number for Rounded {
         let inherited = (0.5 * self.error / root).min(libm::sqrt(self.error));
         Rounded::result(root, if self.error == 0.0 { 0.0 } else { inherited })
     }
-    fn exp(&self) -> Self {
-        let value = libm::exp(self.value);
-        self.chain(value, value)
-    }
-    fn ln(&self) -> Self {
-        self.chain(libm::log(self.value), 1.0 / self.value)
-    }
-    fn sin(&self) -> Self {
-        self.chain(libm::sin(self.value), libm::cos(self.value))
-    }
-    fn cos(&self) -> Self {
-        self.chain(libm::cos(self.value), libm::sin(self.value))
-    }
-    fn tan(&self) -> Self {
-        let value = libm::tan(self.value);
-        self.chain(value, 1.0 + value * value)
-    }
-    fn atan(&self) -> Self {
-        self.chain(libm::atan(self.value), 1.0 / (1.0 + self.value * self.value))
-    }
-    fn tanh(&self) -> Self {
-        let value = libm::tanh(self.value);
-        self.chain(value, 1.0 - value * value)
-    }
-    fn abs(&self) -> Self {
-        Rounded { value: self.value.abs(), error: self.error }
+    fn function(&self, function: Function) -> Self {
+        let value = function.value(self.value);
+        match function {
+            // Exact.
+            Function::Abs => Rounded { value, error: self.error },
+            _ => self.chain(value, function.slope(self.value, value)),
+        }
     }
 }
 

@@ -12,6 +12,7 @@ use crate::expression::Id;
 use crate::schedule::{Input, Operand, Output, Program, Request, ScheduleError, Stage, schedule};
 use crate::spec::clearance::{BoreMotion, ClearanceSpec, Contact, DerivedContact, RING};
 
+use super::clearance_kernels::prepare;
 use super::facts::unscheduled;
 
 const TABLE: usize = 0;
@@ -161,30 +162,16 @@ impl<'a> Kernels<'a> {
     /// Fills the table.
     fn prepare(&self) -> TokenStream {
         let names = self.table_names();
-        let psi = identifier(&self.spec.spring.name);
-        let psi_row = row(&self.spec.spring.name);
         if names.is_empty() {
             return quote! {
                 /// Nothing is kept.
                 pub fn prepare(_: &[f64], _: &mut [f64]) {}
             };
         }
-        let statements = statements(self.program, TABLE, Numbers::Plain);
         let rows: Vec<Ident> =
             names.iter().map(|name| format_ident!("kept_{}", row(name))).collect();
-        let values = names.iter().map(|name| identifier(name));
-        let about = documented(&format!("Fills the rows {}.", names.join(", ")));
-        quote! {
-            #about
-            pub fn prepare(#psi_row: &[f64], table: &mut [f64]) {
-                let [#(#rows),*] = rows_mut(#psi_row.len(), table);
-                for j in 0..#psi_row.len() {
-                    let #psi = #psi_row[j];
-                    #(#statements)*
-                    #(#rows[j] = #values;)*
-                }
-            }
-        }
+        let about = format!("Fills the rows {}.", names.join(", "));
+        prepare(&self.spec.spring.name, self.program, &names, &rows, &about)
     }
 
     /// What the law takes.

@@ -32,29 +32,15 @@ impl<'a> Kernels<'a> {
 
     /// Fills the table.
     pub(super) fn prepare(&self) -> TokenStream {
-        let psi = identifier(&self.spec.spring.name);
-        let psi_row = row(&self.spec.spring.name);
-        let statements = statements(self.program, TABLE, Numbers::Plain);
         let names = self.table.iter().map(|o| self.program.name_of(*o).unwrap_or_default());
         let names: Vec<&str> = names.collect();
         let rows: Vec<Ident> = names.iter().map(|name| row(name)).collect();
-        let values = names.iter().map(|name| identifier(name));
-        let about = documented(&format!(
+        let about = format!(
             "Fills the rows {} from the angles of the springs; {} a spring.",
             names.join(", "),
             self.program.counts(TABLE)
-        ));
-        quote! {
-            #about
-            pub fn prepare(#psi_row: &[f64], table: &mut [f64]) {
-                let [#(#rows),*] = rows_mut(#psi_row.len(), table);
-                for j in 0..#psi_row.len() {
-                    let #psi = #psi_row[j];
-                    #(#statements)*
-                    #(#rows[j] = #values;)*
-                }
-            }
-        }
+        );
+        prepare(&self.spec.spring.name, self.program, &names, &rows, &about)
     }
 
     /// h and ḣ of every spring.
@@ -326,4 +312,29 @@ fn used_inputs(program: &Program) -> Vec<String> {
     used.filter(|operand| matches!(operand, Operand::Input(_)))
         .filter_map(|operand| program.name_of(operand).map(str::to_string))
         .collect()
+}
+
+/// The function that fills the rows of a table with the values called `names`, from the angle of each spring.
+pub(super) fn prepare(
+    spring: &str,
+    program: &Program,
+    names: &[&str],
+    rows: &[Ident],
+    about: &str,
+) -> TokenStream {
+    let (psi, psi_row) = (identifier(spring), row(spring));
+    let statements = statements(program, TABLE, Numbers::Plain);
+    let values = names.iter().map(|name| identifier(name));
+    let about = documented(about);
+    quote! {
+        #about
+        pub fn prepare(#psi_row: &[f64], table: &mut [f64]) {
+            let [#(#rows),*] = rows_mut(#psi_row.len(), table);
+            for j in 0..#psi_row.len() {
+                let #psi = #psi_row[j];
+                #(#statements)*
+                #(#rows[j] = #values;)*
+            }
+        }
+    }
 }

@@ -7,11 +7,12 @@ use whirl_solver::dynamics::{March, State, System, march};
 use whirl_solver::history::History;
 use whirl_solver::loads::{Course, Frame};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
-use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use super::equations::{random_state, worst_column};
 use super::free_shaft::momentum;
+use super::lumped::Jeffcott;
+use super::newton::converges_quadratically;
 use super::{DISCS, INERTIA, bearing, bores, discs, force, options, parts, stops};
 
 /// A law given by its formula, whose slopes follow by dual numbers.
@@ -136,32 +137,7 @@ static RUB: Formula = Formula {
 
 #[test]
 fn full_newton_converges_quadratically_with_friction() {
-    let mut parts = parts(discs(1e6), Support::rigid(&[]), Rotation::Free);
-    parts.laws = laws(&[&RUB]);
-    parts.bearings =
-        vec![Bearing { bore: Default::default(), journal_radius: Some(RADIUS), ..bearing(0) }];
-    parts.loads =
-        vec![force(&parts.shaft.nodes[2], [3e4, 1e4, 0.0], Course::Constant, Frame::Space)];
-    let machine = Machine::new(parts).expect("a machine");
-    let mut options = options(5e-3, 3);
-    options.initial_speed = 100.0;
-    options.newton.keep_factors = false;
-    options.newton.max_halvings = 0;
-    let mut march = March::new(&machine, &options).expect("starts");
-    let mut measured = 0;
-    for _ in 0..options.steps {
-        march.advance().unwrap_or_else(|error| panic!("{error}"));
-        let r: Vec<f64> = march.residuals().to_vec();
-        for w in r.windows(3) {
-            let (a, b, c) = (w[0] / r[0], w[1] / r[0], w[2] / r[0]);
-            if a < 2e-3 && c > 1e-13 {
-                let order = (c / b).ln() / (b / a).ln();
-                assert!(order > 1.7, "order {order} in {r:?}");
-                measured += 1;
-            }
-        }
-    }
-    assert!(measured >= 2, "the case is hard enough to show the order");
+    converges_quadratically(Box::new(&RUB), Some(RADIUS));
 }
 
 const STIFF: f64 = 3e4;
@@ -344,43 +320,15 @@ static ANNULUS: Formula = Formula {
     },
 };
 
-/// Jeffcott rotor with full annular contact: |k + k_c (1 − c/r) − mΩ² + i dΩ| r = m e Ω².
 #[test]
 fn an_unbalanced_mass_rubs_all_around_in_the_closed_form() {
-    let (mass, damping, stiffness, speed, offset) = (1.0, 20.0, 1e4, 110.0_f64, 0.5e-3);
-    let (r, push): (f64, f64) = (1.078299e-3, 7.8299);
-    let dynamic: f64 = stiffness + push / r - mass * speed * speed;
-    let lag = (damping * speed).atan2(dynamic);
-    let unbalance = mass * offset * speed * speed;
-    let mut parts = parts(
-        Shaft::lumped(mass, [stiffness; 2], [damping; 2], 0.0),
-        Support::rigid(&[]),
-        Rotation::Held,
-    );
-    let frequency = speed / std::f64::consts::TAU;
-    let turning = |phase: f64, direction: [f64; 3]| {
-        let course = Course::Sine { frequency, phase };
-        force(&parts.shaft.nodes[0], direction, course, Frame::Space)
-    };
-    parts.loads = vec![
-        turning(0.5 * std::f64::consts::PI, [unbalance, 0.0, 0.0]),
-        turning(0.0, [0.0, unbalance, 0.0]),
-    ];
-    parts.laws = laws(&[&ANNULUS]);
-    parts.bearings = vec![stops("annulus", 1e-3, &[], 0)];
-    let machine = Machine::new(parts).expect("a machine");
-    let mut options = options(2e-5, 20_000);
-    options.initial_shaft =
-        [vec![r * lag.cos(), -r * lag.sin()], vec![speed * r * lag.sin(), speed * r * lag.cos()]];
-    let outcome = march(&machine, &options, &mut |_| std::ops::ControlFlow::Continue(()));
-    let history = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history;
-    let column = |name| history.column(name).expect("a column");
-    let (x, y, fx, fy) = (column("X1_um"), column("Y1_um"), column("RX1_N"), column("RY1_N"));
+    let law = laws(&[&ANNULUS]).remove(0);
+    let [x, y, fx, fy] = Jeffcott::rubs(law, stops("annulus", 1e-3, &[], 0), (2e-5, 20_000));
     for i in x.len() - 2000..x.len() {
         let (r, push) = (x[i].hypot(y[i]), fx[i].hypot(fy[i]));
         // The amplitude is printed to 1e-6 mm; (Ω Δt)²/12 = 4e-7 changes it by less. N is k_c (r − c).
-        assert!((r - 1078.299).abs() < 2e-3, "r = {r} µm at row {i}");
-        assert!((push - 7.8299).abs() < 2e-4, "N = {push} N at row {i}");
+        assert!((r - 1e6 * Jeffcott::ORBIT).abs() < 2e-3, "r = {r} µm at row {i}");
+        assert!((push - Jeffcott::PUSH).abs() < 2e-4, "N = {push} N at row {i}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! A mass and stops, against closed forms and the values of validation manuals.
 
+use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::dynamics::{MarchOptions, march};
 use whirl_solver::history::History;
 use whirl_solver::loads::{Course, Frame};
@@ -104,61 +105,76 @@ fn a_thrown_mass_bounces_on_a_stop() {
 /// Σ k (r cos α − c) cos α over r cos α > c is k n/2π (r a − c sin a), cos a = c/r.
 static ANNULUS: Law = law("annulus", false, |n, h, out| {
     let (springs, c) = (360.0, 1e-3_f64);
-    let a = (c / RUB).acos();
-    let stiffness = PUSH * std::f64::consts::TAU / springs / (RUB * a - c * a.sin());
+    let a = (c / Jeffcott::ORBIT).acos();
+    let stiffness =
+        Jeffcott::PUSH * std::f64::consts::TAU / springs / (Jeffcott::ORBIT * a - c * a.sin());
     for j in 0..n {
         out[j] = if h[j] < 0.0 { -stiffness * h[j] } else { 0.0 };
         out[n + j] = if h[j] < 0.0 { -stiffness } else { 0.0 };
     }
 });
 
-/// Amplitude and force of the full annular rub: |k + k_c (1 − c/r) − mΩ² + i dΩ| r = m e Ω².
-const RUB: f64 = 1.078299e-3;
-const PUSH: f64 = 7.8299;
+/// Jeffcott's rotor with full annular contact: |k + k_c (1 − c/r) − mΩ² + i dΩ| r = m e Ω².
+pub(super) struct Jeffcott;
+
+impl Jeffcott {
+    /// Amplitude r (m).
+    pub(super) const ORBIT: f64 = 1.078299e-3;
+    /// Force k_c (r − c) of the contact (N).
+    pub(super) const PUSH: f64 = 7.8299;
+
+    /// x, y (µm) and the force along them (N) of `steps` steps from the orbit in closed form, in contact by
+    /// a law.
+    pub(super) fn rubs(
+        law: Box<dyn SpringLaw>,
+        bearing: Bearing,
+        (time_step, steps): (f64, usize),
+    ) -> [Vec<f64>; 4] {
+        let (mass, damping, stiffness, speed, offset) = (1.0, 20.0, 1e4, 110.0, 0.5e-3);
+        let unbalance = mass * offset * speed * speed;
+        // The numbers solve their own equation.
+        let dynamic: f64 = stiffness + Self::PUSH / Self::ORBIT - mass * speed * speed;
+        let needed = dynamic.hypot(damping * speed) * Self::ORBIT;
+        assert!((needed / unbalance - 1.0).abs() < 1e-5);
+
+        let mut parts = parts(
+            Shaft::lumped(mass, [stiffness; 2], [damping; 2], 0.0),
+            Support::rigid(&[]),
+            Rotation::Held,
+        );
+        let frequency = speed / std::f64::consts::TAU;
+        let turning = |phase: f64, direction: [f64; 3]| {
+            let course = Course::Sine { frequency, phase };
+            force(&parts.shaft.nodes[0], direction, course, Frame::Space)
+        };
+        parts.loads = vec![
+            turning(0.5 * std::f64::consts::PI, [unbalance, 0.0, 0.0]),
+            turning(0.0, [0.0, unbalance, 0.0]),
+        ];
+        parts.laws = vec![law];
+        parts.bearings = vec![bearing];
+        let machine = Machine::new(parts).expect("a machine");
+        let mut options = options(time_step, steps);
+        // On the orbit, behind the unbalance by atan(dΩ / dynamic stiffness).
+        let lag = (damping * speed).atan2(dynamic);
+        let (x, y) = (Self::ORBIT * lag.cos(), -Self::ORBIT * lag.sin());
+        options.initial_shaft = [vec![x, y], vec![-speed * y, speed * x]];
+        let outcome = march(&machine, &options, &mut |_| std::ops::ControlFlow::Continue(()));
+        let history = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history;
+        ["X1_um", "Y1_um", "RX1_N", "RY1_N"]
+            .map(|name| history.column(name).expect("a column").to_vec())
+    }
+}
 
 #[test]
 fn an_unbalanced_mass_rubs_all_around() {
-    let (mass, damping, stiffness, speed, offset) = (1.0, 20.0, 1e4, 110.0, 0.5e-3);
-    // The numbers solve their own equation.
-    let dynamic: f64 = stiffness + PUSH / RUB - mass * speed * speed;
-    let needed = dynamic.hypot(damping * speed) * RUB;
-    let unbalance = mass * offset * speed * speed;
-    assert!((needed / unbalance - 1.0).abs() < 1e-5);
-
-    let mut parts = parts(
-        Shaft::lumped(mass, [stiffness; 2], [damping; 2], 0.0),
-        Support::rigid(&[]),
-        Rotation::Held,
-    );
-    let frequency = speed / std::f64::consts::TAU;
-    let turning = |phase: f64, direction: [f64; 3]| {
-        let course = Course::Sine { frequency, phase };
-        force(&parts.shaft.nodes[0], direction, course, Frame::Space)
-    };
-    let loads = vec![
-        turning(0.5 * std::f64::consts::PI, [unbalance, 0.0, 0.0]),
-        turning(0.0, [0.0, unbalance, 0.0]),
-    ];
-    parts.loads = loads;
     let angles: Vec<f64> = (0..360).map(|j| f64::from(j).to_radians()).collect();
-    parts.laws = vec![boxed(&ANNULUS)];
-    parts.bearings = vec![stops("annulus", 1e-3, &angles, 0)];
-    let machine = Machine::new(parts).expect("a machine");
-    // Started on the orbit, behind the unbalance by atan(dΩ / dynamic stiffness).
-    let lag = (damping * speed).atan2(dynamic);
-    let mut options = options(5e-5, 40_000);
-    options.initial_shaft = [
-        vec![RUB * lag.cos(), -RUB * lag.sin()],
-        vec![speed * RUB * lag.sin(), speed * RUB * lag.cos()],
-    ];
-    let outcome = march(&machine, &options, &mut |_| std::ops::ControlFlow::Continue(()));
-    let history = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history;
-    let column = |name| history.column(name).expect("a column");
-    let (x, y, fx, fy) = (column("X1_um"), column("Y1_um"), column("RX1_N"), column("RY1_N"));
+    let bearing = stops("annulus", 1e-3, &angles, 0);
+    let [x, y, fx, fy] = Jeffcott::rubs(boxed(&ANNULUS), bearing, (5e-5, 40_000));
     for i in x.len() - 2000..x.len() {
         let (r, push) = (x[i].hypot(y[i]), fx[i].hypot(fy[i]));
         // 1° between springs of the 44° in contact: the ring is round to 1e-4 of its push.
-        assert!((r - 1e6 * RUB).abs() < 0.05, "r = {r} µm at row {i}");
-        assert!((push - PUSH).abs() < 0.02, "N = {push} N at row {i}");
+        assert!((r - 1e6 * Jeffcott::ORBIT).abs() < 0.05, "r = {r} µm at row {i}");
+        assert!((push - Jeffcott::PUSH).abs() < 0.02, "N = {push} N at row {i}");
     }
 }

@@ -3,7 +3,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::generate::{ENDINGS, SpecFile, generate};
@@ -85,24 +84,10 @@ fn an_element_dropped_into_the_specs_is_usable() {
                  let path = file.unwrap().path();\n        \
                  let to = std::path::Path::new(&out).join(path.file_name().unwrap());\n        \
                  std::fs::copy(&path, to).unwrap();\n    }\n}\n";
-    let manifest = "[package]\nname = \"dropped\"\nedition = \"2024\"\n\n[dependencies]\n\
-                    libm = \"=0.2.16\"\n\n[workspace]\n";
     fs::write(folder.join("build.rs"), build).expect("a build script");
-    fs::write(folder.join("Cargo.toml"), manifest).expect("a manifest");
     let main = MAIN.replace("NODES", &format!("{:?}", NODES.as_flattened()));
     fs::write(folder.join("src/main.rs"), main).expect("a program");
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let output = Command::new(cargo)
-        .args(["run", "--quiet", "--offline", "--manifest-path"])
-        .arg(folder.join("Cargo.toml"))
-        .arg("--target-dir")
-        .arg(folder.join("target"))
-        .output()
-        .expect("cargo can be run");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "the crate does not build:\n{errors}");
-
-    let printed = String::from_utf8(output.stdout).expect("text");
+    let printed = whirl_tests::run_alone(&folder, "dropped");
     let mut lines = printed.lines().map(|line| {
         line.split(' ').map(|value| value.parse::<f64>().expect("a number")).collect::<Vec<f64>>()
     });

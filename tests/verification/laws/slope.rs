@@ -1,7 +1,7 @@
 //! A value with its derivative along one direction, both with a bound of their rounding error: evaluating a
 //! file's formulas over it differentiates them without any symbolic rule.
 
-use whirl_codegen::expression::Rational;
+use whirl_codegen::expression::{Function, Rational};
 use whirl_codegen::formula::{Number, Rounded};
 
 /// f and df.
@@ -73,35 +73,20 @@ impl Number for Slope {
         let root = self.value.sqrt();
         self.chain(root, || one().div(&root.add(&root)))
     }
-    fn exp(&self) -> Self {
-        let value = self.value.exp();
-        self.chain(value, || value)
-    }
-    fn ln(&self) -> Self {
-        self.chain(self.value.ln(), || one().div(&self.value))
-    }
-    fn sin(&self) -> Self {
-        self.chain(self.value.sin(), || self.value.cos())
-    }
-    fn cos(&self) -> Self {
-        self.chain(self.value.cos(), || EXACTLY_ZERO.sub(&self.value.sin()))
-    }
-    fn tan(&self) -> Self {
-        let value = self.value.tan();
-        self.chain(value, || one().add(&squared(&value)))
-    }
-    fn atan(&self) -> Self {
-        self.chain(self.value.atan(), || one().div(&one().add(&squared(&self.value))))
-    }
-    fn tanh(&self) -> Self {
-        let value = self.value.tanh();
-        self.chain(value, || one().sub(&squared(&value)))
-    }
-    fn abs(&self) -> Self {
-        if self.value.value < 0.0 {
-            Slope { value: EXACTLY_ZERO.sub(&self.value), slope: EXACTLY_ZERO.sub(&self.slope) }
-        } else {
-            *self
+    fn function(&self, function: Function) -> Self {
+        let (x, value) = (&self.value, self.value.function(function));
+        match function {
+            Function::Exp => self.chain(value, || value),
+            Function::Ln => self.chain(value, || one().div(x)),
+            Function::Sin => self.chain(value, || x.cos()),
+            Function::Cos => self.chain(value, || EXACTLY_ZERO.sub(&x.sin())),
+            Function::Tan => self.chain(value, || one().add(&squared(&value))),
+            Function::Atan => self.chain(value, || one().div(&one().add(&squared(x)))),
+            Function::Tanh => self.chain(value, || one().sub(&squared(&value))),
+            Function::Abs if x.value < 0.0 => {
+                Slope { value: EXACTLY_ZERO.sub(x), slope: EXACTLY_ZERO.sub(&self.slope) }
+            }
+            Function::Abs => *self,
         }
     }
 }

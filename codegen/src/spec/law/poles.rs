@@ -1,9 +1,8 @@
 //! Poles, found by the signs of everything that a formula divides by.
 
-use crate::rational::Rational;
-
+use crate::expression::Function;
 use crate::formula::Number;
-use crate::rational::nearest;
+use crate::rational::{Rational, nearest};
 
 /// A value, and a digest of the signs of all divisors met on the way to it: two points between which the
 /// digest changes have a pole between them.
@@ -67,31 +66,16 @@ impl Number for Signed {
     fn sqrt(&self) -> Self {
         self.map(Number::sqrt(&self.value))
     }
-    fn exp(&self) -> Self {
-        self.map(Number::exp(&self.value))
-    }
-    fn ln(&self) -> Self {
-        self.map(Number::ln(&self.value))
-    }
-    fn sin(&self) -> Self {
-        self.map(Number::sin(&self.value))
-    }
-    fn cos(&self) -> Self {
-        self.map(Number::cos(&self.value))
-    }
-    fn tan(&self) -> Self {
-        // tan a = sin a/cos a
-        let sign = u64::from(Number::cos(&self.value).is_sign_negative());
-        Signed { value: Number::tan(&self.value), signs: mixed(self.signs, 1 + sign) }
-    }
-    fn atan(&self) -> Self {
-        self.map(Number::atan(&self.value))
-    }
-    fn tanh(&self) -> Self {
-        self.map(Number::tanh(&self.value))
-    }
-    fn abs(&self) -> Self {
-        self.map(self.value.abs())
+    fn function(&self, function: Function) -> Self {
+        let value = function.value(self.value);
+        match function {
+            // tan a = sin a/cos a
+            Function::Tan => {
+                let sign = u64::from(Function::Cos.value(self.value).is_sign_negative());
+                Signed { value, signs: mixed(self.signs, 1 + sign) }
+            }
+            _ => self.map(value),
+        }
     }
     /// With the divisors of all, whichever is chosen: a choice between values with and without a divisor is
     /// no pole.

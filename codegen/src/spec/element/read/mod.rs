@@ -1,5 +1,8 @@
 //! File → element.
 
+mod formats;
+mod rule;
+
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -7,9 +10,7 @@ use std::sync::Arc;
 use num_traits::{One, ToPrimitive};
 
 use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode};
-use crate::diagnostic::{Code, Diagnostics, Located, Source, suggest};
-use crate::element::algebraic::{Algebraic, Field};
-use crate::element::quadrature::{self, Factor};
+use crate::diagnostic::{Code, Diagnostics, Located, Source};
 use crate::element::{self, Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
 use crate::formula::{lower, parse};
@@ -18,9 +19,6 @@ use crate::spec::schema::Described;
 
 /// Most nodes of an element, points of a rule, and modes: far above any element in use.
 const MOST: usize = 64;
-
-/// Highest degree of a rule that is proved.
-const HIGHEST_DEGREE: usize = 12;
 
 /// Highest degree of completeness.
 const MOST_COMPLETE: usize = 4;
@@ -301,107 +299,6 @@ impl<'d> Reader<'d> {
         texts.collect()
     }
 
-    fn rule(&mut self, table: &Table<'_>, cell: Cell) -> Option<Quadrature> {
-        let degree = table.count("degree");
-        if let Some(degree) = degree.filter(|degree| *degree > HIGHEST_DEGREE) {
-            let message = format!("a degree is at most {HIGHEST_DEGREE}, not {degree}");
-            self.error(Code::BAD_VALUE, table.place("degree"), message);
-            return None;
-        }
-        let degree = degree.and_then(|degree| degree.to_u32());
-        let reduced = table.optional_boolean("reduced").unwrap_or(false);
-        let affine = table.optional_word("patch_test") == Some("affine");
-        let mut field = Field::default();
-        let (title, factors, place) = if table.has("points") {
-            let items = self.bounded(table, "points", table.items("points")?)?;
-            let place = table.place("points");
-            let points = self.points(&items, &mut field)?;
-            (format!("{} points", items.len()), vec![Factor { axes: 0..3, points }], place)
-        } else {
-            let place = table.place("rule");
-            let names = self.texts(&table.items("rule")?, "a rule such as \"gauss(2)\"")?;
-            let factors = self.product(&names, cell, place.clone(), &mut field)?;
-            let names: Vec<&str> = names.iter().map(Located::text).collect();
-            (names.join(" × "), factors, place)
-        };
-        let mut rule = Quadrature::new(title, field, factors, degree?, place)?;
-        (rule.reduced, rule.affine) = (reduced, affine);
-        Some(rule)
-    }
-
-    fn points(
-        &mut self,
-        items: &[Item<'_>],
-        field: &mut Field,
-    ) -> Option<Vec<(Vec<Algebraic>, Algebraic)>> {
-        let mut points = Vec::with_capacity(items.len());
-        for item in items {
-            let values = self.array(item, 4, "three coordinates and a weight")?;
-            let mut numbers = Vec::with_capacity(4);
-            for value in &values {
-                let id = self.constant(value)?;
-                let number = field.read(&self.graph, id);
-                if number.is_none() {
-                    let message =
-                        "expected a number made of rational numbers and a few square roots";
-                    self.error(Code::QUADRATURE, value.span(), message.to_owned());
-                }
-                numbers.push(number?);
-            }
-            let weight = numbers.pop()?;
-            points.push((numbers, weight));
-        }
-        Some(points)
-    }
-
-    fn product(
-        &mut self,
-        names: &[Located],
-        cell: Cell,
-        place: Range<usize>,
-        field: &mut Field,
-    ) -> Option<Vec<Factor>> {
-        let known = quadrature::names();
-        let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        let mut families = Vec::new();
-        for name in names {
-            match quadrature::family(name.text()) {
-                Some(family) => families.push(family),
-                None => {
-                    let message = format!("there is no rule `{}`", name.text());
-                    let error = name.error_here(Code::QUADRATURE, message);
-                    self.document.push(error.maybe_help(suggest(name.text(), &known)));
-                }
-            }
-        }
-        if families.len() < names.len() {
-            return None;
-        }
-        if families != cell.families() {
-            let wanted: Vec<String> =
-                cell.families().iter().map(|f| format!("\"{f}(…)\"")).collect();
-            let message = format!("the rule of a {} is [{}]", cell.name(), wanted.join(", "));
-            self.error(Code::QUADRATURE, place, message);
-            return None;
-        }
-        let names: Vec<&str> = names.iter().map(Located::text).collect();
-        quadrature::factors(field, &names)
-    }
-
-    fn rules(&mut self, table: &Table<'_>, cell: Cell) -> BTreeMap<String, Quadrature> {
-        let mut rules = BTreeMap::new();
-        let Some(forms) = table.optional_table("forms") else { return rules };
-        for form in forms.names() {
-            let Some(entry) = forms.table(form.text()) else { continue };
-            if let Some(rule) = self.rule(&entry, cell) {
-                rules.insert(form.text().to_owned(), rule);
-            }
-            entry.finish();
-        }
-        forms.finish();
-        rules
-    }
-
     fn enhanced(&mut self, table: Table<'_>, cell: Cell) -> Option<Enhanced> {
         let forms =
             table.items("forms").and_then(|items| self.texts(&items, "a form's name in a string"));
@@ -427,57 +324,5 @@ impl<'d> Reader<'d> {
         table.finish();
         let (forms, modes, jacobian, scale) = (forms?, modes?, jacobian?, scale?);
         Some(Enhanced { modes, jacobian, scale, scale_place, det, det0, forms })
-    }
-
-    fn abaqus(&self, table: Table<'_>, nodes: Option<usize>) -> Option<(Vec<Located>, Vec<usize>)> {
-        let types = table
-            .items("types")
-            .and_then(|items| self.texts(&items, "an element type such as \"C3D8\""));
-        let order = self.order(&table, nodes);
-        table.finish();
-        Some((types?, order?))
-    }
-
-    fn vtk(&self, table: Table<'_>, nodes: Option<usize>) -> Option<(u8, Vec<usize>)> {
-        let kind = table.count("type").and_then(|kind| {
-            let small = kind.to_u8();
-            if small.is_none() {
-                let span = table.place("type");
-                self.error(Code::BAD_VALUE, span, "a VTK cell type is below 256".to_owned());
-            }
-            small
-        });
-        let order = self.order(&table, nodes);
-        table.finish();
-        Some((kind?, order?))
-    }
-
-    /// A permutation of the nodes, from 1 in the file and from 0 here; the identity if there is none.
-    /// `nodes`: their number, if they are right.
-    fn order(&self, table: &Table<'_>, nodes: Option<usize>) -> Option<Vec<usize>> {
-        let given = table.has("order");
-        let nodes = nodes?;
-        if !given {
-            return Some((0..nodes).collect());
-        }
-        let items = table.optional_items("order")?;
-        let mut order = Vec::with_capacity(nodes);
-        for item in &items {
-            match item.value() {
-                Value::Number(number, _) if number.is_integer() => {
-                    order.extend(number.to_usize().and_then(|place| place.checked_sub(1)));
-                }
-                _ => {}
-            }
-        }
-        let mut sorted = order.clone();
-        sorted.sort_unstable();
-        if items.len() == nodes && sorted.into_iter().eq(0..nodes) {
-            return Some(order);
-        }
-        let span = table.place("order");
-        let message = format!("`order` must name every node from 1 to {nodes} once");
-        self.error(Code::BAD_VALUE, span, message);
-        None
     }
 }
