@@ -3,24 +3,26 @@
 use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
+use whirl_solver::cache::Cache;
 
-use crate::case::{self, Case, Lumped, Rotor, Side, System, Unbalance};
+use crate::case::{Case, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
-use crate::machine::{BodyPlan, Plan};
+use crate::machine::{self, BodyPlan, Plan};
+use crate::progress;
 use crate::report::table;
 use crate::spec_file;
 
-/// Reads a case and makes its meshes; says counts, masses, sets, laws and what would be marched. Of a spec
+/// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
 /// file, says its report.
 ///
 /// # Errors
-/// Whatever is wrong with the case, its meshes and its sets, or with the spec.
+/// Whatever keeps the case from being marched, or is wrong with the spec.
 pub(crate) fn check(name: &str) -> Result<String, Failure> {
     if spec_file::is_spec(name) {
         return explain::check(name);
     }
-    let case = case::read(name)?;
+    let case = machine::read(name)?;
     let mut text = format!("{}: {}\n", case.name, case.title);
     if !case.origin.is_empty() {
         line(&mut text, format_args!("source: {}", case.origin));
@@ -32,6 +34,9 @@ pub(crate) fn check(name: &str) -> Result<String, Failure> {
     }
     say_laws(&mut text, &case);
     say_march(&mut text, &case);
+    // What only shows when the bodies are reduced and the springs placed.
+    let _spinner = progress::spinner("reducing shaft and support");
+    machine::build(&case, Cache::of_platform().as_ref())?;
     Ok(text)
 }
 

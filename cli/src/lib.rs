@@ -23,6 +23,7 @@ use std::process::ExitCode;
 use whirl_solver::machine::MachineParts;
 
 use arguments::{Arguments, Command};
+use errors::Failure;
 
 /// Does what the command line asks for, and says which exit status that gives: 0 done, 1 not converged,
 /// 2 bad input.
@@ -48,6 +49,15 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
             failure.status()
         }
     }
+}
+
+/// Looks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does
+/// first. `case`: a path or the name of a built-in case.
+///
+/// # Errors
+/// Everything wrong with the case, its meshes and its sets.
+pub fn examine(case: &str) -> Result<(), Failure> {
+    machine::examine(&machine::read(case)?)
 }
 
 /// What the machine of a case is made from, for programs that march it themselves; nothing of a lumped

@@ -8,7 +8,7 @@ use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, Outcome, march};
 
 use crate::arguments::{CacheArguments, RunArguments};
-use crate::case::{self, Case, System};
+use crate::case::{Case, System};
 use crate::errors::Failure;
 use crate::machine::{self, Built};
 use crate::output::Output;
@@ -21,7 +21,7 @@ use crate::{figures, progress};
 /// Bad input, a folder that cannot be written, or a step that does not converge.
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let start = Instant::now();
-    let case = case::read(&arguments.case)?;
+    let case = machine::read(&arguments.case)?;
     let mut output = Output::open(&folder(arguments, &case))?;
     let built = build(&case, &arguments.cache)?;
     let marched = march_through(&case, &built);

@@ -155,6 +155,9 @@ pub enum Error {
         /// What is wrong with its nodes.
         what: String,
     },
+    /// Several errors at once.
+    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
+    Several(Vec<Error>),
     /// Parts of a machine that do not fit together.
     #[error("{0}")]
     Machine(String),
@@ -187,6 +190,25 @@ pub enum Error {
     /// A body could not be reduced to modes and retained dofs.
     #[error(transparent)]
     Reduction(#[from] ReductionError),
+}
+
+impl Error {
+    /// Nothing, the only error, or all of them.
+    pub(crate) fn of_all(mut errors: Vec<Error>) -> Result<(), Error> {
+        match errors.len() {
+            0 => Ok(()),
+            1 => Err(errors.remove(0)),
+            _ => Err(Error::Several(errors)),
+        }
+    }
+
+    /// The errors that it is made of: itself, or several.
+    pub fn parts(&self) -> &[Error] {
+        match self {
+            Error::Several(errors) => errors,
+            one => std::slice::from_ref(one),
+        }
+    }
 }
 
 /// A cell with det J ≤ 0 at one of its quadrature points.

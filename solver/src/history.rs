@@ -15,8 +15,9 @@ impl History {
 
     /// The columns of a machine with `bearings` bearings: time, angle, speed, then for every bearing the
     /// reaction on the shaft (fixed frame, N), the displacement of the journal's middle node (fixed frame,
-    /// µm), its eccentricity against the bore (µm), and the Newton iterations of the step.
-    pub fn for_bearings(bearings: usize) -> Self {
+    /// µm), its eccentricity against the bore (µm); then the torque on the journal about its own centre (N·m)
+    /// for the bearings `turning`, counted from 0, whose laws give one; the Newton iterations of the step.
+    pub fn for_bearings(bearings: usize, turning: &[usize]) -> Self {
         let mut names: Vec<String> =
             ["t_s", "theta_rad", "omega_rad_s"].map(str::to_owned).to_vec();
         for (prefix, unit) in [("R", "N"), ("", "um"), ("E", "um")] {
@@ -25,6 +26,7 @@ impl History {
                 names.push(format!("{prefix}Y{k}_{unit}"));
             }
         }
+        names.extend(turning.iter().map(|k| format!("MZ{}_Nm", k + 1)));
         names.push("iterations".to_owned());
         History::new(names)
     }

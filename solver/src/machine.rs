@@ -61,6 +61,8 @@ pub(crate) struct Monitor {
     pub(crate) planes: Vec<usize>,
     /// Its planes with other laws than Q(h, ḣ).
     pub(crate) contacts: Vec<usize>,
+    /// Whether its laws turn or brake the journal.
+    pub(crate) torque: bool,
     /// Displacement of the middle journal node along x and y (frame of the shaft), as rows over η.
     pub(crate) journal: [Vec<f64>; 2],
     /// Mean displacement of the middle bore ring, as rows over the support's coordinates.
@@ -92,12 +94,14 @@ impl Machine {
                 let planes = springs.planes.iter().enumerate();
                 let contacts = springs.contacts.planes.iter().enumerate();
                 let node = &shaft.nodes[bearing.journal[1]];
+                let contacts: Vec<usize> = contacts
+                    .filter(|(_, plane)| plane.bearing == number)
+                    .map(|(place, _)| place)
+                    .collect();
                 Monitor {
                     planes: planes.filter(|(_, p)| p.bearing == number).map(|(p, _)| p).collect(),
-                    contacts: contacts
-                        .filter(|(_, plane)| plane.bearing == number)
-                        .map(|(place, _)| place)
-                        .collect(),
+                    torque: contacts.iter().any(|&plane| springs.contacts.gives_torque(plane)),
+                    contacts,
                     journal: [0, 1]
                         .map(|axis| (0..shaft.size()).map(|j| node.shapes[(axis, j)]).collect()),
                     bore: mean_motion(&bearing.bore[1], &support),

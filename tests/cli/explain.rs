@@ -110,13 +110,43 @@ fn forms_motions_and_clearances_show_what_was_derived() {
         ),
         ("inertia", &["⊗ [[0, 1, 0], [-1, 0, 0], [0, 0, 0]]", "s_ab = rho*Na*Nb"]),
         ("consistent", &["B.eta.eta = theta_dot^2*Y", "PF.theta.theta = PF.eta.theta = 0"]),
-        ("journal", &["on delta (N) = Q", "delta.delta = dQ_dh + dQ_dh_dot*a1"]),
+        (
+            "journal",
+            &[
+                "on delta (N) = Q",
+                "delta.delta = dQ_dh + dQ_dh_dot*a1",
+                "v_t (m/s) = ",
+                "Laws of a ring: generalised forces of F_x (N), F_y (N), M_z (N*m)",
+            ],
+        ),
         ("hex8i", &["gradients: polynomials of degree 2", "8 points, exact to degree 3", "M1 = 1"]),
     ] {
         let outcome = bench.whirl(&["explain", name]);
         fine(&outcome);
         says(&outcome, words);
     }
+}
+
+/// The figures of the documents are what the program draws; WHIRL_RENEW_GOLDEN=1 draws them anew.
+#[test]
+fn figures_of_laws_are_as_committed() {
+    let folder = specs().join("../docs/laws");
+    let bench = Workbench::new();
+    let files = fs::read_dir(&folder).expect("the folder").map(|entry| entry.expect("an entry"));
+    let mut drawn = 0;
+    for committed in files.map(|file| file.path()) {
+        let name = committed.file_stem().expect("a name").to_string_lossy().into_owned();
+        let file = format!("{name}.svg");
+        fine(&bench.whirl(&["explain", &name, "--plot", &file]));
+        let found = fs::read_to_string(bench.path(&file)).expect("a figure");
+        if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
+            fs::write(&committed, &found).expect("written");
+        }
+        let expected = fs::read_to_string(&committed).expect("a text");
+        assert!(found == expected, "WHIRL_RENEW_GOLDEN=1 renews {}", committed.display());
+        drawn += 1;
+    }
+    assert!(drawn > 10, "{drawn} figures");
 }
 
 const MINE: &str = "kind = \"law\"\nname = \"mine\"\ntitle = \"Mine\"\nsource = \"a test\"\n\n\

@@ -97,6 +97,36 @@ fn a_shaft_rubs_and_runs_in_rings() {
     }
 }
 
+/// The column of a torque holds the law's own, without the moment of its forces about the axis.
+#[test]
+fn a_torque_has_a_column_of_its_own() {
+    let law = "kind = \"law\"\nname = \"ring\"\ntitle = \"a ring\"\nsource = \"a test\"\n\
+               inputs = { e_x = { unit = \"mm\", range = [-2, 2] }, e_y = { unit = \"mm\", range = [-2, 2] } }\n\
+               [outputs.F_x]\nunit = \"N\"\nvalue = '-100*e_x'\n\
+               [outputs.F_y]\nunit = \"N\"\nvalue = '-50*e_y - 3*e_x'\n\
+               [outputs.M_z]\nunit = \"N*mm\"\nvalue = '7*e_x'\n";
+    let case = "title = \"a ring with a torque\"\n[mass]\nmass = \"1 kg\"\ndisplacement = \"1 mm\"\n\
+                unbalance = { eccentricity = \"0.5 mm\", speed = \"110 rad/s\" }\n\
+                [[stop]]\nside = \"around\"\nlaw = \"ring.toml\"\n\
+                [march]\ntime_step = \"1e-4 s\"\nsteps = 200\n";
+    let bench = Workbench::new().file("ring.toml", law).file("case.toml", case);
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let history = history(&bench, "results/case");
+    let mut lines = history.lines();
+    let names: Vec<&str> = lines.next().expect("names").split(',').collect();
+    let column = |name: &str| names.iter().position(|own| *own == name).expect(name);
+    let (torque, x, y) = (column("MZ1_Nm"), column("EX1_um"), column("EY1_um"));
+    let mut turned = false;
+    for line in lines {
+        let row: Vec<f64> = line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+        // Ten digits are written; e × F, which is taken off, is as large as 0.3 N·m.
+        assert!((row[torque] - 7e-6 * row[x]).abs() < 1e-9, "{line}");
+        turned |= row[y].abs() > 100.0;
+    }
+    assert!(turned, "the forces have a moment about the axis");
+}
+
 #[test]
 fn a_run_of_the_reference_machine_writes_everything() {
     let bench = Workbench::new().file("case.toml", SHORT);

@@ -5,6 +5,8 @@ mod bad_machine;
 mod explain;
 mod first_law;
 mod good_runs;
+mod hostile;
+mod messages;
 mod new;
 mod readme;
 mod schema;

@@ -49,6 +49,7 @@ fn wrong(schema: &Value, value: &Value, place: &str) -> Vec<String> {
         "type",
         "enum",
         "minimum",
+        "maximum",
         "exclusiveMinimum",
         "exclusiveMaximum",
         "items",
@@ -85,7 +86,10 @@ fn wrong(schema: &Value, value: &Value, place: &str) -> Vec<String> {
                 && bound("exclusiveMaximum").is_none_or(|high| number < high)
         }),
         "boolean" => value.is_boolean(),
-        "integer" => value.as_u64().is_some_and(|n| n >= rules["minimum"].as_u64().unwrap_or(0)),
+        "integer" => value.as_u64().is_some_and(|n| {
+            let bound = |rule: &str| rules[rule].as_u64().expect("a bound");
+            (bound("minimum")..=bound("maximum")).contains(&n)
+        }),
         "array" => value.is_array(),
         "object" => value.is_object(),
         other => panic!("{other}"),

@@ -54,21 +54,6 @@ fn main() {
 }
 "#;
 
-/// Libraries as the tests have them, so that those are not built again; the rest, which runs once, in the
-/// least time.
-const PROFILES: &str = r#"
-[profile.dev]
-opt-level = 0
-debug = false
-
-[profile.dev.package."*"]
-opt-level = 3
-debug = false
-
-[profile.dev.package.whirl-codegen]
-opt-level = 0
-"#;
-
 fn points() -> Vec<f64> {
     let row = |scale: f64, shift: f64| (0..50).map(move |i| scale * (f64::from(i) - shift));
     row(2e-7, 10.0).chain(row(0.1, 25.0)).collect()
@@ -107,9 +92,7 @@ fn workspace(root: &Path) -> PathBuf {
     write("specs/elements/dropped-brick.toml", &brick);
 
     let codegen = root.join("codegen");
-    let all = text("Cargo.toml");
-    let (all, _) = all.split_once("[profile.").expect("profiles come last");
-    let manifest: String = all
+    let manifest: String = text("Cargo.toml")
         .lines()
         .map(|line| {
             if line.starts_with("members") {
@@ -122,7 +105,7 @@ fn workspace(root: &Path) -> PathBuf {
             }
         })
         .collect();
-    write("Cargo.toml", &(manifest + PROFILES));
+    write("Cargo.toml", &manifest);
     write("Cargo.lock", &text("Cargo.lock"));
     write(
         "probe/Cargo.toml",

@@ -80,10 +80,16 @@ impl Shelf {
     /// Why it cannot be read, for people.
     pub(crate) fn read(self, path: &Path) -> Result<Arc<Source>, String> {
         match self {
-            Shelf::Disk => match fs::read_to_string(path) {
-                Ok(text) => Ok(Source::new(path, text)),
-                Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
-            },
+            Shelf::Disk => {
+                // What is no file, such as a device, may never end.
+                if path.exists() && !path.is_file() {
+                    return Err(format!("`{}` is not a file", path.display()));
+                }
+                match fs::read_to_string(path) {
+                    Ok(text) => Ok(Source::new(path, text)),
+                    Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
+                }
+            }
             Shelf::Embedded => embedded_file(path)
                 .ok_or_else(|| format!("there is no built-in file `{}`", path.display())),
         }
@@ -119,6 +125,9 @@ pub(crate) fn resolve(beside: &Source, path: &str) -> PathBuf {
 
 /// Files that include each other deeper than this do so in a circle or by mistake.
 const DEEPEST_INCLUDE: usize = 8;
+
+/// More files than this are included by mistake, such as by files that include each other twice.
+const MOST_FILES: usize = 64;
 
 /// The tree of `path` with everything it includes, and the files read, the case first.
 ///
@@ -159,6 +168,13 @@ fn load_source(
                     .help("look for a file that includes itself"),
             );
             continue;
+        }
+        if sources.len() == MOST_FILES {
+            let message = format!("a case is made of at most {MOST_FILES} files");
+            errors.push(
+                place.error(Code::LIMIT, message).help("look for files that include each other"),
+            );
+            break;
         }
         match shelf.read_beside(source, &name) {
             Ok(included) => {

@@ -13,6 +13,7 @@ use super::library::{Shelf, resolve};
 use super::loads;
 use super::reader::Reader;
 use super::rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};
+use super::schema::MOST_SPRINGS;
 
 type Materials = BTreeMap<String, Material>;
 
@@ -61,6 +62,7 @@ fn mesh<D>(
     material: Option<&Material>,
     make: impl Fn(&Reader, Material) -> D,
 ) -> Option<Mesh<D>> {
+    let before = table.errors();
     let dimensions = table.table("dimensions");
     match (table.text("mesh"), dimensions) {
         (Some(_), Some(_)) => {
@@ -73,6 +75,7 @@ fn mesh<D>(
                 let message = format!("there is no file `{}`", path.display());
                 let error = name.error_here(Code::BAD_VALUE, message);
                 table.push(error.help("paths are relative to the file that names them"));
+                return None;
             }
             Some(Mesh::File(MeshFile { path, name }))
         }
@@ -83,12 +86,11 @@ fn mesh<D>(
             // Read without a material too, so that its keys are not unknown ones.
             let none = || Material { name: String::new(), properties: BTreeMap::new() };
             let made = make(&dimensions, material.cloned().unwrap_or_else(none));
-            material?;
-            Some(Mesh::Made(Made {
-                dimensions: made,
-                table: dimensions.place().text(""),
-                places: dimensions.places(),
-            }))
+            let (place, places) = (dimensions.place().text(""), dimensions.places());
+            drop(dimensions);
+            // Of dimensions that are wrong, nothing is made.
+            let right = table.errors() == before && material.is_some();
+            right.then_some(Mesh::Made(Made { dimensions: made, table: place, places }))
         }
         (None, None) => {
             if !table.has("mesh") && !table.has("dimensions") {
@@ -219,6 +221,20 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
             journal_radius: own_radius.or(shared_radius),
             law: own_law.or_else(|| shared_law.clone())?,
         })
+    };
+    let each = |table: Reader| {
+        let place = table.place().clone();
+        let bearing = each(table)?;
+        let springs = bearing.springs.saturating_mul(bearing.stations.len().max(3));
+        if springs > MOST_SPRINGS {
+            let message = format!(
+                "this bearing has {springs} springs in all its rings, at most {MOST_SPRINGS} are allowed"
+            );
+            let help = Some("lower `number`, or list fewer `stations`".to_string());
+            file.note(&place, Code::BAD_VALUE, message, help);
+            return None;
+        }
+        Some(bearing)
     };
     let tables = file.tables("bearing");
     if tables.is_empty() && !file.has("bearing") {

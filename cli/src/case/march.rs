@@ -2,8 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use whirl_codegen::diagnostic::Code;
+
 use super::System;
 use super::reader::Reader;
+use super::schema::MOST_STEPS;
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]
@@ -61,6 +64,15 @@ fn steps(march: &Reader, time_step: f64) -> usize {
         (false, false) => march.absent("steps", "add `steps = 1000` or `duration = \"0.1 s\"`"),
         _ => {}
     }
-    let whole = |duration: f64| (duration / time_step).round().max(1.0) as usize;
-    steps.or(duration.map(whole)).unwrap_or(1)
+    let Some(duration) = duration else { return steps.unwrap_or(1) };
+    let whole = (duration / time_step).round().max(1.0);
+    if steps.is_none() && march.has("time_step") && whole > MOST_STEPS as f64 {
+        let message = format!(
+            "`duration` is {whole:.3e} steps of `time_step`, at most {MOST_STEPS} are allowed"
+        );
+        let help = Some("march for a shorter time, or in longer steps".to_string());
+        march.note(march.place(), Code::BAD_VALUE, message, help);
+        return 1;
+    }
+    steps.unwrap_or(whole as usize)
 }

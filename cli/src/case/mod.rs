@@ -21,6 +21,7 @@ pub use library::embedded_cases;
 pub use loads::Load;
 pub use lumped::{Lumped, Side, Stop, Unbalance};
 pub use march::March;
+pub(crate) use read::draft;
 pub use read::read;
 pub use rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};
 

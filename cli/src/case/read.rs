@@ -4,42 +4,86 @@ use std::cell::RefCell;
 use std::path::Path;
 use std::sync::Arc;
 
-use whirl_codegen::diagnostic::{Code, Diagnostics, Source};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use whirl_codegen::spec::schema::Described;
 
 use super::library::{Shelf, load};
 use super::reader::Reader;
-use super::{Case, Figures, System, law, lumped, machine, march};
+use super::{Case, Figures, March, System, law, lumped, machine, march};
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
 ///
 /// # Errors
 /// Everything that is wrong with the case and the files it includes, each with its place.
 pub fn read(name: &str) -> Result<Case, Diagnostics> {
+    draft(name)?.finish()
+}
+
+/// A case with what is wrong with it so far.
+pub(crate) struct Draft {
+    name: String,
+    title: String,
+    origin: String,
+    sources: Vec<Arc<Source>>,
+    figures: Figures,
+    march: Option<March>,
+    /// What is marched, where enough of it is right to look on: its bodies are what the case says.
+    pub(crate) system: Option<System>,
+    /// What is wrong.
+    pub(crate) errors: Diagnostics,
+}
+
+impl Draft {
+    /// The case.
+    ///
+    /// # Errors
+    /// Everything that is wrong.
+    pub(crate) fn finish(self) -> Result<Case, Diagnostics> {
+        let Draft { name, title, origin, sources, figures, march, system, errors } = self;
+        let place = sources[0].clone();
+        match (errors.into_result(())?, march, system) {
+            ((), Some(march), Some(system)) => {
+                Ok(Case { name, title, origin, sources, system, march, figures })
+            }
+            _ => {
+                let message = "this case cannot be read";
+                Err(Diagnostic::new(&place, Code::BAD_VALUE, None, message).into())
+            }
+        }
+    }
+}
+
+/// Reads as much of a case as can be read.
+///
+/// # Errors
+/// Files that cannot be read or are no TOML.
+pub(crate) fn draft(name: &str) -> Result<Draft, Diagnostics> {
     let (shelf, path) = Shelf::find(name)?;
     let (table, sources) = load(shelf, &path)?;
     let errors = RefCell::new(Diagnostics::new());
-    let case =
-        assemble(shelf, &path, &sources, &Reader::file(&sources[0], &table, Case::SHAPE, &errors));
-    let case = errors.into_inner().into_result(case)?;
-    case.ok_or_else(|| unreachable!("whatever is missing has been noted"))
+    let draft = {
+        let file = Reader::file(&sources[0], &table, Case::SHAPE, &errors);
+        assemble(shelf, &path, &sources, &file)
+    };
+    Ok(Draft { errors: errors.into_inner(), ..draft })
 }
 
-fn assemble(shelf: Shelf, path: &Path, sources: &[Arc<Source>], file: &Reader) -> Option<Case> {
+fn assemble(shelf: Shelf, path: &Path, sources: &[Arc<Source>], file: &Reader) -> Draft {
     let title = file.text_or_none("title");
     let origin = file.text("source");
     let figures = figures(shelf, file);
     let system = system(shelf, file);
     let march = march::read(file, system.as_ref());
-    Some(Case {
+    Draft {
         name: case_name(path),
         title: title.text().to_string(),
         origin: origin.map_or(String::new(), |text| text.text().to_string()),
         sources: sources.to_vec(),
-        system: system?,
-        march: march?,
         figures,
-    })
+        march,
+        system,
+        errors: Diagnostics::new(),
+    }
 }
 
 fn case_name(path: &Path) -> String {

@@ -66,6 +66,11 @@ impl<'a> Reader<'a> {
         self.errors.borrow_mut().push(diagnostic);
     }
 
+    /// Number of errors noted so far.
+    pub(crate) fn errors(&self) -> usize {
+        self.errors.borrow().len()
+    }
+
     /// Notes an error made elsewhere.
     pub(crate) fn push(&self, diagnostic: Diagnostic) {
         self.errors.borrow_mut().push(diagnostic);
@@ -103,7 +108,7 @@ impl<'a> Reader<'a> {
         match &key.shape {
             Shape::Quantity(measure) => format!("\"{}\"", measure.example),
             Shape::List(Shape::Quantity(measure)) => format!("[\"{}\"]", measure.example),
-            Shape::Count(least) => (*least).max(1).to_string(),
+            Shape::Count(least, _) => (*least).max(1).to_string(),
             shape if shape.is_text() => "\"…\"".to_string(),
             _ => "…".to_string(),
         }
@@ -231,16 +236,20 @@ impl<'a> Reader<'a> {
 
     /// A whole number, if given.
     pub(crate) fn count(&self, key: &'static str) -> Option<usize> {
-        let (node, shape) = self.get(key, |shape| matches!(shape, Shape::Count(_)))?;
-        let Shape::Count(least) = *shape else { return None };
+        let (node, shape) = self.get(key, |shape| matches!(shape, Shape::Count(..)))?;
+        let Shape::Count(least, most) = *shape else { return None };
         let Value::Integer(integer) = node.value else {
             self.wrong(key, node, "a whole number", &least.max(1).to_string());
             return None;
         };
         match usize::try_from(integer) {
-            Ok(value) if value >= least => Some(value),
-            _ => {
-                let message = format!("`{key}` must be at least {least}, not {integer}");
+            Ok(value) if (least..=most).contains(&value) => Some(value),
+            value => {
+                let bound = match value {
+                    Ok(value) if value > most => format!("at most {most}"),
+                    _ => format!("at least {least}"),
+                };
+                let message = format!("`{key}` must be {bound}, not {integer}");
                 self.note(&node.place, Code::BAD_VALUE, message, None);
                 None
             }

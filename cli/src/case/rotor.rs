@@ -36,6 +36,16 @@ pub enum Mesh<D> {
     Made(Made<D>),
 }
 
+impl<D> Mesh<D> {
+    /// Where the case says it.
+    pub fn place(&self) -> Located {
+        match self {
+            Mesh::File(file) => file.name.clone(),
+            Mesh::Made(made) => made.table.clone(),
+        }
+    }
+}
+
 /// A mesh made from dimensions, and where the case says them.
 #[derive(Debug, Clone)]
 pub struct Made<D> {

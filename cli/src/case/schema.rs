@@ -46,6 +46,15 @@ measures! {
     ANGLE: ANGLE, "90 deg", Any;
 }
 
+/// Steps of a march; their history takes some gigabytes.
+pub(super) const MOST_STEPS: usize = 10_000_000;
+/// Springs of a bearing in all its rings.
+pub(super) const MOST_SPRINGS: usize = 10_000;
+/// Modes of a body.
+const MOST_MODES: usize = 2_000;
+/// Cells or layers along one direction.
+const MOST_CELLS: usize = 10_000;
+
 /// Names in a list, or one alone.
 const NAMES: Shape = Either(&[Text, List(&Text)]);
 /// Left, middle and right.
@@ -78,7 +87,7 @@ const MATERIAL: &[Key] = &[
 const BODY: &[Key] = &[
     key("mesh", Text, "an Abaqus or CalculiX input file in m, Pa, kg/m³"),
     key("material", Text, "the name of a material"),
-    merged("modes", Count(0), "fixed-interface modes kept"),
+    merged("modes", Count(0, MOST_MODES), "fixed-interface modes kept"),
     key("damping", DAMPING_TIME, "C = damping · K"),
 ];
 
@@ -93,15 +102,15 @@ const SHAFT_DIMENSIONS: &[Key] = &[
     merged("diameter", LENGTH, "of the shaft"),
     merged("supports", List(&POSITION), "z of their middles"),
     merged("support_length", LENGTH, "along z"),
-    merged("layers_in_support", Count(1), "cells along a support"),
-    merged("layers_between", Count(1), "cells along z between supports"),
+    merged("layers_in_support", Count(1, MOST_CELLS), "cells along a support"),
+    merged("layers_between", Count(1, MOST_CELLS), "cells along z between supports"),
     key("loads", List(&POSITION), "z of loaded nodes on the centre line"),
     key("cells", Table(&[SHAFT_CELLS]), "cells of the section"),
 ];
 
 const SHAFT_CELLS: &[Key] = &[
-    key("sectors", Count(1), "cells around"),
-    key("rings", Count(1), "cells from the centre outwards"),
+    key("sectors", Count(1, MOST_CELLS), "cells around"),
+    key("rings", Count(1, MOST_CELLS), "cells from the centre outwards"),
 ];
 
 const SUPPORT: &[Key] = &[
@@ -120,17 +129,17 @@ const SUPPORT_DIMENSIONS: &[Key] = &[
     merged("ring_length", LENGTH, "along z"),
     merged("ring_thickness", LENGTH, "of the wall"),
     merged("bore_radius", LENGTH, "of the bore"),
-    merged("layers_in_ring", Count(1), "cells along a ring"),
-    merged("layers_between", Count(1), "cells along z between rings"),
+    merged("layers_in_ring", Count(1, MOST_CELLS), "cells along a ring"),
+    merged("layers_between", Count(1, MOST_CELLS), "cells along z between rings"),
     key("cells", Table(&[SUPPORT_CELLS]), "cells of the section"),
 ];
 
 const SUPPORT_CELLS: &[Key] = &[
-    key("height", Count(1), "cells over the height of the beam"),
-    key("width", Count(1), "cells over the width of the beam"),
-    key("pedestal", Count(1), "cells over the height of the pedestal"),
-    key("around", Count(1), "cells around the ring"),
-    key("radial", Count(1), "cells over the ring's wall"),
+    key("height", Count(1, MOST_CELLS), "cells over the height of the beam"),
+    key("width", Count(1, MOST_CELLS), "cells over the width of the beam"),
+    key("pedestal", Count(1, MOST_CELLS), "cells over the height of the pedestal"),
+    key("around", Count(1, MOST_CELLS), "cells around the ring"),
+    key("radial", Count(1, MOST_CELLS), "cells over the ring's wall"),
 ];
 
 const GROUND_SPRING: &[Key] = &[
@@ -140,7 +149,7 @@ const GROUND_SPRING: &[Key] = &[
 ];
 
 const SPRINGS: &[Key] = &[
-    key("number", Count(3), "springs in a ring").like("24"),
+    key("number", Count(3, MOST_SPRINGS), "springs in a ring").like("24"),
     key("radial_clearance", CLEARANCE, "of the undeformed bearing"),
     key("journal_radius", LENGTH, "for slip; that of the bore less the clearance if left out"),
     key("law", Text, "the name of a law, or the path of a law file").like("\"hu2003-nonlinear\""),
@@ -198,7 +207,7 @@ const STOP: &[Key] = &[
 
 const MARCH: &[Key] = &[
     merged("time_step", TIME, "Δt"),
-    key("steps", Count(1), "or a duration"),
+    key("steps", Count(1, MOST_STEPS), "or a duration"),
     key("duration", DURATION, "or a number of steps"),
     key("force_tolerance", TOLERANCE, "change of a spring force at which a step has converged"),
     key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),
@@ -206,10 +215,10 @@ const MARCH: &[Key] = &[
 
 const FIGURES: &[Key] = &[
     key("laws", NAMES, "laws drawn beside each other"),
-    key("law", Count(1), "number of the figure in the paper"),
-    key("reactions", Count(1), "number of the figure in the paper"),
-    key("eccentricity", Count(1), "number of the figure in the paper"),
-    key("rotation", Count(1), "number of the figure in the paper"),
+    key("law", Count(1, 999), "number of the figure in the paper"),
+    key("reactions", Count(1, 999), "number of the figure in the paper"),
+    key("eccentricity", Count(1, 999), "number of the figure in the paper"),
+    key("rotation", Count(1, 999), "number of the figure in the paper"),
 ];
 
 fn motions() -> Vec<&'static str> {

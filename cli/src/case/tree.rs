@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use toml::de::{DeTable, DeValue};
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
+use whirl_codegen::spec::read::beyond_limits;
 
 /// A byte range of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -87,8 +88,11 @@ impl Table {
 /// The tree of one file.
 ///
 /// # Errors
-/// Every place where the text is not TOML.
+/// A file beyond the limits of all files, or every place where the text is not TOML.
 pub(crate) fn parse(source: &Arc<Source>) -> Result<Table, Diagnostics> {
+    if let Some(error) = beyond_limits(source) {
+        return Err(error.into());
+    }
     let (table, errors) = DeTable::parse_recoverable(&source.text);
     let mut diagnostics = Diagnostics::new();
     for error in errors {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use whirl_codegen::expression::{Id, display_rounded};
-use whirl_codegen::spec::clearance::{ClearanceSpec, Coordinate, Derived};
+use whirl_codegen::spec::clearance::{ClearanceSpec, Contact, Coordinate, Derived};
 
 use super::page::Page;
 
@@ -75,6 +75,38 @@ pub(super) fn explain(page: &mut Page, spec: &ClearanceSpec) {
         entry(page, &spec.radial, column, tangent.radial_ring[k]);
     }
     entry(page, &spec.radial, &spec.radial, tangent.radial_radial);
+    spec.contacts.iter().for_each(|kind| contact(page, spec, kind));
+}
+
+/// What laws of more inputs and forces than Q(h, ḣ) take, and how their forces act.
+fn contact(page: &mut Page, spec: &ClearanceSpec, kind: &Contact) {
+    let each = if kind.each_spring { "at every spring" } else { "once a ring" };
+    page.heading(&format!("Laws of a {}, {each}: what they take, as derived", kind.name));
+    let mut derived = match spec.derive_contact(kind) {
+        Ok(derived) => derived,
+        Err(errors) => {
+            page.paragraph(2, &format!("not differentiated: {errors}"));
+            return;
+        }
+    };
+    let definitions = spec.definitions.iter();
+    let names: BTreeMap<Id, Id> =
+        definitions.map(|(name, value)| (*value, derived.graph.scalar(name))).collect();
+    let mut show = |id| {
+        let named = derived.graph.substitute(id, &names);
+        display_rounded(&derived.graph, named)
+    };
+    for (input, value) in kind.inputs.iter().zip(&derived.inputs) {
+        page.item(&format!("{} ({}) = {}", input.name, input.unit, show(*value)));
+    }
+    let forces: Vec<String> =
+        kind.forces.iter().map(|force| format!("{} ({})", force.name, force.unit)).collect();
+    page.heading(&format!("Laws of a {}: generalised forces of {}", kind.name, forces.join(", ")));
+    let coordinates = spec.ring.iter().chain(kind.bore.iter().map(|(_, own)| own));
+    for (coordinate, force) in coordinates.zip(&derived.force) {
+        let unit = if coordinate.unit == "m" { "N" } else { "N m" };
+        page.item(&format!("on {} ({unit}) = {}", coordinate.name, show(*force)));
+    }
 }
 
 /// Says and names ∂²h/∂q∂q and ∂ḣ/∂q, of which the tangent is made.

@@ -11,9 +11,7 @@ use num_traits::{One, ToPrimitive};
 use whirl_codegen::diagnostic::Diagnostics;
 use whirl_codegen::expression::{Graph, Id, Rational, display_rounded};
 use whirl_codegen::formula::{Formula, Kind, PI, lower};
-use whirl_codegen::spec::law::{Condition, LawSpec};
-
-use super::law::short;
+use whirl_codegen::spec::law::{Condition, LawSpec, short};
 
 /// An equation of a law.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,12 @@
 //! The code made from a spec: where it lies, and what each of its functions computes at what cost.
 
-use whirl_specs::{ELEMENTS, Origin, generated};
+use whirl_codegen::diagnostic::Diagnostics;
+use whirl_codegen::generate::{SpecFile, generate};
+use whirl_codegen::spec::form::FormSpec;
+use whirl_specs::{ELEMENTS, FORMS, Origin, generated};
 
 use super::page::Page;
-use crate::spec_file::Spec;
+use crate::spec_file::{self, Spec};
 
 /// Folder of the specs in which a file of this kind is compiled.
 pub(super) fn folder(spec: &Spec) -> &'static str {
@@ -33,6 +36,12 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
             "compiled at the next build if the file lies in `specs/{}`",
             folder(spec)
         ));
+        if !matches!(spec, Spec::Law(_)) {
+            match made(spec) {
+                Ok(functions) => say(page, functions),
+                Err(errors) => page.paragraph(2, &format!("none can be made from it: {errors}")),
+            }
+        }
         return;
     };
     let Some(module) = generated::module(origin.spec) else {
@@ -44,10 +53,59 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
         "module whirl_specs::{kind}::{own}, printed by `whirl explain {name} --rust`"
     ));
     page.item(&format!("{}/{file}:{line}", generated::FOLDER));
-    for (name, about) in functions(module.text) {
+    say(page, functions(module.text));
+}
+
+fn say(page: &mut Page, functions: Vec<(String, String)>) {
+    for (name, about) in functions {
         page.item(&name);
         page.paragraph(6, &about);
     }
+}
+
+/// The functions that a build would make from a spec that is not built in: an element with the built-in
+/// forms, forms on a built-in element.
+fn made(spec: &Spec) -> Result<Vec<(String, String)>, Diagnostics> {
+    let own = SpecFile {
+        path: format!("{}/explained.toml", folder(spec)),
+        text: spec.file().text.clone(),
+    };
+    let mut files = vec![own];
+    let built_in =
+        |origin: &Origin| SpecFile { path: origin.spec.to_string(), text: origin.text.to_string() };
+    let names: Vec<&str> = match spec {
+        Spec::Element(_) => {
+            files.extend(FORMS.iter().map(built_in));
+            Vec::new()
+        }
+        Spec::Form(form) => {
+            // Forms of the same names give way.
+            let names: Vec<&str> = form.forms.iter().map(|form| form.name.as_str()).collect();
+            let taken = |origin: &&Origin| {
+                let other = FormSpec::read(&spec_file::built_in_source(origin));
+                origin.name == form.name
+                    || other.is_ok_and(|other| {
+                        other.forms.iter().any(|own| names.contains(&own.name.as_str()))
+                    })
+            };
+            files.extend(FORMS.iter().filter(|origin| !taken(origin)).map(built_in));
+            let plain = ELEMENTS.iter().find(|element| element.origin.name == "hex8");
+            files.extend(plain.map(|element| built_in(&element.origin)));
+            names
+        }
+        _ => Vec::new(),
+    };
+    let mut found = Vec::new();
+    for file in generate(&files)? {
+        found.extend(functions(&file.text));
+    }
+    if let Spec::Form(_) = spec {
+        found.retain(|(name, _)| names.contains(&name.as_str()));
+        for (name, _) in &mut found {
+            name.push_str(", on the element hex8");
+        }
+    }
+    Ok(found)
 }
 
 /// Public functions with their documentation, equations left out: these stand above.

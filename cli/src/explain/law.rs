@@ -6,23 +6,13 @@ use num_traits::ToPrimitive;
 use whirl_codegen::diagnostic::Located;
 use whirl_codegen::expression::Rational;
 use whirl_codegen::formula;
-use whirl_codegen::spec::law::{Condition, LawSpec, Parameter};
+use whirl_codegen::spec::law::{Condition, LawSpec, Parameter, short};
 use whirl_codegen::spec::read::Document;
 use whirl_codegen::spec::schema::Described;
 
 use super::equations::{Equation, equations};
 use super::page::Page;
 use super::plot;
-
-/// A number to 6 digits.
-pub(super) fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
-    if rounded != 0.0 && !(1e-5..1e7).contains(&rounded.abs()) {
-        format!("{rounded:e}")
-    } else {
-        format!("{rounded}")
-    }
-}
 
 /// Everything about a law but its code.
 pub(super) fn explain(page: &mut Page, law: &LawSpec) {

@@ -1,8 +1,7 @@
 //! A law drawn with characters.
 
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::spec::law::{LawSpec, short};
 
-use super::law::short;
 use crate::figures::{Curve, curves};
 
 /// Characters from left to right, and from top to bottom.

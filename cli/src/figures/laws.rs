@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::spec::law::{LawSpec, short};
 
 use super::figure::{Figure, Line, Panel, Style};
 
@@ -43,46 +43,126 @@ pub(crate) struct Curve {
     pub(crate) points: Vec<(f64, f64)>,
 }
 
-/// Every output of a law along every input, over the range of the law's report; the other inputs are
-/// zero, or in the middle of their range where zero lies outside.
+/// Every output of a law along every input on which it depends, over the range of the law's report. The other
+/// inputs are zero, or in the middle of their range where zero lies outside; where the output would not
+/// change, such as friction without contact, one or two of them are at a quarter of their range.
 pub(crate) fn curves(law: &LawSpec) -> Vec<Curve> {
-    let ranges = &law.report.ranges;
-    let held: Vec<f64> = ranges
-        .iter()
-        .map(
-            |(_, _, [low, high])| {
-                if *low <= 0.0 && 0.0 <= *high { 0.0 } else { (low + high) / 2.0 }
-            },
-        )
-        .collect();
     let mut curves = Vec::new();
-    for (o, output) in law.outputs.iter().enumerate() {
-        for (i, (name, unit, [low, high])) in ranges.iter().enumerate() {
-            let point = |step: usize| {
-                let x = low + (high - low) * step as f64 / POINTS as f64;
-                let mut inputs = held.clone();
-                inputs[i] = x;
-                for (value, input) in inputs.iter_mut().zip(&law.inputs) {
-                    *value = input.unit.to_si(*value);
-                }
-                let y = law.evaluate(&inputs).ok()?[o] / output.unit.factor().to_f64();
-                y.is_finite().then_some((x, y))
-            };
-            let others = ranges.iter().zip(&held).enumerate().filter(|(other, _)| *other != i);
-            let others =
-                others.map(|(_, ((name, unit, _), value))| format!("{name} = {value} {unit}"));
-            curves.push(Curve {
-                x: (name.clone(), unit.clone()),
-                y: (output.name.clone(), output.unit.to_string()),
-                held: others.collect::<Vec<_>>().join(", "),
-                points: (0..=POINTS).filter_map(point).collect(),
-            });
+    for output in 0..law.outputs.len() {
+        let all = (0..law.inputs.len()).map(|input| held(law, output, input));
+        let all: Vec<Option<Vec<f64>>> = all.collect();
+        let depends = all.iter().any(Option::is_some);
+        for (input, held) in all.into_iter().enumerate() {
+            // An output that depends on nothing is shown once.
+            let held = held.or_else(|| (!depends && input == 0).then(|| at_rest(law)));
+            curves.extend(held.map(|held| curve_of(law, output, input, &held)));
         }
     }
     curves
 }
 
-/// Every output of a law along every input, a panel each.
+/// Zero, or the middle of the range where zero lies outside; in the units of the file.
+fn at_rest(law: &LawSpec) -> Vec<f64> {
+    let rest =
+        |low: f64, high: f64| if low <= 0.0 && 0.0 <= high { 0.0 } else { (low + high) / 2.0 };
+    law.report.ranges.iter().map(|(_, _, [low, high])| rest(*low, *high)).collect()
+}
+
+/// Values of all inputs at which an output changes along `input`, with as few of them off their rest as can
+/// be; of those the values with the largest change. None where it never changes.
+fn held(law: &LawSpec, output: usize, input: usize) -> Option<Vec<f64>> {
+    /// Shares of a range at which inputs are held.
+    const SHARES: [f64; 4] = [0.25, 0.75, 0.05, 0.95];
+    /// Points by which a curve is told from a level.
+    const PROBES: usize = 24;
+    let [least, most] = law.report.outputs[output].extent;
+    // Rounding is no change.
+    let level = 1e-6 * (most - least);
+    let change = |held: &[f64]| {
+        let values = (0..=PROBES).filter_map(|i| {
+            let x = share(law, input, i as f64 / PROBES as f64);
+            value(law, output, held, (input, x))
+        });
+        let [low, high] = values
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| [low.min(y), high.max(y)]);
+        high - low
+    };
+    let rest = at_rest(law);
+    let moved = |held: &[f64], place: usize| -> Vec<Vec<f64>> {
+        let at = SHARES.map(|part| {
+            let mut held = held.to_vec();
+            held[place] = tidy(share(law, place, part));
+            held
+        });
+        at.to_vec()
+    };
+    let others: Vec<usize> = (0..rest.len()).filter(|place| *place != input).collect();
+    let one: Vec<Vec<f64>> = others.iter().flat_map(|place| moved(&rest, *place)).collect();
+    let two = || {
+        let pairs = others.iter().enumerate().flat_map(|(i, a)| {
+            others[i + 1..].iter().flat_map(|b| {
+                moved(&rest, *a).into_iter().flat_map(|held| moved(&held, *b)).collect::<Vec<_>>()
+            })
+        });
+        pairs.collect::<Vec<_>>()
+    };
+    for candidates in [vec![rest.clone()], one.clone(), two()] {
+        let best = candidates
+            .into_iter()
+            .map(|held| (change(&held), held))
+            .filter(|(change, _)| *change > level)
+            .reduce(|best, other| if other.0 > best.0 { other } else { best });
+        if let Some((_, held)) = best {
+            return Some(held);
+        }
+    }
+    None
+}
+
+/// A part of the range of an input, in the unit of the file.
+fn share(law: &LawSpec, input: usize, part: f64) -> f64 {
+    let (_, _, [low, high]) = law.report.ranges[input];
+    low + (high - low) * part
+}
+
+/// A number to two digits, as people choose them.
+fn tidy(x: f64) -> f64 {
+    format!("{x:.1e}").parse().unwrap_or(x)
+}
+
+/// An output at the values `held` of all inputs but one, in the units of the file; none where it is not finite.
+fn value(law: &LawSpec, output: usize, held: &[f64], (input, x): (usize, f64)) -> Option<f64> {
+    let mut inputs = held.to_vec();
+    inputs[input] = x;
+    for (value, input) in inputs.iter_mut().zip(&law.inputs) {
+        *value = input.unit.to_si(*value);
+    }
+    let y = law.evaluate(&inputs).ok()?[output] / law.outputs[output].unit.factor().to_f64();
+    y.is_finite().then_some(y)
+}
+
+fn curve_of(law: &LawSpec, output: usize, input: usize, held: &[f64]) -> Curve {
+    let ranges = &law.report.ranges;
+    let point = |step: usize| {
+        let x = share(law, input, step as f64 / POINTS as f64);
+        Some((x, value(law, output, held, (input, x))?))
+    };
+    let others = ranges.iter().zip(held).enumerate().filter(|(other, _)| *other != input);
+    let others = others.map(|(_, ((name, unit, _), value))| match unit.as_str() {
+        "1" => format!("{name} = {}", short(*value)),
+        unit => format!("{name} = {} {unit}", short(*value)),
+    });
+    let (name, unit, _) = &ranges[input];
+    let of = &law.outputs[output];
+    Curve {
+        x: (name.clone(), unit.clone()),
+        y: (of.name.clone(), of.unit.to_string()),
+        held: others.collect::<Vec<_>>().join(", "),
+        points: (0..=POINTS).filter_map(point).collect(),
+    }
+}
+
+/// Every output of a law along every input on which it depends, a panel each.
 pub(crate) fn law(law: &LawSpec) -> Figure {
     let panel = |curve: Curve| Panel {
         title: curve.held.clone(),

@@ -103,7 +103,7 @@ mod tests {
 
     /// One support, two revolutions at 10 Hz after 0.1 s at rest, in steps of 1 ms.
     fn history() -> History {
-        let mut history = History::for_bearings(1);
+        let mut history = History::for_bearings(1, &[]);
         for step in 1..=300 {
             let time = 1e-3 * f64::from(step);
             let theta = (TAU * 10.0 * (time - 0.1)).max(0.0);

@@ -3,12 +3,13 @@
 use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
+use whirl_codegen::diagnostic::Diagnostics;
 use whirl_solver::cache::{Cache, Key, instruction_set};
 use whirl_solver::mesh::Mesh;
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
-use super::plan::{BodyPlan, Plan};
+use super::plan::{BodyPlan, Plan, both};
 use crate::errors::Failure;
 use crate::version;
 
@@ -36,10 +37,12 @@ pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<(Bodies, f64,
         let shaft = Shaft::from_mesh(&plan.shaft.mesh, &plan.shaft.spec);
         (shaft, support.join().expect("a reduction does not panic"))
     });
-    let bodies = Bodies {
-        shaft: shaft.map_err(|error| plan.shaft.explain(error))?,
-        support: support.map_err(|error| plan.support.explain(error))?,
-    };
+    let (shaft, support) = both(
+        shaft.map_err(|error| plan.shaft.explain(error)),
+        support.map_err(|error| plan.support.explain(error)),
+        &mut Diagnostics::new(),
+    )?;
+    let bodies = Bodies { shaft, support };
     if let Some((cache, key)) = kept
         && let Err(error) = cache.store(&key, &bodies)
     {

@@ -2,7 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use whirl_solver::Error;
 use whirl_solver::bearing::Bearing;
 use whirl_solver::loads::{Course, Frame, Load};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
@@ -10,7 +9,7 @@ use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use super::Built;
-use super::springs::{Laws, clearance, wrong_law};
+use super::springs::{Laws, clearance, explain};
 use crate::case::{Lumped, Side, Unbalance};
 use crate::errors::Failure;
 
@@ -63,12 +62,7 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         bearings,
         loads,
     })
-    .map_err(|error| match &error {
-        Error::Law { bearing: Some(place), .. } => {
-            wrong_law(&lumped.stops[*place].law.name, &error)
-        }
-        _ => error.into(),
-    })?;
+    .map_err(|error| explain(error, |place| &lumped.stops[place].law.name, |_| None))?;
     Ok(Built {
         machine,
         initial: [vec![lumped.displacement, 0.0], vec![lumped.velocity, 0.0]],

@@ -13,7 +13,7 @@ use whirl_solver::machine::{Machine, MachineParts};
 
 pub(crate) use plan::{BodyPlan, Plan};
 
-use crate::case::{Case, System};
+use crate::case::{self, Case, System};
 use crate::errors::Failure;
 
 /// A machine with what results say about how it came about.
@@ -63,6 +63,31 @@ pub(crate) struct Counts {
     pub(crate) modes: usize,
     /// Modes and retained dofs.
     pub(crate) craig_bampton_dofs: usize,
+}
+
+/// Reads the case that the user called `name`, and looks for what its meshes and sets have wrong even where
+/// the case has errors, so that all are told at once.
+///
+/// # Errors
+/// Everything that is wrong with the case; of its meshes and sets only where the case has errors.
+pub(crate) fn read(name: &str) -> Result<Case, Failure> {
+    let mut draft = case::draft(name)?;
+    if let (false, Some(System::Rotor(rotor))) = (draft.errors.is_empty(), &draft.system) {
+        let errors = std::mem::take(&mut draft.errors);
+        Plan::beside(rotor, errors)?;
+    }
+    Ok(draft.finish()?)
+}
+
+/// Looks for what is wrong with the meshes and sets of a case.
+///
+/// # Errors
+/// Everything that is wrong with them.
+pub(crate) fn examine(case: &Case) -> Result<(), Failure> {
+    match &case.system {
+        System::Rotor(rotor) => Plan::new(rotor).map(|_| ()),
+        System::Lumped(_) => Ok(()),
+    }
 }
 
 /// Builds the machine of a case; reduced bodies come from the cache where it has them.

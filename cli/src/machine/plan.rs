@@ -14,6 +14,8 @@ use crate::errors::Failure;
 
 /// Bytes that the factor of a stiffness matrix may take.
 const FACTOR_MEMORY: usize = 8 << 30;
+/// Most coordinates of a reduced body, whose matrices are dense.
+const MOST_KEPT: usize = 5_000;
 /// Letters of the components of a dof.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -41,10 +43,12 @@ pub(crate) struct BodyPlan {
     pub(crate) spec: BodySpec,
     /// What holds it, as the case says it.
     held_by: Located,
+    /// What it is made from, as the case says it.
+    made_from: Located,
 }
 
 impl BodyPlan {
-    fn new(mesh: Mesh, modes: usize, damping: f64, held_by: &Located) -> Self {
+    fn new(mesh: Mesh, made_from: Located, modes: usize, damping: f64, held_by: &Located) -> Self {
         let spec = BodySpec {
             retained: Vec::new(),
             modes,
@@ -54,7 +58,7 @@ impl BodyPlan {
             nodes: Vec::new(),
             memory: FACTOR_MEMORY,
         };
-        BodyPlan { mesh, spec, held_by: held_by.clone() }
+        BodyPlan { mesh, spec, held_by: held_by.clone(), made_from }
     }
 
     /// Sizes of the body, as in the paper's Table 1.
@@ -85,7 +89,10 @@ impl BodyPlan {
                 let message = format!("{}: {error}", self.mesh.origin());
                 Diagnostics::from(self.held_by.error_here(Code::BAD_VALUE, message)).into()
             }
-            _ => error.into(),
+            _ => {
+                let message = error.to_string();
+                Diagnostics::from(self.made_from.error_here(Code::BAD_VALUE, message)).into()
+            }
         }
     }
 
@@ -118,8 +125,26 @@ impl BodyPlan {
         self.spec.nodes.len() - 1
     }
 
+    /// Notes more coordinates than dense matrices of them have room for.
+    fn bound(&self, errors: &mut Diagnostics) {
+        let kept = self.spec.retained.len();
+        if kept + self.spec.modes > MOST_KEPT {
+            let message = format!(
+                "{} keeps {kept} degrees of freedom and {} modes, at most {MOST_KEPT} are allowed",
+                self.mesh.origin(),
+                self.spec.modes
+            );
+            let help = "lower `modes`, or hold and connect smaller sets of nodes";
+            errors.push(self.held_by.error_here(Code::BAD_VALUE, message).help(help));
+        }
+    }
+
     /// Nodes of a set; what is wrong with it is noted, and none are given.
     fn nodes(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
+        // A set that the case does not say is missing, which has been told.
+        if set.text().is_empty() && !errors.is_empty() {
+            return Vec::new();
+        }
         match self.mesh.node_set(set.text()) {
             Ok(nodes) => nodes.to_vec(),
             Err(error) => {
@@ -156,27 +181,74 @@ impl BodyPlan {
     }
 }
 
+/// Both results, or the errors of both beside those that are there.
+pub(super) fn both<A, B>(
+    first: Result<A, Failure>,
+    second: Result<B, Failure>,
+    errors: &mut Diagnostics,
+) -> Result<(A, B), Failure> {
+    let mut take = |failure| match failure {
+        Failure::Input(found) => {
+            errors.append(found);
+            None
+        }
+        other => Some(other),
+    };
+    let (first, second) = match (first, second) {
+        (Ok(first), Ok(second)) => return Ok((first, second)),
+        (first, second) => (first.err(), second.err()),
+    };
+    let rest: Vec<Failure> = [first, second].into_iter().flatten().filter_map(&mut take).collect();
+    let placed = std::mem::take(errors);
+    match rest.into_iter().next() {
+        Some(failure) if placed.is_empty() => Err(failure),
+        _ => Err(placed.into_result(()).expect_err("there are errors").into()),
+    }
+}
+
 impl Plan {
     /// Reads or makes the meshes, and finds the sets that the case names.
     ///
     /// # Errors
     /// Everything that is wrong with the meshes, or every set that is missing or of the wrong size.
     pub(crate) fn new(rotor: &Rotor) -> Result<Plan, Failure> {
+        Plan::beside(rotor, Diagnostics::new())
+    }
+
+    /// As [`Plan::new`], for a case with these errors; they are told together.
+    ///
+    /// # Errors
+    /// These, and those of [`Plan::new`].
+    pub(crate) fn beside(rotor: &Rotor, mut errors: Diagnostics) -> Result<Plan, Failure> {
         let (shaft, support) = (&rotor.shaft, &rotor.support);
-        let shaft_mesh = meshes::shaft(shaft)?;
-        let support_mesh = meshes::support(support)?;
+        let (shaft_mesh, support_mesh) = (meshes::shaft(shaft), meshes::support(support));
+        let (shaft_mesh, support_mesh) = both(shaft_mesh, support_mesh, &mut errors)?;
         let mut plan = Plan {
-            shaft: BodyPlan::new(shaft_mesh, shaft.modes, shaft.damping, &shaft.axial_restraint),
-            support: BodyPlan::new(support_mesh, support.modes, support.damping, &support.mounts),
+            shaft: BodyPlan::new(
+                shaft_mesh,
+                shaft.mesh.place(),
+                shaft.modes,
+                shaft.damping,
+                &shaft.axial_restraint,
+            ),
+            support: BodyPlan::new(
+                support_mesh,
+                support.mesh.place(),
+                support.modes,
+                support.damping,
+                &support.mounts,
+            ),
             journals: Vec::new(),
             bores: Vec::new(),
             drive: [0; 2],
             loads: Vec::new(),
         };
-        let mut errors = Diagnostics::new();
         plan.place_bearings(&rotor.bearings, &mut errors);
         plan.place_shaft(rotor, &mut errors);
         plan.place_support(&rotor.support, &mut errors);
+        for body in [&plan.shaft, &plan.support] {
+            body.bound(&mut errors);
+        }
         Ok(errors.into_result(plan)?)
     }
 
@@ -185,9 +257,9 @@ impl Plan {
     /// # Errors
     /// Cells turned inside out, motions that nothing stops.
     pub(crate) fn verify(&self) -> Result<(), Failure> {
-        for body in [&self.shaft, &self.support] {
-            body.verify().map_err(|error| body.explain(error))?;
-        }
+        let verify = |body: &BodyPlan| body.verify().map_err(|error| body.explain(error));
+        let mut errors = Diagnostics::new();
+        both(verify(&self.shaft), verify(&self.support), &mut errors)?;
         Ok(())
     }
 

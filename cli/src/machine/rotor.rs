@@ -1,7 +1,5 @@
 //! The machine of a shaft on a support.
 
-use whirl_codegen::diagnostic::{Code, Diagnostics};
-use whirl_solver::Error;
 use whirl_solver::bearing::Bearing;
 use whirl_solver::cache::Cache;
 use whirl_solver::loads::{Course, Frame, Load};
@@ -10,7 +8,7 @@ use whirl_solver::shaft::Shaft;
 
 use super::bodies::bodies;
 use super::plan::Plan;
-use super::springs::{Laws, angles, clearance, wrong_law};
+use super::springs::{Laws, angles, clearance, explain};
 use super::{BodyFacts, Built};
 use crate::case::{self, Rotor};
 use crate::errors::Failure;
@@ -18,28 +16,15 @@ use crate::errors::Failure;
 pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failure> {
     let Assembled { parts, law_hashes, facts } = assemble(rotor, cache)?;
     Ok(Built {
-        machine: Machine::new(parts).map_err(|error| explain(rotor, error))?,
+        machine: Machine::new(parts).map_err(|error| {
+            let bearing = |place: usize| &rotor.bearings[place];
+            explain(error, |place| &bearing(place).law.name, |place| bearing(place).bore.first())
+        })?,
         initial: [Vec::new(), Vec::new()],
         clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),
         law_hashes,
         bodies: Some(facts),
     })
-}
-
-/// An error of the machine where the case causes it.
-fn explain(rotor: &Rotor, error: Error) -> Failure {
-    match &error {
-        Error::Law { bearing: Some(place), .. } => {
-            wrong_law(&rotor.bearings[*place].law.name, &error)
-        }
-        Error::Bore { place, .. } => match rotor.bearings[*place].bore.first() {
-            Some(set) => {
-                Diagnostics::from(set.error_here(Code::BAD_VALUE, error.to_string())).into()
-            }
-            None => error.into(),
-        },
-        _ => error.into(),
-    }
 }
 
 /// What a machine is made from, and what results say about it.

@@ -45,11 +45,31 @@ impl Laws {
     }
 }
 
-/// A law that cannot be used where the case names it.
-pub(super) fn wrong_law(place: &Located, error: &Error) -> Failure {
-    let Error::Law { law, what, help, .. } = error else { return error.clone().into() };
-    let message = format!("the law `{law}` {what}");
-    Diagnostics::from(place.error_here(Code::BAD_VALUE, message).help(help.clone())).into()
+/// Errors of a machine where the case causes them: at the law of a bearing, or at a set of its bore.
+pub(super) fn explain<'a>(
+    error: Error,
+    law_of: impl Fn(usize) -> &'a Located,
+    bore_of: impl Fn(usize) -> Option<&'a Located>,
+) -> Failure {
+    let mut placed = Diagnostics::new();
+    for part in error.parts() {
+        match part {
+            Error::Law { law, bearing: Some(place), what, help } => {
+                let message = format!("the law `{law}` {what}");
+                let found = law_of(*place).error_here(Code::BAD_VALUE, message);
+                placed.push(found.help(help.clone()));
+            }
+            Error::Bore { place, .. } if bore_of(*place).is_some() => {
+                let set = bore_of(*place).into_iter();
+                set.for_each(|set| placed.push(set.error_here(Code::BAD_VALUE, part.to_string())));
+            }
+            _ => {}
+        }
+    }
+    match placed.into_result(()) {
+        Ok(()) => error.into(),
+        Err(placed) => placed.into(),
+    }
 }
 
 /// Fixed angles ψ_j of `count` springs, rad.

@@ -19,7 +19,9 @@ fn shape(declared: &Shape) -> Value {
         Shape::Between(low, high) => json!({
             "type": "number", "exclusiveMinimum": low, "exclusiveMaximum": high,
         }),
-        Shape::Count(least) => json!({ "type": "integer", "minimum": least }),
+        Shape::Count(least, most) => {
+            json!({ "type": "integer", "minimum": least, "maximum": most })
+        }
         Shape::Flag => json!({ "type": "boolean" }),
         Shape::Words(_) | Shape::Registered(_) => json!({ "enum": declared.words() }),
         Shape::List(item) => json!({ "type": "array", "items": shape(item) }),

@@ -22,16 +22,20 @@ enum Binding {
 /// Texts longer than this are cut: the graph shares what the text would repeat.
 const LONGEST: usize = 20_000;
 
+/// Operations inside each other deeper than this are cut: no reader follows them, and a chain of definitions
+/// could fill the stack.
+const DEEPEST: usize = 200;
+
 /// A node as a formula that reads back as the same node. Choices, which the formula language writes as
 /// pieces, appear as `select(condition, a, b)`, the unit matrix as `identity`. A text that would be very
 /// long is cut and ends in `…`.
 pub fn display(graph: &Graph, id: Id) -> String {
-    print(&Printer { graph, room: Cell::new(LONGEST), exact: true }, id)
+    print(&Printer::new(graph, true), id)
 }
 
 /// The same for people: numbers that have no short decimal are rounded to 9 digits.
 pub fn display_rounded(graph: &Graph, id: Id) -> String {
-    print(&Printer { graph, room: Cell::new(LONGEST), exact: false }, id)
+    print(&Printer::new(graph, false), id)
 }
 
 fn print(printer: &Printer, id: Id) -> String {
@@ -45,23 +49,31 @@ fn print(printer: &Printer, id: Id) -> String {
 
 struct Printer<'g> {
     graph: &'g Graph,
+    /// Operations around what is being written.
+    depth: Cell<usize>,
     /// Characters that may still be written.
     room: Cell<usize>,
     /// Whether numbers are written exactly.
     exact: bool,
 }
 
-impl Printer<'_> {
+impl<'g> Printer<'g> {
+    fn new(graph: &'g Graph, exact: bool) -> Self {
+        Printer { graph, depth: Cell::new(0), room: Cell::new(LONGEST), exact }
+    }
+
     fn at_least(&self, id: Id, least: Binding) -> String {
         let (text, binding) = self.text(id);
         if binding >= least { text } else { format!("({text})") }
     }
 
     fn text(&self, id: Id) -> (String, Binding) {
-        if self.room.get() == 0 {
+        if self.room.get() == 0 || self.depth.get() == DEEPEST {
             return ("…".to_owned(), Binding::Atom);
         }
+        self.depth.set(self.depth.get() + 1);
         let (text, binding) = self.node(id);
+        self.depth.set(self.depth.get() - 1);
         self.room.set(self.room.get().saturating_sub(text.len()));
         (text, binding)
     }
@@ -302,6 +314,21 @@ mod tests {
             let id = lowered(&mut graph, &names, text);
             let shown = display(&graph, id);
             assert_eq!(lowered(&mut graph, &names, &shown), id, "{text} shown as {shown}");
+        }
+    }
+
+    #[test]
+    fn deep_formulas_are_cut_before_the_stack_ends() {
+        let mut graph = Graph::new();
+        let mut id = graph.scalar("a");
+        let one = graph.integer(1);
+        for _ in 0..100_000 {
+            let exponential = graph.function(Function::Exp, id);
+            id = graph.add(exponential, one);
+        }
+        for shown in [display(&graph, id), display_rounded(&graph, id)] {
+            assert!(shown.contains('…'), "{shown}");
+            assert!(shown.len() < 20 * DEEPEST, "{} bytes", shown.len());
         }
     }
 

@@ -28,10 +28,10 @@ const MOST_JOINED: usize = 64;
 /// A file of which only the kind is asked for.
 static ANY_KIND: Shape = Shape::Table(&[&[key("kind", Shape::Text, "the kind of spec")]]);
 
-/// What is wrong with a file before it is read.
-fn beyond_limits(source: &Arc<Source>) -> Option<Diagnostic> {
+/// What is wrong with a file before it is parsed: its size, or keys whose tables would fill the memory.
+pub fn beyond_limits(source: &Arc<Source>) -> Option<Diagnostic> {
     if source.text.len() > LONGEST {
-        let message = format!("a spec file is at most {LONGEST} bytes long");
+        let message = format!("a file is at most {LONGEST} bytes long");
         return Some(Diagnostic::new(source, Code::LIMIT, None, message));
     }
     let place = deep_key(&source.text)?;

@@ -12,7 +12,7 @@ use num_traits::ToPrimitive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-pub use super::document::{Document, Item, Value};
+pub use super::document::{Document, Item, Value, beyond_limits};
 use super::schema::{Need, Shape};
 use crate::diagnostic::{Code, Diagnostic, Located, Source, nearest, suggest};
 
@@ -140,7 +140,7 @@ impl<'d> Table<'d> {
             Shape::Between(low, high) => {
                 format!("write for example `{key} = {}`", 0.5 * (low + high))
             }
-            Shape::Count(_) => format!("write for example `{key} = 24`"),
+            Shape::Count(..) => format!("write for example `{key} = 24`"),
             Shape::Flag => format!("write `{key} = true`"),
             Shape::List(_) | Shape::Tuple(..) => format!("write `{key} = [ … ]`"),
             Shape::Either(shapes) => match shapes.first() {
@@ -234,7 +234,7 @@ impl<'d> Table<'d> {
 
     /// A count (0, 1, 2, …), if the key is there.
     pub fn optional_count(&self, key: &str) -> Option<usize> {
-        let (value, span) = self.number_of(key, |shape| matches!(shape, Shape::Count(_)))?;
+        let (value, span) = self.number_of(key, |shape| matches!(shape, Shape::Count(..)))?;
         let count = if value.is_integer() { value.to_usize() } else { None };
         if count.is_none() {
             let message = format!("`{}` must be a count such as 1 or 24", self.full(key));
@@ -352,7 +352,7 @@ mod tests {
     static SHAPE: Shape = Shape::Table(&[&[
         key("name", Shape::Text, ""),
         key("title", Shape::Text, ""),
-        key("count", Shape::Count(0), ""),
+        key("count", Shape::Count(0, 99), ""),
         key("engage", Shape::Words(&["root"]), ""),
         needed("source", Shape::Text, ""),
         key("inputs", Shape::Named(&Shape::Table(&[])), ""),
@@ -361,7 +361,7 @@ mod tests {
         key("a", Shape::Number, ""),
         key("b", Shape::Number, ""),
         key("c", Shape::Number, ""),
-        key("d", Shape::Count(0), ""),
+        key("d", Shape::Count(0, 99), ""),
     ]]);
     static TEXTS: Shape = Shape::Named(&Shape::Text);
 

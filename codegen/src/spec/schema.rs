@@ -53,8 +53,8 @@ pub enum Shape {
     Number,
     /// A number between two others, these left out.
     Between(f64, f64),
-    /// A whole number from this one up.
-    Count(usize),
+    /// A whole number from the first to the second, both allowed.
+    Count(usize, usize),
     /// True or false.
     Flag,
     /// One of these words.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use num_rational::Ratio;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// An exponent of a unit: rational, as in N/mm^1.5.
 pub type Exponent = Ratio<i32>;
@@ -19,6 +19,7 @@ pub struct Dimension {
     exponents: [Exponent; 5],
 }
 
+const MASS: usize = 1;
 const ANGLE: usize = 4;
 const BASE_NAMES: [&str; 5] = ["m", "kg", "s", "K", "rad"];
 
@@ -127,17 +128,28 @@ impl Dimension {
         self.known().map(|(_, example)| example.to_owned())
     }
 
-    /// SI unit of this dimension, such as `kg/m^3`; `1` for a number.
+    /// SI unit of this dimension, such as `kg/m^3` or `N/m^(3/2)`; `1` for a number.
     pub fn si_unit(&self) -> String {
         if let Some((_, symbol)) = SYMBOLS.iter().find(|(dimension, _)| dimension == self) {
             return (*symbol).to_owned();
         }
+        // With the newton in place of the kilogram where that is shorter: N/m^(3/2), not kg/m^(1/2)/s^2.
+        let newtons = self.exponents[MASS];
+        let rest = self.over(&Dimension::FORCE.power(newtons));
+        let size = |d: &Dimension| d.exponents.iter().map(|e| e.abs()).sum::<Exponent>();
+        let (newtons, rest) = match size(&rest) + newtons.abs() < size(self) {
+            true => (newtons, rest),
+            false => (Exponent::zero(), *self),
+        };
+        let parts =
+            std::iter::once(("N", newtons)).chain(BASE_NAMES.into_iter().zip(rest.exponents));
         let part = |sign: i32| -> Vec<String> {
             let wanted = |e: &Exponent| e.numer().signum() == sign;
-            (BASE_NAMES.iter().zip(self.exponents))
+            parts
+                .clone()
                 .filter(|(_, e)| wanted(e))
                 .map(|(name, e)| match e * sign {
-                    e if e.is_one() => (*name).to_owned(),
+                    e if e.is_one() => name.to_owned(),
                     e if e.is_integer() => format!("{name}^{e}"),
                     e => format!("{name}^({e})"),
                 })
@@ -203,8 +215,13 @@ mod tests {
     fn units_are_spelt_so_that_they_can_be_read_back() {
         let half = Exponent::new(3, 2);
         let hertz = Dimension::FORCE.over(&Dimension::LENGTH.power(half));
-        assert_eq!(hertz.si_unit(), "kg/m^(1/2)/s^2");
-        for dimension in [hertz, Dimension::DENSITY, Dimension::ANGULAR_SPEED, Dimension::DAMPING] {
+        assert_eq!(hertz.si_unit(), "N/m^(3/2)");
+        let moment = Dimension::FORCE.times(&Dimension::LENGTH.power(Exponent::new(1, 2)));
+        assert_eq!(moment.si_unit(), "N*m^(1/2)");
+        assert_eq!(Dimension::FORCE.times(&Dimension::TIME).si_unit(), "N*s");
+        for dimension in
+            [hertz, moment, Dimension::DENSITY, Dimension::ANGULAR_SPEED, Dimension::DAMPING]
+        {
             let unit = super::super::Unit::parse(&dimension.si_unit()).unwrap();
             assert_eq!(*unit.dimension(), dimension);
             assert!(unit.factor().is_one());

@@ -45,23 +45,31 @@ pub(crate) struct Contacts {
 impl Contacts {
     /// Places the laws, each with its place among all laws, in the bearings that name it.
     ///
-    /// # Errors
-    /// A law that needs a radius which nothing gives; bore nodes through which no spline passes.
+    /// Noted in `errors`: a law that needs a radius which nothing gives; bore nodes through which no spline
+    /// passes.
     pub(super) fn new(
         kernels: &Clearance,
         laws: Vec<(usize, ContactLaw)>,
         bearings: &[Bearing],
         shaft: &Shaft,
         support: &Support,
-    ) -> Result<Self, Error> {
+        errors: &mut Vec<Error>,
+    ) -> Self {
         let mut planes = Vec::new();
         let mut placed = Vec::new();
         let mut rows: Vec<Vec<f64>> = Vec::new();
         for (place, law) in laws {
             let first = planes.len();
             let kind = law.kind;
-            for (number, bearing) in bearings.iter().enumerate().filter(|(_, b)| b.law == place) {
-                let radius = radius(&law, (number, bearing), support)?;
+            let users = bearings.iter().enumerate().filter(|(_, b)| b.law == place);
+            'bearings: for (number, bearing) in users {
+                let radius = match radius(&law, (number, bearing), support) {
+                    Ok(radius) => radius,
+                    Err(error) => {
+                        errors.push(error);
+                        continue;
+                    }
+                };
                 let count = if kind.each_spring { bearing.angles.len() } else { 1 };
                 let mut table = vec![0.0; kind.table * count];
                 (kind.prepare)(&bearing.angles[..count.min(bearing.angles.len())], &mut table);
@@ -71,7 +79,14 @@ impl Contacts {
                         motions.push(needed.then_some(rows.len()));
                         if needed {
                             let own =
-                                bore_rows(kernels, (number, bearing), station, support, *motion)?;
+                                bore_rows(kernels, (number, bearing), station, support, *motion);
+                            let own = match own {
+                                Ok(own) => own,
+                                Err(error) => {
+                                    errors.push(error);
+                                    continue 'bearings;
+                                }
+                            };
                             // A motion of the whole ring is that of each of its springs.
                             let own = own.into_iter().cycle().take(count);
                             rows.extend(own);
@@ -93,7 +108,16 @@ impl Contacts {
         }
         let bore = Matrix::from_fn(rows.len(), support.size(), |i, j| rows[i][j]);
         let bore_transposed = bore.transpose();
-        Ok(Contacts { laws: placed, planes, bore, bore_transposed })
+        Contacts { laws: placed, planes, bore, bore_transposed }
+    }
+
+    /// Whether the law of a plane turns or brakes the journal: by a moment, or by a force at its surface.
+    pub(crate) fn gives_torque(&self, plane: usize) -> bool {
+        let turns = |law: &ContactLaw| {
+            let mut forces = law.forces.iter().map(|&place| &law.kind.forces[place]);
+            forces.any(|force| force.radius || force.unit != "N")
+        };
+        self.laws.iter().any(|(law, planes)| planes.contains(&plane) && turns(law))
     }
 
     /// Number of forces: every force that a law gives, at every spring or ring.
@@ -293,6 +317,14 @@ impl ContactsState {
     /// Generalised forces on (θ, ε_x, ε_y) of a plane: N·m, N, N; ε in the frame of the shaft.
     pub(crate) fn plane_force(&self, plane: usize) -> [f64; 3] {
         self.planes[plane].ring_force
+    }
+
+    /// Torque on the journal about its own centre in a plane (N·m): the generalised force on θ without the
+    /// moment that the forces on the displaced centre have about the axis.
+    pub(crate) fn plane_torque(&self, plane: usize) -> f64 {
+        let own = &self.planes[plane];
+        let ([_, x, y], [moment, along_x, along_y]) = (own.ring.position, own.ring_force);
+        moment - (x * along_y - y * along_x)
     }
 
     /// Adds the generalised forces on θ, η and the support's coordinates.

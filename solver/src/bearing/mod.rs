@@ -90,16 +90,21 @@ impl Springs {
         let mut bound = Vec::new();
         let mut contacts = Vec::new();
         let mut rows: Vec<Vec<f64>> = Vec::new();
+        let mut errors = Vec::new();
         for (place, law) in laws.into_iter().enumerate() {
             let name = law.name().to_owned();
             let users = || bearings.iter().enumerate().filter(move |(_, b)| b.law == place);
             let law = Bound::new(law, kernels.contacts).map_err(|wrong| {
                 let bearing = users().next().map(|(number, _)| number);
                 Error::Law { law: name, bearing, what: wrong.what, help: wrong.help }
-            })?;
+            });
             let law = match law {
-                Bound::Normal(law) => law,
-                Bound::Contact(law) => {
+                Err(error) => {
+                    errors.push(error);
+                    continue;
+                }
+                Ok(Bound::Normal(law)) => law,
+                Ok(Bound::Contact(law)) => {
                     contacts.push((place, law));
                     continue;
                 }
@@ -109,7 +114,14 @@ impl Springs {
                 for &station in &bearing.stations {
                     let start = rows.len();
                     let motion = BoreMotion::Radial;
-                    rows.extend(bore_rows(kernels, (number, bearing), station, support, motion)?);
+                    match bore_rows(kernels, (number, bearing), station, support, motion) {
+                        Ok(own) => rows.extend(own),
+                        Err(error) => {
+                            // The same at every station of the bearing.
+                            errors.push(error);
+                            break;
+                        }
+                    }
                     let mut table = vec![0.0; kernels.table * bearing.angles.len()];
                     (kernels.prepare)(&bearing.angles, &mut table);
                     planes.push(Plane {
@@ -125,7 +137,8 @@ impl Springs {
         }
         let bore = Matrix::from_fn(rows.len(), support.size(), |i, j| rows[i][j]);
         let bore_transposed = bore.transpose();
-        let contacts = Contacts::new(kernels, contacts, bearings, shaft, support)?;
+        let contacts = Contacts::new(kernels, contacts, bearings, shaft, support, &mut errors);
+        Error::of_all(errors)?;
         Ok(Springs { kernels, contacts, laws: bound, planes, bore, bore_transposed })
     }
 

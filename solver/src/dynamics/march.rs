@@ -133,7 +133,12 @@ impl<'m> March<'m> {
         if machine.rotation == Rotation::Free {
             state.v[0] = options.initial_speed;
         }
-        let mut history = History::for_bearings(machine.monitors.len());
+        let mut history = {
+            let monitors = machine.monitors.iter().enumerate();
+            let turning: Vec<usize> =
+                monitors.filter(|(_, own)| own.torque).map(|(k, _)| k).collect();
+            History::for_bearings(machine.monitors.len(), &turning)
+        };
         history.reserve(options.steps);
         if let Err(error) = accelerate(&mut system, &mut state) {
             let outcome = Outcome {
@@ -248,6 +253,7 @@ impl<'m> March<'m> {
         let (eta, support) = (&state.q[1..first], &state.q[first..]);
         let position = Position::new(state.q[0]);
         let bearings = machine.monitors.len();
+        let mut torque_column = 3 + 6 * bearings;
         self.row[..3].copy_from_slice(&[self.time, state.q[0], state.v[0]]);
         for (k, monitor) in machine.monitors.iter().enumerate() {
             let springs = &self.system.springs;
@@ -268,6 +274,11 @@ impl<'m> March<'m> {
                 self.row[place] = reaction[axis];
                 self.row[place + 2 * bearings] = 1e6 * journal[axis];
                 self.row[place + 4 * bearings] = 1e6 * (journal[axis] - bore);
+            }
+            if monitor.torque {
+                let torques = monitor.contacts.iter().map(|&p| springs.contacts.plane_torque(p));
+                self.row[torque_column] = torques.sum();
+                torque_column += 1;
             }
         }
         *self.row.last_mut().expect("columns") = self.last_iterations as f64;

@@ -16,6 +16,9 @@ pub(super) fn wrong(dimension: &str, value: impl ToString, what: impl Into<Strin
     }
 }
 
+/// Most cells of a made mesh: far more than a march has use for, and less than a gigabyte.
+const MOST_CELLS: usize = 1_000_000;
+
 /// Every length positive and finite.
 pub(super) fn positive(lengths: &[(&str, f64)]) -> Result<(), Error> {
     match lengths.iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
@@ -47,6 +50,8 @@ pub(super) struct Plan<'a> {
     pub(super) layers_between: (&'a str, usize),
     /// Longest layer at the ends where there is no span to compare with.
     pub(super) longest: f64,
+    /// Cells of a layer, at most.
+    pub(super) in_layer: usize,
 }
 
 /// Planes between layers of cells.
@@ -110,6 +115,23 @@ impl Plan<'_> {
             true => (gap / longest - SAME).ceil().max(1.0) as usize,
             false => 0,
         };
+        let spans = supports.len() - 1;
+        let of_ends = at_end(head).saturating_add(at_end(tail));
+        let count = supports.len().saturating_mul(inside).saturating_add(of_ends);
+        let count = count.saturating_add(spans.saturating_mul(between));
+        if count.saturating_mul(self.in_layer) > MOST_CELLS {
+            let what = format!(
+                "{count} layers of up to {} cells are beyond the {MOST_CELLS} cells of a made mesh: make \
+                 fewer layers, or fewer cells in each",
+                self.in_layer
+            );
+            // Of layers at the ends, which nobody counts, the length is to blame.
+            return Err(match of_ends > count / 2 {
+                true => wrong("length", format!("{} m", self.length), what),
+                false if inside >= between => wrong(count_name, inside, what),
+                false => wrong(between_name, between, what),
+            });
+        }
 
         let mut layers = Layers { planes: Vec::new(), support_starts: Vec::new() };
         layers.divide(start, start + head, at_end(head));

@@ -177,6 +177,7 @@ impl SolidShaft {
             layers_in_support: ("layers_in_support", self.layers_in_support),
             layers_between: ("layers_between", self.layers_between),
             longest: 0.25 * self.diameter,
+            in_layer: self.section.sectors.saturating_mul(self.section.rings),
         }
     }
 }

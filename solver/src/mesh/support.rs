@@ -162,6 +162,12 @@ impl RingSupport {
             layers_in_support: ("layers_in_ring", self.layers_in_ring),
             layers_between: ("layers_between", self.layers_between),
             longest: 0.5 * self.height,
+            in_layer: {
+                let SupportCells { height, width, pedestal, around, radial } = self.section;
+                width
+                    .saturating_mul(height.saturating_add(pedestal))
+                    .saturating_add(around.saturating_mul(radial))
+            },
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What an element file may say.
 
 use super::ElementSpec;
+use super::read::rule::HIGHEST_DEGREE;
+use super::read::{MOST, MOST_COMPLETE};
 use crate::element::Cell;
 use crate::spec::schema::Shape::{
     Count, Either, Flag, Formula, List, Named, Number, Table, Text, Tuple, Words,
@@ -25,7 +27,7 @@ const ELEMENT: &[Key] = &[
         Either(&[Formula, List(&Formula)]),
         "one formula over xi_a, eta_a, zeta_a, or one a node",
     ),
-    key("complete", Count(0), "degree of polynomials reproduced; 1 if left out"),
+    key("complete", Count(0, MOST_COMPLETE), "degree of polynomials reproduced; 1 if left out"),
     needed("quadrature", Table(&[RULE, RULES]), "how forms are integrated"),
     key("enhanced", Table(&[ENHANCED]), "incompatible modes"),
     needed("abaqus", Table(&[ABAQUS, ORDER]), "how mesh files call it"),
@@ -35,7 +37,11 @@ const ELEMENT: &[Key] = &[
 const RULE: &[Key] = &[
     key("rule", List(&Text), "a product of named rules, such as [\"gauss(2)\", …]"),
     key("points", List(&Tuple(&EXACT, 4)), "xi, eta, zeta and weight of every point"),
-    needed("degree", Count(0), "every monomial up to this degree is integrated exactly"),
+    needed(
+        "degree",
+        Count(0, HIGHEST_DEGREE),
+        "every monomial up to this degree is integrated exactly",
+    ),
     key("reduced", Flag, "true: fewer points than the products of the form need"),
     key("patch_test", Words(&["any", "affine"]), "cells that must pass the patch test"),
 ];
@@ -51,7 +57,10 @@ const ENHANCED: &[Key] = &[
 
 const ABAQUS: &[Key] = &[needed("types", List(&Text), "element types of Abaqus and CalculiX")];
 
-const VTK: &[Key] = &[needed("type", Count(0), "VTK cell type")];
+const VTK: &[Key] = &[needed("type", Count(0, u8::MAX as usize), "VTK cell type")];
 
-const ORDER: &[Key] =
-    &[key("order", List(&Count(1)), "this element's nodes in the order of the other program")];
+const ORDER: &[Key] = &[key(
+    "order",
+    List(&Count(1, MOST)),
+    "this element's nodes in the order of the other program",
+)];

@@ -5,8 +5,8 @@ use std::fmt;
 use super::report::{Break, LawReport, OutputReport, TableReport, Trend};
 use super::table::Extend;
 
-/// A number to 6 digits.
-pub(super) fn short(x: f64) -> String {
+/// A number to 6 digits, for people.
+pub fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     if rounded != 0.0 && !(1e-5..1e7).contains(&rounded.abs()) {
         format!("{rounded:e}")

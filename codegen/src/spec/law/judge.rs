@@ -22,16 +22,22 @@ pub(super) fn tables(law: &LawSpec, lines: &[Line], errors: &mut Diagnostics) {
         let [first, last] = table.span().map(nearest);
         let [low, high] = inputs
             .fold([first, last], |[low, high]: [f64; 2], input| [low.min(input), high.max(input)]);
-        for (reached, end) in [(low, first), (high, last)] {
+        // In the unit of the column, as a reader of the file knows them.
+        let unit = match table.input_unit.text() {
+            "1" => String::new(),
+            text => format!(" {text}"),
+        };
+        let scale = (table.ends[1] - table.ends[0]) / (last - first);
+        for (reached, end, written) in [(low, first, table.ends[0]), (high, last, table.ends[1])] {
             if !table.is_outside(reached) {
                 continue;
             }
             let message = format!(
-                "`{}` reaches {}, but the rows of `{}` end at {}",
+                "`{}` reaches {}{unit} over the `range` of the inputs, but the rows of `{}` end at {}{unit}",
                 table.input.text.text(),
-                short(reached),
+                short(written + (reached - end) * scale),
                 table.path,
-                short(end)
+                short(written)
             );
             let error = table.input.text.error_here(Code::TABLE, message);
             errors.push(error.help(

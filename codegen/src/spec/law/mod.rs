@@ -49,6 +49,7 @@ use std::sync::Arc;
 use crate::rational::{Rational, nearest};
 
 pub use acts::{Acts, Quantity};
+pub use describe::short;
 pub use report::{Break, LawReport, OutputReport, TableReport, Trend};
 pub use table::{Extend, LawTable};
 

@@ -59,12 +59,15 @@ const TABLE: &[Key] = &[
     key("extend", EXTEND, "what becomes of inputs outside its rows"),
 ];
 
+/// More columns than any file of a moderate length has.
+const MOST_COLUMNS: usize = 10_000;
+
 const EXTEND: Shape = Words(&["constant", "linear", "periodic", "refuse"]);
 
-const COLUMN: Shape = Either(&[Text, Count(1), Table(&[APART])]);
+const COLUMN: Shape = Either(&[Text, Count(1, MOST_COLUMNS), Table(&[APART])]);
 
 const APART: &[Key] = &[
-    needed("column", Either(&[Text, Count(1)]), "its name, or its number from 1"),
+    needed("column", Either(&[Text, Count(1, MOST_COLUMNS)]), "its name, or its number from 1"),
     key("unit", Text, "its unit, where the file does not say it"),
 ];
 

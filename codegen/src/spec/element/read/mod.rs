@@ -1,7 +1,7 @@
 //! File → element.
 
 mod formats;
-mod rule;
+pub(super) mod rule;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -18,10 +18,10 @@ use crate::spec::read::{Document, Item, Table, Value};
 use crate::spec::schema::Described;
 
 /// Most nodes of an element, points of a rule, and modes: far above any element in use.
-const MOST: usize = 64;
+pub(super) const MOST: usize = 64;
 
 /// Highest degree of completeness.
-const MOST_COMPLETE: usize = 4;
+pub(super) const MOST_COMPLETE: usize = 4;
 
 pub(super) fn read(file: &Arc<Source>) -> Result<ElementSpec, Diagnostics> {
     let document = Document::parse(file);

@@ -13,7 +13,7 @@ use crate::element::{Cell, Quadrature, rules};
 use crate::spec::read::{Item, Table};
 
 /// Highest degree of a rule that is proved.
-const HIGHEST_DEGREE: usize = 12;
+pub(in crate::spec::element) const HIGHEST_DEGREE: usize = 12;
 
 impl Reader<'_> {
     pub(super) fn rule(&mut self, table: &Table<'_>, cell: Cell) -> Option<Quadrature> {
