@@ -127,6 +127,47 @@ fn forms_motions_and_clearances_show_what_was_derived() {
     }
 }
 
+/// What stands under the heading of the code, but where the code lies.
+fn functions(page: &str) -> String {
+    let (_, code) = page.split_once("\nGenerated Rust\n").expect("the heading");
+    let places = ["module whirl_specs::", "compiled at the next build", "/out/"];
+    let function = |line: &&str| !places.iter().any(|place| line.contains(place));
+    code.lines().filter(function).map(str::trim).collect::<Vec<_>>().join(" ")
+}
+
+/// A file that is not built in has the functions, with the operations, that its twin has.
+#[test]
+fn what_a_build_would_make_is_told_with_its_operations() {
+    for (path, kind, name) in shipped().iter().filter(|(_, kind, _)| kind != "law") {
+        // Of elements two are enough, one with modes of its own.
+        if kind == "element" && !["hex8i", "wedge6"].contains(&name.as_str()) {
+            continue;
+        }
+        let text = fs::read_to_string(path).expect("a text");
+        let other = text.replacen(&format!("name = \"{name}\""), "name = \"other\"", 1);
+        assert_ne!(text, other, "{name}");
+        let bench = Workbench::new().file("other.toml", &other);
+        let page = bench.whirl(&["explain", "other.toml"]);
+        fine(&page);
+        let built_in = if kind == "form" { "hex8" } else { name };
+        let twin = functions(&bench.whirl(&["explain", built_in]).stdout);
+        assert!(twin.contains("operations") || twin.contains(" mul"), "{name}: {twin}");
+        if kind != "form" {
+            assert_eq!(functions(&page.stdout), twin, "{name}");
+            continue;
+        }
+        let (_, code) = page.stdout.split_once("\nGenerated Rust\n").expect("the heading");
+        let own: Vec<&str> = code.split(", on the element hex8\n").skip(1).collect();
+        assert!(!own.is_empty(), "{name}: {code}");
+        for about in own {
+            // Words are broken into lines elsewhere, since paths differ.
+            let words: Vec<&str> = about.split_whitespace().collect();
+            let operations = words.windows(3).find(|w| w[0] == "Together").expect("a count");
+            assert!(twin.contains(&operations.join(" ")), "{name}: {operations:?}");
+        }
+    }
+}
+
 /// The figures of the documents are what the program draws; WHIRL_RENEW_GOLDEN=1 draws them anew.
 #[test]
 fn figures_of_laws_are_as_committed() {

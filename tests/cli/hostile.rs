@@ -102,7 +102,7 @@ fn mutant(random: &mut Random, corpus: &[String]) -> String {
                 lines.insert(random.below(lines.len()), line);
             }
             // Another value behind the same key.
-            2 | 3 | 4 => {
+            2..=4 => {
                 if let Some((key, _)) = lines.get(place).and_then(|line| line.split_once('=')) {
                     lines[place] = format!("{key}= {word}");
                 }

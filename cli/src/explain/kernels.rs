@@ -66,10 +66,8 @@ fn say(page: &mut Page, functions: Vec<(String, String)>) {
 /// The functions that a build would make from a spec that is not built in: an element with the built-in
 /// forms, forms on a built-in element.
 fn made(spec: &Spec) -> Result<Vec<(String, String)>, Diagnostics> {
-    let own = SpecFile {
-        path: format!("{}/explained.toml", folder(spec)),
-        text: spec.file().text.clone(),
-    };
+    let path = format!("{}/explained.toml", folder(spec));
+    let own = SpecFile { path: path.clone(), text: spec.file().text.clone() };
     let mut files = vec![own];
     let built_in =
         |origin: &Origin| SpecFile { path: origin.spec.to_string(), text: origin.text.to_string() };
@@ -100,9 +98,11 @@ fn made(spec: &Spec) -> Result<Vec<(String, String)>, Diagnostics> {
         found.extend(functions(&file.text));
     }
     if let Spec::Form(_) = spec {
-        found.retain(|(name, _)| names.contains(&name.as_str()));
-        for (name, _) in &mut found {
+        let own = |name: &str| name.strip_suffix("_lane").is_some_and(|form| names.contains(&form));
+        found.retain(|(name, _)| own(name));
+        for (name, about) in &mut found {
             name.push_str(", on the element hex8");
+            *about = about.replace(&path, &spec.file().path.display().to_string());
         }
     }
     Ok(found)
