@@ -37,7 +37,7 @@ pub(crate) struct Curve {
     pub(crate) x: (String, String),
     /// The output or derivative and its unit.
     pub(crate) y: (String, String),
-    /// Values of the other inputs, such as `h_dot = 0 mm/s`; empty where there is none.
+    /// Values of the other inputs, such as `h_dot = 0 mm/s`, zeros of many together; empty where there is none.
     pub(crate) held: String,
     /// Finite values from left to right.
     pub(crate) points: Vec<(f64, f64)>,
@@ -148,16 +148,26 @@ fn curve_of(law: &LawSpec, output: usize, input: usize, held: &[f64]) -> Curve {
         Some((x, value(law, output, held, (input, x))?))
     };
     let others = ranges.iter().zip(held).enumerate().filter(|(other, _)| *other != input);
-    let others = others.map(|(_, ((name, unit, _), value))| match unit.as_str() {
+    let (zero, rest): (Vec<_>, Vec<_>) = others.partition(|(_, (_, value))| **value == 0.0);
+    let say = |(_, ((name, unit, _), value)): (usize, (&(String, String, _), &f64))| match unit
+        .as_str()
+    {
         "1" => format!("{name} = {}", short(*value)),
         unit => format!("{name} = {} {unit}", short(*value)),
-    });
+    };
+    // Three and more would be too long for a heading; most are zero.
+    let together = zero.len() > 1 && zero.len() + rest.len() > 2;
+    let mut held: Vec<String> = rest.into_iter().map(say).collect();
+    match together {
+        true => held.push("the others 0".to_string()),
+        false => held.extend(zero.into_iter().map(say)),
+    }
     let (name, unit, _) = &ranges[input];
     let of = &law.outputs[output];
     Curve {
         x: (name.clone(), unit.clone()),
         y: (of.name.clone(), of.unit.to_string()),
-        held: others.collect::<Vec<_>>().join(", "),
+        held: held.join(", "),
         points: (0..=POINTS).filter_map(point).collect(),
     }
 }
