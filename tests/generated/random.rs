@@ -3,9 +3,8 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::{env, fs};
 
 use whirl_codegen::diagnostic::Located;
 use whirl_codegen::emit::{Numbers, operand, statements};
@@ -156,21 +155,8 @@ fn source(cases: &[Case], points: &[[f64; 2]]) -> String {
 fn run(source: &str) -> String {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("random-expressions");
     fs::create_dir_all(folder.join("src")).expect("a folder for the crate");
-    let libm = "[package]\nname = \"random-expressions\"\nedition = \"2024\"\n\n\
-                [dependencies]\nlibm = \"=0.2.16\"\n\n[workspace]\n";
-    fs::write(folder.join("Cargo.toml"), libm).expect("a manifest");
     fs::write(folder.join("src/main.rs"), source).expect("a source file");
-    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let output = Command::new(cargo)
-        .args(["run", "--quiet", "--offline", "--manifest-path"])
-        .arg(folder.join("Cargo.toml"))
-        .arg("--target-dir")
-        .arg(folder.join("target"))
-        .output()
-        .expect("cargo can be run");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "the generated crate does not build:\n{errors}");
-    String::from_utf8(output.stdout).expect("text")
+    whirl_tests::run_alone(&folder, "random-expressions")
 }
 
 #[test]

@@ -57,6 +57,14 @@ impl Reader {
     }
 }
 
+fn becomes(text: &str, expected: &str) {
+    let mut r = Reader::new();
+    let id = r.read(text);
+    let found = r.simple(id);
+    let (found, expected) = (r.read(&found), r.read(expected));
+    assert_eq!(found, expected, "{text}: {}", display(&r.graph, found));
+}
+
 #[test]
 fn rules_apply_where_they_save_operations() {
     for (text, expected) in [
@@ -77,11 +85,7 @@ fn rules_apply_where_they_save_operations() {
         ("sqrt(a^2)", "abs(a)"),
         ("(a^4)^(1/4)", "abs(a)"),
     ] {
-        let mut reader = Reader::new();
-        let id = reader.read(text);
-        let found = reader.simple(id);
-        let (found, expected) = (reader.read(&found), reader.read(expected));
-        assert_eq!(found, expected, "{text}: {}", display(&reader.graph, found));
+        becomes(text, expected);
     }
 }
 
@@ -286,11 +290,7 @@ fn rules_apply_in_all_their_forms() {
         ("1/abs(a)^2", "1/a^2"),
         ("b*sqrt(a^6)", "b*abs(a)^3"),
     ] {
-        let mut r = Reader::new();
-        let id = r.read(text);
-        let found = r.simple(id);
-        let (found, expected) = (r.read(&found), r.read(expected));
-        assert_eq!(found, expected, "{text}: {}", display(&r.graph, found));
+        becomes(text, expected);
     }
 }
 
