@@ -130,23 +130,100 @@ fn forms_motions_and_clearances_show_what_was_derived() {
 /// What stands under the heading of the code, but where the code lies.
 fn functions(page: &str) -> String {
     let (_, code) = page.split_once("\nGenerated Rust\n").expect("the heading");
-    let places = ["module whirl_specs::", "compiled at the next build", "/out/"];
+    let places =
+        ["module whirl_specs::", "compiled at the next build", "/out/", "printed by", "not needed"];
     let function = |line: &&str| !places.iter().any(|place| line.contains(place));
     code.lines().filter(function).map(str::trim).collect::<Vec<_>>().join(" ")
+}
+
+/// Of laws and elements some: a table, a ring, modes of an element's own; of the others all.
+fn enough() -> Vec<(PathBuf, String, String)> {
+    let mut some = shipped();
+    let chosen = ["hex8i", "wedge6", "hu2003-linear", "radial-gap", "ball-bearing"];
+    some.retain(|(_, kind, name)| {
+        !["element", "law"].contains(&kind.as_str()) || chosen.contains(&name.as_str())
+    });
+    some
+}
+
+/// A bench with the files of columns that stand beside a spec.
+fn tables_of(path: &Path) -> Workbench {
+    let folder = path.parent().expect("a folder");
+    let beside = fs::read_dir(folder).expect("the folder is there");
+    let beside = beside.map(|entry| entry.expect("an entry").path());
+    let tables = beside.filter(|path| path.extension().is_some_and(|ending| ending == "csv"));
+    tables.fold(Workbench::new(), |bench, table| {
+        let name = table.file_name().expect("a name").to_string_lossy().into_owned();
+        bench.file(&name, &fs::read_to_string(&table).expect("a text"))
+    })
+}
+
+/// The Rust of a file that is not built in is what a build would make of it: that of its twin, but for the
+/// file's text and the hash.
+#[test]
+fn the_rust_of_ones_own_spec_is_what_a_build_would_make() {
+    let mut seen = BTreeSet::new();
+    for (path, kind, name) in &enough() {
+        let file = path.file_name().expect("a name").to_string_lossy().into_owned();
+        let text = fs::read_to_string(path).expect("a text") + "# Not built in.\n";
+        let bench = tables_of(path).file(&file, &text);
+        let outcome = bench.whirl(&["explain", &file, "--rust"]);
+        fine(&outcome);
+        let shown_on = if kind == "form" { "hex8" } else { name };
+        let twin = bench.whirl(&["explain", shown_on, "--rust"]);
+        if kind == "form" {
+            // The functions of these forms alone, each as it stands in the element's module.
+            let made = made_functions(&outcome.stdout);
+            assert!(!made.is_empty(), "{name}");
+            assert!(made.len() < made_functions(&twin.stdout).len(), "{name}");
+            let differ: Vec<&String> = made.iter().filter(|f| !twin.stdout.contains(*f)).collect();
+            assert!(differ.is_empty(), "{name}: {differ:?}");
+        } else {
+            let own = |line: &&str| !["text:", "hash:"].iter().any(|s| line.trim().starts_with(s));
+            let body =
+                |text: &str| text.lines().filter(own).map(str::to_string).collect::<Vec<_>>();
+            assert_ne!(outcome.stdout, twin.stdout, "{name}");
+            assert_eq!(body(&outcome.stdout), body(&twin.stdout), "{name}");
+        }
+        seen.insert(kind.clone());
+    }
+    assert_eq!(seen.len(), 5, "{seen:?}");
+}
+
+/// The texts of the public functions, from `pub fn` to the brace at their margin.
+fn made_functions(module: &str) -> Vec<String> {
+    let starts = module.match_indices("\n    pub fn ").map(|(start, _)| &module[start..]);
+    starts.filter_map(|text| Some(text[..text.find("\n    }\n")?].to_string())).collect()
+}
+
+/// What only a build would refuse is told at its place by `check` and `explain --rust`.
+#[test]
+fn what_a_build_would_refuse_is_told() {
+    let path = specs().join("elements/hex8i.toml");
+    let text = fs::read_to_string(path).expect("a text");
+    let wrong = text.replace("\"stiffness\"", "\"stifness\"");
+    assert_ne!(text, wrong);
+    let bench = Workbench::new().file("mine.toml", &wrong);
+    for arguments in [&["check", "mine.toml"][..], &["explain", "mine.toml", "--rust"]] {
+        let outcome = bench.whirl(arguments);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{arguments:?}");
+        for word in ["--> mine.toml:", "there is no form `stifness`", "did you mean `stiffness`?"] {
+            assert!(outcome.stderr.contains(word), "`{word}` is not in:\n{}", outcome.stderr);
+        }
+    }
+    let page = bench.whirl(&["explain", "mine.toml"]);
+    fine(&page);
+    says(&page, &["a build would refuse it:", "mine.toml:", "there is no form `stifness`"]);
 }
 
 /// A file that is not built in has the functions, with the operations, that its twin has.
 #[test]
 fn what_a_build_would_make_is_told_with_its_operations() {
-    for (path, kind, name) in shipped().iter().filter(|(_, kind, _)| kind != "law") {
-        // Of elements two are enough, one with modes of its own.
-        if kind == "element" && !["hex8i", "wedge6"].contains(&name.as_str()) {
-            continue;
-        }
+    for (path, kind, name) in &enough() {
         let text = fs::read_to_string(path).expect("a text");
         let other = text.replacen(&format!("name = \"{name}\""), "name = \"other\"", 1);
         assert_ne!(text, other, "{name}");
-        let bench = Workbench::new().file("other.toml", &other);
+        let bench = tables_of(path).file("other.toml", &other);
         let page = bench.whirl(&["explain", "other.toml"]);
         fine(&page);
         let built_in = if kind == "form" { "hex8" } else { name };
@@ -206,8 +283,11 @@ fn a_law_of_ones_own_is_explained_and_drawn() {
     assert!(png.starts_with(b"\x89PNG"));
 
     let outcome = bench.whirl(&["explain", "mine.toml", "--rust"]);
-    assert_eq!(outcome.status, 2);
-    assert!(outcome.stderr.contains("put the file into `specs/laws`"), "{}", outcome.stderr);
+    fine(&outcome);
+    says(
+        &outcome,
+        &["/// Mine.\n", "Spec: `laws/mine.toml`", "pub mod mine {", "pub const ENTRY: "],
+    );
 }
 
 #[test]

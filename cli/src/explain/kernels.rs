@@ -1,25 +1,14 @@
 //! The code made from a spec: where it lies, and what each of its functions computes at what cost.
 
-use whirl_codegen::diagnostic::Diagnostics;
-use whirl_codegen::generate::{SpecFile, generate};
 use whirl_codegen::spec::form::FormSpec;
-use whirl_specs::{ELEMENTS, FORMS, Origin, generated};
+use whirl_specs::{ELEMENTS, Origin, generated};
 
+use super::made::{self, SHOWN_ON};
 use super::page::Page;
-use crate::spec_file::{self, Spec};
-
-/// Folder of the specs in which a file of this kind is compiled.
-pub(super) fn folder(spec: &Spec) -> &'static str {
-    match spec {
-        Spec::Law(_) => "laws",
-        Spec::Element(_) => "elements",
-        Spec::Form(_) => "forms",
-        Spec::Motion(_) | Spec::Clearance(_) => "motion",
-    }
-}
+use crate::spec_file::Spec;
 
 /// Where the kernels of forms are.
-pub(super) fn in_elements() -> String {
+fn in_elements() -> String {
     let element = ELEMENTS.first().map_or("ELEMENT", |element| element.origin.name);
     format!("in the module of every element, such as `whirl explain {element} --rust`")
 }
@@ -29,19 +18,7 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
     page.heading("Generated Rust");
     let name = spec.about()[0];
     let Some(origin) = origin else {
-        if matches!(spec, Spec::Law(_)) {
-            page.item("none: the law is evaluated without a compiler, to the same bits");
-        }
-        page.item(&format!(
-            "compiled at the next build if the file lies in `specs/{}`",
-            folder(spec)
-        ));
-        if !matches!(spec, Spec::Law(_)) {
-            match made(spec) {
-                Ok(functions) => say(page, functions),
-                Err(errors) => page.paragraph(2, &format!("none can be made from it: {errors}")),
-            }
-        }
+        explain_made(page, spec);
         return;
     };
     let Some(module) = generated::module(origin.spec) else {
@@ -56,56 +33,44 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
     say(page, functions(module.text));
 }
 
+/// The same of a spec that is not built in.
+fn explain_made(page: &mut Page, spec: &Spec) {
+    let made = match made::module(spec) {
+        Ok(module) => functions(&module),
+        Err(errors) => {
+            page.item("none can be made from it, so that a build would refuse it:");
+            for error in errors.iter() {
+                page.paragraph(6, &error.to_string());
+            }
+            return;
+        }
+    };
+    page.item(&format!(
+        "compiled at the next build if the file lies in `specs/{}`",
+        made::folder(spec)
+    ));
+    page.item(&format!("printed by `whirl explain {} --rust`", spec.file().path.display()));
+    if let Spec::Law(_) = spec {
+        page.item("not needed: the law is evaluated without a compiler, to the same bits");
+    }
+    say(page, if let Spec::Form(form) = spec { of_forms(form, made) } else { made });
+}
+
+/// The functions of these forms among those of the element on which they are shown.
+fn of_forms(spec: &FormSpec, mut made: Vec<(String, String)>) -> Vec<(String, String)> {
+    let own = |name: &str| spec.forms.iter().any(|form| name == format!("{}_lane", form.name));
+    made.retain(|(name, _)| own(name));
+    for (name, _) in &mut made {
+        name.push_str(&format!(", on the element {SHOWN_ON}"));
+    }
+    made
+}
+
 fn say(page: &mut Page, functions: Vec<(String, String)>) {
     for (name, about) in functions {
         page.item(&name);
         page.paragraph(6, &about);
     }
-}
-
-/// The functions that a build would make from a spec that is not built in: an element with the built-in
-/// forms, forms on a built-in element.
-fn made(spec: &Spec) -> Result<Vec<(String, String)>, Diagnostics> {
-    let path = format!("{}/explained.toml", folder(spec));
-    let own = SpecFile { path: path.clone(), text: spec.file().text.clone() };
-    let mut files = vec![own];
-    let built_in =
-        |origin: &Origin| SpecFile { path: origin.spec.to_string(), text: origin.text.to_string() };
-    let names: Vec<&str> = match spec {
-        Spec::Element(_) => {
-            files.extend(FORMS.iter().map(built_in));
-            Vec::new()
-        }
-        Spec::Form(form) => {
-            // Forms of the same names give way.
-            let names: Vec<&str> = form.forms.iter().map(|form| form.name.as_str()).collect();
-            let taken = |origin: &&Origin| {
-                let other = FormSpec::read(&spec_file::built_in_source(origin));
-                origin.name == form.name
-                    || other.is_ok_and(|other| {
-                        other.forms.iter().any(|own| names.contains(&own.name.as_str()))
-                    })
-            };
-            files.extend(FORMS.iter().filter(|origin| !taken(origin)).map(built_in));
-            let plain = ELEMENTS.iter().find(|element| element.origin.name == "hex8");
-            files.extend(plain.map(|element| built_in(&element.origin)));
-            names
-        }
-        _ => Vec::new(),
-    };
-    let mut found = Vec::new();
-    for file in generate(&files)? {
-        found.extend(functions(&file.text));
-    }
-    if let Spec::Form(_) = spec {
-        let own = |name: &str| name.strip_suffix("_lane").is_some_and(|form| names.contains(&form));
-        found.retain(|(name, _)| own(name));
-        for (name, about) in &mut found {
-            name.push_str(", on the element hex8");
-            *about = about.replace(&path, &spec.file().path.display().to_string());
-        }
-    }
-    Ok(found)
 }
 
 /// Public functions with their documentation, equations left out: these stand above.

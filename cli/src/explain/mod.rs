@@ -6,6 +6,7 @@ mod equations;
 mod form;
 mod kernels;
 mod law;
+mod made;
 mod motion;
 mod page;
 mod plot;
@@ -26,7 +27,7 @@ use crate::spec_file::{self, Spec};
 ///
 /// # Errors
 /// Nothing is called so; whatever is wrong with the spec; a figure of something that is no law, or that
-/// cannot be written; the Rust of a spec that is not built in.
+/// cannot be written; the Rust of a form that is built in; what a build would refuse of one that is not.
 pub(crate) fn explain(arguments: &ExplainArguments) -> Result<String, Failure> {
     let (source, origin) = spec_file::find(&arguments.spec)?;
     let spec = Spec::read(&source)?;
@@ -39,10 +40,13 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Result<String, Failure> {
 /// What `whirl check` says of a spec file: its report, without equations and code.
 ///
 /// # Errors
-/// Whatever is wrong with the spec.
+/// Whatever is wrong with the spec, and what a build would refuse of it.
 pub(crate) fn check(name: &str) -> Result<String, Failure> {
-    let (source, _) = spec_file::find(name)?;
+    let (source, origin) = spec_file::find(name)?;
     let spec = Spec::read(&source)?;
+    if origin.is_none() {
+        made::module(&spec)?;
+    }
     let mut page = head(&spec);
     match &spec {
         Spec::Law(law) => law::report(&mut page, law),
@@ -76,27 +80,14 @@ fn page(spec: &Spec, origin: Option<&Origin>) -> String {
 }
 
 fn rust(spec: &Spec, origin: Option<&Origin>) -> Result<String, Failure> {
-    if let Some(module) = origin.and_then(|origin| generated::module(origin.spec)) {
+    let Some(origin) = origin else { return Ok(made::module(spec)?) };
+    if let Some(module) = generated::module(origin.spec) {
         return Ok(module.text.to_string());
     }
-    let (message, help) = match origin {
-        Some(_) => (
-            "forms have no module of their own".to_string(),
-            "their kernels stand in the module of every element: `whirl explain hex8 --rust`"
-                .into(),
-        ),
-        None => (
-            "the Rust of a spec is generated when whirl is built".to_string(),
-            format!(
-                "put the file into `specs/{}`, build whirl, then `whirl explain {} --rust`",
-                kernels::folder(spec),
-                spec.about()[0]
-            ),
-        ),
-    };
-    Err(Failure::Input(
-        Diagnostic::new(spec.file(), Code::BAD_VALUE, None, message).help(help).into(),
-    ))
+    let help = "their kernels stand in the module of every element: `whirl explain hex8 --rust`";
+    let message = "built-in forms have no module of their own";
+    let error = Diagnostic::new(spec.file(), Code::BAD_VALUE, None, message);
+    Err(Failure::Input(error.help(help).into()))
 }
 
 /// Writes the figure of a law as SVG and PNG: `path` with either ending.

@@ -1,0 +1,69 @@
+//! What a build would make from a spec that is not built in.
+
+use std::path::Path;
+
+use whirl_codegen::diagnostic::Diagnostics;
+use whirl_codegen::generate::{SpecFile, generate};
+use whirl_specs::{ELEMENTS, FORMS, Origin};
+
+use crate::spec_file::{self, Spec};
+
+/// The element on which forms are shown.
+pub(super) const SHOWN_ON: &str = "hex8";
+
+/// Folder of the specs in which a file of this kind is compiled.
+pub(super) fn folder(spec: &Spec) -> &'static str {
+    match spec {
+        Spec::Law(_) => "laws",
+        Spec::Element(_) => "elements",
+        Spec::Form(_) => "forms",
+        Spec::Motion(_) | Spec::Clearance(_) => "motion",
+    }
+}
+
+/// The module that a build would make if the file lay in its folder: an element's with the built-in forms;
+/// for forms that of the element [`SHOWN_ON`] with them alone.
+///
+/// # Errors
+/// What a build would refuse, at the places where the user finds it.
+pub(super) fn module(spec: &Spec) -> Result<String, Diagnostics> {
+    let own = |path: &Path, text: &str, ending: &str| {
+        let name = path.with_extension(ending);
+        let name = name.file_name().unwrap_or_default().to_string_lossy();
+        SpecFile { path: format!("{}/{name}", folder(spec)), text: text.to_string() }
+    };
+    let built_in =
+        |origin: &Origin| SpecFile { path: origin.spec.to_string(), text: origin.text.to_string() };
+    let mut files = vec![own(&spec.file().path, &spec.file().text, "toml")];
+    match spec {
+        Spec::Law(law) => {
+            files.extend(law.tables.iter().map(|t| own(&t.file.path, &t.file.text, "csv")));
+        }
+        Spec::Element(_) => files.extend(FORMS.iter().map(built_in)),
+        Spec::Form(_) => {
+            let shown_on = ELEMENTS.iter().filter(|element| element.origin.name == SHOWN_ON);
+            files.extend(shown_on.map(|element| built_in(&element.origin)));
+        }
+        Spec::Motion(_) | Spec::Clearance(_) => {}
+    }
+    let made = generate(&files).map_err(|errors| at_home(errors, spec, &files[0].path))?;
+    // Of one spec, or of one element with forms: all modules but this one are empty.
+    let module = made.into_iter().find(|file| file.text.contains("\npub mod "));
+    Ok(module.map(|file| file.text).unwrap_or_default())
+}
+
+/// The errors at the files as the user knows them: `own` is the path that stood for the spec.
+fn at_home(errors: Diagnostics, spec: &Spec, own: &str) -> Diagnostics {
+    let mut found = Diagnostics::new();
+    for mut error in errors {
+        if error.path() == Path::new(own) {
+            error.source = spec.file().clone();
+        } else if let Some(origin) =
+            spec_file::built_in().find(|origin| error.path() == Path::new(origin.spec))
+        {
+            error.source = spec_file::built_in_source(origin);
+        }
+        found.push(error);
+    }
+    found
+}
