@@ -34,12 +34,18 @@ impl Linear {
     /// The matrix (rows × columns) in steps, if that takes at most three quarters of its entries.
     pub(super) fn new(matrix: &[Vec<f64>]) -> Option<Self> {
         let columns = matrix.first()?.len();
-        let mut linear = Linear { steps: Vec::new(), rows: vec![None; matrix.len()] };
-        let rows = matrix.iter().enumerate().map(|(place, row)| Row { place, row: row.clone() });
-        linear.sum((0..columns).collect(), rows.collect(), columns);
-        let operations = linear.steps.len() + matrix.len();
-        let fewer = 4 * operations < 3 * matrix.len() * columns && linear.steps.len() <= MOST;
-        fewer.then_some(linear)
+        let few = (3 * matrix.len() * columns).saturating_sub(4 * matrix.len()).div_ceil(4);
+        let mut search = Search { columns, steps: Vec::new(), rows: Vec::new() };
+        let rows: Vec<Row> = (matrix.iter().enumerate())
+            .map(|(place, row)| Row { place, row: row.clone() })
+            .collect();
+        let ids: Vec<usize> = (0..columns).collect();
+        if !search.sum(&ids, &rows, few.min(MOST + 1)) {
+            return None;
+        }
+        let mut linear = Linear { steps: search.steps, rows: vec![None; matrix.len()] };
+        search.rows.into_iter().for_each(|(place, row)| linear.rows[place] = row);
+        Some(linear)
     }
 
     /// The steps and the rows over lanes; `entry`: text of an entry of the vector, which has `columns`.
@@ -104,34 +110,51 @@ impl Linear {
         self.rows.iter_mut().flatten().for_each(|(_, scale)| *scale = unit(*scale / largest));
         largest
     }
+}
 
-    /// Adds the steps for rows over the values `ids`; `columns`: length of the vector.
-    fn sum(&mut self, ids: Vec<usize>, rows: Vec<Row>, columns: usize) {
-        if let [id] = ids[..] {
-            for Row { place, row } in rows {
-                self.rows[place] = (row[0] != 0.0).then_some((id, row[0]));
+/// Steps and rows so far; what a trial adds to them is taken off again.
+struct Search {
+    /// Length of the vector.
+    columns: usize,
+    steps: Vec<Step>,
+    /// Places of rows, and what they are.
+    rows: Vec<(usize, Option<(usize, f64)>)>,
+}
+
+impl Search {
+    /// Adds the steps for rows over the values `ids` and says whether all steps are then fewer than `limit`;
+    /// if not, what was added is of no use.
+    fn sum(&mut self, ids: &[usize], rows: &[Row], mut limit: usize) -> bool {
+        if let [id] = *ids {
+            let row = |row: &Row| (row.place, (row.row[0] != 0.0).then_some((id, row.row[0])));
+            self.rows.extend(rows.iter().map(row));
+            return self.steps.len() < limit;
+        }
+        let before = (self.steps.len(), self.rows.len());
+        let mut best = None;
+        for size in (2..=ids.len()).filter(|size| ids.len().is_multiple_of(*size)) {
+            let fewer = self.sum_groups(size, ids, rows, limit);
+            let all = self.steps.len();
+            let added = (self.steps.split_off(before.0), self.rows.split_off(before.1));
+            if fewer {
+                (limit, best) = (all, Some(added));
             }
-            return;
         }
-        let trial = |size: usize| {
-            let mut trial = self.clone();
-            trial.sum_groups(size, &ids, &rows, columns);
-            trial
-        };
-        let sizes = (2..=ids.len()).filter(|size| ids.len().is_multiple_of(*size));
-        if let Some(best) = sizes.map(trial).min_by_key(|trial| trial.steps.len()) {
-            *self = best;
-        }
+        let Some((steps, rows)) = best else { return false };
+        self.steps.extend(steps);
+        self.rows.extend(rows);
+        true
     }
 
     /// The same with the values in groups of `size`.
-    fn sum_groups(&mut self, size: usize, ids: &[usize], rows: &[Row], columns: usize) {
+    fn sum_groups(&mut self, size: usize, ids: &[usize], rows: &[Row], limit: usize) -> bool {
         let groups: Vec<&[usize]> = ids.chunks(size).collect();
         // The values of each group that are known, by their ratios.
         let mut known: Vec<Vec<(Vec<f64>, usize)>> = vec![Vec::new(); groups.len()];
         let mut classes: Vec<(Vec<usize>, Vec<Row>)> = Vec::new();
-        for Row { place, row } in rows.iter().cloned() {
-            let (mut values, mut scales) = (Vec::new(), Vec::new());
+        for Row { place, row } in rows {
+            let mut values = Vec::with_capacity(groups.len());
+            let mut scales = Vec::with_capacity(groups.len());
             for ((group, known), row) in groups.iter().zip(&mut known).zip(row.chunks(size)) {
                 let Some(leading) = leading(row) else {
                     // Nothing of this group: any of its values, times zero.
@@ -144,13 +167,9 @@ impl Linear {
                 let value = match found {
                     Some((_, value)) => *value,
                     None => {
-                        let mut value = group[leading];
-                        for (place, (id, factor)) in group.iter().zip(&ratios).enumerate() {
-                            if place != leading && *factor != 0.0 {
-                                let step = Step { first: value, second: *id, factor: *factor };
-                                self.steps.push(step);
-                                value = columns + self.steps.len() - 1;
-                            }
+                        let value = self.combine(group, leading, &ratios);
+                        if self.steps.len() >= limit {
+                            return false;
                         }
                         known.push((ratios, value));
                         value
@@ -159,19 +178,28 @@ impl Linear {
                 values.push(value);
                 scales.push(row[leading]);
             }
-            let row = Row { place, row: scales };
+            let row = Row { place: *place, row: scales };
             match classes.iter_mut().find(|(ids, _)| *ids == values) {
                 Some((_, rows)) => rows.push(row),
                 None => classes.push((values, vec![row])),
             }
         }
-        for (ids, rows) in classes {
-            self.sum(ids, rows, columns);
+        classes.iter().all(|(ids, rows)| self.sum(ids, rows, limit)) && self.steps.len() < limit
+    }
+
+    /// The value Σ ratio · value over a group, in steps from the one whose ratio is 1.
+    fn combine(&mut self, group: &[usize], leading: usize, ratios: &[f64]) -> usize {
+        let mut value = group[leading];
+        for (place, (id, factor)) in group.iter().zip(ratios).enumerate() {
+            if place != leading && *factor != 0.0 {
+                self.steps.push(Step { first: value, second: *id, factor: *factor });
+                value = self.columns + self.steps.len() - 1;
+            }
         }
+        value
     }
 }
 
-#[derive(Debug, Clone)]
 struct Row {
     place: usize,
     row: Vec<f64>,
