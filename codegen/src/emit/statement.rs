@@ -60,9 +60,16 @@ pub fn number(value: f64) -> TokenStream {
     } else if value.is_infinite() {
         if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) }
     } else {
-        let size: Literal =
-            format!("{:?}", value.abs()).parse().expect("a printed f64 is a literal");
+        let size = size(value.abs());
         if value.is_sign_negative() { quote!(-#size) } else { quote!(#size) }
+    }
+}
+
+fn size(value: f64) -> Literal {
+    match value {
+        0.0 | 1e-4..1e16 => Literal::f64_unsuffixed(value),
+        // With a power of ten, which is shorter.
+        _ => format!("{value:?}").parse().expect("a printed f64 is a literal"),
     }
 }
 
@@ -265,8 +272,7 @@ fn in_place(program: &Program) -> Vec<bool> {
             instruction.operation,
             Operation::Add(..) | Operation::Sub(..) | Operation::Mul(..) | Operation::Div(..)
         );
-        let operands = instruction.operation.operands().into_iter();
-        let length: usize = operands
+        let length: usize = (instruction.operation.operands())
             .map(|operand| match operand {
                 Operand::Value(value) if in_place[value] => leaves[value],
                 _ => 1,

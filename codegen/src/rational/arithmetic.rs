@@ -58,7 +58,7 @@ impl Add for &Rational {
     fn add(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
             (Kept::Small(x), Kept::Small(y)) => sum(*x, *y),
-            _ => Rational::kept(self.large() + other.large()),
+            _ => Rational::kept(self.large().as_ref() + other.large().as_ref()),
         }
     }
 }
@@ -69,7 +69,7 @@ impl Sub for &Rational {
     fn sub(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
             (Kept::Small(x), Kept::Small(y)) => sum(*x, Small { n: -y.n, d: y.d }),
-            _ => Rational::kept(self.large() - other.large()),
+            _ => Rational::kept(self.large().as_ref() - other.large().as_ref()),
         }
     }
 }
@@ -80,7 +80,7 @@ impl Mul for &Rational {
     fn mul(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
             (Kept::Small(x), Kept::Small(y)) => product(*x, *y),
-            _ => Rational::kept(self.large() * other.large()),
+            _ => Rational::kept(self.large().as_ref() * other.large().as_ref()),
         }
     }
 }
@@ -186,7 +186,7 @@ impl Rational {
         {
             return Rational::lowest(n.into(), d.into());
         }
-        Rational::kept(Pow::pow(self.large(), exponent))
+        Rational::kept(Pow::pow(self.large().as_ref(), exponent))
     }
 }
 

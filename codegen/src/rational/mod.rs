@@ -6,6 +6,7 @@ mod float;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -79,10 +80,12 @@ impl Rational {
     }
 
     /// The same number as two numbers of any length.
-    fn large(&self) -> BigRational {
+    fn large(&self) -> Cow<'_, BigRational> {
         match &self.0 {
-            Kept::Small(Small { n, d }) => BigRational::new_raw((*n).into(), d.get().into()),
-            Kept::Large(value) => BigRational::clone(value),
+            Kept::Small(Small { n, d }) => {
+                Cow::Owned(BigRational::new_raw((*n).into(), d.get().into()))
+            }
+            Kept::Large(value) => Cow::Borrowed(value),
         }
     }
 

@@ -93,7 +93,7 @@ impl Builder {
         if let Some(operand) = self.shared.get(&key) {
             return *operand;
         }
-        let needs = operation.operands().into_iter().fold(0, |all, one| all | self.needs(one));
+        let needs = operation.operands().fold(0, |all, one| all | self.needs(one));
         let operand = Operand::Value(self.operations.len());
         self.operations.push(operation);
         self.needs.push(needs);

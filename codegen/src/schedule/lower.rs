@@ -13,20 +13,20 @@ use crate::expression::{Function, Graph, Id, Node, Rational, Relation};
 use crate::rational::nearest;
 
 /// Instructions in the order of the graph, with the operand of every output and of every named node.
-pub(super) struct Lowered {
+pub(super) struct Lowered<'n> {
     pub(super) operations: Vec<Operation>,
     pub(super) stages: Vec<usize>,
     pub(super) outputs: Vec<Operand>,
-    pub(super) names: Vec<(Operand, String)>,
+    pub(super) names: Vec<(Operand, &'n str)>,
 }
 
 /// Lowers `outputs` (in place of the request's own expressions, which they equal).
-pub(super) fn lower(
+pub(super) fn lower<'n>(
     graph: &Graph,
     request: &Request,
     outputs: &[Id],
-    names: &[(Id, String)],
-) -> Result<Lowered, ScheduleError> {
+    names: &[&'n (Id, String)],
+) -> Result<Lowered<'n>, ScheduleError> {
     let reachable = graph.reachable(outputs);
     let inputs = request.inputs.iter().enumerate();
     let mut lowering = Lowering {
@@ -53,7 +53,7 @@ pub(super) fn lower(
     }
     let named = names.iter().filter_map(|(id, name)| {
         let value = lowering.values.get(*id)?;
-        (!value.negative).then(|| (value.operand, name.clone()))
+        (!value.negative).then_some((value.operand, name.as_str()))
     });
     let names = named.collect();
     let stages = (0..lowering.builder.operations.len())
@@ -144,8 +144,8 @@ struct Lowering<'a> {
     inputs: BTreeMap<Id, Operand>,
     uses: Uses,
     values: Values,
-    /// Values of sums by their terms, to find the negative of a sum that is already there.
-    sums: FxHashMap<Vec<(Id, Rational)>, Signed>,
+    /// The sums so far by their first term and their length, to find the negative of one.
+    sums: FxHashMap<(Id, usize), Vec<Id>>,
 }
 
 impl Lowering<'_> {
@@ -159,17 +159,13 @@ impl Lowering<'_> {
                 Some(operand) => Signed::plus(*operand),
                 None => return Err(Refusal::Unbound(symbol.name.clone())),
             },
-            Node::Sum(terms) => {
-                let opposite: Vec<_> = terms.iter().map(|(term, c)| (*term, -c)).collect();
-                match self.sums.get(&opposite) {
-                    Some(value) => value.negated_if(true),
-                    None => {
-                        let value = self.sum(terms);
-                        self.sums.insert(terms.clone(), value);
-                        value
-                    }
+            Node::Sum(terms) => match self.opposite(terms) {
+                Some(value) => value.negated_if(true),
+                None => {
+                    self.sums.entry((terms[0].0, terms.len())).or_default().push(id);
+                    self.sum(terms)
                 }
-            }
+            },
             Node::Product(factors) => self.product(factors, 1.0),
             Node::Function(function, a) => self.function(*function, of(&self.values, a)),
             Node::Compare(relation, a, b) => {
@@ -201,13 +197,22 @@ impl Lowering<'_> {
         })
     }
 
+    /// The value of −Σ c·term, if that sum is already there.
+    fn opposite(&self, terms: &[(Id, Rational)]) -> Option<Signed> {
+        let negative = |sum: &&Id| match self.graph.node(**sum) {
+            Node::Sum(other) => terms.iter().zip(other).all(|(a, b)| a.0 == b.0 && a.1 == -&b.1),
+            _ => false,
+        };
+        let sums = self.sums.get(&(terms.first()?.0, terms.len()))?;
+        sums.iter().find(negative).map(|sum| self.values.of(*sum))
+    }
+
     /// Σ c·term. Terms of one stage are added among themselves first, earlier stages before later ones;
     /// within a stage, terms with one |c| ≠ 1 are added before they are multiplied.
     fn sum(&mut self, terms: &[(Id, Rational)]) -> Signed {
-        let mut groups: BTreeMap<usize, Vec<(Id, Rational)>> = BTreeMap::new();
-        for (term, coefficient) in terms {
-            let stage = self.stage_of_term(*term);
-            groups.entry(stage).or_default().push((*term, coefficient.clone()));
+        let mut groups: BTreeMap<usize, Vec<&(Id, Rational)>> = BTreeMap::new();
+        for term in terms {
+            groups.entry(self.stage_of_term(term.0)).or_default().push(term);
         }
         let mut total: Option<Signed> = None;
         for group in groups.values() {
@@ -220,7 +225,7 @@ impl Lowering<'_> {
         total.expect("a sum has terms")
     }
 
-    fn sum_in_stage(&mut self, terms: &[(Id, Rational)]) -> Signed {
+    fn sum_in_stage(&mut self, terms: &[&(Id, Rational)]) -> Signed {
         let mut parts: Vec<Signed> = Vec::with_capacity(terms.len());
         let mut done = vec![false; terms.len()];
         for place in 0..terms.len() {

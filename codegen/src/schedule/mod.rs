@@ -94,14 +94,14 @@ const EXPANSION: usize = 100_000;
 const CHOICES: usize = 200_000;
 
 /// What one choice of ways comes to: its operations, those that are needed in their order, and their cost.
-struct Candidate {
-    lowered: Lowered,
+struct Candidate<'w> {
+    lowered: Lowered<'w>,
     order: Vec<usize>,
     cost: f64,
 }
 
-impl Candidate {
-    fn new(request: &Request, lowered: Lowered) -> Self {
+impl<'w> Candidate<'w> {
+    fn new(request: &Request, lowered: Lowered<'w>) -> Self {
         let order = needed_by_stage(&lowered);
         let of_stage = |stage: usize| {
             let places = order.iter().filter(|place| lowered.stages[**place] == stage);
@@ -114,7 +114,7 @@ impl Candidate {
 
 /// Begins with the cheapest way for all outputs, then changes single outputs while that is cheaper.
 fn cheapest(graph: &Graph, request: &Request, ways: &[Way]) -> Result<Program, ScheduleError> {
-    let names: Vec<(Id, String)> = ways.iter().flat_map(|way| way.names.clone()).collect();
+    let names: Vec<&(Id, String)> = ways.iter().flat_map(|way| &way.names).collect();
     let candidate = |outputs: &[Id]| {
         lower::lower(graph, request, outputs, &names)
             .map(|lowered| Candidate::new(request, lowered))
@@ -130,15 +130,20 @@ fn cheapest(graph: &Graph, request: &Request, ways: &[Way]) -> Result<Program, S
         return Ok(assemble(request, best));
     }
     for place in 0..outputs.len() {
+        // Several ways may write an output alike.
+        let mut tried = vec![outputs[place]];
         for way in ways {
-            let before = std::mem::replace(&mut outputs[place], way.outputs[place]);
-            if before != outputs[place] {
-                let other = candidate(&outputs)?;
-                if other.cost < best.cost {
-                    best = other;
-                } else {
-                    outputs[place] = before;
-                }
+            let new = way.outputs[place];
+            if tried.contains(&new) {
+                continue;
+            }
+            tried.push(new);
+            let before = std::mem::replace(&mut outputs[place], new);
+            let other = candidate(&outputs)?;
+            if other.cost < best.cost {
+                best = other;
+            } else {
+                outputs[place] = before;
             }
         }
     }
@@ -189,7 +194,7 @@ fn assemble(request: &Request, Candidate { lowered, order, .. }: Candidate) -> P
             .names
             .iter()
             .filter(|(operand, _)| kept(operand))
-            .map(|(operand, name)| (moved(*operand), name.clone())),
+            .map(|(operand, name)| (moved(*operand), (*name).to_owned())),
     );
     let inputs: Vec<&str> = request.inputs.iter().map(|input| input.name.as_str()).collect();
     let names = name::names(&operations, &inputs, &given);
@@ -236,7 +241,7 @@ fn needed_by_stage(lowered: &Lowered) -> Vec<usize> {
             } else if !std::mem::replace(&mut visited[place], true) {
                 open.push((operand, true));
                 let operands = lowered.operations[place].operands();
-                open.extend(operands.into_iter().rev().map(|operand| (operand, false)));
+                open.extend(operands.rev().map(|operand| (operand, false)));
             }
         }
     }

@@ -84,12 +84,12 @@ pub enum Operation {
 
 impl Operation {
     /// The operands, in order.
-    pub fn operands(&self) -> Vec<Operand> {
-        match *self {
+    pub fn operands(&self) -> impl DoubleEndedIterator<Item = Operand> {
+        let operands = match *self {
             Operation::Neg(a)
             | Operation::Sqrt(a)
             | Operation::Function(_, a)
-            | Operation::Not(a) => vec![a],
+            | Operation::Not(a) => [Some(a), None, None],
             Operation::Add(a, b)
             | Operation::Sub(a, b)
             | Operation::Mul(a, b)
@@ -97,9 +97,10 @@ impl Operation {
             | Operation::Power(a, b)
             | Operation::Compare(_, a, b)
             | Operation::And(a, b)
-            | Operation::Or(a, b) => vec![a, b],
-            Operation::Select(mask, a, b) => vec![mask, a, b],
-        }
+            | Operation::Or(a, b) => [Some(a), Some(b), None],
+            Operation::Select(mask, a, b) => [Some(mask), Some(a), Some(b)],
+        };
+        operands.into_iter().flatten()
     }
 
     /// The same operation on other operands.
@@ -193,7 +194,7 @@ impl Program {
             Operand::Constant(_) => {}
         };
         for instruction in self.instructions.iter().filter(|i| later.contains(&i.stage)) {
-            instruction.operation.operands().into_iter().for_each(&mut mark);
+            instruction.operation.operands().for_each(&mut mark);
         }
         if outputs {
             self.outputs.iter().for_each(|output| mark(output.operand));

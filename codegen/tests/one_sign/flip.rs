@@ -22,7 +22,7 @@ pub(crate) fn run(program: &Program, inputs: &[f64], flip: Option<Flip>) -> Vec<
     };
     for (place, instruction) in program.instructions.iter().enumerate() {
         let mut of = [0.0; 3];
-        for (operand, from) in instruction.operation.operands().into_iter().enumerate() {
+        for (operand, from) in instruction.operation.operands().enumerate() {
             let value = read(&values, from);
             of[operand] = if flip == Some(Flip { place, operand }) { -value } else { value };
         }
@@ -67,7 +67,7 @@ pub(crate) fn flips_of(program: &Program, outputs: &[usize]) -> Vec<Flip> {
     let mut flips = Vec::new();
     for place in needed {
         let operation = program.instructions[place].operation;
-        let operands = operation.operands();
+        let operands: Vec<Operand> = operation.operands().collect();
         let signs = match operation {
             Operation::Mul(..) | Operation::Div(..) | Operation::Power(..) => 0..1,
             Operation::And(..) | Operation::Or(..) | Operation::Not(_) => 0..0,
