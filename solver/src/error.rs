@@ -145,15 +145,20 @@ pub enum Error {
         /// How to mend it.
         help: String,
     },
-    /// The bore of a bearing cannot carry springs.
-    #[error("{bearing}: {what}")]
+    /// A ring of a bore that cannot carry springs: no spline goes through its nodes.
+    #[error(
+        "{bearing}: the bore's {} nodes on the {} must stand at different angles about the axis, and be \
+         three at least", nodes, ["left", "middle", "right"][*ring]
+    )]
     Bore {
         /// Name of the bearing.
         bearing: String,
         /// Its place, counted from 0.
         place: usize,
-        /// What is wrong with its nodes.
-        what: String,
+        /// 0, 1, 2 for left, middle and right.
+        ring: usize,
+        /// Nodes of the ring.
+        nodes: usize,
     },
     /// Several errors at once.
     #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]

@@ -31,20 +31,94 @@ fn mounts_that_leave_a_mechanism_name_its_motion() {
     );
 }
 
+/// The three mounts stand at one angle. Each of the rings that they stand for is told of, no other.
 #[test]
 fn a_bore_that_carries_no_spline_is_named_in_the_case() {
     let machine = include_str!("../../specs/cases/hu2003.machine.toml");
     let (before, after) = machine.split_once("bore = [").expect("a bore");
     let (_, after) = after.split_once(']').expect("the end of a list");
-    let machine = format!("{before}bore = [\"MOUNTS\", \"MOUNTS\", \"MOUNTS\"]{after}");
-    let place = format!("m.toml:{}:", before.lines().count() + 1);
     let case = case("").replace("hu2003.machine", "m");
-    let bench = Workbench::new().file("case.toml", &case).file("m.toml", &machine);
-    let outcome = bench.whirl(&["run", "case.toml"]);
-    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
-    for words in [place.as_str(), "bearing 1", "give no spline", "at least three"] {
-        assert!(outcome.stderr.contains(words), "`{words}` is not in:\n{}", outcome.stderr);
+    let line = before.lines().count() + 1;
+    let [left, middle, right] = ["LEFT", "MIDDLE", "RIGHT"].map(|ring| format!("BORE1_{ring}"));
+    for (rings, wrong) in [
+        ([left.as_str(), "MOUNTS", &right], &["middle"][..]),
+        (["MOUNTS", &middle, "MOUNTS"], &["left", "right"]),
+    ] {
+        let machine = format!("{before}bore = {rings:?}{after}");
+        let bench = Workbench::new().file("case.toml", &case).file("m.toml", &machine);
+        let outcome = bench.whirl(&["run", "case.toml"]);
+        assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+        assert_eq!(outcome.stderr.matches("error[").count(), wrong.len(), "{}", outcome.stderr);
+        let text = format!("bore = {rings:?}");
+        for (place, ring) in ["left", "middle", "right"].iter().enumerate() {
+            let before: usize = rings[..place].iter().map(|set| set.len() + 4).sum();
+            let column = "bore = [\"".len() + before + 1;
+            assert!(text[column - 1..].starts_with(rings[place]), "{text}: {column}");
+            let words = [
+                format!("m.toml:{line}:{column}\n"),
+                format!(
+                    "bearing 1: the bore's 3 nodes on the {ring} must stand at different angles"
+                ),
+            ];
+            let expected = wrong.contains(ring);
+            for words in &words {
+                assert_eq!(
+                    outcome.stderr.contains(words),
+                    expected,
+                    "{words}:\n{}",
+                    outcome.stderr
+                );
+            }
+        }
     }
+}
+
+#[test]
+fn sets_are_looked_for_in_a_case_that_lacks_tables() {
+    let machine = include_str!("../../specs/cases/hu2003.machine.toml");
+    let machine = machine.replacen("JOURNAL1_LEFT", "JOURNAL1_LEFFT", 1);
+    let machine = machine.replacen("BORE3_RIGHT", "BORE3_RIHGT", 1);
+    let tables = |text: &str| -> Vec<String> {
+        let heads = text.match_indices("\n[").map(|(start, _)| start + 1);
+        let starts: Vec<usize> = heads.chain([text.len()]).collect();
+        starts.windows(2).map(|ends| text[ends[0]..ends[1]].to_string()).collect()
+    };
+    let (journal, bore) = ("did you mean `JOURNAL1_LEFT`?", "did you mean `BORE3_RIGHT`?");
+    for (head, missing, found) in [
+        ("[drive]", "the table `[drive]` is missing", &[journal, bore][..]),
+        ("[shaft", "the table `[shaft]` is missing", &[bore]),
+        ("[[support.", "", &[journal, bore]),
+        ("[support", "the table `[support]` is missing", &[journal]),
+        ("[springs]", "`[bearing]` does not say `law`", &[journal, bore]),
+    ] {
+        let kept = tables(&machine).into_iter().filter(|table| !table.starts_with(head));
+        let kept: String =
+            kept.filter(|table| !(head == "[support" && table.contains("[[support"))).collect();
+        let case = case("").replace("hu2003.machine", "m");
+        let bench = Workbench::new().file("case.toml", &case).file("m.toml", &kept);
+        let mut words = found.to_vec();
+        words.push(missing);
+        refused(&bench, &words);
+        let told = bench.whirl(&["check", "case.toml"]).stderr;
+        let count = if head == "[springs]" { 3 } else { usize::from(!missing.is_empty()) };
+        assert_eq!(told.matches("error[").count(), found.len() + count, "{head}: {told}");
+    }
+}
+
+#[test]
+fn a_bad_law_is_told_once_however_often_it_is_named() {
+    let law = include_str!("messages/bad.law.toml");
+    let lines = "[springs]\nlaw = \"bad.law.toml\"\n[figures]\nlaws = [\"bad.law.toml\"]";
+    let machine = include_str!("../../specs/cases/hu2003.machine.toml");
+    let machine = machine.replace("[[bearing]]\n", "[[bearing]]\nlaw = \"bad.law.toml\"\n");
+    assert!(machine.matches("bad.law.toml").count() > 1);
+    let bench = Workbench::new()
+        .file("case.toml", &case(lines).replace("hu2003.machine", "m"))
+        .file("m.toml", &machine)
+        .file("bad.law.toml", law);
+    refused(&bench, &["unknown name `stifness`"]);
+    let told = bench.whirl(&["check", "case.toml"]).stderr;
+    assert_eq!(told.matches("error[").count(), 1, "{told}");
 }
 
 #[test]

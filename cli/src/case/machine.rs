@@ -2,17 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use whirl_codegen::diagnostic::{Code, suggest};
+use whirl_codegen::diagnostic::{Code, Located, suggest};
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 use whirl_specs::{MOTIONS, Motion};
 
-use super::law;
+use super::law::{self, NamedLaw};
 use super::library::{Shelf, resolve};
 use super::loads;
 use super::reader::Reader;
-use super::rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};
+use super::rotor::{
+    Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, RotorDraft, Shaft, Support,
+};
 use super::schema::MOST_SPRINGS;
 
 type Materials = BTreeMap<String, Material>;
@@ -20,16 +22,19 @@ type Materials = BTreeMap<String, Material>;
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
 
-pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Rotor> {
+pub(super) fn read(shelf: Shelf, file: &Reader) -> RotorDraft {
     let materials: Materials = file
         .named_tables("material")
         .into_iter()
         .map(|(name, table)| (name.clone(), material(&name, &table)))
         .collect();
-    let (shaft, support) = (shaft(shelf, file, &materials), support(shelf, file, &materials));
-    let (bearings, drive) = (bearings(shelf, file), drive(file));
-    let loads = loads::read(file);
-    Some(Rotor { shaft: shaft?, support: support?, bearings, drive: drive?, loads })
+    RotorDraft {
+        shaft: shaft(shelf, file, &materials),
+        support: support(shelf, file, &materials),
+        bearings: bearings(shelf, file),
+        drive: drive(file),
+        loads: loads::read(file),
+    }
 }
 
 fn material(name: &str, table: &Reader) -> Material {
@@ -160,7 +165,7 @@ fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
         damping: table.quantity("damping").unwrap_or(0.0),
         axial_restraint: table.text_or_none("axial_restraint"),
         material,
-        motion: motion?,
+        motion: motion.or_else(default_motion)?,
         mesh: mesh?,
     };
     Some(shaft)
@@ -192,55 +197,94 @@ fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support
 }
 
 /// What the bearings share stands in `[springs]`; a `[[bearing]]` may say otherwise.
-fn bearings(shelf: Shelf, file: &Reader) -> Vec<Bearing> {
+fn bearings(shelf: Shelf, file: &Reader) -> Vec<([Vec<Located>; 2], Option<Bearing>)> {
     let shared = file.table("springs");
-    let shared_law = shared.as_ref().and_then(|table| law::read(shelf, table));
-    let shared_number = shared.as_ref().and_then(|t| t.count("number"));
-    let shared_clearance = shared.as_ref().and_then(|t| t.quantity("radial_clearance"));
-    let shared_radius = shared.as_ref().and_then(|t| t.quantity("journal_radius"));
-    let shares = |key| shared.as_ref().is_some_and(|table| table.has(key));
-    let each = |table: Reader| {
-        let (journal, bore) = (table.names("journal"), table.names("bore"));
-        let stations = table.quantities("stations");
-        let own_law = law::read(shelf, &table);
-        let own_number = table.count("number");
-        let own_clearance = table.quantity("radial_clearance");
-        let own_radius = table.quantity("journal_radius");
-        for key in ["number", "radial_clearance", "law"] {
-            if !table.has(key) && !shares(key) {
-                let example = table.example(key);
-                table.absent(key, &format!("add `{key} = {example}` here, or to `[springs]`"));
-            }
-        }
-        Some(Bearing {
-            journal,
-            bore,
-            stations,
-            springs: own_number.or(shared_number)?,
-            radial_clearance: own_clearance.or(shared_clearance)?,
-            journal_radius: own_radius.or(shared_radius),
-            law: own_law.or_else(|| shared_law.clone())?,
-        })
-    };
-    let each = |table: Reader| {
-        let place = table.place().clone();
-        let bearing = each(table)?;
-        let springs = bearing.springs.saturating_mul(bearing.stations.len().max(3));
-        if springs > MOST_SPRINGS {
-            let message = format!(
-                "this bearing has {springs} springs in all its rings, at most {MOST_SPRINGS} are allowed"
-            );
-            let help = Some("lower `number`, or list fewer `stations`".to_string());
-            file.note(&place, Code::BAD_VALUE, message, help);
-            return None;
-        }
-        Some(bearing)
-    };
+    let shared_springs = shared.as_ref().map(|table| springs(shelf, table)).unwrap_or_default();
     let tables = file.tables("bearing");
     if tables.is_empty() && !file.has("bearing") {
         file.absent("bearing", "add a table `[[bearing]]` for each place where the shaft runs");
     }
-    tables.into_iter().filter_map(each).collect()
+    for key in ["number", "radial_clearance", "law"] {
+        if !shared.as_ref().is_some_and(|table| table.has(key)) {
+            demand_of_each(&tables, key);
+        }
+    }
+    let one = |table: &Reader| {
+        let sets = [table.names("journal"), table.names("bore")];
+        let stations = table.quantities("stations");
+        let own = springs(shelf, table);
+        let bearing = bearing(&sets, stations, own.or(&shared_springs));
+        (sets, bearing.filter(|bearing| bounded(table, bearing)))
+    };
+    tables.iter().map(one).collect()
+}
+
+/// Notes the bearings that do not say `key`; once where none does.
+fn demand_of_each(tables: &[Reader], key: &'static str) {
+    let silent: Vec<&Reader> = tables.iter().filter(|table| !table.has(key)).collect();
+    let told = if silent.len() == tables.len() { 1 } else { silent.len() };
+    for table in &silent[..told.min(silent.len())] {
+        let example = table.example(key);
+        let help = format!("add `{key} = {example}` here, or to `[springs]` for all bearings");
+        table.absent(key, &help);
+    }
+}
+
+/// What `[springs]` and `[[bearing]]` both may say.
+#[derive(Default)]
+struct Springs {
+    law: Option<NamedLaw>,
+    number: Option<usize>,
+    radial_clearance: Option<f64>,
+    journal_radius: Option<f64>,
+}
+
+fn springs(shelf: Shelf, table: &Reader) -> Springs {
+    Springs {
+        law: law::read(shelf, table),
+        number: table.count("number"),
+        radial_clearance: table.quantity("radial_clearance"),
+        journal_radius: table.quantity("journal_radius"),
+    }
+}
+
+impl Springs {
+    /// What these do not say, `shared` does.
+    fn or(self, shared: &Springs) -> Springs {
+        Springs {
+            law: self.law.or_else(|| shared.law.clone()),
+            number: self.number.or(shared.number),
+            radial_clearance: self.radial_clearance.or(shared.radial_clearance),
+            journal_radius: self.journal_radius.or(shared.journal_radius),
+        }
+    }
+}
+
+/// The bearing, if all that it must have is there.
+fn bearing(sets: &[Vec<Located>; 2], stations: Vec<f64>, springs: Springs) -> Option<Bearing> {
+    let [journal, bore] = sets.clone();
+    Some(Bearing {
+        journal,
+        bore,
+        stations,
+        springs: springs.number?,
+        radial_clearance: springs.radial_clearance?,
+        journal_radius: springs.journal_radius,
+        law: springs.law?,
+    })
+}
+
+/// Whether a bearing has no more springs than are allowed, which is noted otherwise.
+fn bounded(table: &Reader, bearing: &Bearing) -> bool {
+    let springs = bearing.springs.saturating_mul(bearing.stations.len().max(3));
+    if springs > MOST_SPRINGS {
+        let message = format!(
+            "this bearing has {springs} springs in all its rings, at most {MOST_SPRINGS} are allowed"
+        );
+        let help = Some("lower `number`, or list fewer `stations`".to_string());
+        table.note(table.place(), Code::BAD_VALUE, message, help);
+    }
+    springs <= MOST_SPRINGS
 }
 
 fn drive(file: &Reader) -> Option<Drive> {
@@ -259,7 +303,7 @@ fn drive(file: &Reader) -> Option<Drive> {
 pub(super) fn motion(table: &Reader) -> Option<&'static Motion> {
     let name = table.text("motion");
     let wanted = name.as_ref().map_or(DEFAULT_MOTION, |name| name.text()).to_string();
-    let found = MOTIONS.iter().find(|motion| motion.origin.name == wanted);
+    let found = called(&wanted);
     if found.is_none() {
         let known: Vec<&str> = MOTIONS.iter().map(|motion| motion.origin.name).collect();
         let place = name.unwrap_or_else(|| table.place().text(""));
@@ -267,4 +311,13 @@ pub(super) fn motion(table: &Reader) -> Option<&'static Motion> {
         table.push(error.maybe_help(suggest(&wanted, &known)));
     }
     found
+}
+
+fn called(name: &str) -> Option<&'static Motion> {
+    MOTIONS.iter().find(|motion| motion.origin.name == name)
+}
+
+/// In place of one that is not there, which has been noted.
+fn default_motion() -> Option<&'static Motion> {
+    called(DEFAULT_MOTION)
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::Code;
 
-use super::System;
+use super::SystemDraft;
 use super::reader::Reader;
 use super::schema::MOST_STEPS;
 
@@ -31,29 +31,30 @@ impl March {
 /// Of the reference histories: far below every force of interest, far above rounding.
 const FORCE_TOLERANCE: f64 = 1e-3;
 
-pub(super) fn read(file: &Reader, system: Option<&System>) -> Option<March> {
+pub(super) fn read(file: &Reader, system: &SystemDraft) -> Option<March> {
     let march = file.table("march")?;
     let time_step = march.quantity_or_one("time_step");
     let steps = steps(&march, time_step);
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
     let cycle = match march.quantity("cycle_frequency") {
         Some(frequency) => 1.0 / frequency,
-        None => system.and_then(natural_cycle).unwrap_or(time_step * steps as f64),
+        None => natural_cycle(system).unwrap_or(time_step * steps as f64),
     };
     Some(March { time_step, steps, force_tolerance, cycle })
 }
 
 /// The longest period of the loads, or else two revolutions at the speed that the drive aims at; one
 /// revolution of an unbalance.
-fn natural_cycle(system: &System) -> Option<f64> {
+fn natural_cycle(system: &SystemDraft) -> Option<f64> {
     let rotor = match system {
-        System::Rotor(rotor) => rotor,
-        System::Lumped(lumped) => return lumped.unbalance.map(|own| TAU / own.speed),
+        SystemDraft::Rotor(rotor) => rotor,
+        SystemDraft::Lumped(lumped) => {
+            return lumped.as_ref()?.unbalance.map(|own| TAU / own.speed);
+        }
     };
     let lowest = rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::min);
-    let drive = &rotor.drive;
-    let turns = drive.acts && drive.target_speed != 0.0;
-    let two_revolutions = turns.then(|| 2.0 * TAU / drive.target_speed.abs());
+    let drive = rotor.drive.as_ref().filter(|drive| drive.acts && drive.target_speed != 0.0);
+    let two_revolutions = drive.map(|drive| 2.0 * TAU / drive.target_speed.abs());
     lowest.map(|frequency| 1.0 / frequency).or(two_revolutions)
 }
 

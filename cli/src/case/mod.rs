@@ -21,8 +21,9 @@ pub use library::embedded_cases;
 pub use loads::Load;
 pub use lumped::{Lumped, Side, Stop, Unbalance};
 pub use march::March;
-pub(crate) use read::draft;
 pub use read::read;
+pub(crate) use read::{SystemDraft, draft};
+pub(crate) use rotor::RotorDraft;
 pub use rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};
 
 /// One case, ready to be built.

@@ -9,7 +9,7 @@ use whirl_codegen::spec::schema::Described;
 
 use super::library::{Shelf, load};
 use super::reader::Reader;
-use super::{Case, Figures, March, System, law, lumped, machine, march};
+use super::{Case, Figures, Lumped, March, RotorDraft, System, law, lumped, machine, march};
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
 ///
@@ -27,10 +27,27 @@ pub(crate) struct Draft {
     sources: Vec<Arc<Source>>,
     figures: Figures,
     march: Option<March>,
-    /// What is marched, where enough of it is right to look on: its bodies are what the case says.
-    pub(crate) system: Option<System>,
+    /// What is marched, as far as the case says it.
+    pub(crate) system: SystemDraft,
     /// What is wrong.
     pub(crate) errors: Diagnostics,
+}
+
+/// As [`System`], as far as the case says it.
+pub(crate) enum SystemDraft {
+    /// A flexible shaft.
+    Rotor(Box<RotorDraft>),
+    /// One mass, if enough of it is right.
+    Lumped(Option<Lumped>),
+}
+
+impl SystemDraft {
+    fn finish(self) -> Option<System> {
+        match self {
+            SystemDraft::Rotor(draft) => draft.finish().map(|own| System::Rotor(Box::new(own))),
+            SystemDraft::Lumped(lumped) => lumped.map(System::Lumped),
+        }
+    }
 }
 
 impl Draft {
@@ -41,7 +58,7 @@ impl Draft {
     pub(crate) fn finish(self) -> Result<Case, Diagnostics> {
         let Draft { name, title, origin, sources, figures, march, system, errors } = self;
         let place = sources[0].clone();
-        match (errors.into_result(())?, march, system) {
+        match (errors.into_result(())?, march, system.finish()) {
             ((), Some(march), Some(system)) => {
                 Ok(Case { name, title, origin, sources, system, march, figures })
             }
@@ -73,7 +90,7 @@ fn assemble(shelf: Shelf, path: &Path, sources: &[Arc<Source>], file: &Reader) -
     let origin = file.text("source");
     let figures = figures(shelf, file);
     let system = system(shelf, file);
-    let march = march::read(file, system.as_ref());
+    let march = march::read(file, &system);
     Draft {
         name: case_name(path),
         title: title.text().to_string(),
@@ -90,21 +107,20 @@ fn case_name(path: &Path) -> String {
     path.file_stem().map_or_else(|| "case".to_string(), |stem| stem.to_string_lossy().into_owned())
 }
 
-fn system(shelf: Shelf, file: &Reader) -> Option<System> {
-    let lumped = file.has("mass");
-    if lumped && file.has("shaft") {
-        file.note(
-            file.place(),
-            Code::BAD_VALUE,
-            "a case has either a `[mass]` or a `[shaft]`, not both".to_string(),
-            None,
-        );
+/// Keys of a machine that a case of one mass has no use for.
+const OF_A_MACHINE: [&str; 7] =
+    ["material", "shaft", "support", "springs", "bearing", "drive", "load"];
+
+fn system(shelf: Shelf, file: &Reader) -> SystemDraft {
+    if !file.has("mass") {
+        return SystemDraft::Rotor(Box::new(machine::read(shelf, file)));
     }
-    if lumped {
-        lumped::read(shelf, file).map(System::Lumped)
-    } else {
-        machine::read(shelf, file).map(|rotor| System::Rotor(Box::new(rotor)))
+    if file.has("shaft") {
+        file.conflict("mass", "shaft");
+        // Which of both is meant, is open: neither is read as if it were.
+        OF_A_MACHINE.iter().for_each(|key| file.pass_over(key));
     }
+    SystemDraft::Lumped(lumped::read(shelf, file))
 }
 
 fn figures(shelf: Shelf, file: &Reader) -> Figures {

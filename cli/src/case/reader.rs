@@ -136,6 +136,11 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Leaves a key unread without saying that it is unknown.
+    pub(crate) fn pass_over(&self, key: &'static str) {
+        self.asked.borrow_mut().insert(key);
+    }
+
     /// Notes that two keys are given where one excludes the other.
     pub(crate) fn conflict(&self, key: &str, other: &str) {
         let Some((place, _)) = self.table.entries.get(key) else {

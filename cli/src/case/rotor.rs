@@ -27,6 +27,29 @@ pub struct Rotor {
     pub loads: Vec<Load>,
 }
 
+/// A machine as far as a case says it: with what is there, sets can be looked for.
+pub(crate) struct RotorDraft {
+    /// None if there is no mesh to make or to read.
+    pub(crate) shaft: Option<Shaft>,
+    /// As the shaft.
+    pub(crate) support: Option<Support>,
+    /// The sets of each bearing, and the bearing if enough of it is right.
+    pub(crate) bearings: Vec<([Vec<Located>; 2], Option<Bearing>)>,
+    /// None if there is no table.
+    pub(crate) drive: Option<Drive>,
+    /// Forces on the shaft.
+    pub(crate) loads: Vec<Load>,
+}
+
+impl RotorDraft {
+    /// The machine, if all of it is there.
+    pub(super) fn finish(self) -> Option<Rotor> {
+        let RotorDraft { shaft, support, bearings, drive, loads } = self;
+        let bearings: Option<Vec<Bearing>> = bearings.into_iter().map(|(_, own)| own).collect();
+        Some(Rotor { shaft: shaft?, support: support?, bearings: bearings?, drive: drive?, loads })
+    }
+}
+
 /// Where a mesh comes from.
 #[derive(Debug, Clone)]
 pub enum Mesh<D> {

@@ -45,14 +45,16 @@ fn explain_made(page: &mut Page, spec: &Spec) {
             return;
         }
     };
-    page.item(&format!(
-        "compiled at the next build if the file lies in `specs/{}`",
-        made::folder(spec)
-    ));
-    page.item(&format!("printed by `whirl explain {} --rust`", spec.file().path.display()));
-    if let Spec::Law(_) = spec {
-        page.item("not needed: the law is evaluated without a compiler, to the same bits");
-    }
+    let path = spec.file().path.display();
+    page.item(&format!("as a build would make it, printed by `whirl explain {path} --rust`"));
+    page.item(&match spec {
+        Spec::Law(_) => {
+            "none is needed: the law is evaluated without a compiler, to the same bits".into()
+        }
+        _ => {
+            format!("compiled at the next build if the file lies in `specs/{}`", made::folder(spec))
+        }
+    });
     say(page, if let Spec::Form(form) = spec { of_forms(form, made) } else { made });
 }
 

@@ -62,7 +62,7 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         bearings,
         loads,
     })
-    .map_err(|error| explain(error, |place| &lumped.stops[place].law.name, |_| None))?;
+    .map_err(|error| explain(error, |place| &lumped.stops[place].law.name, |_| &[]))?;
     Ok(Built {
         machine,
         initial: [vec![lumped.displacement, 0.0], vec![lumped.velocity, 0.0]],

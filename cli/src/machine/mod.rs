@@ -11,9 +11,9 @@ use serde::Serialize;
 use whirl_solver::cache::Cache;
 use whirl_solver::machine::{Machine, MachineParts};
 
-pub(crate) use plan::{BodyPlan, Plan};
+pub(crate) use plan::{BodyPlan, Outline, Plan};
 
-use crate::case::{self, Case, System};
+use crate::case::{self, Case, System, SystemDraft};
 use crate::errors::Failure;
 
 /// A machine with what results say about how it came about.
@@ -71,10 +71,9 @@ pub(crate) struct Counts {
 /// # Errors
 /// Everything that is wrong with the case; of its meshes and sets only where the case has errors.
 pub(crate) fn read(name: &str) -> Result<Case, Failure> {
-    let mut draft = case::draft(name)?;
-    if let (false, Some(System::Rotor(rotor))) = (draft.errors.is_empty(), &draft.system) {
-        let errors = std::mem::take(&mut draft.errors);
-        Plan::beside(rotor, errors)?;
+    let draft = case::draft(name)?;
+    if let (false, SystemDraft::Rotor(rotor)) = (draft.errors.is_empty(), &draft.system) {
+        Plan::of(&Outline::from(&**rotor), draft.errors.clone())?;
     }
     Ok(draft.finish()?)
 }

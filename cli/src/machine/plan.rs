@@ -9,7 +9,7 @@ use whirl_solver::mesh::Mesh;
 use whirl_solver::reduction::ReductionError;
 
 use super::{Counts, meshes};
-use crate::case::{self, Rotor};
+use crate::case::{self, Rotor, RotorDraft};
 use crate::errors::Failure;
 
 /// Bytes that the factor of a stiffness matrix may take.
@@ -165,8 +165,8 @@ impl BodyPlan {
         }
     }
 
-    /// The only node of a set; what is wrong with it is noted, and a stand-in given.
-    fn node(&self, set: &Located, errors: &mut Diagnostics) -> usize {
+    /// The only node of a set; what is wrong with it is noted.
+    fn node(&self, set: &Located, errors: &mut Diagnostics) -> Option<usize> {
         let nodes = self.nodes(set, errors);
         let origin = self.mesh.origin();
         if nodes.len() != 1 && self.mesh.node_set(set.text()).is_ok() {
@@ -177,7 +177,24 @@ impl BodyPlan {
             );
             errors.push(set.error_here(Code::BAD_VALUE, message));
         }
-        nodes.first().copied().unwrap_or(0)
+        nodes.first().copied()
+    }
+
+    /// The ends of the driven section move alike along y, which ties the flexible shaft to the frame that
+    /// turns with it; their places among the watched nodes.
+    fn tie(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> [usize; 2] {
+        let nodes = [&drive.top, &drive.bottom].map(|set| self.node(set, errors));
+        if nodes[0].is_some() && nodes[0] == nodes[1] {
+            let message = "the driven nodes `top` and `bottom` are the same node";
+            let help = "name the sets of two nodes, at opposite ends of a diameter";
+            errors.push(drive.bottom.error_here(Code::BAD_VALUE, message).help(help));
+            return [0; 2];
+        }
+        let [top, bottom] = nodes.map(|node| node.unwrap_or(0));
+        let ties = [self.retain(&drive.top, top, 1), self.retain(&drive.bottom, bottom, 1)];
+        let name = format!("torsion ({} y = {} y)", drive.top.text(), drive.bottom.text());
+        self.spec.constraints.equation(name, [(ties[0], 1.0), (ties[1], -1.0)]);
+        [top, bottom].map(|node| self.watch(node))
     }
 }
 
@@ -206,50 +223,84 @@ pub(super) fn both<A, B>(
     }
 }
 
+/// What a plan is made from: what a case says, or as much of it as is there.
+pub(crate) struct Outline<'a> {
+    shaft: Option<&'a case::Shaft>,
+    support: Option<&'a case::Support>,
+    /// Sets of the journal and of the bore, a bearing each.
+    bearings: Vec<[&'a [Located]; 2]>,
+    drive: Option<&'a case::Drive>,
+    loads: &'a [case::Load],
+}
+
+impl<'a> From<&'a Rotor> for Outline<'a> {
+    fn from(rotor: &'a Rotor) -> Self {
+        let bearings = rotor.bearings.iter();
+        Outline {
+            shaft: Some(&rotor.shaft),
+            support: Some(&rotor.support),
+            bearings: bearings.map(|own| [own.journal.as_slice(), own.bore.as_slice()]).collect(),
+            drive: Some(&rotor.drive),
+            loads: &rotor.loads,
+        }
+    }
+}
+
+impl<'a> From<&'a RotorDraft> for Outline<'a> {
+    fn from(draft: &'a RotorDraft) -> Self {
+        let bearings = draft.bearings.iter();
+        Outline {
+            shaft: draft.shaft.as_ref(),
+            support: draft.support.as_ref(),
+            bearings: bearings.map(|(sets, _)| sets.each_ref().map(Vec::as_slice)).collect(),
+            drive: draft.drive.as_ref(),
+            loads: &draft.loads,
+        }
+    }
+}
+
 impl Plan {
     /// Reads or makes the meshes, and finds the sets that the case names.
     ///
     /// # Errors
-    /// Everything that is wrong with the meshes, or every set that is missing or of the wrong size.
+    /// Everything that is wrong with the meshes, and every set that is missing or of the wrong size.
     pub(crate) fn new(rotor: &Rotor) -> Result<Plan, Failure> {
-        Plan::beside(rotor, Diagnostics::new())
+        Plan::of(&Outline::from(rotor), Diagnostics::new())
+            .map(|plan| plan.expect("nothing of a whole case is missing"))
     }
 
-    /// As [`Plan::new`], for a case with these errors; they are told together.
+    /// As [`Plan::new`], for as much as is there of a case with these errors; they are told together. None
+    /// if nothing is wrong but a body is missing.
     ///
     /// # Errors
     /// These, and those of [`Plan::new`].
-    pub(crate) fn beside(rotor: &Rotor, mut errors: Diagnostics) -> Result<Plan, Failure> {
-        let (shaft, support) = (&rotor.shaft, &rotor.support);
-        let (shaft_mesh, support_mesh) = (meshes::shaft(shaft), meshes::support(support));
-        let (shaft_mesh, support_mesh) = both(shaft_mesh, support_mesh, &mut errors)?;
-        let mut plan = Plan {
-            shaft: BodyPlan::new(
-                shaft_mesh,
-                shaft.mesh.place(),
-                shaft.modes,
-                shaft.damping,
-                &shaft.axial_restraint,
-            ),
-            support: BodyPlan::new(
-                support_mesh,
-                support.mesh.place(),
-                support.modes,
-                support.damping,
-                &support.mounts,
-            ),
-            journals: Vec::new(),
-            bores: Vec::new(),
-            drive: [0; 2],
-            loads: Vec::new(),
+    pub(crate) fn of(outline: &Outline, mut errors: Diagnostics) -> Result<Option<Plan>, Failure> {
+        let mut rest = None;
+        let mut note = |failure, errors: &mut Diagnostics| match failure {
+            Failure::Input(found) => errors.append(found),
+            other => rest = rest.take().or(Some(other)),
         };
-        plan.place_bearings(&rotor.bearings, &mut errors);
-        plan.place_shaft(rotor, &mut errors);
-        plan.place_support(&rotor.support, &mut errors);
-        for body in [&plan.shaft, &plan.support] {
-            body.bound(&mut errors);
+        let shaft = outline.shaft.and_then(|case| match meshes::shaft(case) {
+            Ok(mesh) => Some(OnShaft::place(case, mesh, outline, &mut errors)),
+            Err(failure) => {
+                note(failure, &mut errors);
+                None
+            }
+        });
+        let support = outline.support.and_then(|case| match meshes::support(case) {
+            Ok(mesh) => Some(place_support(case, mesh, outline, &mut errors)),
+            Err(failure) => {
+                note(failure, &mut errors);
+                None
+            }
+        });
+        errors.into_result(())?;
+        if let Some(failure) = rest {
+            return Err(failure);
         }
-        Ok(errors.into_result(plan)?)
+        let (Some(on_shaft), Some((support, bores))) = (shaft, support) else { return Ok(None) };
+        let OnShaft { shaft, journals, drive, loads } = on_shaft;
+        Ok(Some(Plan { shaft, support, journals, bores, drive, loads }))
     }
 
     /// Looks for what would keep the bodies from being reduced, without reducing them.
@@ -262,74 +313,91 @@ impl Plan {
         both(verify(&self.shaft), verify(&self.support), &mut errors)?;
         Ok(())
     }
+}
 
-    fn place_bearings(&mut self, bearings: &[case::Bearing], errors: &mut Diagnostics) {
-        for bearing in bearings {
-            let (shaft, support) = (&mut self.shaft, &mut self.support);
+/// The shaft with the nodes that the case names on it.
+struct OnShaft {
+    shaft: BodyPlan,
+    journals: Vec<[usize; 3]>,
+    drive: [usize; 2],
+    loads: Vec<Vec<usize>>,
+}
+
+impl OnShaft {
+    fn place(
+        case: &case::Shaft,
+        mesh: Mesh,
+        outline: &Outline,
+        errors: &mut Diagnostics,
+    ) -> OnShaft {
+        let axial = &case.axial_restraint;
+        let body = BodyPlan::new(mesh, case.mesh.place(), case.modes, case.damping, axial);
+        let mut own =
+            OnShaft { shaft: body, journals: Vec::new(), drive: [0; 2], loads: Vec::new() };
+        let shaft = &mut own.shaft;
+        for [sets, _] in &outline.bearings {
             let mut journal = [0; 3];
-            let mut bore = [const { Vec::new() }; 3];
-            for (place, set) in bearing.journal.iter().take(3).enumerate() {
-                let node = shaft.node(set, errors);
+            for (place, set) in sets.iter().take(3).enumerate() {
+                let node = shaft.node(set, errors).unwrap_or(0);
                 shaft.retain(set, node, 0);
                 shaft.retain(set, node, 1);
                 journal[place] = shaft.watch(node);
             }
-            for (ring, set) in bore.iter_mut().zip(&bearing.bore) {
-                let nodes = support.nodes(set, errors);
-                *ring = nodes.into_iter().map(|node| support.watch(node)).collect();
-            }
-            self.journals.push(journal);
-            self.bores.push(bore);
+            own.journals.push(journal);
         }
-    }
-
-    /// The axial dof is held; the ends of the driven section move alike along y, which ties the flexible
-    /// shaft to the frame that turns with it.
-    fn place_shaft(&mut self, rotor: &Rotor, errors: &mut Diagnostics) {
-        let shaft = &mut self.shaft;
-        let (axial, drive) = (&rotor.shaft.axial_restraint, &rotor.drive);
-        let node = shaft.node(axial, errors);
+        // The axial dof is held.
+        let node = shaft.node(axial, errors).unwrap_or(0);
         let held = shaft.retain(axial, node, 2);
         shaft.spec.constraints.fix(format!("axial_restraint ({} z)", axial.text()), held);
-        let [top, bottom] = [&drive.top, &drive.bottom].map(|set| shaft.node(set, errors));
-        let ties = [shaft.retain(&drive.top, top, 1), shaft.retain(&drive.bottom, bottom, 1)];
-        if top == bottom && errors.is_empty() {
-            let message = "the driven nodes `top` and `bottom` must be two nodes".to_string();
-            errors.push(drive.bottom.error_here(Code::BAD_VALUE, message));
-            return;
+        if let Some(drive) = outline.drive {
+            own.drive = shaft.tie(drive, errors);
         }
-        let name = format!("torsion ({} y = {} y)", drive.top.text(), drive.bottom.text());
-        shaft.spec.constraints.equation(name, [(ties[0], 1.0), (ties[1], -1.0)]);
-        self.drive = [shaft.watch(top), shaft.watch(bottom)];
-        for load in &rotor.loads {
+        for load in outline.loads {
             let nodes = load.sets.iter().flat_map(|set| shaft.nodes(set, errors));
             let nodes: Vec<usize> = nodes.collect();
-            self.loads.push(nodes.into_iter().map(|node| shaft.watch(node)).collect());
+            own.loads.push(nodes.into_iter().map(|node| shaft.watch(node)).collect());
         }
+        shaft.bound(errors);
+        own
     }
+}
 
-    fn place_support(&mut self, case: &case::Support, errors: &mut Diagnostics) {
-        let support = &mut self.support;
-        for node in support.nodes(&case.mounts, errors) {
-            for (axis, letter) in AXES.iter().enumerate() {
-                let held = support.retain(&case.mounts, node, axis);
-                let label = support.mesh.labels()[node];
-                let name = format!("mounts ({letter} of node {label})");
-                support.spec.constraints.fix(name, held);
-            }
+/// The support with the nodes that the case names on it, and those of the bores.
+fn place_support(
+    case: &case::Support,
+    mesh: Mesh,
+    outline: &Outline,
+    errors: &mut Diagnostics,
+) -> (BodyPlan, Vec<[Vec<usize>; 3]>) {
+    let mounts = &case.mounts;
+    let mut support = BodyPlan::new(mesh, case.mesh.place(), case.modes, case.damping, mounts);
+    let mut bores = Vec::new();
+    for [_, sets] in &outline.bearings {
+        let mut bore = [const { Vec::new() }; 3];
+        for (ring, set) in bore.iter_mut().zip(*sets) {
+            let nodes = support.nodes(set, errors);
+            *ring = nodes.into_iter().map(|node| support.watch(node)).collect();
         }
-        for spring in &case.ground_springs {
-            for node in support.nodes(&spring.set, errors) {
-                support.spec.springs.push(GroundSpring {
-                    name: format!(
-                        "ground spring ({} {})",
-                        spring.set.text(),
-                        AXES[spring.direction]
-                    ),
-                    dof: 3 * node + spring.direction,
-                    stiffness: spring.stiffness,
-                });
-            }
+        bores.push(bore);
+    }
+    for node in support.nodes(mounts, errors) {
+        for (axis, letter) in AXES.iter().enumerate() {
+            let held = support.retain(mounts, node, axis);
+            let label = support.mesh.labels()[node];
+            let name = format!("mounts ({letter} of node {label})");
+            support.spec.constraints.fix(name, held);
         }
     }
+    for spring in &case.ground_springs {
+        for node in support.nodes(&spring.set, errors) {
+            let axis = AXES[spring.direction];
+            support.spec.springs.push(GroundSpring {
+                name: format!("ground spring ({} {axis})", spring.set.text()),
+                dof: 3 * node + spring.direction,
+                stiffness: spring.stiffness,
+            });
+        }
+    }
+    support.bound(errors);
+    (support, bores)
 }

@@ -18,7 +18,7 @@ pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failu
     Ok(Built {
         machine: Machine::new(parts).map_err(|error| {
             let bearing = |place: usize| &rotor.bearings[place];
-            explain(error, |place| &bearing(place).law.name, |place| bearing(place).bore.first())
+            explain(error, |place| &bearing(place).law.name, |place| &bearing(place).bore)
         })?,
         initial: [Vec::new(), Vec::new()],
         clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),

@@ -45,11 +45,12 @@ impl Laws {
     }
 }
 
-/// Errors of a machine where the case causes them: at the law of a bearing, or at a set of its bore.
+/// Errors of a machine where the case causes them: at the law of a bearing, or at the set of a ring of its
+/// bore.
 pub(super) fn explain<'a>(
     error: Error,
     law_of: impl Fn(usize) -> &'a Located,
-    bore_of: impl Fn(usize) -> Option<&'a Located>,
+    bore_of: impl Fn(usize) -> &'a [Located],
 ) -> Failure {
     let mut placed = Diagnostics::new();
     for part in error.parts() {
@@ -59,9 +60,10 @@ pub(super) fn explain<'a>(
                 let found = law_of(*place).error_here(Code::BAD_VALUE, message);
                 placed.push(found.help(help.clone()));
             }
-            Error::Bore { place, .. } if bore_of(*place).is_some() => {
-                let set = bore_of(*place).into_iter();
-                set.for_each(|set| placed.push(set.error_here(Code::BAD_VALUE, part.to_string())));
+            Error::Bore { place, ring, .. } => {
+                let Some(set) = bore_of(*place).get(*ring) else { continue };
+                let help = "name a set of nodes all around the bore, in one plane";
+                placed.push(set.error_here(Code::BAD_VALUE, part.to_string()).help(help));
             }
             _ => {}
         }

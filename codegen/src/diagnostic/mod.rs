@@ -129,7 +129,8 @@ impl Diagnostics {
         self.list.iter()
     }
 
-    /// `Ok(value)` if nothing is wrong, else the errors sorted by file and place.
+    /// `Ok(value)` if nothing is wrong, else the errors sorted by file and place, each once: a file that is
+    /// read twice is told of once.
     pub fn into_result<T>(mut self, value: T) -> Result<T, Diagnostics> {
         if self.is_empty() {
             return Ok(value);
@@ -138,10 +139,19 @@ impl Diagnostics {
         Err(self)
     }
 
-    /// Sorts by file and place; what belongs to a whole file comes last.
+    /// Sorts by file and place, what belongs to a whole file last, and keeps one of equal errors.
     pub fn sort(&mut self) {
         let place = |d: &Diagnostic| d.span.as_ref().map_or(usize::MAX, |span| span.start);
         self.list.sort_by(|a, b| (a.path(), place(a)).cmp(&(b.path(), place(b))));
+        let mut kept: Vec<Diagnostic> = Vec::with_capacity(self.list.len());
+        for error in self.list.drain(..) {
+            // Equal ones stand at the same place.
+            let here = kept.iter().rev().take_while(|own| place(own) == place(&error));
+            if !here.into_iter().any(|own| *own == error) {
+                kept.push(error);
+            }
+        }
+        self.list = kept;
     }
 
     /// All errors as text: see [`render`].
@@ -208,6 +218,20 @@ error[E010]: unexpected `×`
         }
         let whole = Diagnostics::from(Diagnostic::new(&source, Code::TOML, None, "m")).render();
         assert_eq!(whole, "error[E001]: m\n--> x\n");
+    }
+
+    #[test]
+    fn equal_errors_are_told_once() {
+        let read = || Source::new("x", "abcdef");
+        let mut all = Diagnostics::new();
+        for message in ["one", "two", "one", "two"] {
+            all.push(Diagnostic::new(&read(), Code::TOML, 1..2, message));
+        }
+        all.push(Diagnostic::new(&read(), Code::TOML, 2..3, "one"));
+        all.push(Diagnostic::new(&Source::new("y", "abcdef"), Code::TOML, 1..2, "one"));
+        let told = all.into_result(()).unwrap_err();
+        let told: Vec<String> = told.iter().map(ToString::to_string).collect();
+        assert_eq!(told, ["x:1:2: one", "x:1:2: two", "x:1:3: one", "y:1:2: one"]);
     }
 
     #[test]

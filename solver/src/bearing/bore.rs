@@ -5,56 +5,88 @@ use whirl_specs::{BoreMotion, Clearance};
 use super::{Bearing, periodic_spline};
 use crate::body::BodyNode;
 use crate::error::Error;
+use crate::linalg::Matrix;
 use crate::support::Support;
 
-/// Rows of one plane, one a spring or one a ring: the motion of each of the three bore rings, eqs. (20) to
-/// (23), with A_i(z) between them.
-///
-/// # Errors
-/// Nodes through which no spline passes.
-pub(super) fn bore_rows(
-    kernels: &Clearance,
-    (place, bearing): (usize, &Bearing),
-    station: f64,
-    support: &Support,
-    motion: BoreMotion,
-) -> Result<Vec<Vec<f64>>, Error> {
-    let at_springs = matches!(motion, BoreMotion::Radial | BoreMotion::Tangential);
-    let count = if at_springs { bearing.angles.len() } else { 1 };
-    let mut rows = vec![vec![0.0; support.size()]; count];
-    for (ring, weight) in bearing.bore.iter().zip((kernels.axial)(station)) {
-        if ring.is_empty() || weight == 0.0 {
-            continue;
-        }
-        let ring: Vec<&BodyNode> = ring.iter().map(|&node| &support.nodes[node]).collect();
-        if !at_springs {
-            add_mean(&ring, weight, motion, &mut rows[0]);
-        } else if !add_spline(&ring, weight, motion, &bearing.angles, &mut rows) {
-            return Err(Error::Bore {
-                bearing: bearing.name.clone(),
-                place,
-                what: format!(
-                    "{} nodes of its bore give no spline: at least three at different angles are needed",
-                    ring.len()
-                ),
-            });
-        }
-    }
-    Ok(rows)
+/// The bore of a bearing: three rings of nodes, left, middle and right; a ring may be empty.
+pub(super) struct Bore<'a> {
+    kernels: &'a Clearance,
+    bearing: &'a Bearing,
+    rings: [Vec<&'a BodyNode>; 3],
+    /// From values at the nodes of a ring to those at the springs, where a law asks for them.
+    splines: [Option<Matrix>; 3],
+    /// Coordinates of the support.
+    size: usize,
 }
 
-/// Adds splines of δ_x and δ_y along the ring, along the normal or the tangent of every spring; false where
-/// there is no spline.
+impl<'a> Bore<'a> {
+    /// The bore of the bearing at `place`; `at_springs`: whether its motion is wanted spring by spring.
+    ///
+    /// # Errors
+    /// Every ring through whose nodes no spline passes, though one is needed.
+    pub(super) fn new(
+        kernels: &'a Clearance,
+        (place, bearing): (usize, &'a Bearing),
+        support: &'a Support,
+        at_springs: bool,
+    ) -> Result<Self, Vec<Error>> {
+        let rings = bearing.bore.each_ref();
+        let rings = rings.map(|ring| ring.iter().map(|&node| &support.nodes[node]).collect());
+        let mut bore =
+            Bore { kernels, bearing, rings, splines: [None, None, None], size: support.size() };
+        let weights = bearing.stations.iter().map(|&station| (kernels.axial)(station));
+        let weights: Vec<[f64; 3]> = weights.collect();
+        let mut errors = Vec::new();
+        for (ring, nodes) in bore.rings.iter().enumerate() {
+            let used = weights.iter().any(|weights| weights[ring] != 0.0);
+            if !at_springs || nodes.is_empty() || !used {
+                continue;
+            }
+            let knots: Vec<f64> =
+                nodes.iter().map(|node| node.position[1].atan2(node.position[0])).collect();
+            bore.splines[ring] = periodic_spline(&knots, &bearing.angles);
+            if bore.splines[ring].is_none() {
+                let (bearing, nodes) = (bearing.name.clone(), nodes.len());
+                errors.push(Error::Bore { bearing, place, ring, nodes });
+            }
+        }
+        if errors.is_empty() { Ok(bore) } else { Err(errors) }
+    }
+
+    /// Rows of the plane at `station`, one a spring or one a ring: the motion of each of the three rings,
+    /// eqs. (20) to (23), with A_i(z) between them.
+    pub(super) fn rows(&self, station: f64, motion: BoreMotion) -> Vec<Vec<f64>> {
+        let angles = if at_springs(motion) { self.bearing.angles.as_slice() } else { &[0.0] };
+        let mut rows = vec![vec![0.0; self.size]; angles.len()];
+        let weights = (self.kernels.axial)(station);
+        for ((ring, spline), weight) in self.rings.iter().zip(&self.splines).zip(weights) {
+            if ring.is_empty() || weight == 0.0 {
+                continue;
+            }
+            match spline {
+                _ if !at_springs(motion) => add_mean(ring, weight, motion, &mut rows[0]),
+                Some(spline) => add_spline(ring, spline, weight, motion, angles, &mut rows),
+                None => {}
+            }
+        }
+        rows
+    }
+}
+
+/// Whether a motion is that of the bore at each spring.
+pub(super) fn at_springs(motion: BoreMotion) -> bool {
+    matches!(motion, BoreMotion::Radial | BoreMotion::Tangential)
+}
+
+/// Adds splines of δ_x and δ_y along the ring, along the normal or the tangent of every spring.
 fn add_spline(
     ring: &[&BodyNode],
+    spline: &Matrix,
     weight: f64,
     motion: BoreMotion,
     angles: &[f64],
     rows: &mut [Vec<f64>],
-) -> bool {
-    let knots: Vec<f64> =
-        ring.iter().map(|node| node.position[1].atan2(node.position[0])).collect();
-    let Some(spline) = periodic_spline(&knots, angles) else { return false };
+) {
     for (place, (row, angle)) in rows.iter_mut().zip(angles).enumerate() {
         let (sin, cos) = angle.sin_cos();
         let [along_x, along_y] =
@@ -66,7 +98,6 @@ fn add_spline(
             }
         }
     }
-    true
 }
 
 /// Adds the displacement b of the axis or the rotation β of the rigid motion δ = b + β ẑ×x that fits the

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use whirl_specs::{Clearance, ContactState, ContactTangent, Ring};
 
-use super::bore::{bore_rows, journal_radius};
+use super::bore::{Bore, at_springs, journal_radius};
 use super::law::ContactLaw;
 use super::state::{Motion, along, multiply};
 use super::{Bearing, eccentricity};
@@ -62,11 +62,20 @@ impl Contacts {
             let first = planes.len();
             let kind = law.kind;
             let users = bearings.iter().enumerate().filter(|(_, b)| b.law == place);
-            'bearings: for (number, bearing) in users {
+            for (number, bearing) in users {
                 let radius = match radius(&law, (number, bearing), support) {
                     Ok(radius) => radius,
                     Err(error) => {
                         errors.push(error);
+                        continue;
+                    }
+                };
+                let needed = kind.bore.iter().zip(law.motions());
+                let along_ring = needed.filter(|(_, needed)| *needed).any(|(m, _)| at_springs(*m));
+                let bore = match Bore::new(kernels, (number, bearing), support, along_ring) {
+                    Ok(bore) => bore,
+                    Err(wrong) => {
+                        errors.extend(wrong);
                         continue;
                     }
                 };
@@ -78,18 +87,10 @@ impl Contacts {
                     for (motion, needed) in kind.bore.iter().zip(law.motions()) {
                         motions.push(needed.then_some(rows.len()));
                         if needed {
-                            let own =
-                                bore_rows(kernels, (number, bearing), station, support, *motion);
-                            let own = match own {
-                                Ok(own) => own,
-                                Err(error) => {
-                                    errors.push(error);
-                                    continue 'bearings;
-                                }
-                            };
                             // A motion of the whole ring is that of each of its springs.
-                            let own = own.into_iter().cycle().take(count);
-                            rows.extend(own);
+                            rows.extend(
+                                bore.rows(station, *motion).into_iter().cycle().take(count),
+                            );
                         }
                     }
                     planes.push(ContactPlane {

@@ -16,7 +16,7 @@ pub(crate) use law::{Bound, BoundLaw, Input};
 pub use spline::periodic_spline;
 pub use state::SpringState;
 
-use bore::bore_rows;
+use bore::Bore;
 
 use crate::error::Error;
 use crate::linalg::Matrix;
@@ -111,17 +111,16 @@ impl Springs {
             };
             let first = rows.len();
             for (number, bearing) in users() {
+                let bore = match Bore::new(kernels, (number, bearing), support, true) {
+                    Ok(bore) => bore,
+                    Err(wrong) => {
+                        errors.extend(wrong);
+                        continue;
+                    }
+                };
                 for &station in &bearing.stations {
                     let start = rows.len();
-                    let motion = BoreMotion::Radial;
-                    match bore_rows(kernels, (number, bearing), station, support, motion) {
-                        Ok(own) => rows.extend(own),
-                        Err(error) => {
-                            // The same at every station of the bearing.
-                            errors.push(error);
-                            break;
-                        }
-                    }
+                    rows.extend(bore.rows(station, BoreMotion::Radial));
                     let mut table = vec![0.0; kernels.table * bearing.angles.len()];
                     (kernels.prepare)(&bearing.angles, &mut table);
                     planes.push(Plane {
