@@ -130,8 +130,13 @@ fn forms_motions_and_clearances_show_what_was_derived() {
 /// What stands under the heading of the code, but where the code lies.
 fn functions(page: &str) -> String {
     let (_, code) = page.split_once("\nGenerated Rust\n").expect("the heading");
-    let places =
-        ["module whirl_specs::", "compiled at the next build", "/out/", "printed by", "not needed"];
+    let places = [
+        "module whirl_specs::",
+        "compiled at the next build",
+        "/out/",
+        "printed by",
+        "none is needed",
+    ];
     let function = |line: &&str| !places.iter().any(|place| line.contains(place));
     code.lines().filter(function).map(str::trim).collect::<Vec<_>>().join(" ")
 }
@@ -276,7 +281,10 @@ fn a_law_of_ones_own_is_explained_and_drawn() {
     let bench = Workbench::new().file("mine.toml", MINE);
     let outcome = bench.whirl(&["explain", "mine.toml", "--plot", "figures/mine.svg"]);
     fine(&outcome);
-    says(&outcome, &["= -k  where h < 0", "k = 5 N/mm", "compiled at the next build"]);
+    says(
+        &outcome,
+        &["= -k  where h < 0", "k = 5 N/mm", "none is needed", "`whirl explain mine.toml --rust`"],
+    );
     let svg = fs::read_to_string(bench.path("figures/mine.svg")).expect("a figure");
     assert!(svg.contains("Mine") && svg.contains("h (mm)"), "{svg}");
     let png = fs::read(bench.path("figures/mine.png")).expect("a figure");
