@@ -2,14 +2,21 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::parse::{ParseStream, Parser};
 
 /// Formatted Rust of a whole file. Tokens that are no Rust are a defect of the generator; the message
 /// then holds what was to be formatted.
 pub fn formatted(file: TokenStream) -> Result<String, String> {
-    match syn::parse2::<syn::File>(file.clone()) {
-        Ok(file) => Ok(prettyplease::unparse(&file)),
-        Err(error) => Err(format!("generated text is no Rust ({error}): {file}")),
-    }
+    // The parser can give its tokens back, so that no copy of them all is made.
+    let parse = |input: ParseStream| {
+        let start = input.cursor();
+        input.parse::<syn::File>().map_err(|error| {
+            let message = format!("generated text is no Rust ({error}): {}", start.token_stream());
+            syn::Error::new(error.span(), message)
+        })
+    };
+    let file = parse.parse2(file).map_err(|error| error.to_string())?;
+    Ok(prettyplease::unparse(&file))
 }
 
 /// Doc attributes, one a line of `text`; they become `///` comments before the item that follows. Signs

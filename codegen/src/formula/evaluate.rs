@@ -50,13 +50,6 @@ impl<N> Names<N> for BTreeMap<String, Value<N>> {
     }
 }
 
-/// Few names, and many evaluations.
-impl<N> Names<N> for Vec<(&str, Value<N>)> {
-    fn named(&self, name: &str) -> Option<&Value<N>> {
-        self.iter().find(|(known, _)| *known == name).map(|(_, value)| value)
-    }
-}
-
 /// The value of a formula where names have the given values.
 ///
 /// # Errors
@@ -119,21 +112,33 @@ impl<'f, N: Number> Evaluation<'f, N> {
     }
 
     fn term(&self, term: &'f Term) -> Evaluated<N> {
-        Ok(match &term.kind {
-            Kind::Number(value) => Value::Scalar(N::exact(value)),
+        match &term.kind {
+            Kind::Number(value) => Ok(Value::Scalar(N::exact(value))),
             Kind::Name(name) => match self.names.named(name) {
-                Some(value) => value.clone(),
-                None if let Some(count) = self.count(name) => {
-                    Value::Scalar(N::exact(&series::exact(count)))
-                }
-                None if name == PI => Value::Scalar(N::exact(&pi())),
-                None => {
-                    let message = format!("`{name}` has no value");
-                    let error =
-                        self.formula.text.error(Code::UNKNOWN_NAME, term.span.clone(), message);
-                    return Err(Box::new(error));
-                }
+                Some(value) => Ok(value.clone()),
+                None => self.counter_or_pi(term, name),
             },
+            _ => self.compound(term),
+        }
+    }
+
+    fn counter_or_pi(&self, term: &'f Term, name: &str) -> Evaluated<N> {
+        if let Some(count) = self.count(name) {
+            return Ok(Value::Scalar(N::exact(&series::exact(count))));
+        }
+        if name == PI {
+            return Ok(Value::Scalar(N::near(std::f64::consts::PI)));
+        }
+        let message = format!("`{name}` has no value");
+        Err(Box::new(self.formula.text.error(Code::UNKNOWN_NAME, term.span.clone(), message)))
+    }
+
+    /// A term that has others inside. Its frame on the stack is large; numbers and names, which most terms
+    /// are, do without it.
+    #[inline(never)]
+    fn compound(&self, term: &'f Term) -> Evaluated<N> {
+        Ok(match &term.kind {
+            Kind::Number(_) | Kind::Name(_) => self.term(term)?,
             Kind::Negate(inner) => {
                 let zero = N::exact(&Rational::zero());
                 map(self.term(inner)?, &|x| zero.sub(x)).ok_or_else(|| self.misfit(inner))?

@@ -32,8 +32,8 @@ use std::ops::Range;
 use crate::rational::Rational;
 
 pub use check::{Scope, check};
+pub(crate) use evaluate::{Names, evaluate_with, pi};
 pub use evaluate::{Value, evaluate};
-pub(crate) use evaluate::{evaluate_with, pi};
 pub use function::{Builtin, FUNCTIONS, MOST_COMPARED};
 pub use lower::lower;
 pub use number::{Dual, Number};

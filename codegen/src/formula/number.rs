@@ -5,8 +5,12 @@ use crate::rational::{Rational, nearest};
 
 /// A field with the functions of the formula language.
 pub trait Number: Clone {
+    /// The f64 nearest to an exact number.
+    fn near(value: f64) -> Self;
     /// An exact number.
-    fn exact(value: &Rational) -> Self;
+    fn exact(value: &Rational) -> Self {
+        Self::near(nearest(value))
+    }
     /// The value that comparisons look at.
     fn value(&self) -> f64;
     /// a + b
@@ -63,8 +67,8 @@ pub trait Number: Clone {
 }
 
 impl Number for f64 {
-    fn exact(value: &Rational) -> Self {
-        nearest(value)
+    fn near(value: f64) -> Self {
+        value
     }
     fn value(&self) -> f64 {
         *self
@@ -121,8 +125,8 @@ impl Dual {
 }
 
 impl Number for Dual {
-    fn exact(value: &Rational) -> Self {
-        Dual::constant(nearest(value))
+    fn near(value: f64) -> Self {
+        Dual::constant(value)
     }
     fn value(&self) -> f64 {
         self.value

@@ -2,7 +2,6 @@
 
 use super::Number;
 use crate::expression::Function;
-use crate::rational::{Rational, nearest};
 
 /// A value and a first-order bound of its error, when inputs and every operation are rounded to f64.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,8 +28,8 @@ impl Rounded {
 }
 
 impl Number for Rounded {
-    fn exact(value: &Rational) -> Self {
-        Rounded::new(nearest(value))
+    fn near(value: f64) -> Self {
+        Rounded::new(value)
     }
     fn value(&self) -> f64 {
         self.value

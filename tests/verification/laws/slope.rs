@@ -1,7 +1,7 @@
 //! A value with its derivative along one direction, both with a bound of their rounding error: evaluating a
 //! file's formulas over it differentiates them without any symbolic rule.
 
-use whirl_codegen::expression::{Function, Rational};
+use whirl_codegen::expression::Function;
 use whirl_codegen::formula::{Number, Rounded};
 
 /// f and df.
@@ -41,8 +41,8 @@ fn squared(a: &Rounded) -> Rounded {
 }
 
 impl Number for Slope {
-    fn exact(value: &Rational) -> Self {
-        Slope { value: Rounded::exact(value), slope: EXACTLY_ZERO }
+    fn near(value: f64) -> Self {
+        Slope { value: Rounded::near(value), slope: EXACTLY_ZERO }
     }
     fn value(&self) -> f64 {
         self.value.value

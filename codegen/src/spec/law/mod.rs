@@ -35,6 +35,7 @@ mod draft;
 mod exact;
 mod judge;
 mod look;
+mod named;
 mod poles;
 mod program;
 mod report;
@@ -57,6 +58,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::{Formula, Number, Value, evaluate_with};
 use crate::units::Unit;
+use named::{Made, Named, Places, made};
 
 /// Finds the file of the given name beside a law; says why not if there is none.
 pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
@@ -88,10 +90,8 @@ pub struct LawSpec {
     pub graph: Graph,
     /// What was found about the law.
     pub report: LawReport,
+    places: Places,
 }
-
-/// Values of the names of a law.
-type Named<'l, N> = Vec<(&'l str, Value<N>)>;
 
 /// An input of a law.
 #[derive(Debug, Clone)]
@@ -222,24 +222,19 @@ impl LawSpec {
 
     /// Values of all names in the units of the file.
     fn names<N: Number>(&self, inputs: &[N]) -> Result<Named<'_, N>, Diagnostic> {
-        let count = self.parameters.len() + self.tables.len() + self.definitions.len();
-        let mut names = Vec::with_capacity(self.inputs.len() + count);
+        let mut names = self.places.named();
         for (input, value) in self.inputs.iter().zip(inputs) {
-            let value = value.mul(&N::exact(&in_si(&input.unit).recip()));
-            names.push((input.name.as_str(), Value::Scalar(value)));
+            names.push(Value::Scalar(value.mul(&N::exact(&in_si(&input.unit).recip()))));
         }
         for parameter in &self.parameters {
-            names.push((&parameter.name, Value::Scalar(N::exact(&parameter.value))));
+            names.push(Value::Scalar(N::exact(&parameter.value)));
         }
-        for place in 0..=self.definitions.len() {
-            for table in self.tables.iter().filter(|table| table.after == place) {
-                let input = scalar(&table.input, &names)?;
-                names.push((&table.name, Value::Scalar(table.value(&input))));
-            }
-            if let Some(definition) = self.definitions.get(place) {
-                let value = evaluate_with(&definition.formula, &names)?;
-                names.push((&definition.name, value));
-            }
+        for made in made(&self.tables, &self.definitions) {
+            let value = match made {
+                Made::Table(table) => Value::Scalar(table.value(&scalar(&table.input, &names)?)),
+                Made::Definition(definition) => evaluate_with(&definition.formula, &names)?,
+            };
+            names.push(value);
         }
         Ok(names)
     }

@@ -2,7 +2,6 @@
 
 use crate::expression::Function;
 use crate::formula::Number;
-use crate::rational::{Rational, nearest};
 
 /// A value, and a digest of the signs of all divisors met on the way to it: two points between which the
 /// digest changes have a pole between them.
@@ -41,8 +40,8 @@ fn mixed(a: u64, b: u64) -> u64 {
 }
 
 impl Number for Signed {
-    fn exact(value: &Rational) -> Self {
-        Signed::new(nearest(value))
+    fn near(value: f64) -> Self {
+        Signed::new(value)
     }
     fn value(&self) -> f64 {
         self.value

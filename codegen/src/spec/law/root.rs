@@ -1,5 +1,7 @@
 //! Roots of polynomials with exact coefficients, to any precision.
 
+mod sturm;
+
 use std::collections::BTreeMap;
 
 use crate::rational::Rational;
@@ -157,7 +159,7 @@ impl Polynomial {
         // Intervals (start, end] that hold roots, the leftmost on top.
         let mut open = vec![(low.clone(), high.clone())];
         while let Some((start, end)) = open.pop() {
-            let count = changes(&chain, &start) - changes(&chain, &end);
+            let count = chain.changes(&start) - chain.changes(&end);
             if count == 0 {
                 continue;
             }
@@ -204,69 +206,6 @@ impl Polynomial {
         signs.iter().all(|b| !b.is_negative()) || signs.iter().all(|b| !b.is_positive())
     }
 
-    /// The remainder of the division by `divisor`, which is not zero.
-    fn remainder(&self, divisor: &Polynomial) -> Polynomial {
-        let mut rest = self.coefficients.clone();
-        let lead = &divisor.coefficients[divisor.degree()];
-        while rest.len() > divisor.degree() && !rest.is_empty() {
-            let factor = &rest[rest.len() - 1] / lead;
-            let shift = rest.len() - 1 - divisor.degree();
-            for (i, c) in divisor.coefficients.iter().enumerate() {
-                rest[shift + i] -= &factor * c;
-            }
-            rest.pop();
-        }
-        Polynomial::new(rest)
-    }
-
-    /// p, p′, and the negated remainders of the Euclidean algorithm on them, each scaled to a leading
-    /// coefficient of ±1 to keep the numbers short.
-    fn sturm_chain(&self) -> Vec<Polynomial> {
-        let mut chain = vec![self.scaled(), self.derivative().scaled()];
-        while chain[chain.len() - 1].degree() > 0 {
-            let last = chain.len() - 1;
-            let rest = chain[last - 1].remainder(&chain[last]);
-            if rest.is_zero() {
-                break;
-            }
-            let negated = rest.coefficients.iter().map(|c| -c).collect();
-            chain.push(Polynomial::new(negated).scaled());
-        }
-        // The last divides all others; without it multiple roots are simple, so that the chain counts them
-        // wherever an interval ends.
-        let last = chain[chain.len() - 1].clone();
-        if last.degree() > 0 {
-            chain = chain.iter().map(|p| p.quotient(&last)).collect();
-        }
-        chain
-    }
-
-    /// The quotient of a division that leaves no remainder.
-    fn quotient(&self, divisor: &Polynomial) -> Polynomial {
-        let mut rest = self.coefficients.clone();
-        let lead = &divisor.coefficients[divisor.degree()];
-        let mut quotient = Vec::new();
-        while rest.len() > divisor.degree() {
-            let factor = &rest[rest.len() - 1] / lead;
-            let shift = rest.len() - 1 - divisor.degree();
-            for (i, c) in divisor.coefficients.iter().enumerate() {
-                rest[shift + i] -= &factor * c;
-            }
-            rest.pop();
-            quotient.push(factor);
-        }
-        quotient.reverse();
-        Polynomial::new(quotient)
-    }
-
-    fn scaled(&self) -> Polynomial {
-        let Some(lead) = self.coefficients.last() else {
-            return self.clone();
-        };
-        let lead = lead.abs();
-        Polynomial::new(self.coefficients.iter().map(|c| c / &lead).collect())
-    }
-
     /// The root nearest to `place` to a relative accuracy of 2⁻¹²⁰ (exactly, for degree 1), and of two
     /// equally near ones the lower; `None` if there is no real root.
     pub(super) fn root_nearest(&self, place: &Rational) -> Option<Rational> {
@@ -283,7 +222,7 @@ impl Polynomial {
         }
         let chain = self.sturm_chain();
         // Number of different roots in (low, high].
-        let count = |low: &Rational, high: &Rational| changes(&chain, low) - changes(&chain, high);
+        let count = |low: &Rational, high: &Rational| chain.changes(low) - chain.changes(high);
         let lead = self.coefficients[self.degree()].abs();
         let others = self.coefficients.iter().map(|c| c.abs() / &lead);
         let bound = others.fold(Rational::one(), |sum, c| sum + c);
@@ -306,13 +245,6 @@ impl Polynomial {
         let below = count(&(place - &far), place) > 0;
         Some(if below { place - middle } else { place + middle })
     }
-}
-
-/// Changes of sign along a Sturm chain.
-fn changes(chain: &[Polynomial], x: &Rational) -> usize {
-    let signs = chain.iter().map(|p| p.at(x)).filter(|value| !value.is_zero());
-    let signs: Vec<bool> = signs.map(|value| value.is_positive()).collect();
-    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
 #[cfg(test)]

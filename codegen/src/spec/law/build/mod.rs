@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 
 use self::names::Names;
 use super::draft::Draft;
+use super::named::Places;
 use super::system::System;
 use super::{Definition, LawInput, LawReport, LawSpec, Parameter, in_si};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
@@ -104,6 +105,7 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
     if errors.iter().all(|error| error.code != Some(Code::UNKNOWN_NAME)) {
         errors.append(unused);
     }
+    let places = Places::new(&inputs, &parameters, &tables, &definitions);
     let mut law = errors.into_result(LawSpec {
         name: draft.name,
         title: draft.title,
@@ -117,6 +119,7 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         outputs,
         graph,
         report: LawReport::default(),
+        places,
     })?;
     differentiate(&mut law)?;
     Ok(law)

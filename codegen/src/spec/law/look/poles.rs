@@ -1,6 +1,6 @@
 //! Poles along a line: where something that a formula divides by changes its sign.
 
-use super::super::Named;
+use super::super::named::Named;
 use super::super::poles::Signed;
 use super::super::scan::{self, Line, Point, names_at};
 use super::{Look, NEAR, in_file};

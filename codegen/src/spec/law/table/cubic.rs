@@ -5,15 +5,33 @@
 //! (the square region of Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246). Where the limit does
 //! not bind, values are of third order.
 
-use crate::rational::Rational;
+use crate::formula::Number;
+use crate::rational::{Rational, nearest};
 use num_traits::{Signed, Zero};
 
 /// y + t(m + t(b + t c)), where t is the distance from the start of the interval.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub(super) struct Cubic {
     pub(super) start: Rational,
     /// y, m, b, c.
     pub(super) coefficients: [Rational; 4],
+    /// The f64 nearest to the start and to the coefficients.
+    near: [f64; 5],
+}
+
+impl Cubic {
+    pub(super) fn new(start: Rational, coefficients: [Rational; 4]) -> Self {
+        let [y, m, b, c] = &coefficients;
+        let near = [&start, y, m, b, c].map(nearest);
+        Cubic { start, coefficients, near }
+    }
+
+    /// The value by direct evaluation.
+    pub(super) fn value<N: Number>(&self, input: &N) -> N {
+        let [start, y, m, b, c] = self.near.map(N::near);
+        let t = input.sub(&start);
+        y.add(&t.mul(&m.add(&t.mul(&b.add(&t.mul(&c))))))
+    }
 }
 
 /// Slopes at the points; `x` rises. `periodic`: the last point is the first again.
@@ -66,7 +84,7 @@ pub(super) fn cubics(x: &[Rational], y: &[Rational], slopes: &[Rational]) -> Vec
             let (m0, m1) = (&slopes[i], &slopes[i + 1]);
             let b = (&three * &secant - &two * m0 - m1) / &width;
             let c = (m0 + m1 - &two * &secant) / (&width * &width);
-            Cubic { start: x[i].clone(), coefficients: [y[i].clone(), m0.clone(), b, c] }
+            Cubic::new(x[i].clone(), [y[i].clone(), m0.clone(), b, c])
         })
         .collect()
 }

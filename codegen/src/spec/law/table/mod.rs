@@ -86,7 +86,7 @@ impl LawTable {
                 _ => Rational::zero(),
             };
             let coefficients = [y[at].clone(), slope, Rational::zero(), Rational::zero()];
-            Cubic { start: x[at].clone(), coefficients }
+            Cubic::new(x[at].clone(), coefficients)
         };
         if matches!(self.extend, Extend::Linear | Extend::Constant) {
             self.pieces.insert(0, outside(0));
@@ -161,10 +161,7 @@ impl LawTable {
             return N::exact(&-Rational::one()).ln();
         }
         let place = self.splits.partition_point(|at| nearest(at) <= input.value());
-        let Cubic { start, coefficients } = &self.pieces[place];
-        let t = input.sub(&N::exact(start));
-        let [y, m, b, c] = coefficients.each_ref().map(N::exact);
-        y.add(&t.mul(&m.add(&t.mul(&b.add(&t.mul(&c))))))
+        self.pieces[place].value(&input)
     }
 
     /// The value on the graph.
