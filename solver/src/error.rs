@@ -116,14 +116,16 @@ pub enum Error {
         count: usize,
     },
     /// A dimension of a made mesh cannot be.
-    #[error("{dimension} = {value}: {what}")]
+    #[error("{dimension} = {value} {what}: {help}")]
     Dimension {
         /// Name of the dimension, such as `bore_radius`.
         dimension: String,
         /// Its value with the unit.
         value: String,
-        /// Why not, and what would do.
+        /// Why not, as what is said of it, such as `is not even`.
         what: String,
+        /// What would do.
+        help: String,
     },
     /// A constraint that repeats or contradicts others.
     #[error("{constraint} {what}")]

@@ -203,38 +203,44 @@ fn impossible_dimensions_are_named() {
     let starts = |text: String, start: &str| assert!(text.starts_with(start), "{text}");
     starts(
         message(SolidShaft { diameter: -0.068, ..shaft() }),
-        "diameter = -0.068 m: it must be positive",
+        "diameter = -68 mm is not positive: give a length above zero",
     );
     starts(
         message(SolidShaft { length: f64::NAN, ..shaft() }),
-        "length = NaN m: it must be positive",
+        "length = NaN mm is not positive: give a length above zero",
     );
     starts(
         message(SolidShaft { supports: vec![], ..shaft() }),
-        "supports = []: there must be at least one",
+        "supports = [] lists no place: list the middle of one at least",
     );
     let overlap = SolidShaft { supports: vec![0.024, 0.04], ..shaft() };
-    starts(message(overlap), "supports[1] = 0.04 m: it overlaps or touches the one before it");
+    starts(message(overlap), "supports[1] = 40 mm overlaps or touches the one before it");
     let beyond = SolidShaft { supports: vec![0.024, 1.4], ..shaft() };
-    starts(message(beyond), "supports[1] = 1.4 m: with support_length = 0.025 m it reaches beyond");
+    starts(message(beyond), "supports[1] = 1400 mm with support_length = 25 mm reaches beyond");
     let odd = SolidShaft { layers_in_support: 3, ..shaft() };
-    starts(message(odd), "layers_in_support = 3: it must be even");
+    starts(message(odd), "layers_in_support = 3 is not an even number");
     let off = SolidShaft { loads: vec![0.26], ..shaft() };
     let text = message(off);
-    assert!(text.starts_with("loads[0] = 0.26 m: no layer of cells ends there"), "{text}");
+    assert!(
+        text.starts_with("loads[0] = 260 mm has no node: no layer of cells ends there"),
+        "{text}"
+    );
 
     let message = |support: RingSupport| support.mesh(&ELEMENTS).unwrap_err().to_string();
     let wide = RingSupport { width: 0.12, ..support() };
-    starts(message(wide), "width = 0.12 m: the pedestals must be narrower than the rings");
+    starts(message(wide), "width = 120 mm makes the pedestals as wide as the rings");
     let early = RingSupport { start: 0.012, ..support() };
-    starts(message(early), "rings[0] = 0.024 m: with ring_length = 0.025 m it reaches beyond");
+    starts(message(early), "rings[0] = 24 mm with ring_length = 25 mm reaches beyond");
     let coarse = SupportCells { around: 6, ..SupportCells::default() };
     starts(
         message(RingSupport { section: coarse, ..support() }),
-        "cells around a ring = 6: at least",
+        "cells.around = 6 makes cells of a right angle or more: make it 7 at least",
     );
     let error = shaft().mesh(&[]).unwrap_err().to_string();
     assert!(error.contains("no element for C3D6"), "{error}");
     let error = Material::isotropic("tin", 50e9, 0.5, 7300.0).unwrap_err().to_string();
-    assert_eq!(error, "nu of tin = 0.5: it lies between −1 and 0.5, both excluded");
+    assert_eq!(
+        error,
+        "nu of tin = 0.5 is not between −1 and 0.5: give a number between these, such as 0.3"
+    );
 }

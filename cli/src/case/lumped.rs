@@ -101,9 +101,10 @@ fn gap(stop: &Reader, side: Side) -> f64 {
         return stop.quantity_or_one("gap");
     }
     if stop.quantity("gap").is_some() {
-        let message = "a stop around the mass has its gap in its law".to_owned();
-        let help = Some("leave `gap` out".to_owned());
-        stop.note(stop.place(), Code::BAD_VALUE, message, help);
+        let message = "a stop around the mass has no `gap` of its own: it is in its law";
+        let help = "leave `gap` out";
+        let place = stop.places().remove("gap").unwrap_or_else(|| stop.place().text(""));
+        stop.push(place.error_here(Code::BAD_VALUE, message).help(help));
     }
     0.0
 }

@@ -17,17 +17,23 @@ use super::rotor::{
 };
 use super::schema::MOST_SPRINGS;
 
-type Materials = BTreeMap<String, Material>;
+/// The materials of a case.
+struct Materials {
+    known: BTreeMap<String, Material>,
+    /// Whether these are all that the case describes.
+    all_read: bool,
+}
 
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
 
 pub(super) fn read(shelf: Shelf, file: &Reader) -> RotorDraft {
-    let materials: Materials = file
-        .named_tables("material")
-        .into_iter()
-        .map(|(name, table)| (name.clone(), material(&name, &table)))
-        .collect();
+    let before = file.errors();
+    let tables = file.named_tables("material");
+    // Of materials that are no tables, nothing more is said where they are named.
+    let all_read = file.errors() == before;
+    let known = tables.into_iter().map(|(name, table)| (name.clone(), material(&name, &table)));
+    let materials = Materials { known: known.collect(), all_read };
     RotorDraft {
         shaft: shaft(shelf, file, &materials),
         support: support(shelf, file, &materials),
@@ -49,9 +55,9 @@ fn material(name: &str, table: &Reader) -> Material {
 
 fn material_of(table: &Reader, materials: &Materials) -> Option<Material> {
     let name = table.text("material")?;
-    let found = materials.get(name.text());
-    if found.is_none() {
-        let known: Vec<&str> = materials.keys().map(String::as_str).collect();
+    let found = materials.known.get(name.text());
+    if found.is_none() && materials.all_read {
+        let known: Vec<&str> = materials.known.keys().map(String::as_str).collect();
         let message = format!("there is no material `{}`", name.text());
         let help = suggest(name.text(), &known)
             .unwrap_or_else(|| format!("describe it in a table `[material.{}]`", name.text()));
@@ -70,8 +76,10 @@ fn mesh<D>(
     let before = table.errors();
     let dimensions = table.table("dimensions");
     match (table.text("mesh"), dimensions) {
-        (Some(_), Some(_)) => {
+        (Some(_), Some(dimensions)) => {
             table.conflict("mesh", "dimensions");
+            // Read all the same, so that its keys are not unknown ones.
+            make(&dimensions, no_material());
             None
         }
         (Some(name), None) => {
@@ -88,9 +96,8 @@ fn mesh<D>(
             if !table.has("material") {
                 table.absent("material", "a mesh made from dimensions needs `material = \"…\"`");
             }
-            // Read without a material too, so that its keys are not unknown ones.
-            let none = || Material { name: String::new(), properties: BTreeMap::new() };
-            let made = make(&dimensions, material.cloned().unwrap_or_else(none));
+            // Read without a material too, for the same reason.
+            let made = make(&dimensions, material.cloned().unwrap_or_else(no_material));
             let (place, places) = (dimensions.place().text(""), dimensions.places());
             drop(dimensions);
             // Of dimensions that are wrong, nothing is made.
@@ -105,6 +112,10 @@ fn mesh<D>(
             None
         }
     }
+}
+
+fn no_material() -> Material {
+    Material { name: String::new(), properties: BTreeMap::new() }
 }
 
 fn solid_shaft(table: &Reader, material: Material) -> SolidShaft {

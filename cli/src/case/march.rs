@@ -68,12 +68,26 @@ fn steps(march: &Reader, time_step: f64) -> usize {
     let Some(duration) = duration else { return steps.unwrap_or(1) };
     let whole = (duration / time_step).round().max(1.0);
     if steps.is_none() && march.has("time_step") && whole > MOST_STEPS as f64 {
+        let most = MOST_STEPS as f64;
         let message = format!(
-            "`duration` is {whole:.3e} steps of `time_step`, at most {MOST_STEPS} are allowed"
+            "`duration` takes {} steps of `time_step`, more than the {MOST_STEPS} that are allowed",
+            plain(whole)
         );
-        let help = Some("march for a shorter time, or in longer steps".to_string());
-        march.note(march.place(), Code::BAD_VALUE, message, help);
+        let help = format!(
+            "lower `duration` to {} s at most, or raise `time_step` to {} s at least",
+            plain(most * time_step),
+            plain(duration / most)
+        );
+        let place = march.places().remove("duration");
+        let place = place.unwrap_or_else(|| march.place().text(""));
+        march.push(place.error_here(Code::BAD_VALUE, message).help(help));
         return 1;
     }
     steps.unwrap_or(whole as usize)
+}
+
+/// A number without the digits that rounding adds.
+fn plain(value: f64) -> String {
+    let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
+    if (1e-4..1e9).contains(&rounded) { format!("{rounded}") } else { format!("{rounded:e}") }
 }

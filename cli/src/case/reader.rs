@@ -54,10 +54,11 @@ impl<'a> Reader<'a> {
         &self.place
     }
 
-    /// Places of all values by their keys.
+    /// Places of all values by their keys, such as `length`, `cells.sectors` and `loads[0]`.
     pub(crate) fn places(&self) -> BTreeMap<String, Located> {
-        let entries = self.table.entries.iter();
-        entries.map(|(key, (_, node))| (key.clone(), node.place.text(""))).collect()
+        let mut places = BTreeMap::new();
+        add_places("", self.table, &mut places);
+        places
     }
 
     /// Notes an error.
@@ -129,7 +130,10 @@ impl<'a> Reader<'a> {
         }
         if self.declared(key, |_| true).is_some_and(Shape::is_table) {
             let message = format!("the table `[{}]` is missing", self.path(key));
-            let error = self.place.error(Code::MISSING_KEY, message);
+            let error = self
+                .place
+                .error(Code::MISSING_KEY, message)
+                .help("add it here, or `include` a file that has it");
             self.missing.borrow_mut().push((key, error));
         } else {
             self.absent(key, &format!("add `{key} = {}`", self.example(key)));
@@ -169,7 +173,7 @@ impl<'a> Reader<'a> {
         match &node.value {
             Value::Text(text) => Some(node.place.text(text)),
             _ => {
-                self.wrong(key, node, "text", "\"…\"");
+                self.wrong(key, node, "text", &self.example(key));
                 None
             }
         }
@@ -220,7 +224,7 @@ impl<'a> Reader<'a> {
             self.note(
                 &node.place,
                 Code::BAD_VALUE,
-                format!("`{key}` takes {wanted}, here are {}", names.len()),
+                format!("`{key}` takes {wanted}, not {}", names.len()),
                 Some(format!("such as `{key} = {}`", self.example(key))),
             );
         }
@@ -244,7 +248,7 @@ impl<'a> Reader<'a> {
         let (node, shape) = self.get(key, |shape| matches!(shape, Shape::Count(..)))?;
         let Shape::Count(least, most) = *shape else { return None };
         let Value::Integer(integer) = node.value else {
-            self.wrong(key, node, "a whole number", &least.max(1).to_string());
+            self.wrong(key, node, "a whole number", &self.example(key));
             return None;
         };
         match usize::try_from(integer) {
@@ -378,10 +382,20 @@ impl<'a> Reader<'a> {
         match &node.value {
             Value::Table(table) => Some(self.inner(self.path(key), shape, key_place, table)),
             _ => {
-                self.wrong(key, node, "a table", "{ … }");
+                self.wrong_table(node, key, "a table", &format!("[{}]", self.path(key)));
                 None
             }
         }
+    }
+
+    /// Notes a value where tables stand under headings.
+    fn wrong_table(&self, node: &Node, key: &str, wanted: &str, heading: &str) {
+        self.note(
+            &node.place,
+            Code::BAD_VALUE,
+            format!("`{key}` takes {wanted}, not {}", node.value.kind()),
+            Some(format!("write what it says below a heading `{heading}`")),
+        );
     }
 
     /// Tables in a list (`[[key]]`); none if the key is not given.
@@ -389,7 +403,7 @@ impl<'a> Reader<'a> {
         let is_list = |shape: &Shape| shape.of_items().is_some_and(Shape::is_table);
         let Some((node, shape)) = self.get(key, is_list) else { return Vec::new() };
         let (Value::List(list), Some(shape)) = (&node.value, shape.of_items()) else {
-            self.wrong(key, node, "a list of tables", "[{ … }]");
+            self.wrong_table(node, key, "tables", &format!("[[{}]]", self.path(key)));
             return Vec::new();
         };
         let mut readers = Vec::with_capacity(list.len());
@@ -398,7 +412,7 @@ impl<'a> Reader<'a> {
                 Value::Table(table) => {
                     readers.push(self.inner(self.path(key), shape, &item.place, table));
                 }
-                _ => self.wrong(key, item, "a table", "{ … }"),
+                _ => self.wrong_table(item, key, "tables", &format!("[[{}]]", self.path(key))),
             }
         }
         readers
@@ -408,7 +422,8 @@ impl<'a> Reader<'a> {
     pub(crate) fn named_tables(&self, key: &'static str) -> Vec<(String, Reader<'a>)> {
         let Some((node, shape)) = self.get(key, Shape::names_are_free) else { return Vec::new() };
         let Value::Table(outer) = &node.value else {
-            self.wrong(key, node, "tables by name", "{ … }");
+            let heading = format!("[{}.NAME]", self.path(key));
+            self.wrong_table(node, key, "tables by name", &heading);
             return Vec::new();
         };
         let mut readers = Vec::new();
@@ -418,7 +433,10 @@ impl<'a> Reader<'a> {
                     let path = format!("{}.{name}", self.path(key));
                     readers.push((name.clone(), self.inner(path, shape, place, table)));
                 }
-                _ => self.wrong(name, node, "a table", "{ … }"),
+                _ => {
+                    let heading = format!("[{}.{name}]", self.path(key));
+                    self.wrong_table(node, name, "a table", &heading);
+                }
             }
         }
         readers
@@ -439,6 +457,22 @@ impl<'a> Reader<'a> {
         table: &'a Table,
     ) -> Reader<'a> {
         Reader::new(table, shape, format!("[{path}]"), place.clone(), self.errors)
+    }
+}
+
+fn add_places(outer: &str, table: &Table, places: &mut BTreeMap<String, Located>) {
+    for (key, (_, node)) in &table.entries {
+        let name = format!("{outer}{key}");
+        match &node.value {
+            Value::Table(inner) => add_places(&format!("{name}."), inner, places),
+            Value::List(items) => {
+                let items = items.iter().enumerate();
+                places
+                    .extend(items.map(|(i, item)| (format!("{name}[{i}]"), item.place.written())));
+            }
+            _ => {}
+        }
+        places.insert(name, node.place.written());
     }
 }
 

@@ -76,7 +76,7 @@ pub struct Made<D> {
     pub dimensions: D,
     /// The table of the dimensions.
     pub table: Located,
-    /// The dimensions by their names in the case.
+    /// The dimensions by their names in the case, such as `length`, `cells.sectors` and `loads[0]`.
     pub places: BTreeMap<String, Located>,
 }
 

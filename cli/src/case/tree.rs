@@ -23,6 +23,11 @@ impl Place {
         Diagnostic::new(&self.source, code, self.span.clone(), message)
     }
 
+    /// What stands here as it is written.
+    pub(crate) fn written(&self) -> Located {
+        self.text(self.source.text.get(self.span.clone()).unwrap_or(""))
+    }
+
     /// The text of a string that stands here.
     pub(crate) fn text(&self, text: &str) -> Located {
         Located::new(&self.source, self.span.clone(), text)
@@ -53,7 +58,7 @@ impl Value {
         match self {
             Value::Text(_) => "text",
             Value::Integer(_) => "a whole number",
-            Value::Number(_) => "a number",
+            Value::Number(_) => "a number with a point",
             Value::Flag(_) => "true or false",
             Value::List(_) => "a list",
             Value::Table(_) => "a table",
@@ -120,22 +125,27 @@ fn convert(
     value: &DeValue,
     errors: &mut Diagnostics,
 ) -> Option<Value> {
-    let mut refuse = |message: &str| {
-        errors.push(place.error(Code::BAD_VALUE, message));
+    let mut refuse = |message: &str, help: &str| {
+        errors.push(place.error(Code::BAD_VALUE, message).help(help));
         None
     };
     match value {
         DeValue::String(text) => Some(Value::Text(text.to_string())),
         DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
             Ok(value) => Some(Value::Integer(value)),
-            Err(_) => refuse("this whole number is too large"),
+            Err(_) => refuse(
+                "this whole number is too large",
+                "whole numbers lie between -9223372036854775808 and 9223372036854775807",
+            ),
         },
         DeValue::Float(number) => match number.as_str().parse::<f64>() {
             Ok(value) if value.is_finite() => Some(Value::Number(value)),
-            _ => refuse("a finite number is needed here"),
+            _ => refuse("a finite number is needed here", "write a number such as `0.3` or `1e-3`"),
         },
         DeValue::Boolean(flag) => Some(Value::Flag(*flag)),
-        DeValue::Datetime(_) => refuse("a date has no meaning here"),
+        DeValue::Datetime(_) => {
+            refuse("a date has no meaning here", "write it as text, between quotes")
+        }
         DeValue::Array(list) => {
             let mut nodes = Vec::with_capacity(list.len());
             for item in list.iter() {

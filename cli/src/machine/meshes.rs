@@ -44,14 +44,12 @@ fn elements() -> Vec<&'static Element> {
 
 /// An error about a dimension, where the case says it.
 fn impossible<D>(made: &case::Made<D>, error: Error) -> Failure {
-    let Error::Dimension { dimension, value, what } = &error else {
+    let Error::Dimension { dimension, value, what, help } = &error else {
         return error.into();
     };
-    // `loads[0]` stands in `loads`.
-    let key = dimension.split('[').next().unwrap_or(dimension);
-    let place = made.places.get(key).unwrap_or(&made.table);
-    let message = format!("{dimension} = {value} cannot be");
-    Diagnostics::from(place.error_here(Code::BAD_VALUE, message).help(what)).into()
+    let place = made.places.get(dimension).unwrap_or(&made.table);
+    let message = format!("`{dimension} = {value}` {what}");
+    Diagnostics::from(place.error_here(Code::BAD_VALUE, message).help(help)).into()
 }
 
 /// The mesh in a file, with `material` in place of the file's own where the case names one.

@@ -85,6 +85,15 @@ impl BodyPlan {
     pub(super) fn explain(&self, error: Error) -> Failure {
         match error {
             Error::InvertedCells { .. } => meshes::inverted(&error),
+            Error::Reduction(ReductionError::Mechanism { motions }) => {
+                let motions: Vec<String> = motions.iter().map(ToString::to_string).collect();
+                let message =
+                    format!("{} can still move freely: {}", self.mesh.origin(), motions.join("; "));
+                let help = "against each of these motions hold more nodes or, on the support, add a spring \
+                            `[[support.ground_spring]]`";
+                Diagnostics::from(self.held_by.error_here(Code::BAD_VALUE, message).help(help))
+                    .into()
+            }
             Error::Reduction(_) | Error::Constraint { .. } => {
                 let message = format!("{}: {error}", self.mesh.origin());
                 Diagnostics::from(self.held_by.error_here(Code::BAD_VALUE, message)).into()
@@ -156,7 +165,7 @@ impl BodyPlan {
                     _ => {
                         let sets = self.mesh.node_sets().keys();
                         let known: Vec<&str> = sets.map(String::as_str).collect();
-                        format!("it has {}", known.join(", "))
+                        format!("name one of its sets{}", listed(&known))
                     }
                 };
                 errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
@@ -171,11 +180,14 @@ impl BodyPlan {
         let origin = self.mesh.origin();
         if nodes.len() != 1 && self.mesh.node_set(set.text()).is_ok() {
             let message = format!(
-                "the node set `{}` of {origin} must have one node, it has {}",
+                "the node set `{}` of {origin} must have one node, but has {}",
                 set.text(),
                 nodes.len()
             );
-            errors.push(set.error_here(Code::BAD_VALUE, message));
+            let single = self.mesh.node_sets().iter().filter(|(_, nodes)| nodes.len() == 1);
+            let single: Vec<&str> = single.map(|(name, _)| name.as_str()).collect();
+            let help = format!("name a set of one node{}", listed(&single));
+            errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
         }
         nodes.first().copied()
     }
@@ -196,6 +208,14 @@ impl BodyPlan {
         self.spec.constraints.equation(name, [(ties[0], 1.0), (ties[1], -1.0)]);
         [top, bottom].map(|node| self.watch(node))
     }
+}
+
+/// Names in a list after a colon, not too many of them; nothing if there are none.
+fn listed(names: &[&str]) -> String {
+    const MOST: usize = 16;
+    let shown: Vec<String> = names.iter().take(MOST).map(|name| format!("`{name}`")).collect();
+    let more = if names.len() > MOST { ", …" } else { "" };
+    if names.is_empty() { String::new() } else { format!(": {}{more}", shown.join(", ")) }
 }
 
 /// Both results, or the errors of both beside those that are there.

@@ -35,7 +35,7 @@ pub fn beyond_limits(source: &Arc<Source>) -> Option<Diagnostic> {
         return Some(Diagnostic::new(source, Code::LIMIT, None, message));
     }
     let place = deep_key(&source.text)?;
-    let message = format!("a key joins at most {MOST_JOINED} names by dots");
+    let message = format!("this key joins more than {MOST_JOINED} names by dots");
     Some(Diagnostic::new(source, Code::LIMIT, place..place + 1, message))
 }
 

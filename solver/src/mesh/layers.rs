@@ -7,13 +7,26 @@ use crate::error::Error;
 /// Lengths nearer than this part of the whole are the same.
 const SAME: f64 = 1e-9;
 
-/// A dimension that cannot be.
-pub(super) fn wrong(dimension: &str, value: impl ToString, what: impl Into<String>) -> Error {
+/// A dimension that cannot be, what is said of it, and what would do.
+pub(super) fn wrong(
+    dimension: &str,
+    value: impl ToString,
+    what: impl Into<String>,
+    help: impl Into<String>,
+) -> Error {
     Error::Dimension {
         dimension: dimension.to_owned(),
         value: value.to_string(),
         what: what.into(),
+        help: help.into(),
     }
+}
+
+/// A length in mm as people write it: without the digits that the change of units adds.
+pub(super) fn length(metres: f64) -> String {
+    let millimetres = 1e3 * metres;
+    let rounded = format!("{millimetres:.9e}").parse().unwrap_or(millimetres);
+    format!("{rounded} mm")
 }
 
 /// Most cells of a made mesh: far more than a march has use for, and less than a gigabyte.
@@ -22,7 +35,9 @@ const MOST_CELLS: usize = 1_000_000;
 /// Every length positive and finite.
 pub(super) fn positive(lengths: &[(&str, f64)]) -> Result<(), Error> {
     match lengths.iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
-        Some((name, value)) => Err(wrong(name, format!("{value} m"), "it must be positive")),
+        Some((name, value)) => {
+            Err(wrong(name, length(*value), "is not positive", "give a length above zero"))
+        }
         None => Ok(()),
     }
 }
@@ -73,14 +88,16 @@ impl Plan<'_> {
         let same = SAME * self.length;
         let (start, end) = (self.start, self.start + self.length);
         if inside == 0 || !inside.is_multiple_of(2) {
-            let what = "it must be even and not 0, so that nodes stand in the middle";
-            return Err(wrong(count_name, inside, what));
+            let help = "make it 2, 4 or another even number, so that nodes stand in the middle";
+            return Err(wrong(count_name, inside, "is not an even number above zero", help));
         }
         if between == 0 {
-            return Err(wrong(between_name, between, "there must be at least one layer"));
+            let help = "make it 1 at least";
+            return Err(wrong(between_name, between, "leaves no layer of cells", help));
         }
         let (Some(first), Some(last)) = (supports.first(), supports.last()) else {
-            return Err(wrong(name, "[]", "there must be at least one"));
+            let help = "list the middle of one at least";
+            return Err(wrong(name, "[]", "lists no place", help));
         };
         for (k, pair) in supports.windows(2).enumerate() {
             let gap = pair[1] - pair[0] - support_length;
@@ -89,11 +106,12 @@ impl Plan<'_> {
             if !apart {
                 let at = format!("{name}[{}]", k + 1);
                 let what = format!(
-                    "it overlaps or touches the one before it ({length_name} = {support_length} m, \
-                     {name}[{k}] = {} m): list them in ascending order, farther apart",
-                    pair[0]
+                    "overlaps or touches the one before it: {name}[{k}] = {}, and {length_name} = {}",
+                    length(pair[0]),
+                    length(support_length)
                 );
-                return Err(wrong(&at, format!("{} m", pair[1]), what));
+                let help = "list them in ascending order, farther apart";
+                return Err(wrong(&at, length(pair[1]), what, help));
             }
         }
         let (head, tail) =
@@ -102,10 +120,15 @@ impl Plan<'_> {
             let inside = gap >= -same;
             if !inside {
                 let what = format!(
-                    "with {length_name} = {support_length} m it reaches beyond the body, which goes \
-                     from {start} m to {end} m"
+                    "with {length_name} = {} reaches beyond the body, which goes from {} to {}",
+                    length(support_length),
+                    length(start),
+                    length(end)
                 );
-                return Err(wrong(&format!("{name}[{k}]"), format!("{z} m"), what));
+                let half = 0.5 * support_length;
+                let help =
+                    format!("place it between {} and {}", length(start + half), length(end - half));
+                return Err(wrong(&format!("{name}[{k}]"), length(*z), what, help));
             }
         }
         let span = |pair: &[f64]| (pair[1] - pair[0] - support_length) / between as f64;
@@ -121,15 +144,16 @@ impl Plan<'_> {
         let count = count.saturating_add(spans.saturating_mul(between));
         if count.saturating_mul(self.in_layer) > MOST_CELLS {
             let what = format!(
-                "{count} layers of up to {} cells are beyond the {MOST_CELLS} cells of a made mesh: make \
-                 fewer layers, or fewer cells in each",
+                "makes too many cells: {count} layers of up to {} cells, where a mesh made from \
+                 dimensions has at most {MOST_CELLS} cells",
                 self.in_layer
             );
+            let help = "make fewer layers, or fewer cells in each";
             // Of layers at the ends, which nobody counts, the length is to blame.
             return Err(match of_ends > count / 2 {
-                true => wrong("length", format!("{} m", self.length), what),
-                false if inside >= between => wrong(count_name, inside, what),
-                false => wrong(between_name, between, what),
+                true => wrong("length", length(self.length), what, help),
+                false if inside >= between => wrong(count_name, inside, what, help),
+                false => wrong(between_name, between, what, help),
             });
         }
 

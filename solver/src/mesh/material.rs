@@ -19,18 +19,20 @@ impl Material {
     /// # Errors
     /// [`Error::Dimension`]: E or ρ not positive, ν outside (−1, 0.5).
     pub fn isotropic(name: &str, e: f64, nu: f64, rho: f64) -> Result<Material, Error> {
-        let wrong = |symbol: &str, value: f64, what: &str| Error::Dimension {
+        let wrong = |symbol: &str, value: f64, [what, help]: [&str; 2]| Error::Dimension {
             dimension: format!("{symbol} of {name}"),
             value: value.to_string(),
             what: what.to_owned(),
+            help: help.to_owned(),
         };
         for (symbol, value) in [("E", e), ("rho", rho)] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(wrong(symbol, value, "it must be positive"));
+                return Err(wrong(symbol, value, ["is not positive", "give a positive number"]));
             }
         }
         if !(nu > -1.0 && nu < 0.5) {
-            return Err(wrong("nu", nu, "it lies between −1 and 0.5, both excluded"));
+            let what = ["is not between −1 and 0.5", "give a number between these, such as 0.3"];
+            return Err(wrong("nu", nu, what));
         }
         let properties = [("E", e), ("nu", nu), ("rho", rho)];
         Ok(Material {

@@ -5,11 +5,11 @@ use std::f64::consts::{PI, TAU};
 
 use whirl_specs::Element;
 
-use super::layers::{Plan, element, positive, wrong};
+use super::layers::{Plan, element, length, positive, wrong};
 use super::{Block, Cell, Material, Mesh, MeshParts};
 use crate::error::Error;
 
-const ORIGIN: &str = "shaft made from its dimensions";
+const ORIGIN: &str = "the shaft made from its dimensions";
 
 /// A round shaft along z from z = 0, turning in supports.
 ///
@@ -117,11 +117,12 @@ impl SolidShaft {
         for (k, &z) in self.loads.iter().enumerate() {
             let plane = layers.at(z).ok_or_else(|| {
                 let nearest = layers.planes[layers.nearest(z)];
-                let what = format!(
-                    "no layer of cells ends there, the nearest end is at {nearest} m: move the load or \
-                     change layers_between"
+                let help = format!(
+                    "move the load to {}, where the nearest layer ends, or change `layers_between`",
+                    length(nearest)
                 );
-                wrong(&format!("loads[{k}]"), format!("{z} m"), what)
+                let what = "has no node: no layer of cells ends there";
+                wrong(&format!("loads[{k}]"), length(z), what, help)
             })?;
             node_sets.insert(format!("LOAD{}", k + 1), vec![node(plane, 0, 0)]);
         }
@@ -160,10 +161,12 @@ impl SolidShaft {
         ])?;
         let SectionCells { sectors, rings } = self.section;
         if sectors < 4 || !sectors.is_multiple_of(2) {
-            return Err(wrong("sectors", sectors, "it must be even and at least 4"));
+            let help = "make it 4, 6, 8 or another even number";
+            return Err(wrong("cells.sectors", sectors, "is not an even number from 4 on", help));
         }
         if rings < 2 {
-            return Err(wrong("rings", rings, "it must be at least 2: wedges, then hexahedra"));
+            let help = "make it 2 at least: wedges around the centre, then hexahedra";
+            return Err(wrong("cells.rings", rings, "leaves no hexahedra", help));
         }
         Ok(())
     }

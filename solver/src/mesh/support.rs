@@ -5,12 +5,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use whirl_specs::Element;
 
-use super::layers::{Layers, Plan, element, positive, wrong};
+use super::layers::{Layers, Plan, element, length, positive, wrong};
 use super::shaft::from_abaqus;
 use super::{Cell, Material, Mesh, MeshParts};
 use crate::error::Error;
 
-const ORIGIN: &str = "support made from its dimensions";
+const ORIGIN: &str = "the support made from its dimensions";
 
 /// A beam along z above rings around the z axis; a pedestal joins each ring's top to the beam.
 ///
@@ -120,35 +120,42 @@ impl RingSupport {
             ("bore_radius", self.bore_radius),
         ])?;
         if !self.start.is_finite() {
-            return Err(wrong("start", self.start, "it must be a number"));
+            return Err(wrong("start", self.start, "is not finite", "give a length"));
         }
         let cells = self.section;
         let counts = [
-            ("cells along the height", cells.height),
-            ("cells of a pedestal", cells.pedestal),
-            ("radial cells", cells.radial),
+            ("cells.height", cells.height),
+            ("cells.pedestal", cells.pedestal),
+            ("cells.radial", cells.radial),
         ];
         if let Some((name, count)) = counts.into_iter().find(|&(_, count)| count == 0) {
-            return Err(wrong(name, count, "there must be at least one"));
+            return Err(wrong(name, count, "leaves no cells", "make it 1 at least"));
         }
         if cells.width == 0 || !cells.width.is_multiple_of(2) {
-            let what = "it must be even and not 0, so that nodes stand half way across";
-            return Err(wrong("cells across the width", cells.width, what));
+            let help = "make it 2, 4 or another even number, so that nodes stand half way across";
+            let what = "is not an even number above zero";
+            return Err(wrong("cells.width", cells.width, what, help));
         }
         let outer = self.outer_radius();
         if self.width >= 2.0 * outer {
             let what = format!(
-                "the pedestals must be narrower than the rings, whose outer diameter is {} m \
-                 (bore_radius + ring_thickness, twice)",
-                2.0 * outer
+                "makes the pedestals as wide as the rings, whose outer diameter is {} (bore_radius + \
+                 ring_thickness, twice)",
+                length(2.0 * outer)
             );
-            return Err(wrong("width", format!("{} m", self.width), what));
+            let help = "make `width` smaller than this diameter, or the rings larger";
+            return Err(wrong("width", length(self.width), what, help));
         }
         let beside = TAU - 2.0 * (0.5 * self.width / outer).asin();
         let least = cells.width + (beside / FRAC_PI_2).ceil() as usize;
         if cells.around < least {
-            let what = format!("at least {least} are needed for cells of less than a right angle");
-            return Err(wrong("cells around a ring", cells.around, what));
+            let what = "makes cells of a right angle or more";
+            return Err(wrong(
+                "cells.around",
+                cells.around,
+                what,
+                format!("make it {least} at least"),
+            ));
         }
         Ok(())
     }

@@ -38,6 +38,8 @@ impl fmt::Display for FreeMotion {
             FreeMotion::Translation { direction } => write!(f, "shift along {}", axis(direction)),
             FreeMotion::Rotation { direction, through: [x, y, z] } => {
                 let direction = axis(direction);
+                // Without the sign of what rounds to zero.
+                let [x, y, z] = [x, y, z].map(|value| (1e4 * value).round() / 1e4 + 0.0);
                 write!(f, "turn about an axis along {direction} through ({x:.4}, {y:.4}, {z:.4}) m")
             }
             FreeMotion::Part { node } => {
