@@ -12,6 +12,8 @@ use whirl_codegen::generate::{SpecFile, generate};
 const TRIES: usize = 3;
 
 fn main() {
+    // What cargo adds to the arguments begins with a dash.
+    let only = env::args().skip(1).find(|argument| !argument.starts_with('-'));
     let files = specs::files();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compile");
     fs::create_dir_all(&folder).expect("a folder");
@@ -29,11 +31,14 @@ fn main() {
         let time = found.time - nothing.time;
         println!("{name:40} {time:8.2} {:12.1} {:12.1}", text as f64 / 1e3, code as f64 / 1e3);
     };
-    for file in files.iter().filter(|file| !beside(file)) {
+    let asked = |file: &&SpecFile| only.as_ref().is_none_or(|part| file.path.contains(part));
+    for file in files.iter().filter(|file| !beside(file)).filter(asked) {
         let own = [&shared[..], std::slice::from_ref(file)].concat();
         print(&file.path, &compiler.compile(&own));
     }
-    print("all together", &compiler.compile(&files));
+    if only.is_none() {
+        print("all together", &compiler.compile(&files));
+    }
 }
 
 /// What a compilation costs.

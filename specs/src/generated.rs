@@ -11,7 +11,7 @@ macro_rules! files {
     };
 }
 
-files!["elements.rs", "laws.rs", "motions.rs", "clearances.rs"];
+files!["forms.rs", "elements.rs", "laws.rs", "motions.rs", "clearances.rs"];
 
 /// The module made from a spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,8 +28,7 @@ pub struct Module {
     pub text: &'static str,
 }
 
-/// The module made from the spec file at `path`, such as `laws/hu2003-linear.toml`; forms have none of
-/// their own: they are part of every element's.
+/// The module made from the spec file at `path`, such as `laws/hu2003-linear.toml`.
 pub fn module(path: &str) -> Option<Module> {
     let origin = format!("spec: {path:?},");
     FILES.iter().find_map(|&(file, text)| {
@@ -62,7 +61,7 @@ fn modules(text: &'static str) -> impl Iterator<Item = (usize, &'static str)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{CLEARANCES, ELEMENTS, LAWS, MOTIONS};
+    use crate::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS};
 
     #[test]
     fn every_entry_of_the_registries_has_its_module() {
@@ -70,7 +69,8 @@ mod tests {
         let elements = ELEMENTS.iter().map(|element| element.origin);
         let motions = MOTIONS.iter().map(|motion| motion.origin);
         let clearances = CLEARANCES.iter().map(|clearance| clearance.origin);
-        for origin in laws.chain(elements).chain(motions).chain(clearances) {
+        let forms = FORMS.iter().copied();
+        for origin in forms.chain(laws).chain(elements).chain(motions).chain(clearances) {
             let module = module(origin.spec).unwrap_or_else(|| panic!("{} has none", origin.spec));
             assert!(module.text.contains(&format!("hash: {:?},", origin.hash)), "{}", origin.spec);
             assert!(module.text.starts_with("///"), "{}", module.text);

@@ -2,6 +2,18 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::vector;
+
+/// What many kernels do alike: compiled once for a lane type, not once a kernel.
+pub trait Shared<L> {
+    /// What it gives.
+    type Output;
+
+    /// Does the work. To be `#[inline(always)]`, like all that it calls over lanes: only then is it compiled
+    /// for the instructions of L.
+    fn run(self) -> Self::Output;
+}
+
 /// A lane of numbers. Kernels are generic over it: `f64` computes one cell or spring at a time, wider
 /// lanes compute several, and a dual number differentiates the same text. An `f64` operand stands for
 /// the same value in every lane.
@@ -62,6 +74,23 @@ pub trait Lane:
     fn not(a: Self::Mask) -> Self::Mask;
     /// `a` where the mask holds, else `b`.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+
+    /// Does the work in a function of its own, for the instructions of this lane type.
+    fn shared<T: Shared<Self>>(work: T) -> T::Output {
+        work.run()
+    }
+    /// See [`vector::add_columns`].
+    fn add_columns(y: &mut [Self], columns: &[f64], x: &[Self]) {
+        vector::sum_of_columns(y, columns, x);
+    }
+    /// See [`vector::dot`].
+    fn dot(a: &[Self], b: &[Self]) -> Self {
+        vector::sum_of_products(a, b)
+    }
+    /// See [`vector::dot_numbers`].
+    fn dot_numbers(a: &[Self], b: &[f64]) -> Self {
+        vector::sum_of_products(a, b)
+    }
 }
 
 impl Lane for f64 {
@@ -136,5 +165,18 @@ impl Lane for f64 {
     #[inline(always)]
     fn select(mask: bool, a: Self, b: Self) -> Self {
         if mask { a } else { b }
+    }
+    #[inline(never)]
+    fn shared<T: Shared<f64>>(work: T) -> T::Output {
+        work.run()
+    }
+    fn add_columns(y: &mut [f64], columns: &[f64], x: &[f64]) {
+        vector::add_columns_of_numbers(y, columns, x);
+    }
+    fn dot(a: &[f64], b: &[f64]) -> f64 {
+        vector::dot_of_numbers(a, b)
+    }
+    fn dot_numbers(a: &[f64], b: &[f64]) -> f64 {
+        vector::dot_of_numbers(a, b)
     }
 }

@@ -8,6 +8,7 @@
 pub mod cells;
 mod condensation;
 pub mod generated;
+mod jacobian;
 pub mod lane;
 pub mod registers;
 mod registry;
@@ -17,7 +18,7 @@ mod wide;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use lane::Lane;
+pub use lane::{Lane, Shared};
 pub use registers::{Register, Registers};
 pub use registry::*;
 pub use rows::{SpringKernel, each_spring, rows, rows_mut};

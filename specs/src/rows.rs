@@ -22,13 +22,17 @@ pub fn each_spring<K: SpringKernel<I, O>, const I: usize, const O: usize>(
     inputs: &[f64],
     outputs: &mut [f64],
 ) {
-    let (inputs, outputs) = (rows(springs, inputs), rows_mut(springs, outputs));
-    Registers::current().run(EachSpring { inputs, outputs, kernel: PhantomData::<K> });
+    assert!(
+        inputs.len() >= I * springs && outputs.len() >= O * springs,
+        "a value a spring and row"
+    );
+    Registers::current().run(EachSpring { springs, inputs, outputs, kernel: PhantomData::<K> });
 }
 
 struct EachSpring<'a, K, const I: usize, const O: usize> {
-    inputs: [&'a [f64]; I],
-    outputs: [&'a mut [f64]; O],
+    springs: usize,
+    inputs: &'a [f64],
+    outputs: &'a mut [f64],
     kernel: PhantomData<K>,
 }
 
@@ -36,14 +40,19 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> EachSpring<'_, K, I,
     /// Whole registers from spring `first` on; gives the spring behind them.
     #[inline(always)]
     fn chunks<L: Register>(&mut self, first: usize) -> usize {
-        let springs = self.outputs.iter().map(|row| row.len()).min().unwrap_or(0);
+        let springs = self.springs;
         let count = (springs - first) / L::WIDTH;
-        let from: [&[L::Chunk]; I] = from_fn(|i| &L::chunks(&self.inputs[i][first..])[..count]);
-        let mut outputs = self.outputs.iter_mut();
-        let to: [&mut [L::Chunk]; O] = from_fn(|_| {
-            let row = outputs.next().expect("as many rows as outputs");
-            &mut L::chunks_mut(&mut row[first..])[..count]
-        });
+        let mut from: [&[L::Chunk]; I] = [&[]; I];
+        for (i, from) in from.iter_mut().enumerate() {
+            *from = &L::chunks(&self.inputs[i * springs..][first..springs])[..count];
+        }
+        let mut to: [&mut [L::Chunk]; O] = from_fn(|_| Default::default());
+        let mut rest = &mut *self.outputs;
+        for to in &mut to {
+            let (row, behind) = rest.split_at_mut(springs);
+            *to = &mut L::chunks_mut(&mut row[first..])[..count];
+            rest = behind;
+        }
         for k in 0..count {
             let mut values = [L::splat(0.0); I];
             for i in 0..I {
@@ -71,7 +80,7 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> Task for EachSpring<
     #[inline(always)]
     fn run<L: Register>(mut self) {
         let first = if L::WIDTH == 1 { 0 } else { self.chunks::<L>(0) };
-        if self.outputs.iter().any(|row| row.len() > first) {
+        if first < self.springs {
             self.rest(first);
         }
     }

@@ -6,6 +6,7 @@
 use std::ops::Mul;
 
 use crate::Lane;
+use crate::wide::wide;
 
 /// Columns that [`add_columns`] takes at once: each entry of y is loaded and stored once for all of them.
 pub const COLUMNS: usize = 4;
@@ -13,29 +14,26 @@ pub const COLUMNS: usize = 4;
 /// Partial sums of [`dot`].
 const PARTS: usize = 8;
 
-/// y += Σ_j column_j x(j), columns in their order; they follow one another in `columns`, each as long as y.
+/// y += Σ_j column_j x_j, columns in their order; at most [`COLUMNS`] follow one another in `columns`, each as long
+/// as y.
 ///
 /// # Panics
-/// If the last column is cut.
+/// If the last column is cut, or there are more.
 #[inline(always)]
-pub fn add_columns<L: Lane>(y: &mut [L], columns: &[f64], x: impl Fn(usize) -> L) {
-    let n = y.len();
-    if columns.len() == COLUMNS * n {
-        let (ab, cd) = columns.split_at(2 * n);
-        let ((a, b), (c, d)) = (ab.split_at(n), cd.split_at(n));
-        let (a, b, c, d) = (&a[..n], &b[..n], &c[..n], &d[..n]);
-        let x = [x(0), x(1), x(2), x(3)];
-        for i in 0..n {
-            y[i] = y[i] + x[0] * a[i] + x[1] * b[i] + x[2] * c[i] + x[3] * d[i];
-        }
-    } else {
-        for (j, column) in columns.chunks(n.max(1)).enumerate() {
-            let (column, x) = (&column[..n], x(j));
-            for i in 0..n {
-                y[i] = y[i] + x * column[i];
-            }
-        }
+pub fn add_columns<L: Lane>(y: &mut [L], columns: &[f64], x: &[L]) {
+    L::add_columns(y, columns, x);
+}
+
+/// At most [`COLUMNS`] numbers over lanes.
+///
+/// # Panics
+/// If there are more.
+pub fn lanes<L: Lane>(numbers: &[f64]) -> [L; COLUMNS] {
+    let mut lanes = [L::splat(0.0); COLUMNS];
+    for (lane, number) in lanes[..numbers.len()].iter_mut().zip(numbers) {
+        *lane = L::splat(*number);
     }
+    lanes
 }
 
 /// a·b over the length of a, in eight partial sums that are added pairwise.
@@ -43,7 +41,43 @@ pub fn add_columns<L: Lane>(y: &mut [L], columns: &[f64], x: impl Fn(usize) -> L
 /// # Panics
 /// If b is shorter than a.
 #[inline(always)]
-pub fn dot<L: Lane + Mul<A, Output = L>, A: Copy>(a: &[L], b: &[A]) -> L {
+pub fn dot<L: Lane>(a: &[L], b: &[L]) -> L {
+    L::dot(a, b)
+}
+
+/// [`dot`] with plain numbers.
+///
+/// # Panics
+/// If b is shorter than a.
+#[inline(always)]
+pub fn dot_numbers<L: Lane>(a: &[L], b: &[f64]) -> L {
+    L::dot_numbers(a, b)
+}
+
+/// [`add_columns`] on any lane type.
+#[inline(always)]
+pub(crate) fn sum_of_columns<L: Lane>(y: &mut [L], columns: &[f64], x: &[L]) {
+    let n = y.len();
+    if let [p, q, r, s] = *x {
+        let (ab, cd) = columns.split_at(2 * n);
+        let ((a, b), (c, d)) = (ab.split_at(n), cd.split_at(n));
+        let (a, b, c, d) = (&a[..n], &b[..n], &c[..n], &d[..n]);
+        for i in 0..n {
+            y[i] = y[i] + p * a[i] + q * b[i] + r * c[i] + s * d[i];
+        }
+    } else {
+        for (column, x) in columns.chunks(n.max(1)).zip(x) {
+            let column = &column[..n];
+            for i in 0..n {
+                y[i] = y[i] + *x * column[i];
+            }
+        }
+    }
+}
+
+/// [`dot`] on any lane type.
+#[inline(always)]
+pub(crate) fn sum_of_products<L: Lane + Mul<A, Output = L>, A: Copy>(a: &[L], b: &[A]) -> L {
     let b = &b[..a.len()];
     let mut parts = [L::splat(0.0); PARTS];
     let (a, b) = (a.chunks(PARTS), b.chunks(PARTS));
@@ -56,6 +90,15 @@ pub fn dot<L: Lane + Mul<A, Output = L>, A: Copy>(a: &[L], b: &[A]) -> L {
     ((a + b) + (c + d)) + ((e + f) + (g + h))
 }
 
+// What `f64` computes with: compiled twice, not once a kernel.
+wide!(sum_of_columns as add_columns_of_numbers(y: &mut [f64], columns: &[f64], x: &[f64]));
+wide!(product_of_numbers as dot_of_numbers(a: &[f64], b: &[f64]) -> f64);
+
+#[inline(always)]
+fn product_of_numbers<L: Lane>(a: &[L], b: &[f64]) -> L {
+    sum_of_products(a, b)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -66,7 +109,9 @@ mod tests {
             for count in 0..=COLUMNS {
                 let columns: Vec<f64> = (0..n * count).map(|k| k as f64 + 1.0).collect();
                 let mut y = vec![1.0; n];
-                add_columns(&mut y, &columns, |j| j as f64 - 1.5);
+                let x: Vec<f64> = (0..count).map(|j| j as f64 - 1.5).collect();
+                add_columns(&mut y, &columns, &x);
+                assert_eq!(lanes::<f64>(&x)[..count], x);
                 for i in 0..n {
                     let sum: f64 = (0..count).map(|j| columns[j * n + i] * (j as f64 - 1.5)).sum();
                     assert_eq!(y[i], 1.0 + sum, "{n} {count}");

@@ -6,7 +6,7 @@
 /// the same bits.
 macro_rules! wide {
     ($kernel:ident as $name:ident($($argument:ident: $type:ty),*) $(-> $result:ty)?) => {
-        fn $name($($argument: $type),*) $(-> $result)? {
+        pub(crate) fn $name($($argument: $type),*) $(-> $result)? {
             #[cfg(target_arch = "x86_64")]
             {
                 #[target_feature(enable = "avx2")]

@@ -4,15 +4,17 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::Lane;
 use crate::registers::Register;
+use crate::{Lane, Shared};
 
-/// A lane type by intrinsics. Arguments: vector, its integer and mask types, width; names of the operations;
+/// A lane type by intrinsics. What is not to be inlined is compiled once, not for every kernel; the functions behind
+/// it have the instructions of the registers. Arguments: vector, its integer and mask types, width; names of the operations;
 /// the operations that differ between the sets of instructions.
 macro_rules! register {
     (
         $(#[$about:meta])*
-        $name:ident($vector:ty, $mask:ty, $width:literal);
+        $name:ident($vector:ty, $mask:ty, $width:literal, $features:literal);
+        shared $shared:ident,
         splat $splat:ident, load $load:ident, store $store:ident, sqrt $sqrt:ident, fused $fused:ident,
         operators [$($trait:ident $method:ident $intrinsic:ident),*];
         neg($n:ident) $neg:expr;
@@ -69,11 +71,9 @@ macro_rules! register {
 
             /// One value after the other: for functions that no instruction computes.
             #[inline(always)]
-            fn each(self, function: impl Fn(f64) -> f64) -> Self {
+            fn each(self, function: fn(f64) -> f64) -> Self {
                 let mut values = self.to_array();
-                for value in &mut values {
-                    *value = function(*value);
-                }
+                one_by_one(&mut values, function);
                 Self::from_array(values)
             }
         }
@@ -132,10 +132,8 @@ macro_rules! register {
             }
             #[inline(always)]
             fn powf(self, exponent: Self) -> Self {
-                let (mut values, exponents) = (self.to_array(), exponent.to_array());
-                for (value, exponent) in values.iter_mut().zip(exponents) {
-                    *value = libm::pow(*value, exponent);
-                }
+                let mut values = self.to_array();
+                powers(&mut values, &exponent.to_array());
                 Self::from_array(values)
             }
             #[inline(always)]
@@ -174,6 +172,16 @@ macro_rules! register {
                 // SAFETY: as the module says.
                 $name(unsafe { $select })
             }
+            #[inline(never)]
+            fn shared<T: Shared<Self>>(work: T) -> T::Output {
+                // SAFETY: as the module says.
+                unsafe { $shared(work) }
+            }
+        }
+
+        #[target_feature(enable = $features)]
+        fn $shared<T: Shared<$name>>(work: T) -> T::Output {
+            work.run()
         }
 
         impl Register for $name {
@@ -270,6 +278,22 @@ macro_rules! register {
     };
 }
 
+/// A function of every value.
+#[inline(never)]
+fn one_by_one(values: &mut [f64], function: fn(f64) -> f64) {
+    for value in values {
+        *value = function(*value);
+    }
+}
+
+/// Every value to a power of its own.
+#[inline(never)]
+fn powers(values: &mut [f64], exponents: &[f64]) {
+    for (value, exponent) in values.iter_mut().zip(exponents) {
+        *value = libm::pow(*value, *exponent);
+    }
+}
+
 /// Columns of a 4 × 4 matrix from its rows.
 #[inline(always)]
 fn transposed(rows: [__m256d; 4]) -> [__m256d; 4] {
@@ -323,7 +347,8 @@ unsafe fn pair<const W: usize>(low: &[f64; W], high: &[f64; W], at: usize) -> __
 
 register! {
     /// Four values in a register of AVX2, with FMA.
-    F64x4(__m256d, __m256d, 4);
+    F64x4(__m256d, __m256d, 4, "avx2,fma");
+    shared shared_4,
     splat _mm256_set1_pd, load _mm256_loadu_pd, store _mm256_storeu_pd, sqrt _mm256_sqrt_pd,
     fused _mm256_fmadd_pd,
     operators [
@@ -339,7 +364,8 @@ register! {
 
 register! {
     /// Eight values in a register of AVX-512.
-    F64x8(__m512d, __mmask8, 8);
+    F64x8(__m512d, __mmask8, 8, "avx512f,avx2,fma");
+    shared shared_8,
     splat _mm512_set1_pd, load _mm512_loadu_pd, store _mm512_storeu_pd, sqrt _mm512_sqrt_pd,
     fused _mm512_fmadd_pd,
     operators [

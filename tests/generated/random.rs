@@ -131,9 +131,14 @@ fn function(place: usize, program: &Program) -> String {
 
 /// Source of a program that prints the bits of all outputs, one line a case and point.
 fn source(cases: &[Case], points: &[[f64; 2]]) -> String {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/src/lane.rs");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/src");
     let mut text = String::from("#![allow(unused, non_snake_case)]\n");
-    writeln!(text, "#[path = {root:?}]\nmod lane;\nuse lane::Lane;").expect("a string");
+    for module in ["lane", "registers", "vector", "wide", "x86"] {
+        let path = root.join(module).with_extension("rs");
+        let here = if module == "x86" { "#[cfg(target_arch = \"x86_64\")]\n" } else { "" };
+        writeln!(text, "{here}#[path = {path:?}]\nmod {module};").expect("a string");
+    }
+    text += "use lane::{Lane, Shared};\nuse registers::{Register, Registers};\n";
     for (place, case) in cases.iter().enumerate() {
         text += &function(place, &case.program);
     }

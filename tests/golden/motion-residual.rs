@@ -41,16 +41,16 @@
             let columns_of_M = &M[start * n..end * n];
             let columns_of_Y = &Y[start * n..end * n];
             let columns_of_H = &H[start * n..end * n];
-            vector::add_columns(Y_eta, columns_of_Y, |j| eta[start + j]);
-            vector::add_columns(H_eta, columns_of_H, |j| eta[start + j]);
-            vector::add_columns(H_eta_dot, columns_of_H, |j| eta_dot[start + j]);
-            vector::add_columns(M_eta_ddot, columns_of_M, |j| eta_ddot[start + j]);
+            vector::add_columns(Y_eta, columns_of_Y, &eta[start..end]);
+            vector::add_columns(H_eta, columns_of_H, &eta[start..end]);
+            vector::add_columns(H_eta_dot, columns_of_H, &eta_dot[start..end]);
+            vector::add_columns(M_eta_ddot, columns_of_M, &eta_ddot[start..end]);
         }
-        let dot_eta_y0 = vector::dot(eta, y0);
+        let dot_eta_y0 = vector::dot_numbers(eta, y0);
         let dot_eta_Y_eta = vector::dot(eta, Y_eta);
-        let dot_eta_dot_y0 = vector::dot(eta_dot, y0);
+        let dot_eta_dot_y0 = vector::dot_numbers(eta_dot, y0);
         let dot_eta_dot_Y_eta = vector::dot(eta_dot, Y_eta);
-        let dot_eta_ddot_g0 = vector::dot(eta_ddot, g0);
+        let dot_eta_ddot_g0 = vector::dot_numbers(eta_ddot, g0);
         let dot_eta_ddot_H_eta = vector::dot(eta_ddot, H_eta);
         let theta_row_part5 = (J0 + (dot_eta_y0 * 2.0 + dot_eta_Y_eta)) * theta_ddot;
         let theta_row = dot_eta_ddot_H_eta - dot_eta_ddot_g0 - theta_row_part5

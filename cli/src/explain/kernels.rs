@@ -1,28 +1,18 @@
 //! The code made from a spec: where it lies, and what each of its functions computes at what cost.
 
 use whirl_codegen::spec::form::FormSpec;
-use whirl_specs::{ELEMENTS, Origin, generated};
+use whirl_specs::{Origin, generated};
 
 use super::made::{self, SHOWN_ON};
 use super::page::Page;
 use crate::spec_file::Spec;
 
-/// Where the kernels of forms are.
-fn in_elements() -> String {
-    let element = ELEMENTS.first().map_or("ELEMENT", |element| element.origin.name);
-    format!("in the module of every element, such as `whirl explain {element} --rust`")
-}
-
 /// Says where the code lies and what its functions do.
 pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
     page.heading("Generated Rust");
     let name = spec.about()[0];
-    let Some(origin) = origin else {
+    let Some(module) = origin.and_then(|origin| generated::module(origin.spec)) else {
         explain_made(page, spec);
-        return;
-    };
-    let Some(module) = generated::module(origin.spec) else {
-        page.paragraph(2, &in_elements());
         return;
     };
     let generated::Module { kind, name: own, file, line, .. } = module;
@@ -31,6 +21,11 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
     ));
     page.item(&format!("{}/{file}:{line}", generated::FOLDER));
     say(page, functions(module.text));
+    if let Spec::Form(_) = spec {
+        page.item(&format!(
+            "and in the module of every element, such as `whirl explain {SHOWN_ON} --rust`"
+        ));
+    }
 }
 
 /// The same of a spec that is not built in.
@@ -58,11 +53,13 @@ fn explain_made(page: &mut Page, spec: &Spec) {
     say(page, if let Spec::Form(form) = spec { of_forms(form, made) } else { made });
 }
 
-/// The functions of these forms among those of the element on which they are shown.
+/// The functions of these forms: their own, and those of the element on which they are shown.
 fn of_forms(spec: &FormSpec, mut made: Vec<(String, String)>) -> Vec<(String, String)> {
-    let own = |name: &str| spec.forms.iter().any(|form| name == format!("{}_lane", form.name));
-    made.retain(|(name, _)| own(name));
-    for (name, _) in &mut made {
+    let of_form = |name: &str, end: &str| {
+        name.strip_suffix(end).is_some_and(|name| spec.forms.iter().any(|form| form.name == name))
+    };
+    made.retain(|(name, _)| of_form(name, "_pairs") || of_form(name, "_lane"));
+    for (name, _) in made.iter_mut().filter(|(name, _)| of_form(name, "_lane")) {
         name.push_str(&format!(", on the element {SHOWN_ON}"));
     }
     made

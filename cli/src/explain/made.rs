@@ -21,8 +21,8 @@ pub(super) fn folder(spec: &Spec) -> &'static str {
     }
 }
 
-/// The module that a build would make if the file lay in its folder: an element's with the built-in forms;
-/// for forms that of the element [`SHOWN_ON`] with them alone.
+/// The module that a build would make if the file lay in its folder: an element's with the built-in forms; forms'
+/// with that of the element [`SHOWN_ON`] behind it, which has them alone.
 ///
 /// # Errors
 /// What a build would refuse, at the places where the user finds it.
@@ -47,9 +47,15 @@ pub(super) fn module(spec: &Spec) -> Result<String, Diagnostics> {
         Spec::Motion(_) | Spec::Clearance(_) => {}
     }
     let made = generate(&files).map_err(|errors| at_home(errors, spec, &files[0].path))?;
-    // Of one spec, or of one element with forms: all modules but this one are empty.
-    let module = made.into_iter().find(|file| file.text.contains("\npub mod "));
-    Ok(module.map(|file| file.text).unwrap_or_default())
+    let kinds: &[&str] = match spec {
+        Spec::Law(_) => &["laws.rs"],
+        Spec::Element(_) => &["elements.rs"],
+        Spec::Form(_) => &["forms.rs", "elements.rs"],
+        Spec::Motion(_) => &["motions.rs"],
+        Spec::Clearance(_) => &["clearances.rs"],
+    };
+    let texts = made.iter().filter(|file| kinds.contains(&file.name.as_str()));
+    Ok(texts.map(|file| file.text.as_str()).collect())
 }
 
 /// The errors at the files as the user knows them: `own` is the path that stood for the spec.

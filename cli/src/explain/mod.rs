@@ -80,14 +80,10 @@ fn page(spec: &Spec, origin: Option<&Origin>) -> String {
 }
 
 fn rust(spec: &Spec, origin: Option<&Origin>) -> Result<String, Failure> {
-    let Some(origin) = origin else { return Ok(made::module(spec)?) };
-    if let Some(module) = generated::module(origin.spec) {
-        return Ok(module.text.to_string());
+    match origin.and_then(|origin| generated::module(origin.spec)) {
+        Some(module) => Ok(module.text.to_string()),
+        None => Ok(made::module(spec)?),
     }
-    let help = "their kernels stand in the module of every element: `whirl explain hex8 --rust`";
-    let message = "built-in forms have no module of their own";
-    let error = Diagnostic::new(spec.file(), Code::BAD_VALUE, None, message);
-    Err(Failure::Input(error.help(help).into()))
 }
 
 /// Writes the figure of a law as SVG and PNG: `path` with either ending.

@@ -51,28 +51,24 @@ impl CellForm<'_> {
             quote!([[[f64; 3]; #nodes_count]; #points_count]),
             quote!([#(#rows),*]),
         );
-        let (roots, keep_root) = match with_values {
-            true => {
-                let roots = quote!(let mut roots = [L::splat(0.0); #points_count];);
-                (roots, quote!(roots[q] = #root;))
-            }
-            false => (TokenStream::new(), TokenStream::new()),
-        };
+        let (slopes_text, rows) =
+            (quote!(#slopes_name.as_flattened()), quote!(room.basis[..#nodes_count]));
         let node = if with_values {
             let values = tables.named("VALUES", form);
-            let rows = table.values.iter().map(|values| row(values));
+            let rows_of = table.values.iter().map(|values| row(values));
             tables.add(
                 &values,
                 "N_a at the points.",
                 quote!([[f64; #nodes_count]; #points_count]),
-                quote!([#(#rows),*]),
+                quote!([#(#rows_of),*]),
             );
             quote! {
-                let [g_x, g_y, g_z] = cells::gradient(&maps[q], &#slopes_name[q][a]);
-                room.basis[a][q] = [roots[q] * #values[q][a], g_x, g_y, g_z];
+                cells::values_and_gradients(
+                    &room.maps, #slopes_text, &room.roots, #values.as_flattened(), #rows.as_flattened_mut()
+                );
             }
         } else {
-            quote!(room.basis[a][q] = cells::gradient(&maps[q], &#slopes_name[q][a]);)
+            quote!(cells::gradients(&room.maps, #slopes_text, #rows.as_flattened_mut());)
         };
         let points = table.weights.len();
         let (tangents, tangent_flops) = self.tangents(tables, table);
@@ -96,7 +92,7 @@ impl CellForm<'_> {
                     quote!([#(#rows),*]),
                 );
                 flops += 18 * nodes + DET_FLOPS;
-                centre = quote!(let centre = cells::Jacobian::new(cells::tangents(x, &CENTRE_TANGENTS)););
+                centre = quote!(let centre = cells::centre(x, &CENTRE_TANGENTS););
             }
             if used {
                 centre.extend(quote!(let det0 = centre.det;));
@@ -116,44 +112,57 @@ impl CellForm<'_> {
                     ModeJacobian::Centre => quote!(centre),
                     ModeJacobian::Point => quote!(at),
                 };
-                let gradient = quote!(cells::gradient(&mode_maps[q], &#mode_slopes[q][m]));
                 flops += points * (9 + modes * GRADIENT_FLOPS);
                 mode_maps = quote!(let mut mode_maps = [[[L::splat(0.0); 3]; 3]; #points_count];);
                 keep_mode_map = quote!(mode_maps[q] = #map.map(#mode););
-                let filled = if with_values {
+                let (slopes_text, rows) = (
+                    quote!(#mode_slopes.as_flattened()),
+                    quote!(room.basis[#nodes_count..].as_flattened_mut()),
+                );
+                mode_loop = if with_values {
                     quote! {
-                        let [g_x, g_y, g_z] = #gradient;
-                        room.basis[#nodes_count + m][q] = [L::splat(0.0), g_x, g_y, g_z];
+                        let (none, zeros) =
+                            ([L::splat(0.0); #points_count], [0.0; #points_count * #modes_count]);
+                        cells::values_and_gradients(&mode_maps, #slopes_text, &none, &zeros, #rows);
                     }
                 } else {
-                    quote!(room.basis[#nodes_count + m][q] = #gradient;)
+                    quote!(cells::gradients(&mode_maps, #slopes_text, #rows);)
                 };
-                mode_loop = quote!(for m in 0..#modes_count { #filled });
             }
         }
-        let jacobian = self.jacobian(tables);
+        let maps = match enhanced {
+            None => {
+                let columns = tables.named("COLUMNS", form);
+                quote! {
+                    let least_det = cells::maps(
+                        &room.tangents, &#columns, &#weights, &mut room.maps, &mut room.roots
+                    );
+                }
+            }
+            Some(_) => {
+                let jacobian = self.jacobian(tables, &quote!(room.tangents));
+                let keep_root = with_values.then(|| quote!(room.roots[q] = #root;));
+                quote! {
+                    let mut least_det = L::splat(f64::INFINITY);
+                    #mode_maps
+                    for q in 0..cells::looped(#points_count) {
+                        #jacobian
+                        let (det, weight) = (at.det, L::splat(#weights[q]));
+                        least_det = cells::least(least_det, det);
+                        #(#scales)*
+                        room.maps[q] = at.map(#nodal);
+                        #keep_root
+                        #keep_mode_map
+                    }
+                }
+            }
+        };
         let text = quote! {
             #centre
             #tangents
-            let mut least_det = L::splat(f64::INFINITY);
-            let mut maps = [[[L::splat(0.0); 3]; 3]; #points_count];
-            #roots
-            #mode_maps
-            for q in 0..cells::looped(#points_count) {
-                #jacobian
-                let (det, weight) = (at.det, L::splat(#weights[q]));
-                least_det = cells::least(least_det, det);
-                #(#scales)*
-                maps[q] = at.map(#nodal);
-                #keep_root
-                #keep_mode_map
-            }
-            for q in 0..cells::looped(#points_count) {
-                for a in 0..cells::looped(#nodes_count) {
-                    #node
-                }
-                #mode_loop
-            }
+            #maps
+            #node
+            #mode_loop
         };
         Ok((text, flops))
     }

@@ -1,21 +1,19 @@
-//! The kernel of one form on one cell: a loop over the points of the rule, then one over pairs of basis
-//! functions, with the components of a pair unrolled.
-
-use std::collections::BTreeSet;
+//! The kernel of one form on one cell: a loop over the points of the rule fills the basis functions, then the kernel
+//! of the form takes them pair by pair.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::element::lane_name;
-use super::facts::unscheduled;
+use super::form::{by_values, pairs_name};
 use super::linear::Linear;
 use super::modes::Aligned;
-use super::program::{PAIR, Pairs};
+use super::program::Pairs;
 use super::sums::Sums;
 use super::table::{Tables, Tangents, count, row};
 use crate::diagnostic::Diagnostics;
 use crate::element::Table;
-use crate::emit::{Numbers, documented, identifier, operand};
+use crate::emit::{documented, identifier};
 use crate::form::Structure;
 use crate::spec::element::ElementSpec;
 use crate::spec::form::{Form, FormSpec};
@@ -25,6 +23,7 @@ pub(super) struct CellForm<'a> {
     pub(super) element: &'a ElementSpec,
     pub(super) spec: &'a FormSpec,
     pub(super) form: &'a Form,
+    pub(super) pairs: &'a Pairs,
 }
 
 impl CellForm<'_> {
@@ -35,14 +34,10 @@ impl CellForm<'_> {
         tables: &mut Tables,
         known: &mut Vec<Known>,
     ) -> Result<(TokenStream, usize), Diagnostics> {
-        let pairs = Pairs::new(self.spec, self.form)
-            .map_err(|error| unscheduled(&self.spec.file, &error))?;
-        let values_only = pairs.moments.iter().all(|moment| *moment == (0, 0));
-        let kronecker = matches!(self.form.structure, Structure::Kronecker { .. });
-        let Body { room, text, about, flops } = if values_only && kronecker {
-            self.values_only(&pairs, tables)?
-        } else {
-            self.general(&pairs, tables)?
+        let pairs = self.pairs;
+        let Body { room, text, about, flops } = match by_values(self.form, pairs) {
+            true => self.values_only(pairs, tables)?,
+            false => self.general(pairs, tables)?,
         };
         let flops = flops + pairs.once_flops();
         let (nodes, len) = (count(self.element.nodes.len()), count(self.stored()));
@@ -54,13 +49,10 @@ impl CellForm<'_> {
             "`{}` of a block of cells: see [`crate::CellKernel`].",
             self.form.name
         ));
-        let (room_type, room_value, room_argument) = match room {
-            Some(room) => (quote!(#room), quote!(cells::Room::new()), quote!(room: &mut #room,)),
-            None => (quote!(()), TokenStream::new(), TokenStream::new()),
-        };
-        let (own_room, pass_room) = match room_argument.is_empty() {
-            true => (quote!(_room), TokenStream::new()),
-            false => (quote!(room), quote!(room,)),
+        let in_registers = room.is_none();
+        let (room, own_room, room_argument, pass_room) = match room {
+            Some(room) => (room.clone(), quote!(room), quote!(room: &mut #room,), quote!(room,)),
+            None => (quote!(()), quote!(_room), TokenStream::new(), TokenStream::new()),
         };
         let block = quote! {
             #about_block
@@ -71,7 +63,7 @@ impl CellForm<'_> {
                 jacobians: &mut [f64],
             )
         };
-        let work = format!("{room_type} {} {text}", pairs.material.join(" "));
+        let work = format!("{room} {} {text}", pairs.material.join(" "));
         let same = known.iter().find(|other| other.work == work);
         let (text, block_text) = match same {
             Some(Known { function, lane, .. }) => (
@@ -82,12 +74,8 @@ impl CellForm<'_> {
                 let cells = quote! {
                     enum Cells {}
                     impl cells::CellLanes<#nodes, #properties, #len> for Cells {
-                        type Room<L: Lane> = #room_type;
-
-                        #[inline(always)]
-                        fn room<L: Lane>() -> Self::Room<L> {
-                            #room_value
-                        }
+                        type Room<L: Lane> = #room;
+                        const IN_REGISTERS: bool = #in_registers;
 
                         #[inline(always)]
                         fn cell<L: Lane>(
@@ -194,44 +182,42 @@ impl CellForm<'_> {
         table
     }
 
-    /// Declares `tangents`; inside a loop over q, [`Self::jacobian`] declares `at` from it. And the operations
-    /// that it takes.
+    /// Fills `room.tangents`, and the operations that it takes.
     pub(super) fn tangents(&self, tables: &Tables, table: &Table) -> (TokenStream, usize) {
         let rows = Tangents::new(&table.slopes).rows;
-        let nodes = self.element.nodes.len();
         match Linear::new(&rows) {
             None => {
                 let name = tables.named("TANGENTS", &self.form.name);
-                let text = quote!(let tangents = cells::tangents(x, &#name););
-                (text, 6 * nodes * rows.len())
+                let text = quote!(cells::tangents(x, &#name, &mut room.tangents););
+                (text, 6 * self.element.nodes.len() * rows.len())
             }
-            Some(linear) => self.linear_tangents(&linear),
+            Some(linear) => {
+                let steps = self.linear_tangents(&linear, &quote!(room.tangents));
+                (quote!(for i in 0..cells::looped(3) { #steps }), 3 * linear.flops())
+            }
         }
     }
 
-    /// One component after the other: fewer values are alive at a time than with all three.
-    pub(super) fn linear_tangents(&self, linear: &Linear) -> (TokenStream, usize) {
+    /// Component i of the tangents.
+    pub(super) fn linear_tangents(&self, linear: &Linear, target: &TokenStream) -> TokenStream {
         let node = |a: usize| {
             let a = count(a);
             quote!(x[#a][i])
         };
         let (steps, rows) = linear.text(self.element.nodes.len(), node);
-        let (row_count, places) = (count(rows.len()), (0..rows.len()).map(count));
-        let text = quote! {
-            let mut tangents = [[L::splat(0.0); 3]; #row_count];
-            for i in 0..3 {
-                #steps
-                #(tangents[#places][i] = #rows;)*
-            }
-        };
-        (text, 3 * linear.flops())
+        let places = (0..rows.len()).map(count);
+        quote! {
+            #steps
+            #(#target[#places][i] = #rows;)*
+        }
     }
 
-    pub(super) fn jacobian(&self, tables: &Tables) -> TokenStream {
+    /// Inside a loop over q, declares `at` from the tangents.
+    pub(super) fn jacobian(&self, tables: &Tables, tangents: &TokenStream) -> TokenStream {
         let columns = tables.named("COLUMNS", &self.form.name);
         quote! {
             let [xi, eta, zeta] = #columns[q];
-            let at = cells::Jacobian::new([tangents[xi], tangents[eta], tangents[zeta]]);
+            let at = cells::Jacobian::new([#tangents[xi], #tangents[eta], #tangents[zeta]]);
         }
     }
 
@@ -252,58 +238,23 @@ impl CellForm<'_> {
             quote!([f64; #points_count]),
             row(&table.weights),
         );
-        let used: BTreeSet<usize> = pairs.moments.iter().flat_map(|(a, b)| [*a, *b]).collect();
-        let with_values = used.contains(&0);
-        let parts = if with_values { 4 } else { 3 };
+        let parts = pairs.parts();
+        let with_values = parts.contains(&0);
         let aligned = Aligned::of(self.element, form, pairs, table);
         let (fill, fill_flops) = self.fill(tables, table, with_values, aligned.as_ref())?;
         // Functions whose products are summed in full.
         let total = if aligned.is_some() { nodes } else { total };
-        let once = pairs.once();
-        let (total_count, size) = (count(total), count(3 * total));
-        let nodes_size = count(3 * nodes);
-        let outputs: Vec<TokenStream> = (pairs.program.outputs.iter())
-            .map(|output| operand(&pairs.program, output.operand, Numbers::Fused))
-            .collect();
-        let rows = outputs.chunks(3).map(|row| quote!([#(#row),*]));
-        let block = quote!([#(#rows),*]);
+        let (total_count, nodes_size) = (count(total), count(3 * nodes));
         let target = if total > nodes { quote!(&mut room.whole) } else { quote!(matrix) };
-        let sums = Sums { pairs, used: &used, points };
-        let (all, same) = (sums.text(false), sums.text(true));
-        let loops = match &self.form.structure {
-            Structure::Kronecker { .. } => {
-                let entry = &outputs[0];
-                quote! {
-                    for a in 0..#total_count {
-                        for b in a..#total_count {
-                            #all
-                            cells::store_entry(#target, #total_count, a, b, #entry);
-                        }
-                    }
-                }
-            }
-            Structure::Symmetric => quote! {
-                for a in 0..#total_count {
-                    {
-                        let b = a;
-                        #same
-                        cells::store_diagonal(#target, #size, a, #block);
-                    }
-                    for b in a + 1..#total_count {
-                        #all
-                        cells::store_block(#target, #size, a, b, #block);
-                    }
-                }
-            },
-            Structure::Full => quote! {
-                for a in 0..#total_count {
-                    for b in 0..#total_count {
-                        #all
-                        cells::store_full(#target, #size, a, b, #block);
-                    }
-                }
-            },
+        let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
+        let (module, sum) = (identifier(&self.spec.name), pairs_name(self.form));
+        let sums = quote! {
+            forms::#module::#sum(
+                room.basis.as_flattened(), #points_count, #(#material,)* #target
+            );
         };
+        // The components of modes along one vector are written here.
+        let once = aligned.as_ref().map(|_| pairs.once());
         let (whole, after) = match &aligned {
             Some(aligned) => (aligned.coupling(), aligned.condense(pairs)),
             None if modes > 0 => {
@@ -317,17 +268,18 @@ impl CellForm<'_> {
         let text = quote! {
             #once
             #fill
-            #loops
+            #sums
             #after
             least_det
         };
-        let (parts, whole) = (count(parts), count(whole));
-        let room = quote!(cells::Room<L, #total_count, #points_count, #parts, #whole>);
+        let (parts, whole) = (count(parts.len()), count(whole));
+        let rows = count(Tangents::new(&table.slopes).rows.len());
+        let room = quote!(cells::Room<L, #total_count, #points_count, #parts, #whole, #rows>);
         let below = total * (total - 1) / 2;
         let (pair_count, summed) = match self.form.structure {
             Structure::Full => (total * total, total * total * pairs.moments.len()),
             Structure::Symmetric => {
-                (below + total, below * pairs.moments.len() + total * sums.different())
+                (below + total, below * pairs.moments.len() + total * Sums { pairs }.different())
             }
             Structure::Kronecker { .. } => (below + total, (below + total) * pairs.moments.len()),
         };
@@ -343,7 +295,7 @@ impl CellForm<'_> {
             flops += condensing;
             about += &format!(" {condensing} operations to condense {m} parameters.");
         }
-        let (cell, pair) = (pairs.once_counts(), pairs.program.counts(PAIR));
+        let (cell, pair) = (pairs.once_counts(), pairs.pair_counts());
         about += &format!(" Once a cell: {cell}; once a pair: {pair}.");
         Ok(Body { room: Some(room), text, about, flops })
     }
@@ -358,7 +310,7 @@ pub(super) struct Known {
 
 /// The text of a kernel.
 pub(super) struct Body {
-    /// Type of the room that it needs.
+    /// Type of the room that it needs; none if all that it computes stays in registers.
     pub(super) room: Option<TokenStream>,
     pub(super) text: TokenStream,
     pub(super) about: String,

@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 use super::Kernel;
 use super::cell::CellForm;
 use super::facts::{About, variable};
+use super::form::Forms;
 use super::table::Tables;
 use crate::diagnostic::{Code, Diagnostics};
 use crate::element::demand;
@@ -14,19 +15,19 @@ use crate::emit::{documented, identifier, number};
 use crate::form::Structure;
 use crate::rational::nearest;
 use crate::spec::element::ElementSpec;
-use crate::spec::form::FormSpec;
+use crate::spec::form::Form;
 
 /// The kernels of all forms on one element.
-pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel, Diagnostics> {
-    check_enhanced(element, specs)?;
-    let forms = specs.iter().flat_map(|spec| &spec.forms);
-    demand::prove(element, forms.map(|form| (form.name.as_str(), form.products())))?;
+pub(super) fn kernel(element: &ElementSpec, all: &[Forms]) -> Result<Kernel, Diagnostics> {
+    let forms = || all.iter().flat_map(|forms| &forms.spec.forms);
+    check_enhanced(element, &forms().collect::<Vec<_>>())?;
+    demand::prove(element, forms().map(|form| (form.name.as_str(), form.products())))?;
     let mut tables = Tables::new(element);
     let mut functions = TokenStream::new();
     let (mut entries, mut known) = (Vec::new(), Vec::new());
-    for spec in specs {
-        for form in &spec.forms {
-            let cell = CellForm { element, spec, form };
+    for forms in all {
+        for (form, pairs) in forms.spec.forms.iter().zip(&forms.pairs) {
+            let cell = CellForm { element, spec: forms.spec, form, pairs };
             let (text, flops) = cell.functions(&mut tables, &mut known)?;
             functions.extend(text);
             entries.push(entry(&cell, flops));
@@ -39,7 +40,7 @@ pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel
         title: &element.title,
         reference: &element.reference,
         file: &element.file,
-        beside: Vec::new(),
+        beside: all.iter().map(|forms| forms.written.text.as_str()).collect(),
     };
     let registered = registered(element, &about, &functions, &entries);
     let heading = documented(&heading(element, &about));
@@ -47,7 +48,7 @@ pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel
     let module = quote! {
         #heading
         pub mod #name {
-            use crate::{cells, Element, FormKernel, Lane, Origin, Structure, Variable};
+            use crate::{cells, forms, Element, FormKernel, Lane, Origin, Structure, Variable};
             #functions
             #registered
         }
@@ -56,9 +57,8 @@ pub(super) fn kernel(element: &ElementSpec, specs: &[FormSpec]) -> Result<Kernel
 }
 
 /// Modes can be condensed out of symmetric forms only, and only out of forms that exist.
-fn check_enhanced(element: &ElementSpec, specs: &[FormSpec]) -> Result<(), Diagnostics> {
+fn check_enhanced(element: &ElementSpec, forms: &[&Form]) -> Result<(), Diagnostics> {
     let mut errors = Diagnostics::new();
-    let forms: Vec<_> = specs.iter().flat_map(|spec| &spec.forms).collect();
     for name in element.enhanced.iter().flat_map(|enhanced| &enhanced.forms) {
         let message = match forms.iter().find(|form| form.name == name.text()) {
             None => format!("there is no form `{}`", name.text()),

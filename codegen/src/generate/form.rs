@@ -1,12 +1,44 @@
-//! What the registry says of a set of forms: their kernels are in the modules of the elements.
+//! Kernels of forms: what a form makes of the basis functions of any element, pair by pair. The kernels of elements
+//! fill in the functions and call them.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
-use super::facts::About;
-use crate::spec::form::FormSpec;
+use super::facts::{About, unscheduled};
+use super::program::Pairs;
+use super::sums::Sums;
+use super::table::count;
+use super::{Kernel, Written};
+use crate::diagnostic::Diagnostics;
+use crate::emit::{documented, identifier};
+use crate::form::Structure;
+use crate::spec::form::{Form, FormSpec};
 
-/// The `Origin` of a set of forms.
-pub(super) fn origin(spec: &FormSpec) -> TokenStream {
+/// A set of forms and what all elements have in common in them.
+pub(super) struct Forms<'s> {
+    pub(super) spec: &'s FormSpec,
+    /// Of each form of the spec.
+    pub(super) pairs: Vec<Pairs>,
+    /// Their module. Elements call it, so that it counts for their hashes.
+    pub(super) written: Written,
+}
+
+impl<'s> Forms<'s> {
+    pub(super) fn new(spec: &'s FormSpec) -> Result<Self, Diagnostics> {
+        let pairs: Result<Vec<Pairs>, _> =
+            spec.forms.iter().map(|form| Pairs::new(spec, form)).collect();
+        let pairs = pairs.map_err(|error| unscheduled(&spec.file, &error))?;
+        let functions: TokenStream = (spec.forms.iter().zip(&pairs))
+            .filter(|(form, pairs)| !by_values(form, pairs))
+            .map(|(form, pairs)| function(spec, form, pairs))
+            .collect();
+        let written = Written::from(module(spec, &pairs, &functions));
+        Ok(Forms { spec, pairs, written })
+    }
+}
+
+/// The module of the forms.
+fn module(spec: &FormSpec, pairs: &[Pairs], functions: &TokenStream) -> Kernel {
     let about = About {
         name: &spec.name,
         title: &spec.title,
@@ -14,5 +46,153 @@ pub(super) fn origin(spec: &FormSpec) -> TokenStream {
         file: &spec.file,
         beside: Vec::new(),
     };
-    about.origin(&TokenStream::new())
+    let (name, origin) = (identifier(&spec.name), about.origin(functions));
+    let mut heading = about.heading();
+    let inline: Vec<String> = (spec.forms.iter().zip(pairs))
+        .filter(|(form, pairs)| by_values(form, pairs))
+        .map(|(form, _)| format!("`{}`", form.name))
+        .collect();
+    if !inline.is_empty() {
+        heading += &format!(
+            "\nOf values of the functions only, and written out in the module of each element: {}.\n",
+            inline.join(", ")
+        );
+    }
+    let heading = documented(&heading);
+    let uses = match functions.is_empty() {
+        true => quote!(
+            use crate::Origin;
+        ),
+        false => quote!(
+            use crate::{Lane, Origin, Shared, cells};
+        ),
+    };
+    let module = quote! {
+        #heading
+        pub mod #name {
+            #uses
+            #functions
+            /// The entry of the registry.
+            pub const ENTRY: Origin = #origin;
+        }
+    };
+    Kernel { name: spec.name.clone(), module }
+}
+
+/// Whether only values of the functions occur, in one scalar matrix: few numbers that kernels of elements write out.
+pub(super) fn by_values(form: &Form, pairs: &Pairs) -> bool {
+    let kronecker = matches!(form.structure, Structure::Kronecker { .. });
+    kronecker && pairs.moments.iter().all(|moment| *moment == (0, 0))
+}
+
+/// Name of the function of a form.
+pub(super) fn pairs_name(form: &Form) -> Ident {
+    format_ident!("{}_pairs", identifier(&form.name))
+}
+
+/// The sums over the points for every pair of basis functions, and the components that the form makes of them.
+fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
+    let name = pairs_name(form);
+    let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
+    let sums = Sums { pairs };
+    let parts = count(pairs.parts().len());
+    let once = pairs.once();
+    let (all, same) = (sums.text(false), sums.text(true));
+    let outputs = pairs.outputs();
+    let loops = match &form.structure {
+        Structure::Kronecker { .. } => {
+            let entry = &outputs[0];
+            quote! {
+                let from_a = basis[a * points..].chunks_exact(points);
+                for (b, of_b) in (a..).zip(from_a) {
+                    #all
+                    cells::store_entry(matrix, functions, a, b, #entry);
+                }
+            }
+        }
+        Structure::Symmetric => {
+            let block = pairs.block();
+            quote! {
+                let rows = cells::upper_rows(3 * functions, a);
+                {
+                    let of_b = of_a;
+                    #same
+                    cells::store_diagonal(matrix, rows, a, #block);
+                }
+                let behind = basis[(a + 1) * points..].chunks_exact(points);
+                for (b, of_b) in (a + 1..).zip(behind) {
+                    #all
+                    cells::store_block(matrix, rows, b, #block);
+                }
+            }
+        }
+        Structure::Full => {
+            let block = pairs.block();
+            quote! {
+                let rows = cells::full_rows(3 * functions, a);
+                for (b, of_b) in basis.chunks_exact(points).enumerate() {
+                    #all
+                    cells::store_block(matrix, rows, b, #block);
+                }
+            }
+        }
+    };
+    let about = documented(&header(spec, form, pairs));
+    let number = quote!(#(#material: L,)*);
+    quote! {
+        #about
+        pub fn #name<L: Lane>(
+            basis: &[[L; #parts]],
+            points: usize,
+            #number
+            matrix: &mut [L],
+        ) {
+            struct Pairs<'a, L> {
+                basis: &'a [[L; #parts]],
+                points: usize,
+                #number
+                matrix: &'a mut [L],
+            }
+            impl<L: Lane> Shared<L> for Pairs<'_, L> {
+                type Output = ();
+
+                #[inline(always)]
+                fn run(self) {
+                    let Pairs { basis, points, #(#material,)* matrix } = self;
+                    let functions = basis.len() / points;
+                    #once
+                    for (a, of_a) in basis.chunks_exact(points).enumerate() {
+                        #loops
+                    }
+                }
+            }
+            L::shared(Pairs { basis, points, #(#material,)* matrix })
+        }
+    }
+}
+
+fn header(spec: &FormSpec, form: &Form, pairs: &Pairs) -> String {
+    let matrix = match form.structure {
+        Structure::Symmetric => "symmetric, three rows a function, upper triangle by rows",
+        Structure::Full => "three rows a function, by rows",
+        Structure::Kronecker { .. } => {
+            "a symmetric matrix with one row a function, times a constant 3 × 3 pattern: upper triangle by rows"
+        }
+    };
+    let parts = pairs.parts().iter().map(|part| ["N", "∂N/∂x", "∂N/∂y", "∂N/∂z"][*part]);
+    let material: Vec<String> = (spec.material_of(form).iter())
+        .map(|property| format!("{} ({})", property.name, property.unit))
+        .collect();
+    format!(
+        "`{}`: ∫ `{}` dV, rows from v, columns from u, for every pair of basis functions of a cell.\n\nbasis: \
+         functions × points × ({}), each times √(w det J). {}. matrix: {matrix}.\n\nOnce a cell: {}; a pair: the sums of {} \
+         products over the points, then {}.",
+        form.name,
+        form.text.text(),
+        parts.collect::<Vec<_>>().join(", "),
+        material.join(", "),
+        pairs.once_counts(),
+        pairs.moments.len(),
+        pairs.pair_counts(),
+    )
 }

@@ -28,9 +28,9 @@ use proc_macro2::TokenStream;
 use crate::diagnostic::Diagnostics;
 use crate::spec::clearance::ClearanceSpec;
 use crate::spec::element::ElementSpec;
-use crate::spec::form::FormSpec;
 use crate::spec::law::LawSpec;
 use crate::spec::motion::MotionSpec;
+use form::Forms;
 use read::Specs;
 
 /// The Rust files made from all spec files: the kernels of every spec and the registries that list them.
@@ -41,25 +41,29 @@ use read::Specs;
 pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
     let specs = Specs::read(files)?;
     let mut errors = Diagnostics::new();
-    let elements = specs.elements.iter().map(Task::Element);
-    let tasks = elements.chain(specs.laws.iter().map(Task::Law));
+    let forms = gather(specs.forms.iter().map(Forms::new), &mut errors);
+    // What is wrong with a form is not told again by every element.
+    let elements = if errors.is_empty() { &specs.elements[..] } else { &[] };
+    let tasks = elements.iter().map(Task::Element);
+    let tasks = tasks.chain(specs.laws.iter().map(Task::Law));
     let tasks = tasks.chain(specs.motions.iter().map(Task::Motion));
     let tasks: Vec<_> = tasks.chain(specs.clearances.iter().map(Task::Clearance)).collect();
-    let kernels = parallel::map(&tasks, Task::size, |task| task.kernel(&specs.forms));
+    let kernels = parallel::map(&tasks, Task::size, |task| task.kernel(&forms));
     let mut kernels = kernels.into_iter();
     let mut kind = |module, entry, count: usize| {
         let kernels = gather(kernels.by_ref().take(count), &mut errors);
         Kind { module, entry, kernels }
     };
+    let written = forms.into_iter().map(|forms| forms.written).collect();
     let kinds = [
-        kind("elements", "Element", specs.elements.len()),
+        Kind { module: "forms", entry: "Origin", kernels: written },
+        kind("elements", "Element", elements.len()),
         kind("laws", "Law", specs.laws.len()),
         kind("motions", "Motion", specs.motions.len()),
         kind("clearances", "Clearance", specs.clearances.len()),
     ];
     let tables = specs.laws.iter().flat_map(|law| &law.tables).map(|table| &*table.file);
-    let forms: Vec<TokenStream> = specs.forms.iter().map(form::origin).collect();
-    let files = write::files(&kinds, tables, &forms);
+    let files = write::files(&kinds, tables);
     errors.into_result(files)
 }
 
@@ -82,14 +86,14 @@ impl Task<'_> {
         }
     }
 
-    fn kernel(&self, forms: &[FormSpec]) -> Result<Written, Diagnostics> {
+    fn kernel(&self, forms: &[Forms]) -> Result<Written, Diagnostics> {
         let kernel = match self {
             Task::Element(element) => element::kernel(element, forms),
             Task::Law(law) => law::kernel(law),
             Task::Motion(motion) => motion::kernel(motion),
             Task::Clearance(clearance) => clearance::kernel(clearance),
         };
-        kernel.map(|Kernel { name, module }| Written { name, text: write::text(module) })
+        kernel.map(Written::from)
     }
 }
 
@@ -108,6 +112,12 @@ struct Written {
     text: String,
 }
 
+impl From<Kernel> for Written {
+    fn from(Kernel { name, module }: Kernel) -> Self {
+        Written { name, text: write::text(module) }
+    }
+}
+
 /// All kernels of one kind of spec.
 struct Kind {
     /// Name of the module and, in capitals, of the registry.
@@ -117,11 +127,11 @@ struct Kind {
     kernels: Vec<Written>,
 }
 
-/// The kernels that could be made; what is wrong with the others is added to `errors`.
-fn gather(
-    kernels: impl Iterator<Item = Result<Written, Diagnostics>>,
+/// What could be made; what is wrong with the others is added to `errors`.
+fn gather<T>(
+    kernels: impl Iterator<Item = Result<T, Diagnostics>>,
     errors: &mut Diagnostics,
-) -> Vec<Written> {
+) -> Vec<T> {
     let mut fine = Vec::new();
     for kernel in kernels {
         match kernel {

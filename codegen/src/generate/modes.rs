@@ -7,7 +7,7 @@ use quote::quote;
 use super::program::{PAIR, Pairs};
 use super::table::{Tables, count, row};
 use crate::element::Table;
-use crate::emit::{Numbers, identifier, operand, statements};
+use crate::emit::{Numbers, identifier, statements};
 use crate::spec::element::{ElementSpec, ModeJacobian};
 
 /// The modes of a form, each with one direction.
@@ -114,11 +114,7 @@ impl Aligned {
             })
             .collect();
         let statements = statements(&pairs.program, PAIR, Numbers::Fused);
-        let outputs: Vec<TokenStream> = (pairs.program.outputs.iter())
-            .map(|output| operand(&pairs.program, output.operand, Numbers::Fused))
-            .collect();
-        let rows = outputs.chunks(3).map(|row| quote!([#(#row),*]));
-        let block = quote!([#(#rows),*]);
+        let block = pairs.block();
         let pair = quote! {
             #(let #sums = #products;)*
             #(#statements)*

@@ -10,18 +10,9 @@ use crate::emit::{self, documented, identifier};
 use crate::expression::{Shape, Symmetry};
 use crate::spec::motion::{MotionSpec, Tensor};
 
-/// Kernels of the registry, and whether only a motion by its energy has them.
-const KERNELS: [(&str, bool); 9] = [
-    ("kinetic_energy", true),
-    ("momentum", true),
-    ("inertia_force", false),
-    ("quadratic_velocity", false),
-    ("mass", false),
-    ("pf", false),
-    ("b", false),
-    ("p", false),
-    ("tangent", false),
-];
+/// Kernels that a march calls again and again: their own loops, beside the sums that all share, are compiled
+/// for wide registers too.
+const WIDE: [&str; 2] = ["inertia_force", "tangent"];
 
 pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
     let emitted = emit::motion(spec).map_err(|error| unscheduled(&spec.file, &error))?;
@@ -39,10 +30,9 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
     let tensors = spec.tensors.iter().map(tensor);
     let has_energy = spec.equations.kinetic_energy.is_some();
     let optional = |name: TokenStream| if has_energy { quote!(Some(#name)) } else { quote!(None) };
-    let kinetic_energy = optional(quote!(wide_kinetic_energy));
-    let momentum = optional(quote!(wide_momentum));
-    let wide = KERNELS.iter().filter(|(_, by_energy)| has_energy || !by_energy);
-    let wide = wide.map(|(kernel, _)| wide_function(kernel));
+    let kinetic_energy = optional(quote!(kinetic_energy::<f64>));
+    let momentum = optional(quote!(momentum::<f64>));
+    let wide = WIDE.map(wide_function);
     let module = quote! {
         #heading
         pub mod #name {
@@ -64,11 +54,11 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
                 kinetic_energy: #kinetic_energy,
                 momentum: #momentum,
                 inertia_force: wide_inertia_force,
-                quadratic_velocity: wide_quadratic_velocity,
-                mass: wide_mass,
-                pf: wide_pf,
-                b: wide_b,
-                p: wide_p,
+                quadratic_velocity: quadratic_velocity::<f64>,
+                mass: mass::<f64>,
+                pf: pf::<f64>,
+                b: b::<f64>,
+                p: p::<f64>,
                 tangent: wide_tangent,
             };
         }
@@ -80,13 +70,6 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
 fn wide_function(kernel: &str) -> TokenStream {
     let (name, wide) = (format_ident!("{kernel}"), format_ident!("wide_{kernel}"));
     let newmark = (kernel == "tangent").then(|| quote!(a1: f64, a2: f64,));
-    if kernel == "kinetic_energy" {
-        return quote! {
-            wide!(#name as #wide(
-                tensors: &[&[f64]], state: &MotionState, workspace: &mut [f64]
-            ) -> f64);
-        };
-    }
     quote! {
         wide!(#name as #wide(
             tensors: &[&[f64]], state: &MotionState, #newmark

@@ -20,7 +20,7 @@ pub(super) const MATERIAL: usize = 0;
 pub(super) const PAIR: usize = 1;
 
 /// Names of variables in the kernels' own text, which a spec's names must not hide.
-const OWN: [&str; 42] = [
+const OWN: [&str; 51] = [
     "x",
     "i",
     "a",
@@ -63,6 +63,15 @@ const OWN: [&str; 42] = [
     "coupling",
     "own",
     "n",
+    "points",
+    "functions",
+    "of_a",
+    "rows",
+    "behind",
+    "from_a",
+    "of_b",
+    "none",
+    "zeros",
 ];
 
 /// The components of a pair of basis functions over the sums of their products at the points,
@@ -158,6 +167,27 @@ impl Pairs {
         Ok(Pairs { moments: moments.into_iter().collect(), material, coefficients, program })
     }
 
+    /// The parts that the basis functions are filled with, in their order: values where they occur, and gradients.
+    pub(super) fn parts(&self) -> &'static [usize] {
+        match self.moments.iter().any(|(test, trial)| *test == 0 || *trial == 0) {
+            true => &[0, 1, 2, 3],
+            false => &[1, 2, 3],
+        }
+    }
+
+    /// The components of a pair as text.
+    pub(super) fn outputs(&self) -> Vec<TokenStream> {
+        let outputs = self.program.outputs.iter();
+        outputs.map(|output| operand(&self.program, output.operand, Numbers::Fused)).collect()
+    }
+
+    /// The nine components as rows.
+    pub(super) fn block(&self) -> TokenStream {
+        let outputs = self.outputs();
+        let rows = outputs.chunks(3).map(|row| quote!([#(#row),*]));
+        quote!([#(#rows),*])
+    }
+
     /// The statements that run once a cell.
     pub(super) fn once(&self) -> TokenStream {
         let coefficients = statements(&self.coefficients, 0, Numbers::Fused);
@@ -178,6 +208,11 @@ impl Pairs {
     /// Operations once a pair, without the sums.
     pub(super) fn flops(&self) -> usize {
         self.program.counts(PAIR).arithmetic()
+    }
+
+    /// The same in words.
+    pub(super) fn pair_counts(&self) -> String {
+        self.program.counts(PAIR).to_string()
     }
 
     /// Operations once a cell, in words.

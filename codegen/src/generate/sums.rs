@@ -1,20 +1,14 @@
 //! Sums over the points of products of the parts of two basis functions.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::program::{PAIR, Pairs};
-use super::table::count;
 use crate::emit::{Numbers, identifier, statements};
 
 /// The sums that a form needs.
 pub(super) struct Sums<'a> {
     pub(super) pairs: &'a Pairs,
-    /// Parts that occur.
-    pub(super) used: &'a BTreeSet<usize>,
-    pub(super) points: usize,
 }
 
 impl Sums<'_> {
@@ -30,8 +24,7 @@ impl Sums<'_> {
 
     /// The sums for the pair (a, b), then the components. `same`: a = b.
     pub(super) fn text(&self, same: bool) -> TokenStream {
-        let parts: Vec<usize> =
-            if self.used.contains(&0) { vec![0, 1, 2, 3] } else { vec![1, 2, 3] };
+        let parts = self.pairs.parts();
         let (twins, own): (Vec<_>, Vec<_>) =
             self.pairs.moments.iter().partition(|moment| same && self.twin(**moment).is_some());
         let parts_of = |side: &str, place: fn(&(usize, usize)) -> usize| -> Vec<Ident> {
@@ -55,10 +48,9 @@ impl Sums<'_> {
             quote!(let #sum = #twin;)
         });
         let statements = statements(&self.pairs.program, PAIR, Numbers::Fused);
-        let points = count(self.points);
         quote! {
             #(let mut #sums = L::splat(0.0);)*
-            for (a_q, b_q) in room.basis[a].iter().zip(&room.basis[b]).take(cells::looped(#points)) {
+            for (a_q, b_q) in of_a.iter().zip(of_b) {
                 let ([#(#test),*], [#(#trial),*]) = (*a_q, *b_q);
                 #(#sums = #products;)*
             }

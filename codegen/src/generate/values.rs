@@ -33,9 +33,21 @@ impl CellForm<'_> {
         let volume = scale.map(|scale| scale.powi(3));
         let largest = linear.as_mut().map_or(1.0, Linear::take_largest);
         let factor = number(volume.unwrap_or(1.0) * largest);
-        let (tangents, tangent_flops) = match &linear_tangents {
-            Some(linear) => self.linear_tangents(linear),
-            None => self.tangents(tables, table),
+        let (row_count, tangents, tangent_flops) = match &linear_tangents {
+            // Few: they stay in registers, all components at once.
+            Some(linear) => {
+                let steps = self.linear_tangents(linear, &quote!(tangents));
+                let rows = count(linear.rows.len());
+                let text = quote! {
+                    let mut tangents = [[L::splat(0.0); 3]; #rows];
+                    for i in 0..3 { #steps }
+                };
+                (count(0), text, 3 * linear.flops())
+            }
+            None => {
+                let (text, flops) = self.tangents(tables, table);
+                (count(Tangents::new(&table.slopes).rows.len()), text, flops)
+            }
         };
         let least = match volume {
             Some(volume) => {
@@ -55,6 +67,9 @@ impl CellForm<'_> {
                 quote! {
                     #steps
                     let entries = [#(#sums),*];
+                    for (entry, place) in matrix.iter_mut().zip(&#places_name) {
+                        *entry = entries[*place];
+                    }
                 }
             }
             None => {
@@ -65,7 +80,10 @@ impl CellForm<'_> {
                     quote!([[f64; #points]; #rows]),
                     quote!([#(#values),*]),
                 );
-                quote!(let entries = cells::sums(&det, &#products_name);)
+                quote! {
+                    cells::sums(&det, &#products_name, &mut room.entries);
+                    cells::spread(&room.entries, &#places_name, matrix);
+                }
             }
         };
         let values = products.places.iter().map(|place| count(*place));
@@ -75,7 +93,6 @@ impl CellForm<'_> {
             quote!([usize; #places]),
             quote!([#(#values),*]),
         );
-        let jacobian = self.jacobian(tables);
         let once = pairs.once();
         let pair = statements(&pairs.program, PAIR, Numbers::Fused);
         let result = operand(&pairs.program, pairs.program.outputs[0].operand, Numbers::Fused);
@@ -83,31 +100,46 @@ impl CellForm<'_> {
         let about = format!(
             "{different} different entries of {pairs_of_nodes}. Once a cell: {before}, then {then}."
         );
+        let sums_by_rows = linear.is_none();
         let sum_flops = linear.map_or(2 * different * table.weights.len(), |linear| linear.flops());
         let flops = tangent_flops
             + table.weights.len() * (DET_FLOPS + 1)
             + pairs.flops()
             + usize::from(volume.is_some())
             + sum_flops;
+        let columns = tables.named("COLUMNS", form);
+        let determinants = match linear_tangents {
+            Some(_) => {
+                let jacobian = self.jacobian(tables, &quote!(tangents));
+                quote! {
+                    let mut det = [L::splat(0.0); #points];
+                    let mut least_det = L::splat(f64::INFINITY);
+                    for q in 0..#points {
+                        #jacobian
+                        least_det = cells::least(least_det, at.det);
+                        det[q] = at.det * s_factor;
+                    }
+                }
+            }
+            None => quote! {
+                let least_det =
+                    cells::determinants(&room.tangents, &#columns, s_factor, &mut room.det);
+                let det = &room.det;
+            },
+        };
         let text = quote! {
             #once
             #tangents
             let s_nn = L::splat(#factor);
             #(#pair)*
             let s_factor = #result;
-            let mut det = [L::splat(0.0); #points];
-            let mut least_det = L::splat(f64::INFINITY);
-            for q in 0..#points {
-                #jacobian
-                least_det = cells::least(least_det, at.det);
-                det[q] = at.det * s_factor;
-            }
+            #determinants
             #sums
-            for (entry, place) in matrix.iter_mut().zip(&#places_name) {
-                *entry = entries[*place];
-            }
             #least
         };
-        Ok(Body { room: None, text, about, flops })
+        let entries = if sums_by_rows { rows } else { count(0) };
+        let needs_room = sums_by_rows || linear_tangents.is_none();
+        let room = needs_room.then(|| quote!(cells::Scalars<L, #points, #row_count, #entries>));
+        Ok(Body { room, text, about, flops })
     }
 }

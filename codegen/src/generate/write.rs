@@ -19,11 +19,9 @@ pub struct GeneratedFile {
 }
 
 /// One file a kind, and `kernels.rs`, which includes them and holds the registries and the tables of laws.
-/// `forms`: the origins of the forms.
 pub(super) fn files<'t>(
     kinds: &[Kind],
     tables: impl Iterator<Item = &'t Source>,
-    forms: &[TokenStream],
 ) -> Vec<GeneratedFile> {
     let text_of = |kind: &Kind| kind.kernels.iter().map(|kernel| kernel.text.as_str()).collect();
     let file_of =
@@ -36,8 +34,6 @@ pub(super) fn files<'t>(
     registries.extend(quote! {
         /// Path and text of every file of columns that a law reads, sorted by path.
         pub static TABLES: &[(&str, &str)] = &[#(#tables),*];
-        /// Where the forms come from that the elements integrate, sorted by the path of the spec.
-        pub static FORMS: &[Origin] = &[#(#forms),*];
     });
     files.push(GeneratedFile { name: "kernels.rs".to_string(), text: text(registries) });
     files

@@ -155,17 +155,19 @@ impl Writer<'_> {
                 let x = self.ident(word.of);
                 let matrix = self.ident(word.matrix);
                 let dot = if self.is_lane(word.of) {
-                    quote!(vector::dot(#x, &#matrix[j * n..][..n]))
+                    quote!(vector::dot_numbers(#x, &#matrix[j * n..][..n]))
                 } else {
                     quote!(L::splat(vector::dot(#x, &#matrix[j * n..][..n])))
                 };
                 quote!(for j in start..end { #name[j] = #dot; })
             } else {
                 let slice = self.columns_of(word.matrix);
-                let value =
-                    entry(self.plan.name(word.of), &quote!(start + j), self.is_lane(word.of));
-                let value = value.into_lane();
-                quote!(vector::add_columns(#name, #slice, |j| #value);)
+                let x = self.ident(word.of);
+                let x = match self.is_lane(word.of) {
+                    true => quote!(&#x[start..end]),
+                    false => quote!(&vector::lanes(&#x[start..end])[..end - start]),
+                };
+                quote!(vector::add_columns(#name, #slice, #x);)
             }
         });
         let block = fused.map(|form| {
@@ -240,10 +242,10 @@ impl Writer<'_> {
             // The lane comes first.
             let (a, b) = if self.is_lane(dot.a) { (dot.a, dot.b) } else { (dot.b, dot.a) };
             let (left, right) = (self.ident(a), self.ident(b));
-            if self.is_lane(a) {
-                quote!(let #name = vector::dot(#left, #right);)
-            } else {
-                quote!(let #name = L::splat(vector::dot(#left, #right));)
+            match (self.is_lane(a), self.is_lane(b)) {
+                (true, true) => quote!(let #name = vector::dot(#left, #right);),
+                (true, false) => quote!(let #name = vector::dot_numbers(#left, #right);),
+                (false, _) => quote!(let #name = L::splat(vector::dot(#left, #right));),
             }
         });
         quote!(#(#lines)*)

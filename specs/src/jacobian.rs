@@ -1,0 +1,321 @@
+//! The map from the reference cell at the points of a rule, and what it makes of basis functions: what generated
+//! kernels of cells call as [`crate::cells`].
+
+use crate::{Lane, Shared};
+
+/// The Jacobian J = Σ x_a ⊗ ∇N_a of the map from the reference cell, by its cofactors: J⁻ᵀ = cof J / det J.
+#[derive(Debug, Clone, Copy)]
+pub struct Jacobian<L> {
+    /// `cofactors[k][i]` belongs to Jᵢₖ = ∂x_i/∂ξ_k.
+    pub cofactors: [[L; 3]; 3],
+    /// det J.
+    pub det: L,
+}
+
+impl<L: Lane> Jacobian<L> {
+    /// The Jacobian with the columns ∂x/∂ξ, ∂x/∂η, ∂x/∂ζ.
+    #[inline(always)]
+    pub fn new(columns: [[L; 3]; 3]) -> Self {
+        let mut cofactors = [[L::splat(0.0); 3]; 3];
+        for k in 0..3 {
+            let (u, v) = (columns[(k + 1) % 3], columns[(k + 2) % 3]);
+            for (i, cofactor) in cofactors[k].iter_mut().enumerate() {
+                let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+                *cofactor = u[p].mul_add(v[q], -(u[q] * v[p]));
+            }
+        }
+        let (first, normal) = (columns[0], cofactors[0]);
+        let det = first[1].mul_add(normal[1], first[0] * normal[0]);
+        Jacobian { cofactors, det: first[2].mul_add(normal[2], det) }
+    }
+
+    /// scale · cof J, which turns reference gradients into gradients in space times scale · det J.
+    #[inline(always)]
+    pub fn map(&self, scale: L) -> [[L; 3]; 3] {
+        let mut map = self.cofactors;
+        for column in &mut map {
+            for entry in column {
+                *entry = *entry * scale;
+            }
+        }
+        map
+    }
+}
+
+/// The smaller of two values.
+#[inline(always)]
+pub fn least<L: Lane>(a: L, b: L) -> L {
+    L::select(L::lt(b, a), b, a)
+}
+
+/// The gradient in space of a function with the reference gradient `slope`.
+#[inline(always)]
+fn gradient<L: Lane>(map: &[[L; 3]; 3], slope: &[f64; 3]) -> [L; 3] {
+    let (xi, eta, zeta) = (L::splat(slope[0]), L::splat(slope[1]), L::splat(slope[2]));
+    let mut gradient = [L::splat(0.0); 3];
+    for i in 0..3 {
+        let sum = map[1][i].mul_add(eta, map[0][i] * xi);
+        gradient[i] = map[2][i].mul_add(zeta, sum);
+    }
+    gradient
+}
+
+/// Σ x_a row_a for every row of coefficients.
+#[inline(always)]
+pub fn tangents<L: Lane, const N: usize>(
+    x: &[[L; 3]; N],
+    rows: &[[f64; N]],
+    tangents: &mut [[L; 3]],
+) {
+    struct Tangents<'a, L> {
+        x: &'a [[L; 3]],
+        rows: &'a [f64],
+        tangents: &'a mut [[L; 3]],
+    }
+    impl<L: Lane> Shared<L> for Tangents<'_, L> {
+        type Output = ();
+
+        #[inline(always)]
+        fn run(self) {
+            let rows = self.rows.chunks_exact(self.x.len());
+            for (tangent, row) in self.tangents.iter_mut().zip(rows) {
+                let mut sum = [L::splat(0.0); 3];
+                for (x, factor) in self.x.iter().zip(row) {
+                    let factor = L::splat(*factor);
+                    for i in 0..3 {
+                        sum[i] = x[i].mul_add(factor, sum[i]);
+                    }
+                }
+                *tangent = sum;
+            }
+        }
+    }
+    L::shared(Tangents { x, rows: rows.as_flattened(), tangents });
+}
+
+/// The map at the centre; `rows`: coefficients of the nodes in ∂x/∂ξ, ∂x/∂η and ∂x/∂ζ.
+#[inline(always)]
+pub fn centre<L: Lane, const N: usize>(x: &[[L; 3]; N], rows: &[[f64; N]; 3]) -> Jacobian<L> {
+    let mut columns = [[L::splat(0.0); 3]; 3];
+    tangents(x, rows, &mut columns);
+    Jacobian::new(columns)
+}
+
+/// Maps of gradients times r = √(w det J), that is r/det J · cof J, and r, at every point with the weight w, whose
+/// three tangents are those at `columns`. Gives the smallest det J.
+#[inline(always)]
+pub fn maps<L: Lane>(
+    tangents: &[[L; 3]],
+    columns: &[[usize; 3]],
+    weights: &[f64],
+    maps: &mut [[[L; 3]; 3]],
+    roots: &mut [L],
+) -> L {
+    struct Maps<'a, L> {
+        tangents: &'a [[L; 3]],
+        columns: &'a [[usize; 3]],
+        weights: &'a [f64],
+        maps: &'a mut [[[L; 3]; 3]],
+        roots: &'a mut [L],
+    }
+    impl<L: Lane> Shared<L> for Maps<'_, L> {
+        type Output = L;
+
+        #[inline(always)]
+        fn run(self) -> L {
+            let mut smallest = L::splat(f64::INFINITY);
+            let points = self.columns.iter().zip(self.weights);
+            let outputs = self.maps.iter_mut().zip(self.roots);
+            for ((map, root), ([xi, eta, zeta], weight)) in outputs.zip(points) {
+                let columns = [self.tangents[*xi], self.tangents[*eta], self.tangents[*zeta]];
+                let at = Jacobian::new(columns);
+                smallest = least(smallest, at.det);
+                *root = (at.det * *weight).sqrt();
+                *map = at.map(*root / at.det);
+            }
+            smallest
+        }
+    }
+    L::shared(Maps { tangents, columns, weights, maps, roots })
+}
+
+/// det J · factor at every point, whose three tangents are those at `columns`. Gives the smallest det J.
+#[inline(always)]
+pub fn determinants<L: Lane>(
+    tangents: &[[L; 3]],
+    columns: &[[usize; 3]],
+    factor: L,
+    det: &mut [L],
+) -> L {
+    struct Determinants<'a, L> {
+        tangents: &'a [[L; 3]],
+        columns: &'a [[usize; 3]],
+        factor: L,
+        det: &'a mut [L],
+    }
+    impl<L: Lane> Shared<L> for Determinants<'_, L> {
+        type Output = L;
+
+        #[inline(always)]
+        fn run(self) -> L {
+            let mut smallest = L::splat(f64::INFINITY);
+            for (det, [xi, eta, zeta]) in self.det.iter_mut().zip(self.columns) {
+                let columns = [self.tangents[*xi], self.tangents[*eta], self.tangents[*zeta]];
+                let at = Jacobian::new(columns);
+                smallest = least(smallest, at.det);
+                *det = at.det * self.factor;
+            }
+            smallest
+        }
+    }
+    L::shared(Determinants { tangents, columns, factor, det })
+}
+
+/// Σ_q det_q row_q for every row.
+#[inline(always)]
+pub fn sums<L: Lane, const POINTS: usize>(
+    det: &[L; POINTS],
+    rows: &[[f64; POINTS]],
+    sums: &mut [L],
+) {
+    struct Sums<'a, L> {
+        det: &'a [L],
+        rows: &'a [f64],
+        sums: &'a mut [L],
+    }
+    impl<L: Lane> Shared<L> for Sums<'_, L> {
+        type Output = ();
+
+        #[inline(always)]
+        fn run(self) {
+            let rows = self.rows.chunks_exact(self.det.len());
+            for (sum, row) in self.sums.iter_mut().zip(rows) {
+                let mut next = L::splat(0.0);
+                for (det, factor) in self.det.iter().zip(row) {
+                    next = det.mul_add(L::splat(*factor), next);
+                }
+                *sum = next;
+            }
+        }
+    }
+    L::shared(Sums { det, rows: rows.as_flattened(), sums });
+}
+
+/// Writes the entries to their places.
+pub fn spread<L: Lane>(entries: &[L], places: &[usize], matrix: &mut [L]) {
+    for (entry, place) in matrix.iter_mut().zip(places) {
+        *entry = entries[*place];
+    }
+}
+
+/// Gradients in space of functions at points. maps: of the points. slopes: points × functions, in the reference cell.
+/// basis: functions × points.
+#[inline(always)]
+pub fn gradients<L: Lane>(maps: &[[[L; 3]; 3]], slopes: &[[f64; 3]], basis: &mut [[L; 3]]) {
+    struct Gradients<'a, L> {
+        maps: &'a [[[L; 3]; 3]],
+        slopes: &'a [[f64; 3]],
+        basis: &'a mut [[L; 3]],
+    }
+    impl<L: Lane> Shared<L> for Gradients<'_, L> {
+        type Output = ();
+
+        #[inline(always)]
+        fn run(self) {
+            let points = self.maps.len();
+            let functions = self.basis.len() / points;
+            for (q, map) in self.maps.iter().enumerate() {
+                let slopes = &self.slopes[q * functions..][..functions];
+                for (function, slope) in self.basis.chunks_exact_mut(points).zip(slopes) {
+                    function[q] = gradient(map, slope);
+                }
+            }
+        }
+    }
+    L::shared(Gradients { maps, slopes, basis })
+}
+
+/// Values and gradients in space of functions at points: as [`gradients`]. values: points × functions; roots: their
+/// factors at the points.
+#[inline(always)]
+pub fn values_and_gradients<L: Lane>(
+    maps: &[[[L; 3]; 3]],
+    slopes: &[[f64; 3]],
+    roots: &[L],
+    values: &[f64],
+    basis: &mut [[L; 4]],
+) {
+    struct Both<'a, L> {
+        maps: &'a [[[L; 3]; 3]],
+        slopes: &'a [[f64; 3]],
+        roots: &'a [L],
+        values: &'a [f64],
+        basis: &'a mut [[L; 4]],
+    }
+    impl<L: Lane> Shared<L> for Both<'_, L> {
+        type Output = ();
+
+        #[inline(always)]
+        fn run(self) {
+            let points = self.maps.len();
+            let functions = self.basis.len() / points;
+            for (q, (map, root)) in self.maps.iter().zip(self.roots).enumerate() {
+                let slopes = &self.slopes[q * functions..][..functions];
+                let values = &self.values[q * functions..][..functions];
+                let basis = self.basis.chunks_exact_mut(points);
+                for ((function, slope), value) in basis.zip(slopes).zip(values) {
+                    let [x, y, z] = gradient(map, slope);
+                    function[q] = [*root * *value, x, y, z];
+                }
+            }
+        }
+    }
+    L::shared(Both { maps, slopes, roots, values, basis })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_jacobian_of_a_box() {
+        let corners: [[f64; 3]; 4] =
+            [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 4.0]];
+        let slopes = [[-1.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 1.0, 0.0], [-1.0, 0.0, 0.0, 1.0]];
+        let jacobian = centre(&corners, &slopes);
+        assert_eq!(jacobian.det, 24.0);
+        let map = jacobian.map(1.0 / 24.0);
+        // Two functions at two points with the same map.
+        let slopes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0]];
+        let mut basis = [[0.0; 3]; 4];
+        gradients(&[map, map], &slopes, &mut basis);
+        let (half, third, quarter) = (0.5, 1.0 / 3.0, 0.25);
+        let expected =
+            [[half, 0.0, 0.0], [0.0, 0.0, quarter], [0.0, third, 0.0], [half, third, quarter]];
+        assert_eq!(basis, expected);
+        let mut both = [[0.0; 4]; 4];
+        let (roots, values) = ([2.0, 3.0], [1.0, 10.0, 100.0, 1000.0]);
+        values_and_gradients(&[map, map], &slopes, &roots, &values, &mut both);
+        assert_eq!(both.map(|[_, x, y, z]| [x, y, z]), expected);
+        assert_eq!(both.map(|[value, ..]| value), [2.0, 300.0, 20.0, 3000.0]);
+    }
+
+    #[test]
+    fn determinants_and_sums() {
+        let tangents = [[2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 4.0], [0.0, 0.0, 0.5]];
+        let mut det = [0.0; 2];
+        let least = determinants(&tangents, &[[0, 1, 2], [0, 1, 3]], 10.0, &mut det);
+        assert_eq!((least, det), (3.0, [240.0, 30.0]));
+        let (mut entries, mut matrix) = ([0.0; 3], [0.0; 4]);
+        sums(&det, &[[1.0, 0.0], [0.5, 2.0], [0.0, -1.0]], &mut entries);
+        assert_eq!(entries, [240.0, 180.0, -30.0]);
+        spread(&entries, &[2, 0, 0, 1], &mut matrix);
+        assert_eq!(matrix, [-30.0, 240.0, 240.0, 180.0]);
+        let (mut to, mut roots) = ([[[0.0; 3]; 3]; 2], [0.0; 2]);
+        let least = maps(&tangents, &[[0, 1, 2], [0, 1, 3]], &[6.0, 3.0], &mut to, &mut roots);
+        assert_eq!((least, roots), (3.0, [12.0, 3.0]));
+        // r/det J · cof J = r · J⁻ᵀ.
+        assert_eq!(to[0], [[6.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 3.0]]);
+        assert_eq!(to[1], [[1.5, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 6.0]]);
+    }
+}
