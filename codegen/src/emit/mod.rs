@@ -7,5 +7,5 @@ mod text;
 
 pub use identifier::identifier;
 pub use motion::{MotionFunctions, motion};
-pub use statement::{Numbers, number, operand, statements};
+pub use statement::{NumberText, Numbers, number, operand, statements};
 pub use text::{documented, formatted};

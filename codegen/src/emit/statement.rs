@@ -1,8 +1,8 @@
 //! Instructions as `let` statements. A value that only one other value uses is written in place, in
 //! parentheses where the order of operations needs them, so that a polynomial reads as one.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Literal, Punct, Spacing, TokenStream};
+use quote::{ToTokens, TokenStreamExt, quote};
 
 use super::identifier::identifier;
 use crate::expression::{Function, Relation};
@@ -41,7 +41,7 @@ pub fn statements(program: &Program, stage: usize, numbers: Numbers) -> Vec<Toke
 /// An operand by its identifier, or as a number.
 pub fn operand(program: &Program, operand: Operand, numbers: Numbers) -> TokenStream {
     match (operand, numbers) {
-        (Operand::Constant(value), Numbers::Plain) => number(value),
+        (Operand::Constant(value), Numbers::Plain) => number(value).to_token_stream(),
         (Operand::Constant(value), _) => {
             let value = number(value);
             quote!(L::splat(#value))
@@ -54,14 +54,28 @@ pub fn operand(program: &Program, operand: Operand, numbers: Numbers) -> TokenSt
 }
 
 /// A number as Rust text that reads back as the same bits.
-pub fn number(value: f64) -> TokenStream {
-    if value.is_nan() {
-        quote!(f64::NAN)
-    } else if value.is_infinite() {
-        if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) }
-    } else {
-        let size = size(value.abs());
-        if value.is_sign_negative() { quote!(-#size) } else { quote!(#size) }
+pub fn number(value: f64) -> NumberText {
+    NumberText(value)
+}
+
+/// A number as Rust text.
+#[derive(Debug, Clone, Copy)]
+pub struct NumberText(f64);
+
+impl ToTokens for NumberText {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let value = self.0;
+        if value.is_nan() {
+            tokens.extend(quote!(f64::NAN));
+        } else if value.is_infinite() {
+            let infinity = if value > 0.0 { quote!(INFINITY) } else { quote!(NEG_INFINITY) };
+            tokens.extend(quote!(f64::#infinity));
+        } else {
+            if value.is_sign_negative() {
+                tokens.append(Punct::new('-', Spacing::Alone));
+            }
+            tokens.append(size(value.abs()));
+        }
     }
 }
 
@@ -99,7 +113,10 @@ impl<'a> Writer<'a> {
             Operand::Value(place) if self.in_place[place] => self.operation(place),
             Operand::Constant(value) if self.numbers == Numbers::Plain => {
                 let negative = value.is_sign_negative();
-                (number(value), if negative { Binding::Sign } else { Binding::Atom })
+                (
+                    number(value).to_token_stream(),
+                    if negative { Binding::Sign } else { Binding::Atom },
+                )
             }
             _ => (self::operand(self.program, operand, self.numbers), Binding::Atom),
         }
@@ -118,7 +135,7 @@ impl<'a> Writer<'a> {
                 let value = number(value);
                 quote!((#value))
             }
-            Operand::Constant(value) => number(value),
+            Operand::Constant(value) => number(value).to_token_stream(),
             _ => self.at_least(operand, least),
         }
     }

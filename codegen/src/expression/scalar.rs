@@ -1,7 +1,5 @@
 //! Constructors of sums (of any shape), products, functions and choices, in canonical form.
 
-use std::collections::BTreeMap;
-
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::graph::{Graph, NUMBER_BITS};
@@ -17,10 +15,8 @@ impl Graph {
         }
         let one = self.integer(1);
         let mut gathered = 0;
-        let mut parts: BTreeMap<Id, Rational> = BTreeMap::new();
-        let mut gather = |id: Id, coefficient: Rational| {
-            *parts.entry(id).or_insert_with(Rational::zero) += coefficient;
-        };
+        let mut parts: Vec<(Id, Rational)> = Vec::with_capacity(terms.len());
+        let mut gather = |id: Id, coefficient: Rational| parts.push((id, coefficient));
         for (id, coefficient) in terms {
             debug_assert_eq!(self.shape(*id), shape);
             match self.node(*id) {
@@ -34,20 +30,12 @@ impl Graph {
             }
         }
         self.spend(gathered);
-        parts.retain(|_, coefficient| !coefficient.is_zero());
-        match parts.len() {
-            0 => self.zero(shape),
-            1 => {
-                let (id, coefficient) = parts.pop_first().expect("one part");
-                if id == one {
-                    self.number(coefficient)
-                } else if coefficient.is_one() {
-                    id
-                } else {
-                    self.bounded_sum(vec![(id, coefficient)])
-                }
-            }
-            _ => self.bounded_sum(parts.into_iter().collect()),
+        merge(&mut parts);
+        match &parts[..] {
+            [] => self.zero(shape),
+            [(id, coefficient)] if *id == one => self.number(coefficient.clone()),
+            [(id, coefficient)] if coefficient.is_one() => *id,
+            _ => self.bounded_sum(parts),
         }
     }
 
@@ -101,22 +89,16 @@ impl Graph {
             return self.integer(0);
         }
         let mut coefficient = Rational::one();
-        let mut parts: BTreeMap<Id, Rational> = BTreeMap::new();
-        let mut open: Vec<(Id, Rational)> = factors.to_vec();
+        let mut parts: Vec<(Id, Rational)> = factors.to_vec();
+        let mut new = parts.len();
         // A base can fall apart (products, numbers) once its exponent becomes whole by merging.
-        while !open.is_empty() {
-            self.spend(open.len());
-            for (base, exponent) in open.drain(..) {
-                *parts.entry(base).or_insert_with(Rational::zero) += exponent;
-            }
-            parts.retain(|_, exponent| !exponent.is_zero());
-            let splitting: Vec<Id> = parts
-                .iter()
-                .filter(|(base, exponent)| self.falls_apart(**base, exponent))
-                .map(|(base, _)| *base)
-                .collect();
-            for base in splitting {
-                let exponent = parts.remove(&base).expect("just listed");
+        while new > 0 {
+            self.spend(new);
+            merge(&mut parts);
+            let falling = |(base, exponent): &mut (Id, Rational)| self.falls_apart(*base, exponent);
+            let splitting: Vec<(Id, Rational)> = parts.extract_if(.., falling).collect();
+            let mut open = Vec::new();
+            for (base, exponent) in splitting {
                 match self.node(base).clone() {
                     Node::Number(value) => {
                         let (whole, rest) = self.split_power(&value, &exponent);
@@ -141,11 +123,13 @@ impl Graph {
                     _ => unreachable!("only numbers, products and single-term sums fall apart"),
                 }
             }
+            new = open.len();
+            parts.append(&mut open);
         }
-        let product = match parts.len() {
-            0 => return self.number(coefficient),
-            1 if parts.values().all(One::is_one) => *parts.keys().next().expect("one part"),
-            _ => self.intern(Node::Product(parts.into_iter().collect())),
+        let product = match &parts[..] {
+            [] => return self.number(coefficient),
+            [(base, exponent)] if exponent.is_one() => *base,
+            _ => self.intern(Node::Product(parts)),
         };
         self.times(coefficient, product)
     }
@@ -314,6 +298,19 @@ impl Graph {
         }
         if a == b { a } else { self.intern(Node::Select(mask, a, b)) }
     }
+}
+
+/// By ascending ids, each once, without those whose numbers cancel.
+fn merge(parts: &mut Vec<(Id, Rational)>) {
+    parts.sort_by_key(|(id, _)| *id);
+    parts.dedup_by(|next, kept| {
+        let same = next.0 == kept.0;
+        if same {
+            kept.1 += &next.1;
+        }
+        same
+    });
+    parts.retain(|(_, number)| !number.is_zero());
 }
 
 /// Between 0 and 1.

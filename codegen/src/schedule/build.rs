@@ -147,19 +147,20 @@ impl Builder {
 
     /// valueⁿ by squaring, n ≥ 1; the powers on the way are shared.
     pub(super) fn whole_power(&mut self, value: Signed, n: u64) -> Signed {
-        let half = |n: u64| if n.is_multiple_of(2) { n / 2 } else { n - 1 };
-        let mut way = vec![n];
-        while let Some(&last) = way.last()
-            && last > 1
-        {
-            way.push(half(last));
-        }
-        let mut power = value.operand;
-        for &next in way.iter().rev().skip(1) {
-            let other = if next.is_multiple_of(2) { power } else { value.operand };
-            power = self.emit(Operation::Mul(power, other));
-        }
+        let power = self.squared(value.operand, n);
         Signed::plus(power).negated_if(value.negative && !n.is_multiple_of(2))
+    }
+
+    fn squared(&mut self, base: Operand, n: u64) -> Operand {
+        let (power, other) = match n {
+            0 | 1 => return base,
+            n if n.is_multiple_of(2) => {
+                let root = self.squared(base, n / 2);
+                (root, root)
+            }
+            n => (self.squared(base, n - 1), base),
+        };
+        self.emit(Operation::Mul(power, other))
     }
 }
 

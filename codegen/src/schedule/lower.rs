@@ -233,10 +233,13 @@ impl Lowering<'_> {
                 continue;
             }
             let size = terms[place].1.abs();
-            let alike: Vec<usize> = (place..terms.len())
-                .filter(|&other| terms[other].1.abs() == size && !self.is_number(terms[other].0))
-                .collect();
-            if size.is_one() || alike.len() < 2 || self.is_number(terms[place].0) {
+            let alike: Vec<usize> = match size.is_one() || self.is_number(terms[place].0) {
+                true => Vec::new(),
+                false => (place..terms.len())
+                    .filter(|&i| terms[i].1.abs() == size && !self.is_number(terms[i].0))
+                    .collect(),
+            };
+            if alike.len() < 2 {
                 parts.push(self.term(terms[place].0, &terms[place].1));
                 continue;
             }
@@ -280,28 +283,32 @@ impl Lowering<'_> {
     /// coefficient · Π base^exponent. Factors of one stage are multiplied among themselves first; the
     /// coefficient joins the earliest.
     fn product(&mut self, factors: &[(Id, Rational)], coefficient: f64) -> Signed {
-        let mut groups: BTreeMap<usize, (Vec<Signed>, Vec<Signed>)> = BTreeMap::new();
+        // Stage, whether it divides, and value.
+        let mut parts: Vec<(usize, bool, Signed)> = Vec::with_capacity(factors.len());
         for (base, exponent) in factors {
             let value = self.values.of(*base);
             let stage = self.builder.stage_of(value.operand);
             let shared = self.uses.0[base.index()].below > 1;
-            let (above, below) = groups.entry(stage).or_default();
-            if !exponent.is_negative() || is_real_power(exponent) {
-                above.push(power(&mut self.builder, value, exponent));
+            let builder = &mut self.builder;
+            parts.push(if !exponent.is_negative() || is_real_power(exponent) {
+                (stage, false, power(builder, value, exponent))
             } else if shared {
                 // Several products divide by this base: one reciprocal serves them all.
-                let inverse = self.builder.div(Signed::constant(1.0), value);
-                above.push(power(&mut self.builder, inverse, &-exponent));
+                let inverse = builder.div(Signed::constant(1.0), value);
+                (stage, false, power(builder, inverse, &-exponent))
             } else {
-                below.push(power(&mut self.builder, value, &-exponent));
-            }
+                (stage, true, power(builder, value, &-exponent))
+            });
         }
-        let last = groups.keys().next_back().copied();
+        parts.sort_by_key(|(stage, ..)| *stage);
+        let last = parts.last().map(|(stage, ..)| *stage);
         let mut total = Signed::constant(coefficient);
-        for (stage, (above, below)) in groups {
-            let builder = &mut self.builder;
-            let above = above.into_iter().reduce(|a, b| builder.mul(a, b));
-            let below = below.into_iter().reduce(|a, b| builder.mul(a, b));
+        for group in parts.chunk_by(|a, b| a.0 == b.0) {
+            let (stage, builder) = (group[0].0, &mut self.builder);
+            let [above, below] = [false, true].map(|divides| {
+                let parts = group.iter().filter(|part| part.1 == divides).map(|part| part.2);
+                parts.reduce(|a, b| builder.mul(a, b))
+            });
             let early = matches!(total.operand, Operand::Constant(_));
             // A quotient known before the whole product is computed there, not with the product.
             total = match (above, below) {
