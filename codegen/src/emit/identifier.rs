@@ -19,11 +19,18 @@ pub fn identifier(name: &str) -> Ident {
     {
         text.push_str("_name");
     }
-    if syn::parse_str::<Ident>(&text).is_ok() {
-        Ident::new(&text, Span::call_site())
-    } else {
+    if is_keyword(&text) {
         Ident::new_raw(&text, Span::call_site())
+    } else {
+        Ident::new(&text, Span::call_site())
     }
+}
+
+/// Whether a text of letters, digits and underscores is a word of Rust: none is long or has other signs than
+/// letters, so that few texts are parsed.
+fn is_keyword(text: &str) -> bool {
+    let could_be = text.len() <= "continue".len() && text.bytes().all(|b| b.is_ascii_lowercase());
+    could_be && syn::parse_str::<Ident>(text).is_err()
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 mod identifier;
 pub mod motion;
 mod statement;
+mod tables;
 mod text;
 
 pub use identifier::identifier;

@@ -4,9 +4,13 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::parse::{ParseStream, Parser};
 
+use super::tables;
+
 /// Formatted Rust of a whole file. Tokens that are no Rust are a defect of the generator; the message
 /// then holds what was to be formatted.
 pub fn formatted(file: TokenStream) -> Result<String, String> {
+    let mut taken = Vec::new();
+    let file = tables::take_out(file, &mut taken);
     // The parser can give its tokens back, so that no copy of them all is made.
     let parse = |input: ParseStream| {
         let start = input.cursor();
@@ -15,7 +19,10 @@ pub fn formatted(file: TokenStream) -> Result<String, String> {
             syn::Error::new(error.span(), message)
         })
     };
-    let file = parse.parse2(file).map_err(|error| error.to_string())?;
+    let put_back = |mut file: syn::File| {
+        tables::put_back(&mut file.items, &mut taken.into_iter()).map(|()| file)
+    };
+    let file = parse.parse2(file).and_then(put_back).map_err(|error| error.to_string())?;
     Ok(prettyplease::unparse(&file))
 }
 
