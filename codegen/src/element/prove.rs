@@ -50,7 +50,8 @@ fn nodes_belong_to_the_cell(element: &ElementSpec, errors: &mut Diagnostics) {
             }
         };
         let place = node.place.clone();
-        errors.push(Diagnostic::new(&element.file, Code::SHAPE_FUNCTION, place, message));
+        let error = Diagnostic::new(&element.file, Code::SHAPE_FUNCTION, place, message);
+        errors.push(error.help("give each node a place of its own in the cell"));
     }
 }
 
@@ -147,7 +148,8 @@ fn weights_are_positive(element: &ElementSpec, rule: &Quadrature, errors: &mut D
             let weight = rule.field.display(&point.weight);
             let message = format!("the weight of point {} is {weight}, not positive", q + 1);
             let place = rule.place.clone();
-            errors.push(Diagnostic::new(&element.file, Code::QUADRATURE, place, message));
+            let error = Diagnostic::new(&element.file, Code::QUADRATURE, place, message);
+            errors.push(error.help("take a rule whose weights are all positive"));
         }
     }
 }

@@ -124,6 +124,9 @@ struct Expansion<'f> {
     trial: [Id; 4],
 }
 
+/// How to mend a form that is not linear in both.
+const LINEAR: &str = "every term holds u once and v once";
+
 type Expanded = Result<Part, Box<Diagnostic>>;
 
 impl Expansion<'_> {
@@ -133,14 +136,17 @@ impl Expansion<'_> {
         span: &Range<usize>,
         message: impl Into<String>,
     ) -> Result<T, Box<Diagnostic>> {
-        Err(Box::new(self.formula.text.error(code, span.clone(), message)))
+        let error = self.formula.text.error(code, span.clone(), message);
+        // Terms that are not linear all are mended alike.
+        let help = (code == Code::FORM).then(|| LINEAR.to_owned());
+        Err(Box::new(error.maybe_help(help)))
     }
 
     fn not_bilinear<T>(&self, term: &Term, [u, v]: [u32; 2]) -> Result<T, Box<Diagnostic>> {
         let message = "the form is not linear in u and in v";
         let label = format!("of degree {u} in u and {v} in v");
         let error = self.formula.text.error(Code::FORM, term.span.clone(), message);
-        Err(Box::new(error.label(label).help("every term holds u once and v once")))
+        Err(Box::new(error.label(label).help(LINEAR)))
     }
 
     fn term(&mut self, term: &Term) -> Expanded {
@@ -296,7 +302,11 @@ impl Expansion<'_> {
                     let b = b.clone();
                     Ok(Value::Scalar(self.graph.power(a, b)))
                 }
-                _ => self.error(Code::FORM, &exponent.span, "an exponent is a number up to 8"),
+                _ => {
+                    let message = "an exponent is a number up to 8";
+                    let place = exponent.span.clone();
+                    Err(Box::new(self.formula.text.error(Code::FORM, place, message)))
+                }
             },
             _ => self.error(Code::SHAPE, &base.span, "only a number has powers"),
         }

@@ -37,8 +37,11 @@ pub fn lower(
     let root = lowering.term(&formula.root);
     let mut errors = lowering.errors;
     if graph.exceeded() && !before && errors.is_empty() {
-        let message = "the numbers and terms of this formula grow beyond all use";
-        errors.push(formula.text.error_here(Code::LIMIT, message));
+        let message = "multiplied out, this formula has too many terms or digits to be worked with";
+        let error = formula.text.error_here(Code::LIMIT, message);
+        errors.push(
+            error.help("use lower powers, fewer products of sums, or numbers of fewer digits"),
+        );
     }
     errors.into_result(root)
 }
@@ -206,7 +209,7 @@ impl<'f> Lowering<'f> {
             return a;
         }
         if negative_base && !constant.is_integer() {
-            self.error(Code::UNDEFINED, &term.span, "a broken power of a negative number");
+            self.error(Code::UNDEFINED, &term.span, "a fractional power of a negative number");
             return a;
         }
         if self.graph.is_zero(a) && constant.is_negative() {
@@ -368,7 +371,7 @@ mod tests {
             ("0^-1", "f:1:1: division by zero"),
             ("sqrt(-2)*x", "f:1:1: the root of a negative number"),
             ("log(0)", "f:1:1: the logarithm of a number that is not positive"),
-            ("(-2)^n", "f:1:2: a broken power of a negative number"),
+            ("(-2)^n", "f:1:2: a fractional power of a negative number"),
             ("(-2)^x", "f:1:2: a power that varies needs a base above zero"),
             ("x^101", "f:1:3: an exponent is at most 100"),
             ("(x^50)^3", "f:1:2: the exponents grow beyond 100 here"),
@@ -382,7 +385,11 @@ mod tests {
                 "sum(i, 1, 60, sum(j, 1, 60, x))",
                 "f:1:15: the sums of this formula have more than 512 terms when written out",
             ),
-            ("x*1e300^20", "f:1:1: the numbers and terms of this formula grow beyond all use"),
+            (
+                "x*1e300^20",
+                "f:1:1: multiplied out, this formula has too many terms or digits to be worked with \
+                 (use lower powers, fewer products of sums, or numbers of fewer digits)",
+            ),
         ] {
             assert_eq!(lowered(&mut graph.clone(), text), Err(vec![expected.to_owned()]), "{text}");
         }

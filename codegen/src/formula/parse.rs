@@ -339,7 +339,11 @@ mod tests {
                 "formula:1:4: unexpected `::` (a formula has names and functions, no paths)",
             ),
             ("\u{0}", "formula:1:1: unexpected `\\0`"),
-            ("1e999", "formula:1:1: this number is too large, too small or too long"),
+            (
+                "1e999",
+                "formula:1:1: this number is too large, too small or too long (a number has at most 60 \
+                 digits, and a power of ten between e-308 and e308)",
+            ),
         ];
         for (text, expected) in expected {
             assert_eq!(message(text), expected, "{text}");

@@ -158,7 +158,9 @@ pub(super) fn tokens(formula: &Located) -> Result<Vec<Spanned>, Diagnostics> {
         } else if let Some((value, length)) = decimal(rest) {
             if value.is_none() {
                 let message = "this number is too large, too small or too long";
-                errors.push(formula.error(Code::LIMIT, at..at + length, message));
+                let help =
+                    "a number has at most 60 digits, and a power of ten between e-308 and e308";
+                errors.push(formula.error(Code::LIMIT, at..at + length, message).help(help));
             }
             (value.map(Token::Number), length)
         } else if let Some((name, length)) = take_name(rest) {

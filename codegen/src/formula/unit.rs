@@ -131,7 +131,8 @@ impl Checker<'_> {
     fn pure(&mut self, term: &Term, place: &str) {
         if let Some(found) = self.term(term).filter(|found| *found != Dimension::NUMBER) {
             let message = format!("{place} must be a pure number, not {found}");
-            self.error(&term.span, message);
+            let error = self.formula.text.error(Code::DIMENSION, term.span.clone(), message);
+            self.errors.push(error.help(format!("divide it by {found}")));
         }
     }
 
@@ -150,7 +151,8 @@ impl Checker<'_> {
             }
             None => {
                 let message = format!("{dimension} cannot be raised to a power that varies");
-                self.error(&term.span, message);
+                let error = self.formula.text.error(Code::DIMENSION, term.span.clone(), message);
+                self.errors.push(error.help(format!("divide it by {dimension} first")));
                 None
             }
         }
@@ -270,10 +272,22 @@ mod tests {
                 "sum(j, 0, 8, h + j)",
                 "f:1:18: `j` is a number without unit and cannot be added to `h`, which is a length",
             ),
-            ("sum(j, 0, h, j)", "f:1:11: a bound of a sum must be a pure number, not a length"),
-            ("exp(h)", "f:1:5: the argument of `exp` must be a pure number, not a length"),
-            ("2^h", "f:1:3: an exponent must be a pure number, not a length"),
-            ("h^(h/c)", "f:1:1: a length cannot be raised to a power that varies"),
+            (
+                "sum(j, 0, h, j)",
+                "f:1:11: a bound of a sum must be a pure number, not a length (divide it by a length)",
+            ),
+            (
+                "exp(h)",
+                "f:1:5: the argument of `exp` must be a pure number, not a length (divide it by a length)",
+            ),
+            (
+                "2^h",
+                "f:1:3: an exponent must be a pure number, not a length (divide it by a length)",
+            ),
+            (
+                "h^(h/c)",
+                "f:1:1: a length cannot be raised to a power that varies (divide it by a length first)",
+            ),
             ("h^1001", "f:1:1: a length cannot be raised to such a power"),
             (
                 "max(h, v)",

@@ -252,7 +252,20 @@ impl<'s> Document<'s> {
 
     pub(super) fn wrong_type(&self, key: &str, wanted: &str, found: &Value<'_>) {
         let message = format!("`{key}` must be {wanted}, not {}", found.what());
-        self.push(Diagnostic::new(self.source, Code::BAD_VALUE, found.span(), message));
+        let error = Diagnostic::new(self.source, Code::BAD_VALUE, found.span(), message);
+        let example = match wanted {
+            "a string" => "\"…\"",
+            "an array" => "[…, …]",
+            "a table" => "{ … }",
+            "a finite number" => "1.5",
+            other => other.trim_matches('`').split('`').next().unwrap_or(other),
+        };
+        // An entry of a list has no key of its own.
+        let own = key.rsplit('.').next().unwrap_or(key);
+        self.push(error.help(match own.ends_with(']') {
+            true => format!("write it as `{example}`"),
+            false => format!("write for example `{own} = {example}`"),
+        }));
     }
 }
 

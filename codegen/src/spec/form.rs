@@ -188,7 +188,9 @@ impl Reader<'_> {
             true => Err(format!("the name `{name}` is taken")),
             false => Ok(name),
         });
-        let report = |message| self.document.push(key.error_here(Code::BAD_NAME, message));
+        let report = |message| {
+            self.document.push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
+        };
         name.map_err(report).ok()
     }
 
@@ -288,7 +290,8 @@ impl Reader<'_> {
             let name = match formula::name(key.text()).and_then(form_name) {
                 Ok(name) => name,
                 Err(message) => {
-                    self.document.push(key.error_here(Code::BAD_NAME, message));
+                    self.document
+                        .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
                     continue;
                 }
             };
@@ -297,13 +300,18 @@ impl Reader<'_> {
             });
             match expanded {
                 Ok(_) if self.graph.exceeded() => {
-                    let message = "the numbers and terms of this form grow beyond all use";
-                    self.document.push(text.error_here(Code::LIMIT, message));
+                    let message =
+                        "multiplied out, this form has too many terms or digits to be worked with";
+                    let error = text.error_here(Code::LIMIT, message);
+                    self.document.push(error.help(
+                        "use lower powers, fewer products of sums, or numbers of fewer digits",
+                    ));
                     return forms;
                 }
                 Ok(bilinear) if bilinear.is_empty() => {
                     let message = format!("`{name}` is zero whatever u and v are");
-                    self.document.push(text.error_here(Code::FORM, message));
+                    let error = text.error_here(Code::FORM, message);
+                    self.document.push(error.help("leave it out, or look for a wrong sign"));
                 }
                 Ok(bilinear) => {
                     let structure = structure(&mut self.graph, &bilinear);

@@ -192,12 +192,16 @@ fn tensors(root: &Table, graph: &mut Graph, names: &mut BTreeMap<String, Id>) ->
             }
             Ok(name) if names.contains_key(&name) => {
                 let message = format!("`{name}` is already a coordinate, a rate or a tensor");
-                table.document().push(key.error_here(Code::BAD_NAME, message));
+                table
+                    .document()
+                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
                 continue;
             }
             Ok(name) => name,
             Err(message) => {
-                table.document().push(key.error_here(Code::BAD_NAME, message));
+                table
+                    .document()
+                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
                 continue;
             }
         };
@@ -266,8 +270,14 @@ impl Reader<'_> {
                 }
             }
             if self.graph.exceeded() {
-                let message = "the derivatives of this energy grow beyond all use";
-                self.document.push(text.error_here(Code::LIMIT, message));
+                let message =
+                    "the derivatives of this energy have too many terms to be worked with";
+                let error = text.error_here(Code::LIMIT, message);
+                self.document.push(
+                    error.help(
+                        "use lower powers, fewer products of sums, or numbers of fewer digits",
+                    ),
+                );
             }
         })
     }
@@ -358,7 +368,8 @@ impl Reader<'_> {
     fn grown(&mut self, root: &Table) -> bool {
         let grown = self.graph.exceeded();
         if grown {
-            let message = "the numbers and terms of this motion grow beyond all use";
+            let message =
+                "multiplied out, this motion has too many terms or digits to be worked with";
             root.error(Code::LIMIT, None, message.to_owned());
         }
         grown

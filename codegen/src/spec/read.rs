@@ -396,11 +396,11 @@ h = 4
             }
         });
         let expected = [
-            "f.toml:1:8: `name` must be a string, not a number",
+            "f.toml:1:8: `name` must be a string, not a number (write for example `name = \"…\"`)",
             "f.toml:2:1: unknown key `tilte` (did you mean `title`?)",
             "f.toml:3:9: `count` must be a count such as 1 or 24",
             "f.toml:4:11: `engage` cannot be `roof` (did you mean `root`?)",
-            "f.toml:6:5: `inputs.h` must be a table, not a number",
+            "f.toml:6:5: `inputs.h` must be a table, not a number (write for example `h = { … }`)",
             // Declared as needed, whatever the reader asks for.
             "f.toml: `source` is missing (write `source = \"…\"`)",
         ];

@@ -118,7 +118,8 @@ impl<'d> Reader<'d> {
 
     fn must_be_name(&self, text: &Located) {
         if let Err(message) = formula::name(text.text()) {
-            self.document.push(text.error_here(Code::BAD_NAME, message));
+            self.document
+                .push(text.error_here(Code::BAD_NAME, message).help("choose another name"));
         }
     }
 }

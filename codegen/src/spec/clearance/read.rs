@@ -128,7 +128,8 @@ impl<'d> Reader<'d> {
         let name = match formula::name(key.text()) {
             Ok(name) => name,
             Err(message) => {
-                self.document.push(key.error_here(Code::BAD_NAME, message));
+                self.document
+                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
                 return None;
             }
         };
@@ -175,8 +176,8 @@ impl<'d> Reader<'d> {
                 true => least.to_string(),
                 false => format!("{least} to {}", units.len()),
             };
-            let message =
-                format!("`{place}` declares {} names, but {needed} are needed", keys.len());
+            let s = if needed == "1" { "" } else { "s" };
+            let message = format!("`{place}` must declare {needed} name{s}, not {}", keys.len());
             table.error(Code::BAD_VALUE, table.span(), message);
         }
         let mut list = Vec::new();

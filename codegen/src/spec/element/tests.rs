@@ -72,7 +72,12 @@ fn a_rule_without_its_degree_names_the_monomial() {
           weights must sum to the volume of the reference cell)"]
     );
     let found = changed(WEDGE6, "\"triangle(3)\", \"gauss(2)\"", "\"gauss(2)\", \"gauss(2)\"");
-    assert_eq!(found, ["e.toml:18:8: the rule of a wedge is [\"triangle(…)\", \"gauss(…)\"]"]);
+    assert_eq!(
+        found,
+        [
+            "e.toml:18:8: this is no rule of a wedge (write `rule = [\"triangle(…)\", \"gauss(…)\"]`, with numbers of points between the brackets)"
+        ]
+    );
     let found = changed(WEDGE6, "triangle(3)", "triangle(4)");
     assert!(found[0].contains("there is no rule `triangle(4)` (did you mean"), "{found:?}");
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use num_traits::{One, ToPrimitive};
 
 use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode};
-use crate::diagnostic::{Code, Diagnostics, Located, Source};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::element::{self, Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
 use crate::formula::{lower, parse};
@@ -179,7 +179,9 @@ impl<'d> Reader<'d> {
             match <[Rational; 3]>::try_from(exact) {
                 Ok(at) => nodes.push(ReferenceNode { at, place: item.value().span() }),
                 Err(_) => {
-                    let message = "coordinates of nodes are rational numbers".to_owned();
+                    let message =
+                        "coordinates of nodes are whole numbers or fractions such as '1/3'"
+                            .to_owned();
                     self.error(Code::BAD_VALUE, item.value().span(), message);
                 }
             }
@@ -266,7 +268,9 @@ impl<'d> Reader<'d> {
                 if texts.len() != nodes.len() {
                     let message =
                         format!("`shape` has {} formulas for {} nodes", texts.len(), nodes.len());
-                    self.error(Code::SHAPE_FUNCTION, span, message);
+                    let error =
+                        Diagnostic::new(self.document.source, Code::SHAPE_FUNCTION, span, message);
+                    self.document.push(error.help("write one a node, in the order of `nodes`"));
                     return None;
                 }
                 texts

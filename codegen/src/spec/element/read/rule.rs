@@ -6,7 +6,7 @@ use std::ops::Range;
 use num_traits::ToPrimitive;
 
 use super::Reader;
-use crate::diagnostic::{Code, Located, suggest};
+use crate::diagnostic::{Code, Diagnostic, Located, suggest};
 use crate::element::algebraic::{Algebraic, Field};
 use crate::element::quadrature::Factor;
 use crate::element::{Cell, Quadrature, rules};
@@ -95,8 +95,12 @@ impl Reader<'_> {
         if families != cell.families() {
             let wanted: Vec<String> =
                 cell.families().iter().map(|f| format!("\"{f}(…)\"")).collect();
-            let message = format!("the rule of a {} is [{}]", cell.name(), wanted.join(", "));
-            self.error(Code::QUADRATURE, place, message);
+            let message = format!("this is no rule of a {}", cell.name());
+            let error = Diagnostic::new(self.document.source, Code::QUADRATURE, place, message);
+            let wanted = wanted.join(", ");
+            let help =
+                format!("write `rule = [{wanted}]`, with numbers of points between the brackets");
+            self.document.push(error.help(help));
             return None;
         }
         let names: Vec<&str> = names.iter().map(Located::text).collect();

@@ -77,11 +77,17 @@ impl Names {
         let id = lower(formula, graph, &self.ids)?;
         let dimension = dimension(formula, &self.meanings)?;
         if graph.shape(id) != wanted {
-            let message = match wanted {
-                Shape::Truth => "expected a condition such as `h < c0`, found a number",
-                _ => "expected a number, found a condition",
+            let (message, help) = match wanted {
+                Shape::Truth => (
+                    "expected a condition such as `h < c0`, found a number",
+                    "compare it with another number",
+                ),
+                _ => (
+                    "expected a number, found a condition",
+                    "conditions stand in `when`, numbers in `value`",
+                ),
             };
-            return Err(formula.text.error_here(Code::SHAPE, message).into());
+            return Err(formula.text.error_here(Code::SHAPE, message).help(help).into());
         }
         Ok((id, dimension))
     }

@@ -206,14 +206,15 @@ impl Names<'_> {
         let name = match formula::name(key.text()) {
             Ok(name) => name,
             Err(message) => {
-                self.document.push(key.error_here(Code::BAD_NAME, message));
+                self.document
+                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
                 return None;
             }
         };
         if let Some(first) = self.taken.get(&name) {
             let (line, _) = key.source().line_column(first.start);
             let message = format!("the name `{name}` is taken since line {line}");
-            self.document.push(key.error_here(Code::BAD_NAME, message));
+            self.document.push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
             return None;
         }
         self.taken.insert(name.clone(), key.span());
@@ -279,8 +280,9 @@ fn range(table: &Table<'_>) -> Option<[Rational; 2]> {
         }
         _ => {
             let span = ends.first().map_or(table.span(), |end| end.span());
-            let message = "`range` must be two numbers, the lower first".to_owned();
-            table.error(Code::BAD_VALUE, span, message);
+            let message = "`range` must be two numbers, the lower first";
+            let error = Diagnostic::new(table.source(), Code::BAD_VALUE, span, message);
+            table.document().push(error.help("write for example `range = [-0.1, 0.1]`"));
             None
         }
     }

@@ -97,7 +97,8 @@ impl Columns {
                 let s = if count == 1 { "" } else { "s" };
                 let message =
                     format!("this line has {count} value{s}, but column {column} is read");
-                errors.push(self.error(span, message));
+                let help = "write a value for each column, with commas between";
+                errors.push(self.error(span, message).help(help));
                 continue;
             };
             match number(&self.source.text[cell.clone()]) {

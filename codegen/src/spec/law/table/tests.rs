@@ -160,7 +160,11 @@ fn errors_point_into_the_file_of_columns() {
             "a [mm], b [N]\n1, 2\n2, 3x\n",
             "f.csv:3:4: expected a number, found `3x` (write numbers with a point, such as `0.035` or `3.5e-2`)",
         ),
-        ("", "a [mm], b [N]\n1, 2\n2\n", "f.csv:3:1: this line has 1 value, but column 2 is read"),
+        (
+            "",
+            "a [mm], b [N]\n1, 2\n2\n",
+            "f.csv:3:1: this line has 1 value, but column 2 is read (write a value for each column, with commas between)",
+        ),
         (
             "",
             "a, b [N]\n1, 2\n2, 3\n",

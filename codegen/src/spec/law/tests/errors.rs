@@ -26,8 +26,8 @@ pieces = []
         "law.toml:7:9: `h` is a length, but `N` is the unit of a force (write for example `unit = \"m\"`)",
         "law.toml:8:9: `hdot` is not an input of laws (did you mean `h_dot`?)",
         "law.toml:11:27: unknown unit `milimeter` (write `mm`)",
-        "law.toml:12:1: `and` is a word of the formula language and cannot be a name",
-        "law.toml:13:1: the name `h` is taken since line 6",
+        "law.toml:12:1: `and` is a word of the formula language and cannot be a name (choose another name)",
+        "law.toml:13:1: the name `h` is taken since line 6 (choose another name)",
         "law.toml:14:10: `Q` has both a `value` and `pieces` (keep one of them)",
         "law.toml:16:11: `outputs.Q.engage` cannot be `roof` (did you mean `root`?)",
     ];
@@ -78,8 +78,8 @@ fn pieces_units_and_dimensions_are_checked() {
             h,
             "unit = \"N\"\npieces = [{ when = 'h', value = 'k*h' }, { value = 'h < 0' }]",
             &[
-                "law.toml:11:21: expected a condition such as `h < c0`, found a number",
-                "law.toml:11:53: expected a number, found a condition",
+                "law.toml:11:21: expected a condition such as `h < c0`, found a number (compare it with another number)",
+                "law.toml:11:53: expected a number, found a condition (conditions stand in `when`, numbers in `value`)",
             ],
         ),
         (
@@ -92,7 +92,9 @@ fn pieces_units_and_dimensions_are_checked() {
         (
             "h = { unit = \"mm\", range = [1, 0] }",
             "unit = \"N\"\nvalue = 'k*h'",
-            &["law.toml:6:29: `range` must be two numbers, the lower first"],
+            &[
+                "law.toml:6:29: `range` must be two numbers, the lower first (write for example `range = [-0.1, 0.1]`)",
+            ],
         ),
         (
             h,
