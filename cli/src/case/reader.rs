@@ -228,7 +228,8 @@ impl<'a> Reader<'a> {
                 Some(format!("such as `{key} = {}`", self.example(key))),
             );
         }
-        names
+        // Which of the names are meant is open: none is looked for.
+        Vec::new()
     }
 
     /// True or false, if given.

@@ -70,7 +70,8 @@ fn shape_functions_interpolate(element: &ElementSpec, errors: &mut Diagnostics) 
                 tuple(&node.at),
                 i32::from(a == b)
             );
-            errors.push(function.text.error_here(Code::SHAPE_FUNCTION, message));
+            let error = function.text.error_here(Code::SHAPE_FUNCTION, message);
+            errors.push(error.help("a shape function is 1 at its own node and 0 at all others"));
             // One failure a shape function: the rest follows from the same slip.
             break;
         }

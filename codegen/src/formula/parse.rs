@@ -102,7 +102,7 @@ impl Parser<'_> {
         while self.accept_word("or") {
             parts.push(self.conjunction()?);
         }
-        Ok(chain(parts, Kind::Or))
+        Ok(self.chain(parts, Kind::Or))
     }
 
     fn conjunction(&mut self) -> Parsed {
@@ -111,7 +111,7 @@ impl Parser<'_> {
         while self.accept_word("and") {
             parts.push(self.negation()?);
         }
-        Ok(chain(parts, Kind::And))
+        Ok(self.chain(parts, Kind::And))
     }
 
     fn negation(&mut self) -> Parsed {
@@ -120,7 +120,7 @@ impl Parser<'_> {
             return self.comparison();
         }
         let inner = self.deeper(Self::negation)?;
-        let span = start..inner.span.end;
+        let span = self.whole(start..inner.span.end);
         Ok(Term { kind: Kind::Not(Box::new(inner)), span })
     }
 
@@ -151,7 +151,7 @@ impl Parser<'_> {
             let side = match self.peek() {
                 Token::Sign("+") => Side::With,
                 Token::Sign("-") => Side::Against,
-                _ => return Ok(sided(parts, Kind::Sum)),
+                _ => return Ok(self.sided(parts, Kind::Sum)),
             };
             self.advance();
             parts.push((side, self.product()?));
@@ -164,7 +164,7 @@ impl Parser<'_> {
             let side = match self.peek() {
                 Token::Sign("*") => Side::With,
                 Token::Sign("/") => Side::Against,
-                _ => return Ok(sided(parts, Kind::Product)),
+                _ => return Ok(self.sided(parts, Kind::Product)),
             };
             self.advance();
             parts.push((side, self.unary()?));
@@ -180,7 +180,7 @@ impl Parser<'_> {
             return self.power();
         }
         let inner = self.deeper(Self::unary)?;
-        let span = start..inner.span.end;
+        let span = self.whole(start..inner.span.end);
         Ok(Term { kind: Kind::Negate(Box::new(inner)), span })
     }
 
@@ -190,7 +190,7 @@ impl Parser<'_> {
             return Ok(base);
         }
         let exponent = self.deeper(Self::unary)?;
-        let span = base.span.start..exponent.span.end;
+        let span = self.whole(base.span.start..exponent.span.end);
         Ok(Term { kind: Kind::Power(Box::new(base), Box::new(exponent)), span })
     }
 
@@ -276,22 +276,46 @@ impl Parser<'_> {
         let kind = Kind::Series { counter: name, name: counter.span, ends, body: Box::new(body) };
         Ok(Term { kind, span })
     }
-}
 
-fn chain(mut parts: Vec<Term>, kind: fn(Vec<Term>) -> Kind) -> Term {
-    if parts.len() == 1 {
-        return parts.remove(0);
+    fn chain(&self, mut parts: Vec<Term>, kind: fn(Vec<Term>) -> Kind) -> Term {
+        if parts.len() == 1 {
+            return parts.remove(0);
+        }
+        let span = self.whole(parts[0].span.start..parts[parts.len() - 1].span.end);
+        Term { kind: kind(parts), span }
     }
-    let span = parts[0].span.start..parts[parts.len() - 1].span.end;
-    Term { kind: kind(parts), span }
-}
 
-fn sided(mut parts: Vec<(Side, Term)>, kind: fn(Vec<(Side, Term)>) -> Kind) -> Term {
-    if parts.len() == 1 {
-        return parts.remove(0).1;
+    fn sided(&self, mut parts: Vec<(Side, Term)>, kind: fn(Vec<(Side, Term)>) -> Kind) -> Term {
+        if parts.len() == 1 {
+            return parts.remove(0).1;
+        }
+        let span = self.whole(parts[0].1.span.start..parts[parts.len() - 1].1.span.end);
+        Term { kind: kind(parts), span }
     }
-    let span = parts[0].1.span.start..parts[parts.len() - 1].1.span.end;
-    Term { kind: kind(parts), span }
+
+    /// The place of a term from its first part to its last, with the parentheses around either: `(a + b)*c`
+    /// begins before `a`, whose own place is within them.
+    fn whole(&self, span: Range<usize>) -> Range<usize> {
+        let text = self.text.text();
+        let Range { mut start, mut end } = span;
+        let (mut open, mut unopened) = (0_usize, 0);
+        for c in text[start..end].chars() {
+            match c {
+                '(' => open += 1,
+                ')' if open > 0 => open -= 1,
+                ')' => unopened += 1,
+                _ => {}
+            }
+        }
+        // Between a part and its parentheses stand only blanks and others of its parentheses.
+        for _ in 0..unopened {
+            start = text[..start].rfind('(').unwrap_or(start);
+        }
+        for _ in 0..open {
+            end = text[end..].find(')').map_or(end, |place| end + place + 1);
+        }
+        start..end
+    }
 }
 
 #[cfg(test)]
@@ -369,5 +393,15 @@ mod tests {
         assert_eq!(parts[1].1.span, 5..14);
         let names: Vec<_> = formula.names().into_iter().collect();
         assert_eq!(names, [("theta", 0..2), ("xi", 11..13)]);
+        // What is joined has its parentheses, also where they are doubled.
+        for (text, joined) in [
+            ("a - b*(c - d)", "b*(c - d)"),
+            ("1 + (( a)*b )*c", "(( a)*b )*c"),
+            ("1 + (a*b)^2", "(a*b)^2"),
+        ] {
+            let formula = parse(&Located::alone("formula", text)).unwrap();
+            let Kind::Sum(parts) = &formula.root.kind else { panic!("a sum") };
+            assert_eq!(&text[parts[1].1.span.clone()], joined);
+        }
     }
 }

@@ -34,6 +34,9 @@ pub fn dimension(
     checker.errors.into_result(dimension)
 }
 
+/// How to mend terms that measure different things.
+const ALIKE: &str = "both must be alike: look for a missing factor or a wrong name";
+
 struct Checker<'f> {
     formula: &'f Formula,
     names: &'f BTreeMap<String, Meaning>,
@@ -118,7 +121,9 @@ impl Checker<'_> {
                     let (a, b) = (self.written(part), self.written(other));
                     let message =
                         format!("`{a}` is {found} and cannot be {verb} `{b}`, which is {wanted}");
-                    self.error(&part.span, message);
+                    let error =
+                        self.formula.text.error(Code::DIMENSION, part.span.clone(), message);
+                    self.errors.push(error.help(ALIKE));
                 }
                 (Some(found), None) => first = Some((part, found)),
                 _ => {}
@@ -263,14 +268,17 @@ mod tests {
     #[test]
     fn unlike_quantities_are_not_added() {
         for (text, expected) in [
-            ("h + v", "f:1:5: `v` is a speed and cannot be added to `h`, which is a length"),
+            (
+                "h + v",
+                "f:1:5: `v` is a speed and cannot be added to `h`, which is a length (both must be alike: look for a missing factor or a wrong name)",
+            ),
             (
                 "v < c - h",
-                "f:1:5: `c - h` is a length and cannot be compared with `v`, which is a speed",
+                "f:1:5: `c - h` is a length and cannot be compared with `v`, which is a speed (both must be alike: look for a missing factor or a wrong name)",
             ),
             (
                 "sum(j, 0, 8, h + j)",
-                "f:1:18: `j` is a number without unit and cannot be added to `h`, which is a length",
+                "f:1:18: `j` is a number without unit and cannot be added to `h`, which is a length (both must be alike: look for a missing factor or a wrong name)",
             ),
             (
                 "sum(j, 0, h, j)",
@@ -291,7 +299,7 @@ mod tests {
             ("h^1001", "f:1:1: a length cannot be raised to such a power"),
             (
                 "max(h, v)",
-                "f:1:8: `v` is a speed and cannot be compared with `h`, which is a length",
+                "f:1:8: `v` is a speed and cannot be compared with `h`, which is a length (both must be alike: look for a missing factor or a wrong name)",
             ),
         ] {
             assert_eq!(found(text), Err(vec![expected.to_owned()]), "{text}");

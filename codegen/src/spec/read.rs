@@ -343,6 +343,14 @@ impl Drop for Table<'_> {
     }
 }
 
+/// How to mend a name that has other letters than those that are `fine`.
+pub(super) fn plain_name(name: &str, fine: impl Fn(char) -> bool) -> String {
+    let plain: String = name.chars().map(|c| if fine(c) { c } else { '-' }).collect();
+    let joined: Vec<&str> = plain.split('-').filter(|part| !part.is_empty()).collect();
+    let example = if joined.is_empty() { "my-name".to_owned() } else { joined.join("-") };
+    format!("write for example `{example}`")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -37,13 +37,30 @@ fn shape_functions_that_do_not_interpolate_name_both_nodes() {
     assert_eq!(found.len(), 8);
     assert_eq!(
         found[0],
-        "e.toml:12:10: the shape function of node 1 is 0 at node 1 (-1, -1, -1), not 1"
+        "e.toml:12:10: the shape function of node 1 is 0 at node 1 (-1, -1, -1), not 1 (a shape function is 1 at its own node and 0 at all others)"
     );
     let found = changed(WEDGE6, "'eta*(1 - zeta)/2'", "'eta*(1 - zeta)'");
     assert_eq!(
         found,
-        ["e.toml:13:54: the shape function of node 3 is 2 at node 3 (0, 1, -1), not 1"]
+        [
+            "e.toml:13:54: the shape function of node 3 is 2 at node 3 (0, 1, -1), not 1 (a shape function is 1 at its own node and 0 at all others)"
+        ]
     );
+}
+
+#[test]
+fn every_wrong_formula_is_told_even_where_the_cell_is_wrong() {
+    let wrong = WEDGE6.replace("'eta*(1 - zeta)/2'", "'ete*(1 - zeta)/2'");
+    let wrong = wrong.replace("'eta*(1 + zeta)/2'", "'eta*(1 + zete)/2'");
+    let names = ["unknown name `ete`", "unknown name `zete`"];
+    let told = |found: &[String]| names.map(|name| found.iter().any(|own| own.contains(name)));
+    let found = read(&wrong).err().unwrap_or_default();
+    assert_eq!((found.len(), told(&found)), (2, [true; 2]), "{found:?}");
+    let found = changed(&wrong, "cell = \"wedge\"", "cell = \"wege\"");
+    assert_eq!((found.len(), told(&found)), (3, [true; 2]), "{found:?}");
+    assert!(found.iter().any(|own| own.contains("did you mean `wedge`?")), "{found:?}");
+    // A formula for all nodes is one mistake, not one a node.
+    assert_eq!(changed(HEX8I, "xi_a*xi)", "xi_a*xy)").len(), 1);
 }
 
 #[test]

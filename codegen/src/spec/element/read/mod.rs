@@ -14,7 +14,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::element::{self, Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
 use crate::formula::{lower, parse};
-use crate::spec::read::{Document, Item, Table, Value};
+use crate::spec::read::{Document, Item, Table, Value, plain_name};
 use crate::spec::schema::Described;
 
 /// Most nodes of an element, points of a rule, and modes: far above any element in use.
@@ -55,10 +55,7 @@ impl<'d> Reader<'d> {
         let nodes = self.nodes(&root);
         // Known even where the nodes, which it is read for, are wrong.
         root.has("shape");
-        let shape = match (nodes.as_deref(), cell) {
-            (Some(nodes), Some(cell)) => self.shape(&root, nodes, cell),
-            _ => None,
-        };
+        let shape = nodes.as_deref().and_then(|nodes| self.shape(&root, nodes, cell));
         let complete = self.complete(&root);
         let quadrature = root.table("quadrature");
         let (rule, rules) = match (&quadrature, cell) {
@@ -118,7 +115,8 @@ impl<'d> Reader<'d> {
         let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
         if name.text().is_empty() || !name.text().chars().all(fine) {
             let message = "an element's name is made of letters, digits, `-` and `_`";
-            self.document.push(name.error_here(Code::BAD_NAME, message));
+            let help = plain_name(name.text(), fine);
+            self.document.push(name.error_here(Code::BAD_NAME, message).help(help));
         }
     }
 
@@ -259,7 +257,7 @@ impl<'d> Reader<'d> {
         &mut self,
         root: &Table<'_>,
         nodes: &[ReferenceNode],
-        cell: Cell,
+        cell: Option<Cell>,
     ) -> Option<Vec<Function>> {
         let texts = match root.value("shape") {
             Some(Value::String(text)) => vec![text; nodes.len()],
@@ -286,10 +284,18 @@ impl<'d> Reader<'d> {
             for (name, at) in ["xi_a", "eta_a", "zeta_a"].iter().zip(&node.at) {
                 names.insert((*name).to_owned(), self.graph.number(at.clone()));
             }
+            let function = match cell {
+                Some(cell) => self.function(text, &names, cell),
+                // Without its cell a formula has no meaning, but may have mistakes.
+                None => self.formula(text, &names).and(None),
+            };
             // A formula for all nodes that is wrong is reported once.
-            functions.push(self.function(text, &names, cell)?);
+            if function.is_none() && texts.iter().all(|other| other.span() == text.span()) {
+                return None;
+            }
+            functions.push(function);
         }
-        Some(functions)
+        functions.into_iter().collect()
     }
 
     fn texts(&self, items: &[Item<'_>], wanted: &str) -> Option<Vec<Located>> {

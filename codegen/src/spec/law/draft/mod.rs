@@ -15,7 +15,7 @@ use super::table::{self, TableDraft};
 use super::{Beside, LawSpec};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use crate::formula::{self, Formula};
-use crate::spec::read::{Document, Table, Value};
+use crate::spec::read::{Document, Table, Value, plain_name};
 use crate::spec::schema::Described;
 use crate::units::Unit;
 
@@ -74,7 +74,8 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
         let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
         if name.text().is_empty() || !name.text().chars().all(fine) {
             let message = "a law's name is made of letters, digits, `-`, `_` and `.`";
-            document.push(name.error_here(Code::BAD_NAME, message));
+            document
+                .push(name.error_here(Code::BAD_NAME, message).help(plain_name(name.text(), fine)));
         }
     }
     let mut names = Names { taken: BTreeMap::new(), document: &document };

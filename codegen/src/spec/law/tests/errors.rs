@@ -53,7 +53,9 @@ fn pieces_units_and_dimensions_are_checked() {
         (
             h,
             "unit = \"N\"\nvalue = 'k + h'",
-            &["law.toml:11:14: `h` is a length and cannot be added to `k`, which is a stiffness"],
+            &[
+                "law.toml:11:14: `h` is a length and cannot be added to `k`, which is a stiffness (both must be alike: look for a missing factor or a wrong name)",
+            ],
         ),
         (
             h,
