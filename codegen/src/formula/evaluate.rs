@@ -12,7 +12,7 @@ use crate::rational::Rational;
 use num_traits::Zero;
 
 use super::series::{self, Budget};
-use super::{Builtin, Comparison, Formula, Kind, Number, PI, Side, Term};
+use super::{Builtin, Formula, Kind, Number, PI, Side, Term};
 use crate::diagnostic::{Code, Diagnostic};
 
 /// The value of a term.
@@ -38,18 +38,6 @@ impl<N> Value<N> {
     }
 }
 
-/// Values of names.
-pub(crate) trait Names<N> {
-    /// The value of a name, if it has one.
-    fn named(&self, name: &str) -> Option<&Value<N>>;
-}
-
-impl<N> Names<N> for BTreeMap<String, Value<N>> {
-    fn named(&self, name: &str) -> Option<&Value<N>> {
-        self.get(name)
-    }
-}
-
 /// The value of a formula where names have the given values.
 ///
 /// # Errors
@@ -58,14 +46,6 @@ pub fn evaluate<N: Number>(
     formula: &Formula,
     names: &BTreeMap<String, Value<N>>,
 ) -> Result<Value<N>, Diagnostic> {
-    evaluate_with(formula, names)
-}
-
-/// The same where the names are kept in another way.
-pub(crate) fn evaluate_with<N: Number>(
-    formula: &Formula,
-    names: &dyn Names<N>,
-) -> Result<Value<N>, Diagnostic> {
     let (counters, budget) = (RefCell::default(), Budget::new());
     let evaluation = Evaluation { formula, names, counters, budget };
     evaluation.term(&formula.root).map_err(|error| *error)
@@ -73,7 +53,7 @@ pub(crate) fn evaluate_with<N: Number>(
 
 struct Evaluation<'f, N> {
     formula: &'f Formula,
-    names: &'f dyn Names<N>,
+    names: &'f BTreeMap<String, Value<N>>,
     /// Counters of the sums around the term, with their values.
     counters: RefCell<Vec<(&'f str, i64)>>,
     budget: Budget,
@@ -112,33 +92,12 @@ impl<'f, N: Number> Evaluation<'f, N> {
     }
 
     fn term(&self, term: &'f Term) -> Evaluated<N> {
-        match &term.kind {
-            Kind::Number(value) => Ok(Value::Scalar(N::exact(value))),
-            Kind::Name(name) => match self.names.named(name) {
-                Some(value) => Ok(value.clone()),
-                None => self.counter_or_pi(term, name),
-            },
-            _ => self.compound(term),
-        }
-    }
-
-    fn counter_or_pi(&self, term: &'f Term, name: &str) -> Evaluated<N> {
-        if let Some(count) = self.count(name) {
-            return Ok(Value::Scalar(N::exact(&series::exact(count))));
-        }
-        if name == PI {
-            return Ok(Value::Scalar(N::near(std::f64::consts::PI)));
-        }
-        let message = format!("`{name}` has no value");
-        Err(Box::new(self.formula.text.error(Code::UNKNOWN_NAME, term.span.clone(), message)))
-    }
-
-    /// A term that has others inside. Its frame on the stack is large; numbers and names, which most terms
-    /// are, do without it.
-    #[inline(never)]
-    fn compound(&self, term: &'f Term) -> Evaluated<N> {
         Ok(match &term.kind {
-            Kind::Number(_) | Kind::Name(_) => self.term(term)?,
+            Kind::Number(value) => Value::Scalar(N::exact(value)),
+            Kind::Name(name) => match self.names.get(name) {
+                Some(value) => value.clone(),
+                None => self.counter_or_pi(term, name)?,
+            },
             Kind::Negate(inner) => {
                 let zero = N::exact(&Rational::zero());
                 map(self.term(inner)?, &|x| zero.sub(x)).ok_or_else(|| self.misfit(inner))?
@@ -182,12 +141,7 @@ impl<'f, N: Number> Evaluation<'f, N> {
                 let mut holds = true;
                 for (comparison, part) in rest {
                     let right = self.scalar(part)?.value();
-                    holds &= match comparison {
-                        Comparison::Less => left < right,
-                        Comparison::LessOrEqual => left <= right,
-                        Comparison::Greater => left > right,
-                        Comparison::GreaterOrEqual => left >= right,
-                    };
+                    holds &= comparison.holds(left, right);
                     left = right;
                 }
                 Value::Truth(holds)
@@ -202,6 +156,17 @@ impl<'f, N: Number> Evaluation<'f, N> {
             }
             Kind::Not(inner) => Value::Truth(!self.truth(inner)?),
         })
+    }
+
+    fn counter_or_pi(&self, term: &'f Term, name: &str) -> Evaluated<N> {
+        if let Some(count) = self.count(name) {
+            return Ok(Value::Scalar(N::exact(&series::exact(count))));
+        }
+        if name == PI {
+            return Ok(Value::Scalar(N::near(std::f64::consts::PI)));
+        }
+        let message = format!("`{name}` has no value");
+        Err(Box::new(self.formula.text.error(Code::UNKNOWN_NAME, term.span.clone(), message)))
     }
 
     /// Numbers from the left; vectors and matrices from the right, so that A*B*x is A(Bx).
@@ -241,18 +206,12 @@ impl<'f, N: Number> Evaluation<'f, N> {
         }
     }
 
-    fn call(&self, term: &'f Term, function: &str, arguments: &'f [Term]) -> Evaluated<N> {
-        let builtin = Builtin::named(function).ok_or_else(|| self.misfit(term))?;
+    fn call(&self, term: &'f Term, name: &str, arguments: &'f [Term]) -> Evaluated<N> {
+        let builtin = Builtin::named(name).ok_or_else(|| self.misfit(term))?;
         let argument = |i: usize| arguments.get(i).ok_or_else(|| self.misfit(term));
         let choose = |better: fn(f64, f64) -> bool| {
             let all: Vec<N> = arguments.iter().map(|a| self.scalar(a)).collect::<Result<_, _>>()?;
-            let mut best = all.first().ok_or_else(|| self.misfit(term))?;
-            for other in &all[1..] {
-                if better(other.value(), best.value()) {
-                    best = other;
-                }
-            }
-            Ok(Value::Scalar(best.chosen(&all)))
+            chosen(&all, better).map(Value::Scalar).ok_or_else(|| self.misfit(term))
         };
         match builtin {
             Builtin::Min => return choose(|a, b| a < b),
@@ -281,26 +240,42 @@ impl<'f, N: Number> Evaluation<'f, N> {
             _ => {}
         }
         let x = self.scalar(argument(0)?)?;
-        let half = N::exact(&Rational::half());
-        let inverse = || N::exact(&one()).div(&x.exp());
-        Ok(Value::Scalar(match builtin {
-            Builtin::Sqrt => x.sqrt(),
-            Builtin::Exp => x.exp(),
-            Builtin::Log => x.ln(),
-            Builtin::Sin => x.sin(),
-            Builtin::Cos => x.cos(),
-            Builtin::Tan => x.tan(),
-            Builtin::Atan => x.atan(),
-            Builtin::Tanh => x.tanh(),
-            Builtin::Sinh => x.exp().sub(&inverse()).mul(&half),
-            Builtin::Cosh => x.exp().add(&inverse()).mul(&half),
-            _ => x.abs(),
-        }))
+        Ok(Value::Scalar(function(builtin, &x)))
     }
 }
 
+/// A function of one number.
+pub(super) fn function<N: Number>(builtin: Builtin, x: &N) -> N {
+    let half = || N::exact(&Rational::half());
+    let inverse = || N::exact(&one()).div(&x.exp());
+    match builtin {
+        Builtin::Sqrt => x.sqrt(),
+        Builtin::Exp => x.exp(),
+        Builtin::Log => x.ln(),
+        Builtin::Sin => x.sin(),
+        Builtin::Cos => x.cos(),
+        Builtin::Tan => x.tan(),
+        Builtin::Atan => x.atan(),
+        Builtin::Tanh => x.tanh(),
+        Builtin::Sinh => x.exp().sub(&inverse()).mul(&half()),
+        Builtin::Cosh => x.exp().add(&inverse()).mul(&half()),
+        _ => x.abs(),
+    }
+}
+
+/// The first that is better than all before it; none of none.
+pub(super) fn chosen<N: Number>(all: &[N], better: fn(f64, f64) -> bool) -> Option<N> {
+    let mut best = all.first()?;
+    for other in &all[1..] {
+        if better(other.value(), best.value()) {
+            best = other;
+        }
+    }
+    Some(best.chosen(all))
+}
+
 /// The angle of (x, y) from the axis x, by the arctangent of the smaller over the larger of the two.
-fn angle<N: Number>(y: &N, x: &N) -> N {
+pub(super) fn angle<N: Number>(y: &N, x: &N) -> N {
     let turn = |quarters: i64| N::exact(&(pi() * Rational::new(quarters, 2)));
     if y.value().abs() <= x.value().abs() {
         let angle = y.div(x).atan();

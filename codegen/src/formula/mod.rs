@@ -23,6 +23,7 @@ mod number;
 mod parse;
 mod rounding;
 mod series;
+mod steps;
 mod token;
 mod unit;
 
@@ -32,7 +33,7 @@ use std::ops::Range;
 use crate::rational::Rational;
 
 pub use check::{Scope, check};
-pub(crate) use evaluate::{Names, evaluate_with, pi};
+pub(crate) use evaluate::pi;
 pub use evaluate::{Value, evaluate};
 pub use function::{Builtin, FUNCTIONS, MOST_COMPARED};
 pub use lower::lower;
@@ -40,6 +41,7 @@ pub use number::{Dual, Number};
 pub use parse::parse;
 pub use rounding::Rounded;
 pub(crate) use series::whole;
+pub(crate) use steps::Steps;
 pub use unit::{Meaning, dimension};
 
 use crate::diagnostic::Located;
@@ -108,6 +110,17 @@ pub enum Comparison {
     Greater,
     /// a ≥ b
     GreaterOrEqual,
+}
+
+impl Comparison {
+    fn holds(self, left: f64, right: f64) -> bool {
+        match self {
+            Comparison::Less => left < right,
+            Comparison::LessOrEqual => left <= right,
+            Comparison::Greater => left > right,
+            Comparison::GreaterOrEqual => left >= right,
+        }
+    }
 }
 
 /// What a term says. Chains are kept as lists, so that long sums are not deep.

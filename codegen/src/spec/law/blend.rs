@@ -6,7 +6,7 @@ use crate::rational::{Rational, nearest};
 
 use super::draft::Output;
 use super::{Condition, LawInput, LawOutput, Named, Piece};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::diagnostic::{Code, Diagnostics};
 use crate::expression::{Graph, Id, Relation};
 use crate::formula::Number;
 use crate::units::Unit;
@@ -78,26 +78,17 @@ pub(super) fn lower(
 
 impl LawOutput {
     /// The value, SI, by direct evaluation.
-    pub(super) fn value_at<N: Number>(
-        &self,
-        inputs: &[N],
-        names: &Named<'_, N>,
-    ) -> Result<N, Diagnostic> {
+    pub(super) fn value_at<N: Number>(&self, inputs: &[N], names: &Named<N>) -> N {
         self.value_from(0, inputs, names)
     }
 
     /// The value of the pieces from `first` on.
-    fn value_from<N: Number>(
-        &self,
-        first: usize,
-        inputs: &[N],
-        names: &Named<'_, N>,
-    ) -> Result<N, Diagnostic> {
+    fn value_from<N: Number>(&self, first: usize, inputs: &[N], names: &Named<N>) -> N {
         for place in first..self.pieces.len() {
             let Some(Condition::Threshold { input, at, below, blend: Some(half), .. }) =
                 &self.pieces[place].when
             else {
-                if self.holds(place, inputs, names)? {
+                if self.holds(place, inputs, names) {
                     return self.value_of(place, names);
                 }
                 continue;
@@ -115,12 +106,12 @@ impl LawOutput {
                 None => {}
             }
             let (piece, rest) =
-                (self.value_of(place, names)?, self.value_from(place + 1, inputs, names)?);
+                (self.value_of(place, names), self.value_from(place + 1, inputs, names));
             let (before, behind) = if *below { (piece, rest) } else { (rest, piece) };
             let number = |value: i64| N::exact(&Rational::from(value));
             let s = x.sub(&N::exact(&start)).div(&N::exact(&(half + half)));
             let weight = s.mul(&s).mul(&number(3).sub(&number(2).mul(&s)));
-            return Ok(before.add(&behind.sub(&before).mul(&weight)));
+            return before.add(&behind.sub(&before).mul(&weight));
         }
         // The last piece has no condition.
         self.value_of(self.pieces.len() - 1, names)

@@ -5,7 +5,7 @@ use super::describe::short;
 use super::look::{Seen, in_file};
 use super::report::Break;
 use super::scan::{self, Line};
-use super::{Condition, Extend, LawOutput, LawSpec, scalar};
+use super::{Condition, Extend, LawOutput, LawSpec, LawTable};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::rational::nearest;
 
@@ -14,10 +14,11 @@ pub(super) fn tables(law: &LawSpec, lines: &[Line], errors: &mut Diagnostics) {
     if law.inputs.iter().any(|input| input.range.is_none()) {
         return;
     }
-    for table in law.tables.iter().filter(|table| table.extend == Extend::Refuse) {
+    let refusing = |(_, table): &(usize, &LawTable)| table.extend == Extend::Refuse;
+    for (place, table) in law.tables.iter().enumerate().filter(refusing) {
         let points = lines.iter().flat_map(|line| line.points.iter().map(|x| line.at(*x)));
         let inputs = points.filter_map(|inputs| {
-            scalar(&table.input, &law.names(&inputs).ok()?).ok().filter(|input| input.is_finite())
+            law.input_of(place, &law.names(&inputs)).filter(|input| input.is_finite())
         });
         let [first, last] = table.span().map(nearest);
         let [low, high] = inputs

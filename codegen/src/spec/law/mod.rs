@@ -35,7 +35,6 @@ mod draft;
 mod exact;
 mod judge;
 mod look;
-mod named;
 mod poles;
 mod program;
 mod report;
@@ -54,11 +53,10 @@ pub use describe::short;
 pub use report::{Break, LawReport, OutputReport, TableReport, Trend};
 pub use table::{Extend, LawTable};
 
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
-use crate::formula::{Formula, Number, Value, evaluate_with};
+use crate::formula::{Formula, Number, Steps};
 use crate::units::Unit;
-use named::{Made, Named, Places, made};
 
 /// Finds the file of the given name beside a law; says why not if there is none.
 pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
@@ -90,7 +88,19 @@ pub struct LawSpec {
     pub graph: Graph,
     /// What was found about the law.
     pub report: LawReport,
-    places: Places,
+    /// What tables are looked up by, and definitions, in the order in which their values become known.
+    made: Vec<Made>,
+}
+
+/// Values of the names of a law in the units of its file: inputs, parameters, then tables and definitions.
+type Named<N> = Vec<N>;
+
+/// A name that gets its value after the inputs and parameters.
+#[derive(Debug, Clone)]
+enum Made {
+    /// Place of the table, and what it is looked up by.
+    Table(usize, Steps),
+    Definition(Steps),
 }
 
 /// An input of a law.
@@ -147,6 +157,16 @@ pub struct LawOutput {
     pub value: Id,
     /// Its derivatives by [`LawSpec::inputs`], SI.
     pub derivatives: Vec<Id>,
+    /// Those of the pieces.
+    steps: Vec<PieceSteps>,
+}
+
+/// A piece for evaluation.
+#[derive(Debug, Clone)]
+struct PieceSteps {
+    /// The condition, if it is a formula.
+    when: Option<Steps>,
+    value: Steps,
 }
 
 /// A piece of an output.
@@ -216,73 +236,59 @@ impl LawSpec {
     /// # Errors
     /// None for a law that was read without errors.
     pub fn evaluate<N: Number>(&self, inputs: &[N]) -> Result<Vec<N>, Diagnostic> {
-        let names = self.names(inputs)?;
-        self.outputs.iter().map(|output| output.value_at(inputs, &names)).collect()
+        let names = self.names(inputs);
+        Ok(self.outputs.iter().map(|output| output.value_at(inputs, &names)).collect())
     }
 
     /// Values of all names in the units of the file.
-    fn names<N: Number>(&self, inputs: &[N]) -> Result<Named<'_, N>, Diagnostic> {
-        let mut names = self.places.named();
+    fn names<N: Number>(&self, inputs: &[N]) -> Named<N> {
+        let given = self.inputs.len() + self.parameters.len();
+        let mut names = Vec::with_capacity(given + self.made.len());
         for (input, value) in self.inputs.iter().zip(inputs) {
-            names.push(Value::Scalar(value.mul(&N::exact(&in_si(&input.unit).recip()))));
+            names.push(value.mul(&N::exact(&in_si(&input.unit).recip())));
         }
-        for parameter in &self.parameters {
-            names.push(Value::Scalar(N::exact(&parameter.value)));
+        names.extend(self.parameters.iter().map(|parameter| N::exact(&parameter.value)));
+        for made in &self.made {
+            names.push(match made {
+                Made::Table(place, input) => self.tables[*place].value(&input.value(&names)),
+                Made::Definition(steps) => steps.value(&names),
+            });
         }
-        for made in made(&self.tables, &self.definitions) {
-            let value = match made {
-                Made::Table(table) => Value::Scalar(table.value(&scalar(&table.input, &names)?)),
-                Made::Definition(definition) => evaluate_with(&definition.formula, &names)?,
-            };
-            names.push(value);
-        }
-        Ok(names)
+        names
+    }
+
+    /// What a table is looked up by.
+    fn input_of<N: Number>(&self, table: usize, names: &Named<N>) -> Option<N> {
+        self.made.iter().find_map(|made| match made {
+            Made::Table(place, input) if *place == table => Some(input.value(names)),
+            _ => None,
+        })
     }
 }
 
 impl LawOutput {
     /// Place of the piece that applies; where two are blended, the one on this side of the break.
-    fn active<N: Number>(&self, inputs: &[N], names: &Named<'_, N>) -> Result<usize, Diagnostic> {
-        for place in 0..self.pieces.len() {
-            if self.holds(place, inputs, names)? {
-                return Ok(place);
-            }
-        }
-        Ok(self.pieces.len() - 1)
+    fn active<N: Number>(&self, inputs: &[N], names: &Named<N>) -> usize {
+        let applies = (0..self.pieces.len()).find(|place| self.holds(*place, inputs, names));
+        applies.unwrap_or(self.pieces.len() - 1)
     }
 
     /// Whether the condition of a piece holds.
-    fn holds<N: Number>(
-        &self,
-        place: usize,
-        inputs: &[N],
-        names: &Named<'_, N>,
-    ) -> Result<bool, Diagnostic> {
-        Ok(match &self.pieces[place].when {
-            None => true,
+    fn holds<N: Number>(&self, place: usize, inputs: &[N], names: &Named<N>) -> bool {
+        match &self.pieces[place].when {
             Some(Condition::Threshold { input, at, below, inclusive, .. }) => {
                 let (x, at) = (inputs[*input].value(), nearest(at));
                 let strictly = if *below { x < at } else { x > at };
                 strictly || *inclusive && x == at
             }
-            Some(Condition::Formula(formula)) => {
-                matches!(evaluate_with(formula, names)?, Value::Truth(true))
-            }
-        })
+            _ => self.steps[place].when.as_ref().is_none_or(|when| when.holds(names)),
+        }
     }
 
     /// Value of a piece, SI, whether it applies or not.
-    fn value_of<N: Number>(&self, piece: usize, names: &Named<'_, N>) -> Result<N, Diagnostic> {
-        let value = scalar(&self.pieces[piece].value, names)?;
-        Ok(value.mul(&N::exact(&in_si(&self.unit))))
+    fn value_of<N: Number>(&self, piece: usize, names: &Named<N>) -> N {
+        self.steps[piece].value.value(names).mul(&N::exact(&in_si(&self.unit)))
     }
-}
-
-/// The value of a formula that was checked to be a number.
-fn scalar<N: Number>(formula: &Formula, names: &Named<'_, N>) -> Result<N, Diagnostic> {
-    evaluate_with(formula, names)?
-        .scalar()
-        .ok_or_else(|| formula.text.error_here(Code::SHAPE, "expected a number, found a condition"))
 }
 
 /// Factor of a unit to SI; the units of inputs and outputs were checked to have rational ones.

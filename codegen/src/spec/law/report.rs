@@ -153,15 +153,10 @@ pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
     for output in &law.outputs {
         let look = Look::new(law, output);
         let looked = match exact::facts(law, output, ranges[0]) {
-            Some(facts) => look.exactly(facts),
-            None => match lined.get() {
-                Some(lined) => look.over(lined),
-                None => lines
-                    .iter()
-                    .map(|line| Lined::new(law, line))
-                    .collect::<Result<_, _>>()
-                    .and_then(|new| look.over(lined.get_or_init(|| new))),
-            },
+            Some(facts) => Ok(look.exactly(facts)),
+            None => look.over(
+                lined.get_or_init(|| lines.iter().map(|line| Lined::new(law, line)).collect()),
+            ),
         };
         match looked {
             Ok(found) => {

@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 
 use super::poles::Signed;
 use super::{Condition, LawSpec, Named, Piece};
-use crate::diagnostic::{Diagnostic, Located};
+use crate::diagnostic::Located;
 use crate::expression::Node;
 use crate::formula::{Number, Rounded};
 use crate::rational::nearest;
@@ -50,52 +50,42 @@ impl Line {
 /// A line with what all outputs need at its points.
 pub(super) struct Lined<'l> {
     pub(super) line: &'l Line,
-    pub(super) points: Vec<Point<'l>>,
+    pub(super) points: Vec<Point>,
 }
 
 impl<'l> Lined<'l> {
-    pub(super) fn new(law: &'l LawSpec, line: &'l Line) -> Result<Self, Diagnostic> {
+    pub(super) fn new(law: &LawSpec, line: &'l Line) -> Self {
         let point = |x: &f64| {
             let inputs: Vec<Rounded> = line.at(*x).into_iter().map(Rounded::new).collect();
-            let names = law.names(&inputs)?;
-            Ok(Point { x: *x, inputs, names, signed: OnceCell::new() })
+            let names = law.names(&inputs);
+            Point { x: *x, inputs, names, signed: OnceCell::new() }
         };
-        Ok(Lined { line, points: line.points.iter().map(point).collect::<Result<_, _>>()? })
+        Lined { line, points: line.points.iter().map(point).collect() }
     }
 }
 
 /// A point of a line.
-pub(super) struct Point<'l> {
+pub(super) struct Point {
     pub(super) x: f64,
     pub(super) inputs: Vec<Rounded>,
-    pub(super) names: Named<'l, Rounded>,
-    signed: OnceCell<Named<'l, Signed>>,
+    pub(super) names: Named<Rounded>,
+    signed: OnceCell<Named<Signed>>,
 }
 
-impl<'l> Point<'l> {
+impl Point {
     /// The names with the signs of divisors.
-    pub(super) fn signed(
-        &self,
-        law: &'l LawSpec,
-        line: &Line,
-    ) -> Result<&Named<'l, Signed>, Diagnostic> {
-        match self.signed.get() {
-            Some(names) => Ok(names),
-            None => {
-                let names = names_at(law, line, self.x, Signed::new)?;
-                Ok(self.signed.get_or_init(|| names))
-            }
-        }
+    pub(super) fn signed(&self, law: &LawSpec, line: &Line) -> &Named<Signed> {
+        self.signed.get_or_init(|| names_at(law, line, self.x, Signed::new))
     }
 }
 
 /// The values of all names at a point.
-pub(super) fn names_at<'l, N: Number>(
-    law: &'l LawSpec,
+pub(super) fn names_at<N: Number>(
+    law: &LawSpec,
     line: &Line,
     x: f64,
     new: fn(f64) -> N,
-) -> Result<Named<'l, N>, Diagnostic> {
+) -> Named<N> {
     let inputs: Vec<N> = line.at(x).into_iter().map(new).collect();
     law.names(&inputs)
 }
@@ -202,11 +192,7 @@ pub(super) fn terms(law: &LawSpec) -> usize {
 
 /// Neighbouring numbers between `low` and `high` of which `holds` is true and false; it is true of `low`
 /// and false of `high`.
-pub(super) fn bisect(
-    mut low: f64,
-    mut high: f64,
-    holds: impl Fn(f64) -> Result<bool, Diagnostic>,
-) -> Result<(f64, f64), Diagnostic> {
+pub(super) fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
     /// Enough to halve any interval down to neighbours, unless they are next to zero.
     const STEPS: usize = 200;
     for _ in 0..STEPS {
@@ -214,9 +200,9 @@ pub(super) fn bisect(
         if middle <= low || middle >= high {
             break;
         }
-        if holds(middle)? { low = middle } else { high = middle }
+        if holds(middle) { low = middle } else { high = middle }
     }
-    Ok((low, high))
+    (low, high)
 }
 
 /// Where a message about a piece points: its condition as far as it is known as text, or its value.

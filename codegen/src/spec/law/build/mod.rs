@@ -3,6 +3,7 @@
 mod engage;
 mod names;
 mod output;
+mod steps;
 
 pub(super) use engage::engaged;
 
@@ -10,7 +11,6 @@ use std::collections::BTreeSet;
 
 use self::names::Names;
 use super::draft::Draft;
-use super::named::Places;
 use super::system::System;
 use super::{Definition, LawInput, LawReport, LawSpec, Parameter, in_si};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
@@ -105,7 +105,6 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
     if errors.iter().all(|error| error.code != Some(Code::UNKNOWN_NAME)) {
         errors.append(unused);
     }
-    let places = Places::new(&inputs, &parameters, &tables, &definitions);
     let mut law = errors.into_result(LawSpec {
         name: draft.name,
         title: draft.title,
@@ -119,8 +118,9 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         outputs,
         graph,
         report: LawReport::default(),
-        places,
+        made: Vec::new(),
     })?;
+    steps::write(&mut law)?;
     differentiate(&mut law)?;
     Ok(law)
 }

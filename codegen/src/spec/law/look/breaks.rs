@@ -34,9 +34,9 @@ impl Look<'_> {
         high: f64,
         count: &mut usize,
     ) -> Result<(), Diagnostic> {
-        let last = self.active(line, high)?;
+        let last = self.active(line, high);
         loop {
-            let first = self.active(line, low)?;
+            let first = self.active(line, low);
             if first == last {
                 return Ok(());
             }
@@ -46,12 +46,12 @@ impl Look<'_> {
                 let place = scan::place_of(&self.output.pieces[first]);
                 return Err(place.error_here(Code::LIMIT, message));
             }
-            let (a, b) = match self.known_end(line, first, low, high)? {
+            let (a, b) = match self.known_end(line, first, low, high) {
                 Some(neighbours) => neighbours,
-                None => scan::bisect(low, high, |x| Ok(self.active(line, x)? == first))?,
+                None => scan::bisect(low, high, |x| self.active(line, x) == first),
             };
-            let second = self.active(line, b)?;
-            self.meet(line, a, b, [first, second])?;
+            let second = self.active(line, b);
+            self.meet(line, a, b, [first, second]);
             low = b;
         }
     }
@@ -65,17 +65,16 @@ impl Look<'_> {
         (mut low, high): (f64, f64),
         (mut sides, last): (Vec<bool>, &[bool]),
         count: &mut usize,
-    ) -> Result<(), Diagnostic> {
+    ) {
         while sides != last && *count < MOST_BREAKS {
             *count += 1;
             let first = sides.iter().zip(last).position(|(a, b)| a != b);
             let looks = self.looks.entry((line.input, first)).or_insert(0);
             *looks += 1;
             if self.law.inputs.len() > 1 && *looks > MOST_LOOKS {
-                return Ok(());
+                return;
             }
-            let (a, b) =
-                scan::bisect(low, high, |x| Ok(self.branches.sides(&line.at(x)) == sides))?;
+            let (a, b) = scan::bisect(low, high, |x| self.branches.sides(&line.at(x)) == sides);
             let next = self.branches.sides(&line.at(b));
             // Bisection ends at the smallest numbers beside zero.
             let place = if b.abs() <= NEAR * NEAR * (high - low) { 0.0 } else { b };
@@ -83,7 +82,7 @@ impl Look<'_> {
             let input = &self.law.inputs[line.input];
             let (mut values, mut slopes, mut rounding) = ([0.0; 2], [0.0; 2], 0.0);
             for (side, x) in [a, b].into_iter().enumerate() {
-                let found = self.side(line, x, None)?;
+                let found = self.side(line, x, None);
                 let apart = (b - a) / input.unit.factor().to_f64();
                 (values[side], slopes[side]) = (found.value, found.slope);
                 rounding += found.error + (found.slope * apart).abs();
@@ -106,37 +105,24 @@ impl Look<'_> {
             }
             (low, sides) = (b, next);
         }
-        Ok(())
     }
 
     /// Neighbours of the threshold at which a piece ends, if it ends at one between two points.
-    fn known_end(
-        &self,
-        line: &Line,
-        piece: usize,
-        low: f64,
-        high: f64,
-    ) -> Result<Option<(f64, f64)>, Diagnostic> {
+    fn known_end(&self, line: &Line, piece: usize, low: f64, high: f64) -> Option<(f64, f64)> {
         let Some(Condition::Threshold { input, at, .. }) = &self.output.pieces[piece].when else {
-            return Ok(None);
+            return None;
         };
         let at = nearest(at);
         let (below, above) = (at.next_down(), at.next_up());
         if *input != line.input || below < low || above > high {
-            return Ok(None);
+            return None;
         }
-        let ends = self.active(line, below)? == piece && self.active(line, above)? != piece;
-        Ok(ends.then_some((below, above)))
+        let ends = self.active(line, below) == piece && self.active(line, above) != piece;
+        ends.then_some((below, above))
     }
 
     /// Records the break between neighbours `a` and `b` where `pieces` meet.
-    pub(super) fn meet(
-        &mut self,
-        line: &Line,
-        a: f64,
-        b: f64,
-        pieces: [usize; 2],
-    ) -> Result<(), Diagnostic> {
+    pub(super) fn meet(&mut self, line: &Line, a: f64, b: f64, pieces: [usize; 2]) {
         let threshold = pieces.iter().find_map(|piece| match &self.output.pieces[*piece].when {
             Some(Condition::Threshold { input, at, moved_from, .. })
                 if *input == line.input && (a..=b).contains(&nearest(at)) =>
@@ -154,7 +140,7 @@ impl Look<'_> {
         });
         for (side, piece) in pieces.into_iter().enumerate() {
             // Beside a blended break both sides are the same function.
-            let found = self.side(line, at, blend.is_none().then_some(piece))?;
+            let found = self.side(line, at, blend.is_none().then_some(piece));
             (values[side], slopes[side]) = (found.value, found.slope);
             rounding += found.error;
         }
@@ -169,30 +155,29 @@ impl Look<'_> {
             slopes,
         };
         self.keep(found, Between { pieces, comparison: None });
-        Ok(())
     }
 
     /// The output at a point of a line, or one of its pieces there.
-    fn side(&self, line: &Line, x: f64, piece: Option<usize>) -> Result<OnSide, Diagnostic> {
+    fn side(&self, line: &Line, x: f64, piece: Option<usize>) -> OnSide {
         let rounded: Vec<Rounded> = line.at(x).into_iter().map(Rounded::new).collect();
         let duals: Vec<Dual> = (line.at(x).into_iter().enumerate())
             .map(|(i, x)| Dual { value: x, slope: f64::from(i == line.input) })
             .collect();
-        let (names, dual_names) = (self.law.names(&rounded)?, self.law.names(&duals)?);
+        let (names, dual_names) = (self.law.names(&rounded), self.law.names(&duals));
         let (value, dual) = match piece {
             Some(piece) => {
-                (self.output.value_of(piece, &names)?, self.output.value_of(piece, &dual_names)?)
+                (self.output.value_of(piece, &names), self.output.value_of(piece, &dual_names))
             }
             None => {
-                let value = self.output.value_at(&rounded, &names)?;
-                (value, self.output.value_at(&duals, &dual_names)?)
+                let value = self.output.value_at(&rounded, &names);
+                (value, self.output.value_at(&duals, &dual_names))
             }
         };
         let (unit, per) = (&self.output.unit, self.law.inputs[line.input].unit.factor().to_f64());
-        Ok(OnSide {
+        OnSide {
             value: in_file(value.value, unit),
             error: in_file(value.error, unit),
             slope: in_file(dual.slope, unit) * per,
-        })
+        }
     }
 }

@@ -73,7 +73,7 @@ impl<'l> Look<'l> {
         Look { law, output, seen, branches, looks: BTreeMap::new(), motion, signs_at_last: None }
     }
 
-    pub(super) fn over(mut self, lines: &[Lined<'l>]) -> Result<Seen, Diagnostic> {
+    pub(super) fn over(mut self, lines: &[Lined<'_>]) -> Result<Seen, Diagnostic> {
         for input in 0..self.law.inputs.len() {
             let (mut rises, mut falls) = (false, false);
             for Lined { line, points } in lines.iter().filter(|lined| lined.line.input == input) {
@@ -86,7 +86,7 @@ impl<'l> Look<'l> {
     }
 
     /// The report of a piecewise polynomial of one input.
-    pub(super) fn exactly(mut self, facts: exact::Facts) -> Result<Seen, Diagnostic> {
+    pub(super) fn exactly(mut self, facts: exact::Facts) -> Seen {
         let (input, unit) = (&self.law.inputs[0], &self.output.unit);
         let report = &mut self.seen.report;
         report.extent = facts.extent.map(|value| in_file(value, unit));
@@ -99,7 +99,7 @@ impl<'l> Look<'l> {
             let at = nearest(&meeting.at);
             let piece = match meeting.piece {
                 Some(piece) => piece,
-                None => self.output.active(&[at], &self.law.names(&[at])?)?,
+                None => self.output.active(&[at], &self.law.names(&[at])),
             };
             let moved_from = match &self.output.pieces[piece].when {
                 Some(Condition::Threshold { moved_from: Some(from), .. }) => Some(nearest(from)),
@@ -130,27 +130,27 @@ impl<'l> Look<'l> {
             };
             let at = nearest(at);
             if (range[0]..=range[1]).contains(&at) {
-                self.meet(&Line::alone(at), at, at, [place, place + 1])?;
+                self.meet(&Line::alone(at), at, at, [place, place + 1]);
             }
         }
-        Ok(self.seen)
+        self.seen
     }
 
     fn along(
         &mut self,
         line: &Line,
-        points: &[Point<'l>],
+        points: &[Point],
         rises: &mut bool,
         falls: &mut bool,
     ) -> Result<(), Diagnostic> {
-        let mut before: Option<(&Point<'l>, usize, Rounded, Vec<bool>)> = None;
+        let mut before: Option<(&Point, usize, Rounded, Vec<bool>)> = None;
         let mut breaks = 0;
         self.signs_at_last = None;
         for point in points {
             let Point { x, inputs, names, .. } = point;
             let x = *x;
-            let piece = self.output.active(inputs, names)?;
-            let value = self.output.value_at(inputs, names)?;
+            let piece = self.output.active(inputs, names);
+            let value = self.output.value_at(inputs, names);
             self.record(line, x, value.value);
             let sides = self.branches.sides(&line.at(x));
             if let Some((low_point, other, last, before)) = before {
@@ -161,11 +161,11 @@ impl<'l> Look<'l> {
                 if other == piece {
                     // With several inputs, only where no formula changes: there is no time for all others.
                     if before == sides || self.law.inputs.len() == 1 {
-                        self.poles(line, piece, low_point, point)?;
+                        self.poles(line, piece, low_point, point);
                     } else {
                         self.signs_at_last = None;
                     }
-                    self.kinks(line, piece, (low, x), (before, &sides), &mut breaks)?;
+                    self.kinks(line, piece, (low, x), (before, &sides), &mut breaks);
                 } else {
                     self.signs_at_last = None;
                     self.breaks(line, low, x, &mut breaks)?;
@@ -194,9 +194,9 @@ impl<'l> Look<'l> {
         }
     }
 
-    fn active(&self, line: &Line, x: f64) -> Result<usize, Diagnostic> {
+    fn active(&self, line: &Line, x: f64) -> usize {
         let inputs = line.at(x);
-        self.output.active(&inputs, &self.law.names(&inputs)?)
+        self.output.active(&inputs, &self.law.names(&inputs))
     }
 
     /// Lists a break; of those between the same formulas along different lines, the one that jumps most.

@@ -1,57 +1,46 @@
 //! Poles along a line: where something that a formula divides by changes its sign.
 
-use super::super::named::Named;
+use super::super::Named;
 use super::super::poles::Signed;
 use super::super::scan::{self, Line, Point, names_at};
 use super::{Look, NEAR, in_file};
-use crate::diagnostic::Diagnostic;
 
 /// Poles that are listed.
 const MOST_POLES: usize = 16;
 
-impl<'l> Look<'l> {
+impl Look<'_> {
     /// Records where a divisor of a piece changes its sign between two points.
-    pub(super) fn poles(
-        &mut self,
-        line: &Line,
-        piece: usize,
-        low: &Point<'l>,
-        high: &Point<'l>,
-    ) -> Result<(), Diagnostic> {
-        let signs = |names: &Named<'l, Signed>| -> Result<u64, Diagnostic> {
-            Ok(self.output.value_of(piece, names)?.signs)
-        };
+    pub(super) fn poles(&mut self, line: &Line, piece: usize, low: &Point, high: &Point) {
+        let signs = |names: &Named<Signed>| self.output.value_of(piece, names).signs;
         // Of several inputs, where the pole of one lies depends on the others: one is an example.
         let name = &self.law.inputs[line.input].name;
         let known = self.seen.report.poles.iter().any(|(input, _)| input == name);
         if self.seen.report.poles.len() == MOST_POLES || known && self.law.inputs.len() > 1 {
-            return Ok(());
+            return;
         }
         let first = match self.signs_at_last {
             Some(signs) => signs,
-            None => signs(low.signed(self.law, line)?)?,
+            None => signs(low.signed(self.law, line)),
         };
-        let last = signs(high.signed(self.law, line)?)?;
+        let last = signs(high.signed(self.law, line));
         self.signs_at_last = Some(last);
         if first == last {
-            return Ok(());
+            return;
         }
         let (low, high) = (low.x, high.x);
-        let (below, at) = scan::bisect(low, high, |x| {
-            Ok(signs(&names_at(self.law, line, x, Signed::new)?)? == first)
-        })?;
+        let (below, at) =
+            scan::bisect(low, high, |x| signs(&names_at(self.law, line, x, Signed::new)) == first);
         // A choice between formulas changes what is divided by; that is no pole. Formulas and graph round
         // differently, so that the choice is looked for a little around.
         let around = NEAR * (high - low);
         let sides = [below - around, at + around].map(|x| self.branches.sides(&line.at(x)));
         if sides[0] != sides[1] {
-            return Ok(());
+            return;
         }
         let input = &self.law.inputs[line.input];
         let pole = (input.name.clone(), in_file(at, &input.unit));
         if !self.seen.report.poles.contains(&pole) {
             self.seen.report.poles.push(pole);
         }
-        Ok(())
     }
 }
