@@ -41,7 +41,7 @@ pub use number::{Dual, Number};
 pub use parse::parse;
 pub use rounding::Rounded;
 pub(crate) use series::whole;
-pub(crate) use steps::Steps;
+pub(crate) use steps::{Known, Steps};
 pub use unit::{Meaning, dimension};
 
 use crate::diagnostic::Located;

@@ -11,6 +11,15 @@ use crate::rational::nearest;
 #[derive(Debug, Clone)]
 pub(crate) struct Steps(Vec<Step>);
 
+/// What a name is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Known {
+    /// A constant, which the ends of a sum can name.
+    Constant(f64),
+    /// It stands there among the values that [`Steps::value`] is given.
+    Place(usize),
+}
+
 /// Operands are places of steps before.
 #[derive(Debug, Clone)]
 enum Step {
@@ -32,16 +41,16 @@ enum Step {
 }
 
 impl Steps {
-    /// `place`: where the value of a name stands among those that [`Steps::value`] is given.
+    /// `known`: what names are.
     ///
     /// # Errors
-    /// A name without a place, or something that is no number or condition.
+    /// A name that is unknown, or something that is no number or condition.
     pub(crate) fn of(
         formula: &Formula,
-        place: &dyn Fn(&str) -> Option<usize>,
+        known: &dyn Fn(&str) -> Option<Known>,
     ) -> Result<Self, Diagnostic> {
         let (counters, budget) = (Vec::new(), Budget::new());
-        let mut writer = Writer { formula, place, counters, budget: &budget, steps: Vec::new() };
+        let mut writer = Writer { formula, known, counters, budget: &budget, steps: Vec::new() };
         writer.term(&formula.root).map_err(|error| *error)?;
         Ok(Steps(writer.steps))
     }
@@ -96,7 +105,7 @@ impl Step {
 
 struct Writer<'f> {
     formula: &'f Formula,
-    place: &'f dyn Fn(&str) -> Option<usize>,
+    known: &'f dyn Fn(&str) -> Option<Known>,
     /// Counters of the sums around the term, with their values.
     counters: Vec<(&'f str, i64)>,
     budget: &'f Budget,
@@ -168,8 +177,9 @@ impl<'f> Writer<'f> {
 
     fn name(&self, term: &Term, name: &str) -> Result<Step, Box<Diagnostic>> {
         let counter = self.counters.iter().find(|(counter, _)| *counter == name);
-        match ((self.place)(name), counter) {
-            (Some(place), _) => Ok(Step::Name(place)),
+        match ((self.known)(name), counter) {
+            (Some(Known::Constant(value)), _) => Ok(Step::Number(value)),
+            (Some(Known::Place(place)), _) => Ok(Step::Name(place)),
             (None, Some((_, count))) => Ok(Step::Number(*count as f64)),
             (None, None) if name == PI => Ok(Step::Number(std::f64::consts::PI)),
             _ => Err(self.error(term, Code::UNKNOWN_NAME, &format!("`{name}` has no value"))),
@@ -249,10 +259,17 @@ impl<'f> Writer<'f> {
         sum.ok_or_else(|| self.error(term, Code::SHAPE, "this sum has no terms"))
     }
 
-    /// The whole number that an end of a sum is; counters are all that it can name.
+    /// The whole number that an end of a sum is; it names only constants and counters.
     fn whole(&self, end: &'f Term) -> Result<Option<i64>, Box<Diagnostic>> {
         let counters = self.counters.clone();
-        let mut writer = Writer { place: &|_| None, counters, steps: Vec::new(), ..*self };
+        let constant = |name: &str| (self.known)(name).filter(|k| matches!(k, Known::Constant(_)));
+        let mut writer = Writer {
+            formula: self.formula,
+            known: &constant,
+            counters,
+            budget: self.budget,
+            steps: Vec::new(),
+        };
         writer.term(end)?;
         Ok(whole_f64(Steps(writer.steps).value::<f64>(&[])))
     }
@@ -273,18 +290,21 @@ mod tests {
             "sqrt(x) + abs(-y) + min(x, y, 5) - max(x, 7, y)",
             "exp(x)*log(y)/sin(x) + cos(y) - tan(x)*atan(y)^tanh(x)",
             "sinh(x) - cosh(y)*pi + atan2(y, x) - atan2(-x, y)",
-            "sum(i, 0, 3, sum(j, 0, i + 1, i*j*x^j))",
+            "sum(i, 0, Z, sum(j, 0, i + 1, i*j*x^j/Z))",
             "x < y <= 3 and not x > 2 or y >= 7",
             "x < 1 or y < 2 and x > y",
         ] {
             let formula = parse(&Located::alone("f", text)).expect("a formula");
-            let steps =
-                Steps::of(&formula, &|name| ["x", "y"].iter().position(|known| *known == name));
+            let steps = Steps::of(&formula, &|name| match name {
+                "x" => Some(Known::Place(0)),
+                "y" => Some(Known::Place(1)),
+                _ => (name == "Z").then_some(Known::Constant(3.0)),
+            });
             let steps = steps.expect("numbers only");
             for (x, y) in [(0.3, 2.5), (1.7, 0.1), (4.0, 3.0)] {
                 fn both<N: Number>(formula: &Formula, steps: &Steps, [x, y]: [N; 2]) -> [f64; 2] {
                     let names = BTreeMap::from(
-                        [("x", &x), ("y", &y)]
+                        [("x", &x), ("y", &y), ("Z", &N::near(3.0))]
                             .map(|(name, value)| (name.to_owned(), Value::Scalar(value.clone()))),
                     );
                     let term = match evaluate(formula, &names).expect("a value") {
@@ -311,7 +331,8 @@ mod tests {
         for text in ["dot(v, v)", "unknown + 1", "sum(j, 0, x, j)"] {
             let formula = parse(&Located::alone("f", text)).expect("a formula");
             assert!(
-                Steps::of(&formula, &|name| (name != "unknown").then_some(0)).is_err(),
+                Steps::of(&formula, &|name| (name != "unknown").then_some(Known::Place(0)))
+                    .is_err(),
                 "{text}"
             );
         }

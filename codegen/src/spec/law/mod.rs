@@ -92,10 +92,10 @@ pub struct LawSpec {
     made: Vec<Made>,
 }
 
-/// Values of the names of a law in the units of its file: inputs, parameters, then tables and definitions.
+/// Values of the names of a law in the units of its file: inputs, then tables and definitions.
 type Named<N> = Vec<N>;
 
-/// A name that gets its value after the inputs and parameters.
+/// A name that gets its value after the inputs.
 #[derive(Debug, Clone)]
 enum Made {
     /// Place of the table, and what it is looked up by.
@@ -240,14 +240,12 @@ impl LawSpec {
         Ok(self.outputs.iter().map(|output| output.value_at(inputs, &names)).collect())
     }
 
-    /// Values of all names in the units of the file.
+    /// Values of all names but parameters, in the units of the file.
     fn names<N: Number>(&self, inputs: &[N]) -> Named<N> {
-        let given = self.inputs.len() + self.parameters.len();
-        let mut names = Vec::with_capacity(given + self.made.len());
+        let mut names = Vec::with_capacity(self.inputs.len() + self.made.len());
         for (input, value) in self.inputs.iter().zip(inputs) {
             names.push(value.mul(&N::exact(&in_si(&input.unit).recip())));
         }
-        names.extend(self.parameters.iter().map(|parameter| N::exact(&parameter.value)));
         for made in &self.made {
             names.push(match made {
                 Made::Table(place, input) => self.tables[*place].value(&input.value(&names)),

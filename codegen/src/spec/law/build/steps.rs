@@ -2,15 +2,20 @@
 
 use super::super::{LawSpec, Made, PieceSteps};
 use crate::diagnostic::Diagnostic;
-use crate::formula::{Formula, Steps};
+use crate::formula::{Formula, Known, Steps};
+use crate::rational::nearest;
 use crate::spec::law::Condition;
 
 /// Writes the formulas of a law that was lowered.
 pub(super) fn write(law: &mut LawSpec) -> Result<(), Diagnostic> {
     let mut known: Vec<&str> = law.inputs.iter().map(|input| input.name.as_str()).collect();
-    known.extend(law.parameters.iter().map(|parameter| parameter.name.as_str()));
+    let constant = |name: &str| {
+        let parameter = law.parameters.iter().find(|parameter| parameter.name == name)?;
+        Some(Known::Constant(nearest(&parameter.value)))
+    };
     let steps = |formula: &Formula, known: &[&str]| {
-        Steps::of(formula, &|name| known.iter().position(|known| *known == name))
+        let place = |name: &str| known.iter().position(|known| *known == name).map(Known::Place);
+        Steps::of(formula, &|name| place(name).or_else(|| constant(name)))
     };
     let mut made = Vec::new();
     for place in 0..=law.definitions.len() {
