@@ -83,20 +83,20 @@ impl<L: Lane, const F: usize, const P: usize, const PARTS: usize, const W: usize
 
 /// The same for a form of values only, which are constants at the points.
 #[derive(Debug, Clone)]
-pub struct Scalars<L, const POINTS: usize, const ROWS: usize, const ENTRIES: usize> {
+pub struct Scalars<L, const POINTS: usize, const ROWS: usize> {
     /// Different tangents ∂x/∂(ξ, η, ζ).
     pub tangents: [[L; 3]; ROWS],
-    /// det J at the points, times a factor.
+    /// w det J at the points, times a factor.
     pub det: [L; POINTS],
-    /// The different entries of the matrix.
-    pub entries: [L; ENTRIES],
+    /// The same times the values of one function.
+    pub weighted: [L; POINTS],
 }
 
-impl<L: Lane, const P: usize, const R: usize, const E: usize> Empty for Scalars<L, P, R, E> {
+impl<L: Lane, const P: usize, const R: usize> Empty for Scalars<L, P, R> {
     #[inline(always)]
     fn empty() -> Self {
         let zero = L::splat(0.0);
-        Scalars { tangents: [[zero; 3]; R], det: [zero; P], entries: [zero; E] }
+        Scalars { tangents: [[zero; 3]; R], det: [zero; P], weighted: [zero; P] }
     }
 }
 
@@ -150,10 +150,11 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
             let det = K::cell(&x, material, &mut room, &mut matrix);
             if K::IN_REGISTERS {
                 L::scatter(&matrix, matrices);
+                L::scatter(&[det], jacobians);
             } else {
                 L::shared(Scatter { values: &matrix, rows: matrices });
+                L::shared(Scatter { values: &[det], rows: jacobians });
             }
-            L::scatter(&[det], jacobians);
         }
     }
 }

@@ -139,17 +139,20 @@ pub fn maps<L: Lane>(
     L::shared(Maps { tangents, columns, weights, maps, roots })
 }
 
-/// det J · factor at every point, whose three tangents are those at `columns`. Gives the smallest det J.
+/// w det J · factor at every point with the weight w, whose three tangents are those at `columns`. Gives the smallest
+/// det J.
 #[inline(always)]
 pub fn determinants<L: Lane>(
     tangents: &[[L; 3]],
     columns: &[[usize; 3]],
+    weights: &[f64],
     factor: L,
     det: &mut [L],
 ) -> L {
     struct Determinants<'a, L> {
         tangents: &'a [[L; 3]],
         columns: &'a [[usize; 3]],
+        weights: &'a [f64],
         factor: L,
         det: &'a mut [L],
     }
@@ -159,53 +162,52 @@ pub fn determinants<L: Lane>(
         #[inline(always)]
         fn run(self) -> L {
             let mut smallest = L::splat(f64::INFINITY);
-            for (det, [xi, eta, zeta]) in self.det.iter_mut().zip(self.columns) {
+            let points = self.columns.iter().zip(self.weights);
+            for (det, ([xi, eta, zeta], weight)) in self.det.iter_mut().zip(points) {
                 let columns = [self.tangents[*xi], self.tangents[*eta], self.tangents[*zeta]];
                 let at = Jacobian::new(columns);
                 smallest = least(smallest, at.det);
-                *det = at.det * self.factor;
+                *det = at.det * *weight * self.factor;
             }
             smallest
         }
     }
-    L::shared(Determinants { tangents, columns, factor, det })
+    L::shared(Determinants { tangents, columns, weights, factor, det })
 }
 
-/// Σ_q det_q row_q for every row.
+/// Σ_q det_q N_a N_b for all nodes a ≤ b, row by row. values: nodes × points. `weighted` holds as many values as there
+/// are points, in between.
 #[inline(always)]
-pub fn sums<L: Lane, const POINTS: usize>(
-    det: &[L; POINTS],
-    rows: &[[f64; POINTS]],
-    sums: &mut [L],
-) {
-    struct Sums<'a, L> {
+pub fn products<L: Lane>(det: &[L], values: &[f64], weighted: &mut [L], matrix: &mut [L]) {
+    struct Products<'a, L> {
         det: &'a [L],
-        rows: &'a [f64],
-        sums: &'a mut [L],
+        values: &'a [f64],
+        weighted: &'a mut [L],
+        matrix: &'a mut [L],
     }
-    impl<L: Lane> Shared<L> for Sums<'_, L> {
+    impl<L: Lane> Shared<L> for Products<'_, L> {
         type Output = ();
 
         #[inline(always)]
         fn run(self) {
-            let rows = self.rows.chunks_exact(self.det.len());
-            for (sum, row) in self.sums.iter_mut().zip(rows) {
-                let mut next = L::splat(0.0);
-                for (det, factor) in self.det.iter().zip(row) {
-                    next = det.mul_add(L::splat(*factor), next);
+            let points = self.det.len();
+            let mut entries = self.matrix.iter_mut();
+            for start in (0..self.values.len()).step_by(points) {
+                let (of_a, values) = (&self.values[start..][..points], &self.values[start..]);
+                for ((weighted, det), value) in self.weighted.iter_mut().zip(self.det).zip(of_a) {
+                    *weighted = *det * *value;
                 }
-                *sum = next;
+                for (of_b, entry) in values.chunks_exact(points).zip(&mut entries) {
+                    let mut sum = L::splat(0.0);
+                    for (weighted, value) in self.weighted.iter().zip(of_b) {
+                        sum = weighted.mul_add(L::splat(*value), sum);
+                    }
+                    *entry = sum;
+                }
             }
         }
     }
-    L::shared(Sums { det, rows: rows.as_flattened(), sums });
-}
-
-/// Writes the entries to their places.
-pub fn spread<L: Lane>(entries: &[L], places: &[usize], matrix: &mut [L]) {
-    for (entry, place) in matrix.iter_mut().zip(places) {
-        *entry = entries[*place];
-    }
+    L::shared(Products { det, values, weighted, matrix });
 }
 
 /// Gradients in space of functions at points. maps: of the points. slopes: points × functions, in the reference cell.
@@ -301,18 +303,18 @@ mod tests {
     }
 
     #[test]
-    fn determinants_and_sums() {
+    fn determinants_maps_and_products() {
         let tangents = [[2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 4.0], [0.0, 0.0, 0.5]];
         let mut det = [0.0; 2];
-        let least = determinants(&tangents, &[[0, 1, 2], [0, 1, 3]], 10.0, &mut det);
-        assert_eq!((least, det), (3.0, [240.0, 30.0]));
-        let (mut entries, mut matrix) = ([0.0; 3], [0.0; 4]);
-        sums(&det, &[[1.0, 0.0], [0.5, 2.0], [0.0, -1.0]], &mut entries);
-        assert_eq!(entries, [240.0, 180.0, -30.0]);
-        spread(&entries, &[2, 0, 0, 1], &mut matrix);
-        assert_eq!(matrix, [-30.0, 240.0, 240.0, 180.0]);
+        let columns = [[0, 1, 2], [0, 1, 3]];
+        let least = determinants(&tangents, &columns, &[1.0, 2.0], 10.0, &mut det);
+        assert_eq!((least, det), (3.0, [240.0, 60.0]));
+        // Two functions at the two points.
+        let (mut weighted, mut matrix) = ([0.0; 2], [0.0; 3]);
+        products(&det, &[1.0, 0.5, -1.0, 2.0], &mut weighted, &mut matrix);
+        assert_eq!(matrix, [240.0 + 15.0, -240.0 + 60.0, 240.0 + 240.0]);
         let (mut to, mut roots) = ([[[0.0; 3]; 3]; 2], [0.0; 2]);
-        let least = maps(&tangents, &[[0, 1, 2], [0, 1, 3]], &[6.0, 3.0], &mut to, &mut roots);
+        let least = maps(&tangents, &columns, &[6.0, 3.0], &mut to, &mut roots);
         assert_eq!((least, roots), (3.0, [12.0, 3.0]));
         // r/det J · cof J = r · J⁻ᵀ.
         assert_eq!(to[0], [[6.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 3.0]]);

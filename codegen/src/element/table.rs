@@ -27,9 +27,12 @@ pub struct Table {
     pub mode_slopes: Vec<Vec<[f64; 3]>>,
     /// nodes: ∂N_a/∂(ξ, η, ζ) at the centre of the cell.
     pub centre_slopes: Vec<[f64; 3]>,
-    /// w N_a N_b.
-    pub products: Products,
+    /// w N_a N_b, if they are at most [`PRODUCTS`].
+    pub products: Option<Products>,
 }
+
+/// Most products of pairs at points that are computed: kernels with more sum them up in loops.
+const PRODUCTS: usize = 500;
 
 /// w N_a N_b at the points, for all pairs a ≤ b of nodes; equal rows are kept once.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,7 +60,7 @@ impl Table {
             slopes: Vec::new(),
             mode_slopes: Vec::new(),
             centre_slopes: Vec::new(),
-            products: Products { rows: Vec::new(), places: Vec::new() },
+            products: None,
         };
         let centre = cell.centre();
         for function in shape {
@@ -89,7 +92,8 @@ impl Table {
             table.mode_slopes.push(slopes(modes)?);
             exact.push((rule.field.fixed(&point.weight), values));
         }
-        table.products = Products::new(&exact);
+        let pairs = shape.len() * (shape.len() + 1) / 2;
+        table.products = (pairs * exact.len() <= PRODUCTS).then(|| Products::new(&exact));
         Ok(table)
     }
 }

@@ -1,4 +1,4 @@
-//! Kernels of forms in which only the values of the functions occur: a few numbers, each at many places.
+//! Kernels of forms in which only the values of the functions occur: Σ_q det J w N_a N_b for every pair of nodes.
 
 use quote::quote;
 
@@ -8,47 +8,45 @@ use super::linear::Linear;
 use super::program::{PAIR, Pairs};
 use super::table::{Tables, Tangents, count, row};
 use crate::diagnostic::Diagnostics;
+use crate::element::{Products, Table};
 use crate::emit::{Numbers, number, operand, statements};
 
 impl CellForm<'_> {
-    /// Only N_a N_b occurs, whose products at the points are constants: Σ_q det J w N_a N_b, of which few
-    /// differ. What the form makes of N_a N_b is a multiple of it, so that det J takes that factor at every
-    /// point, together with what all tangents and the entries have as a scale.
+    /// What the form makes of N_a N_b is a multiple of it, so that det J takes that factor at every point.
     pub(super) fn values_only(
         &self,
         pairs: &Pairs,
         tables: &mut Tables,
     ) -> Result<Body, Diagnostics> {
-        let form = &self.form.name;
         let table = self.table(tables);
-        let points = table.weights.len();
-        let products = &table.products;
-        let (different, pairs_of_nodes) = (products.rows.len(), products.places.len());
-        let (products_name, places_name) =
-            (tables.named("PRODUCTS", form), tables.named("PLACES", form));
-        let (mut linear, mut linear_tangents) =
-            (Linear::new(&products.rows), Linear::new(&Tangents::new(&table.slopes).rows));
-        let scale = linear.as_mut().and(linear_tangents.as_mut()).and_then(Linear::take_scale);
+        let few = table.products.as_ref().and_then(|products| {
+            let tangents = Linear::new(&Tangents::new(&table.slopes).rows)?;
+            Some((products, Linear::new(&products.rows)?, tangents))
+        });
+        Ok(match few {
+            Some((products, sums, tangents)) => {
+                self.in_registers(pairs, tables, products, (sums, tangents))
+            }
+            None => self.in_loops(pairs, tables, table),
+        })
+    }
+
+    /// Few sums make all tangents and all entries, of which few differ: they stay in registers. What all tangents and
+    /// the entries have as a scale goes into the factor, too.
+    fn in_registers(
+        &self,
+        pairs: &Pairs,
+        tables: &mut Tables,
+        products: &Products,
+        (mut sums, mut tangents): (Linear, Linear),
+    ) -> Body {
+        let form = &self.form.name;
+        let scale = tangents.take_scale();
         // det J over that of the tangents without their scale.
         let volume = scale.map(|scale| scale.powi(3));
-        let largest = linear.as_mut().map_or(1.0, Linear::take_largest);
-        let factor = number(volume.unwrap_or(1.0) * largest);
-        let (row_count, tangents, tangent_flops) = match &linear_tangents {
-            // Few: they stay in registers, all components at once.
-            Some(linear) => {
-                let steps = self.linear_tangents(linear, &quote!(tangents));
-                let rows = count(linear.rows.len());
-                let text = quote! {
-                    let mut tangents = [[L::splat(0.0); 3]; #rows];
-                    for i in 0..3 { #steps }
-                };
-                (count(0), text, 3 * linear.flops())
-            }
-            None => {
-                let (text, flops) = self.tangents(tables, table);
-                (count(Tangents::new(&table.slopes).rows.len()), text, flops)
-            }
-        };
+        let factor = number(volume.unwrap_or(1.0) * sums.take_largest());
+        let steps = self.linear_tangents(&tangents, &quote!(tangents));
+        let rows = count(tangents.rows.len());
         let least = match volume {
             Some(volume) => {
                 let volume = number(volume);
@@ -56,90 +54,115 @@ impl CellForm<'_> {
             }
             None => quote!(least_det),
         };
-        let (points, rows, places) = (count(points), count(different), count(pairs_of_nodes));
+        let number_of_points = self.element.table(form).weights.len();
+        let points = count(number_of_points);
         let det = |q: usize| {
             let q = count(q);
             quote!(det[#q])
         };
-        let sums = match &linear {
-            Some(linear) => {
-                let (steps, sums) = linear.text(table.weights.len(), det);
-                quote! {
-                    #steps
-                    let entries = [#(#sums),*];
-                    for (entry, place) in matrix.iter_mut().zip(&#places_name) {
-                        *entry = entries[*place];
-                    }
-                }
-            }
-            None => {
-                let values = products.rows.iter().map(|values| row(values));
-                tables.add(
-                    &products_name,
-                    "w N_a N_b at the points, each different row once.",
-                    quote!([[f64; #points]; #rows]),
-                    quote!([#(#values),*]),
-                );
-                quote! {
-                    cells::sums(&det, &#products_name, &mut room.entries);
-                    cells::spread(&room.entries, &#places_name, matrix);
-                }
-            }
-        };
-        let values = products.places.iter().map(|place| count(*place));
+        let (sum_steps, entries) = sums.text(number_of_points, det);
+        let places_name = tables.named("PLACES", form);
+        let (places, values) =
+            (count(products.places.len()), products.places.iter().map(|p| count(*p)));
         tables.add(
             &places_name,
-            "The row of every pair of nodes a ≤ b.",
+            "The entry of every pair of nodes a ≤ b.",
             quote!([usize; #places]),
             quote!([#(#values),*]),
         );
-        let once = pairs.once();
-        let pair = statements(&pairs.program, PAIR, Numbers::Fused);
+        let (once, pair) = (pairs.once(), statements(&pairs.program, PAIR, Numbers::Fused));
         let result = operand(&pairs.program, pairs.program.outputs[0].operand, Numbers::Fused);
-        let (before, then) = (pairs.once_counts(), pairs.program.counts(PAIR));
-        let about = format!(
-            "{different} different entries of {pairs_of_nodes}. Once a cell: {before}, then {then}."
-        );
-        let sums_by_rows = linear.is_none();
-        let sum_flops = linear.map_or(2 * different * table.weights.len(), |linear| linear.flops());
-        let flops = tangent_flops
-            + table.weights.len() * (DET_FLOPS + 1)
-            + pairs.flops()
-            + usize::from(volume.is_some())
-            + sum_flops;
-        let columns = tables.named("COLUMNS", form);
-        let determinants = match linear_tangents {
-            Some(_) => {
-                let jacobian = self.jacobian(tables, &quote!(tangents));
-                quote! {
-                    let mut det = [L::splat(0.0); #points];
-                    let mut least_det = L::splat(f64::INFINITY);
-                    for q in 0..#points {
-                        #jacobian
-                        least_det = cells::least(least_det, at.det);
-                        det[q] = at.det * s_factor;
-                    }
-                }
-            }
-            None => quote! {
-                let least_det =
-                    cells::determinants(&room.tangents, &#columns, s_factor, &mut room.det);
-                let det = &room.det;
-            },
-        };
+        let jacobian = self.jacobian(tables, &quote!(tangents));
         let text = quote! {
             #once
-            #tangents
+            let mut tangents = [[L::splat(0.0); 3]; #rows];
+            for i in 0..3 { #steps }
             let s_nn = L::splat(#factor);
             #(#pair)*
             let s_factor = #result;
-            #determinants
-            #sums
+            let mut det = [L::splat(0.0); #points];
+            let mut least_det = L::splat(f64::INFINITY);
+            for q in 0..#points {
+                #jacobian
+                least_det = cells::least(least_det, at.det);
+                det[q] = at.det * s_factor;
+            }
+            #sum_steps
+            let entries = [#(#entries),*];
+            for (entry, place) in matrix.iter_mut().zip(&#places_name) {
+                *entry = entries[*place];
+            }
             #least
         };
-        let entries = if sums_by_rows { rows } else { count(0) };
-        let needs_room = sums_by_rows || linear_tangents.is_none();
-        let room = needs_room.then(|| quote!(cells::Scalars<L, #points, #row_count, #entries>));
-        Ok(Body { room, text, about, flops })
+        let about = format!(
+            "{} different entries of {}. Once a cell: {}, then {}.",
+            products.rows.len(),
+            products.places.len(),
+            pairs.once_counts(),
+            pairs.pair_counts()
+        );
+        let flops = 3 * tangents.flops()
+            + number_of_points * (DET_FLOPS + 1)
+            + pairs.flops()
+            + usize::from(volume.is_some())
+            + sums.flops();
+        Body { room: None, text, about, flops }
+    }
+
+    /// A loop over the pairs of nodes and one over the points.
+    fn in_loops(&self, pairs: &Pairs, tables: &mut Tables, table: &Table) -> Body {
+        let form = &self.form.name;
+        let (nodes, points) = (self.element.nodes.len(), table.weights.len());
+        let (tangents, tangent_flops) = self.tangents(tables, table);
+        let (columns, weights, shapes) = (
+            tables.named("COLUMNS", form),
+            tables.named("WEIGHTS", form),
+            tables.named("SHAPES", form),
+        );
+        let (node_count, point_count) = (count(nodes), count(points));
+        tables.add(
+            &weights,
+            "Weights of the points.",
+            quote!([f64; #point_count]),
+            row(&table.weights),
+        );
+        let values = (0..nodes).map(|a| {
+            let values: Vec<f64> = table.values.iter().map(|values| values[a]).collect();
+            row(&values)
+        });
+        tables.add(
+            &shapes,
+            "N_a at the points.",
+            quote!([[f64; #point_count]; #node_count]),
+            quote!([#(#values),*]),
+        );
+        let (once, pair) = (pairs.once(), statements(&pairs.program, PAIR, Numbers::Fused));
+        let result = operand(&pairs.program, pairs.program.outputs[0].operand, Numbers::Fused);
+        let text = quote! {
+            #once
+            #tangents
+            let s_nn = L::splat(1.0);
+            #(#pair)*
+            let s_factor = #result;
+            let least_det = cells::determinants(
+                &room.tangents, &#columns, &#weights, s_factor, &mut room.det
+            );
+            cells::products(&room.det, #shapes.as_flattened(), &mut room.weighted, matrix);
+            least_det
+        };
+        let pairs_of_nodes = nodes * (nodes + 1) / 2;
+        let about = format!(
+            "{pairs_of_nodes} pairs × {points} points. Once a cell: {}, then {}.",
+            pairs.once_counts(),
+            pairs.pair_counts()
+        );
+        let flops = tangent_flops
+            + points * (DET_FLOPS + 2)
+            + pairs.flops()
+            + nodes * points
+            + 2 * pairs_of_nodes * points;
+        let rows = count(Tangents::new(&table.slopes).rows.len());
+        let room = Some(quote!(cells::Scalars<L, #point_count, #rows>));
+        Body { room, text, about, flops }
     }
 }
