@@ -1,13 +1,15 @@
 //! Strict reading of one table: keys are read as they are declared (see [`super::schema`]), and one that
 //! nothing asked for is an error.
 
+mod quantities;
+mod tables;
+
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, nearest, suggest};
-use whirl_codegen::spec::schema::{Measure, Need, Range, Shape};
-use whirl_codegen::units::Quantity;
+use whirl_codegen::spec::schema::{Need, Shape};
 
 use super::tree::{Node, Place, Table, Value};
 
@@ -294,171 +296,6 @@ impl<'a> Reader<'a> {
         }
         value
     }
-
-    fn quantity_of(&self, key: &str, node: &Node, kind: &Measure) -> Option<f64> {
-        let text = match &node.value {
-            Value::Text(text) => text,
-            Value::Integer(_) | Value::Number(_) => {
-                self.note(
-                    &node.place,
-                    Code::WRONG_UNIT,
-                    format!("`{key}` is {} and needs its unit", kind.dimension),
-                    Some(format!(
-                        "write it as text with a unit, such as `{key} = \"{}\"`",
-                        kind.example
-                    )),
-                );
-                return None;
-            }
-            _ => {
-                let wanted = kind.dimension.to_string();
-                self.wrong(key, node, &wanted, &format!("\"{}\"", kind.example));
-                return None;
-            }
-        };
-        match Quantity::parse(text).and_then(|quantity| quantity.expect(&kind.dimension)) {
-            Ok(value) => self.in_range(key, node, kind, value),
-            Err(error) => {
-                let start = node.place.span.start + OPENING_QUOTE;
-                let mut diagnostic = error.at(&node.place.source, start);
-                diagnostic.message = format!("`{key}`: {}", diagnostic.message);
-                diagnostic.help = Some(format!("such as `{key} = \"{}\"`", kind.example));
-                self.push(diagnostic);
-                None
-            }
-        }
-    }
-
-    fn in_range(&self, key: &str, node: &Node, kind: &Measure, value: f64) -> Option<f64> {
-        let fault = match kind.range {
-            Range::Any => None,
-            Range::Positive if value > 0.0 => None,
-            Range::Positive => Some("greater than zero"),
-            Range::NotNegative if value >= 0.0 => None,
-            Range::NotNegative => Some("zero or greater"),
-        };
-        let Some(wanted) = fault else {
-            return Some(value);
-        };
-        self.note(
-            &node.place,
-            Code::BAD_VALUE,
-            format!("`{key}` must be {wanted}"),
-            Some(format!("such as `{key} = \"{}\"`", kind.example)),
-        );
-        None
-    }
-
-    /// A quantity, if given; SI.
-    pub(crate) fn quantity(&self, key: &'static str) -> Option<f64> {
-        match self.get(key, |shape| matches!(shape, Shape::Quantity(_)))? {
-            (node, Shape::Quantity(measure)) => self.quantity_of(key, node, measure),
-            _ => None,
-        }
-    }
-
-    /// A quantity in SI, or one.
-    pub(crate) fn quantity_or_one(&self, key: &'static str) -> f64 {
-        self.quantity(key).unwrap_or(1.0)
-    }
-
-    /// A list of quantities; SI.
-    pub(crate) fn quantities(&self, key: &'static str) -> Vec<f64> {
-        let is_list = |shape: &Shape| matches!(shape, Shape::List(Shape::Quantity(_)));
-        let Some((node, Shape::List(Shape::Quantity(measure)))) = self.get(key, is_list) else {
-            return Vec::new();
-        };
-        let Value::List(list) = &node.value else {
-            self.wrong(key, node, "a list of quantities", &self.example(key));
-            return Vec::new();
-        };
-        list.iter().filter_map(|item| self.quantity_of(key, item, measure)).collect()
-    }
-
-    /// A table inside this one, if given.
-    pub(crate) fn table(&self, key: &'static str) -> Option<Reader<'a>> {
-        let shape = self.declared(key, Shape::is_table)?;
-        self.asked.borrow_mut().insert(key);
-        let (key_place, node) = self.table.entries.get(key)?;
-        match &node.value {
-            Value::Table(table) => Some(self.inner(self.path(key), shape, key_place, table)),
-            _ => {
-                self.wrong_table(node, key, "a table", &format!("[{}]", self.path(key)));
-                None
-            }
-        }
-    }
-
-    /// Notes a value where tables stand under headings.
-    fn wrong_table(&self, node: &Node, key: &str, wanted: &str, heading: &str) {
-        self.note(
-            &node.place,
-            Code::BAD_VALUE,
-            format!("`{key}` takes {wanted}, not {}", node.value.kind()),
-            Some(format!("write what it says below a heading `{heading}`")),
-        );
-    }
-
-    /// Tables in a list (`[[key]]`); none if the key is not given.
-    pub(crate) fn tables(&self, key: &'static str) -> Vec<Reader<'a>> {
-        let is_list = |shape: &Shape| shape.of_items().is_some_and(Shape::is_table);
-        let Some((node, shape)) = self.get(key, is_list) else { return Vec::new() };
-        let (Value::List(list), Some(shape)) = (&node.value, shape.of_items()) else {
-            self.wrong_table(node, key, "tables", &format!("[[{}]]", self.path(key)));
-            return Vec::new();
-        };
-        let mut readers = Vec::with_capacity(list.len());
-        for item in list {
-            match &item.value {
-                Value::Table(table) => {
-                    readers.push(self.inner(self.path(key), shape, &item.place, table));
-                }
-                _ => self.wrong_table(item, key, "tables", &format!("[[{}]]", self.path(key))),
-            }
-        }
-        readers
-    }
-
-    /// Tables by names that the user chose, such as `[material.steel]`.
-    pub(crate) fn named_tables(&self, key: &'static str) -> Vec<(String, Reader<'a>)> {
-        let Some((node, shape)) = self.get(key, Shape::names_are_free) else { return Vec::new() };
-        let Value::Table(outer) = &node.value else {
-            let heading = format!("[{}.NAME]", self.path(key));
-            self.wrong_table(node, key, "tables by name", &heading);
-            return Vec::new();
-        };
-        let mut readers = Vec::new();
-        for (name, (place, node)) in &outer.entries {
-            match (&node.value, shape.of_key(name)) {
-                (Value::Table(table), Some(shape)) => {
-                    let path = format!("{}.{name}", self.path(key));
-                    readers.push((name.clone(), self.inner(path, shape, place, table)));
-                }
-                _ => {
-                    let heading = format!("[{}.{name}]", self.path(key));
-                    self.wrong_table(node, name, "a table", &heading);
-                }
-            }
-        }
-        readers
-    }
-
-    fn path(&self, key: &str) -> String {
-        match self.name.trim_matches(['[', ']']) {
-            "" => key.to_string(),
-            name => format!("{name}.{key}"),
-        }
-    }
-
-    fn inner(
-        &self,
-        path: String,
-        shape: &'static Shape,
-        place: &Place,
-        table: &'a Table,
-    ) -> Reader<'a> {
-        Reader::new(table, shape, format!("[{path}]"), place.clone(), self.errors)
-    }
 }
 
 fn add_places(outer: &str, table: &Table, places: &mut BTreeMap<String, Located>) {
@@ -505,6 +342,3 @@ impl Drop for Reader<'_> {
         missing.into_iter().for_each(|(_, error)| self.push(error));
     }
 }
-
-/// Bytes before the text of a string.
-const OPENING_QUOTE: usize = 1;
