@@ -18,7 +18,7 @@ const PARTS: usize = 8;
 /// as y.
 ///
 /// # Panics
-/// If the last column is cut, or there are more.
+/// If the last column is cut.
 #[inline(always)]
 pub fn add_columns<L: Lane>(y: &mut [L], columns: &[f64], x: &[L]) {
     L::add_columns(y, columns, x);
