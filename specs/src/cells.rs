@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 pub use crate::condensation::*;
 pub use crate::jacobian::*;
-use crate::registers::{Register, Registers, Task};
+use crate::registers::{Register, Registers, Task, Zeros};
 use crate::{Lane, Shared};
 
 /// The trip count of a loop that is to stay one: its code is smaller and, with as many values in registers
@@ -17,29 +17,18 @@ pub fn looped(count: usize) -> usize {
 /// The matrix of a form on one lane of cells with NODES nodes: MATERIAL properties, LEN stored values.
 pub trait CellLanes<const NODES: usize, const MATERIAL: usize, const LEN: usize> {
     /// Room for values between the steps, so that it is not cleared for every lane.
-    type Room<L: Lane>: Empty;
+    type Room<L: Register>: Zeros;
     /// Whether the values of a cell keep to registers: then the ways into and out of lanes are part of the kernel, while
     /// all others share them.
     const IN_REGISTERS: bool;
 
     /// Fills the matrix and gives the smallest det J. To be `#[inline(always)]`.
-    fn cell<L: Lane>(
+    fn cell<L: Register>(
         x: &[[L; 3]; NODES],
         material: [L; MATERIAL],
         room: &mut Self::Room<L>,
         matrix: &mut [L; LEN],
     ) -> L;
-}
-
-/// Room before it is filled.
-pub trait Empty {
-    /// Zeros.
-    fn empty() -> Self;
-}
-
-impl Empty for () {
-    #[inline(always)]
-    fn empty() {}
 }
 
 /// What a kernel keeps of a cell: the map at the points, values of all basis functions there, and a matrix before
@@ -65,20 +54,16 @@ pub struct Room<
     pub whole: [L; WHOLE],
 }
 
-impl<L: Lane, const F: usize, const P: usize, const PARTS: usize, const W: usize, const R: usize>
-    Empty for Room<L, F, P, PARTS, W, R>
+// SAFETY: lanes only.
+unsafe impl<
+    L: Zeros,
+    const F: usize,
+    const P: usize,
+    const A: usize,
+    const W: usize,
+    const R: usize,
+> Zeros for Room<L, F, P, A, W, R>
 {
-    #[inline(always)]
-    fn empty() -> Self {
-        let zero = L::splat(0.0);
-        Room {
-            tangents: [[zero; 3]; R],
-            maps: [[[zero; 3]; 3]; P],
-            roots: [zero; P],
-            basis: [[[zero; PARTS]; P]; F],
-            whole: [zero; W],
-        }
-    }
 }
 
 /// The same for a form of values only, which are constants at the points.
@@ -92,16 +77,12 @@ pub struct Scalars<L, const POINTS: usize, const ROWS: usize> {
     pub weighted: [L; POINTS],
 }
 
-impl<L: Lane, const P: usize, const R: usize> Empty for Scalars<L, P, R> {
-    #[inline(always)]
-    fn empty() -> Self {
-        let zero = L::splat(0.0);
-        Scalars { tangents: [[zero; 3]; R], det: [zero; P], weighted: [zero; P] }
-    }
-}
+// SAFETY: lanes only.
+unsafe impl<L: Zeros, const P: usize, const R: usize> Zeros for Scalars<L, P, R> {}
 
 /// Evaluates a kernel for all cells, several side by side where the processor can. Arguments as of
 /// [`crate::CellKernel`].
+#[inline(always)]
 pub fn each_cell<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize>(
     coordinates: &[f64],
     material: &[f64],
@@ -129,38 +110,41 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        let mut x = [[L::splat(0.0); 3]; N];
-        let mut matrix = [L::splat(0.0); LEN];
-        let mut room = K::Room::<L>::empty();
+        let mut x = <[[L; 3]; N]>::zeros();
+        let mut matrix = <[L; LEN]>::zeros();
+        let mut room = K::Room::<L>::zeros();
         let mut material = [L::splat(0.0); M];
-        for (lane, property) in material.iter_mut().zip(self.properties) {
-            *lane = L::splat(property);
+        for (lane, property) in material.iter_mut().zip(&self.properties) {
+            *lane = L::splat(*property);
         }
-        let cells = self.coordinates.chunks(3 * N * L::WIDTH);
-        let matrices = self.matrices.chunks_mut(LEN * L::WIDTH);
-        let jacobians = self.jacobians.chunks_mut(L::WIDTH);
-        for ((cells, matrices), jacobians) in cells.zip(matrices).zip(jacobians) {
-            // Lanes without a cell repeat the last one.
+        let cells = self.jacobians.len();
+        let mut cell = 0;
+        while cell < cells {
             let nodes = x.as_flattened_mut();
             if K::IN_REGISTERS {
-                L::gather(cells, nodes);
+                L::gather(&self.coordinates[3 * N * cell..], nodes);
             } else {
-                L::shared(Gather { rows: cells, values: nodes });
+                L::shared(Gather { rows: self.coordinates, cell, values: nodes });
             }
             let det = K::cell(&x, material, &mut room, &mut matrix);
             if K::IN_REGISTERS {
-                L::scatter(&matrix, matrices);
-                L::scatter(&[det], jacobians);
+                L::scatter(&matrix, &mut self.matrices[LEN * cell..]);
             } else {
-                L::shared(Scatter { values: &matrix, rows: matrices });
-                L::shared(Scatter { values: &[det], rows: jacobians });
+                L::shared(Scatter { values: &matrix, cell, rows: self.matrices });
             }
+            match L::chunks_mut(&mut self.jacobians[cell..]).first_mut() {
+                Some(chunk) => det.store(chunk),
+                None => L::shared(Scatter { values: &[det], cell, rows: self.jacobians }),
+            }
+            cell += L::WIDTH;
         }
     }
 }
 
+/// Reads the cells from `cell` on. Lanes without a cell repeat the last one.
 struct Gather<'a, L> {
     rows: &'a [f64],
+    cell: usize,
     values: &'a mut [L],
 }
 
@@ -169,12 +153,14 @@ impl<L: Register> Shared<L> for Gather<'_, L> {
 
     #[inline(always)]
     fn run(self) {
-        L::gather(self.rows, self.values);
+        L::gather(&self.rows[self.cell * self.values.len()..], self.values);
     }
 }
 
+/// Writes the cells from `cell` on.
 struct Scatter<'a, L> {
     values: &'a [L],
+    cell: usize,
     rows: &'a mut [f64],
 }
 
@@ -183,7 +169,7 @@ impl<L: Register> Shared<L> for Scatter<'_, L> {
 
     #[inline(always)]
     fn run(self) {
-        L::scatter(self.values, self.rows);
+        L::scatter(self.values, &mut self.rows[self.cell * self.values.len()..]);
     }
 }
 

@@ -1,13 +1,34 @@
 //! Lanes that fill a register of the processor, and the choice among them when a kernel runs.
 
 use std::cell::Cell;
+use std::mem::MaybeUninit;
 
 use crate::Lane;
 #[cfg(target_arch = "x86_64")]
 use crate::x86;
 
+/// Values that are zeros where all bits are: clearing memory makes them, whatever their number.
+///
+/// # Safety
+/// All bits zero must be a value of the type.
+pub unsafe trait Zeros: Sized {
+    /// Zeros.
+    #[inline(always)]
+    fn zeros() -> Self {
+        // SAFETY: the implementor's.
+        unsafe { MaybeUninit::zeroed().assume_init() }
+    }
+}
+
+// SAFETY: no bits.
+unsafe impl Zeros for () {}
+// SAFETY: +0.
+unsafe impl Zeros for f64 {}
+// SAFETY: nothing but its elements.
+unsafe impl<T: Zeros, const N: usize> Zeros for [T; N] {}
+
 /// A lane type that memory is read into and written from, WIDTH values at a time.
-pub trait Register: Lane {
+pub trait Register: Lane + Zeros {
     /// Values side by side.
     const WIDTH: usize;
     /// [`Register::WIDTH`] values in memory.
@@ -76,7 +97,7 @@ impl Registers {
     }
 
     /// Those that kernels use: the widest, unless [`Registers::within`] says otherwise.
-    #[inline]
+    #[inline(never)]
     pub fn current() -> Registers {
         CHOSEN.get().unwrap_or_else(Registers::widest)
     }
@@ -126,7 +147,7 @@ impl Registers {
     }
 
     /// Does a task over these registers.
-    #[inline]
+    #[inline(always)]
     pub fn run<T: Task>(self, task: T) -> T::Output {
         match self.0 {
             Kind::Single => task.run::<f64>(),

@@ -42,25 +42,21 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> EachSpring<'_, K, I,
     fn chunks<L: Register>(&mut self, first: usize) -> usize {
         let springs = self.springs;
         let count = (springs - first) / L::WIDTH;
-        let mut from: [&[L::Chunk]; I] = [&[]; I];
-        for (i, from) in from.iter_mut().enumerate() {
-            *from = &L::chunks(&self.inputs[i * springs..][first..springs])[..count];
-        }
-        let mut to: [&mut [L::Chunk]; O] = from_fn(|_| Default::default());
-        let mut rest = &mut *self.outputs;
-        for to in &mut to {
-            let (row, behind) = rest.split_at_mut(springs);
-            *to = &mut L::chunks_mut(&mut row[first..])[..count];
-            rest = behind;
-        }
+        const { assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>()) };
+        // Slices of every row would cost more to compile than most laws.
+        let (from, to) = (self.inputs.as_ptr(), self.outputs.as_mut_ptr());
         for k in 0..count {
+            let spring = first + k * L::WIDTH;
             let mut values = [L::splat(0.0); I];
-            for i in 0..I {
-                values[i] = L::load(&from[i][k]);
+            for (i, value) in values.iter_mut().enumerate() {
+                // SAFETY: a row has as many values as there are springs, `each_spring` saw I such rows, and a
+                // register from this spring on ends within the row.
+                *value = L::load(unsafe { &*from.add(i * springs + spring).cast() });
             }
             let values = K::spring(values);
-            for o in 0..O {
-                values[o].store(&mut to[o][k]);
+            for (o, value) in values.iter().enumerate() {
+                // SAFETY: the same of O rows, which nothing else refers to.
+                value.store(unsafe { &mut *to.add(o * springs + spring).cast() });
             }
         }
         first + count * L::WIDTH

@@ -4,7 +4,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::registers::Register;
+use crate::registers::{Register, Zeros};
 use crate::{Lane, Shared};
 
 /// A lane type by intrinsics. What is not to be inlined is compiled once, not for every kernel; the functions behind
@@ -55,6 +55,9 @@ macro_rules! register {
                 $name(unsafe { $neg })
             }
         }
+
+        // SAFETY: every value +0.
+        unsafe impl Zeros for $name {}
 
         impl $name {
             #[inline(always)]
@@ -213,11 +216,13 @@ macro_rules! register {
                 // SAFETY: a lane is as many values without padding, so that this is all of them.
                 let lanes: &mut [[f64; $width]] =
                     unsafe { std::slice::from_raw_parts_mut(values.as_mut_ptr().cast(), columns) };
-                for first in (0..$width).step_by(4) {
+                let mut first = 0;
+                while first < $width {
                     let row = |c: usize| &rows[(first + c).min(last) * columns..][..columns];
                     let [a, b, c, d] = [row(0), row(1), row(2), row(3)];
                     let whole = columns - columns % 4;
-                    for v in (0..whole).step_by(4) {
+                    let mut v = 0;
+                    while v < whole {
                         // SAFETY: four values begin at v < whole in every row, and at `first` in a lane.
                         unsafe {
                             let turned = transposed([
@@ -226,16 +231,20 @@ macro_rules! register {
                                 _mm256_loadu_pd(c.as_ptr().add(v)),
                                 _mm256_loadu_pd(d.as_ptr().add(v)),
                             ]);
-                            for (lane, turned) in lanes[v..v + 4].iter_mut().zip(turned) {
-                                _mm256_storeu_pd(lane.as_mut_ptr().add(first), turned);
-                            }
+                            let to = lanes.as_mut_ptr().add(v).cast::<f64>().add(first);
+                            _mm256_storeu_pd(to, turned[0]);
+                            _mm256_storeu_pd(to.add($width), turned[1]);
+                            _mm256_storeu_pd(to.add(2 * $width), turned[2]);
+                            _mm256_storeu_pd(to.add(3 * $width), turned[3]);
                         }
+                        v += 4;
                     }
                     for v in whole..columns {
                         for (lane, row) in lanes[v][first..].iter_mut().zip([a, b, c, d]) {
                             *lane = row[v];
                         }
                     }
+                    first += 4;
                 }
             }
             #[inline(always)]
@@ -253,24 +262,28 @@ macro_rules! register {
                     }
                     return;
                 }
-                for first in (0..$width).step_by(4) {
+                let whole = columns - columns % 4;
+                let mut first = 0;
+                while first < $width {
                     let rows = &mut rows[first * columns..][..4 * columns];
-                    let whole = columns - columns % 4;
-                    for v in (0..whole).step_by(4) {
+                    let mut v = 0;
+                    while v < whole {
                         // SAFETY: four values begin at v < whole in every row, and at `first` in a lane.
                         unsafe {
-                            let turned = turned_halves(&lanes[v..v + 4], first);
+                            let turned = turned_halves::<$width>(&*lanes.as_ptr().add(v).cast(), first);
                             let to = rows.as_mut_ptr().add(v);
                             _mm256_storeu_pd(to, turned[0]);
                             _mm256_storeu_pd(to.add(columns), turned[1]);
                             _mm256_storeu_pd(to.add(2 * columns), turned[2]);
                             _mm256_storeu_pd(to.add(3 * columns), turned[3]);
                         }
+                        v += 4;
                     }
-                    for v in whole..columns {
-                        for c in 0..4 {
-                            rows[c * columns + v] = lanes[v][first + c];
-                        }
+                    first += 4;
+                }
+                for v in whole..columns {
+                    for c in 0..$width {
+                        rows[c * columns + v] = lanes[v][c];
                     }
                 }
             }
@@ -316,7 +329,7 @@ fn transposed(rows: [__m256d; 4]) -> [__m256d; 4] {
 /// # Safety
 /// As the module says; there are four lanes of at least `first + 4` values.
 #[inline(always)]
-unsafe fn turned_halves<const W: usize>(lanes: &[[f64; W]], first: usize) -> [__m256d; 4] {
+unsafe fn turned_halves<const W: usize>(lanes: &[[f64; W]; 4], first: usize) -> [__m256d; 4] {
     // SAFETY: the caller's.
     unsafe {
         let even0 = pair(&lanes[0], &lanes[2], first);

@@ -55,11 +55,9 @@ fn explain_made(page: &mut Page, spec: &Spec) {
 
 /// The functions of these forms: their own, and those of the element on which they are shown.
 fn of_forms(spec: &FormSpec, mut made: Vec<(String, String)>) -> Vec<(String, String)> {
-    let of_form = |name: &str, end: &str| {
-        name.strip_suffix(end).is_some_and(|name| spec.forms.iter().any(|form| form.name == name))
-    };
-    made.retain(|(name, _)| of_form(name, "_pairs") || of_form(name, "_lane"));
-    for (name, _) in made.iter_mut().filter(|(name, _)| of_form(name, "_lane")) {
+    let is_form = |name: &str| spec.forms.iter().any(|form| form.name == name);
+    made.retain(|(name, _)| is_form(name) || name.strip_suffix("_pairs").is_some_and(is_form));
+    for (name, _) in made.iter_mut().filter(|(name, _)| is_form(name)) {
         name.push_str(&format!(", on the element {SHOWN_ON}"));
     }
     made
@@ -72,7 +70,7 @@ fn say(page: &mut Page, functions: Vec<(String, String)>) {
     }
 }
 
-/// Public functions with their documentation, equations left out: these stand above.
+/// Functions with documentation of their own, equations left out: these stand above.
 fn functions(module: &str) -> Vec<(String, String)> {
     let mut found = Vec::new();
     let (mut about, mut verbatim) = (String::new(), false);
@@ -83,7 +81,7 @@ fn functions(module: &str) -> Vec<(String, String)> {
             } else if !verbatim {
                 about.push_str(words);
             }
-        } else if let Some(rest) = line.strip_prefix("pub fn ") {
+        } else if let Some(rest) = line.strip_prefix("pub ").unwrap_or(line).strip_prefix("fn ") {
             let name: String =
                 rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
             found.push((name, std::mem::take(&mut about)));
@@ -91,8 +89,7 @@ fn functions(module: &str) -> Vec<(String, String)> {
             about.clear();
         }
     }
-    // What only points elsewhere says nothing of its own.
-    found.retain(|(_, about)| !about.is_empty() && !about.contains(": see [`crate::"));
+    found.retain(|(_, about)| !about.is_empty());
     found
 }
 

@@ -4,7 +4,6 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::element::lane_name;
 use super::form::{by_values, pairs_name};
 use super::linear::Linear;
 use super::modes::Aligned;
@@ -24,17 +23,20 @@ pub(super) struct CellForm<'a> {
     pub(super) spec: &'a FormSpec,
     pub(super) form: &'a Form,
     pub(super) pairs: &'a Pairs,
+    /// An element with the same functions at the same points, whose kernel this form calls.
+    pub(super) twin: Option<&'a ElementSpec>,
 }
 
 impl CellForm<'_> {
-    /// The functions of the form: over lanes, and over blocks of cells; and what a cell costs. `known`: the
-    /// kernels of the element so far; a form that does the same work calls them.
+    /// The function of the form, over blocks of cells, and what a cell costs. `known`: the
+    /// work of the element so far; a form that does the same calls the kernels that do it.
     pub(super) fn functions(
         &self,
         tables: &mut Tables,
         known: &mut Vec<Known>,
     ) -> Result<(TokenStream, usize), Diagnostics> {
         let pairs = self.pairs;
+        tables.elsewhere = self.twin.is_some();
         let Body { room, text, about, flops } = match by_values(self.form, pairs) {
             true => self.values_only(pairs, tables)?,
             false => self.general(pairs, tables)?,
@@ -43,72 +45,55 @@ impl CellForm<'_> {
         let (nodes, len) = (count(self.element.nodes.len()), count(self.stored()));
         let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
         let properties = count(material.len());
-        let (function, lane) = (identifier(&self.form.name), lane_name(&self.form.name));
-        let about_lane = documented(&self.header(&about, flops));
-        let about_block = documented(&format!(
-            "`{}` of a block of cells: see [`crate::CellKernel`].",
-            self.form.name
-        ));
+        let function = identifier(&self.form.name);
+        let about = documented(&self.header(&about, flops));
         let in_registers = room.is_none();
-        let (room, own_room, room_argument, pass_room) = match room {
-            Some(room) => (room.clone(), quote!(room), quote!(room: &mut #room,), quote!(room,)),
-            None => (quote!(()), quote!(_room), TokenStream::new(), TokenStream::new()),
-        };
-        let block = quote! {
-            #about_block
-            pub fn #function(
-                coordinates: &[f64],
-                material: &[f64],
-                matrices: &mut [f64],
-                jacobians: &mut [f64],
-            )
+        let (room, own_room) = match room {
+            Some(room) => (room, quote!(room)),
+            None => (quote!(()), quote!(_room)),
         };
         let work = format!("{room} {} {text}", pairs.material.join(" "));
-        let same = known.iter().find(|other| other.work == work);
-        let (text, block_text) = match same {
-            Some(Known { function, lane, .. }) => (
-                quote!(#lane(x, #(#material,)* #pass_room matrix)),
-                quote!(#function(coordinates, material, matrices, jacobians);),
-            ),
+        if let Some(twin) = self.twin {
+            let element = identifier(&twin.name);
+            known.push(Known { work: work.clone(), function: quote!(super::#element::#function) });
+        }
+        let text = match known.iter().find(|other| other.work == work) {
+            Some(Known { function, .. }) => {
+                quote!(#function(coordinates, material, matrices, jacobians);)
+            }
             None => {
-                let cells = quote! {
+                known.push(Known { work, function: quote!(#function) });
+                quote! {
                     enum Cells {}
                     impl cells::CellLanes<#nodes, #properties, #len> for Cells {
-                        type Room<L: Lane> = #room;
+                        type Room<L: Register> = #room;
                         const IN_REGISTERS: bool = #in_registers;
 
                         #[inline(always)]
-                        fn cell<L: Lane>(
+                        fn cell<L: Register>(
                             x: &[[L; 3]; #nodes],
                             [#(#material),*]: [L; #properties],
                             #own_room: &mut Self::Room<L>,
                             matrix: &mut [L; #len],
                         ) -> L {
-                            #lane(x, #(#material,)* #pass_room matrix)
+                            #text
                         }
                     }
                     cells::each_cell::<Cells, #nodes, #properties, #len>(
                         coordinates, material, matrices, jacobians,
                     );
-                };
-                let (function, lane) = (function.clone(), lane.clone());
-                known.push(Known { work, function, lane });
-                (text, cells)
+                }
             }
         };
         let text = quote! {
-            #about_lane
-            #[inline(always)]
-            pub fn #lane<L: Lane>(
-                x: &[[L; 3]; #nodes],
-                #(#material: L,)*
-                #room_argument
-                matrix: &mut [L; #len],
-            ) -> L {
+            #about
+            pub fn #function(
+                coordinates: &[f64],
+                material: &[f64],
+                matrices: &mut [f64],
+                jacobians: &mut [f64],
+            ) {
                 #text
-            }
-            #block {
-                #block_text
             }
         };
         Ok((text, flops))
@@ -141,8 +126,8 @@ impl CellForm<'_> {
             .map(|property| format!("{} ({})", property.name, property.unit))
             .collect();
         format!(
-            "`{}`: ∫ `{}` dV (`{}`), rows from v, columns from u.\n\nx: nodes × 3 (m). {}. matrix: {matrix}. \
-             Gives the smallest det J.\n\nRule: {}. {about} Together \
+            "`{}`: ∫ `{}` dV (`{}`), rows from v, columns from u, of every cell of a block \
+             ([`crate::CellKernel`]).\n\nA cell: {nodes} nodes × 3 (m); {}; {matrix}; the smallest det J.\n\nRule: {}. {about} Together \
              {flops} operations a cell, a multiplication with the addition behind it counted as two; {} \
              bytes read, {} written.",
             form.name,
@@ -301,11 +286,12 @@ impl CellForm<'_> {
     }
 }
 
-/// A kernel of the element that another form may share: M, Y and H differ in their patterns only.
+/// A kernel that another form may share: M, Y and H differ in their patterns only.
 pub(super) struct Known {
-    work: String,
-    function: Ident,
-    lane: Ident,
+    /// What it does.
+    pub(super) work: String,
+    /// Path of its function.
+    function: TokenStream,
 }
 
 /// The text of a kernel.

@@ -2,13 +2,13 @@
 
 use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::Kernel;
 use super::cell::CellForm;
 use super::facts::{About, variable};
 use super::form::Forms;
-use super::table::Tables;
+use super::table::{Tables, names};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::element::demand;
 use crate::emit::{documented, identifier, number};
@@ -17,8 +17,12 @@ use crate::rational::nearest;
 use crate::spec::element::ElementSpec;
 use crate::spec::form::Form;
 
-/// The kernels of all forms on one element.
-pub(super) fn kernel(element: &ElementSpec, all: &[Forms]) -> Result<Kernel, Diagnostics> {
+/// The kernels of all forms on one element. Those that one of `others` has, too, are called there.
+pub(super) fn kernel(
+    element: &ElementSpec,
+    others: &[ElementSpec],
+    all: &[Forms],
+) -> Result<Kernel, Diagnostics> {
     let forms = || all.iter().flat_map(|forms| &forms.spec.forms);
     check_enhanced(element, &forms().collect::<Vec<_>>())?;
     demand::prove(element, forms().map(|form| (form.name.as_str(), form.products())))?;
@@ -27,28 +31,36 @@ pub(super) fn kernel(element: &ElementSpec, all: &[Forms]) -> Result<Kernel, Dia
     let (mut entries, mut known) = (Vec::new(), Vec::new());
     for forms in all {
         for (form, pairs) in forms.spec.forms.iter().zip(&forms.pairs) {
-            let cell = CellForm { element, spec: forms.spec, form, pairs };
+            let twin = others.iter().find(|other| other.integrates_as(element, &form.name));
+            let cell = CellForm { element, spec: forms.spec, form, pairs, twin };
             let (text, flops) = cell.functions(&mut tables, &mut known)?;
             functions.extend(text);
             entries.push(entry(&cell, flops));
         }
     }
-    let tables = tables.tokens();
-    let functions = quote!(#tables #functions);
+    let read = tables.read();
+    let functions = quote!(#read #functions);
     let about = About {
         name: &element.name,
         title: &element.title,
         reference: &element.reference,
         file: &element.file,
-        beside: all.iter().map(|forms| forms.written.text.as_str()).collect(),
+        // What the kernels do counts for the hash, wherever they stand.
+        beside: (all.iter().map(|forms| forms.written.text.as_str()))
+            .chain(known.iter().map(|kernel| kernel.work.as_str()))
+            .collect(),
     };
-    let registered = registered(element, &about, &functions, &entries);
+    let registered = registered(element, &about, &tables.all(), &entries);
     let heading = documented(&heading(element, &about));
     let name = identifier(&element.name);
+    // An element may do nothing that another does not.
+    let used = names(&functions);
+    let called = [quote!(cells), quote!(forms), quote!(Lane), quote!(Register)];
+    let called = called.iter().filter(|name| used.contains(&name.to_string()));
     let module = quote! {
         #heading
         pub mod #name {
-            use crate::{cells, forms, Element, FormKernel, Lane, Origin, Structure, Variable};
+            use crate::{#(#called,)* Element, FormKernel, Origin, Structure, Variable};
             #functions
             #registered
         }
@@ -127,10 +139,10 @@ fn entry(cell: &CellForm, flops: usize) -> TokenStream {
 fn registered(
     element: &ElementSpec,
     about: &About,
-    functions: &TokenStream,
+    tables: &TokenStream,
     entries: &[TokenStream],
 ) -> TokenStream {
-    let origin = about.origin(functions);
+    let origin = about.origin(tables);
     let count = Literal::usize_unsuffixed(element.nodes.len());
     let nodes = element.nodes.iter().map(|node| {
         let [xi, eta, zeta] = node.at.each_ref().map(|x| number(nearest(x)));
@@ -156,9 +168,4 @@ fn registered(
             forms: &[#(#entries),*],
         };
     }
-}
-
-/// `name_lane` of a form's name.
-pub(super) fn lane_name(form: &str) -> proc_macro2::Ident {
-    format_ident!("{}_lane", identifier(form))
 }

@@ -67,20 +67,11 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
         .map(|input| format!("{} ({})", input.name, input.unit.dimension().si_unit()));
     let from: Vec<String> = from.collect();
     let from = from.join(", ");
-    let is_value = |name: &str| law.outputs.iter().any(|output| output.name == name);
-    let values = body(&program.restricted(is_value));
-    let all = body(program);
     let names: Vec<&str> = program.outputs.iter().map(|output| output.name.as_str()).collect();
-    let value_names: Vec<&str> = names.iter().copied().filter(|name| is_value(name)).collect();
-    let value_count = Literal::usize_unsuffixed(value_names.len());
-    let count = Literal::usize_unsuffixed(names.len());
-    let input_count = Literal::usize_unsuffixed(inputs.len());
-    let about_value = documented(&format!(
-        "{} of {from}, SI; {}.",
-        value_names.join(", "),
-        program.restricted(is_value).total_counts()
-    ));
-    let about_lane =
+    let body = body(program);
+    let (input_count, count) =
+        (Literal::usize_unsuffixed(inputs.len()), Literal::usize_unsuffixed(names.len()));
+    let about_spring =
         documented(&format!("{} of {from}, SI; {}.", names.join(", "), program.total_counts()));
     let about_rows = documented(&format!(
         "Rows of `springs` values, SI: {} from {from}. A spring reads {} bytes and writes {}.",
@@ -89,22 +80,13 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
         8 * names.len()
     ));
     quote! {
-        #about_value
-        #[inline(always)]
-        pub fn value<L: Lane>(#(#inputs: L),*) -> [L; #value_count] {
-            #values
-        }
-        #about_lane
-        #[inline(always)]
-        pub fn evaluate_lane<L: Lane>(#(#inputs: L),*) -> [L; #count] {
-            #all
-        }
         enum Kernel {}
 
         impl SpringKernel<#input_count, #count> for Kernel {
+            #about_spring
             #[inline(always)]
             fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
-                evaluate_lane(#(#inputs),*)
+                #body
             }
         }
 

@@ -44,7 +44,7 @@ pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
     let forms = gather(specs.forms.iter().map(Forms::new), &mut errors);
     // What is wrong with a form is not told again by every element.
     let elements = if errors.is_empty() { &specs.elements[..] } else { &[] };
-    let tasks = elements.iter().map(Task::Element);
+    let tasks = (0..elements.len()).map(|k| Task::Element(&elements[k], &elements[..k]));
     let tasks = tasks.chain(specs.laws.iter().map(Task::Law));
     let tasks = tasks.chain(specs.motions.iter().map(Task::Motion));
     let tasks: Vec<_> = tasks.chain(specs.clearances.iter().map(Task::Clearance)).collect();
@@ -69,7 +69,8 @@ pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
 
 /// A spec of which kernels are made.
 enum Task<'s> {
-    Element(&'s ElementSpec),
+    /// An element and those before it.
+    Element(&'s ElementSpec, &'s [ElementSpec]),
     Law(&'s LawSpec),
     Motion(&'s MotionSpec),
     Clearance(&'s ClearanceSpec),
@@ -79,7 +80,7 @@ impl Task<'_> {
     /// Grows with the time that the kernels take to be made.
     fn size(&self) -> usize {
         match self {
-            Task::Element(element) => element.file.text.len(),
+            Task::Element(element, _) => element.file.text.len(),
             Task::Law(law) => law.file.text.len(),
             Task::Motion(motion) => motion.file.text.len(),
             Task::Clearance(clearance) => clearance.file.text.len(),
@@ -88,7 +89,7 @@ impl Task<'_> {
 
     fn kernel(&self, forms: &[Forms]) -> Result<Written, Diagnostics> {
         let kernel = match self {
-            Task::Element(element) => element::kernel(element, forms),
+            Task::Element(element, before) => element::kernel(element, before, forms),
             Task::Law(law) => law::kernel(law),
             Task::Motion(motion) => motion::kernel(motion),
             Task::Clearance(clearance) => clearance::kernel(clearance),

@@ -11,16 +11,30 @@ use crate::spec::element::ElementSpec;
 /// The tables that kernels of an element read, each once.
 pub(super) struct Tables<'a> {
     element: &'a ElementSpec,
-    items: BTreeMap<String, TokenStream>,
+    items: BTreeMap<String, Item>,
+    /// Whether the kernel at hand is another element's, which has these tables, too.
+    pub(super) elsewhere: bool,
+}
+
+struct Item {
+    text: TokenStream,
+    /// Whether a kernel of this element reads it.
+    read: bool,
 }
 
 impl<'a> Tables<'a> {
     pub(super) fn new(element: &'a ElementSpec) -> Self {
-        Tables { element, items: BTreeMap::new() }
+        Tables { element, items: BTreeMap::new(), elsewhere: false }
     }
 
-    pub(super) fn tokens(&self) -> TokenStream {
-        self.items.values().cloned().collect()
+    /// Those that kernels of this element read.
+    pub(super) fn read(&self) -> TokenStream {
+        self.items.values().filter(|item| item.read).map(|item| item.text.clone()).collect()
+    }
+
+    /// All, also those that its kernels read elsewhere.
+    pub(super) fn all(&self) -> TokenStream {
+        self.items.values().map(|item| item.text.clone()).collect()
     }
 
     /// The identifier of a table for a form; tables of the common rule have no form in their name.
@@ -39,8 +53,9 @@ impl<'a> Tables<'a> {
         values: TokenStream,
     ) {
         let about = documented(about);
-        let item = quote!(#about const #name: #kind = #values;);
-        self.items.entry(name.to_string()).or_insert(item);
+        let text = quote!(#about const #name: #kind = #values;);
+        let item = self.items.entry(name.to_string()).or_insert(Item { text, read: false });
+        item.read |= !self.elsewhere;
     }
 }
 

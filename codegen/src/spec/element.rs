@@ -167,6 +167,16 @@ impl ElementSpec {
         single.get(form).unwrap_or(common)
     }
 
+    /// Whether a form is the same sums over the same points as on another element, so that one kernel does for both.
+    pub fn integrates_as(&self, other: &ElementSpec, form: &str) -> bool {
+        let (own, theirs) = (self.table(form), other.table(form));
+        self.enhanced_in(form).is_none()
+            && other.enhanced_in(form).is_none()
+            && own.weights == theirs.weights
+            && own.values == theirs.values
+            && own.slopes == theirs.slopes
+    }
+
     /// The enhanced modes, if they take part in a form.
     pub fn enhanced_in(&self, form: &str) -> Option<&Enhanced> {
         self.enhanced.as_ref().filter(|e| e.forms.iter().any(|name| name.text() == form))

@@ -329,10 +329,10 @@ impl Reader<'_> {
     }
 }
 
-/// Functions get the names of forms, beside tables in capitals and the functions over lanes.
+/// Functions get the names of forms, beside tables in capitals.
 fn form_name(name: String) -> Result<String, String> {
-    if name.chars().any(|c| c.is_ascii_uppercase()) || name.ends_with("_lane") {
-        let wanted = "lower-case letters, digits and `_`, and does not end in `_lane`";
+    if name.chars().any(|c| c.is_ascii_uppercase()) {
+        let wanted = "lower-case letters, digits and `_`";
         return Err(format!("`{name}` cannot be a form's name, which is made of {wanted}"));
     }
     Ok(name)

@@ -6,6 +6,7 @@ use super::*;
 use crate::element::demand::{self, Part};
 
 const HEX8I: &str = include_str!("../../../../specs/elements/hex8i.toml");
+const HEX8: &str = include_str!("../../../../specs/elements/hex8.toml");
 const WEDGE6: &str = include_str!("../../../../specs/elements/wedge6.toml");
 
 fn read(text: &str) -> Result<ElementSpec, Vec<String>> {
@@ -354,4 +355,18 @@ fn what_is_no_polynomial_is_no_shape_function() {
     assert!(found[0].contains("expected a polynomial in xi, eta and zeta"), "{found:?}");
     let found = changed(WEDGE6, "degree = 2", "degree = 2\npatch_tst = \"any\"");
     assert!(found[0].contains("did you mean `patch_test`?"), "{found:?}");
+}
+
+#[test]
+fn elements_that_differ_in_their_modes_integrate_the_other_forms_alike() {
+    let [plain, enhanced, wedge] = [HEX8, HEX8I, WEDGE6].map(|text| read(text).unwrap());
+    assert!(enhanced.integrates_as(&plain, "mass") && plain.integrates_as(&enhanced, "mass"));
+    assert!(!enhanced.integrates_as(&plain, "stiffness"));
+    assert!(!plain.integrates_as(&enhanced, "stiffness"));
+    assert!(!wedge.integrates_as(&plain, "mass"));
+    // The same functions at other points are other sums.
+    let points = ["gauss(2)\", \"gauss(2)\", \"gauss(2)", "gauss(3)\", \"gauss(3)\", \"gauss(3)"];
+    assert!(HEX8.contains(points[0]));
+    let finer = read(&HEX8.replace(points[0], points[1])).unwrap();
+    assert!(!finer.integrates_as(&plain, "mass") && finer.integrates_as(&finer, "mass"));
 }

@@ -86,6 +86,8 @@ pub struct Break {
     pub unit: String,
     /// Value of the input.
     pub at: f64,
+    /// The other inputs there: name, value and unit.
+    pub beside: Vec<(String, f64, String)>,
     /// Value in the file, if `engage` moved the break.
     pub moved_from: Option<f64>,
     /// Length over which `smooth` blends the pieces.
@@ -121,12 +123,11 @@ impl Break {
                 short(self.slopes[side])
             )
         });
-        format!(
-            "`{name}` jumps by {size} {unit} at {} = {} {}: {below} below, {above} above",
-            self.input,
-            short(self.at),
-            self.unit
-        )
+        let places = std::iter::once((&self.input, self.at, &self.unit))
+            .chain(self.beside.iter().map(|(input, at, unit)| (input, *at, unit)))
+            .map(|(input, at, unit)| format!("{input} = {} {unit}", short(at)));
+        let place = places.collect::<Vec<_>>().join(", ");
+        format!("`{name}` jumps by {size} {unit} at {place}: {below} below, {above} above")
     }
 
     /// Whether the value jumps, beyond rounding.

@@ -91,6 +91,7 @@ impl Look<'_> {
                 input: input.name.clone(),
                 unit: input.unit.to_string(),
                 at: in_file(place, &input.unit),
+                beside: self.beside(line),
                 moved_from: None,
                 blended: None,
                 values,
@@ -148,6 +149,7 @@ impl Look<'_> {
             input: input.name.clone(),
             unit: input.unit.to_string(),
             at: in_file(at, &input.unit),
+            beside: self.beside(line),
             moved_from: moved_from.map(|at| in_file(at, &input.unit)),
             blended: blend.map(|length| in_file(length, &input.unit)),
             values,
@@ -155,6 +157,18 @@ impl Look<'_> {
             slopes,
         };
         self.keep(found, Between { pieces, comparison: None });
+    }
+
+    /// The inputs that a line keeps.
+    fn beside(&self, line: &Line) -> Vec<(String, f64, String)> {
+        let values = line.at(0.0);
+        let inputs = self.law.inputs.iter().zip(values).enumerate();
+        inputs
+            .filter(|(place, _)| *place != line.input)
+            .map(|(_, (input, value))| {
+                (input.name.clone(), in_file(value, &input.unit), input.unit.to_string())
+            })
+            .collect()
     }
 
     /// The output at a point of a line, or one of its pieces there.

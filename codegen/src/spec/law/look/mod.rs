@@ -111,6 +111,7 @@ impl<'l> Look<'l> {
                 input: input.name.clone(),
                 unit: input.unit.to_string(),
                 at: in_file(at, &input.unit),
+                beside: Vec::new(),
                 moved_from: moved_from.map(|from| in_file(from, &input.unit)),
                 blended: None,
                 values: meeting.values.map(|value| in_file(value, unit)),

@@ -227,3 +227,30 @@ fn friction_is_reported_against_the_motion() {
         kink.at.abs() < 1e-15 && (kink.slopes[0] + 100.0).abs() < 1e-9 && kink.slopes[1] == 0.0
     );
 }
+
+#[test]
+fn a_jump_of_several_inputs_says_where_it_was_seen() {
+    let body = "[inputs.h]
+unit = \"mm\"
+range = [-1, 1]
+[inputs.h_dot]
+unit = \"mm/s\"
+range = [-2, 2]
+[parameters]
+d = { value = 3, unit = \"N*s/mm\" }
+[outputs.Q]
+unit = \"N\"
+pieces = [
+  { when = 'h < 0', value = '-d*h_dot' },
+  { value = '0' },
+]
+";
+    // Where it is largest: at an end of the range of h_dot.
+    let found = messages(body);
+    let told = |end: &str, jump: &str| {
+        found[0].starts_with(&format!(
+            "law.toml:16:13: `Q` jumps by 6 N at h = 0 mm, h_dot = {end} mm/s: {jump} N with slope 0 N/mm below, 0 N"
+        ))
+    };
+    assert!(found.len() == 1 && (told("-2", "6") || told("2", "-6")), "{found:?}");
+}
