@@ -37,36 +37,20 @@ struct EachSpring<'a, K, const I: usize, const O: usize> {
 }
 
 impl<K: SpringKernel<I, O>, const I: usize, const O: usize> EachSpring<'_, K, I, O> {
-    /// Whole registers from spring `first` on; gives the spring behind them.
-    #[inline(always)]
-    fn chunks<L: Register>(&mut self, first: usize) -> usize {
-        let springs = self.springs;
-        let count = (springs - first) / L::WIDTH;
-        const { assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>()) };
-        // Slices of every row would cost more to compile than most laws.
-        let (from, to) = (self.inputs.as_ptr(), self.outputs.as_mut_ptr());
-        for k in 0..count {
-            let spring = first + k * L::WIDTH;
-            let mut values = [L::splat(0.0); I];
-            for (i, value) in values.iter_mut().enumerate() {
-                // SAFETY: a row has as many values as there are springs, `each_spring` saw I such rows, and a
-                // register from this spring on ends within the row.
-                *value = L::load(unsafe { &*from.add(i * springs + spring).cast() });
-            }
-            let values = K::spring(values);
-            for (o, value) in values.iter().enumerate() {
-                // SAFETY: the same of O rows, which nothing else refers to.
-                value.store(unsafe { &mut *to.add(o * springs + spring).cast() });
-            }
-        }
-        first + count * L::WIDTH
-    }
-
     /// Springs from `first` on one by one: without fused operations the bits are the same. Compiled once,
     /// not for every register.
     #[inline(never)]
-    fn rest(&mut self, first: usize) {
-        self.chunks::<f64>(first);
+    fn rest(self, first: usize) {
+        let springs = self.springs;
+        for spring in first..springs {
+            let mut values = [0.0; I];
+            for (i, value) in values.iter_mut().enumerate() {
+                *value = self.inputs[i * springs + spring];
+            }
+            for (o, value) in K::spring(values).iter().enumerate() {
+                self.outputs[o * springs + spring] = *value;
+            }
+        }
     }
 }
 
@@ -74,9 +58,27 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> Task for EachSpring<
     type Output = ();
 
     #[inline(always)]
-    fn run<L: Register>(mut self) {
-        let first = if L::WIDTH == 1 { 0 } else { self.chunks::<L>(0) };
-        if first < self.springs {
+    fn run<L: Register>(self) {
+        const { assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>()) };
+        let springs = self.springs;
+        let whole = if L::WIDTH > 1 { springs / L::WIDTH } else { 0 };
+        // Slices of every row would cost more to compile than most laws.
+        let (from, to) = (self.inputs.as_ptr(), self.outputs.as_mut_ptr());
+        for k in 0..whole {
+            let spring = k * L::WIDTH;
+            let mut values = [L::splat(0.0); I];
+            for (i, value) in values.iter_mut().enumerate() {
+                // SAFETY: a row has as many values as there are springs, `each_spring` saw I such rows, and a
+                // register from this spring on ends within the row.
+                *value = L::load(unsafe { &*from.add(i * springs + spring).cast() });
+            }
+            for (o, value) in K::spring(values).iter().enumerate() {
+                // SAFETY: the same of O rows, which nothing else refers to.
+                value.store(unsafe { &mut *to.add(o * springs + spring).cast() });
+            }
+        }
+        let first = whole * L::WIDTH;
+        if first < springs {
             self.rest(first);
         }
     }
