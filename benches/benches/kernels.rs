@@ -5,7 +5,7 @@ use std::hint::black_box;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use whirl_benches::hand;
 use whirl_specs::{
-    CLEARANCES, Clearance, ELEMENTS, Element, LAWS, Law, MOTIONS, Motion, MotionState, Ring,
+    CLEARANCES, Clearance, ELEMENTS, Eight, Element, LAWS, Law, MOTIONS, Motion, MotionState, Ring,
     RingTangent, SpringForce, TensorShape,
 };
 
@@ -157,7 +157,7 @@ fn elements(c: &mut Criterion) {
                     _ => 7860.0,
                 })
                 .collect();
-            let mut matrices = vec![0.0; CELLS * kernel.structure.len(element.nodes)];
+            let mut matrices = Eight::room(CELLS, kernel.structure.len(element.nodes));
             let mut jacobians = vec![0.0; CELLS];
             group.bench_function(BenchmarkId::from_parameter(who), |b| {
                 b.iter(|| {

@@ -9,7 +9,7 @@ use whirl_benches::{hand, textbook};
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
-use whirl_specs::{ELEMENTS, Element, FormKernel, LAWS, Law, Registers};
+use whirl_specs::{ELEMENTS, Eight, Element, FormKernel, LAWS, Law, Registers};
 
 /// Cells of a batch: their matrices do not fit into the first cache, as in an assembly.
 const CELLS: usize = 64;
@@ -47,7 +47,7 @@ fn values(count: usize) -> impl Iterator<Item = f64> {
 
 /// Where kernels write: the same memory for all that are compared, since its place counts.
 struct Room {
-    matrices: Vec<f64>,
+    matrices: Vec<Eight>,
     jacobians: Vec<f64>,
 }
 
@@ -72,7 +72,7 @@ fn cells(registers: Registers, name: &str, form: &str) {
         .map(|(x, bump)| 5e-3 * (x + 0.1 * bump))
         .collect();
     let room = RefCell::new(Room {
-        matrices: vec![0.0; CELLS * ours.structure.len(element.nodes)],
+        matrices: Eight::room(CELLS, ours.structure.len(element.nodes)),
         jacobians: vec![0.0; CELLS],
     });
     let material = material(ours);

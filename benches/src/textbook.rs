@@ -78,13 +78,12 @@ mod tests {
         let element = ELEMENTS.iter().find(|e| e.origin.name == "hex8").expect("shipped");
         let nodes = element.reference_nodes.iter().flatten().enumerate();
         let x: Vec<f64> = nodes.map(|(i, x)| x + 0.2 * (1.3 * i as f64 + 0.7).sin()).collect();
-        let (mut packed, mut jacobian) = ([0.0; 300], [0.0]);
         let kernel = element.form("stiffness").expect("shipped");
-        (kernel.evaluate)(&x, &[200e9, 0.3], &mut packed, &mut jacobian);
+        let (packed, _) = kernel.of_cell(&x, &[200e9, 0.3]);
         let largest = packed.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
         for k in [stiffness, accumulated_stiffness].map(|k| k(element, &x, 200e9, 0.3)) {
             let entries = (0..24).flat_map(|i| (i..24).map(move |j| (i, j)));
-            for ((i, j), packed) in entries.zip(packed) {
+            for ((i, j), packed) in entries.zip(&packed) {
                 // Some hundred roundings of terms that are no larger than the largest entry.
                 let allowed = 300.0 * f64::EPSILON * largest;
                 assert!((k[(i, j)] - packed).abs() < allowed, "{i} {j}: {} {packed}", k[(i, j)]);

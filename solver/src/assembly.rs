@@ -1,6 +1,6 @@
 //! From a mesh and a form to a sparse matrix: kernels evaluated block by block, then scattered.
 
-use whirl_specs::{FormKernel, Structure};
+use whirl_specs::{CellMatrix, Eight, FormKernel, Structure};
 
 use crate::error::{Error, InvertedCell};
 use crate::linalg::LowerTriangle;
@@ -109,7 +109,7 @@ fn kernels<'a>(mesh: &'a Mesh, form: &str) -> Result<Vec<BlockKernel<'a>>, Error
 fn evaluate(
     mesh: &Mesh,
     kernels: &[BlockKernel],
-    mut take: impl FnMut(&BlockKernel, &[usize], &[f64]),
+    mut take: impl FnMut(&BlockKernel, &[usize], CellMatrix),
 ) -> Result<(), Error> {
     let mut inverted = Vec::new();
     let mut count = 0;
@@ -117,16 +117,15 @@ fn evaluate(
         let nodes = block.block.element.nodes;
         let stored = block.kernel.structure.len(nodes);
         let mut coordinates = Vec::with_capacity(BATCH * nodes * 3);
-        let mut matrices = vec![0.0; BATCH * stored];
+        let mut matrices = Eight::room(BATCH, stored);
         let mut jacobians = vec![0.0; BATCH];
         let batches = block.block.connectivity.chunks(BATCH * nodes);
         for (connectivity, labels) in batches.zip(block.block.labels.chunks(BATCH)) {
             let cells = labels.len();
             coordinates.clear();
             coordinates.extend(connectivity.iter().flat_map(|&node| mesh.nodes()[node]));
-            let matrices = &mut matrices[..cells * stored];
             let jacobians = &mut jacobians[..cells];
-            (block.kernel.evaluate)(&coordinates, &block.material, matrices, jacobians);
+            (block.kernel.evaluate)(&coordinates, &block.material, &mut matrices, jacobians);
             for (&jacobian, &label) in jacobians.iter().zip(labels) {
                 let upright = jacobian > 0.0;
                 if !upright {
@@ -137,8 +136,9 @@ fn evaluate(
                     }
                 }
             }
-            let cells = connectivity.chunks_exact(nodes).zip(matrices.chunks_exact(stored));
-            cells.for_each(|(cell, values)| take(block, cell, values));
+            for (place, cell) in connectivity.chunks_exact(nodes).enumerate() {
+                take(block, cell, CellMatrix::new(&matrices, stored, place));
+            }
         }
     }
     if count > 0 {
@@ -172,7 +172,7 @@ fn common_structure(kernels: &[BlockKernel]) -> Structure {
 struct Entries<'a> {
     structure: Structure,
     nodes: usize,
-    values: &'a [f64],
+    values: CellMatrix<'a>,
 }
 
 /// Place of (r, c), r ≤ c, in an upper triangle of n rows stored by rows.
@@ -188,9 +188,9 @@ impl Entries<'_> {
         let (row, column) = (3 * a + i, 3 * b + j);
         match self.structure {
             Structure::Symmetric => {
-                self.values[upper(3 * self.nodes, row.min(column), row.max(column))]
+                self.values.get(upper(3 * self.nodes, row.min(column), row.max(column)))
             }
-            Structure::Full => self.values[row * 3 * self.nodes + column],
+            Structure::Full => self.values.get(row * 3 * self.nodes + column),
             Structure::Kronecker { pattern } => self.scalar(a, b) * pattern[i][j],
         }
     }
@@ -198,7 +198,7 @@ impl Entries<'_> {
     /// s[a,b] of a Kronecker structure.
     #[inline]
     fn scalar(&self, a: usize, b: usize) -> f64 {
-        self.values[upper(self.nodes, a.min(b), a.max(b))]
+        self.values.get(upper(self.nodes, a.min(b), a.max(b)))
     }
 }
 
@@ -228,7 +228,7 @@ impl Scatter {
         }
     }
 
-    fn add(&mut self, block: &BlockKernel, cell: &[usize], values: &[f64]) {
+    fn add(&mut self, block: &BlockKernel, cell: &[usize], values: CellMatrix) {
         let entries = Entries { structure: block.kernel.structure, nodes: cell.len(), values };
         match self {
             Scatter::Kronecker { scalar, .. } => {

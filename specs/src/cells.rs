@@ -2,10 +2,11 @@
 
 use std::marker::PhantomData;
 
+use crate::Shared;
 pub use crate::condensation::*;
 pub use crate::jacobian::*;
+use crate::matrices::{Eight, Matrix};
 use crate::registers::{Register, Registers, Task, Zeros};
-use crate::{Lane, Shared};
 
 /// The trip count of a loop that is to stay one: its code is smaller and, with as many values in registers
 /// as there are, faster than what a compiler makes of it when it knows the count.
@@ -18,8 +19,8 @@ pub fn looped(count: usize) -> usize {
 pub trait CellLanes<const NODES: usize, const MATERIAL: usize, const LEN: usize> {
     /// Room for values between the steps, so that it is not cleared for every lane.
     type Room<L: Register>: Zeros;
-    /// Whether the values of a cell keep to registers: then the ways into and out of lanes are part of the kernel, while
-    /// all others share them.
+    /// Whether the values of a cell keep to registers: then the way into lanes is part of the kernel, while all others
+    /// share it.
     const IN_REGISTERS: bool;
 
     /// Fills the matrix and gives the smallest det J. To be `#[inline(always)]`.
@@ -27,20 +28,20 @@ pub trait CellLanes<const NODES: usize, const MATERIAL: usize, const LEN: usize>
         x: &[[L; 3]; NODES],
         material: [L; MATERIAL],
         room: &mut Self::Room<L>,
-        matrix: &mut [L; LEN],
+        matrix: Matrix<L>,
     ) -> L;
 }
 
-/// What a kernel keeps of a cell: the map at the points, values of all basis functions there, and a matrix before
-/// condensation.
+/// What a kernel keeps of a cell: the map at the points, values of all basis functions there, and what there is
+/// before condensation.
 #[derive(Debug, Clone)]
 pub struct Room<
     L,
     const FUNCTIONS: usize,
     const POINTS: usize,
     const PARTS: usize,
-    const WHOLE: usize,
     const ROWS: usize,
+    W,
 > {
     /// Different tangents ∂x/∂(ξ, η, ζ).
     pub tangents: [[L; 3]; ROWS],
@@ -50,19 +51,13 @@ pub struct Room<
     pub roots: [L; POINTS],
     /// `basis[function][point]`.
     pub basis: [[[L; PARTS]; POINTS]; FUNCTIONS],
-    /// The matrix before condensation.
-    pub whole: [L; WHOLE],
+    /// What there is before condensation.
+    pub whole: W,
 }
 
-// SAFETY: lanes only.
-unsafe impl<
-    L: Zeros,
-    const F: usize,
-    const P: usize,
-    const A: usize,
-    const W: usize,
-    const R: usize,
-> Zeros for Room<L, F, P, A, W, R>
+// SAFETY: nothing but its parts.
+unsafe impl<L: Zeros, const F: usize, const P: usize, const A: usize, const R: usize, W: Zeros>
+    Zeros for Room<L, F, P, A, R, W>
 {
 }
 
@@ -86,7 +81,7 @@ unsafe impl<L: Zeros, const P: usize, const R: usize> Zeros for Scalars<L, P, R>
 pub fn each_cell<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize>(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [f64],
+    matrices: &mut [Eight],
     jacobians: &mut [f64],
 ) {
     let mut properties = [0.0; M];
@@ -98,7 +93,7 @@ pub fn each_cell<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const 
 struct EachCell<'a, K, const N: usize, const M: usize, const LEN: usize> {
     coordinates: &'a [f64],
     properties: [f64; M],
-    matrices: &'a mut [f64],
+    matrices: &'a mut [Eight],
     jacobians: &'a mut [f64],
     kernel: PhantomData<K>,
 }
@@ -111,7 +106,6 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
     #[inline(always)]
     fn run<L: Register>(self) {
         let mut x = <[[L; 3]; N]>::zeros();
-        let mut matrix = <[L; LEN]>::zeros();
         let mut room = K::Room::<L>::zeros();
         let mut material = [L::splat(0.0); M];
         for (lane, property) in material.iter_mut().zip(&self.properties) {
@@ -126,16 +120,10 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
             } else {
                 L::shared(Gather { rows: self.coordinates, cell, values: nodes });
             }
-            let det = K::cell(&x, material, &mut room, &mut matrix);
-            if K::IN_REGISTERS {
-                L::scatter(&matrix, &mut self.matrices[LEN * cell..]);
-            } else {
-                L::shared(Scatter { values: &matrix, cell, rows: self.matrices });
-            }
-            match L::chunks_mut(&mut self.jacobians[cell..]).first_mut() {
-                Some(chunk) => det.store(chunk),
-                None => L::shared(Scatter { values: &[det], cell, rows: self.jacobians }),
-            }
+            let entries = &mut self.matrices[cell / Eight::CELLS * LEN..][..LEN];
+            let matrix = Matrix::new(entries, cell % Eight::CELLS);
+            let det = K::cell(&x, material, &mut room, matrix);
+            L::scatter(&[det], &mut self.jacobians[cell..]);
             cell += L::WIDTH;
         }
     }
@@ -154,22 +142,6 @@ impl<L: Register> Shared<L> for Gather<'_, L> {
     #[inline(always)]
     fn run(self) {
         L::gather(&self.rows[self.cell * self.values.len()..], self.values);
-    }
-}
-
-/// Writes the cells from `cell` on.
-struct Scatter<'a, L> {
-    values: &'a [L],
-    cell: usize,
-    rows: &'a mut [f64],
-}
-
-impl<L: Register> Shared<L> for Scatter<'_, L> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        L::scatter(self.values, &mut self.rows[self.cell * self.values.len()..]);
     }
 }
 
@@ -195,26 +167,34 @@ pub fn full_rows(size: usize, a: usize) -> [usize; 3] {
 
 /// Stores the 3 × 3 block of basis function b in three rows.
 #[inline(always)]
-pub fn store_block<L: Lane>(matrix: &mut [L], rows: [usize; 3], b: usize, block: [[L; 3]; 3]) {
+pub fn store_block<L: Register>(
+    matrix: &mut Matrix<L>,
+    rows: [usize; 3],
+    b: usize,
+    block: [[L; 3]; 3],
+) {
     for (row, entries) in rows.iter().zip(&block) {
-        let start = row + 3 * b;
-        matrix[start..start + 3].copy_from_slice(entries);
+        matrix.set(row + 3 * b, entries);
     }
 }
 
 /// Stores the upper triangle of the 3 × 3 block of basis function a on the diagonal.
 #[inline(always)]
-pub fn store_diagonal<L: Lane>(matrix: &mut [L], rows: [usize; 3], a: usize, block: [[L; 3]; 3]) {
+pub fn store_diagonal<L: Register>(
+    matrix: &mut Matrix<L>,
+    rows: [usize; 3],
+    a: usize,
+    block: [[L; 3]; 3],
+) {
     for (i, entries) in block.iter().enumerate() {
-        let start = rows[i] + 3 * a;
-        matrix[start + i..start + 3].copy_from_slice(&entries[i..]);
+        matrix.set(rows[i] + 3 * a + i, &entries[i..]);
     }
 }
 
 /// Stores the entry of nodes a ≤ b in the upper triangle by rows of a symmetric matrix with `size` rows.
 #[inline(always)]
-pub fn store_entry<L: Lane>(matrix: &mut [L], size: usize, a: usize, b: usize, entry: L) {
-    matrix[diagonal(size, a) + b - a] = entry;
+pub fn store_entry<L: Register>(matrix: &mut Matrix<L>, size: usize, a: usize, b: usize, entry: L) {
+    matrix.set(diagonal(size, a) + b - a, &[entry]);
 }
 
 #[cfg(test)]
@@ -225,7 +205,8 @@ mod tests {
 
     #[test]
     fn blocks_land_in_the_upper_triangle() {
-        let mut matrix = [0.0; 21];
+        let mut memory = Eight::room(1, 21);
+        let mut matrix = Matrix::<f64>::new(&mut memory, 0);
         let block = |start: f64| from_fn(|i| from_fn(|j| start + (3 * i + j) as f64));
         let rows = [upper_rows(6, 0), upper_rows(6, 1)];
         store_diagonal(&mut matrix, rows[0], 0, block(0.0));
@@ -239,10 +220,12 @@ mod tests {
             &[24.0, 25.0],
             &[28.0],
         ];
-        assert_eq!(matrix.to_vec(), rows.concat());
-        let mut full = [0.0; 36];
+        let found: Vec<f64> = (0..21).map(|entry| matrix.get(entry)).collect();
+        assert_eq!(found, rows.concat());
+        let mut memory = Eight::room(1, 36);
+        let mut full = Matrix::<f64>::new(&mut memory, 0);
         store_block(&mut full, full_rows(6, 1), 0, block(1.0));
-        assert_eq!(full[18..21], [1.0, 2.0, 3.0]);
-        assert_eq!(full[30..33], [7.0, 8.0, 9.0]);
+        assert_eq!([18, 19, 20].map(|entry| full.get(entry)), [1.0, 2.0, 3.0]);
+        assert_eq!([30, 31, 32].map(|entry| full.get(entry)), [7.0, 8.0, 9.0]);
     }
 }

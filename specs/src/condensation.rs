@@ -7,25 +7,33 @@
 
 use crate::Lane;
 use crate::cells::{diagonal, looped};
+use crate::matrices::Matrix;
+use crate::registers::Register;
 
 /// Condenses the last M of N + M degrees of freedom out of a symmetric matrix:
 /// K_uu − K_ua K_aa⁻¹ K_au. Both matrices are upper triangles by rows; N is a multiple of three.
 /// Not a number where K_aa is not positive definite.
 #[inline(always)]
-pub fn condense<L: Lane, const N: usize, const M: usize>(whole: &[L], condensed: &mut [L]) {
+pub fn condense<L: Register, const N: usize, const M: usize>(
+    whole: &Matrix<L>,
+    mut condensed: Matrix<L>,
+) {
     let size = N + M;
     let zero = L::splat(0.0);
     let (mut own, mut coupling) = ([[zero; M]; M], [[zero; M]; N]);
     for p in 0..M {
         for q in p..M {
-            own[p][q] = whole[diagonal(size, N + p) + q - p];
+            own[p][q] = whole.get(diagonal(size, N + p) + q - p);
         }
     }
     for r in 0..N {
-        let row = &whole[diagonal(size, r)..][..size - r];
-        let (to, kept) = (&mut condensed[diagonal(N, r)..][..N - r], &row[..N - r]);
-        to.copy_from_slice(kept);
-        coupling[r].copy_from_slice(&row[N - r..]);
+        let row = diagonal(size, r) - r;
+        for c in r..N {
+            condensed.set(diagonal(N, r) + c - r, &[whole.get(row + c)]);
+        }
+        for p in 0..M {
+            coupling[r][p] = whole.get(row + N + p);
+        }
     }
     take_off(&mut own, &mut coupling, condensed);
 }
@@ -34,10 +42,10 @@ pub fn condense<L: Lane, const N: usize, const M: usize>(whole: &[L], condensed:
 /// rows, whose number is a multiple of three; `matrix`: the upper triangle by rows of K_uu. Not a number where
 /// K_aa is not positive definite.
 #[inline(always)]
-pub fn take_off<L: Lane, const N: usize, const M: usize>(
+pub fn take_off<L: Register, const N: usize, const M: usize>(
     own: &mut [[L; M]; M],
     coupling: &mut [[L; M]; N],
-    matrix: &mut [L],
+    mut matrix: Matrix<L>,
 ) {
     // K_aa = UᵀU, row after row; what is kept are −U above the diagonal and 1/U_pp.
     for p in 0..M {
@@ -81,20 +89,12 @@ pub fn take_off<L: Lane, const N: usize, const M: usize>(
             }
             if a == b {
                 for i in 0..3 {
-                    let start = diagonal(N, 3 * a + i);
-                    let entries = &mut matrix[start..start + 3 - i];
-                    for j in i..3 {
-                        entries[j - i] = entries[j - i] - block[i][j];
-                    }
+                    matrix.take_off(diagonal(N, 3 * a + i), &block[i][i..]);
                 }
             } else {
                 for i in 0..3 {
                     let row = 3 * a + i;
-                    let start = diagonal(N, row) + 3 * b - row;
-                    let entries = &mut matrix[start..start + 3];
-                    for j in 0..3 {
-                        entries[j] = entries[j] - block[i][j];
-                    }
+                    matrix.take_off(diagonal(N, row) + 3 * b - row, &block[i]);
                 }
             }
         }
@@ -133,15 +133,6 @@ pub fn between_modes<L: Lane, const POINTS: usize, const MODES: usize>(
     [direction[0] * sum, direction[1] * sum, direction[2] * sum]
 }
 
-/// The first N rows of M values.
-///
-/// # Panics
-/// If there are fewer.
-#[inline(always)]
-pub fn rows_of<L, const N: usize, const M: usize>(values: &mut [L]) -> &mut [[L; M]; N] {
-    values.as_chunks_mut().0.first_chunk_mut().expect("as many rows")
-}
-
 /// Stores the block of basis function a and mode m.
 #[inline(always)]
 pub fn store_coupling<L: Lane, const N: usize, const M: usize>(
@@ -171,6 +162,15 @@ pub fn store_own<L: Lane, const M: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::matrices::{CellMatrix, Eight};
+
+    fn condensed<const N: usize, const M: usize>(whole: &[f64], stored: usize) -> Vec<f64> {
+        let [mut from, mut to] = [whole.len(), stored].map(|stored| Eight::room(1, stored));
+        let mut matrix = Matrix::new(&mut from, 0);
+        matrix.set(0, whole);
+        condense::<f64, N, M>(&matrix, Matrix::new(&mut to, 0));
+        CellMatrix::new(&to, stored, 0).values().collect()
+    }
 
     #[test]
     fn condensation_is_the_schur_complement() {
@@ -180,8 +180,7 @@ mod tests {
             false => ((3 * i.min(j) + i.max(j)) as f64).sin(),
         };
         let whole: Vec<f64> = (0..17).flat_map(|i| (i..17).map(move |j| entry(i, j))).collect();
-        let mut condensed = [0.0; 78];
-        condense::<f64, 12, 5>(&whole, &mut condensed);
+        let condensed = condensed::<12, 5>(&whole, 78);
         // The same by Gauss' elimination of one unknown after the other, the last first.
         let mut full: Vec<Vec<f64>> =
             (0..17).map(|i| (0..17).map(|j| entry(i, j)).collect()).collect();
@@ -203,8 +202,7 @@ mod tests {
     fn what_is_not_positive_definite_is_not_a_number() {
         // [[I, 1], [1, −1]].
         let whole = [1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, -1.0];
-        let mut condensed = [0.0; 6];
-        condense::<f64, 3, 1>(&whole, &mut condensed);
+        let condensed = condensed::<3, 1>(&whole, 6);
         assert!(condensed.iter().all(|entry| entry.is_nan()));
     }
 }

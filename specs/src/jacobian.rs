@@ -1,6 +1,8 @@
 //! The map from the reference cell at the points of a rule, and what it makes of basis functions: what generated
 //! kernels of cells call as [`crate::cells`].
 
+use crate::matrices::Matrix;
+use crate::registers::Register;
 use crate::{Lane, Shared};
 
 /// The Jacobian J = Σ x_a ⊗ ∇N_a of the map from the reference cell, by its cofactors: J⁻ᵀ = cof J / det J.
@@ -178,31 +180,32 @@ pub fn determinants<L: Lane>(
 /// Σ_q det_q N_a N_b for all nodes a ≤ b, row by row. values: nodes × points. `weighted` holds as many values as there
 /// are points, in between.
 #[inline(always)]
-pub fn products<L: Lane>(det: &[L], values: &[f64], weighted: &mut [L], matrix: &mut [L]) {
+pub fn products<L: Register>(det: &[L], values: &[f64], weighted: &mut [L], matrix: Matrix<L>) {
     struct Products<'a, L> {
         det: &'a [L],
         values: &'a [f64],
         weighted: &'a mut [L],
-        matrix: &'a mut [L],
+        matrix: Matrix<'a, L>,
     }
-    impl<L: Lane> Shared<L> for Products<'_, L> {
+    impl<L: Register> Shared<L> for Products<'_, L> {
         type Output = ();
 
         #[inline(always)]
-        fn run(self) {
+        fn run(mut self) {
             let points = self.det.len();
-            let mut entries = self.matrix.iter_mut();
+            let mut entry = 0;
             for start in (0..self.values.len()).step_by(points) {
                 let (of_a, values) = (&self.values[start..][..points], &self.values[start..]);
                 for ((weighted, det), value) in self.weighted.iter_mut().zip(self.det).zip(of_a) {
                     *weighted = *det * *value;
                 }
-                for (of_b, entry) in values.chunks_exact(points).zip(&mut entries) {
+                for of_b in values.chunks_exact(points) {
                     let mut sum = L::splat(0.0);
                     for (weighted, value) in self.weighted.iter().zip(of_b) {
                         sum = weighted.mul_add(L::splat(*value), sum);
                     }
-                    *entry = sum;
+                    self.matrix.set(entry, &[sum]);
+                    entry += 1;
                 }
             }
         }
@@ -227,9 +230,11 @@ pub fn gradients<L: Lane>(maps: &[[[L; 3]; 3]], slopes: &[[f64; 3]], basis: &mut
             let points = self.maps.len();
             let functions = self.basis.len() / points;
             for (q, map) in self.maps.iter().enumerate() {
+                // In registers: what is written might be a map for all that a compiler knows.
+                let map = *map;
                 let slopes = &self.slopes[q * functions..][..functions];
                 for (function, slope) in self.basis.chunks_exact_mut(points).zip(slopes) {
-                    function[q] = gradient(map, slope);
+                    function[q] = gradient(&map, slope);
                 }
             }
         }
@@ -262,12 +267,13 @@ pub fn values_and_gradients<L: Lane>(
             let points = self.maps.len();
             let functions = self.basis.len() / points;
             for (q, (map, root)) in self.maps.iter().zip(self.roots).enumerate() {
+                let (map, root) = (*map, *root);
                 let slopes = &self.slopes[q * functions..][..functions];
                 let values = &self.values[q * functions..][..functions];
                 let basis = self.basis.chunks_exact_mut(points);
                 for ((function, slope), value) in basis.zip(slopes).zip(values) {
-                    let [x, y, z] = gradient(map, slope);
-                    function[q] = [*root * *value, x, y, z];
+                    let [x, y, z] = gradient(&map, slope);
+                    function[q] = [root * *value, x, y, z];
                 }
             }
         }
@@ -278,6 +284,7 @@ pub fn values_and_gradients<L: Lane>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::matrices::{CellMatrix, Eight};
 
     #[test]
     fn the_jacobian_of_a_box() {
@@ -310,8 +317,9 @@ mod tests {
         let least = determinants(&tangents, &columns, &[1.0, 2.0], 10.0, &mut det);
         assert_eq!((least, det), (3.0, [240.0, 60.0]));
         // Two functions at the two points.
-        let (mut weighted, mut matrix) = ([0.0; 2], [0.0; 3]);
-        products(&det, &[1.0, 0.5, -1.0, 2.0], &mut weighted, &mut matrix);
+        let (mut weighted, mut memory) = ([0.0; 2], Eight::room(1, 3));
+        products(&det, &[1.0, 0.5, -1.0, 2.0], &mut weighted, Matrix::new(&mut memory, 0));
+        let matrix: Vec<f64> = CellMatrix::new(&memory, 3, 0).values().collect();
         assert_eq!(matrix, [240.0 + 15.0, -240.0 + 60.0, 240.0 + 240.0]);
         let (mut to, mut roots) = ([[[0.0; 3]; 3]; 2], [0.0; 2]);
         let least = maps(&tangents, &columns, &[6.0, 3.0], &mut to, &mut roots);

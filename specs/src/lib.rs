@@ -5,11 +5,13 @@
 //! [`MOTIONS`] and [`CLEARANCES`] list what was found, each entry with its facts and its functions;
 //! [`FORMS`] the forms that the elements integrate, and [`generated`] holds the text itself.
 
+mod cell_kernel;
 pub mod cells;
 mod condensation;
 pub mod generated;
 mod jacobian;
 pub mod lane;
+mod matrices;
 pub mod registers;
 mod registry;
 mod rows;
@@ -18,7 +20,9 @@ mod wide;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
+pub use cell_kernel::{CellKernel, FormKernel, Structure};
 pub use lane::{Lane, Shared};
+pub use matrices::{CellMatrix, Eight, Matrix};
 pub use registers::{Register, Registers};
 pub use registry::*;
 pub use rows::{SpringKernel, each_spring, rows, rows_mut};

@@ -5,6 +5,8 @@
     reason = "the signature of a kernel is read where it is stored, with its arguments named"
 )]
 
+use crate::cell_kernel::FormKernel;
+
 /// Where an entry comes from.
 #[derive(Debug, Clone, Copy)]
 pub struct Origin {
@@ -59,58 +61,6 @@ impl Element {
     pub fn form(&self, form: &str) -> Option<&'static FormKernel> {
         self.forms.iter().find(|kernel| kernel.form == form)
     }
-}
-
-/// How the matrix of one cell is stored; found by the generator from the form.
-/// Degree of freedom 3a + i is component i of node a.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Structure {
-    /// Symmetric, upper triangle by rows: (0,0), (0,1), …, (0,n−1), (1,1), …; n = 3·nodes.
-    Symmetric,
-    /// All n × n entries by rows.
-    Full,
-    /// A symmetric scalar matrix s (nodes × nodes, upper triangle by rows) times a 3 × 3 pattern:
-    /// entry (3a+i, 3b+j) = `s[a,b] · pattern[i][j]`.
-    Kronecker {
-        /// `pattern[i][j]`; symmetric or skew.
-        pattern: [[f64; 3]; 3],
-    },
-}
-
-impl Structure {
-    /// Number of stored values of one cell with `nodes` nodes.
-    pub fn len(&self, nodes: usize) -> usize {
-        let n = 3 * nodes;
-        match self {
-            Structure::Symmetric => n * (n + 1) / 2,
-            Structure::Full => n * n,
-            Structure::Kronecker { .. } => nodes * (nodes + 1) / 2,
-        }
-    }
-}
-
-/// Computes the matrices of a block of cells.
-///
-/// `coordinates`: cells × nodes × 3, in m. `material`: the values named by [`FormKernel::material`], SI.
-/// `matrices`: cells × [`Structure::len`]. `jacobians`: cells; the smallest det J over the cell's
-/// quadrature points, so that the caller can name an inverted cell (det J ≤ 0; its matrix is then
-/// meaningless, not an error of the kernel).
-pub type CellKernel =
-    fn(coordinates: &[f64], material: &[f64], matrices: &mut [f64], jacobians: &mut [f64]);
-
-/// One bilinear form on one element.
-#[derive(Debug, Clone, Copy)]
-pub struct FormKernel {
-    /// Name of the form in its spec: `stiffness`, `mass`, `spin_inertia` (Y), `spin_coupling` (H).
-    pub form: &'static str,
-    /// Material properties in the order the kernel takes them, such as `E`, `nu`, `rho`.
-    pub material: &'static [Variable],
-    /// Storage of a cell's matrix.
-    pub structure: Structure,
-    /// Floating-point operations a cell as the kernel's text has them, a·b + c counted as two.
-    pub flops: usize,
-    /// The kernel.
-    pub evaluate: CellKernel,
 }
 
 /// Computes a law and its derivatives over a row of springs.

@@ -249,41 +249,12 @@ macro_rules! register {
             }
             #[inline(always)]
             fn scatter(values: &[Self], rows: &mut [f64]) {
-                let columns = values.len();
                 // SAFETY: a lane is as many values without padding, so that this is all of them.
                 let lanes: &[[f64; $width]] =
-                    unsafe { std::slice::from_raw_parts(values.as_ptr().cast(), columns) };
-                let count = rows.len() / columns;
-                if count < $width {
-                    for (c, row) in rows.chunks_exact_mut(columns).enumerate() {
-                        for (value, lane) in row.iter_mut().zip(lanes) {
-                            *value = lane[c];
-                        }
-                    }
-                    return;
-                }
-                let whole = columns - columns % 4;
-                let mut first = 0;
-                while first < $width {
-                    let rows = &mut rows[first * columns..][..4 * columns];
-                    let mut v = 0;
-                    while v < whole {
-                        // SAFETY: four values begin at v < whole in every row, and at `first` in a lane.
-                        unsafe {
-                            let turned = turned_halves::<$width>(&*lanes.as_ptr().add(v).cast(), first);
-                            let to = rows.as_mut_ptr().add(v);
-                            _mm256_storeu_pd(to, turned[0]);
-                            _mm256_storeu_pd(to.add(columns), turned[1]);
-                            _mm256_storeu_pd(to.add(2 * columns), turned[2]);
-                            _mm256_storeu_pd(to.add(3 * columns), turned[3]);
-                        }
-                        v += 4;
-                    }
-                    first += 4;
-                }
-                for v in whole..columns {
-                    for c in 0..$width {
-                        rows[c * columns + v] = lanes[v][c];
+                    unsafe { std::slice::from_raw_parts(values.as_ptr().cast(), values.len()) };
+                for (c, row) in rows.chunks_exact_mut(lanes.len()).take($width).enumerate() {
+                    for (value, lane) in row.iter_mut().zip(lanes) {
+                        *value = lane[c];
                     }
                 }
             }
@@ -321,40 +292,6 @@ fn transposed(rows: [__m256d; 4]) -> [__m256d; 4] {
             _mm256_permute2f128_pd::<0x31>(ab0, cd0),
             _mm256_permute2f128_pd::<0x31>(ab1, cd1),
         ]
-    }
-}
-
-/// Columns `first`, … `first + 3` of four lanes. Loading halves leaves half of the shuffles to the loads.
-///
-/// # Safety
-/// As the module says; there are four lanes of at least `first + 4` values.
-#[inline(always)]
-unsafe fn turned_halves<const W: usize>(lanes: &[[f64; W]; 4], first: usize) -> [__m256d; 4] {
-    // SAFETY: the caller's.
-    unsafe {
-        let even0 = pair(&lanes[0], &lanes[2], first);
-        let odd0 = pair(&lanes[1], &lanes[3], first);
-        let even2 = pair(&lanes[0], &lanes[2], first + 2);
-        let odd2 = pair(&lanes[1], &lanes[3], first + 2);
-        [
-            _mm256_unpacklo_pd(even0, odd0),
-            _mm256_unpackhi_pd(even0, odd0),
-            _mm256_unpacklo_pd(even2, odd2),
-            _mm256_unpackhi_pd(even2, odd2),
-        ]
-    }
-}
-
-/// Values `at`, `at + 1` of two lanes.
-///
-/// # Safety
-/// As the module says; there are so many values.
-#[inline(always)]
-unsafe fn pair<const W: usize>(low: &[f64; W], high: &[f64; W], at: usize) -> __m256d {
-    // SAFETY: the caller's.
-    unsafe {
-        let low = _mm256_castpd128_pd256(_mm_loadu_pd(low.as_ptr().add(at)));
-        _mm256_insertf128_pd::<1>(low, _mm_loadu_pd(high.as_ptr().add(at)))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use whirl_specs::{ELEMENTS, Element, FormKernel, Registers};
+use whirl_specs::{CellMatrix, ELEMENTS, Eight, Element, FormKernel, Registers};
 
 /// Not a whole number of registers of any width.
 const CELLS: usize = 11;
@@ -21,10 +21,13 @@ fn evaluate(kernel: &FormKernel, nodes: usize, cells: &[f64]) -> (Vec<f64>, Vec<
     };
     let material: Vec<f64> = kernel.material.iter().map(|m| value(m.name)).collect();
     let count = cells.len() / (3 * nodes);
-    let mut matrices = vec![f64::NAN; count * kernel.structure.len(nodes)];
+    let stored = kernel.structure.len(nodes);
+    let mut matrices = Eight::room(count, stored);
+    matrices.fill(Eight([f64::NAN; Eight::CELLS]));
     let mut jacobians = vec![f64::NAN; count];
     (kernel.evaluate)(cells, &material, &mut matrices, &mut jacobians);
-    (matrices, jacobians)
+    let cells = (0..count).flat_map(|cell| CellMatrix::new(&matrices, stored, cell).values());
+    (cells.collect(), jacobians)
 }
 
 fn bits(values: &[f64]) -> Vec<u64> {

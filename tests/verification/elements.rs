@@ -284,8 +284,5 @@ fn a_partly_inverted_cell_is_told_too() {
 fn generated_det(element: &Element, form: &str, nodes: &[[f64; 3]]) -> (Vec<f64>, f64) {
     let kernel = element.form(form).unwrap();
     let material: Vec<f64> = kernel.material.iter().map(|m| property(m.name)).collect();
-    let mut matrix = vec![0.0; kernel.structure.len(element.nodes)];
-    let mut det = [f64::NAN];
-    (kernel.evaluate)(nodes.as_flattened(), &material, &mut matrix, &mut det);
-    (matrix, det[0])
+    kernel.of_cell(nodes.as_flattened(), &material)
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 use proptest::prelude::*;
 use whirl_benches::hand::elements::{HEX8, HEX8I, WEDGE6};
-use whirl_specs::{Element, Structure};
+use whirl_specs::{CellMatrix, Eight, Element, Structure};
 
 /// Value and reference gradient of every shape function at a point.
 pub(crate) type Shapes = fn(Vector3<f64>) -> Vec<(f64, Vector3<f64>)>;
@@ -129,11 +129,14 @@ pub(crate) fn kernel(
         _ => 3 * element.nodes,
     };
     // Two cells, so that the second is found where it should be.
-    let mut values = vec![f64::NAN; 2 * kernel.structure.len(element.nodes)];
+    let stored = kernel.structure.len(element.nodes);
+    let mut values = Eight::room(2, stored);
+    values.fill(Eight([f64::NAN; Eight::CELLS]));
     let mut jacobians = [f64::NAN; 2];
     let both = [x, x].concat();
     (kernel.evaluate)(&both, material, &mut values, &mut jacobians);
-    let (first, second) = values.split_at(values.len() / 2);
+    let [first, second] =
+        [0, 1].map(|cell| CellMatrix::new(&values, stored, cell).values().collect::<Vec<_>>());
     assert_eq!(first, second);
     let mut matrix = DMatrix::zeros(size, size);
     let mut packed = first.iter();

@@ -37,7 +37,7 @@ impl CellForm<'_> {
     ) -> Result<(TokenStream, usize), Diagnostics> {
         let pairs = self.pairs;
         tables.elsewhere = self.twin.is_some();
-        let Body { room, text, about, flops } = match by_values(self.form, pairs) {
+        let Body { room, matrix, text, about, flops } = match by_values(self.form, pairs) {
             true => self.values_only(pairs, tables)?,
             false => self.general(pairs, tables)?,
         };
@@ -74,7 +74,7 @@ impl CellForm<'_> {
                             x: &[[L; 3]; #nodes],
                             [#(#material),*]: [L; #properties],
                             #own_room: &mut Self::Room<L>,
-                            matrix: &mut [L; #len],
+                            #matrix: Matrix<L>,
                         ) -> L {
                             #text
                         }
@@ -90,7 +90,7 @@ impl CellForm<'_> {
             pub fn #function(
                 coordinates: &[f64],
                 material: &[f64],
-                matrices: &mut [f64],
+                matrices: &mut [Eight],
                 jacobians: &mut [f64],
             ) {
                 #text
@@ -230,7 +230,11 @@ impl CellForm<'_> {
         // Functions whose products are summed in full.
         let total = if aligned.is_some() { nodes } else { total };
         let (total_count, nodes_size) = (count(total), count(3 * nodes));
-        let target = if total > nodes { quote!(&mut room.whole) } else { quote!(matrix) };
+        let target = match (&aligned, modes) {
+            (Some(_), _) => quote!(matrix.again()),
+            (None, 0) => quote!(matrix),
+            (None, _) => quote!(matrix.beside(&mut room.whole)),
+        };
         let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
         let (module, sum) = (identifier(&self.spec.name), pairs_name(self.form));
         let sums = quote! {
@@ -241,14 +245,14 @@ impl CellForm<'_> {
         // The components of modes along one vector are written here.
         let once = aligned.as_ref().map(|_| pairs.once());
         let (whole, after) = match &aligned {
-            Some(aligned) => (aligned.coupling(), aligned.condense(pairs)),
+            Some(aligned) => (aligned.room(), aligned.condense(pairs)),
             None if modes > 0 => {
                 let modes_size = count(3 * modes);
-                let condense =
-                    quote!(cells::condense::<L, #nodes_size, #modes_size>(&room.whole, matrix););
-                (3 * total * (3 * total + 1) / 2, condense)
+                let condense = quote!(cells::condense::<L, #nodes_size, #modes_size>(&matrix.beside(&mut room.whole), matrix););
+                let whole = count(3 * total * (3 * total + 1) / 2);
+                (quote!([Eight; #whole]), condense)
             }
-            None => (0, TokenStream::new()),
+            None => (quote!(()), TokenStream::new()),
         };
         let text = quote! {
             #once
@@ -257,9 +261,9 @@ impl CellForm<'_> {
             #after
             least_det
         };
-        let (parts, whole) = (count(parts.len()), count(whole));
+        let parts = count(parts.len());
         let rows = count(Tangents::new(&table.slopes).rows.len());
-        let room = quote!(cells::Room<L, #total_count, #points_count, #parts, #whole, #rows>);
+        let room = quote!(cells::Room<L, #total_count, #points_count, #parts, #rows, #whole>);
         let below = total * (total - 1) / 2;
         let (pair_count, summed) = match self.form.structure {
             Structure::Full => (total * total, total * total * pairs.moments.len()),
@@ -282,7 +286,8 @@ impl CellForm<'_> {
         }
         let (cell, pair) = (pairs.once_counts(), pairs.pair_counts());
         about += &format!(" Once a cell: {cell}; once a pair: {pair}.");
-        Ok(Body { room: Some(room), text, about, flops })
+        let matrix = if aligned.is_some() { quote!(mut matrix) } else { quote!(matrix) };
+        Ok(Body { room: Some(room), matrix, text, about, flops })
     }
 }
 
@@ -298,6 +303,8 @@ pub(super) struct Known {
 pub(super) struct Body {
     /// Type of the room that it needs; none if all that it computes stays in registers.
     pub(super) room: Option<TokenStream>,
+    /// Pattern of the matrix that it fills.
+    pub(super) matrix: TokenStream,
     pub(super) text: TokenStream,
     pub(super) about: String,
     /// Operations a cell.

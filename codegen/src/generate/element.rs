@@ -55,8 +55,8 @@ pub(super) fn kernel(
     let name = identifier(&element.name);
     // An element may do nothing that another does not.
     let used = names(&functions);
-    let called = [quote!(cells), quote!(forms), quote!(Lane), quote!(Register)];
-    let called = called.iter().filter(|name| used.contains(&name.to_string()));
+    let called = ["cells", "forms", "Eight", "Lane", "Matrix", "Register"];
+    let called = called.iter().filter(|name| used.contains(**name)).map(|name| identifier(name));
     let module = quote! {
         #heading
         pub mod #name {

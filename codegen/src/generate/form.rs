@@ -64,7 +64,7 @@ fn module(spec: &FormSpec, pairs: &[Pairs], functions: &TokenStream) -> Kernel {
             use crate::Origin;
         ),
         false => quote!(
-            use crate::{Lane, Origin, Shared, cells};
+            use crate::{Matrix, Origin, Register, Shared, cells};
         ),
     };
     let module = quote! {
@@ -106,7 +106,7 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
                 let from_a = basis[a * points..].chunks_exact(points);
                 for (b, of_b) in (a..).zip(from_a) {
                     #all
-                    cells::store_entry(matrix, functions, a, b, #entry);
+                    cells::store_entry(&mut matrix, functions, a, b, #entry);
                 }
             }
         }
@@ -117,12 +117,12 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
                 {
                     let of_b = of_a;
                     #same
-                    cells::store_diagonal(matrix, rows, a, #block);
+                    cells::store_diagonal(&mut matrix, rows, a, #block);
                 }
                 let behind = basis[(a + 1) * points..].chunks_exact(points);
                 for (b, of_b) in (a + 1..).zip(behind) {
                     #all
-                    cells::store_block(matrix, rows, b, #block);
+                    cells::store_block(&mut matrix, rows, b, #block);
                 }
             }
         }
@@ -132,7 +132,7 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
                 let rows = cells::full_rows(3 * functions, a);
                 for (b, of_b) in basis.chunks_exact(points).enumerate() {
                     #all
-                    cells::store_block(matrix, rows, b, #block);
+                    cells::store_block(&mut matrix, rows, b, #block);
                 }
             }
         }
@@ -141,24 +141,24 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     let number = quote!(#(#material: L,)*);
     quote! {
         #about
-        pub fn #name<L: Lane>(
+        pub fn #name<L: Register>(
             basis: &[[L; #parts]],
             points: usize,
             #number
-            matrix: &mut [L],
+            matrix: Matrix<L>,
         ) {
             struct Pairs<'a, L> {
                 basis: &'a [[L; #parts]],
                 points: usize,
                 #number
-                matrix: &'a mut [L],
+                matrix: Matrix<'a, L>,
             }
-            impl<L: Lane> Shared<L> for Pairs<'_, L> {
+            impl<L: Register> Shared<L> for Pairs<'_, L> {
                 type Output = ();
 
                 #[inline(always)]
                 fn run(self) {
-                    let Pairs { basis, points, #(#material,)* matrix } = self;
+                    let Pairs { basis, points, #(#material,)* mut matrix } = self;
                     let functions = basis.len() / points;
                     #once
                     for (a, of_a) in basis.chunks_exact(points).enumerate() {

@@ -54,9 +54,10 @@ impl Aligned {
         self.directions.len()
     }
 
-    /// Values that the coupling with the nodes takes.
-    pub(super) fn coupling(&self) -> usize {
-        9 * self.nodes * self.modes()
+    /// The room that the coupling with the nodes takes.
+    pub(super) fn room(&self) -> TokenStream {
+        let (size, parameters) = (count(3 * self.nodes), count(3 * self.modes()));
+        quote!([[L; #parameters]; #size])
     }
 
     /// Operations: factors and sums, products, components, apart from the condensation.
@@ -101,8 +102,7 @@ impl Aligned {
     /// Coupling and own matrix of the modes, and their condensation out of `matrix`.
     pub(super) fn condense(&self, pairs: &Pairs) -> TokenStream {
         let modes = count(self.modes());
-        let (nodes, size, parameters) =
-            (count(self.nodes), count(3 * self.nodes), count(3 * self.modes()));
+        let (nodes, parameters) = (count(self.nodes), count(3 * self.modes()));
         let sums: Vec<Ident> =
             pairs.moments.iter().map(|moment| identifier(&Pairs::name(*moment))).collect();
         let products: Vec<TokenStream> = pairs
@@ -120,7 +120,7 @@ impl Aligned {
             #(#statements)*
         };
         quote! {
-            let coupling = cells::rows_of::<L, #size, #parameters>(&mut room.whole);
+            let coupling = &mut room.whole;
             for a in 0..cells::looped(#nodes) {
                 let sums = cells::along_modes(&room.basis[a], &factors);
                 for m in 0..cells::looped(#modes) {

@@ -89,8 +89,8 @@ impl CellForm<'_> {
             }
             #sum_steps
             let entries = [#(#entries),*];
-            for (entry, place) in matrix.iter_mut().zip(&#places_name) {
-                *entry = entries[*place];
+            for (entry, place) in #places_name.iter().enumerate() {
+                matrix.set(entry, &[entries[*place]]);
             }
             #least
         };
@@ -106,7 +106,7 @@ impl CellForm<'_> {
             + pairs.flops()
             + usize::from(volume.is_some())
             + sums.flops();
-        Body { room: None, text, about, flops }
+        Body { room: None, matrix: quote!(mut matrix), text, about, flops }
     }
 
     /// A loop over the pairs of nodes and one over the points.
@@ -163,6 +163,6 @@ impl CellForm<'_> {
             + 2 * pairs_of_nodes * points;
         let rows = count(Tangents::new(&table.slopes).rows.len());
         let room = Some(quote!(cells::Scalars<L, #point_count, #rows>));
-        Body { room, text, about, flops }
+        Body { room, matrix: quote!(matrix), text, about, flops }
     }
 }

@@ -62,9 +62,7 @@ fn main() {
     let nodes = NODES;
     for (form, material) in FORMS {
         let kernel = element.form(form).unwrap();
-        let mut matrix = vec![0.0; kernel.structure.len(element.nodes)];
-        let mut det = [0.0];
-        (kernel.evaluate)(&nodes, &material[..], &mut matrix, &mut det);
+        let (matrix, _) = kernel.of_cell(&nodes, &material[..]);
         let values: Vec<String> = matrix.iter().map(|value| format!("{value:e}")).collect();
         println!("{}", values.join(" "));
     }

@@ -6,8 +6,8 @@
     reason = "indices of points and components read as in the formulas"
 )]
 
-use whirl_specs::Lane;
 use whirl_specs::registers::{Register, Registers, Task};
+use whirl_specs::{Eight, Lane};
 
 use super::isotropic::{Isotropic, fill_flops};
 use super::modes::{self, Modes};
@@ -198,24 +198,21 @@ impl Task for Stiffness<'_> {
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        let Cells { coordinates, material, matrices, jacobians } = self.cells;
-        let isotropic = Isotropic::<L>::new(material);
-        let (mut x, mut matrix) = ([[L::splat(0.0); 3]; 8], [L::splat(0.0); PACKED]);
+        let Stiffness { mut cells, modes: incompatible } = self;
+        let isotropic = Isotropic::<L>::new(cells.material);
+        let mut x = [[L::splat(0.0); 3]; 8];
         let (mut points, mut modes) = (Points::<L>::new(), Modes::<L>::new());
-        let coordinates = coordinates.chunks(24 * L::WIDTH);
-        let matrices = matrices.chunks_mut(PACKED * L::WIDTH);
-        let jacobians = jacobians.chunks_mut(L::WIDTH);
-        for ((coordinates, matrices), jacobians) in coordinates.zip(matrices).zip(jacobians) {
-            L::gather(coordinates, x.as_flattened_mut());
+        for cell in (0..cells.jacobians.len()).step_by(L::WIDTH) {
+            L::gather(&cells.coordinates[24 * cell..], x.as_flattened_mut());
             let tangents = Tangents::new(&x);
             points.fill(&tangents);
+            let mut matrix = cells.matrix(cell, PACKED);
             isotropic.fill(&points.gradients, &mut matrix);
-            if self.modes {
+            if incompatible {
                 modes.fill(&tangents.centre, &points.gradients, &points.inverse_roots);
                 modes.take_off(&isotropic, &mut matrix);
             }
-            L::scatter(&matrix, matrices);
-            L::scatter(&[points.least], jacobians);
+            L::scatter(&[points.least], &mut cells.jacobians[cell..]);
         }
     }
 }
@@ -223,7 +220,7 @@ impl Task for Stiffness<'_> {
 pub(super) fn stiffness(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [f64],
+    matrices: &mut [Eight],
     jacobians: &mut [f64],
 ) {
     let cells = Cells { coordinates, material, matrices, jacobians };
@@ -233,7 +230,7 @@ pub(super) fn stiffness(
 pub(super) fn incompatible_stiffness(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [f64],
+    matrices: &mut [Eight],
     jacobians: &mut [f64],
 ) {
     let cells = Cells { coordinates, material, matrices, jacobians };
@@ -290,15 +287,11 @@ impl Task for Mass<'_> {
     /// ∫ρ Nₐ N_b dV: 27 distinct values, summed one direction at a time.
     #[inline(always)]
     fn run<L: Register>(self) {
-        let Cells { coordinates, material, matrices, jacobians } = self.0;
-        let rho = L::splat(material[0]);
+        let Mass(mut cells) = self;
+        let rho = L::splat(cells.material[0]);
         let mut x = [[L::splat(0.0); 3]; 8];
-        let mut matrix = [L::splat(0.0); 36];
-        let coordinates = coordinates.chunks(24 * L::WIDTH);
-        let matrices = matrices.chunks_mut(36 * L::WIDTH);
-        let jacobians = jacobians.chunks_mut(L::WIDTH);
-        for ((coordinates, matrices), jacobians) in coordinates.zip(matrices).zip(jacobians) {
-            L::gather(coordinates, x.as_flattened_mut());
+        for cell in (0..cells.jacobians.len()).step_by(L::WIDTH) {
+            L::gather(&cells.coordinates[24 * cell..], x.as_flattened_mut());
             let tangents = Tangents::new(&x);
             let mut det = [L::splat(0.0); 8];
             let mut least = L::splat(f64::INFINITY);
@@ -330,11 +323,11 @@ impl Task for Mass<'_> {
                     }
                 }
             }
-            for (entry, place) in matrix.iter_mut().zip(&PLACES) {
-                *entry = values[*place as usize];
+            let mut matrix = cells.matrix(cell, PLACES.len());
+            for (entry, place) in PLACES.iter().enumerate() {
+                matrix.set(entry, &[values[*place as usize]]);
             }
-            L::scatter(&matrix, matrices);
-            L::scatter(&[least], jacobians);
+            L::scatter(&[least], &mut cells.jacobians[cell..]);
         }
     }
 }
@@ -342,7 +335,7 @@ impl Task for Mass<'_> {
 pub(super) fn mass(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [f64],
+    matrices: &mut [Eight],
     jacobians: &mut [f64],
 ) {
     Registers::current().run(Mass(Cells { coordinates, material, matrices, jacobians }));

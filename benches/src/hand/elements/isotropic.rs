@@ -2,7 +2,7 @@
 
 #![allow(clippy::needless_range_loop, reason = "indices of components read as in the formulas")]
 
-use whirl_specs::Lane;
+use whirl_specs::{Matrix, Register};
 
 use super::space::{Space, trips};
 
@@ -17,7 +17,7 @@ pub(super) struct Isotropic<L> {
     shear: L,
 }
 
-impl<L: Lane> Isotropic<L> {
+impl<L: Register> Isotropic<L> {
     /// From E and ν.
     #[inline(always)]
     pub(super) fn new(material: &[f64]) -> Self {
@@ -56,15 +56,12 @@ impl<L: Lane> Isotropic<L> {
     pub(super) fn fill<const N: usize, const P: usize>(
         &self,
         gradients: &[[Space<L>; P]; N],
-        matrix: &mut [L],
+        matrix: &mut Matrix<L>,
     ) {
-        let mut start = 0;
+        let mut row0 = 0;
         for a in 0..N {
             let width = 3 * (N - a);
-            let (row0, rest) = matrix[start..].split_at_mut(width);
-            let (row1, rest) = rest.split_at_mut(width - 1);
-            let row2 = &mut rest[..width - 2];
-            start += 3 * width - 3;
+            let (row1, row2) = (row0 + width, row0 + 2 * width - 1);
 
             let mut g = [L::splat(0.0); 6];
             for p in gradients[a].iter().take(trips(P)) {
@@ -74,12 +71,10 @@ impl<L: Lane> Isotropic<L> {
                 }
             }
             let trace = (g[0] + g[3] + g[5]) * self.mu;
-            row0[0] = g[0].mul_add(self.shear, trace);
-            row0[1] = g[1] * self.shear;
-            row0[2] = g[2] * self.shear;
-            row1[0] = g[3].mul_add(self.shear, trace);
-            row1[1] = g[4] * self.shear;
-            row2[0] = g[5].mul_add(self.shear, trace);
+            let xx = g[0].mul_add(self.shear, trace);
+            matrix.set(row0, &[xx, g[1] * self.shear, g[2] * self.shear]);
+            matrix.set(row1, &[g[3].mul_add(self.shear, trace), g[4] * self.shear]);
+            matrix.set(row2, &[g[5].mul_add(self.shear, trace)]);
 
             for b in a + 1..N {
                 let mut g = [[L::splat(0.0); 3]; 3];
@@ -90,12 +85,13 @@ impl<L: Lane> Isotropic<L> {
                         }
                     }
                 }
-                let block = self.block(&g);
+                let [x, y, z] = self.block(&g);
                 let at = 3 * (b - a);
-                row0[at..at + 3].copy_from_slice(&block[0]);
-                row1[at - 1..at + 2].copy_from_slice(&block[1]);
-                row2[at - 2..at + 1].copy_from_slice(&block[2]);
+                matrix.set(row0 + at, &x);
+                matrix.set(row1 + at - 1, &y);
+                matrix.set(row2 + at - 2, &z);
             }
+            row0 += 3 * width - 3;
         }
     }
 }

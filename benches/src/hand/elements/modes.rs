@@ -8,7 +8,7 @@
     reason = "indices of points and components read as in the formulas"
 )]
 
-use whirl_specs::Lane;
+use whirl_specs::{Lane, Matrix, Register};
 
 use super::isotropic::{BLOCK_FLOPS, Isotropic};
 use super::space::{Space, cross, trips};
@@ -27,7 +27,7 @@ pub(super) struct Modes<L> {
     coupling: [[L; 9]; 24],
 }
 
-impl<L: Lane> Modes<L> {
+impl<L: Register> Modes<L> {
     #[inline(always)]
     pub(super) fn new() -> Self {
         let zero = L::splat(0.0);
@@ -84,7 +84,7 @@ impl<L: Lane> Modes<L> {
     /// K − C S⁻¹Cᵀ with S = UᵀU: rows of W = C U⁻¹ stay in registers, then W Wᵀ is taken off the packed matrix
     /// by blocks of nodes.
     #[inline(always)]
-    pub(super) fn take_off(&mut self, isotropic: &Isotropic<L>, matrix: &mut [L; 300]) {
+    pub(super) fn take_off(&mut self, isotropic: &Isotropic<L>, matrix: &mut Matrix<L>) {
         for k in 0..3 {
             for l in k..3 {
                 let block = isotropic.block(&outer(self.r[k], self.r[l], self.s[k][l]));
@@ -131,15 +131,12 @@ impl<L: Lane> Modes<L> {
     }
 
     #[inline(always)]
-    fn subtract_products(&self, matrix: &mut [L; 300]) {
+    fn subtract_products(&self, matrix: &mut Matrix<L>) {
         let rows = self.coupling.as_chunks::<3>().0;
-        let mut start = 0;
+        let mut row0 = 0;
         for a in 0..trips(8) {
             let width = 24 - 3 * a;
-            let (row0, rest) = matrix[start..].split_at_mut(width);
-            let (row1, rest) = rest.split_at_mut(width - 1);
-            let row2 = &mut rest[..width - 2];
-            start += 3 * width - 3;
+            let starts = [row0, row0 + width, row0 + 2 * width - 1];
             for b in a..trips(8) {
                 let mut g = [[L::splat(0.0); 3]; 3];
                 for m in 0..trips(9) {
@@ -149,18 +146,15 @@ impl<L: Lane> Modes<L> {
                         }
                     }
                 }
-                let at = 3 * (b - a);
-                for j in 0..3 {
-                    row0[at + j] = row0[at + j] - g[0][j];
+                for i in 0..3 {
                     // Below the diagonal nothing is stored.
-                    if at + j >= 1 {
-                        row1[at + j - 1] = row1[at + j - 1] - g[1][j];
-                    }
-                    if at + j >= 2 {
-                        row2[at + j - 2] = row2[at + j - 2] - g[2][j];
+                    match b == a {
+                        true => matrix.take_off(starts[i], &g[i][i..]),
+                        false => matrix.take_off(starts[i] + 3 * (b - a) - i, &g[i]),
                     }
                 }
             }
+            row0 += 3 * width - 3;
         }
     }
 }

@@ -9,8 +9,8 @@
     reason = "indices of points and components read as in the formulas"
 )]
 
-use whirl_specs::Lane;
 use whirl_specs::registers::{Register, Registers, Task};
+use whirl_specs::{Eight, Lane};
 
 use super::hex8::along;
 use super::isotropic::{Isotropic, fill_flops};
@@ -133,20 +133,16 @@ impl Task for Stiffness<'_> {
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        let Cells { coordinates, material, matrices, jacobians } = self.0;
-        let isotropic = Isotropic::<L>::new(material);
+        let Stiffness(mut cells) = self;
+        let isotropic = Isotropic::<L>::new(cells.material);
         let zero = L::splat(0.0);
-        let (mut x, mut matrix) = ([[zero; 3]; 6], [zero; PACKED]);
+        let mut x = [[zero; 3]; 6];
         let mut points = Points { gradients: [[[zero; 3]; 6]; 6], least: zero };
-        let coordinates = coordinates.chunks(18 * L::WIDTH);
-        let matrices = matrices.chunks_mut(PACKED * L::WIDTH);
-        let jacobians = jacobians.chunks_mut(L::WIDTH);
-        for ((coordinates, matrices), jacobians) in coordinates.zip(matrices).zip(jacobians) {
-            L::gather(coordinates, x.as_flattened_mut());
+        for cell in (0..cells.jacobians.len()).step_by(L::WIDTH) {
+            L::gather(&cells.coordinates[18 * cell..], x.as_flattened_mut());
             points.fill(&Tangents::new(&x));
-            isotropic.fill(&points.gradients, &mut matrix);
-            L::scatter(&matrix, matrices);
-            L::scatter(&[points.least], jacobians);
+            isotropic.fill(&points.gradients, &mut cells.matrix(cell, PACKED));
+            L::scatter(&[points.least], &mut cells.jacobians[cell..]);
         }
     }
 }
@@ -154,7 +150,7 @@ impl Task for Stiffness<'_> {
 pub(super) fn stiffness(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [f64],
+    matrices: &mut [Eight],
     jacobians: &mut [f64],
 ) {
     Registers::current().run(Stiffness(Cells { coordinates, material, matrices, jacobians }));
@@ -174,15 +170,12 @@ impl Task for Mass<'_> {
     /// ∫ρ Nₐ N_b dV: 18 distinct values, summed over the triangle, then along the axis.
     #[inline(always)]
     fn run<L: Register>(self) {
-        let Cells { coordinates, material, matrices, jacobians } = self.0;
-        let density = L::splat(WEIGHT * material[0]);
+        let Mass(mut cells) = self;
+        let density = L::splat(WEIGHT * cells.material[0]);
         let zero = L::splat(0.0);
-        let (mut x, mut matrix) = ([[zero; 3]; 6], [zero; 21]);
-        let coordinates = coordinates.chunks(18 * L::WIDTH);
-        let matrices = matrices.chunks_mut(21 * L::WIDTH);
-        let jacobians = jacobians.chunks_mut(L::WIDTH);
-        for ((coordinates, matrices), jacobians) in coordinates.zip(matrices).zip(jacobians) {
-            L::gather(coordinates, x.as_flattened_mut());
+        let mut x = [[zero; 3]; 6];
+        for cell in (0..cells.jacobians.len()).step_by(L::WIDTH) {
+            L::gather(&cells.coordinates[18 * cell..], x.as_flattened_mut());
             let tangents = Tangents::new(&x);
             let mut least = L::splat(f64::INFINITY);
             let mut sums = [[zero; 6]; 2];
@@ -208,15 +201,15 @@ impl Task for Mass<'_> {
                     values[k][pair] = ends[k];
                 }
             }
+            let mut matrix = cells.matrix(cell, 21);
             let mut n = 0;
             for a in 0..6 {
                 for b in a..6 {
-                    matrix[n] = values[a / 3 + b / 3][PAIR[a % 3][b % 3]];
+                    matrix.set(n, &[values[a / 3 + b / 3][PAIR[a % 3][b % 3]]]);
                     n += 1;
                 }
             }
-            L::scatter(&matrix, matrices);
-            L::scatter(&[least], jacobians);
+            L::scatter(&[least], &mut cells.jacobians[cell..]);
         }
     }
 }
@@ -224,7 +217,7 @@ impl Task for Mass<'_> {
 pub(super) fn mass(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [f64],
+    matrices: &mut [Eight],
     jacobians: &mut [f64],
 ) {
     Registers::current().run(Mass(Cells { coordinates, material, matrices, jacobians }));

@@ -1,0 +1,156 @@
+//! Matrices of cells in memory: eight cells side by side, entry after entry, as kernels make them.
+
+use std::marker::PhantomData;
+
+use crate::registers::{Register, Zeros};
+
+/// One value of eight cells side by side: a cache line, which every register fills or divides.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C, align(64))]
+pub struct Eight(pub [f64; Eight::CELLS]);
+
+// SAFETY: numbers, +0 each.
+unsafe impl Zeros for Eight {}
+
+impl Eight {
+    /// Cells side by side.
+    pub const CELLS: usize = 8;
+
+    /// Room for matrices of `stored` values each.
+    pub fn room(cells: usize, stored: usize) -> Vec<Eight> {
+        vec![Eight::default(); cells.div_ceil(Eight::CELLS) * stored]
+    }
+}
+
+/// The matrix of one cell among those of many.
+#[derive(Debug, Clone, Copy)]
+pub struct CellMatrix<'a> {
+    /// The cell and those beside it.
+    entries: &'a [Eight],
+    /// Which of them.
+    place: usize,
+}
+
+impl<'a> CellMatrix<'a> {
+    /// The matrix of a cell, of `stored` values.
+    ///
+    /// # Panics
+    /// If there are fewer cells.
+    pub fn new(matrices: &'a [Eight], stored: usize, cell: usize) -> Self {
+        let entries = &matrices[cell / Eight::CELLS * stored..][..stored];
+        CellMatrix { entries, place: cell % Eight::CELLS }
+    }
+
+    /// The stored value `entry`.
+    ///
+    /// # Panics
+    /// If there are fewer.
+    #[inline]
+    pub fn get(self, entry: usize) -> f64 {
+        self.entries[entry].0[self.place]
+    }
+
+    /// All stored values.
+    pub fn values(self) -> impl Iterator<Item = f64> + 'a {
+        self.entries.iter().map(move |entry| entry.0[self.place])
+    }
+}
+
+/// The matrices of one lane of cells, in a part of eight.
+#[derive(Debug)]
+pub struct Matrix<'a, L> {
+    entries: &'a mut [Eight],
+    /// Place of the first of the cells; with the others it ends within the eight.
+    first: usize,
+    lane: PhantomData<L>,
+}
+
+impl<'a, L: Register> Matrix<'a, L> {
+    /// The cells `first`, `first + 1`, … of eight.
+    ///
+    /// # Panics
+    /// If eight does not hold as many.
+    #[inline(always)]
+    pub fn new(entries: &'a mut [Eight], first: usize) -> Self {
+        const { assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>()) };
+        assert!(first + L::WIDTH <= Eight::CELLS);
+        Matrix { entries, first, lane: PhantomData }
+    }
+
+    /// The same cells of other entries.
+    #[inline(always)]
+    pub fn beside<'b>(&self, entries: &'b mut [Eight]) -> Matrix<'b, L> {
+        Matrix { entries, first: self.first, lane: PhantomData }
+    }
+
+    /// The same, for a shorter time.
+    #[inline(always)]
+    pub fn again(&mut self) -> Matrix<'_, L> {
+        Matrix { entries: self.entries, first: self.first, lane: PhantomData }
+    }
+
+    /// An entry.
+    ///
+    /// # Panics
+    /// If there are fewer, as below.
+    #[inline(always)]
+    pub fn get(&self, entry: usize) -> L {
+        let eight = &self.entries[entry];
+        // SAFETY: a chunk is WIDTH values without padding, and as many begin at `first`.
+        L::load(unsafe { &*eight.0.as_ptr().add(self.first).cast() })
+    }
+
+    /// Writes entries from `start` on.
+    #[inline(always)]
+    pub fn set(&mut self, start: usize, values: &[L]) {
+        let entries = &mut self.entries[start..start + values.len()];
+        for (eight, value) in entries.iter_mut().zip(values) {
+            // SAFETY: as above.
+            value.store(unsafe { &mut *eight.0.as_mut_ptr().add(self.first).cast() });
+        }
+    }
+
+    /// Takes values off entries from `start` on.
+    #[inline(always)]
+    pub fn take_off(&mut self, start: usize, values: &[L]) {
+        let entries = &mut self.entries[start..start + values.len()];
+        for (eight, value) in entries.iter_mut().zip(values) {
+            // SAFETY: as above.
+            let chunk = unsafe { &mut *eight.0.as_mut_ptr().add(self.first).cast() };
+            (L::load(chunk) - *value).store(chunk);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_is_found_among_many() {
+        let mut matrices = Eight::room(11, 3);
+        assert_eq!(matrices.len(), 6);
+        Matrix::<f64>::new(&mut matrices[3..], 2).set(1, &[7.0, 8.0]);
+        let cell = CellMatrix::new(&matrices, 3, 10);
+        assert_eq!((cell.get(0), cell.get(1)), (0.0, 7.0));
+        assert_eq!(cell.values().collect::<Vec<_>>(), [0.0, 7.0, 8.0]);
+        let others = (0..11).filter(|cell| *cell != 10);
+        let mut others = others.flat_map(|cell| CellMatrix::new(&matrices, 3, cell).values());
+        assert!(others.all(|value| value == 0.0));
+    }
+
+    #[test]
+    fn entries_are_written_read_and_taken_off() {
+        let mut matrices = Eight::room(1, 3);
+        let mut matrix = Matrix::<f64>::new(&mut matrices, 7);
+        matrix.set(0, &[1.0, 2.0, 3.0]);
+        matrix.again().take_off(1, &[0.5, 1.0]);
+        assert_eq!([0, 1, 2].map(|entry| matrix.get(entry)), [1.0, 1.5, 2.0]);
+    }
+
+    #[test]
+    #[should_panic(expected = "first + L::WIDTH")]
+    fn a_ninth_cell_is_refused() {
+        Matrix::<f64>::new(&mut [], 8);
+    }
+}
