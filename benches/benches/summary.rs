@@ -60,6 +60,9 @@ fn material(kernel: &FormKernel) -> Vec<f64> {
     kernel.material.iter().map(|property| value(property.name)).collect()
 }
 
+/// A task and what it is called.
+type Named<'a> = (&'static str, Box<dyn FnMut() + 'a>);
+
 fn cells(registers: Registers, name: &str, form: &str) {
     let named = |element: &&'static Element| element.origin.name == name;
     let element = ELEMENTS.iter().find(named).expect("an element that is shipped");
@@ -85,29 +88,31 @@ fn cells(registers: Registers, name: &str, form: &str) {
             black_box(stiffness(element, black_box(x), 200e9, 0.3));
         }
     };
-    let mut tasks: [&mut dyn FnMut(); 6] = [
-        &mut || peak_task(registers),
-        &mut || run(ours),
-        &mut || run(by_hand),
-        &mut || Registers::SINGLE.within(|| run(ours)),
-        &mut || plainly(textbook::stiffness),
-        &mut || plainly(textbook::accumulated_stiffness),
-    ];
-    let plain = name == "hex8" && form == "stiffness";
-    let times = Times::measure(if plain { &mut tasks[..] } else { &mut tasks[..4] });
+    // The same kernel on narrower registers, then plain matrices.
+    let mut others: Vec<(&str, Box<dyn FnMut() + '_>)> = Vec::new();
+    for narrower in Registers::all().into_iter().filter(|other| *other < registers) {
+        others.push((narrower.name(), Box::new(move || narrower.within(|| run(ours)))));
+    }
+    if name == "hex8" && form == "stiffness" {
+        others.push(("nalgebra, K += Bᵀ(DB)", Box::new(|| plainly(textbook::stiffness))));
+        let added = textbook::accumulated_stiffness;
+        others.push(("nalgebra, K.gemm(Bᵀ, DB)", Box::new(move || plainly(added))));
+    }
+    let (mut most, mut generated, mut twin) =
+        (|| peak_task(registers), || run(ours), || run(by_hand));
+    let mut tasks: Vec<&mut dyn FnMut()> = vec![&mut most, &mut generated, &mut twin];
+    tasks.extend(others.iter_mut().map(|(_, task)| &mut **task as &mut dyn FnMut()));
+    let times = Times::measure(&mut tasks);
     let peak = peak_operations(registers) / times.fastest(0);
     let a_cell = |task: usize| times.fastest(task) / CELLS as f64;
     let line = |what: &str, task: usize, ratio: &str| {
-        println!("  {what:<16}{:8.1} ns a cell{ratio}", 1e9 * a_cell(task));
+        println!("  {what:<25}{:8.1} ns a cell{ratio}", 1e9 * a_cell(task));
     };
-    let slower = |task: usize| format!("; that / generated {:.1}", times.ratio(task, 1));
     println!("{name} {form}, {CELLS} cells");
     line("generated", 1, "");
     line("by hand", 2, &beside(&times, 1, 2));
-    line("one at a time", 3, &slower(3));
-    if plain {
-        line("plain matrices", 4, &format!("{}: nalgebra, K += Bᵀ(DB)", slower(4)));
-        line("plain matrices", 5, &format!("{}: nalgebra, K.gemm(Bᵀ, DB)", slower(5)));
+    for (task, (what, _)) in (3..).zip(&others) {
+        line(what, task, &format!("; that / generated {:.1}", times.ratio(task, 1)));
     }
     let share = |flops: usize, task: usize| 100.0 * flops as f64 / a_cell(task) / peak;
     println!(

@@ -6,7 +6,7 @@
 )]
 
 use crate::Lane;
-use crate::cells::{diagonal, looped};
+use crate::cells::{diagonal, looped, upper_rows};
 use crate::matrices::Matrix;
 use crate::registers::Register;
 
@@ -73,31 +73,59 @@ pub fn take_off<L: Register, const N: usize, const M: usize>(
         }
         *row = w;
     }
-    // K_uu − W Wᵀ, three rows and three columns at a time.
+    // K_uu − W Wᵀ by blocks of three rows: two blocks at a time where there are registers for them.
     let rows = coupling.as_chunks::<3>().0;
     for a in 0..looped(N / 3) {
-        let left = &rows[a];
-        for b in a..looped(N / 3) {
-            let right = &rows[b];
-            let mut block = [[L::splat(0.0); 3]; 3];
-            for p in 0..looped(M) {
-                for i in 0..3 {
-                    for j in 0..3 {
-                        block[i][j] = left[i][p].mul_add(right[j][p], block[i][j]);
-                    }
-                }
+        let starts = upper_rows(N, a);
+        let [block] = products(&rows[a], [&rows[a]]);
+        for i in 0..3 {
+            matrix.take_off(starts[i] + 3 * a + i, &block[i][i..]);
+        }
+        let mut b = a + 1;
+        while L::MANY && b + 2 <= looped(N / 3) {
+            let blocks = products(&rows[a], [&rows[b], &rows[b + 1]]);
+            for (block, b) in blocks.iter().zip(b..) {
+                take_block_off(&mut matrix, starts, b, block);
             }
-            if a == b {
-                for i in 0..3 {
-                    matrix.take_off(diagonal(N, 3 * a + i), &block[i][i..]);
-                }
-            } else {
-                for i in 0..3 {
-                    let row = 3 * a + i;
-                    matrix.take_off(diagonal(N, row) + 3 * b - row, &block[i]);
+            b += 2;
+        }
+        while b < looped(N / 3) {
+            let [block] = products(&rows[a], [&rows[b]]);
+            take_block_off(&mut matrix, starts, b, &block);
+            b += 1;
+        }
+    }
+}
+
+/// Σ_p left_ip right_jp for every one of the blocks on the right.
+#[inline(always)]
+fn products<L: Lane, const M: usize, const BLOCKS: usize>(
+    left: &[[L; M]; 3],
+    right: [&[[L; M]; 3]; BLOCKS],
+) -> [[[L; 3]; 3]; BLOCKS] {
+    let mut sums = [[[L::splat(0.0); 3]; 3]; BLOCKS];
+    for p in 0..looped(M) {
+        for (sums, right) in sums.iter_mut().zip(right) {
+            for i in 0..3 {
+                for j in 0..3 {
+                    sums[i][j] = left[i][p].mul_add(right[j][p], sums[i][j]);
                 }
             }
         }
+    }
+    sums
+}
+
+/// Takes the block of basis function b off three rows.
+#[inline(always)]
+fn take_block_off<L: Register>(
+    matrix: &mut Matrix<L>,
+    rows: [usize; 3],
+    b: usize,
+    block: &[[L; 3]; 3],
+) {
+    for (row, entries) in rows.iter().zip(block) {
+        matrix.take_off(row + 3 * b, entries);
     }
 }
 

@@ -31,6 +31,8 @@ unsafe impl<T: Zeros, const N: usize> Zeros for [T; N] {}
 pub trait Register: Lane + Zeros {
     /// Values side by side.
     const WIDTH: usize;
+    /// Whether there are so many registers (32) that two 3 × 3 blocks are summed at once.
+    const MANY: bool;
     /// [`Register::WIDTH`] values in memory.
     type Chunk: Copy;
 
@@ -210,6 +212,7 @@ fn avx512<T: Task>(task: T) -> T::Output {
 
 impl Register for f64 {
     const WIDTH: usize = 1;
+    const MANY: bool = false;
     type Chunk = [f64; 1];
 
     #[inline(always)]

@@ -189,6 +189,7 @@ macro_rules! register {
 
         impl Register for $name {
             const WIDTH: usize = $width;
+            const MANY: bool = $width == 8;
             type Chunk = [f64; $width];
 
             #[inline(always)]

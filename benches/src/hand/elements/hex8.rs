@@ -6,7 +6,7 @@
     reason = "indices of points and components read as in the formulas"
 )]
 
-use whirl_specs::registers::{Register, Registers, Task};
+use whirl_specs::registers::{Register, Registers, Task, Zeros};
 use whirl_specs::{Eight, Lane};
 
 use super::isotropic::{Isotropic, fill_flops};
@@ -149,13 +149,10 @@ struct Points<L> {
 /// Tangents; then cofactors, det J, a root and a division, the scaled cofactors; then the gradients.
 const POINT_FLOPS: usize = TANGENT_FLOPS + 8 * (27 + 5 + 2 + 9 + 8 * 15);
 
-impl<L: Lane> Points<L> {
-    #[inline(always)]
-    fn new() -> Self {
-        let zero = L::splat(0.0);
-        Points { gradients: [[[zero; 3]; 8]; 8], inverse_roots: [zero; 8], least: zero }
-    }
+// SAFETY: lanes only.
+unsafe impl<L: Zeros> Zeros for Points<L> {}
 
+impl<L: Lane> Points<L> {
     #[inline(always)]
     fn fill(&mut self, tangents: &Tangents<L>) {
         let mut maps = [[[L::splat(0.0); 3]; 3]; 8];
@@ -188,32 +185,44 @@ impl<L: Lane> Points<L> {
     }
 }
 
-struct Stiffness<'a> {
-    cells: Cells<'a>,
-    modes: bool,
-}
+struct Stiffness<'a>(Cells<'a>);
 
 impl Task for Stiffness<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        let Stiffness { mut cells, modes: incompatible } = self;
-        let isotropic = Isotropic::<L>::new(cells.material);
-        let mut x = [[L::splat(0.0); 3]; 8];
-        let (mut points, mut modes) = (Points::<L>::new(), Modes::<L>::new());
-        for cell in (0..cells.jacobians.len()).step_by(L::WIDTH) {
-            L::gather(&cells.coordinates[24 * cell..], x.as_flattened_mut());
-            let tangents = Tangents::new(&x);
-            points.fill(&tangents);
-            let mut matrix = cells.matrix(cell, PACKED);
-            isotropic.fill(&points.gradients, &mut matrix);
-            if incompatible {
-                modes.fill(&tangents.centre, &points.gradients, &points.inverse_roots);
-                modes.take_off(&isotropic, &mut matrix);
-            }
-            L::scatter(&[points.least], &mut cells.jacobians[cell..]);
+        stiffnesses::<L>(self.0, None);
+    }
+}
+
+struct Incompatible<'a>(Cells<'a>);
+
+impl Task for Incompatible<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        stiffnesses(self.0, Some(&mut Modes::<L>::zeros()));
+    }
+}
+
+#[inline(always)]
+fn stiffnesses<L: Register>(mut cells: Cells, mut modes: Option<&mut Modes<L>>) {
+    let isotropic = Isotropic::<L>::new(cells.material);
+    let mut x = [[L::splat(0.0); 3]; 8];
+    let mut points = Points::<L>::zeros();
+    for cell in (0..cells.jacobians.len()).step_by(L::WIDTH) {
+        L::gather(&cells.coordinates[24 * cell..], x.as_flattened_mut());
+        let tangents = Tangents::new(&x);
+        points.fill(&tangents);
+        let mut matrix = cells.matrix(cell, PACKED);
+        isotropic.fill(&points.gradients, &mut matrix);
+        if let Some(modes) = &mut modes {
+            modes.fill(&tangents.centre, &points.gradients, &points.inverse_roots);
+            modes.take_off(&isotropic, &mut matrix);
         }
+        L::scatter(&[points.least], &mut cells.jacobians[cell..]);
     }
 }
 
@@ -224,7 +233,7 @@ pub(super) fn stiffness(
     jacobians: &mut [f64],
 ) {
     let cells = Cells { coordinates, material, matrices, jacobians };
-    Registers::current().run(Stiffness { cells, modes: false });
+    Registers::current().run(Stiffness(cells));
 }
 
 pub(super) fn incompatible_stiffness(
@@ -234,7 +243,7 @@ pub(super) fn incompatible_stiffness(
     jacobians: &mut [f64],
 ) {
     let cells = Cells { coordinates, material, matrices, jacobians };
-    Registers::current().run(Stiffness { cells, modes: true });
+    Registers::current().run(Incompatible(cells));
 }
 
 /// The stiffness, then the modes.

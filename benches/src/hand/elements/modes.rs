@@ -8,6 +8,7 @@
     reason = "indices of points and components read as in the formulas"
 )]
 
+use whirl_specs::registers::Zeros;
 use whirl_specs::{Lane, Matrix, Register};
 
 use super::isotropic::{BLOCK_FLOPS, Isotropic};
@@ -27,19 +28,10 @@ pub(super) struct Modes<L> {
     coupling: [[L; 9]; 24],
 }
 
-impl<L: Register> Modes<L> {
-    #[inline(always)]
-    pub(super) fn new() -> Self {
-        let zero = L::splat(0.0);
-        Modes {
-            r: [[zero; 3]; 3],
-            t: [[[zero; 3]; 8]; 3],
-            s: [[zero; 3]; 3],
-            own: [[zero; 9]; 9],
-            coupling: [[zero; 9]; 24],
-        }
-    }
+// SAFETY: lanes only.
+unsafe impl<L: Zeros> Zeros for Modes<L> {}
 
+impl<L: Register> Modes<L> {
     /// r, t and s from the tangents at the centre, √det J ∇Nₐ and 1/√det J.
     #[inline(always)]
     pub(super) fn fill(
@@ -137,26 +129,51 @@ impl<L: Register> Modes<L> {
         for a in 0..trips(8) {
             let width = 24 - 3 * a;
             let starts = [row0, row0 + width, row0 + 2 * width - 1];
-            for b in a..trips(8) {
-                let mut g = [[L::splat(0.0); 3]; 3];
-                for m in 0..trips(9) {
+            // Below the diagonal nothing is stored.
+            let [g] = products(&rows[a], [&rows[a]]);
+            for i in 0..3 {
+                matrix.take_off(starts[i], &g[i][i..]);
+            }
+            let mut b = a + 1;
+            while b < trips(8) {
+                if L::MANY && b + 1 < 8 {
+                    let [g, next] = products(&rows[a], [&rows[b], &rows[b + 1]]);
                     for i in 0..3 {
-                        for j in 0..3 {
-                            g[i][j] = rows[a][i][m].mul_add(rows[b][j][m], g[i][j]);
-                        }
+                        let [x, y, z] = g[i];
+                        let [u, v, w] = next[i];
+                        matrix.take_off(starts[i] + 3 * (b - a) - i, &[x, y, z, u, v, w]);
                     }
-                }
-                for i in 0..3 {
-                    // Below the diagonal nothing is stored.
-                    match b == a {
-                        true => matrix.take_off(starts[i], &g[i][i..]),
-                        false => matrix.take_off(starts[i] + 3 * (b - a) - i, &g[i]),
+                    b += 2;
+                } else {
+                    let [g] = products(&rows[a], [&rows[b]]);
+                    for i in 0..3 {
+                        matrix.take_off(starts[i] + 3 * (b - a) - i, &g[i]);
                     }
+                    b += 1;
                 }
             }
             row0 += 3 * width - 3;
         }
     }
+}
+
+/// Three rows times each of some other three.
+#[inline(always)]
+fn products<L: Lane, const B: usize>(
+    left: &[[L; 9]; 3],
+    right: [&[[L; 9]; 3]; B],
+) -> [[[L; 3]; 3]; B] {
+    let mut g = [[[L::splat(0.0); 3]; 3]; B];
+    for m in 0..trips(9) {
+        for n in 0..B {
+            for i in 0..3 {
+                for j in 0..3 {
+                    g[n][i][j] = left[i][m].mul_add(right[n][j][m], g[n][i][j]);
+                }
+            }
+        }
+    }
+    g
 }
 
 /// scale · a ⊗ b.

@@ -9,7 +9,7 @@
     reason = "indices of points and components read as in the formulas"
 )]
 
-use whirl_specs::registers::{Register, Registers, Task};
+use whirl_specs::registers::{Register, Registers, Task, Zeros};
 use whirl_specs::{Eight, Lane};
 
 use super::hex8::along;
@@ -94,6 +94,9 @@ struct Points<L> {
 /// Cofactors, det J, root and quotient, the scaled cofactors; then the gradients.
 const POINT_FLOPS: usize = TANGENT_FLOPS + 6 * (18 + 5 + 2 + 9 + 3 * (2 + 2 + 6 * 2));
 
+// SAFETY: lanes only.
+unsafe impl<L: Zeros> Zeros for Points<L> {}
+
 impl<L: Lane> Points<L> {
     #[inline(always)]
     fn fill(&mut self, tangents: &Tangents<L>) {
@@ -137,7 +140,7 @@ impl Task for Stiffness<'_> {
         let isotropic = Isotropic::<L>::new(cells.material);
         let zero = L::splat(0.0);
         let mut x = [[zero; 3]; 6];
-        let mut points = Points { gradients: [[[zero; 3]; 6]; 6], least: zero };
+        let mut points = Points::<L>::zeros();
         for cell in (0..cells.jacobians.len()).step_by(L::WIDTH) {
             L::gather(&cells.coordinates[18 * cell..], x.as_flattened_mut());
             points.fill(&Tangents::new(&x));
