@@ -6,6 +6,7 @@ use crate::Shared;
 pub use crate::condensation::*;
 pub use crate::jacobian::*;
 use crate::matrices::{Eight, Matrix};
+pub use crate::pairs::*;
 use crate::registers::{Register, Registers, Task, Zeros};
 
 /// The trip count of a loop that is to stay one: its code is smaller and, with as many values in registers

@@ -161,6 +161,18 @@ pub fn between_modes<L: Lane, const POINTS: usize, const MODES: usize>(
     [direction[0] * sum, direction[1] * sum, direction[2] * sum]
 }
 
+/// a ⊗ b.
+#[inline(always)]
+pub fn outer<L: Lane>(a: [L; 3], b: [L; 3]) -> [[L; 3]; 3] {
+    let mut outer = [[L::splat(0.0); 3]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            outer[i][j] = a[i] * b[j];
+        }
+    }
+    outer
+}
+
 /// Stores the block of basis function a and mode m.
 #[inline(always)]
 pub fn store_coupling<L: Lane, const N: usize, const M: usize>(

@@ -12,6 +12,7 @@ pub mod generated;
 mod jacobian;
 pub mod lane;
 mod matrices;
+mod pairs;
 pub mod registers;
 mod registry;
 mod rows;

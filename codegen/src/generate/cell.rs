@@ -4,11 +4,11 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::block::Block;
 use super::form::{by_values, pairs_name};
 use super::linear::Linear;
 use super::modes::Aligned;
 use super::program::Pairs;
-use super::sums::Sums;
 use super::table::{Tables, Tangents, count, row};
 use crate::diagnostic::Diagnostics;
 use crate::element::Table;
@@ -72,10 +72,11 @@ impl CellForm<'_> {
                         #[inline(always)]
                         fn cell<L: Register>(
                             x: &[[L; 3]; #nodes],
-                            [#(#material),*]: [L; #properties],
+                            material: [L; #properties],
                             #own_room: &mut Self::Room<L>,
                             #matrix: Matrix<L>,
                         ) -> L {
+                            let [#(#material),*] = material;
                             #text
                         }
                     }
@@ -237,15 +238,13 @@ impl CellForm<'_> {
         };
         let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
         let (module, sum) = (identifier(&self.spec.name), pairs_name(self.form));
+        let block = Block::new(self.form, pairs);
+        let (once_name, block) = (block.once_name(), block.name());
         let sums = quote! {
-            forms::#module::#sum(
-                room.basis.as_flattened(), #points_count, #(#material,)* #target
-            );
+            forms::#module::#sum(room.basis.as_flattened(), #points_count, once, #target);
         };
-        // The components of modes along one vector are written here.
-        let once = aligned.as_ref().map(|_| pairs.once());
         let (whole, after) = match &aligned {
-            Some(aligned) => (aligned.room(), aligned.condense(pairs)),
+            Some(aligned) => (aligned.room(), aligned.condense(&quote!(forms::#module::#block))),
             None if modes > 0 => {
                 let modes_size = count(3 * modes);
                 let condense = quote!(cells::condense::<L, #nodes_size, #modes_size>(&matrix.beside(&mut room.whole), matrix););
@@ -255,7 +254,7 @@ impl CellForm<'_> {
             None => (quote!(()), TokenStream::new()),
         };
         let text = quote! {
-            #once
+            let once = forms::#module::#once_name(#(#material),*);
             #fill
             #sums
             #after
@@ -268,7 +267,7 @@ impl CellForm<'_> {
         let (pair_count, summed) = match self.form.structure {
             Structure::Full => (total * total, total * total * pairs.moments.len()),
             Structure::Symmetric => {
-                (below + total, below * pairs.moments.len() + total * Sums { pairs }.different())
+                (below + total, below * pairs.moments.len() + total * pairs.different())
             }
             Structure::Kronecker { .. } => (below + total, (below + total) * pairs.moments.len()),
         };

@@ -4,9 +4,9 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::block::Block;
 use super::facts::{About, unscheduled};
 use super::program::Pairs;
-use super::sums::Sums;
 use super::table::count;
 use super::{Kernel, Written};
 use crate::diagnostic::Diagnostics;
@@ -64,7 +64,7 @@ fn module(spec: &FormSpec, pairs: &[Pairs], functions: &TokenStream) -> Kernel {
             use crate::Origin;
         ),
         false => quote!(
-            use crate::{Matrix, Origin, Register, Shared, cells};
+            use crate::{Lane, Matrix, Origin, Register, Shared, cells};
         ),
     };
     let module = quote! {
@@ -93,64 +93,54 @@ pub(super) fn pairs_name(form: &Form) -> Ident {
 /// The sums over the points for every pair of basis functions, and the components that the form makes of them.
 fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     let name = pairs_name(form);
-    let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
-    let sums = Sums { pairs };
     let parts = count(pairs.parts().len());
-    let once = pairs.once();
-    let (all, same) = (sums.text(false), sums.text(true));
-    let outputs = pairs.outputs();
+    let made = Block::new(form, pairs);
+    let (block, both, length) = (made.name(), made.functions(spec), count(made.once.len()));
     let loops = match &form.structure {
-        Structure::Kronecker { .. } => {
-            let entry = &outputs[0];
-            quote! {
-                let from_a = basis[a * points..].chunks_exact(points);
-                for (b, of_b) in (a..).zip(from_a) {
-                    #all
-                    cells::store_entry(&mut matrix, functions, a, b, #entry);
-                }
-            }
-        }
+        Structure::Kronecker { .. } => each_pair(
+            pairs,
+            &quote!(a),
+            |b, sums| quote!(cells::store_entry(&mut matrix, functions, a, #b, #block(#sums, once));),
+        ),
         Structure::Symmetric => {
-            let block = pairs.block();
+            let each = each_pair(
+                pairs,
+                &quote!(a + 1),
+                |b, sums| quote!(cells::store_block(&mut matrix, rows, #b, #block(#sums, once));),
+            );
             quote! {
                 let rows = cells::upper_rows(3 * functions, a);
-                {
-                    let of_b = of_a;
-                    #same
-                    cells::store_diagonal(&mut matrix, rows, a, #block);
-                }
-                let behind = basis[(a + 1) * points..].chunks_exact(points);
-                for (b, of_b) in (a + 1..).zip(behind) {
-                    #all
-                    cells::store_block(&mut matrix, rows, b, #block);
-                }
+                let own = #block(cells::own_sums(of_a), once);
+                cells::store_diagonal(&mut matrix, rows, a, own);
+                #each
             }
         }
         Structure::Full => {
-            let block = pairs.block();
+            let each = each_pair(
+                pairs,
+                &quote!(0),
+                |b, sums| quote!(cells::store_block(&mut matrix, rows, #b, #block(#sums, once));),
+            );
             quote! {
                 let rows = cells::full_rows(3 * functions, a);
-                for (b, of_b) in basis.chunks_exact(points).enumerate() {
-                    #all
-                    cells::store_block(&mut matrix, rows, b, #block);
-                }
+                #each
             }
         }
     };
-    let about = documented(&header(spec, form, pairs));
-    let number = quote!(#(#material: L,)*);
+    let about = documented(&header(form, pairs));
     quote! {
+        #both
         #about
         pub fn #name<L: Register>(
             basis: &[[L; #parts]],
             points: usize,
-            #number
+            once: [L; #length],
             matrix: Matrix<L>,
         ) {
             struct Pairs<'a, L> {
                 basis: &'a [[L; #parts]],
                 points: usize,
-                #number
+                once: [L; #length],
                 matrix: Matrix<'a, L>,
             }
             impl<L: Register> Shared<L> for Pairs<'_, L> {
@@ -158,20 +148,49 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
 
                 #[inline(always)]
                 fn run(self) {
-                    let Pairs { basis, points, #(#material,)* mut matrix } = self;
+                    let Pairs { basis, points, once, mut matrix } = self;
                     let functions = basis.len() / points;
-                    #once
                     for (a, of_a) in basis.chunks_exact(points).enumerate() {
                         #loops
                     }
                 }
             }
-            L::shared(Pairs { basis, points, #(#material,)* matrix })
+            L::shared(Pairs { basis, points, once, matrix })
         }
     }
 }
 
-fn header(spec: &FormSpec, form: &Form, pairs: &Pairs) -> String {
+/// A loop over the functions b from `first` on: two at a time where there are registers for their sums.
+fn each_pair(
+    pairs: &Pairs,
+    first: &TokenStream,
+    store: impl Fn(TokenStream, TokenStream) -> TokenStream,
+) -> TokenStream {
+    let one = store(quote!(b), quote!(sums));
+    let two_fit = (pairs.moments.len() <= 9).then(|| {
+        let (one, two) = (store(quote!(b), quote!(sums)), store(quote!(b + 1), quote!(next)));
+        quote! {
+            while L::MANY && b + 1 < functions {
+                let (of_b, of_next) = (&basis[b * points..], &basis[(b + 1) * points..]);
+                let [sums, next] = cells::sums(of_a, [of_b, of_next]);
+                #one
+                #two
+                b += 2;
+            }
+        }
+    });
+    quote! {
+        let mut b = #first;
+        #two_fit
+        while b < functions {
+            let [sums] = cells::sums(of_a, [&basis[b * points..]]);
+            #one
+            b += 1;
+        }
+    }
+}
+
+fn header(form: &Form, pairs: &Pairs) -> String {
     let matrix = match form.structure {
         Structure::Symmetric => "symmetric, three rows a function, upper triangle by rows",
         Structure::Full => "three rows a function, by rows",
@@ -180,18 +199,14 @@ fn header(spec: &FormSpec, form: &Form, pairs: &Pairs) -> String {
         }
     };
     let parts = pairs.parts().iter().map(|part| ["N", "∂N/∂x", "∂N/∂y", "∂N/∂z"][*part]);
-    let material: Vec<String> = (spec.material_of(form).iter())
-        .map(|property| format!("{} ({})", property.name, property.unit))
-        .collect();
     format!(
         "`{}`: ∫ `{}` dV, rows from v, columns from u, for every pair of basis functions of a cell.\n\nbasis: \
-         functions × points × ({}), each times √(w det J). {}. matrix: {matrix}.\n\nOnce a cell: {}; a pair: the sums of {} \
-         products over the points, then {}.",
+         functions × points × ({}), each times √(w det J). once: what [`{}`] gives. matrix: {matrix}.\n\nA pair: the \
+         sums of {} products over the points, then {}.",
         form.name,
         form.text.text(),
         parts.collect::<Vec<_>>().join(", "),
-        material.join(", "),
-        pairs.once_counts(),
+        Block::new(form, pairs).once_name(),
         pairs.moments.len(),
         pairs.pair_counts(),
     )

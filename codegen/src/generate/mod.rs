@@ -1,6 +1,7 @@
 //! From the texts of spec files to the texts of Rust files.
 
 mod basis;
+mod block;
 mod cell;
 mod clearance;
 mod clearance_contact;
@@ -15,7 +16,6 @@ mod motion;
 mod parallel;
 mod program;
 mod read;
-mod sums;
 mod table;
 mod values;
 mod write;

@@ -1,13 +1,12 @@
 //! Enhanced modes whose gradients at all points lie along one vector: their products with other functions are
 //! sums of single numbers times that vector.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::program::{PAIR, Pairs};
+use super::program::Pairs;
 use super::table::{Tables, count, row};
 use crate::element::Table;
-use crate::emit::{Numbers, identifier, statements};
 use crate::spec::element::{ElementSpec, ModeJacobian};
 
 /// The modes of a form, each with one direction.
@@ -100,42 +99,25 @@ impl Aligned {
     }
 
     /// Coupling and own matrix of the modes, and their condensation out of `matrix`.
-    pub(super) fn condense(&self, pairs: &Pairs) -> TokenStream {
+    /// `block`: the form's function of sums.
+    pub(super) fn condense(&self, block: &TokenStream) -> TokenStream {
         let modes = count(self.modes());
         let (nodes, parameters) = (count(self.nodes), count(3 * self.modes()));
-        let sums: Vec<Ident> =
-            pairs.moments.iter().map(|moment| identifier(&Pairs::name(*moment))).collect();
-        let products: Vec<TokenStream> = pairs
-            .moments
-            .iter()
-            .map(|(test, trial)| {
-                let (i, j) = (count(test - 1), count(trial - 1));
-                quote!(left[#i] * right[#j])
-            })
-            .collect();
-        let statements = statements(&pairs.program, PAIR, Numbers::Fused);
-        let block = pairs.block();
-        let pair = quote! {
-            #(let #sums = #products;)*
-            #(#statements)*
-        };
         quote! {
             let coupling = &mut room.whole;
             for a in 0..cells::looped(#nodes) {
                 let sums = cells::along_modes(&room.basis[a], &factors);
                 for m in 0..cells::looped(#modes) {
-                    let (left, right) = (sums[m], directions[m]);
-                    #pair
-                    cells::store_coupling(coupling, a, m, #block);
+                    let products = cells::outer(sums[m], directions[m]);
+                    cells::store_coupling(coupling, a, m, #block(products, once));
                 }
             }
             let mut own = [[L::splat(0.0); #parameters]; #parameters];
             for m in 0..#modes {
                 for n in m..#modes {
                     let left = cells::between_modes(&factors, [m, n], &directions[m]);
-                    let right = directions[n];
-                    #pair
-                    cells::store_own(&mut own, m, n, #block);
+                    let products = cells::outer(left, directions[n]);
+                    cells::store_own(&mut own, m, n, #block(products, once));
                 }
             }
             cells::take_off(&mut own, coupling, matrix);

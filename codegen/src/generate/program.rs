@@ -20,8 +20,9 @@ pub(super) const MATERIAL: usize = 0;
 pub(super) const PAIR: usize = 1;
 
 /// Names of variables in the kernels' own text, which a spec's names must not hide.
-const OWN: [&str; 52] = [
+const OWN: [&str; 53] = [
     "Eight",
+    "once",
     "x",
     "i",
     "a",
