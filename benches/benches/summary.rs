@@ -89,7 +89,7 @@ fn cells(registers: Registers, name: &str, form: &str) {
         }
     };
     // The same kernel on narrower registers, then plain matrices.
-    let mut others: Vec<(&str, Box<dyn FnMut() + '_>)> = Vec::new();
+    let mut others: Vec<Named> = Vec::new();
     for narrower in Registers::all().into_iter().filter(|other| *other < registers) {
         others.push((narrower.name(), Box::new(move || narrower.within(|| run(ours)))));
     }

@@ -1,5 +1,6 @@
 //! What kernels of cells share: the loop over cells, storage of symmetric matrices.
 
+use std::cell::Cell;
 use std::marker::PhantomData;
 
 use crate::Shared;
@@ -18,7 +19,7 @@ pub fn looped(count: usize) -> usize {
 
 /// The matrix of a form on one lane of cells with NODES nodes: MATERIAL properties, LEN stored values.
 pub trait CellLanes<const NODES: usize, const MATERIAL: usize, const LEN: usize> {
-    /// Room for values between the steps, so that it is not cleared for every lane.
+    /// Room for values between the steps, not cleared.
     type Room<L: Register>: Zeros;
     /// Whether the values of a cell keep to registers: then the way into lanes is part of the kernel, while all others
     /// share it.
@@ -76,6 +77,28 @@ pub struct Scalars<L, const POINTS: usize, const ROWS: usize> {
 // SAFETY: lanes only.
 unsafe impl<L: Zeros, const P: usize, const R: usize> Zeros for Scalars<L, P, R> {}
 
+thread_local! {
+    /// For the rooms of kernels, one after the other: clearing one for every call takes as long as some cells.
+    static MEMORY: Cell<Vec<Eight>> = const { Cell::new(Vec::new()) };
+}
+
+/// A value in memory, with whatever the memory held before.
+#[inline(always)]
+fn place<T: Zeros>(memory: &mut Vec<Eight>) -> &mut T {
+    const { assert!(align_of::<T>() <= align_of::<Eight>()) };
+    let needed = size_of::<T>().div_ceil(size_of::<Eight>());
+    if memory.len() < needed {
+        grow(memory, needed);
+    }
+    // SAFETY: so large and so aligned, numbers all of it, and any bits are a value of the type.
+    unsafe { &mut *memory.as_mut_ptr().cast::<T>() }
+}
+
+#[inline(never)]
+fn grow(memory: &mut Vec<Eight>, needed: usize) {
+    memory.resize(needed, Eight::default());
+}
+
 /// Evaluates a kernel for all cells, several side by side where the processor can. Arguments as of
 /// [`crate::CellKernel`].
 #[inline(always)]
@@ -88,7 +111,18 @@ pub fn each_cell<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const 
     let mut properties = [0.0; M];
     properties.copy_from_slice(&material[..M]);
     let kernel = PhantomData::<K>;
-    Registers::current().run(EachCell { coordinates, properties, matrices, jacobians, kernel });
+    let mut memory = if K::IN_REGISTERS { Vec::new() } else { MEMORY.take() };
+    Registers::current().run(EachCell {
+        coordinates,
+        properties,
+        matrices,
+        jacobians,
+        memory: &mut memory,
+        kernel,
+    });
+    if !K::IN_REGISTERS {
+        MEMORY.set(memory);
+    }
 }
 
 struct EachCell<'a, K, const N: usize, const M: usize, const LEN: usize> {
@@ -96,6 +130,7 @@ struct EachCell<'a, K, const N: usize, const M: usize, const LEN: usize> {
     properties: [f64; M],
     matrices: &'a mut [Eight],
     jacobians: &'a mut [f64],
+    memory: &'a mut Vec<Eight>,
     kernel: PhantomData<K>,
 }
 
@@ -107,7 +142,7 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
     #[inline(always)]
     fn run<L: Register>(self) {
         let mut x = <[[L; 3]; N]>::zeros();
-        let mut room = K::Room::<L>::zeros();
+        let room = place::<K::Room<L>>(self.memory);
         let mut material = [L::splat(0.0); M];
         for (lane, property) in material.iter_mut().zip(&self.properties) {
             *lane = L::splat(*property);
@@ -123,7 +158,7 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
             }
             let entries = &mut self.matrices[cell / Eight::CELLS * LEN..][..LEN];
             let matrix = Matrix::new(entries, cell % Eight::CELLS);
-            let det = K::cell(&x, material, &mut room, matrix);
+            let det = K::cell(&x, material, room, matrix);
             L::scatter(&[det], &mut self.jacobians[cell..]);
             cell += L::WIDTH;
         }

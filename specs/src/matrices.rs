@@ -9,7 +9,7 @@ use crate::registers::{Register, Zeros};
 #[repr(C, align(64))]
 pub struct Eight(pub [f64; Eight::CELLS]);
 
-// SAFETY: numbers, +0 each.
+// SAFETY: numbers.
 unsafe impl Zeros for Eight {}
 
 impl Eight {

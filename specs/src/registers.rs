@@ -7,10 +7,10 @@ use crate::Lane;
 #[cfg(target_arch = "x86_64")]
 use crate::x86;
 
-/// Values that are zeros where all bits are: clearing memory makes them, whatever their number.
+/// Numbers and nothing else: clearing memory makes zeros of them, and what memory holds is always a value.
 ///
 /// # Safety
-/// All bits zero must be a value of the type.
+/// Any bits must be a value of the type.
 pub unsafe trait Zeros: Sized {
     /// Zeros.
     #[inline(always)]
@@ -22,7 +22,7 @@ pub unsafe trait Zeros: Sized {
 
 // SAFETY: no bits.
 unsafe impl Zeros for () {}
-// SAFETY: +0.
+// SAFETY: a number.
 unsafe impl Zeros for f64 {}
 // SAFETY: nothing but its elements.
 unsafe impl<T: Zeros, const N: usize> Zeros for [T; N] {}

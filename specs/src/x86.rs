@@ -56,7 +56,7 @@ macro_rules! register {
             }
         }
 
-        // SAFETY: every value +0.
+        // SAFETY: numbers.
         unsafe impl Zeros for $name {}
 
         impl $name {

@@ -2,7 +2,7 @@
 
 #![allow(clippy::needless_range_loop, reason = "indices of components read as in the formulas")]
 
-use whirl_specs::{Matrix, Register};
+use whirl_specs::{Lane, Matrix, Register};
 
 use super::space::{Space, trips};
 
@@ -76,24 +76,51 @@ impl<L: Register> Isotropic<L> {
             matrix.set(row1, &[g[3].mul_add(self.shear, trace), g[4] * self.shear]);
             matrix.set(row2, &[g[5].mul_add(self.shear, trace)]);
 
-            for b in a + 1..N {
-                let mut g = [[L::splat(0.0); 3]; 3];
-                for (p, r) in gradients[a].iter().zip(&gradients[b]).take(trips(P)) {
-                    for i in 0..3 {
-                        for j in 0..3 {
-                            g[i][j] = p[i].mul_add(r[j], g[i][j]);
-                        }
-                    }
+            let mut b = a + 1;
+            while b < N {
+                if L::MANY && b + 1 < N {
+                    let rest = [&gradients[b], &gradients[b + 1]];
+                    let [block, next] = products(&gradients[a], rest);
+                    self.store([row0, row1, row2], b - a, &block, matrix);
+                    self.store([row0, row1, row2], b + 1 - a, &next, matrix);
+                    b += 2;
+                } else {
+                    let [block] = products(&gradients[a], [&gradients[b]]);
+                    self.store([row0, row1, row2], b - a, &block, matrix);
+                    b += 1;
                 }
-                let [x, y, z] = self.block(&g);
-                let at = 3 * (b - a);
-                matrix.set(row0 + at, &x);
-                matrix.set(row1 + at - 1, &y);
-                matrix.set(row2 + at - 2, &z);
             }
             row0 += 3 * width - 3;
         }
     }
+
+    /// Stores the block that stands so many nodes behind the diagonal, in the rows that start there.
+    #[inline(always)]
+    fn store(&self, rows: [usize; 3], behind: usize, g: &[[L; 3]; 3], matrix: &mut Matrix<L>) {
+        let block = self.block(g);
+        for i in 0..3 {
+            matrix.set(rows[i] + 3 * behind - i, &block[i]);
+        }
+    }
+}
+
+/// Σ_q p_q ⊗ r_q for each r.
+#[inline(always)]
+fn products<L: Lane, const P: usize, const B: usize>(
+    p: &[Space<L>; P],
+    r: [&[Space<L>; P]; B],
+) -> [[[L; 3]; 3]; B] {
+    let mut g = [[[L::splat(0.0); 3]; 3]; B];
+    for q in 0..trips(P) {
+        for n in 0..B {
+            for i in 0..3 {
+                for j in 0..3 {
+                    g[n][i][j] = p[q][i].mul_add(r[n][q][j], g[n][i][j]);
+                }
+            }
+        }
+    }
+    g
 }
 
 /// Operations of [`Isotropic::fill`]: a multiplication and an addition for every product of gradients at every
