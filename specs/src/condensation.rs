@@ -6,7 +6,7 @@
 )]
 
 use crate::Lane;
-use crate::cells::{diagonal, looped, upper_rows};
+use crate::cells::{diagonal, looped, store_block, store_diagonal, upper_rows};
 use crate::matrices::Matrix;
 use crate::registers::Register;
 
@@ -47,19 +47,19 @@ pub fn take_off<L: Register, const N: usize, const M: usize>(
     coupling: &mut [[L; M]; N],
     mut matrix: Matrix<L>,
 ) {
-    // K_aa = UᵀU, row after row; what is kept are −U above the diagonal and 1/U_pp.
+    // K_aa = UᵀU, row after row; what is kept are U above the diagonal and 1/U_pp on it.
     for p in 0..M {
         let (above, rest) = own.split_at_mut(p);
         let row = &mut rest[0];
         for above in above.iter() {
             for q in p..M {
-                row[q] = above[p].mul_add(-above[q], row[q]);
+                row[q] = above[p].neg_mul_add(above[q], row[q]);
             }
         }
         let inverse = L::splat(1.0) / row[p].sqrt();
         row[p] = inverse;
         for entry in &mut row[p + 1..] {
-            *entry = -(*entry * inverse);
+            *entry = *entry * inverse;
         }
     }
     // W U = K_ua: a row of W stays in registers.
@@ -68,7 +68,7 @@ pub fn take_off<L: Register, const N: usize, const M: usize>(
         for p in 0..M {
             w[p] = w[p] * own[p][p];
             for q in p + 1..M {
-                w[q] = own[p][q].mul_add(w[p], w[q]);
+                w[q] = own[p][q].neg_mul_add(w[p], w[q]);
             }
         }
         *row = w;
@@ -77,56 +77,58 @@ pub fn take_off<L: Register, const N: usize, const M: usize>(
     let rows = coupling.as_chunks::<3>().0;
     for a in 0..looped(N / 3) {
         let starts = upper_rows(N, a);
-        let [block] = products(&rows[a], [&rows[a]]);
+        let mut own = [[L::splat(0.0); 3]; 3];
         for i in 0..3 {
-            matrix.take_off(starts[i] + 3 * a + i, &block[i][i..]);
-        }
-        let mut b = a + 1;
-        while L::MANY && b + 2 <= looped(N / 3) {
-            let blocks = products(&rows[a], [&rows[b], &rows[b + 1]]);
-            for (block, b) in blocks.iter().zip(b..) {
-                take_block_off(&mut matrix, starts, b, block);
+            for j in i..3 {
+                own[i][j] = matrix.get(starts[i] + 3 * a + j);
             }
+        }
+        let [own] = less_products([own], &rows[a], [&rows[a]]);
+        store_diagonal(&mut matrix, starts, a, own);
+        let mut b = a + 1;
+        while L::MANY && b + 1 < looped(N / 3) {
+            let blocks = [block(&matrix, starts, b), block(&matrix, starts, b + 1)];
+            let [first, next] = less_products(blocks, &rows[a], [&rows[b], &rows[b + 1]]);
+            store_block(&mut matrix, starts, b, first);
+            store_block(&mut matrix, starts, b + 1, next);
             b += 2;
         }
         while b < looped(N / 3) {
-            let [block] = products(&rows[a], [&rows[b]]);
-            take_block_off(&mut matrix, starts, b, &block);
+            let blocks = [block(&matrix, starts, b)];
+            let [first] = less_products(blocks, &rows[a], [&rows[b]]);
+            store_block(&mut matrix, starts, b, first);
             b += 1;
         }
     }
 }
 
-/// Σ_p left_ip right_jp for every one of the blocks on the right.
+/// Blocks less Σ_p left_ip right_jp for their rows on the right.
 #[inline(always)]
-fn products<L: Lane, const M: usize, const BLOCKS: usize>(
+fn less_products<L: Lane, const M: usize, const BLOCKS: usize>(
+    mut blocks: [[[L; 3]; 3]; BLOCKS],
     left: &[[L; M]; 3],
     right: [&[[L; M]; 3]; BLOCKS],
 ) -> [[[L; 3]; 3]; BLOCKS] {
-    let mut sums = [[[L::splat(0.0); 3]; 3]; BLOCKS];
     for p in 0..looped(M) {
-        for (sums, right) in sums.iter_mut().zip(right) {
+        for (block, right) in blocks.iter_mut().zip(right) {
             for i in 0..3 {
                 for j in 0..3 {
-                    sums[i][j] = left[i][p].mul_add(right[j][p], sums[i][j]);
+                    block[i][j] = left[i][p].neg_mul_add(right[j][p], block[i][j]);
                 }
             }
         }
     }
-    sums
+    blocks
 }
 
-/// Takes the block of basis function b off three rows.
+/// The block of basis function b in three rows.
 #[inline(always)]
-fn take_block_off<L: Register>(
-    matrix: &mut Matrix<L>,
-    rows: [usize; 3],
-    b: usize,
-    block: &[[L; 3]; 3],
-) {
-    for (row, entries) in rows.iter().zip(block) {
-        matrix.take_off(row + 3 * b, entries);
+fn block<L: Register>(matrix: &Matrix<L>, rows: [usize; 3], b: usize) -> [[L; 3]; 3] {
+    let mut block = [[L::splat(0.0); 3]; 3];
+    for (entries, row) in block.iter_mut().zip(rows) {
+        *entries = matrix.three(row + 3 * b);
     }
+    block
 }
 
 /// Σ_q g_q f_mq for every mode m: what a function's gradients have in common with modes whose gradients all

@@ -42,6 +42,11 @@ pub trait Lane:
     fn mul_add(self, b: Self, c: Self) -> Self {
         self * b + c
     }
+    /// −a·b + c, rounded as [`Lane::mul_add`].
+    #[inline(always)]
+    fn neg_mul_add(self, b: Self, c: Self) -> Self {
+        c - self * b
+    }
     /// √a.
     fn sqrt(self) -> Self;
     /// |a|.

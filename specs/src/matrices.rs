@@ -100,6 +100,12 @@ impl<'a, L: Register> Matrix<'a, L> {
         L::load(unsafe { &*eight.0.as_ptr().add(self.first).cast() })
     }
 
+    /// Three entries from `start` on.
+    #[inline(always)]
+    pub fn three(&self, start: usize) -> [L; 3] {
+        [self.get(start), self.get(start + 1), self.get(start + 2)]
+    }
+
     /// Writes entries from `start` on.
     #[inline(always)]
     pub fn set(&mut self, start: usize, values: &[L]) {
@@ -107,17 +113,6 @@ impl<'a, L: Register> Matrix<'a, L> {
         for (eight, value) in entries.iter_mut().zip(values) {
             // SAFETY: as above.
             value.store(unsafe { &mut *eight.0.as_mut_ptr().add(self.first).cast() });
-        }
-    }
-
-    /// Takes values off entries from `start` on.
-    #[inline(always)]
-    pub fn take_off(&mut self, start: usize, values: &[L]) {
-        let entries = &mut self.entries[start..start + values.len()];
-        for (eight, value) in entries.iter_mut().zip(values) {
-            // SAFETY: as above.
-            let chunk = unsafe { &mut *eight.0.as_mut_ptr().add(self.first).cast() };
-            (L::load(chunk) - *value).store(chunk);
         }
     }
 }
@@ -140,12 +135,12 @@ mod tests {
     }
 
     #[test]
-    fn entries_are_written_read_and_taken_off() {
+    fn entries_are_written_and_read() {
         let mut matrices = Eight::room(1, 3);
         let mut matrix = Matrix::<f64>::new(&mut matrices, 7);
         matrix.set(0, &[1.0, 2.0, 3.0]);
-        matrix.again().take_off(1, &[0.5, 1.0]);
-        assert_eq!([0, 1, 2].map(|entry| matrix.get(entry)), [1.0, 1.5, 2.0]);
+        matrix.again().set(1, &[1.5]);
+        assert_eq!(matrix.three(0), [1.0, 1.5, 3.0]);
     }
 
     #[test]

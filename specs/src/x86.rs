@@ -15,7 +15,7 @@ macro_rules! register {
         $(#[$about:meta])*
         $name:ident($vector:ty, $mask:ty, $width:literal, $features:literal);
         shared $shared:ident,
-        splat $splat:ident, load $load:ident, store $store:ident, sqrt $sqrt:ident, fused $fused:ident,
+        splat $splat:ident, load $load:ident, store $store:ident, sqrt $sqrt:ident, fused $fused:ident, negative $negative:ident,
         operators [$($trait:ident $method:ident $intrinsic:ident),*];
         neg($n:ident) $neg:expr;
         abs($b:ident) $abs:expr;
@@ -93,6 +93,11 @@ macro_rules! register {
             fn mul_add(self, b: Self, c: Self) -> Self {
                 // SAFETY: as the module says.
                 $name(unsafe { $fused(self.0, b.0, c.0) })
+            }
+            #[inline(always)]
+            fn neg_mul_add(self, b: Self, c: Self) -> Self {
+                // SAFETY: as the module says.
+                $name(unsafe { $negative(self.0, b.0, c.0) })
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
@@ -301,7 +306,7 @@ register! {
     F64x4(__m256d, __m256d, 4, "avx2,fma");
     shared shared_4,
     splat _mm256_set1_pd, load _mm256_loadu_pd, store _mm256_storeu_pd, sqrt _mm256_sqrt_pd,
-    fused _mm256_fmadd_pd,
+    fused _mm256_fmadd_pd, negative _mm256_fnmadd_pd,
     operators [
         Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd
     ];
@@ -318,7 +323,7 @@ register! {
     F64x8(__m512d, __mmask8, 8, "avx512f,avx2,fma");
     shared shared_8,
     splat _mm512_set1_pd, load _mm512_loadu_pd, store _mm512_storeu_pd, sqrt _mm512_sqrt_pd,
-    fused _mm512_fmadd_pd,
+    fused _mm512_fmadd_pd, negative _mm512_fnmadd_pd,
     operators [
         Add add _mm512_add_pd, Sub sub _mm512_sub_pd, Mul mul _mm512_mul_pd, Div div _mm512_div_pd
     ];

@@ -132,7 +132,7 @@ impl<L: Register> Modes<L> {
             // Below the diagonal nothing is stored.
             let [g] = products(&rows[a], [&rows[a]]);
             for i in 0..3 {
-                matrix.take_off(starts[i], &g[i][i..]);
+                take_off(matrix, starts[i], &g[i][i..]);
             }
             let mut b = a + 1;
             while b < trips(8) {
@@ -141,19 +141,27 @@ impl<L: Register> Modes<L> {
                     for i in 0..3 {
                         let [x, y, z] = g[i];
                         let [u, v, w] = next[i];
-                        matrix.take_off(starts[i] + 3 * (b - a) - i, &[x, y, z, u, v, w]);
+                        take_off(matrix, starts[i] + 3 * (b - a) - i, &[x, y, z, u, v, w]);
                     }
                     b += 2;
                 } else {
                     let [g] = products(&rows[a], [&rows[b]]);
                     for i in 0..3 {
-                        matrix.take_off(starts[i] + 3 * (b - a) - i, &g[i]);
+                        take_off(matrix, starts[i] + 3 * (b - a) - i, &g[i]);
                     }
                     b += 1;
                 }
             }
             row0 += 3 * width - 3;
         }
+    }
+}
+
+/// Takes values off entries from `start` on.
+#[inline(always)]
+fn take_off<L: Register>(matrix: &mut Matrix<L>, start: usize, values: &[L]) {
+    for (entry, value) in (start..).zip(values) {
+        matrix.set(entry, &[matrix.get(entry) - *value]);
     }
 }
 
