@@ -57,7 +57,8 @@ pub struct FormKernel {
 }
 
 impl FormKernel {
-    /// The matrix of one cell by its nodes (nodes × 3, m), [`Structure::len`] values, and its smallest det J.
+    /// The matrix of one cell, [`Structure::len`] values, and its smallest det J. `coordinates`: those of its nodes and no
+    /// more (nodes × 3, m).
     ///
     /// # Panics
     /// If there are fewer coordinates or properties than the kernel takes.

@@ -82,7 +82,8 @@ thread_local! {
     static MEMORY: Cell<Vec<Eight>> = const { Cell::new(Vec::new()) };
 }
 
-/// A value in memory, with whatever the memory held before.
+/// A value in memory, with whatever the memory held before. To be written field by field: padding between them must stay the
+/// numbers that it is.
 #[inline(always)]
 fn place<T: Zeros>(memory: &mut Vec<Eight>) -> &mut T {
     const { assert!(align_of::<T>() <= align_of::<Eight>()) };
@@ -90,7 +91,7 @@ fn place<T: Zeros>(memory: &mut Vec<Eight>) -> &mut T {
     if memory.len() < needed {
         grow(memory, needed);
     }
-    // SAFETY: so large and so aligned, numbers all of it, and any bits are a value of the type.
+    // SAFETY: so large and so aligned, initialised all of it, and any bits are a value of the type.
     unsafe { &mut *memory.as_mut_ptr().cast::<T>() }
 }
 

@@ -35,7 +35,7 @@ impl<'a> CellMatrix<'a> {
     /// The matrix of a cell, of `stored` values.
     ///
     /// # Panics
-    /// If there are fewer cells.
+    /// If there are fewer eights than it takes to hold the cell.
     pub fn new(matrices: &'a [Eight], stored: usize, cell: usize) -> Self {
         let entries = &matrices[cell / Eight::CELLS * stored..][..stored];
         CellMatrix { entries, place: cell % Eight::CELLS }
@@ -72,8 +72,12 @@ impl<'a, L: Register> Matrix<'a, L> {
     /// If eight does not hold as many.
     #[inline(always)]
     pub fn new(entries: &'a mut [Eight], first: usize) -> Self {
-        const { assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>()) };
-        assert!(first + L::WIDTH <= Eight::CELLS);
+        const {
+            assert!(L::WIDTH <= Eight::CELLS);
+            assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>());
+            assert!(align_of::<L::Chunk>() == align_of::<f64>());
+        }
+        assert!(first <= Eight::CELLS - L::WIDTH);
         Matrix { entries, first, lane: PhantomData }
     }
 
@@ -96,7 +100,7 @@ impl<'a, L: Register> Matrix<'a, L> {
     #[inline(always)]
     pub fn get(&self, entry: usize) -> L {
         let eight = &self.entries[entry];
-        // SAFETY: a chunk is WIDTH values without padding, and as many begin at `first`.
+        // SAFETY: a chunk is as large as WIDTH values and any bits are one; as many values begin at `first`.
         L::load(unsafe { &*eight.0.as_ptr().add(self.first).cast() })
     }
 
@@ -144,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "first + L::WIDTH")]
+    #[should_panic(expected = "first <= Eight::CELLS")]
     fn a_ninth_cell_is_refused() {
         Matrix::<f64>::new(&mut [], 8);
     }

@@ -31,10 +31,10 @@ unsafe impl<T: Zeros, const N: usize> Zeros for [T; N] {}
 pub trait Register: Lane + Zeros {
     /// Values side by side.
     const WIDTH: usize;
-    /// Whether there are so many registers (32) that two 3 × 3 blocks are summed at once.
+    /// Whether there are so many registers (32) that the sums of two pairs of functions are kept at once.
     const MANY: bool;
     /// [`Register::WIDTH`] values in memory.
-    type Chunk: Copy;
+    type Chunk: Copy + Zeros;
 
     /// The whole chunks of a row; fewer than WIDTH values are left over.
     fn chunks(row: &[f64]) -> &[Self::Chunk];

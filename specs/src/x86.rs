@@ -8,7 +8,7 @@ use crate::registers::{Register, Zeros};
 use crate::{Lane, Shared};
 
 /// A lane type by intrinsics. What is not to be inlined is compiled once, not for every kernel; the functions behind
-/// it have the instructions of the registers. Arguments: vector, its integer and mask types, width; names of the operations;
+/// it have the instructions of the registers. Arguments: vector, mask type, width, features; names of the operations;
 /// the operations that differ between the sets of instructions.
 macro_rules! register {
     (
@@ -194,6 +194,7 @@ macro_rules! register {
 
         impl Register for $name {
             const WIDTH: usize = $width;
+            // AVX-512 has 32, the others 16.
             const MANY: bool = $width == 8;
             type Chunk = [f64; $width];
 

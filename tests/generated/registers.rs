@@ -91,3 +91,23 @@ fn a_cell_does_not_depend_on_its_neighbours() {
         }
     }
 }
+
+/// Kernels keep their memory from call to call.
+#[test]
+fn what_a_kernel_left_in_memory_does_not_matter() {
+    for element in ELEMENTS {
+        let cells = cells(element);
+        let nothing = vec![f64::NAN; cells.len()];
+        for kernel in element.forms {
+            for registers in Registers::all() {
+                registers.within(|| {
+                    let (before, _) = evaluate(kernel, element.nodes, &cells);
+                    let (spoilt, _) = evaluate(kernel, element.nodes, &nothing);
+                    assert!(spoilt.iter().all(|value| value.is_nan()));
+                    let (after, _) = evaluate(kernel, element.nodes, &cells);
+                    assert_eq!(bits(&before), bits(&after), "{}", element.origin.name);
+                });
+            }
+        }
+    }
+}

@@ -11,6 +11,16 @@ use crate::emit::{Numbers, documented, identifier, statements};
 use crate::form::Structure;
 use crate::spec::form::{Form, FormSpec};
 
+/// Name of the function of what is computed once a cell.
+pub(super) fn once_name(form: &Form) -> Ident {
+    format_ident!("{}_once", identifier(&form.name))
+}
+
+/// Name of the function of what is computed once a pair.
+pub(super) fn block_name(form: &Form) -> Ident {
+    format_ident!("{}_block", identifier(&form.name))
+}
+
 /// What a form makes of the sums: functions that its own loops and kernels of modes call.
 pub(super) struct Block<'a> {
     form: &'a Form,
@@ -41,16 +51,6 @@ impl<'a> Block<'a> {
         Block { form, pairs, once: once.collect(), body }
     }
 
-    /// Name of the function of what is computed once a cell.
-    pub(super) fn once_name(&self) -> Ident {
-        format_ident!("{}_once", identifier(&self.form.name))
-    }
-
-    /// Name of the function of what is computed once a pair.
-    pub(super) fn name(&self) -> Ident {
-        format_ident!("{}_block", identifier(&self.form.name))
-    }
-
     /// Both functions.
     pub(super) fn functions(&self, spec: &FormSpec) -> TokenStream {
         let Block { form, pairs, once, body } = self;
@@ -63,7 +63,7 @@ impl<'a> Block<'a> {
             });
             quote!([#(#row),*])
         });
-        let (name, once_name, statements) = (self.name(), self.once_name(), pairs.once());
+        let (name, once_name, statements) = (block_name(form), once_name(form), pairs.once());
         let properties: Vec<String> = (spec.material_of(form).iter())
             .map(|property| format!("{} ({})", property.name, property.unit))
             .collect();

@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::block::Block;
+use super::block::{block_name, once_name};
 use super::form::{by_values, pairs_name};
 use super::linear::Linear;
 use super::modes::Aligned;
@@ -238,8 +238,7 @@ impl CellForm<'_> {
         };
         let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
         let (module, sum) = (identifier(&self.spec.name), pairs_name(self.form));
-        let block = Block::new(self.form, pairs);
-        let (once_name, block) = (block.once_name(), block.name());
+        let (once_name, block) = (once_name(self.form), block_name(self.form));
         let sums = quote! {
             forms::#module::#sum(room.basis.as_flattened(), #points_count, once, #target);
         };

@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::block::Block;
+use super::block::{Block, block_name, once_name};
 use super::facts::{About, unscheduled};
 use super::program::Pairs;
 use super::table::count;
@@ -95,7 +95,7 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     let name = pairs_name(form);
     let parts = count(pairs.parts().len());
     let made = Block::new(form, pairs);
-    let (block, both, length) = (made.name(), made.functions(spec), count(made.once.len()));
+    let (block, both, length) = (block_name(form), made.functions(spec), count(made.once.len()));
     let loops = match &form.structure {
         Structure::Kronecker { .. } => each_pair(
             pairs,
@@ -167,21 +167,22 @@ fn each_pair(
     store: impl Fn(TokenStream, TokenStream) -> TokenStream,
 ) -> TokenStream {
     let one = store(quote!(b), quote!(sums));
-    let two_fit = (pairs.moments.len() <= 9).then(|| {
-        let (one, two) = (store(quote!(b), quote!(sums)), store(quote!(b + 1), quote!(next)));
+    // As many sums as registers hold beside the values.
+    let two = (pairs.moments.len() <= 9).then(|| {
+        let other = store(quote!(b + 1), quote!(next));
         quote! {
             while L::MANY && b + 1 < functions {
                 let (of_b, of_next) = (&basis[b * points..], &basis[(b + 1) * points..]);
                 let [sums, next] = cells::sums(of_a, [of_b, of_next]);
                 #one
-                #two
+                #other
                 b += 2;
             }
         }
     });
     quote! {
         let mut b = #first;
-        #two_fit
+        #two
         while b < functions {
             let [sums] = cells::sums(of_a, [&basis[b * points..]]);
             #one
@@ -206,7 +207,7 @@ fn header(form: &Form, pairs: &Pairs) -> String {
         form.name,
         form.text.text(),
         parts.collect::<Vec<_>>().join(", "),
-        Block::new(form, pairs).once_name(),
+        once_name(form),
         pairs.moments.len(),
         pairs.pair_counts(),
     )

@@ -20,8 +20,13 @@ pub(super) const MATERIAL: usize = 0;
 pub(super) const PAIR: usize = 1;
 
 /// Names of variables in the kernels' own text, which a spec's names must not hide.
-const OWN: [&str; 53] = [
+const OWN: [&str; 52] = [
+    // A pattern of this name would not bind it.
     "Eight",
+    "None",
+    "Some",
+    "Ok",
+    "Err",
     "once",
     "x",
     "i",
@@ -45,8 +50,6 @@ const OWN: [&str; 53] = [
     "place",
     "products",
     "material",
-    "a_q",
-    "b_q",
     "condense",
     "room",
     "tangents",
@@ -61,7 +64,6 @@ const OWN: [&str; 53] = [
     "factors",
     "sums",
     "left",
-    "right",
     "coupling",
     "own",
     "n",
@@ -69,8 +71,6 @@ const OWN: [&str; 53] = [
     "functions",
     "of_a",
     "rows",
-    "behind",
-    "from_a",
     "of_b",
     "none",
     "zeros",
