@@ -31,9 +31,9 @@ pub enum Course {
         /// φ (rad).
         phase: f64,
     },
-    /// Constant until a step starts with θ̇ at or above the target; nothing from then on.
+    /// Constant until a step starts with θ̇ at the target or beyond it, seen from rest; nothing from then on.
     UntilSpeed {
-        /// Target of θ̇ (rad/s).
+        /// Target of θ̇ (rad/s); negative where the shaft is driven that way.
         target: f64,
     },
 }
@@ -57,6 +57,28 @@ impl Load {
             }
             Course::UntilSpeed { .. } => f64::from(!released),
         }
+    }
+
+    /// Whether a step that starts with θ̇ = `speed` (rad/s) finds the load's target reached.
+    pub(crate) fn reaches(&self, speed: f64) -> bool {
+        match self.course {
+            Course::UntilSpeed { target } => speed * target.signum() >= target.abs(),
+            Course::Constant | Course::Sine { .. } => false,
+        }
+    }
+
+    /// |F| times how far a unit of a coordinate moves the node: what the load could do there, whatever its
+    /// direction. `place`: 0 is θ, 1 + j is η_j.
+    pub(crate) fn projected(&self, factor: f64, eta: &[f64], place: usize) -> f64 {
+        let reach = match place.checked_sub(1) {
+            None => {
+                let [x, y] = self.place(eta);
+                x.hypot(y)
+            }
+            Some(j) => self.node.shapes.col(j).iter().map(|x| x * x).sum::<f64>().sqrt(),
+        };
+        let force = self.force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        (factor * force).abs() * reach
     }
 
     /// Adds the generalised force at `factor` times the amplitude.

@@ -8,13 +8,20 @@ use crate::loads::Load;
 use crate::shaft::Shaft;
 use crate::support::Support;
 
-/// Whether θ is a coordinate of the machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Whether θ is an unknown of the machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rotation {
     /// θ follows from its equation of motion.
     Free,
-    /// θ stays 0.
+    /// θ stays 0: the frame of the shaft stands still.
     Held,
+    /// The frame of the shaft stands still, and the shaft turns in it from angle 0: its coordinates are those
+    /// of points that do not turn with it, such as the centre of a mass, while laws get the angle and the
+    /// speed.
+    Spinning {
+        /// rad/s.
+        speed: f64,
+    },
 }
 
 /// What a machine is made from.
@@ -74,7 +81,7 @@ impl Machine {
     ///
     /// # Errors
     /// A law that takes what no spring has, bore nodes without a spline, a motion that takes a tensor
-    /// which the shaft does not have.
+    /// which the shaft does not have; a shaft that spins in a support that is not rigid.
     pub fn new(parts: MachineParts) -> Result<Self, Error> {
         let MachineParts { shaft, support, motion, rotation, clearance, laws, bearings, loads } =
             parts;
@@ -85,6 +92,10 @@ impl Machine {
                     motion.origin.name, tensor.name
                 )));
             }
+        }
+        if matches!(rotation, Rotation::Spinning { .. }) && support.size() > 0 {
+            let what = "a shaft that spins in a frame at rest needs a rigid support".to_owned();
+            return Err(Error::Machine(what));
         }
         let springs = Springs::new(clearance, laws, &bearings, &shaft, &support)?;
         let monitors = bearings
@@ -113,7 +124,20 @@ impl Machine {
 
     /// Number of coordinates that are marched: the 226 of the reference system.
     pub fn active(&self) -> usize {
-        usize::from(self.rotation == Rotation::Free) + self.shaft.size() + self.support.size()
+        self.size() - self.first_unknown()
+    }
+
+    /// Place in q from which on coordinates are unknown: 0, or 1 where θ is given.
+    pub fn first_unknown(&self) -> usize {
+        usize::from(self.rotation != Rotation::Free)
+    }
+
+    /// Angle (rad) and speed (rad/s) of the shaft in its frame at time `t` (s).
+    pub(crate) fn spin(&self, t: f64) -> Option<[f64; 2]> {
+        match self.rotation {
+            Rotation::Spinning { speed } => Some([speed * t, speed]),
+            Rotation::Free | Rotation::Held => None,
+        }
     }
 
     /// Places of θ, η and x_b in q: 1 + n_s + n_b.

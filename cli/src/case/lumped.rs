@@ -49,6 +49,8 @@ pub struct Stop {
     pub side: Side,
     /// h at x = 0, in m; 0 around, where the law has the gap.
     pub gap: f64,
+    /// Radius of the mass where it slides on the stop, m, for laws that need it.
+    pub journal_radius: Option<f64>,
     /// Q(h, ḣ), or more.
     pub law: NamedLaw,
 }
@@ -74,7 +76,8 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
         let law = law::read(shelf, &stop);
         let gap = gap(&stop, side);
         law.iter().for_each(|law| fits(&stop, side, law));
-        Some(Stop { side, gap, law: law? })
+        let journal_radius = stop.quantity("journal_radius");
+        Some(Stop { side, gap, journal_radius, law: law? })
     };
     let stops = file.tables("stop").into_iter().filter_map(stop).collect();
     let mass = file.table("mass")?;

@@ -301,6 +301,7 @@ fn bounded(table: &Reader, bearing: &Bearing) -> bool {
 fn drive(file: &Reader) -> Option<Drive> {
     file.demand("drive");
     let table = file.table("drive")?;
+    leads_to_its_target(&table);
     Some(Drive {
         top: table.text_or_none("top"),
         bottom: table.text_or_none("bottom"),
@@ -308,6 +309,42 @@ fn drive(file: &Reader) -> Option<Drive> {
         target_speed: table.quantity_or_one("target_speed"),
         acts: table.flag("acts").unwrap_or(true),
     })
+}
+
+/// Notes a couple that never brings the shaft to the target speed: it starts at rest.
+fn leads_to_its_target(table: &Reader) {
+    let (torque, target) = (table.quantity("torque"), table.quantity("target_speed"));
+    let (Some(torque), Some(target)) = (torque, target) else { return };
+    if torque * target > 0.0 || table.flag("acts") == Some(false) {
+        return;
+    }
+    let mut places = table.places();
+    let mut written = |key: &str| places.remove(key).unwrap_or_else(|| table.place().text(""));
+    let (torque_text, target_text) = (written("torque"), written("target_speed"));
+    let opposite = |text: &str| match text.trim().strip_prefix('-') {
+        Some(rest) => rest.trim_start().to_owned(),
+        None => format!("-{}", text.trim().trim_start_matches('+')),
+    };
+    let (place, message, help) = if target == 0.0 {
+        let message = "a shaft that starts at rest is at this `target_speed` at once".to_owned();
+        (&target_text, message, "name the speed to reach, or say `acts = false`".to_owned())
+    } else if torque == 0.0 {
+        let message = "a `torque` of zero turns nothing".to_owned();
+        (&torque_text, message, "name a couple, or say `acts = false`".to_owned())
+    } else {
+        let message = format!(
+            "a couple of {} leads away from a `target_speed` of {}",
+            torque_text.text(),
+            target_text.text()
+        );
+        let help = format!(
+            "write `target_speed = \"{}\"` to turn the shaft that way, or `torque = \"{}\"`",
+            opposite(target_text.text()),
+            opposite(torque_text.text())
+        );
+        (&target_text, message, help)
+    };
+    table.push(place.error_here(Code::BAD_VALUE, message).help(help));
 }
 
 /// The motion that a table names, or the default one.

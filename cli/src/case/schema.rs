@@ -41,7 +41,8 @@ measures! {
     FORCE: FORCE, "1000 N", Any;
     TOLERANCE: FORCE, "1e-3 N", Positive;
     TORQUE: TORQUE, "109 N*m", Any;
-    TARGET_SPEED: ANGULAR_SPEED, "4500 rpm", Positive;
+    TARGET_SPEED: ANGULAR_SPEED, "4500 rpm", Any;
+    SPEED: ANGULAR_SPEED, "4500 rpm", Positive;
     FREQUENCY: FREQUENCY, "37.5 Hz", Positive;
     ANGLE: ANGLE, "90 deg", Any;
 }
@@ -166,8 +167,8 @@ const BEARING: &[Key] = &[
 const DRIVE: &[Key] = &[
     merged("top", Text, "set of one node").like("\"DRIVE_TOP\""),
     merged("bottom", Text, "set of one node").like("\"DRIVE_BOTTOM\""),
-    merged("torque", TORQUE, "until the target speed is reached"),
-    merged("target_speed", TARGET_SPEED, "of the shaft"),
+    merged("torque", TORQUE, "until the target speed is reached; negative turns the other way"),
+    merged("target_speed", TARGET_SPEED, "of the shaft, with the sign of the torque"),
     key("acts", Flag, "false leaves the shaft without a drive"),
 ];
 
@@ -190,10 +191,8 @@ const LUMPED: &[Key] = &[
     key("motion", MOTION, "without effect: nothing turns"),
 ];
 
-const UNBALANCE: &[Key] = &[
-    merged("eccentricity", LENGTH, "of the centre of mass"),
-    merged("speed", TARGET_SPEED, "constant"),
-];
+const UNBALANCE: &[Key] =
+    &[merged("eccentricity", LENGTH, "of the centre of mass"), merged("speed", SPEED, "constant")];
 
 const STOP: &[Key] = &[
     key(
@@ -202,6 +201,7 @@ const STOP: &[Key] = &[
         "towards greater or smaller x, or all around",
     ),
     key("gap", POSITION, "clearance at x = 0; a law all around has it in itself"),
+    key("journal_radius", LENGTH, "of the mass where it slides on the stop, for slip"),
     needed("law", Text, "the name of a law, or the path of a law file").like("\"my.law.toml\""),
 ];
 

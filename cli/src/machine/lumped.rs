@@ -1,4 +1,4 @@
-//! The machine of one mass: a point shaft that does not turn, stops as single springs in a rigid support.
+//! The machine of one mass: a point shaft in a frame at rest, stops as single springs in a rigid support.
 
 use std::f64::consts::{PI, TAU};
 
@@ -24,8 +24,8 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
             journal: [0; 3],
             bore: [const { Vec::new() }; 3],
             clearance: stop.gap,
-            // Nothing turns, so that a radius is of no effect.
-            journal_radius: Some(0.0),
+            // Where nothing turns a radius is of no effect.
+            journal_radius: stop.journal_radius.or(lumped.unbalance.is_none().then_some(0.0)),
             stations: vec![0.5],
             angles: match stop.side {
                 Side::Above => vec![0.0],
@@ -56,7 +56,10 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         shaft,
         support: Support::rigid(&[]),
         motion: lumped.motion,
-        rotation: Rotation::Held,
+        rotation: match lumped.unbalance {
+            Some(Unbalance { speed, .. }) => Rotation::Spinning { speed },
+            None => Rotation::Held,
+        },
         clearance: clearance(),
         laws: laws.into_laws(),
         bearings,

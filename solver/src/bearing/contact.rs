@@ -6,8 +6,9 @@ use whirl_specs::{Clearance, ContactState, ContactTangent, Ring};
 
 use super::bore::{Bore, at_springs, journal_radius};
 use super::law::ContactLaw;
+use super::spin::Spin;
 use super::state::{Motion, along, multiply};
-use super::{Bearing, eccentricity};
+use super::{Bearing, arms_of, eccentricity};
 use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::shaft::Shaft;
@@ -40,6 +41,8 @@ pub(crate) struct Contacts {
     bore: Matrix,
     /// One column a row of `bore`.
     pub(crate) bore_transposed: Matrix,
+    /// How far the journal moves in a plane by a unit of η_j, in the direction in which it does (planes × η).
+    arms: Matrix,
 }
 
 impl Contacts {
@@ -109,7 +112,9 @@ impl Contacts {
         }
         let bore = Matrix::from_fn(rows.len(), support.size(), |i, j| rows[i][j]);
         let bore_transposed = bore.transpose();
-        Contacts { laws: placed, planes, bore, bore_transposed }
+        let arms = planes.iter().map(|plane: &ContactPlane| &plane.eccentricity);
+        let arms = arms_of(arms, shaft.size());
+        Contacts { laws: placed, planes, bore, bore_transposed, arms }
     }
 
     /// Whether the law of a plane turns or brakes the journal: by a moment, or by a force at its surface.
@@ -155,7 +160,9 @@ fn radius(
 
 /// What the laws of [`Contacts`] do at one instant. Allocated once, filled at will.
 pub(crate) struct ContactsState {
-    planes: Vec<PlaneState>,
+    pub(super) planes: Vec<PlaneState>,
+    /// The turn of the journals in their frame, where they spin in it.
+    pub(super) spin: Option<Spin>,
     /// Motions of the bores and their rates.
     bore: Vec<f64>,
     bore_dot: Vec<f64>,
@@ -165,15 +172,19 @@ pub(crate) struct ContactsState {
 }
 
 /// One plane; rows as in [`whirl_specs::Contact`].
-struct PlaneState {
+pub(super) struct PlaneState {
+    /// θ, ε_x and ε_y as the machine's coordinates give them, and their rates.
+    pub(super) position: [f64; 3],
+    pub(super) velocity: [f64; 3],
+    /// The same in the frame that turns with the journal.
     ring: Ring,
-    bore: Vec<f64>,
-    bore_dot: Vec<f64>,
+    pub(super) bore: Vec<f64>,
+    pub(super) bore_dot: Vec<f64>,
     inputs: Vec<f64>,
     forces: Vec<f64>,
     slopes: Vec<f64>,
     ring_force: [f64; 3],
-    bore_force: Vec<f64>,
+    pub(super) bore_force: Vec<f64>,
 }
 
 impl ContactsState {
@@ -184,6 +195,8 @@ impl ContactsState {
             let plane = |plane: &ContactPlane| {
                 let row = |rows: usize| vec![0.0; rows * plane.count];
                 PlaneState {
+                    position: [0.0; 3],
+                    velocity: [0.0; 3],
                     ring: Ring::default(),
                     bore: row(kind.bore.len()),
                     bore_dot: row(kind.bore.len()),
@@ -206,6 +219,7 @@ impl ContactsState {
         let workspace = contacts.laws.iter().map(|(law, _)| law.law.workspace()).max();
         ContactsState {
             planes: contacts.laws.iter().flat_map(of_law).collect(),
+            spin: None,
             bore: vec![0.0; contacts.bore.rows],
             bore_dot: vec![0.0; contacts.bore.rows],
             law_inputs: vec![0.0; most(|law| law.inputs.len())],
@@ -219,12 +233,13 @@ impl ContactsState {
     pub(crate) fn update(&mut self, contacts: &Contacts, motion: Motion, judged: &mut [f64]) {
         multiply(&contacts.bore, motion.support, &mut self.bore);
         multiply(&contacts.bore, motion.support_dot, &mut self.bore_dot);
+        self.spin = motion.spin.map(Spin::new);
         let mut judged = judged.iter_mut();
         for (law, range) in &contacts.laws {
             for place in range.clone() {
-                self.move_plane(contacts, law, place, motion);
+                self.move_plane(contacts, place, motion);
             }
-            self.evaluate(contacts, law, range.clone());
+            self.act(contacts, law, range.clone());
             for &force in &law.forces {
                 let is_moment = law.kind.forces[force].unit != "N";
                 for place in range.clone() {
@@ -234,30 +249,15 @@ impl ContactsState {
                     row.iter().zip(&mut judged).for_each(|(value, out)| *out = scale * value);
                 }
             }
-            for place in range.clone() {
-                let (plane, own) = (&contacts.planes[place], &mut self.planes[place]);
-                let state = ContactState {
-                    table: &plane.table,
-                    ring: &own.ring,
-                    radius: plane.radius,
-                    bore: &own.bore,
-                    bore_dot: &own.bore_dot,
-                };
-                let (ring, bore) = (&mut own.ring_force, &mut own.bore_force);
-                (law.kind.force)(plane.count, &state, &own.forces, ring, bore);
-            }
         }
     }
 
-    /// The motion of a plane, and what its law takes there.
-    fn move_plane(&mut self, contacts: &Contacts, law: &ContactLaw, place: usize, motion: Motion) {
+    /// The motion of a plane.
+    fn move_plane(&mut self, contacts: &Contacts, place: usize, motion: Motion) {
         let (plane, own) = (&contacts.planes[place], &mut self.planes[place]);
         let [x, y] = &plane.eccentricity;
-        own.ring = Ring {
-            position: [motion.theta, along(x, motion.eta), along(y, motion.eta)],
-            velocity: [motion.theta_dot, along(x, motion.eta_dot), along(y, motion.eta_dot)],
-            c: plane.clearance,
-        };
+        own.position = [motion.theta, along(x, motion.eta), along(y, motion.eta)];
+        own.velocity = [motion.theta_dot, along(x, motion.eta_dot), along(y, motion.eta_dot)];
         let rows = plane.motions.iter().zip(own.bore.chunks_exact_mut(plane.count.max(1)));
         for ((row, values), rates) in rows.zip(own.bore_dot.chunks_exact_mut(plane.count.max(1))) {
             if let Some(row) = *row {
@@ -265,14 +265,42 @@ impl ContactsState {
                 rates.copy_from_slice(&self.bore_dot[row..row + plane.count]);
             }
         }
-        let state = ContactState {
-            table: &plane.table,
-            ring: &own.ring,
-            radius: plane.radius,
-            bore: &own.bore,
-            bore_dot: &own.bore_dot,
-        };
-        (law.kind.evaluate)(plane.count, &state, &mut own.inputs);
+    }
+
+    /// What a law does in `planes`, from how they move.
+    pub(super) fn act(&mut self, contacts: &Contacts, law: &ContactLaw, planes: Range<usize>) {
+        for place in planes.clone() {
+            let (plane, own) = (&contacts.planes[place], &mut self.planes[place]);
+            let c = plane.clearance;
+            own.ring = match &self.spin {
+                Some(spin) => {
+                    let ([_, x, y], [_, x_dot, y_dot]) = (own.position, own.velocity);
+                    spin.ring([x, y], [x_dot, y_dot], c)
+                }
+                None => Ring { position: own.position, velocity: own.velocity, c },
+            };
+            let state = ContactState {
+                table: &plane.table,
+                ring: &own.ring,
+                radius: plane.radius,
+                bore: &own.bore,
+                bore_dot: &own.bore_dot,
+            };
+            (law.kind.evaluate)(plane.count, &state, &mut own.inputs);
+        }
+        self.evaluate(contacts, law, planes.clone());
+        for place in planes {
+            let (plane, own) = (&contacts.planes[place], &mut self.planes[place]);
+            let state = ContactState {
+                table: &plane.table,
+                ring: &own.ring,
+                radius: plane.radius,
+                bore: &own.bore,
+                bore_dot: &own.bore_dot,
+            };
+            let (ring, bore) = (&mut own.ring_force, &mut own.bore_force);
+            (law.kind.force)(plane.count, &state, &own.forces, ring, bore);
+        }
     }
 
     /// Evaluates a law over all its planes at once.
@@ -315,9 +343,10 @@ impl ContactsState {
         }
     }
 
-    /// Generalised forces on (θ, ε_x, ε_y) of a plane: N·m, N, N; ε in the frame of the shaft.
+    /// Generalised forces on (θ, ε_x, ε_y) of a plane: N·m, N, N; ε as the machine's coordinates give it.
     pub(crate) fn plane_force(&self, plane: usize) -> [f64; 3] {
-        self.planes[plane].ring_force
+        let force = self.planes[plane].ring_force;
+        self.spin.as_ref().map_or(force, |spin| spin.force(force))
     }
 
     /// Torque on the journal about its own centre in a plane (N·m): the generalised force on θ without the
@@ -336,9 +365,10 @@ impl ContactsState {
         eta: &mut [f64],
         support: &mut [f64],
     ) {
-        for (plane, own) in contacts.planes.iter().zip(&self.planes) {
-            *theta += own.ring_force[0];
-            for (row, value) in plane.eccentricity.iter().zip(&own.ring_force[1..]) {
+        for (place, (plane, own)) in contacts.planes.iter().zip(&self.planes).enumerate() {
+            let ring_force = self.plane_force(place);
+            *theta += ring_force[0];
+            for (row, value) in plane.eccentricity.iter().zip(&ring_force[1..]) {
                 row.iter().for_each(|&(j, share)| eta[j] += share * value);
             }
             for (row, forces) in plane.motions.iter().zip(own.bore_force.chunks(plane.count.max(1)))
@@ -347,6 +377,53 @@ impl ContactsState {
                 for (j, &force) in forces.iter().enumerate().filter(|(_, force)| **force != 0.0) {
                     let column = contacts.bore_transposed.col(row + j);
                     support.iter_mut().zip(column).for_each(|(sum, share)| *sum += share * force);
+                }
+            }
+        }
+    }
+
+    /// Hands |force| projected on a coordinate of the shaft (θ is 0, η_j is 1 + j) to `add`, force by force;
+    /// `judged` as [`ContactsState::update`] leaves it.
+    pub(crate) fn projected_on_shaft(
+        &self,
+        contacts: &Contacts,
+        place: usize,
+        judged: &[f64],
+        add: &mut impl FnMut(f64),
+    ) {
+        let mut judged = judged.iter();
+        for (law, planes) in &contacts.laws {
+            for &force in &law.forces {
+                let is_moment = law.kind.forces[force].unit != "N";
+                for number in planes.clone() {
+                    let (plane, own) = (&contacts.planes[number], &self.planes[number]);
+                    let [_, x, y] = own.ring.position;
+                    let arm = match place.checked_sub(1) {
+                        None if is_moment => plane.arm,
+                        None => plane.radius + x.hypot(y),
+                        Some(_) if is_moment => 0.0,
+                        Some(j) => contacts.arms[(number, j)],
+                    };
+                    let forces = judged.by_ref().take(plane.count);
+                    forces.for_each(|force| add(arm * force.abs()));
+                }
+            }
+        }
+    }
+
+    /// Hands |force| projected on a coordinate of the support to `add`, force by force.
+    pub(crate) fn projected_on_support(
+        &self,
+        contacts: &Contacts,
+        coordinate: usize,
+        add: &mut impl FnMut(f64),
+    ) {
+        for (plane, own) in contacts.planes.iter().zip(&self.planes) {
+            let forces = own.bore_force.chunks(plane.count.max(1));
+            for (row, forces) in plane.motions.iter().zip(forces) {
+                let Some(row) = *row else { continue };
+                for (j, force) in forces.iter().enumerate() {
+                    add((contacts.bore[(row + j, coordinate)] * force).abs());
                 }
             }
         }
@@ -369,6 +446,17 @@ impl ContactsState {
             bore: &own.bore,
             bore_dot: &own.bore_dot,
         };
-        (law.kind.tangent)(place.count, &state, &own.forces, &own.slopes, a1, out);
+        let mut tangent = |a1: f64| {
+            (law.kind.tangent)(place.count, &state, &own.forces, &own.slopes, a1, out);
+            out.ring_ring
+        };
+        let both = tangent(a1);
+        if let Some(spin) = &self.spin {
+            // B + a1 P is linear in a1.
+            let step = if a1 > 0.0 { a1 } else { 1.0 };
+            let more = tangent(a1 + step);
+            let rate = [0, 1, 2].map(|i| [0, 1, 2].map(|j| (more[i][j] - both[i][j]) / step));
+            out.ring_ring = spin.tangent(&both, &rate);
+        }
     }
 }

@@ -3,6 +3,7 @@
 mod bore;
 pub(crate) mod contact;
 pub mod law;
+mod spin;
 mod spline;
 pub(crate) mod state;
 
@@ -72,6 +73,10 @@ pub struct Springs {
     pub(crate) bore: Matrix,
     /// T_bᵀ: one column a spring.
     pub(crate) bore_transposed: Matrix,
+    /// Number of η.
+    shaft_size: usize,
+    /// How far the journal moves in a plane by a unit of η_j, in the direction in which it does (planes × η).
+    arms: Matrix,
 }
 
 impl Springs {
@@ -138,7 +143,19 @@ impl Springs {
         let bore_transposed = bore.transpose();
         let contacts = Contacts::new(kernels, contacts, bearings, shaft, support, &mut errors);
         Error::of_all(errors)?;
-        Ok(Springs { kernels, contacts, laws: bound, planes, bore, bore_transposed })
+        let arms = planes.iter().map(|plane: &Plane| &plane.eccentricity);
+        let arms = arms_of(arms, shaft.size());
+        let shaft_size = shaft.size();
+        Ok(Springs {
+            kernels,
+            contacts,
+            laws: bound,
+            planes,
+            bore,
+            bore_transposed,
+            shaft_size,
+            arms,
+        })
     }
 
     /// Number of springs with a law Q(h, ḣ).
@@ -180,6 +197,21 @@ fn eccentricity(
             .filter(|&(_, value): &(usize, f64)| value != 0.0)
             .collect()
     })
+}
+
+/// √(ε_x² + ε_y²) by a unit of each η, one row a plane.
+fn arms_of<'a>(
+    planes: impl Iterator<Item = &'a [Vec<(usize, f64)>; 2]>,
+    shaft_size: usize,
+) -> Matrix {
+    let rows: Vec<Vec<f64>> = planes
+        .map(|rows| {
+            let mut arms = vec![0.0_f64; shaft_size];
+            rows.iter().flatten().for_each(|&(j, share)| arms[j] = arms[j].hypot(share));
+            arms
+        })
+        .collect();
+    Matrix::from_fn(rows.len(), shaft_size, |i, j| rows[i][j])
 }
 
 /// Mean displacement of a ring of nodes along x and y, as rows over the support's coordinates.

@@ -11,6 +11,8 @@ use crate::linalg::{Matrix, add_product};
 pub(crate) struct Motion<'a> {
     pub(crate) theta: f64,
     pub(crate) theta_dot: f64,
+    /// Angle (rad) and speed (rad/s) of the shaft in its frame, where it spins in one at rest.
+    pub(crate) spin: Option<[f64; 2]>,
     pub(crate) eta: &'a [f64],
     pub(crate) eta_dot: &'a [f64],
     pub(crate) support: &'a [f64],
@@ -38,9 +40,9 @@ pub struct SpringState {
     pub plane_force: Vec<[f64; 3]>,
     /// Generalised force on δ_j of every spring (N).
     spring_force: Vec<f64>,
-    law_inputs: Vec<f64>,
-    law_outputs: Vec<f64>,
-    law_workspace: Vec<f64>,
+    pub(super) law_inputs: Vec<f64>,
+    pub(super) law_outputs: Vec<f64>,
+    pub(super) law_workspace: Vec<f64>,
     rates: bool,
 }
 
@@ -154,6 +156,34 @@ impl SpringState {
         }
         add_product(support, &springs.bore_transposed, &self.spring_force);
         self.contacts.add_forces(&springs.contacts, theta, eta, support);
+    }
+
+    /// Of coordinate `place` of q (θ is 0, η_j is 1 + j) the largest single force projected on it, and the sum
+    /// of |force| over all that act on it: forces by which a step is judged, times how far a unit of the
+    /// coordinate moves where they act.
+    pub(crate) fn projected(&self, springs: &Springs, place: usize) -> (f64, f64) {
+        let (mut largest, mut sum) = (0.0, 0.0);
+        let mut add = |force: f64| {
+            largest = f64::max(largest, force);
+            sum += force;
+        };
+        let (quick, others) = self.forces.split_at(springs.len());
+        let first = 1 + springs.shaft_size;
+        if place >= first {
+            let column = springs.bore.col(place - first);
+            column.iter().zip(quick).for_each(|(share, force)| add((share * force).abs()));
+            self.contacts.projected_on_support(&springs.contacts, place - first, &mut add);
+            return (largest, sum);
+        }
+        for (number, (plane, ring)) in springs.planes.iter().zip(&self.rings).enumerate() {
+            let arm = match place.checked_sub(1) {
+                None => ring.position[1].hypot(ring.position[2]),
+                Some(j) => springs.arms[(number, j)],
+            };
+            quick[plane.springs.clone()].iter().for_each(|force| add(arm * force.abs()));
+        }
+        self.contacts.projected_on_shaft(&springs.contacts, place, others, &mut add);
+        (largest, sum)
     }
 
     /// The derivatives of the generalised forces of one plane, B + a1 P; see [`RingTangent`].

@@ -10,7 +10,7 @@ use super::system::System;
 use crate::error::Error;
 use crate::history::History;
 use crate::linalg::{Lu, dot};
-use crate::loads::{Course, Position};
+use crate::loads::Position;
 use crate::machine::{Machine, Rotation};
 
 /// How far and how a machine is marched.
@@ -154,7 +154,7 @@ impl<'m> March<'m> {
         let springs = machine.springs.forces();
         Ok(March {
             machine,
-            newton: Newton::new(options.newton, size, springs),
+            newton: Newton::new(options.newton, &system),
             ledger: Ledger::new(&mut system, &state),
             system,
             starts: vec![State::new(size); options.newton.max_halvings + 2],
@@ -191,13 +191,11 @@ impl<'m> March<'m> {
         Ok(())
     }
 
-    /// Drivers stop when a step starts at or above their target speed, for good.
+    /// Each driver stops when a step starts at its target speed or beyond, for good.
     fn release_loads(&mut self) {
-        let reached = self.machine.loads.iter().any(|load| match load.course {
-            Course::UntilSpeed { target } => self.state.v[0] >= target,
-            _ => false,
-        });
-        self.system.released |= reached;
+        for (load, released) in self.machine.loads.iter().zip(&mut self.system.released) {
+            *released |= load.reaches(self.state.v[0]);
+        }
     }
 
     /// Takes a step of `dt` from time `t`, in halves if it does not converge.
@@ -206,11 +204,7 @@ impl<'m> March<'m> {
         let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
         start.copy_from(&self.state);
         step.predict(&start, &mut self.state);
-        if self.machine.rotation == Rotation::Held {
-            self.state.q[0] = start.q[0];
-            step.rates(&start, &mut self.state);
-        }
-        let report = self.newton.solve(&mut self.system, t + dt, &step, &start, &mut self.state);
+        let report = self.newton.solve(&mut self.system, t + dt, &step, &mut self.state);
         self.last_iterations += report.iterations;
         let solved = match report.ending {
             Ending::Converged => {
@@ -254,7 +248,8 @@ impl<'m> March<'m> {
         let position = Position::new(state.q[0]);
         let bearings = machine.monitors.len();
         let mut torque_column = 3 + 6 * bearings;
-        self.row[..3].copy_from_slice(&[self.time, state.q[0], state.v[0]]);
+        let [theta, speed] = machine.spin(self.time).unwrap_or([state.q[0], state.v[0]]);
+        self.row[..3].copy_from_slice(&[self.time, theta, speed]);
         for (k, monitor) in machine.monitors.iter().enumerate() {
             let springs = &self.system.springs;
             let planes = monitor.planes.iter().map(|&plane| springs.plane_force[plane]);
@@ -324,21 +319,19 @@ impl<'m> March<'m> {
 
 /// Sets the accelerations from M q̈ = r at q̈ = 0, all loads included.
 fn accelerate(system: &mut System, state: &mut State) -> Result<(), Error> {
-    let first = 1 + system.machine.shaft.size();
+    let rows = 1 + system.machine.shaft.size();
+    let first = system.machine.first_unknown();
     system.evaluate(0.0, state);
-    state.a.copy_from_slice(&system.residual);
-    let mut mass = Lu::new(first);
-    system.shaft_mass(state, mass.values_mut());
-    if system.machine.rotation == Rotation::Held {
-        let values = mass.values_mut();
-        for i in 0..first {
-            values[i] = 0.0;
-            values[i * first] = 0.0;
-        }
-        values[0] = 1.0;
+    state.a[first..].copy_from_slice(&system.residual[first..]);
+    let mut whole = vec![0.0; rows * rows];
+    system.shaft_mass(state, &mut whole);
+    let mut mass = Lu::new(rows - first);
+    let columns = whole.chunks_exact(rows).skip(first);
+    for (own, whole) in mass.values_mut().chunks_exact_mut(rows - first).zip(columns) {
+        own.copy_from_slice(&whole[first..]);
     }
     mass.factor_in_place()?;
-    mass.solve_in_place(&mut state.a[..first]);
+    mass.solve_in_place(&mut state.a[first..rows]);
     system.evaluate(0.0, state);
     Ok(())
 }

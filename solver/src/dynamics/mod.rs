@@ -5,6 +5,7 @@ mod energy;
 mod march;
 mod newmark;
 mod newton;
+mod rows;
 mod steady;
 mod system;
 

@@ -16,32 +16,21 @@ impl Default for Newmark {
     }
 }
 
-/// a1 … a6 of one time step:
-/// q̇ = a1 (q−q_n) − a3 q̇_n − a4 q̈_n,  q̈ = a2 (q−q_n) − a5 q̇_n − a6 q̈_n.
+/// What one time step turns positions into: q̇ = a1 (q−q_n) − a3 q̇_n − a4 q̈_n,
+/// q̈ = a2 (q−q_n) − a5 q̇_n − a6 q̈_n. Written from the prediction (see [`Coefficients::predict`]) only a1 and
+/// a2 are left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coefficients {
     pub(crate) dt: f64,
     pub(crate) a1: f64,
     pub(crate) a2: f64,
-    a3: f64,
-    a4: f64,
-    a5: f64,
-    a6: f64,
 }
 
 impl Coefficients {
     /// The coefficients for a step of `dt` s.
     pub fn new(method: Newmark, dt: f64) -> Self {
         let Newmark { gamma, beta } = method;
-        Coefficients {
-            dt,
-            a1: gamma / (beta * dt),
-            a2: 1.0 / (beta * dt * dt),
-            a3: gamma / beta - 1.0,
-            a4: dt * (gamma / (2.0 * beta) - 1.0),
-            a5: 1.0 / (beta * dt),
-            a6: 1.0 / (2.0 * beta) - 1.0,
-        }
+        Coefficients { dt, a1: gamma / (beta * dt), a2: 1.0 / (beta * dt * dt) }
     }
 
     /// a1 = γ/(β Δt): how velocities at the end follow positions there.
@@ -54,21 +43,30 @@ impl Coefficients {
         self.a2
     }
 
-    /// Positions at the end of the step if accelerations stay as they are.
+    /// The end of the step if accelerations stay as they are: q_n + Δt q̇_n + ½ Δt² q̈_n, q̇_n + Δt q̈_n, q̈_n.
     pub fn predict(&self, start: &State, end: &mut State) {
         for i in 0..start.q.len() {
-            let half = 0.5 * self.dt * start.a[i];
-            end.q[i] = start.q[i] + self.dt * (start.v[i] + half);
+            let (v, a) = (start.v[i], start.a[i]);
+            end.q[i] = start.q[i] + self.dt * (v + 0.5 * self.dt * a);
+            end.v[i] = v + self.dt * a;
+            end.a[i] = a;
         }
-        self.rates(start, end);
     }
 
-    /// Velocities and accelerations at the end from the positions there.
-    pub fn rates(&self, start: &State, end: &mut State) {
-        for i in 0..start.q.len() {
-            let moved = end.q[i] - start.q[i];
-            end.v[i] = self.a1 * moved - self.a3 * start.v[i] - self.a4 * start.a[i];
-            end.a[i] = self.a2 * moved - self.a5 * start.v[i] - self.a6 * start.a[i];
+    /// The end of the step from its prediction and the correction of the positions there, for the coordinates
+    /// from `first` on. Together with [`Coefficients::predict`] these are eqs. (36b) and (36c), without the
+    /// difference q − q_n, whose rounding a2 would enlarge.
+    pub(crate) fn correct(
+        &self,
+        predicted: &State,
+        correction: impl Iterator<Item = f64>,
+        first: usize,
+        end: &mut State,
+    ) {
+        for (i, moved) in (first..predicted.q.len()).zip(correction) {
+            end.q[i] = predicted.q[i] + moved;
+            end.v[i] = predicted.v[i] + self.a1 * moved;
+            end.a[i] = predicted.a[i] + self.a2 * moved;
         }
     }
 }
@@ -102,15 +100,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_prediction_keeps_accelerations() {
-        let method = Newmark { gamma: 0.6, beta: 0.31 };
-        let step = Coefficients::new(method, 0.02);
+    fn a_corrected_prediction_is_newmarks_end_of_the_step() {
+        let (method, dt) = (Newmark { gamma: 0.6, beta: 0.31 }, 0.02);
+        let Newmark { gamma, beta } = method;
+        let step = Coefficients::new(method, dt);
         let start = State { q: vec![1.0, -2.0], v: vec![3.0, 0.5], a: vec![-7.0, 40.0] };
-        let mut end = State::new(2);
-        step.predict(&start, &mut end);
+        let (mut predicted, mut end) = (State::new(2), State::new(2));
+        step.predict(&start, &mut predicted);
+        end.copy_from(&predicted);
+        step.correct(&predicted, [0.003].into_iter(), 1, &mut end);
+        // What is before `first` stays as predicted.
+        assert_eq!((end.q[0], end.v[0], end.a[0]), (predicted.q[0], predicted.v[0], -7.0));
         for i in 0..2 {
-            assert!((end.a[i] - start.a[i]).abs() <= 1e-10);
-            assert!((end.v[i] - start.v[i] - 0.02 * start.a[i]).abs() <= 1e-12);
+            // q = q_n + Δt q̇_n + Δt² ((½ − β) q̈_n + β q̈), q̇ = q̇_n + Δt ((1 − γ) q̈_n + γ q̈).
+            let mean = (0.5 - beta) * start.a[i] + beta * end.a[i];
+            let rate = (1.0 - gamma) * start.a[i] + gamma * end.a[i];
+            let q = start.q[i] + dt * start.v[i] + dt * dt * mean;
+            assert!((end.q[i] - q).abs() <= 1e-15, "{} for {q}", end.q[i]);
+            assert!((end.v[i] - start.v[i] - dt * rate).abs() <= 1e-14);
         }
     }
 }

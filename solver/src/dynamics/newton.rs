@@ -1,9 +1,11 @@
 //! Newton's method inside a time step, made safe against springs that switch.
 //!
-//! A direction Δq solves [AK] Δq = r, eqs. (45) and (46). The factors of [AK] are kept over iterations and
-//! steps while they contract. A step is taken only if it lessens the merit φ = ½ Σ r_i²/s_i, where s is the
-//! diagonal of the constant part a2 M + a1 C + K: along the direction of a fresh [AK] φ falls for a short
-//! enough step wherever r is differentiable, so that the iteration cannot cycle.
+//! A direction Δq solves [AK] Δq = r, eqs. (45) and (46), for the coordinates that are unknown. The factors of
+//! [AK] are kept over iterations and steps while they contract. A step is taken only if it lessens the merit
+//! φ = ½ Σ r_i²/s_i, where s is the diagonal of the constant part a2 M + a1 C + K: along the direction of a
+//! fresh [AK] φ falls for a short enough step wherever r is differentiable, so that the iteration cannot cycle.
+//! φ only steers. A step counts as solved when every row of r is ([`System::row_error`]) and the forces of the
+//! springs have come to rest.
 
 use super::newmark::{Coefficients, State};
 use super::system::System;
@@ -14,7 +16,8 @@ use crate::linalg::Lu;
 pub struct NewtonOptions {
     /// Largest change of a spring force in the last iteration (N).
     pub force_tolerance: f64,
-    /// Largest residual left, as a share of the largest forces of the march, both in the norm of φ.
+    /// Largest residual left in a row of the equations, as a share of the largest term of that row; see
+    /// [`System::row_error`].
     pub residual_tolerance: f64,
     /// Iterations after which a step counts as failed.
     pub max_iterations: usize,
@@ -32,7 +35,7 @@ impl Default for NewtonOptions {
     fn default() -> Self {
         NewtonOptions {
             force_tolerance: 1e-3,
-            residual_tolerance: 1e-7,
+            residual_tolerance: 5e-7,
             max_iterations: 40,
             keep_factors: true,
             line_search: true,
@@ -48,9 +51,8 @@ const SUFFICIENT: f64 = 1e-4;
 /// Shortest step tried.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
-/// Multiples of eps · |s q| that rounding may leave in the residual: positions enter it three times, and
-/// products over many coordinates add up.
-const ROUNDING: f64 = 32.0;
+/// Share of the largest spring force below which rounding of the clearances may keep a force from rest.
+const FORCE_ROUNDING: f64 = 1e-9;
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,22 +72,29 @@ pub(crate) struct Report {
     pub(crate) residual: f64,
     /// Largest change of a spring force in the last iteration (N).
     pub(crate) force_change: f64,
+    /// [`System::row_error`] of the state that was accepted.
+    pub(crate) row_error: f64,
 }
 
-/// Memory of the iteration, and the factors it keeps.
+/// Memory of the iteration, and the factors it keeps. Rows and columns are those of the unknowns: all
+/// coordinates from `first` on.
 pub(crate) struct Newton {
     options: NewtonOptions,
+    first: usize,
     lu: Lu,
+    /// [AK] of all coordinates, where not all are unknown.
+    whole: Vec<f64>,
     /// Step length for which the factors were made; none if 0.
     factored_dt: f64,
     /// 1/s.
     weights: Vec<f64>,
     weights_dt: f64,
     direction: Vec<f64>,
+    /// The state predicted for the end of the step, and what is added to its positions.
+    predicted: State,
+    correction: Vec<f64>,
     trial: State,
     forces: Vec<f64>,
-    /// Largest norm of forces at the end of a step so far.
-    scale: f64,
     /// How often a matrix was factored.
     pub(crate) factorisations: usize,
     /// √(2φ) after every iteration of the last step.
@@ -93,17 +102,23 @@ pub(crate) struct Newton {
 }
 
 impl Newton {
-    pub(crate) fn new(options: NewtonOptions, size: usize, springs: usize) -> Self {
+    pub(crate) fn new(options: NewtonOptions, system: &System) -> Self {
+        let machine = system.machine;
+        let (size, first) = (machine.size(), machine.first_unknown());
+        let unknowns = size - first;
         Newton {
             options,
-            lu: Lu::new(size),
+            first,
+            lu: Lu::new(unknowns),
+            whole: vec![0.0; if first > 0 { size * size } else { 0 }],
             factored_dt: 0.0,
-            weights: vec![1.0; size],
+            weights: vec![1.0; unknowns],
             weights_dt: 0.0,
-            direction: vec![0.0; size],
+            direction: vec![0.0; unknowns],
+            predicted: State::new(size),
+            correction: vec![0.0; unknowns],
             trial: State::new(size),
-            forces: vec![0.0; springs],
-            scale: 0.0,
+            forces: vec![0.0; machine.springs.forces()],
             factorisations: 0,
             residuals: Vec::with_capacity(options.max_iterations + 1),
         }
@@ -115,12 +130,14 @@ impl Newton {
         system: &mut System,
         t: f64,
         step: &Coefficients,
-        start: &State,
         end: &mut State,
     ) -> Report {
         self.weigh(system, step);
+        self.predicted.copy_from(end);
+        self.trial.copy_from(end);
+        self.correction.fill(0.0);
         system.evaluate(t, end);
-        let mut norm = self.norm(&system.residual);
+        let mut norm = self.norm(system);
         self.residuals.clear();
         self.residuals.push(norm);
         let mut last_length = f64::INFINITY;
@@ -135,8 +152,8 @@ impl Newton {
             }
             self.direct(system);
             self.forces.copy_from_slice(&system.springs.forces);
-            let (share, tried) = loop {
-                match self.search(system, t, step, start, end, norm, fresh) {
+            let (length, tried) = loop {
+                match self.search(system, t, step, norm, fresh) {
                     Some(found) => break found,
                     None if !fresh => {
                         // Kept factors promise nothing: make them at this state and try again.
@@ -151,70 +168,92 @@ impl Newton {
                 }
             };
             end.copy_from(&self.trial);
+            let parts = self.correction.iter_mut().zip(&self.direction);
+            parts.for_each(|(sum, part)| *sum += length * part);
             norm = tried;
             self.residuals.push(norm);
-            let changes =
-                self.forces.iter().zip(&system.springs.forces).map(|(a, b)| (a - b).abs());
-            force_change = changes.fold(0.0, f64::max);
-            let scale = self.scale.max(self.size(system, end));
-            let small = norm <= self.floor(scale, end);
-            if share == 1.0 && force_change <= self.options.force_tolerance && small {
-                // Only solved states count: forces of a prediction can be far too large.
-                self.scale = scale;
-                let ending = Ending::Converged;
-                return Report { ending, iterations: iteration, residual: norm, force_change };
+            let (change, largest) = self.force_change(system);
+            force_change = change;
+            let at_rest = change <= self.options.force_tolerance + FORCE_ROUNDING * largest;
+            if length == 1.0 && at_rest {
+                let row_error =
+                    system.row_error(end, &self.predicted, self.options.residual_tolerance);
+                if row_error <= 1.0 {
+                    let ending = Ending::Converged;
+                    let iterations = iteration;
+                    return Report { ending, iterations, residual: norm, force_change, row_error };
+                }
             }
-            let length = self.length();
-            if share < 1.0 || length > CONTRACTION * last_length {
+            let size = self.length();
+            if length < 1.0 || size > CONTRACTION * last_length {
                 self.factored_dt = 0.0;
             }
-            last_length = length;
+            last_length = size;
         }
         self.failed(self.options.max_iterations, norm, force_change)
     }
 
-    /// Tries steps along the direction, the whole one first; the share taken and the norm it leads to.
-    #[expect(clippy::too_many_arguments, reason = "the state of one iteration, used in one place")]
+    /// Tries steps along the direction, the whole one first; the length taken and the norm it leads to.
     fn search(
         &mut self,
         system: &mut System,
         t: f64,
         step: &Coefficients,
-        start: &State,
-        end: &State,
         norm: f64,
         fresh: bool,
     ) -> Option<(f64, f64)> {
-        // Below this φ says nothing of interest.
-        let floor = self.floor(self.scale, end);
-        let mut share = 1.0;
-        while share >= SHORTEST {
-            for i in 0..end.q.len() {
-                self.trial.q[i] = end.q[i] + share * self.direction[i];
-            }
-            step.rates(start, &mut self.trial);
+        let mut length = 1.0;
+        while length >= SHORTEST {
+            let parts = self.correction.iter().zip(&self.direction);
+            let moved = parts.map(|(sum, part)| sum + length * part);
+            step.correct(&self.predicted, moved, self.first, &mut self.trial);
             system.evaluate(t, &self.trial);
-            let tried = self.norm(&system.residual);
-            let enough = tried <= norm * (1.0 - SUFFICIENT * share) || tried <= floor;
-            if enough || !self.options.line_search {
-                return Some((share, tried));
+            let tried = self.norm(system);
+            let enough = tried <= norm * (1.0 - SUFFICIENT * length);
+            // Where the rows are solved, what is left of φ is rounding.
+            if enough
+                || !self.options.line_search
+                || system.row_error(&self.trial, &self.predicted, self.options.residual_tolerance)
+                    <= 1.0
+            {
+                return Some((length, tried));
             }
             if !fresh {
                 return None;
             }
-            share *= 0.5;
+            length *= 0.5;
         }
         None
     }
 
+    /// Largest change of a spring force since the start of the iteration, and the largest force (N).
+    fn force_change(&self, system: &System) -> (f64, f64) {
+        let pairs = self.forces.iter().zip(&system.springs.forces);
+        pairs.fold((0.0, 0.0), |(change, largest), (before, after)| {
+            // A difference that is no number is the largest.
+            let own = (before - after).abs();
+            let change = if own <= change { change } else { own };
+            (change, f64::max(largest, after.abs()))
+        })
+    }
+
     /// Solves for the direction at the state that was last evaluated.
     fn direct(&mut self, system: &System) {
-        self.direction.copy_from_slice(&system.residual);
+        self.direction.copy_from_slice(&system.residual[self.first..]);
         self.lu.solve_in_place(&mut self.direction);
     }
 
     fn factor(&mut self, system: &mut System, t: f64, at: &State, step: &Coefficients) -> bool {
-        system.tangent(t, at, step, self.lu.values_mut());
+        let (first, size) = (self.first, at.q.len());
+        if first == 0 {
+            system.tangent(t, at, step, self.lu.values_mut());
+        } else {
+            system.tangent(t, at, step, &mut self.whole);
+            let columns = self.whole.chunks_exact(size).skip(first);
+            for (own, whole) in self.lu.values_mut().chunks_exact_mut(size - first).zip(columns) {
+                own.copy_from_slice(&whole[first..]);
+            }
+        }
         self.factorisations += 1;
         let done = self.lu.factor_in_place().is_ok();
         self.factored_dt = if done { step.dt } else { 0.0 };
@@ -227,24 +266,21 @@ impl Newton {
             return;
         }
         let (shaft, support) = (&system.machine.shaft, &system.machine.support);
-        let (first, weights) = (1 + shaft.size(), &mut self.weights);
-        weights[0] = 1.0 / (step.a2 * shaft.j0.max(f64::MIN_POSITIVE.sqrt()));
-        for j in 0..shaft.size() {
-            let diagonal = step.a2 * shaft.mass[(j, j)]
-                + step.a1 * shaft.damping[(j, j)]
-                + shaft.stiffness[(j, j)];
-            weights[1 + j] = 1.0 / diagonal;
-        }
-        for i in 0..support.size() {
-            let diagonal = step.a2 + step.a1 * support.damping[i] + support.stiffness[i];
-            weights[first + i] = 1.0 / diagonal;
-        }
+        let rotation = std::iter::once(step.a2 * shaft.j0);
+        let bent = (0..shaft.size()).map(|j| {
+            step.a2 * shaft.mass[(j, j)] + step.a1 * shaft.damping[(j, j)] + shaft.stiffness[(j, j)]
+        });
+        let moved = (0..support.size())
+            .map(|i| step.a2 + step.a1 * support.damping[i] + support.stiffness[i]);
+        let diagonal = rotation.chain(bent).chain(moved).skip(self.first);
+        self.weights.iter_mut().zip(diagonal).for_each(|(weight, s)| *weight = 1.0 / s);
         self.weights_dt = step.dt;
     }
 
-    /// √(Σ x_i²/s_i).
-    fn norm(&self, x: &[f64]) -> f64 {
-        x.iter().zip(&self.weights).map(|(x, w)| x * x * w).sum::<f64>().sqrt()
+    /// √(2φ) = √(Σ r_i²/s_i) of the state that was last evaluated.
+    fn norm(&self, system: &System) -> f64 {
+        let parts = system.residual[self.first..].iter().zip(&self.weights);
+        parts.map(|(r, weight)| r * r * weight).sum::<f64>().sqrt()
     }
 
     /// √(Σ s_i Δq_i²).
@@ -253,42 +289,16 @@ impl Newton {
         parts.map(|(x, w)| x * x / w).sum::<f64>().sqrt()
     }
 
-    /// The norm of the residual that counts as nothing beside forces of size `scale`, and what rounding of
-    /// the state leaves.
-    fn floor(&self, scale: f64, state: &State) -> f64 {
-        let parts = state.q.iter().zip(&self.weights).map(|(q, weight)| q * q / weight);
-        let rounding = parts.sum::<f64>().sqrt();
-        self.options.residual_tolerance * scale + ROUNDING * f64::EPSILON * rounding
-    }
-
-    /// The largest forces at the state that was last evaluated: those applied, or where there are none,
-    /// those of inertia by the diagonal of M. (Beside applied forces these would say too much: θ and the
-    /// flexible shaft accelerate against each other.)
-    fn size(&self, system: &System, state: &State) -> f64 {
-        let parts = [&system.load, &system.spring, &system.damper].map(|part| self.norm(part));
-        let applied = parts.into_iter().fold(0.0, f64::max);
-        if applied > 0.0 {
-            return applied;
-        }
-        let shaft = &system.machine.shaft;
-        let mass = |i: usize| match i {
-            0 => shaft.j0,
-            _ if i <= shaft.size() => shaft.mass[(i - 1, i - 1)],
-            _ => 1.0,
-        };
-        let parts = self.weights.iter().enumerate();
-        parts.map(|(i, weight)| weight * (mass(i) * state.a[i]).powi(2)).sum::<f64>().sqrt()
-    }
-
     fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> Report {
         self.factored_dt = 0.0;
-        Report { ending: Ending::Failed, iterations, residual, force_change }
+        let row_error = f64::INFINITY;
+        Report { ending: Ending::Failed, iterations, residual, force_change, row_error }
     }
 
     /// The coordinate with the largest share in φ.
     pub(crate) fn worst(&self, residual: &[f64]) -> usize {
-        let shares = residual.iter().zip(&self.weights).map(|(x, w)| x * x * w);
+        let shares = residual[self.first..].iter().zip(&self.weights).map(|(x, w)| x * x * w);
         let worst = shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-        worst.map_or(0, |(place, _)| place)
+        self.first + worst.map_or(0, |(place, _)| place)
     }
 }

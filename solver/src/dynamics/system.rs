@@ -9,23 +9,27 @@ use crate::bearing::SpringState;
 use crate::bearing::state::Motion;
 use crate::linalg::{Columns, add_columns, add_product, multiply_transpose_add};
 use crate::loads::Position;
-use crate::machine::{Machine, Rotation};
+use crate::machine::Machine;
 
 /// Memory for evaluating a machine, and what was last evaluated.
 pub struct System<'m> {
     pub(crate) machine: &'m Machine,
     tensors: Vec<&'m [f64]>,
     workspace: Vec<f64>,
-    /// r, one value a coordinate.
+    /// Time of the last evaluation (s).
+    pub(crate) time: f64,
+    /// r, one value a coordinate, and its terms: Q_v − M q̈, C q̇, K q, and the generalised forces of the
+    /// loads and of the springs.
     pub(crate) residual: Vec<f64>,
-    /// Generalised forces of the loads, of the springs, and of the dampers (C q̇).
+    pub(crate) inertia: Vec<f64>,
+    pub(crate) damper: Vec<f64>,
+    pub(crate) elastic: Vec<f64>,
     pub(crate) load: Vec<f64>,
     pub(crate) spring: Vec<f64>,
-    pub(crate) damper: Vec<f64>,
     pub(crate) springs: SpringState,
-    /// Whether the driving loads have stopped.
-    pub(crate) released: bool,
-    shaft_block: Vec<f64>,
+    /// For every load whether it has stopped driving.
+    pub(crate) released: Vec<bool>,
+    pub(crate) shaft_block: Vec<f64>,
     tangents: Vec<RingTangent>,
     contacts: ContactTangents,
     active: Vec<f64>,
@@ -43,12 +47,15 @@ impl<'m> System<'m> {
             machine,
             tensors: machine.tensors(),
             workspace: vec![0.0; (machine.motion.workspace)(n_s)],
+            time: 0.0,
             residual: vec![0.0; size],
+            inertia: vec![0.0; size],
+            damper: vec![0.0; size],
+            elastic: vec![0.0; size],
             load: vec![0.0; size],
             spring: vec![0.0; size],
-            damper: vec![0.0; size],
             springs: SpringState::new(springs),
-            released: false,
+            released: vec![false; machine.loads.len()],
             shaft_block: vec![0.0; (1 + n_s) * (1 + n_s)],
             tangents: springs.planes.iter().map(|p| RingTangent::new(p.springs.len())).collect(),
             contacts: ContactTangents::new(&springs.contacts, n_b),
@@ -59,46 +66,46 @@ impl<'m> System<'m> {
         }
     }
 
-    fn held(&self) -> bool {
-        self.machine.rotation == Rotation::Held
-    }
-
-    /// r at the state that was last evaluated, one value a coordinate.
+    /// r at the state that was last evaluated, one value a coordinate. That of a rotation that is no unknown is
+    /// the couple which would be needed beside the loads, with the sign changed.
     pub fn residual(&self) -> &[f64] {
         &self.residual
     }
 
     /// Computes r and its parts at time `t` (s).
     pub fn evaluate(&mut self, t: f64, state: &State) {
+        self.time = t;
         let machine = self.machine;
         let (shaft, support) = (&machine.shaft, &machine.support);
         let first = 1 + shaft.size();
         let (eta, eta_dot) = (&state.q[1..first], &state.v[1..first]);
         let motion = motion_state(state, first);
-        let inertia = &mut self.residual[..first];
+        let inertia = &mut self.inertia[..first];
         (machine.motion.inertia_force)(&self.tensors, &motion, &mut self.workspace, inertia);
 
         self.damper.fill(0.0);
+        self.elastic.fill(0.0);
         add_product(&mut self.damper[1..first], &shaft.damping, eta_dot);
-        let columns = eta.iter().enumerate().map(|(j, eta)| (shaft.stiffness.col(j), -eta));
-        add_columns(&mut self.residual[1..first], columns);
+        add_product(&mut self.elastic[1..first], &shaft.stiffness, eta);
         for i in 0..support.size() {
             let (x, v, a) = (state.q[first + i], state.v[first + i], state.a[first + i]);
+            self.inertia[first + i] = -a;
             self.damper[first + i] = support.damping[i] * v;
-            self.residual[first + i] = -a - support.stiffness[i] * x;
+            self.elastic[first + i] = support.stiffness[i] * x;
         }
 
         self.load.fill(0.0);
         let position = Position::new(state.q[0]);
         let (q_theta, q_eta) = self.load.split_first_mut().expect("θ");
-        for load in &machine.loads {
-            let factor = load.factor(t, self.released);
+        for (load, released) in machine.loads.iter().zip(&self.released) {
+            let factor = load.factor(t, *released);
             load.add_force(factor, &position, eta, q_theta, &mut q_eta[..shaft.size()]);
         }
 
         let springs = Motion {
             theta: state.q[0],
             theta_dot: state.v[0],
+            spin: machine.spin(t),
             eta,
             eta_dot,
             support: &state.q[first..],
@@ -110,12 +117,12 @@ impl<'m> System<'m> {
         let (theta, on_shaft) = on_shaft.split_first_mut().expect("θ");
         self.springs.add_forces(&machine.springs, theta, on_shaft, on_support);
 
-        let parts = self.load.iter().zip(&self.spring).zip(&self.damper);
-        for (r, ((load, spring), damper)) in self.residual.iter_mut().zip(parts) {
-            *r += load + spring - damper;
-        }
-        if self.held() {
-            self.residual[0] = 0.0;
+        let applied = self.load.iter().zip(&self.spring);
+        let own = self.inertia.iter().zip(self.elastic.iter().zip(&self.damper));
+        for (r, ((load, spring), (inertia, (elastic, damper)))) in
+            self.residual.iter_mut().zip(applied.zip(own))
+        {
+            *r = (inertia - elastic) + (load + spring - damper);
         }
     }
 
@@ -147,8 +154,8 @@ impl<'m> System<'m> {
             column.iter_mut().zip(parts).for_each(|(sum, (c, k))| *sum += step.a1 * c + k);
         }
         let position = Position::new(state.q[0]);
-        for load in &machine.loads {
-            let factor = load.factor(t, self.released);
+        for (load, released) in machine.loads.iter().zip(&self.released) {
+            let factor = load.factor(t, *released);
             load.subtract_tangent(factor, &position, &state.q[1..first], size, out);
         }
         self.subtract_springs(step.a1, first, out);
@@ -156,13 +163,6 @@ impl<'m> System<'m> {
             let place = first + i;
             out[place * (size + 1)] +=
                 step.a2 + step.a1 * support.damping[i] + support.stiffness[i];
-        }
-        if self.held() {
-            for i in 0..size {
-                out[i] = 0.0;
-                out[i * size] = 0.0;
-            }
-            out[0] = 1.0;
         }
     }
 

@@ -16,11 +16,11 @@ use super::newton::converges_quadratically;
 use super::{DISCS, INERTIA, bearing, bores, discs, force, options, parts, stops};
 
 /// A law given by its formula, whose slopes follow by dual numbers.
-struct Formula {
-    name: &'static str,
-    inputs: &'static [&'static str],
-    outputs: &'static [&'static str],
-    value: fn(&[Dual64]) -> Vec<Dual64>,
+pub(super) struct Formula {
+    pub(super) name: &'static str,
+    pub(super) inputs: &'static [&'static str],
+    pub(super) outputs: &'static [&'static str],
+    pub(super) value: fn(&[Dual64]) -> Vec<Dual64>,
 }
 
 impl SpringLaw for &'static Formula {

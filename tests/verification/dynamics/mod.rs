@@ -1,5 +1,6 @@
 //! Machines small enough to reason about: discs on a massless elastic line, in bores that vibrate.
 
+mod audit;
 mod contacts;
 mod equations;
 mod films;

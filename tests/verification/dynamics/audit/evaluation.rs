@@ -1,0 +1,216 @@
+//! The equations of a machine, evaluated from its tensors, its bearings as a test describes them and forces in
+//! closed form: nothing of the solver's evaluation, and none of its norms.
+
+use whirl_solver::bearing::Bearing;
+use whirl_solver::dynamics::State;
+use whirl_solver::linalg::Matrix;
+use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::machine::Machine;
+
+/// What a law takes at one place, in the fixed frame.
+#[derive(Default)]
+pub(super) struct Seen {
+    pub(super) h: f64,
+    pub(super) h_dot: f64,
+    pub(super) slip: f64,
+    pub(super) e: [f64; 2],
+    pub(super) e_dot: [f64; 2],
+    pub(super) omega: f64,
+}
+
+/// A law in closed form.
+pub(super) enum Direct {
+    /// Normal and tangential force of one spring.
+    Spring(fn(&Seen) -> [f64; 2]),
+    /// F_x, F_y and M_z of a ring.
+    Ring(fn(&Seen) -> [f64; 3]),
+}
+
+/// One row: r, its terms, the largest force projected on it, and the sum of everything in it.
+#[derive(Clone, Default)]
+struct Row {
+    r: f64,
+    largest: f64,
+    projected: f64,
+    sum: f64,
+}
+
+/// The rows of a machine at one instant.
+pub(super) struct Rows(Vec<Row>);
+
+impl Rows {
+    /// Adds a term of row `i`, made of products.
+    fn term(&mut self, i: usize, products: impl IntoIterator<Item = f64>) {
+        let (mut value, row) = (0.0, &mut self.0[i]);
+        for product in products {
+            value += product;
+            row.sum += product.abs();
+        }
+        row.r += value;
+        row.largest = row.largest.max(value.abs());
+    }
+}
+
+/// At most 1 if every row of the unknowns is right at the end of a step, by the bound of the audit: |r| ≤ 1e-6 of
+/// the largest term + 1e-9 of the largest force projected + 32 ε Σ |terms|, those of the start of the step, from
+/// which its end follows, included.
+pub(super) fn worst_row(before: &Rows, after: &Rows, first: usize) -> f64 {
+    let ratio = |(before, after): (&Row, &Row)| {
+        let bound = 1e-6 * after.largest
+            + 1e-9 * after.projected
+            + 32.0 * f64::EPSILON * (before.sum + after.sum);
+        if after.r == 0.0 { 0.0 } else { after.r.abs() / bound }
+    };
+    let ratios = before.0[first..].iter().zip(&after.0[first..]).map(ratio);
+    ratios.fold(0.0, |worst: f64, r| if r.is_nan() { f64::INFINITY } else { worst.max(r) })
+}
+
+/// The rows of a machine whose bearings stand in a support that moves as one mass.
+pub(super) fn rows(
+    machine: &Machine,
+    bearings: &[(&Bearing, &Direct)],
+    t: f64,
+    state: &State,
+) -> Rows {
+    let shaft = &machine.shaft;
+    let (n, size) = (shaft.size(), machine.size());
+    let (theta, omega, alpha) = (state.q[0], state.v[0], state.a[0]);
+    let (q, v, a) = (&state.q[1..=n], &state.v[1..=n], &state.a[1..=n]);
+    let mut rows = Rows(vec![Row::default(); size]);
+    let times = |m: &Matrix, i: usize, x: &[f64]| -> Vec<f64> {
+        (0..n).map(|j| m[(i, j)] * x[j]).collect()
+    };
+    let total = |products: &[f64]| products.iter().sum::<f64>();
+    // Kinetic energy ½ θ̇² J + θ̇ g·η̇ + ½ η̇ᵀMη̇ with J = J0 + 2 y0·η + ηᵀYη, g = g0 − Hη.
+    let (y, h) = (&shaft.spin_inertia, &shaft.spin_coupling);
+    let arm: Vec<f64> = (0..n).map(|i| shaft.y0[i] + total(&times(y, i, q))).collect();
+    let g: Vec<f64> = (0..n).map(|i| shaft.g0[i] - total(&times(h, i, q))).collect();
+    let inertia = shaft.j0
+        + (0..n).map(|i| 2.0 * shaft.y0[i] * q[i] + q[i] * total(&times(y, i, q))).sum::<f64>();
+    let row: Vec<f64> = (0..n).map(|i| -g[i] * a[i]).collect();
+    rows.term(0, row.into_iter().chain([-inertia * alpha]));
+    rows.term(0, (0..n).map(|i| -2.0 * arm[i] * v[i] * omega));
+    for i in 0..n {
+        let mass = times(&shaft.mass, i, a).into_iter().map(|x| -x);
+        rows.term(1 + i, mass.chain([-g[i] * alpha]));
+        let coriolis = times(h, i, v).into_iter().map(|x| 2.0 * x * omega);
+        rows.term(1 + i, coriolis.chain([arm[i] * omega * omega]));
+        rows.term(1 + i, times(&shaft.damping, i, v).into_iter().map(|x| -x));
+        rows.term(1 + i, times(&shaft.stiffness, i, q).into_iter().map(|x| -x));
+    }
+    for i in 0..machine.support.size() {
+        let place = 1 + n + i;
+        rows.term(place, [-state.a[place]]);
+        rows.term(place, [-machine.support.damping[i] * state.v[place]]);
+        rows.term(place, [-machine.support.stiffness[i] * state.q[place]]);
+    }
+    let (sin, cos) = theta.sin_cos();
+    let mut loads = vec![Vec::new(); size];
+    for load in &machine.loads {
+        let force = load_in_shaft(load, t, [sin, cos]);
+        let shape = |axis: usize, j: usize| load.node.shapes[(axis, j)];
+        let at = |axis: usize| {
+            load.node.position[axis] + (0..n).map(|j| shape(axis, j) * q[j]).sum::<f64>()
+        };
+        loads[0].extend([at(0) * force[1], -at(1) * force[0]]);
+        for j in 0..n {
+            loads[1 + j].extend([0, 1, 2].map(|axis| shape(axis, j) * force[axis]));
+        }
+        let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        rows.0[0].projected = rows.0[0].projected.max(size * at(0).hypot(at(1)));
+        for j in 0..n {
+            let reach = [0, 1, 2].map(|axis| shape(axis, j).powi(2)).iter().sum::<f64>().sqrt();
+            rows.0[1 + j].projected = rows.0[1 + j].projected.max(size * reach);
+        }
+    }
+    for (i, products) in loads.into_iter().enumerate() {
+        rows.term(i, products);
+    }
+    let mut springs = vec![Vec::new(); size];
+    for (bearing, law) in bearings {
+        for &station in &bearing.stations {
+            // Quadratic in z through the three nodes.
+            let s = station;
+            let weights = [(2.0 * s - 1.0) * (s - 1.0), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)];
+            let shape = |axis: usize, j: usize| -> f64 {
+                let parts = bearing.journal.iter().zip(weights);
+                parts.map(|(&node, w)| w * shaft.nodes[node].shapes[(axis, j)]).sum()
+            };
+            let along = |x: &[f64]| [0, 1].map(|k| (0..n).map(|j| shape(k, j) * x[j]).sum::<f64>());
+            let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+            let (u, rate) = (turn(along(q)), turn(along(v)));
+            // u̇ = A ε̇ + θ̇ ẑ×u.
+            let u_dot = [rate[0] - omega * u[1], rate[1] + omega * u[0]];
+            let bore_shape = |axis: usize, i: usize| match bearing.bore[1].first() {
+                Some(&node) => machine.support.nodes[node].shapes[(axis, i)],
+                None => 0.0,
+            };
+            let m = machine.support.size();
+            let bore = |x: &[f64]| {
+                [0, 1].map(|k| (0..m).map(|i| bore_shape(k, i) * x[1 + n + i]).sum::<f64>())
+            };
+            let (b, b_dot) = (bore(&state.q), bore(&state.v));
+            let e = [u[0] - b[0], u[1] - b[1]];
+            let e_dot = [u_dot[0] - b_dot[0], u_dot[1] - b_dot[1]];
+            let radius = bearing.journal_radius.unwrap_or(0.0);
+            // A force on the journal's centre with a moment; what the bore feels is the opposite.
+            let mut push = |force: [f64; 2], moment: f64| {
+                springs[0].extend([u[0] * force[1], -u[1] * force[0], moment]);
+                let size = force[0].hypot(force[1]);
+                let reach = size * (radius + u[0].hypot(u[1])) + moment.abs();
+                rows.0[0].projected = rows.0[0].projected.max(reach);
+                let turned = [cos * force[0] + sin * force[1], -sin * force[0] + cos * force[1]];
+                for j in 0..n {
+                    springs[1 + j].extend([0, 1].map(|axis| shape(axis, j) * turned[axis]));
+                    let reach = size * shape(0, j).hypot(shape(1, j));
+                    rows.0[1 + j].projected = rows.0[1 + j].projected.max(reach);
+                }
+                for i in 0..m {
+                    springs[1 + n + i]
+                        .extend([0, 1].map(|axis| -bore_shape(axis, i) * force[axis]));
+                    let reach = size * bore_shape(0, i).hypot(bore_shape(1, i));
+                    rows.0[1 + n + i].projected = rows.0[1 + n + i].projected.max(reach);
+                }
+            };
+            match law {
+                Direct::Spring(law) => {
+                    for psi in &bearing.angles {
+                        let (normal, tangent) = ([psi.cos(), psi.sin()], [-psi.sin(), psi.cos()]);
+                        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+                        let [q, t] = law(&Seen {
+                            h: bearing.clearance - dot(normal, e),
+                            h_dot: -dot(normal, e_dot),
+                            slip: radius * omega + dot(tangent, e_dot),
+                            omega,
+                            ..Seen::default()
+                        });
+                        let force = [0, 1].map(|k| t * tangent[k] - q * normal[k]);
+                        push(force, radius * t);
+                    }
+                }
+                Direct::Ring(law) => {
+                    let [x, y, moment] = law(&Seen { e, e_dot, omega, ..Seen::default() });
+                    push([x, y], moment);
+                }
+            }
+        }
+    }
+    for (i, products) in springs.into_iter().enumerate() {
+        rows.term(i, products);
+    }
+    rows
+}
+
+/// A load in the frame of the shaft (N).
+fn load_in_shaft(load: &Load, t: f64, [sin, cos]: [f64; 2]) -> [f64; 3] {
+    let factor = match load.course {
+        Course::Constant => 1.0,
+        Course::Sine { frequency, phase } => (std::f64::consts::TAU * frequency * t + phase).sin(),
+        Course::UntilSpeed { .. } => panic!("no drive in an audit"),
+    };
+    let [x, y, z] = load.force.map(|part| factor * part);
+    match load.frame {
+        Frame::Shaft => [x, y, z],
+        Frame::Space => [cos * x + sin * y, -sin * x + cos * y, z],
+    }
+}
