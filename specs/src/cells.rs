@@ -18,7 +18,14 @@ pub fn looped(count: usize) -> usize {
 }
 
 /// The matrix of a form on one lane of cells with NODES nodes: MATERIAL properties, LEN stored values.
-pub trait CellLanes<const NODES: usize, const MATERIAL: usize, const LEN: usize> {
+///
+/// # Safety
+/// The room is memory that kernels share, seen as [`CellLanes::Room`]: before a kernel, and after one of another
+/// type, its bytes are any numbers. So an implementation
+/// * writes what it reads of the room first (else its results depend on the kernels before it), and
+/// * leaves all of the room initialised: it writes fields and entries of them, never a value with padding over
+///   the whole, and moves nothing out of it.
+pub unsafe trait CellLanes<const NODES: usize, const MATERIAL: usize, const LEN: usize> {
     /// Room for values between the steps, not cleared.
     type Room<L: Register>: Zeros;
     /// Whether the values of a cell keep to registers: then the way into lanes is part of the kernel, while all others
@@ -91,7 +98,8 @@ fn place<T: Zeros>(memory: &mut Vec<Eight>) -> &mut T {
     if memory.len() < needed {
         grow(memory, needed);
     }
-    // SAFETY: so large and so aligned, initialised all of it, and any bits are a value of the type.
+    // SAFETY: so large and so aligned; initialised all of it, by `grow` and by what kernels promise; and any bits
+    // are a value of the type.
     unsafe { &mut *memory.as_mut_ptr().cast::<T>() }
 }
 

@@ -1,12 +1,10 @@
 //! A law and an element dropped into a copy of the specs are listed and work, with no Rust changed.
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::{env, fs};
-
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
+
+use crate::workspace::{Workspace, text};
 
 const LAW: &str = r#"kind = "law"
 name = "dropped-hertz"
@@ -57,28 +55,11 @@ fn points() -> Vec<f64> {
     row(2e-7, 10.0).chain(row(0.1, 25.0)).collect()
 }
 
-/// A workspace of the copied specs and the probe; the generator itself stays where it is.
-fn workspace(root: &Path) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("dropped");
-    // What an earlier run left could be listed too.
-    let _ = fs::remove_dir_all(folder.join("specs"));
-    let write = |path: &str, text: &str| {
-        let path = folder.join(path);
-        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
-        fs::write(path, text).expect("a file");
-    };
-    let text = |path: &str| fs::read_to_string(root.join(path)).expect("a file of the project");
-    for part in ["", "src", "elements", "forms", "laws", "motion"] {
-        for entry in fs::read_dir(root.join("specs").join(part)).expect("a folder of the specs") {
-            let path = entry.expect("an entry").path();
-            if path.is_file() {
-                let name = path.strip_prefix(root).expect("a path of the project");
-                let name = name.to_str().expect("a plain name");
-                write(name, &text(name));
-            }
-        }
-    }
-    write("specs/laws/dropped-hertz.toml", LAW);
+/// The specs with two more, and the probe.
+fn workspace() -> Workspace {
+    let folders = ["elements", "forms", "laws", "motion"];
+    let workspace = Workspace::new("dropped", "\"specs\", \"probe\"", &folders);
+    workspace.write("specs/laws/dropped-hertz.toml", LAW);
     let brick: String = text("specs/elements/hex8.toml")
         .lines()
         .map(|line| match line.split_once(" = ") {
@@ -87,50 +68,20 @@ fn workspace(root: &Path) -> PathBuf {
             _ => format!("{line}\n"),
         })
         .collect();
-    write("specs/elements/dropped-brick.toml", &brick);
-
-    let codegen = root.join("codegen");
-    let manifest: String = text("Cargo.toml")
-        .lines()
-        .map(|line| {
-            if line.starts_with("members") {
-                "members = [\"specs\", \"probe\"]\n".to_owned()
-            } else if line.starts_with("default-members") {
-                String::new()
-            } else {
-                let here = format!("{:?}", codegen.display().to_string());
-                format!("{}\n", line.replace("\"codegen\"", &here))
-            }
-        })
-        .collect();
-    write("Cargo.toml", &manifest);
-    write("Cargo.lock", &text("Cargo.lock"));
-    write(
+    workspace.write("specs/elements/dropped-brick.toml", &brick);
+    workspace.write(
         "probe/Cargo.toml",
         "[package]\nname = \"whirl-probe\"\nedition = \"2024\"\n\n\
          [dependencies]\nwhirl-specs.workspace = true\n",
     );
-    write("probe/src/main.rs", &format!("const POINTS: &[f64] = &{:?};\n{PROBE}", points()));
-    folder
+    workspace
+        .write("probe/src/main.rs", &format!("const POINTS: &[f64] = &{:?};\n{PROBE}", points()));
+    workspace
 }
 
 #[test]
 fn specs_dropped_into_the_folders_are_usable() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace");
-    let folder = workspace(root);
-    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    // The target folder of the tests: what they were built from is not built again.
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("the target folder");
-    let output = Command::new(cargo)
-        .args(["run", "--quiet", "--offline", "--package", "whirl-probe", "--manifest-path"])
-        .arg(folder.join("Cargo.toml"))
-        .arg("--target-dir")
-        .arg(target)
-        .output()
-        .expect("cargo can be run");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "the probe fails:\n{errors}");
-
+    let output = workspace().cargo(&["run", "--package", "whirl-probe"]);
     let law = LawSpec::read(&Source::new("laws/dropped-hertz.toml", LAW)).expect("a law");
     let tape = Tape::new(&law.program().expect("a program"));
     let (mut taped, mut workspace) = (vec![0.0; 150], vec![0.0; tape.workspace()]);

@@ -37,11 +37,9 @@ fn text<'a>(files: &'a [GeneratedFile], name: &str) -> &'a str {
     &files.iter().find(|file| file.name == name).expect("the file is generated").text
 }
 
-#[test]
-fn the_text_of_a_law_is_as_committed() {
-    let files = generated(&[file("laws/example.toml", LAW)]);
-    let found = text(&files, "laws.rs");
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/law.rs");
+/// Compares a text with the committed one, or writes it anew.
+fn is_as_committed(found: &str, name: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name);
     if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
         fs::write(&path, found).expect("the golden file can be written");
     }
@@ -49,6 +47,40 @@ fn the_text_of_a_law_is_as_committed() {
     let first = found.lines().zip(expected.lines()).find(|(found, expected)| found != expected);
     assert_eq!(first, None, "first difference; WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
     assert_eq!(found.len(), expected.len());
+}
+
+/// A shipped spec.
+fn shipped(path: &str) -> SpecFile {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs");
+    file(path, &fs::read_to_string(root.join(path)).expect("a shipped spec"))
+}
+
+#[test]
+fn the_text_of_a_law_is_as_committed() {
+    let files = generated(&[file("laws/example.toml", LAW)]);
+    is_as_committed(text(&files, "laws.rs"), "law.rs");
+}
+
+#[test]
+fn the_text_of_forms_is_as_committed() {
+    let files = generated(&[shipped("forms/elasticity.toml"), shipped("forms/inertia.toml")]);
+    is_as_committed(text(&files, "forms.rs"), "forms.rs");
+}
+
+#[test]
+fn the_text_of_an_element_is_as_committed() {
+    let files = generated(&[
+        shipped("elements/tet4.toml"),
+        shipped("forms/elasticity.toml"),
+        shipped("forms/inertia.toml"),
+    ]);
+    is_as_committed(text(&files, "elements.rs"), "element.rs");
+}
+
+#[test]
+fn the_text_of_a_clearance_is_as_committed() {
+    let files = generated(&[shipped("motion/clearance.toml")]);
+    is_as_committed(text(&files, "clearances.rs"), "clearance.rs");
 }
 
 #[test]

@@ -17,12 +17,31 @@ const ROOTS: usize = 8;
 /// Largest prime that is taken out of a square root; a larger square is kept as it is.
 const PRIMES: u32 = 1000;
 
+/// Most bits of a numerator or denominator of a number that is read, and most coefficients: what is done with
+/// the points of a rule afterwards takes time that grows with both.
+const NUMBER_BITS: u64 = 1024;
+const TERMS: usize = 32;
+
+/// Products of coefficients that all numbers of a field together may take to be read.
+const WORK: u64 = 200_000;
+
+/// Why a number cannot be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ReadError {
+    /// It is none, not made by square roots, or by more than there may be.
+    Roots,
+    /// It has too many digits or terms.
+    Size,
+}
+
 /// ℚ(r₁)(r₂)…: each rᵢ is the positive square root of a number of the field below it.
 #[derive(Debug, Clone, Default)]
 pub struct Field {
     squares: Vec<Algebraic>,
     /// rᵢ·2^BITS.
     roots: Vec<BigInt>,
+    /// Products of coefficients that reading took.
+    work: u64,
 }
 
 /// Σ over sets S of c_S Π_{i ∈ S} rᵢ; a set is a bit mask, no coefficient is zero.
@@ -47,6 +66,11 @@ impl Algebraic {
             1 => self.0.get(&0).cloned(),
             _ => None,
         }
+    }
+
+    /// Whether it is small enough to be worked with.
+    fn is_moderate(&self) -> bool {
+        self.0.len() <= TERMS && self.0.values().all(|c| c.bits() <= NUMBER_BITS)
     }
 
     /// Adds scale · other.
@@ -75,24 +99,56 @@ impl Algebraic {
     }
 }
 
+/// p − q·r of p + q·r, r the last root in it.
+fn conjugate(a: &Algebraic) -> Algebraic {
+    let last = a.0.keys().max().map_or(0, |set| set.checked_ilog2().unwrap_or(0));
+    let turned =
+        |(set, c): (&u32, &Rational)| (*set, if set >> last & 1 == 1 { -c } else { c.clone() });
+    Algebraic(a.0.iter().map(turned).collect())
+}
+
 impl Field {
     /// a·b.
     pub fn multiply(&self, a: &Algebraic, b: &Algebraic) -> Algebraic {
+        self.product(a, b, &mut { u64::MAX }).expect("there is no end of work")
+    }
+
+    /// a·b; `None` where that takes more than `work` products of coefficients, which is less by them then.
+    fn product(&self, a: &Algebraic, b: &Algebraic, work: &mut u64) -> Option<Algebraic> {
         let mut product = Algebraic::default();
         for (left, x) in &a.0 {
             for (right, y) in &b.0 {
-                let rest = Algebraic(BTreeMap::from([(left ^ right, x * y)]));
+                *work = work.checked_sub(1)?;
+                let mut term = Algebraic(BTreeMap::from([(left ^ right, x * y)]));
                 let common = left & right;
-                let square = |term: Algebraic, place: usize| match common >> place & 1 {
-                    1 => self.multiply(&term, &self.squares[place]),
-                    _ => term,
-                };
-                let term =
-                    if common == 0 { rest } else { (0..self.squares.len()).fold(rest, square) };
+                for (place, square) in self.squares.iter().enumerate() {
+                    if common >> place & 1 == 1 {
+                        term = self.product(&term, square, work)?;
+                    }
+                }
                 product.add(&term, &Rational::one());
             }
         }
-        product
+        Some(product)
+    }
+
+    /// a·b while reading: of bounded size, and in bounded time.
+    fn bounded(&mut self, a: &Algebraic, b: &Algebraic) -> Result<Algebraic, ReadError> {
+        let mut left = WORK.saturating_sub(self.work);
+        let product = self.product(a, b, &mut left);
+        self.work = WORK - left;
+        product.filter(Algebraic::is_moderate).ok_or(ReadError::Size)
+    }
+
+    /// aⁿ while reading.
+    fn bounded_power(&mut self, a: &Algebraic, exponent: i32) -> Result<Algebraic, ReadError> {
+        let base = match exponent {
+            ..0 if a.is_zero() => return Err(ReadError::Roots),
+            ..0 => self.reciprocal(a)?,
+            _ => a.clone(),
+        };
+        let one = Algebraic::rational(Rational::one());
+        (0..exponent.unsigned_abs()).try_fold(one, |power, _| self.bounded(&power, &base))
     }
 
     /// aⁿ; `None` of a negative power of zero.
@@ -102,26 +158,38 @@ impl Field {
         Some((0..exponent.unsigned_abs()).fold(one, |power, _| self.multiply(&power, &base)))
     }
 
+    /// 1/a while reading, of a number that is not zero.
+    fn reciprocal(&mut self, a: &Algebraic) -> Result<Algebraic, ReadError> {
+        if let Some(value) = a.as_rational() {
+            return Ok(Algebraic::rational(value.recip()));
+        }
+        let conjugate = conjugate(a);
+        let norm = self.bounded(a, &conjugate)?;
+        let inverse = self.reciprocal(&norm)?;
+        self.bounded(&conjugate, &inverse)
+    }
+
     /// 1/a: with a = p + q·r, r the last root in it, it is (p − q·r)/(p² − q²r²). `None` of zero.
     pub fn inverse(&self, a: &Algebraic) -> Option<Algebraic> {
         if let Some(value) = a.as_rational() {
             return (!value.is_zero()).then(|| Algebraic::rational(value.recip()));
         }
-        let last = a.0.keys().max()?.ilog2();
-        let conjugate =
-            a.0.iter().map(|(set, c)| (*set, if set >> last & 1 == 1 { -c } else { c.clone() }));
-        let conjugate = Algebraic(conjugate.collect());
+        let conjugate = conjugate(a);
         let norm = self.multiply(a, &conjugate);
         Some(self.multiply(&conjugate, &self.inverse(&norm)?))
     }
 
     /// √a, in a field that grows where it must; `None` of a negative number, or past `ROOTS`.
     pub fn root(&mut self, a: &Algebraic) -> Option<Algebraic> {
+        self.bounded_root(a).ok()
+    }
+
+    fn bounded_root(&mut self, a: &Algebraic) -> Result<Algebraic, ReadError> {
         if a.is_zero() {
-            return Some(Algebraic::default());
+            return Ok(Algebraic::default());
         }
         if self.fixed(a).is_negative() {
-            return None;
+            return Err(ReadError::Roots);
         }
         // a = (n/d)·b, where b has whole coefficients without a common divisor.
         let divisor = |f: fn(&BigInt, &BigInt) -> BigInt, part: fn(&Rational) -> BigInt| {
@@ -129,20 +197,21 @@ impl Field {
                 Some(common.map_or(next.abs(), |common| f(&common, &next)))
             })
         };
-        let numerator = divisor(gcd, Rational::numer)?;
-        let denominator = divisor(|a, b| a / gcd(a, b) * b, Rational::denom)?;
+        let numerator = divisor(gcd, Rational::numer).ok_or(ReadError::Roots)?;
+        let denominator =
+            divisor(|a, b| a / gcd(a, b) * b, Rational::denom).ok_or(ReadError::Roots)?;
         let content = Rational::new(numerator.clone(), denominator.clone());
         let mut root = self.root_of_whole(numerator * &denominator)?;
         root = root.times(&Rational::new(BigInt::one(), denominator));
         if a.as_rational().is_none() {
             let adjoined = self.adjoin(a.times(&content.recip()))?;
-            root = self.multiply(&root, &adjoined);
+            root = self.bounded(&root, &adjoined)?;
         }
-        Some(root)
+        Ok(root)
     }
 
     /// √n by the roots of its primes, which are independent of each other.
-    fn root_of_whole(&mut self, mut n: BigInt) -> Option<Algebraic> {
+    fn root_of_whole(&mut self, mut n: BigInt) -> Result<Algebraic, ReadError> {
         let mut root = Algebraic::rational(Rational::one());
         let whole = |n: BigInt| Algebraic::rational(Rational::from(n));
         let mut prime = 2;
@@ -155,59 +224,77 @@ impl Field {
             if (&n % &p).is_zero() {
                 n /= &p;
                 let factor = self.adjoin(whole(p))?;
-                root = self.multiply(&root, &factor);
+                root = self.bounded(&root, &factor)?;
             }
             prime += 1;
         }
         let exact = n.sqrt();
         let rest = if &exact * &exact == n { whole(exact) } else { self.adjoin(whole(n))? };
-        Some(self.multiply(&root, &rest))
+        self.bounded(&root, &rest)
     }
 
     /// The root of this square, which is in the field already or is added to it.
-    fn adjoin(&mut self, square: Algebraic) -> Option<Algebraic> {
+    fn adjoin(&mut self, square: Algebraic) -> Result<Algebraic, ReadError> {
         let known = self.squares.iter().position(|known| *known == square);
         let place = match known {
             Some(place) => place,
-            None if self.squares.len() == ROOTS => return None,
+            None if self.squares.len() == ROOTS => return Err(ReadError::Roots),
+            None if !square.is_moderate() => return Err(ReadError::Size),
             None => {
                 self.roots.push((self.fixed(&square) << BITS).sqrt());
                 self.squares.push(square);
                 self.squares.len() - 1
             }
         };
-        Some(Algebraic(BTreeMap::from([(1 << place, Rational::one())])))
+        Ok(Algebraic(BTreeMap::from([(1 << place, Rational::one())])))
     }
 
-    /// A number of a graph; `None` if it is none, or not made by square roots.
-    pub fn read(&mut self, graph: &Graph, id: Id) -> Option<Algebraic> {
-        match graph.node(id) {
-            Node::Number(value) => Some(Algebraic::rational(value.clone())),
-            Node::Sum(terms) => {
-                let mut sum = Algebraic::default();
-                for (term, coefficient) in terms {
-                    sum.add(&self.read(graph, *term)?, coefficient);
-                }
-                Some(sum)
-            }
-            Node::Product(factors) => {
-                let mut product = Algebraic::rational(Rational::one());
-                for (base, exponent) in factors {
-                    let mut base = self.read(graph, *base)?;
-                    let mut exponent = exponent.clone();
-                    if !exponent.is_integer() {
-                        base = self.root(&base)?;
-                        exponent *= Rational::from(2);
+    /// A number of a graph.
+    ///
+    /// # Errors
+    /// If it is none, not made by square roots, or too large.
+    pub fn read(&mut self, graph: &Graph, id: Id) -> Result<Algebraic, ReadError> {
+        let mut known: BTreeMap<Id, Algebraic> = BTreeMap::new();
+        for next in graph.reachable(&[id]) {
+            let number = match graph.node(next) {
+                Node::Number(value) => Algebraic::rational(value.clone()),
+                Node::Sum(terms) => {
+                    let mut sum = Algebraic::default();
+                    for (term, coefficient) in terms {
+                        sum.add(&known[term], coefficient);
                     }
-                    let whole = exponent.is_integer().then(|| exponent.to_i32())??;
-                    if whole.abs() > 64 {
-                        return None;
-                    }
-                    product = self.multiply(&product, &self.power(&base, whole)?);
+                    sum
                 }
-                Some(product)
+                Node::Product(factors) => {
+                    let mut product = Algebraic::rational(Rational::one());
+                    for (base, exponent) in factors {
+                        let power = self.power_of(&known[base], exponent)?;
+                        product = self.bounded(&product, &power)?;
+                    }
+                    product
+                }
+                _ => return Err(ReadError::Roots),
+            };
+            if !number.is_moderate() {
+                return Err(ReadError::Size);
             }
-            _ => None,
+            known.insert(next, number);
+        }
+        known.remove(&id).ok_or(ReadError::Roots)
+    }
+
+    /// A power whose exponent is whole or half.
+    fn power_of(&mut self, base: &Algebraic, exponent: &Rational) -> Result<Algebraic, ReadError> {
+        let whole =
+            |exponent: &Rational| exponent.is_integer().then(|| exponent.to_i32()).flatten();
+        let (base, exponent) = match exponent.is_integer() {
+            true => (base.clone(), whole(exponent)),
+            false => (self.bounded_root(base)?, whole(&(exponent * Rational::from(2)))),
+        };
+        match exponent {
+            Some(exponent) if exponent.abs() <= 64 => self.bounded_power(&base, exponent),
+            Some(_) => Err(ReadError::Size),
+            None => Err(ReadError::Roots),
         }
     }
 
@@ -314,6 +401,23 @@ mod tests {
             let number = read(&mut field, text);
             assert_eq!(field.to_f64(&number), value, "{text}");
         }
+    }
+
+    #[test]
+    fn what_would_grow_beyond_all_use_is_refused() {
+        let mut field = Field::default();
+        let mut read = |text: &str| {
+            let mut graph = Graph::new();
+            let formula = parse(&Located::alone("test", text)).expect("a formula");
+            let id = lower(&formula, &mut graph, &BTreeMap::new()).expect("a number");
+            field.read(&graph, id)
+        };
+        assert_eq!(read("(((sqrt(2)+sqrt(3)+1)^64+1)^64+1)^64"), Err(ReadError::Size));
+        assert_eq!(
+            read("(sqrt(2)+1)*(sqrt(3)+1)*(sqrt(5)+1)*(sqrt(7)+1)*(sqrt(11)+1)*(sqrt(13)+1)"),
+            Err(ReadError::Size)
+        );
+        assert_eq!(read("exp(1)"), Err(ReadError::Roots));
     }
 
     #[test]

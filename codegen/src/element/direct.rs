@@ -4,7 +4,8 @@
 use std::array::from_fn;
 use std::collections::BTreeMap;
 
-use crate::expression::{Graph, Id, Node, Rational};
+use crate::expression::{Graph, Id, Node, Relation};
+use crate::rational::nearest;
 use crate::spec::element::{ElementSpec, ModeJacobian};
 use crate::spec::form::{Form, FormSpec};
 
@@ -136,21 +137,46 @@ fn coefficients(spec: &FormSpec, form: &Form, material: &BTreeMap<String, f64>) 
     form.bilinear.values().map(|id| number(&spec.graph, *id, &values)).collect()
 }
 
-/// The value of a scalar expression without choices; NaN of anything else.
+/// The value of an expression of scalars where symbols have the given values; NaN of anything else. Every
+/// node is evaluated once: a formula can use what it repeats 2⁴⁰ times.
 fn number(graph: &Graph, id: Id, values: &BTreeMap<Id, f64>) -> f64 {
-    if let Some(value) = values.get(&id) {
-        return *value;
+    let mut known: BTreeMap<Id, f64> = BTreeMap::new();
+    for next in graph.reachable(&[id]) {
+        let value = match values.get(&next) {
+            Some(value) => *value,
+            None => node(graph.node(next), &known),
+        };
+        known.insert(next, value);
     }
-    let ratio = |r: &Rational| crate::rational::nearest(r);
-    match graph.node(id) {
-        Node::Number(value) => ratio(value),
-        Node::Sum(terms) => {
-            terms.iter().map(|(term, c)| ratio(c) * number(graph, *term, values)).sum()
-        }
+    known[&id]
+}
+
+/// The value of a node from those of its operands; truth is 1 and 0.
+fn node(node: &Node, of: &BTreeMap<Id, f64>) -> f64 {
+    let truth = |value: bool| f64::from(u8::from(value));
+    let holds = |id: &Id| of[id] == 1.0;
+    match node {
+        Node::Number(value) => nearest(value),
+        Node::Sum(terms) => terms.iter().map(|(term, c)| nearest(c) * of[term]).sum(),
         Node::Product(factors) => {
-            factors.iter().map(|(base, e)| number(graph, *base, values).powf(ratio(e))).product()
+            factors.iter().map(|(base, e)| libm::pow(of[base], nearest(e))).product()
         }
-        Node::Function(function, a) => function.value(number(graph, *a, values)),
-        _ => f64::NAN,
+        Node::Function(function, a) => function.value(of[a]),
+        Node::Compare(Relation::Less, a, b) => truth(of[a] < of[b]),
+        Node::Compare(Relation::LessOrEqual, a, b) => truth(of[a] <= of[b]),
+        Node::Truth(value) => truth(*value),
+        Node::And(a, b) => truth(holds(a) && holds(b)),
+        Node::Or(a, b) => truth(holds(a) || holds(b)),
+        Node::Not(a) => truth(!holds(a)),
+        Node::Select(mask, a, b) => of[if holds(mask) { a } else { b }],
+        // A symbol without a value, and what is no scalar.
+        Node::Symbol(_)
+        | Node::Zero(_)
+        | Node::Identity
+        | Node::Scale(..)
+        | Node::Dot(..)
+        | Node::Apply(..)
+        | Node::Transpose(_)
+        | Node::Outer(..) => f64::NAN,
     }
 }

@@ -64,24 +64,34 @@ impl Polynomial {
     /// An expression over the coordinates, multiplied out; `None` if it is no polynomial with rational
     /// coefficients (over a pyramid divided by powers of 1 − ζ), or a very large one.
     pub fn read(graph: &Graph, id: Id, coordinates: &[Id; 3], cell: Cell) -> Option<Self> {
-        if let Some(axis) = coordinates.iter().position(|coordinate| *coordinate == id) {
-            return Some(Self::coordinate(cell, axis));
+        let mut known: BTreeMap<Id, Self> = BTreeMap::new();
+        for next in graph.reachable(&[id]) {
+            let axis = coordinates.iter().position(|coordinate| *coordinate == next);
+            let polynomial = match axis {
+                Some(axis) => Self::coordinate(cell, axis),
+                None => Self::of_node(graph.node(next), &known, cell)?,
+            };
+            known.insert(next, polynomial);
         }
-        match graph.node(id) {
+        known.remove(&id)
+    }
+
+    /// A node whose operands are `known`.
+    fn of_node(node: &Node, known: &BTreeMap<Id, Self>, cell: Cell) -> Option<Self> {
+        match node {
             Node::Number(value) => Some(Self::constant(value.clone())),
             Node::Sum(terms) => {
                 let mut sum = Polynomial::default();
                 for (term, coefficient) in terms {
-                    sum.add(&Self::read(graph, *term, coordinates, cell)?, coefficient);
+                    sum.add(&known[term], coefficient);
                 }
                 sum.bounded()
             }
             Node::Product(factors) => {
                 let mut product = Self::constant(Rational::one());
                 for (base, exponent) in factors {
-                    let base = Self::read(graph, *base, coordinates, cell)?;
                     let exponent = exponent.is_integer().then(|| exponent.to_i32())??;
-                    product = product.multiply(&base.power(exponent, cell)?)?;
+                    product = product.multiply(&known[base].power(exponent, cell)?)?;
                 }
                 Some(product)
             }

@@ -1,9 +1,27 @@
 //! Identifiers: only characters that make a Rust identifier reach generated code.
+//!
+//! No name of a spec ends in `_` ([`crate::formula::name`]). The generator's own variables in functions that
+//! hold names of specs, too, and what is made from a word that cannot be a variable, do: so neither hides the
+//! other, whatever a spec calls its things.
 
 use proc_macro2::{Ident, Span};
 
+/// Rust's keywords of all editions, those kept for later too.
+const KEYWORDS: [&str; 48] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let",
+    "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return",
+    "static", "struct", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use",
+    "virtual", "where", "while", "yield",
+];
+
+/// Words of paths, which cannot be escaped, and what a pattern names instead of binding it: the prelude's
+/// variants, and constants and structures that stand beside kernels.
+const NEVER_VARIABLES: [&str; 10] =
+    ["self", "Self", "super", "crate", "None", "Some", "Ok", "Err", "ENTRY", "Eight"];
+
 /// The identifier of a spec's name. Other characters than ASCII letters, digits and underscores become
-/// their code point, keywords are escaped.
+/// their code point, keywords are escaped, and a word that cannot be a variable ends in `_`.
 pub fn identifier(name: &str) -> Ident {
     let mut text = String::with_capacity(name.len());
     for character in name.chars() {
@@ -14,28 +32,22 @@ pub fn identifier(name: &str) -> Ident {
             other => text.push_str(&format!("u{:x}_", u32::from(other))),
         }
     }
-    if text.chars().all(|c| c == '_')
-        || matches!(text.as_str(), "self" | "Self" | "super" | "crate")
-    {
+    if text.chars().all(|c| c == '_') {
         text.push_str("_name");
     }
-    if is_keyword(&text) {
+    if NEVER_VARIABLES.contains(&text.as_str()) {
+        text.push('_');
+    }
+    if KEYWORDS.binary_search(&text.as_str()).is_ok() {
         Ident::new_raw(&text, Span::call_site())
     } else {
         Ident::new(&text, Span::call_site())
     }
 }
 
-/// Whether a text of letters, digits and underscores is a word of Rust: none is long or has other signs than
-/// letters, so that few texts are parsed.
-fn is_keyword(text: &str) -> bool {
-    let could_be = text.len() <= "continue".len() && text.bytes().all(|b| b.is_ascii_lowercase());
-    could_be && syn::parse_str::<Ident>(text).is_err()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::identifier;
+    use super::{KEYWORDS, identifier};
 
     #[test]
     fn names_become_identifiers() {
@@ -43,7 +55,10 @@ mod tests {
             ("h_dot", "h_dot"),
             ("hu2003-linear", "hu2003_linear"),
             ("type", "r#type"),
-            ("self", "self_name"),
+            ("gen", "r#gen"),
+            ("union", "union"),
+            ("self", "self_"),
+            ("None", "None_"),
             ("_", "__name"),
             ("2x", "u32_x"),
             ("", "_name"),
@@ -51,6 +66,14 @@ mod tests {
             ("θ", "u3b8_"),
         ] {
             assert_eq!(identifier(name).to_string(), expected);
+        }
+    }
+
+    #[test]
+    fn keywords_are_found() {
+        assert!(KEYWORDS.is_sorted());
+        for word in KEYWORDS {
+            assert_eq!(identifier(word).to_string(), format!("r#{word}"));
         }
     }
 }

@@ -115,7 +115,7 @@ impl Graph {
         if shape == Shape::Matrix && by_vector {
             return Err(DifferentiateError::ThirdOrder);
         }
-        Ok(match node {
+        Ok(match node.clone() {
             Node::Sum(terms) => {
                 let mut parts = Vec::with_capacity(terms.len());
                 for (term, c) in terms {
@@ -179,7 +179,15 @@ impl Graph {
                 let (left, right) = (self.outer(of[&a]?, b), self.outer(a, of[&b]?));
                 self.add(left, right)
             }
-            other => unreachable!("{other:?} has no operand that varies"),
+            Node::Number(_)
+            | Node::Zero(_)
+            | Node::Identity
+            | Node::Symbol(_)
+            | Node::Compare(..)
+            | Node::Truth(_)
+            | Node::And(..)
+            | Node::Or(..)
+            | Node::Not(_) => unreachable!("{node:?} has no operand that varies"),
         })
     }
 

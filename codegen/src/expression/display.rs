@@ -198,7 +198,7 @@ fn number(value: &Rational, exact: bool) -> (String, Binding) {
     let text = if value.is_integer() && (exact || value.to_string().len() <= SHORT) {
         value.to_string()
     } else {
-        let nearest = super::signature::to_f64(value);
+        let nearest = crate::rational::nearest(value);
         let decimal = nearest.to_string();
         let is_exact = decimal.len() <= SHORT
             && crate::units::decimal(&decimal)

@@ -6,7 +6,7 @@ use num_traits::{One, Zero};
 use rustc_hash::{FxBuildHasher, FxHashMap};
 
 use super::node::{Id, Node, Rational, Shape, Symbol, Symmetry};
-use super::signature::{self, Value};
+use super::signature::{Points, Signatures};
 
 /// Most bits of a numerator or denominator, and most nodes: a formula that grows past a bound is refused
 /// ([`Graph::exceeded`]) instead of filling the memory.
@@ -23,7 +23,9 @@ const WORK: u64 = 500_000;
 pub struct Graph {
     nodes: Vec<Node>,
     shapes: Vec<Shape>,
-    signatures: Vec<[Value; signature::POINTS]>,
+    signatures: Signatures,
+    /// The first node that a pass put something of another value for.
+    changed: Option<Id>,
     /// Nodes by their hashes; one whose hash is taken is under the next that is free.
     index: FxHashMap<u64, Id>,
     operands: usize,
@@ -78,14 +80,36 @@ impl Graph {
         self.exceeded |= self.work > WORK;
     }
 
-    /// The value of a node at fixed random points; passes that keep the meaning keep it.
-    pub fn signature(&self, id: Id) -> &[Value; signature::POINTS] {
-        &self.signatures[id.index()]
+    /// The values of a node at fixed points, point by point; passes that keep the meaning keep them.
+    pub fn signature(&self, id: Id) -> impl Iterator<Item = f64> {
+        self.signatures.values(id)
     }
 
-    /// Whether two nodes agree at the fixed random points, to rounding.
+    /// Whether two nodes agree at the fixed points, to rounding.
     pub fn same_signature(&self, a: Id, b: Id) -> bool {
-        signature::agree(self.signature(a), self.signature(b))
+        self.signatures.agree(a, b)
+    }
+
+    /// Looks at all nodes, those to come too, at other points.
+    pub fn look_at(&mut self, points: Points) {
+        self.signatures.move_to(points, &self.nodes, &self.shapes);
+    }
+
+    /// Number of points at which nodes are looked at.
+    pub fn points(&self) -> usize {
+        self.signatures.points()
+    }
+
+    /// To be called by a pass for every node that it puts another in the place of: they must agree.
+    pub(crate) fn keep(&mut self, old: Id, new: Id) {
+        if old != new && !self.exceeded && !self.same_signature(old, new) {
+            self.changed.get_or_insert(old);
+        }
+    }
+
+    /// The first node whose value a pass changed: a defect of the pass.
+    pub(crate) fn changed(&self) -> Option<Id> {
+        self.changed
     }
 
     /// A named quantity. The same name with the same facts is always the same node.
@@ -209,8 +233,7 @@ impl Graph {
         }
         self.operands += operands;
         let id = Id(self.nodes.len() as u32);
-        let values = signature::evaluate(&node, |operand| &self.signatures[operand.index()]);
-        self.signatures.push(values);
+        self.signatures.push(&node, |operand| self.shapes[operand.index()]);
         self.shapes.push(shape);
         self.nodes.push(node);
         self.index.insert(hash, id);

@@ -21,4 +21,4 @@ pub use differentiate::DifferentiateError;
 pub use display::{display, display_rounded};
 pub use graph::Graph;
 pub use node::{Function, Id, Node, Rational, Relation, Shape, Symbol, Symmetry};
-pub use signature::Value;
+pub use signature::Points;

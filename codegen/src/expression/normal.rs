@@ -27,6 +27,7 @@ pub fn expand(graph: &mut Graph, id: Id) -> Id {
             return graph.zero(shape);
         }
         let form = step(graph, next, &expanded);
+        graph.keep(next, form);
         expanded.insert(next, form);
     }
     expanded[&id]

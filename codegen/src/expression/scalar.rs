@@ -222,7 +222,13 @@ impl Graph {
                     return self.integer(0);
                 }
                 Function::Ln if value.is_one() => return self.integer(0),
-                _ => {}
+                Function::Exp
+                | Function::Ln
+                | Function::Sin
+                | Function::Cos
+                | Function::Tan
+                | Function::Atan
+                | Function::Tanh => {}
             }
         }
         let negative = match self.node(a) {
@@ -240,7 +246,14 @@ impl Graph {
                 let positive = self.neg(a);
                 self.intern(Node::Function(function, positive))
             }
-            _ => self.intern(Node::Function(function, a)),
+            Function::Exp
+            | Function::Ln
+            | Function::Sin
+            | Function::Cos
+            | Function::Tan
+            | Function::Atan
+            | Function::Tanh
+            | Function::Abs => self.intern(Node::Function(function, a)),
         }
     }
 

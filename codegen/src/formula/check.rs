@@ -296,7 +296,20 @@ impl<'f> Checker<'f> {
             Builtin::Dot => (Shape::Vector, Shape::Scalar),
             Builtin::Outer => (Shape::Vector, Shape::Matrix),
             Builtin::Transpose => (Shape::Matrix, Shape::Matrix),
-            _ => (Shape::Scalar, Shape::Scalar),
+            Builtin::Sqrt
+            | Builtin::Exp
+            | Builtin::Log
+            | Builtin::Sin
+            | Builtin::Cos
+            | Builtin::Tan
+            | Builtin::Atan
+            | Builtin::Atan2
+            | Builtin::Sinh
+            | Builtin::Cosh
+            | Builtin::Tanh
+            | Builtin::Abs
+            | Builtin::Min
+            | Builtin::Max => (Shape::Scalar, Shape::Scalar),
         };
         let fine: Vec<_> = arguments.iter().map(|a| self.exactly(a, wanted)).collect();
         fine.iter().all(Option::is_some).then_some(result)

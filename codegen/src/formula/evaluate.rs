@@ -237,14 +237,24 @@ impl<'f, N: Number> Evaluation<'f, N> {
                 let columns = rows.first().map_or(0, Vec::len);
                 return Ok(Value::Matrix((0..columns).map(column).collect()));
             }
-            _ => {}
+            Builtin::Sqrt
+            | Builtin::Exp
+            | Builtin::Log
+            | Builtin::Sin
+            | Builtin::Cos
+            | Builtin::Tan
+            | Builtin::Atan
+            | Builtin::Sinh
+            | Builtin::Cosh
+            | Builtin::Tanh
+            | Builtin::Abs => {}
         }
         let x = self.scalar(argument(0)?)?;
         Ok(Value::Scalar(function(builtin, &x)))
     }
 }
 
-/// A function of one number.
+/// A function of one number; no number of any other.
 pub(super) fn function<N: Number>(builtin: Builtin, x: &N) -> N {
     let half = || N::exact(&Rational::half());
     let inverse = || N::exact(&one()).div(&x.exp());
@@ -259,7 +269,13 @@ pub(super) fn function<N: Number>(builtin: Builtin, x: &N) -> N {
         Builtin::Tanh => x.tanh(),
         Builtin::Sinh => x.exp().sub(&inverse()).mul(&half()),
         Builtin::Cosh => x.exp().add(&inverse()).mul(&half()),
-        _ => x.abs(),
+        Builtin::Abs => x.abs(),
+        Builtin::Atan2
+        | Builtin::Min
+        | Builtin::Max
+        | Builtin::Dot
+        | Builtin::Outer
+        | Builtin::Transpose => N::near(f64::NAN),
     }
 }
 

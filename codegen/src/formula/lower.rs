@@ -267,22 +267,23 @@ impl<'f> Lowering<'f> {
             Builtin::Abs => Function::Abs,
             Builtin::Sinh => return self.hyperbolic(a, -Rational::one()),
             Builtin::Cosh => return self.hyperbolic(a, Rational::one()),
-            Builtin::Min | Builtin::Max => {
-                return ids[1..].iter().fold(a, |best, &other| {
-                    let (low, high) = match builtin {
-                        Builtin::Min => (other, best),
-                        _ => (best, other),
-                    };
-                    let better = self.graph.compare(Relation::Less, low, high);
-                    self.graph.select(better, other, best)
-                });
-            }
+            Builtin::Min => return self.best(&ids, |best, other| (other, best)),
+            Builtin::Max => return self.best(&ids, |best, other| (best, other)),
             Builtin::Atan2 => return self.angle(a, ids[1]),
             Builtin::Dot => return self.graph.dot(a, ids[1]),
             Builtin::Outer => return self.graph.outer(a, ids[1]),
             Builtin::Transpose => return self.graph.transpose(a),
         };
         self.graph.function(simple, a)
+    }
+
+    /// The first of all; another where the first of its pair with the best so far is less than the second.
+    fn best(&mut self, all: &[Id], pair: fn(Id, Id) -> (Id, Id)) -> Id {
+        all[1..].iter().fold(all[0], |best, &other| {
+            let (low, high) = pair(best, other);
+            let better = self.graph.compare(Relation::Less, low, high);
+            self.graph.select(better, other, best)
+        })
     }
 
     /// The angle of (x, y) from the axis x: one arctangent of the smaller over the larger of the two, so that

@@ -228,5 +228,8 @@ pub fn name(text: &str) -> Result<String, String> {
     if RESERVED.contains(&name.as_str()) {
         return Err(format!("`{name}` is a word of the formula language and cannot be a name"));
     }
+    if name.ends_with('_') {
+        return Err(format!("`{name}` ends in `_`, as only names of the generator do"));
+    }
     Ok(name)
 }

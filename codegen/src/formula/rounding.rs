@@ -71,7 +71,13 @@ impl Number for Rounded {
         match function {
             // Exact.
             Function::Abs => Rounded { value, error: self.error },
-            _ => self.chain(value, function.slope(self.value, value)),
+            Function::Exp
+            | Function::Ln
+            | Function::Sin
+            | Function::Cos
+            | Function::Tan
+            | Function::Atan
+            | Function::Tanh => self.chain(value, function.slope(self.value, value)),
         }
     }
 }

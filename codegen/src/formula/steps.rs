@@ -219,19 +219,37 @@ impl<'f> Writer<'f> {
         arguments: &'f [Term],
     ) -> Result<Step, Box<Diagnostic>> {
         let places = self.terms(arguments)?;
-        Ok(match (Builtin::named(name), &places[..]) {
-            (Some(Builtin::Min), [_, ..]) => Step::Least(places),
-            (Some(Builtin::Max), [_, ..]) => Step::Greatest(places),
-            (Some(Builtin::Atan2), [y, x]) => Step::Angle(*y, *x),
-            (None | Some(Builtin::Dot | Builtin::Outer | Builtin::Transpose), _) => {
-                return Err(self.error(term, Code::SHAPE, "this is no function of numbers"));
+        let refused = |message| Err(self.error(term, Code::SHAPE, message));
+        let Some(builtin) = Builtin::named(name) else {
+            return refused("this is no function of numbers");
+        };
+        let step = match (builtin, &places[..]) {
+            (Builtin::Min, [_, ..]) => Some(Step::Least(places)),
+            (Builtin::Max, [_, ..]) => Some(Step::Greatest(places)),
+            (Builtin::Atan2, [y, x]) => Some(Step::Angle(*y, *x)),
+            (Builtin::Min | Builtin::Max | Builtin::Atan2, _) => None,
+            (Builtin::Dot | Builtin::Outer | Builtin::Transpose, _) => {
+                return refused("this is no function of numbers");
             }
-            (Some(builtin), [x]) => Step::Function(builtin, *x),
-            _ => {
-                let message = "this function has another number of arguments";
-                return Err(self.error(term, Code::SHAPE, message));
-            }
-        })
+            (
+                Builtin::Sqrt
+                | Builtin::Exp
+                | Builtin::Log
+                | Builtin::Sin
+                | Builtin::Cos
+                | Builtin::Tan
+                | Builtin::Atan
+                | Builtin::Sinh
+                | Builtin::Cosh
+                | Builtin::Tanh
+                | Builtin::Abs,
+                arguments,
+            ) => match arguments {
+                [x] => Some(Step::Function(builtin, *x)),
+                _ => None,
+            },
+        };
+        step.map_or_else(|| refused("this function has another number of arguments"), Ok)
     }
 
     /// The sum written out.

@@ -66,12 +66,13 @@ impl Checker<'_> {
                 let dimensions: Vec<_> = parts.iter().map(|(_, part)| self.term(part)).collect();
                 let mut product = Dimension::NUMBER;
                 for ((side, _), dimension) in parts.iter().zip(dimensions) {
-                    product = match side {
-                        Side::With => product.times(&dimension?),
-                        Side::Against => product.over(&dimension?),
+                    let next = match side {
+                        Side::With => product.checked_times(&dimension?),
+                        Side::Against => product.checked_over(&dimension?),
                     };
+                    product = self.sane(term, next)?;
                 }
-                self.sane(term, product)
+                Some(product)
             }
             Kind::Power(base, exponent) => self.power(term, base, exponent),
             Kind::Call { function, arguments, .. } => self.call(term, function, arguments),
@@ -100,12 +101,13 @@ impl Checker<'_> {
         }
     }
 
-    fn sane(&mut self, term: &Term, dimension: Dimension) -> Option<Dimension> {
-        if dimension.is_sane() {
-            return Some(dimension);
+    fn sane(&mut self, term: &Term, dimension: Option<Dimension>) -> Option<Dimension> {
+        if dimension.is_none() {
+            let message = "the powers of the unit are too high, or of too many different fractions";
+            let error = self.formula.text.error(Code::DIMENSION, term.span.clone(), message);
+            self.errors.push(error.help("divide what is raised to a power by its unit first"));
         }
-        self.error(&term.span, "the powers of the unit are too high".to_owned());
-        None
+        dimension
     }
 
     /// The common dimension of parts that must be alike.
@@ -148,7 +150,7 @@ impl Checker<'_> {
             return Some(dimension);
         }
         match self.constant(exponent).as_ref().map(small) {
-            Some(Some(exponent)) => self.sane(term, dimension.power(exponent)),
+            Some(Some(exponent)) => self.sane(term, dimension.checked_power(exponent)),
             Some(None) => {
                 let message = format!("{dimension} cannot be raised to such a power");
                 self.error(&term.span, message);
@@ -191,7 +193,13 @@ impl Checker<'_> {
                 }
                 Some(product)
             }
-            _ => None,
+            Kind::Power(..)
+            | Kind::Call { .. }
+            | Kind::Series { .. }
+            | Kind::Compare(..)
+            | Kind::And(_)
+            | Kind::Or(_)
+            | Kind::Not(_) => None,
         }
     }
 
@@ -204,7 +212,7 @@ impl Checker<'_> {
         match builtin {
             Builtin::Sqrt => {
                 let dimension = self.term(&arguments[0])?;
-                self.sane(term, dimension.power(Exponent::new(1, 2)))
+                self.sane(term, dimension.checked_power(Exponent::new(1, 2)))
             }
             Builtin::Abs | Builtin::Transpose => self.term(&arguments[0]),
             Builtin::Min | Builtin::Max => self.alike(arguments.iter(), "compared with"),
@@ -214,9 +222,17 @@ impl Checker<'_> {
             }
             Builtin::Dot | Builtin::Outer => {
                 let (a, b) = (self.term(&arguments[0]), self.term(&arguments[1]));
-                self.sane(term, a?.times(&b?))
+                self.sane(term, a?.checked_times(&b?))
             }
-            _ => {
+            Builtin::Exp
+            | Builtin::Log
+            | Builtin::Sin
+            | Builtin::Cos
+            | Builtin::Tan
+            | Builtin::Atan
+            | Builtin::Sinh
+            | Builtin::Cosh
+            | Builtin::Tanh => {
                 self.pure(&arguments[0], &format!("the argument of `{function}`"));
                 Some(Dimension::NUMBER)
             }
@@ -297,6 +313,14 @@ mod tests {
                 "f:1:1: a length cannot be raised to a power that varies (divide it by a length first)",
             ),
             ("h^1001", "f:1:1: a length cannot be raised to such a power"),
+            (
+                "h^(1/997)*h^(1/991)*h^(1/983)*h^(1/977)",
+                "f:1:1: the powers of the unit are too high, or of too many different fractions (divide what is raised to a power by its unit first)",
+            ),
+            (
+                "(h^(1/7))^(1/991)",
+                "f:1:1: the powers of the unit are too high, or of too many different fractions (divide what is raised to a power by its unit first)",
+            ),
             (
                 "max(h, v)",
                 "f:1:8: `v` is a speed and cannot be compared with `h`, which is a length (both must be alike: look for a missing factor or a wrong name)",

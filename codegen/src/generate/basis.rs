@@ -86,13 +86,13 @@ impl CellForm<'_> {
                     row(&values)
                 });
                 tables.add(
-                    &format_ident!("CENTRE_TANGENTS"),
+                    &format_ident!("CENTRE_TANGENTS_"),
                     "Coefficients of the nodes in ∂x/∂ξ, ∂x/∂η and ∂x/∂ζ at the centre.",
                     quote!([[f64; #nodes_count]; 3]),
                     quote!([#(#rows),*]),
                 );
                 flops += 18 * nodes + DET_FLOPS;
-                centre = quote!(let centre = cells::centre(x, &CENTRE_TANGENTS););
+                centre = quote!(let centre = cells::centre(x, &CENTRE_TANGENTS_););
             }
             if used {
                 centre.extend(quote!(let det0 = centre.det;));

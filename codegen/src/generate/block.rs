@@ -13,12 +13,12 @@ use crate::spec::form::{Form, FormSpec};
 
 /// Name of the function of what is computed once a cell.
 pub(super) fn once_name(form: &Form) -> Ident {
-    format_ident!("{}_once", identifier(&form.name))
+    format_ident!("{}_once_", identifier(&form.name))
 }
 
 /// Name of the function of what is computed once a pair.
 pub(super) fn block_name(form: &Form) -> Ident {
-    format_ident!("{}_block", identifier(&form.name))
+    format_ident!("{}_block_", identifier(&form.name))
 }
 
 /// What a form makes of the sums: functions that its own loops and kernels of modes call.
@@ -83,11 +83,11 @@ impl<'a> Block<'a> {
             pairs.pair_counts()
         );
         let (about_once, about) = (documented(&about_once), documented(&about));
-        let own: Vec<TokenStream> = material.iter().map(|name| quote!(#name: L)).collect();
+        let properties_count = count(material.len());
         quote! {
             #about_once
             #[inline(always)]
-            pub fn #once_name<L: Lane>(#(#own),*) -> [L; #length] {
+            pub fn #once_name<L: Lane>([#(#material),*]: [L; #properties_count]) -> [L; #length] {
                 #statements
                 [#(#once),*]
             }

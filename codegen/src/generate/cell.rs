@@ -1,7 +1,7 @@
 //! The kernel of one form on one cell: a loop over the points of the rule fills the basis functions, then the kernel
 //! of the form takes them pair by pair.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::block::{block_name, once_name};
@@ -43,8 +43,7 @@ impl CellForm<'_> {
         };
         let flops = flops + pairs.once_flops();
         let (nodes, len) = (count(self.element.nodes.len()), count(self.stored()));
-        let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
-        let properties = count(material.len());
+        let properties = count(pairs.material.len());
         let function = identifier(&self.form.name);
         let about = documented(&self.header(&about, flops));
         let in_registers = room.is_none();
@@ -65,7 +64,8 @@ impl CellForm<'_> {
                 known.push(Known { work, function: quote!(#function) });
                 quote! {
                     enum Cells {}
-                    impl cells::CellLanes<#nodes, #properties, #len> for Cells {
+                    // SAFETY: it writes the entries of the room before it reads them, and only those.
+                    unsafe impl cells::CellLanes<#nodes, #properties, #len> for Cells {
                         type Room<L: Register> = #room;
                         const IN_REGISTERS: bool = #in_registers;
 
@@ -76,7 +76,6 @@ impl CellForm<'_> {
                             #own_room: &mut Self::Room<L>,
                             #matrix: Matrix<L>,
                         ) -> L {
-                            let [#(#material),*] = material;
                             #text
                         }
                     }
@@ -236,7 +235,6 @@ impl CellForm<'_> {
             (None, 0) => quote!(matrix),
             (None, _) => quote!(matrix.beside(&mut room.whole)),
         };
-        let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
         let (module, sum) = (identifier(&self.spec.name), pairs_name(self.form));
         let (once_name, block) = (once_name(self.form), block_name(self.form));
         let sums = quote! {
@@ -253,7 +251,7 @@ impl CellForm<'_> {
             None => (quote!(()), TokenStream::new()),
         };
         let text = quote! {
-            let once = forms::#module::#once_name(#(#material),*);
+            let once = forms::#module::#once_name(material);
             #fill
             #sums
             #after

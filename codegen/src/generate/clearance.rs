@@ -1,6 +1,8 @@
 //! Kernels of a clearance: what is fixed once a spring goes to a table, what a ring shares is computed once
 //! a ring, and what a sum over springs shares is multiplied after it.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -57,7 +59,7 @@ pub(super) fn kernel(spec: &ClearanceSpec) -> Result<Kernel, Diagnostics> {
     let module = quote! {
         #heading
         pub mod #name {
-            use crate::{Clearance, Lane, Origin, Ring, RingTangent, SpringForce, rows, rows_mut};
+            use crate::{Clearance, Lane, Origin, Ring, RingTangent, SpringForce};
             #functions
             /// The entry of the registry.
             pub const ENTRY: Clearance = Clearance {
@@ -111,7 +113,7 @@ fn value(spec: &ClearanceSpec) -> Result<TokenStream, ScheduleError> {
 
 fn axial(spec: &ClearanceSpec) -> Result<TokenStream, ScheduleError> {
     let variable = (spec.axial_variable.name.as_str(), spec.axial_variable.symbol);
-    let outputs = [("A_1", spec.axial[0]), ("A_2", spec.axial[1]), ("A_3", spec.axial[2])];
+    let outputs = [("A_1_", spec.axial[0]), ("A_2_", spec.axial[1]), ("A_3_", spec.axial[2])];
     let program = schedule(&mut spec.graph.clone(), &Request::flat(&[variable], &outputs))?;
     let name = identifier(variable.0);
     let statements = statements(&program, 0, Numbers::Plain);
@@ -136,24 +138,24 @@ fn named(definitions: &[(String, Id)]) -> Vec<(Id, String)> {
 
 /// Outputs of the program, by name.
 pub(super) fn ring_force(i: usize) -> String {
-    format!("ring_force_{i}")
+    format!("ring_force_{i}_")
 }
 /// Entry (i, k) of the ring's tangent.
 pub(super) fn ring_ring(i: usize, k: usize) -> String {
-    format!("ring_ring_{i}{k}")
+    format!("ring_ring_{i}{k}_")
 }
 /// Ring force i by the spring's coordinate.
 pub(super) fn ring_spring(i: usize) -> String {
-    format!("ring_spring_{i}")
+    format!("ring_spring_{i}_")
 }
 /// The spring's force by ring coordinate i.
 pub(super) fn spring_ring(i: usize) -> String {
-    format!("spring_ring_{i}")
+    format!("spring_ring_{i}_")
 }
 /// The spring's force.
-pub(super) const SPRING_FORCE: &str = "spring_force";
+pub(super) const SPRING_FORCE: &str = "spring_force_";
 /// The spring's force by its own coordinate.
-pub(super) const SPRING_SPRING: &str = "spring_spring";
+pub(super) const SPRING_SPRING: &str = "spring_spring_";
 
 /// A sum over the springs of a ring.
 pub(super) struct Sum {
@@ -171,7 +173,7 @@ fn program(spec: &ClearanceSpec, derived: Derived) -> Result<(Program, Vec<Sum>)
     for coordinate in spec.ring.iter().chain(&ring_rates).chain([&spec.constant]) {
         inputs.push(input(&coordinate.name, coordinate.symbol, EACH_RING));
     }
-    inputs.push(input("a1", a1, EACH_RING));
+    inputs.push(input("a1_", a1, EACH_RING));
     let own = [
         (spec.radial.name.as_str(), spec.radial.symbol),
         (radial_rate.name.as_str(), radial_rate.symbol),
@@ -181,7 +183,11 @@ fn program(spec: &ClearanceSpec, derived: Derived) -> Result<(Program, Vec<Sum>)
     ];
     inputs.extend(own.iter().map(|(name, symbol)| input(name, *symbol, EACH_SPRING)));
 
+    let h_dot = format!("{}_dot", spec.clearance);
+    let taken = inputs.iter().map(|input| &input.name).chain([&spec.clearance, &h_dot]);
+    let taken = taken.chain(spec.definitions.iter().map(|(name, _)| name)).cloned().collect();
     let mut collected = Sums {
+        taken,
         varies: own.iter().map(|(_, symbol)| *symbol).chain([spec.spring.symbol]).collect(),
         graph: &mut graph,
         sums: Vec::new(),
@@ -199,7 +205,6 @@ fn program(spec: &ClearanceSpec, derived: Derived) -> Result<(Program, Vec<Sum>)
     }
     let sums = collected.sums;
 
-    let h_dot = format!("{}_dot", spec.clearance);
     let mut outputs =
         vec![output(spec.clearance.clone(), spec.value), output(h_dot, derived.h_dot)];
     for (sum, part, total) in &sums {
@@ -231,6 +236,8 @@ fn program(spec: &ClearanceSpec, derived: Derived) -> Result<(Program, Vec<Sum>)
 /// The sums over springs that all totals together need.
 struct Sums<'a> {
     graph: &'a mut Graph,
+    /// Names of other things.
+    taken: BTreeSet<String>,
     varies: Vec<Id>,
     /// Each with the part of one spring and the symbol of the sum.
     sums: Vec<(Sum, Id, Id)>,
@@ -252,8 +259,13 @@ impl Sums<'_> {
         if let Some((.., total)) = self.sums.iter().find(|(_, known, _)| *known == part) {
             return *total;
         }
-        let name = describe(self.graph, part).unwrap_or_else(|| format!("part{}", self.sums.len()));
+        let mut name =
+            describe(self.graph, part).unwrap_or_else(|| format!("part{}", self.sums.len()));
+        while [&name, &format!("total_{name}")].iter().any(|name| self.taken.contains(*name)) {
+            name += "_of_spring";
+        }
         let total = format!("total_{name}");
+        self.taken.extend([name.clone(), total.clone()]);
         let symbol = self.graph.scalar(&total);
         self.sums.push((Sum { part: name, total }, part, symbol));
         symbol
@@ -269,7 +281,12 @@ fn describe(graph: &Graph, id: Id) -> Option<String> {
             let function = match function {
                 Function::Sin => "sin",
                 Function::Cos => "cos",
-                _ => return None,
+                Function::Exp
+                | Function::Ln
+                | Function::Tan
+                | Function::Atan
+                | Function::Tanh
+                | Function::Abs => return None,
             };
             Some(format!("{function}_{name}"))
         }

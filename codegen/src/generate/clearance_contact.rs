@@ -29,13 +29,17 @@ pub(super) fn modules(spec: &ClearanceSpec) -> Result<TokenStream, Diagnostics> 
         let program = program(spec, contact, derived).map_err(|e| unscheduled(&spec.file, &e))?;
         modules.extend(Kernels::new(spec, contact, &program).module());
     }
-    Ok(modules)
+    // Apart from what the clearance's own kernels import.
+    let any = !modules.is_empty();
+    Ok(any
+        .then(|| quote!(#[doc = " Kinds of laws."] pub mod contacts { #modules }))
+        .unwrap_or_default())
 }
 
 /// The entries of the registry.
 pub(super) fn entries(spec: &ClearanceSpec) -> TokenStream {
     let modules = spec.contacts.iter().map(|contact| identifier(&contact.name));
-    quote!(&[#(#modules::ENTRY),*])
+    quote!(&[#(contacts::#modules::ENTRY),*])
 }
 
 /// All measures over one lane, as the formulas say them: for evaluation with dual numbers.
@@ -72,13 +76,13 @@ pub(super) fn measures(spec: &ClearanceSpec) -> Result<TokenStream, ScheduleErro
 }
 
 fn taken(place: usize) -> String {
-    format!("taken_{place}")
+    format!("taken_{place}_")
 }
 fn force(i: usize) -> String {
-    format!("force_{i}")
+    format!("force_{i}_")
 }
 fn entry(i: usize, k: usize) -> String {
-    format!("by_{i}_{k}")
+    format!("by_{i}_{k}_")
 }
 
 /// One program that computes everything, of which each kernel takes its part.
@@ -96,7 +100,7 @@ fn program(
     };
     let shared = spec.ring.iter().chain(&rates[..RING]).chain([&spec.constant]).chain(&spec.radius);
     shared.for_each(|own| take(&own.name, own.symbol, EACH_RING));
-    take("a1", a1, EACH_RING);
+    take("a1_", a1, EACH_RING);
     let own = contact.bore.iter().map(|(_, own)| own).chain(&rates[RING..]);
     own.for_each(|own| take(&own.name, own.symbol, EACH_SPRING));
     let laws = forces.iter().chain(slopes.iter().flatten());
@@ -147,8 +151,7 @@ impl<'a> Kernels<'a> {
             #heading
             pub mod #name {
                 use crate::{
-                    BoreMotion, Contact, ContactState, ContactTangent, ContactVariable, Lane, rows,
-                    rows_mut,
+                    BoreMotion, Contact, ContactState, ContactTangent, ContactVariable, Lane,
                 };
                 #(#functions)*
             }
@@ -182,10 +185,10 @@ impl<'a> Kernels<'a> {
         let (rows, write) = part.rows(&names);
         quote! {
             #about
-            pub fn inputs(count: usize, state: &ContactState, out: &mut [f64]) {
+            pub fn inputs(count_: usize, state_: &ContactState, out_: &mut [f64]) {
                 #opening
-                let [#(#rows),*] = rows_mut(count, out);
-                for j in 0..count {
+                let [#(#rows),*] = crate::rows_mut(count_, out_);
+                for j_ in 0..count_ {
                     #each
                     #write
                 }
@@ -205,18 +208,18 @@ impl<'a> Kernels<'a> {
         quote! {
             #about
             pub fn force(
-                count: usize, state: &ContactState, forces: &[f64],
-                ring: &mut [f64; 3], out: &mut [f64],
+                count_: usize, state_: &ContactState, forces_: &[f64],
+                ring_: &mut [f64; 3], out_: &mut [f64],
             ) {
                 #opening
-                let [#(#rows),*] = rows_mut(count, out);
+                let [#(#rows),*] = crate::rows_mut(count_, out_);
                 #start
-                for j in 0..count {
+                for j_ in 0..count_ {
                     #each
                     #write
                     #add
                 }
-                *ring = [#(#totals),*];
+                *ring_ = [#(#totals),*];
             }
         }
     }
@@ -241,24 +244,24 @@ impl<'a> Kernels<'a> {
         let mut write = TokenStream::new();
         for (field, names) in &blocks {
             let (rows, writes) = part.rows(names);
-            before.extend(quote!(let [#(#rows),*] = rows_mut(count, &mut out.#field);));
+            before.extend(quote!(let [#(#rows),*] = crate::rows_mut(count_, &mut out_.#field);));
             write.extend(writes);
         }
         quote! {
             #about
             pub fn tangent(
-                count: usize, state: &ContactState, forces: &[f64], slopes: &[f64], a1: f64,
-                out: &mut ContactTangent,
+                count_: usize, state_: &ContactState, forces_: &[f64], slopes_: &[f64], a1_: f64,
+                out_: &mut ContactTangent,
             ) {
                 #opening
                 #before
                 #start
-                for j in 0..count {
+                for j_ in 0..count_ {
                     #each
                     #write
                     #add
                 }
-                out.ring_ring = [#(#totals),*];
+                out_.ring_ring = [#(#totals),*];
             }
         }
     }
@@ -308,7 +311,7 @@ impl<'a> Kernels<'a> {
 }
 
 fn row(name: &str) -> Ident {
-    format_ident!("{}_row", identifier(name))
+    format_ident!("{}_row_", identifier(name))
 }
 
 /// What one function computes.
@@ -364,18 +367,14 @@ impl<'a> Part<'a> {
         let bore: Vec<String> = contact.bore.iter().map(|(_, own)| own.name.clone()).collect();
         let bore_dot = bore.iter().map(|name| format!("{name}_dot")).collect();
         let forces: Vec<String> = contact.forces.iter().map(|own| own.name.clone()).collect();
-        let slope = |force: &String| {
-            let inputs = contact.inputs.iter();
-            inputs.map(|own| format!("d{force}_d{}", own.name)).collect::<Vec<_>>()
-        };
-        let slopes = forces.iter().flat_map(slope).collect();
+        let slopes = contact.slopes().into_iter().flatten().collect();
         let table = self.kernels.table_names().into_iter().map(str::to_owned).collect();
         [
-            (quote!(state.table), table),
-            (quote!(state.bore), bore),
-            (quote!(state.bore_dot), bore_dot),
-            (quote!(forces), forces),
-            (quote!(slopes), slopes),
+            (quote!(state_.table), table),
+            (quote!(state_.bore), bore),
+            (quote!(state_.bore_dot), bore_dot),
+            (quote!(forces_), forces),
+            (quote!(slopes_), slopes),
         ]
     }
 
@@ -386,30 +385,30 @@ impl<'a> Part<'a> {
         for (source, names) in self.sources() {
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
             if let Some(pattern) = self.pattern(&names, true) {
-                text.extend(quote!(let #pattern = rows(count, #source);));
+                text.extend(quote!(let #pattern = crate::rows(count_, #source);));
             }
         }
         let ring: Vec<&str> = spec.ring.iter().map(|own| own.name.as_str()).collect();
         let rates: Vec<String> = ring.iter().map(|name| format!("{name}_dot")).collect();
         let rates: Vec<&str> = rates.iter().map(String::as_str).collect();
         if let Some(pattern) = self.pattern(&ring, false) {
-            text.extend(quote!(let #pattern = state.ring.position;));
+            text.extend(quote!(let #pattern = state_.ring.position;));
         }
         if let Some(pattern) = self.pattern(&rates, false) {
-            text.extend(quote!(let #pattern = state.ring.velocity;));
+            text.extend(quote!(let #pattern = state_.ring.velocity;));
         }
         let c = &spec.constant.name;
         if self.uses(c) {
             let c = identifier(c);
-            text.extend(quote!(let #c = state.ring.c;));
+            text.extend(quote!(let #c = state_.ring.c;));
         }
         if let Some(radius) = spec.radius.iter().find(|own| self.uses(&own.name)) {
             let radius = identifier(&radius.name);
-            text.extend(quote!(let #radius = state.radius;));
+            text.extend(quote!(let #radius = state_.radius;));
         }
         text.extend(statements(&self.program, EACH_RING, Numbers::Plain));
         // A kernel may need less than it is given.
-        quote!(let _ = state; #text)
+        quote!(let _ = state_; #text)
     }
 
     /// Values of one spring.
@@ -417,7 +416,7 @@ impl<'a> Part<'a> {
         let names: Vec<String> = self.sources().into_iter().flat_map(|(_, names)| names).collect();
         let reads = names.iter().filter(|name| self.uses(name)).map(|name| {
             let (value, row) = (identifier(name), row(name));
-            quote!(let #value = #row[j];)
+            quote!(let #value = #row[j_];)
         });
         let statements = statements(&self.program, EACH_SPRING, Numbers::Plain);
         quote!(#(#reads)* #(#statements)*)
@@ -425,9 +424,9 @@ impl<'a> Part<'a> {
 
     /// Rows of outputs, and how one spring's values are written to them.
     fn rows(&self, names: &[String]) -> (Vec<Ident>, TokenStream) {
-        let rows: Vec<Ident> = names.iter().map(|name| format_ident!("{name}_out")).collect();
+        let rows: Vec<Ident> = names.iter().map(|name| format_ident!("{name}out_")).collect();
         let values = names.iter().map(|name| self.output(name));
-        let write = quote!(#(#rows[j] = #values;)*);
+        let write = quote!(#(#rows[j_] = #values;)*);
         (rows, write)
     }
 

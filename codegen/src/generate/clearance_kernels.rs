@@ -49,7 +49,7 @@ impl<'a> Kernels<'a> {
         let h_dot = format!("{h}_dot");
         let part = Part::new(self, |name| name == h || name == h_dot);
         let (delta, delta_dot) = self.radial_rows();
-        let (h_row, h_dot_row) = (row(&h), row(&h_dot));
+        let (h_row, h_dot_row) = (out(&h), out(&h_dot));
         let (h, h_dot) = (part.output(&h), part.output(&h_dot));
         let (before, each) = (part.before(), part.each_spring());
         let inputs = part.input_rows(&[&delta, &delta_dot]);
@@ -57,18 +57,18 @@ impl<'a> Kernels<'a> {
         quote! {
             #about
             pub fn clearance(
-                springs: usize, table: &[f64], ring: &Ring,
+                springs_: usize, table_: &[f64], ring_: &Ring,
                 #delta: &[f64], #delta_dot: &[f64],
                 #h_row: &mut [f64], #h_dot_row: &mut [f64],
             ) {
                 #before
                 #inputs
-                let #h_row = &mut #h_row[..springs];
-                let #h_dot_row = &mut #h_dot_row[..springs];
-                for j in 0..springs {
+                let #h_row = &mut #h_row[..springs_];
+                let #h_dot_row = &mut #h_dot_row[..springs_];
+                for j_ in 0..springs_ {
                     #each
-                    #h_row[j] = #h;
-                    #h_dot_row[j] = #h_dot;
+                    #h_row[j_] = #h;
+                    #h_dot_row[j_] = #h_dot;
                 }
             }
         }
@@ -89,21 +89,21 @@ impl<'a> Kernels<'a> {
         quote! {
             #about
             pub fn force(
-                springs: usize, table: &[f64], ring: &Ring,
-                #delta: &[f64], Q_row: &[f64],
-                ring_force: &mut [f64; 3], spring_force_row: &mut [f64],
+                springs_: usize, table_: &[f64], ring_: &Ring,
+                #delta: &[f64], Q_row_: &[f64],
+                ring_force_: &mut [f64; 3], spring_force_out_: &mut [f64],
             ) {
                 #before
                 #inputs
-                let spring_force_row = &mut spring_force_row[..springs];
+                let spring_force_out_ = &mut spring_force_out_[..springs_];
                 #start
-                for j in 0..springs {
+                for j_ in 0..springs_ {
                     #each
-                    spring_force_row[j] = #spring_force;
+                    spring_force_out_[j_] = #spring_force;
                     #add
                 }
                 #after
-                *ring_force = [#(#ring_forces),*];
+                *ring_force_ = [#(#ring_forces),*];
             }
         }
     }
@@ -124,10 +124,10 @@ impl<'a> Kernels<'a> {
         let fields = ["q", "dq_dh", "dq_dh_dot"].map(|field| format_ident!("{field}"));
         let laws = forces.iter().zip(&fields).filter(|(force, _)| part.takes(force));
         let laws: Vec<TokenStream> =
-            laws.map(|(force, field)| quote!(let #force = &law.#field[..springs];)).collect();
+            laws.map(|(force, field)| quote!(let #force = &law_.#field[..springs_];)).collect();
         let inputs = part.input_rows(&[&delta, &delta_dot]);
-        let by_spring: Vec<Ident> = (0..RING).map(|i| row(&ring_spring(i))).collect();
-        let by_ring: Vec<Ident> = (0..RING).map(|i| row(&spring_ring(i))).collect();
+        let by_spring: Vec<Ident> = (0..RING).map(|i| out(&ring_spring(i))).collect();
+        let by_ring: Vec<Ident> = (0..RING).map(|i| out(&spring_ring(i))).collect();
         let by_spring_values = (0..RING).map(|i| part.output(&ring_spring(i)));
         let by_ring_values = (0..RING).map(|i| part.output(&spring_ring(i)));
         let spring_spring = part.output(SPRING_SPRING);
@@ -139,28 +139,28 @@ impl<'a> Kernels<'a> {
         quote! {
             #about
             pub fn tangent(
-                springs: usize, table: &[f64], ring: &Ring,
+                springs_: usize, table_: &[f64], ring_: &Ring,
                 #delta: &[f64], #delta_dot: &[f64],
-                law: &SpringForce, a1: f64, tangent: &mut RingTangent,
+                law_: &SpringForce, a1_: f64, tangent_: &mut RingTangent,
             ) {
                 #before
                 #inputs
                 #(#laws)*
                 let [#(#by_spring),*] =
-                    tangent.ring_spring.each_mut().map(|row| &mut row[..springs]);
+                    tangent_.ring_spring.each_mut().map(|row_| &mut row_[..springs_]);
                 let [#(#by_ring),*] =
-                    tangent.spring_ring.each_mut().map(|row| &mut row[..springs]);
-                let spring_spring_row = &mut tangent.spring_spring[..springs];
+                    tangent_.spring_ring.each_mut().map(|row_| &mut row_[..springs_]);
+                let spring_spring_out_ = &mut tangent_.spring_spring[..springs_];
                 #start
-                for j in 0..springs {
+                for j_ in 0..springs_ {
                     #each
-                    #(#by_spring[j] = #by_spring_values;)*
-                    #(#by_ring[j] = #by_ring_values;)*
-                    spring_spring_row[j] = #spring_spring;
+                    #(#by_spring[j_] = #by_spring_values;)*
+                    #(#by_ring[j_] = #by_ring_values;)*
+                    spring_spring_out_[j_] = #spring_spring;
                     #add
                 }
                 #after
-                tangent.ring_ring = [#(#entries),*];
+                tangent_.ring_ring = [#(#entries),*];
             }
         }
     }
@@ -171,8 +171,14 @@ impl<'a> Kernels<'a> {
     }
 }
 
+/// What a function reads of every spring.
 fn row(name: &str) -> Ident {
-    format_ident!("{}_row", identifier(name))
+    format_ident!("{}_row_", identifier(name))
+}
+
+/// What it writes.
+fn out(name: &str) -> Ident {
+    format_ident!("{}_out_", identifier(name.trim_end_matches('_')))
 }
 
 /// What one function computes.
@@ -225,10 +231,10 @@ impl<'a> Part<'a> {
         let position: Vec<_> = spec.ring.iter().map(|c| or_nothing(&c.name)).collect();
         let velocity: Vec<_> = spec.ring.iter().map(|c| or_nothing(&rate(&c.name))).collect();
         let c = identifier(&spec.constant.name);
-        let constant = used.contains(&spec.constant.name).then(|| quote!(let #c = ring.c;));
+        let constant = used.contains(&spec.constant.name).then(|| quote!(let #c = ring_.c;));
         let any = |names: &[TokenStream]| names.iter().any(|name| name.to_string() != "_");
-        let position = any(&position).then(|| quote!(let [#(#position),*] = ring.position;));
-        let velocity = any(&velocity).then(|| quote!(let [#(#velocity),*] = ring.velocity;));
+        let position = any(&position).then(|| quote!(let [#(#position),*] = ring_.position;));
+        let velocity = any(&velocity).then(|| quote!(let [#(#velocity),*] = ring_.velocity;));
         let table = self.table_names();
         let rows = table.iter().map(|name| match name {
             Some(name) => {
@@ -239,7 +245,7 @@ impl<'a> Part<'a> {
         });
         let statements = statements(&self.program, EACH_RING, Numbers::Plain);
         quote! {
-            let [#(#rows),*] = rows(springs, table);
+            let [#(#rows),*] = crate::rows(springs_, table_);
             #position
             #velocity
             #constant
@@ -267,7 +273,7 @@ impl<'a> Part<'a> {
     fn input_rows(&self, rows: &[&Ident]) -> TokenStream {
         rows.iter()
             .map(|row| match self.takes(row) {
-                true => quote!(let #row = &#row[..springs];),
+                true => quote!(let #row = &#row[..springs_];),
                 false => quote!(let _ = #row;),
             })
             .collect()
@@ -281,7 +287,7 @@ impl<'a> Part<'a> {
         let own = own.map(|input| input.name.clone()).filter(|name| used.contains(name));
         let reads = table.into_iter().flatten().chain(own).map(|name| {
             let (value, row) = (identifier(&name), row(&name));
-            quote!(let #value = #row[j];)
+            quote!(let #value = #row[j_];)
         });
         let statements = statements(&self.program, EACH_SPRING, Numbers::Plain);
         quote!(#(#reads)* #(#statements)*)
@@ -328,12 +334,12 @@ pub(super) fn prepare(
     let about = documented(about);
     quote! {
         #about
-        pub fn prepare(#psi_row: &[f64], table: &mut [f64]) {
-            let [#(#rows),*] = rows_mut(#psi_row.len(), table);
-            for j in 0..#psi_row.len() {
-                let #psi = #psi_row[j];
+        pub fn prepare(#psi_row: &[f64], table_: &mut [f64]) {
+            let [#(#rows),*] = crate::rows_mut(#psi_row.len(), table_);
+            for j_ in 0..#psi_row.len() {
+                let #psi = #psi_row[j_];
                 #(#statements)*
-                #(#rows[j] = #values;)*
+                #(#rows[j_] = #values;)*
             }
         }
     }

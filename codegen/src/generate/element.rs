@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::Kernel;
 use super::cell::CellForm;
@@ -56,7 +56,8 @@ pub(super) fn kernel(
     // An element may do nothing that another does not.
     let used = names(&functions);
     let called = ["cells", "forms", "Eight", "Lane", "Matrix", "Register"];
-    let called = called.iter().filter(|name| used.contains(**name)).map(|name| identifier(name));
+    let called = called.iter().filter(|name| used.contains(**name));
+    let called = called.map(|name| format_ident!("{name}"));
     let module = quote! {
         #heading
         pub mod #name {

@@ -87,7 +87,7 @@ pub(super) fn by_values(form: &Form, pairs: &Pairs) -> bool {
 
 /// Name of the function of a form.
 pub(super) fn pairs_name(form: &Form) -> Ident {
-    format_ident!("{}_pairs", identifier(&form.name))
+    format_ident!("{}_pairs_", identifier(&form.name))
 }
 
 /// The sums over the points for every pair of basis functions, and the components that the form makes of them.

@@ -19,63 +19,6 @@ pub(super) const MATERIAL: usize = 0;
 /// Once a pair of basis functions.
 pub(super) const PAIR: usize = 1;
 
-/// Names of variables in the kernels' own text, which a spec's names must not hide.
-const OWN: [&str; 52] = [
-    // A pattern of this name would not bind it.
-    "Eight",
-    "None",
-    "Some",
-    "Ok",
-    "Err",
-    "once",
-    "x",
-    "i",
-    "a",
-    "b",
-    "m",
-    "q",
-    "at",
-    "det",
-    "det0",
-    "weight",
-    "root",
-    "centre",
-    "least",
-    "least_det",
-    "basis",
-    "matrix",
-    "whole",
-    "entry",
-    "entries",
-    "place",
-    "products",
-    "material",
-    "condense",
-    "room",
-    "tangents",
-    "maps",
-    "mode_maps",
-    "roots",
-    "xi",
-    "eta",
-    "zeta",
-    "cells",
-    "directions",
-    "factors",
-    "sums",
-    "left",
-    "coupling",
-    "own",
-    "n",
-    "points",
-    "functions",
-    "of_a",
-    "rows",
-    "of_b",
-    "none",
-    "zeros",
-];
-
 /// The components of a pair of basis functions over the sums of their products at the points,
 /// s_xy = Σ_q w det J ∂N_a/∂x ∂N_b/∂y and the like.
 pub(super) struct Pairs {
@@ -96,7 +39,7 @@ impl Pairs {
 
     /// Name of the sum of a product.
     pub(super) fn name((test, trial): (usize, usize)) -> String {
-        format!("s_{}{}", Self::PARTS[test], Self::PARTS[trial])
+        format!("s_{}{}_", Self::PARTS[test], Self::PARTS[trial])
     }
 
     pub(super) fn new(spec: &FormSpec, form: &Form) -> Result<Self, ScheduleError> {
@@ -132,18 +75,8 @@ impl Pairs {
                 }
             }
         }
-        // In capitals, of some length: the tables.
-        let table = |name: &str| name.len() > 2 && !name.chars().any(|c| c.is_ascii_lowercase());
-        let own = |name: &str| {
-            OWN.contains(&name)
-                || name.starts_with("part_")
-                || name.starts_with("s_")
-                || name.starts_with("k_")
-                || table(name)
-        };
-        let free = |name: &str| if own(name) { format!("{name}_given") } else { name.to_owned() };
         let properties = spec.material_of(form);
-        let material: Vec<String> = properties.iter().map(|p| free(&p.name)).collect();
+        let material: Vec<String> = properties.iter().map(|p| p.name.clone()).collect();
         let uses = |symbol: Id| form.bilinear.values().any(|id| graph.depends(*id, symbol));
         let used: Vec<_> = spec.coefficients.iter().filter(|c| uses(c.symbol)).collect();
         let input = |name: String, symbol: Id, stage| Input { name, symbol, stage };
@@ -155,11 +88,11 @@ impl Pairs {
             stages: vec![Stage::new("material", &[], 1.0)],
             inputs: inputs.clone(),
             outputs: (used.iter())
-                .map(|c| Output { name: free(&c.name), expression: c.value })
+                .map(|c| Output { name: c.name.clone(), expression: c.value })
                 .collect(),
             names: Vec::new(),
         };
-        inputs.extend(used.iter().map(|c| input(free(&c.name), c.symbol, MATERIAL)));
+        inputs.extend(used.iter().map(|c| input(c.name.clone(), c.symbol, MATERIAL)));
         inputs.extend(sums.iter().map(|(m, symbol)| input(Self::name(*m), *symbol, PAIR)));
         let coefficients = schedule(&mut graph.clone(), &request)?;
         let pairs = if moments.len() > 1 { 36.0 } else { 27.0 };

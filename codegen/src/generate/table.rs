@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
-use crate::emit::{documented, identifier, number};
+use crate::emit::{documented, number};
 use crate::spec::element::ElementSpec;
 
 /// The tables that kernels of an element read, each once.
@@ -40,8 +40,8 @@ impl<'a> Tables<'a> {
     /// The identifier of a table for a form; tables of the common rule have no form in their name.
     pub(super) fn named(&self, table: &str, form: &str) -> Ident {
         match self.element.quadrature_of.contains_key(form) {
-            true => format_ident!("{}_{}", table, identifier(form).to_string().to_uppercase()),
-            false => format_ident!("{}", table),
+            true => format_ident!("{}_{}_", table, form.to_uppercase()),
+            false => format_ident!("{}_", table),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Kernels of forms in which only the values of the functions occur: Σ_q det J w N_a N_b for every pair of nodes.
 
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::basis::DET_FLOPS;
@@ -9,7 +10,7 @@ use super::program::{PAIR, Pairs};
 use super::table::{Tables, Tangents, count, row};
 use crate::diagnostic::Diagnostics;
 use crate::element::{Products, Table};
-use crate::emit::{Numbers, number, operand, statements};
+use crate::emit::{NumberText, Numbers, identifier, number, operand, statements};
 
 impl CellForm<'_> {
     /// What the form makes of N_a N_b is a multiple of it, so that det J takes that factor at every point.
@@ -70,22 +71,18 @@ impl CellForm<'_> {
             quote!([usize; #places]),
             quote!([#(#values),*]),
         );
-        let (once, pair) = (pairs.once(), statements(&pairs.program, PAIR, Numbers::Fused));
-        let result = operand(&pairs.program, pairs.program.outputs[0].operand, Numbers::Fused);
+        let made = made(pairs, &factor);
         let jacobian = self.jacobian(tables, &quote!(tangents));
         let text = quote! {
-            #once
+            let factor = #made;
             let mut tangents = [[L::splat(0.0); 3]; #rows];
             for i in 0..3 { #steps }
-            let s_nn = L::splat(#factor);
-            #(#pair)*
-            let s_factor = #result;
             let mut det = [L::splat(0.0); #points];
             let mut least_det = L::splat(f64::INFINITY);
             for q in 0..#points {
                 #jacobian
                 least_det = cells::least(least_det, at.det);
-                det[q] = at.det * s_factor;
+                det[q] = at.det * factor;
             }
             #sum_steps
             let entries = [#(#entries),*];
@@ -136,16 +133,12 @@ impl CellForm<'_> {
             quote!([[f64; #point_count]; #node_count]),
             quote!([#(#values),*]),
         );
-        let (once, pair) = (pairs.once(), statements(&pairs.program, PAIR, Numbers::Fused));
-        let result = operand(&pairs.program, pairs.program.outputs[0].operand, Numbers::Fused);
+        let made = made(pairs, &number(1.0));
         let text = quote! {
-            #once
+            let factor = #made;
             #tangents
-            let s_nn = L::splat(1.0);
-            #(#pair)*
-            let s_factor = #result;
             let least_det = cells::determinants(
-                &room.tangents, &#columns, &#weights, s_factor, &mut room.det
+                &room.tangents, &#columns, &#weights, factor, &mut room.det
             );
             cells::products(&room.det, #shapes.as_flattened(), &mut room.weighted, matrix);
             least_det
@@ -164,5 +157,23 @@ impl CellForm<'_> {
         let rows = count(Tangents::new(&table.slopes).rows.len());
         let room = Some(quote!(cells::Scalars<L, #point_count, #rows>));
         Body { room, matrix: quote!(matrix), text, about, flops }
+    }
+}
+
+/// What the form makes of a product N_a N_b whose sum over the points is `sum`; the material's names hold in
+/// there only.
+fn made(pairs: &Pairs, sum: &NumberText) -> TokenStream {
+    let material = pairs.material.iter().map(|name| identifier(name));
+    let (once, pair) = (pairs.once(), statements(&pairs.program, PAIR, Numbers::Fused));
+    let name = identifier(&Pairs::name((0, 0)));
+    let result = operand(&pairs.program, pairs.program.outputs[0].operand, Numbers::Fused);
+    quote! {
+        {
+            let [#(#material),*] = material;
+            #once
+            let #name = L::splat(#sum);
+            #(#pair)*
+            #result
+        }
     }
 }

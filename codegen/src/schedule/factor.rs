@@ -26,6 +26,7 @@ pub(super) fn factor(graph: &mut Graph, request: &Request, roots: &[Id]) -> BTre
     let mut rewritten: BTreeMap<Id, Id> = BTreeMap::new();
     for id in horner.graph.reachable(roots) {
         let new = horner.rewrite(id, &rewritten);
+        horner.graph.keep(id, new);
         rewritten.insert(id, new);
     }
     rewritten
@@ -61,7 +62,15 @@ impl Horner<'_> {
             Node::Or(a, b) => graph.or(of[&a], of[&b]),
             Node::Not(a) => graph.not(of[&a]),
             Node::Select(mask, a, b) => graph.select(of[&mask], of[&a], of[&b]),
-            _ => id,
+            Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => id,
+            // Only scalars are scheduled.
+            Node::Zero(_)
+            | Node::Identity
+            | Node::Scale(..)
+            | Node::Dot(..)
+            | Node::Apply(..)
+            | Node::Transpose(_)
+            | Node::Outer(..) => id,
         }
     }
 

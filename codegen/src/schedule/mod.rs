@@ -49,8 +49,8 @@ fn ways(graph: &mut Graph, request: &Request) -> Result<Vec<Way>, ScheduleError>
     };
     let mut ways = vec![factored(graph, request, &written)?];
     let simple = simplify(graph, &written.outputs);
+    same_meaning(graph, request, &simple)?;
     if simple != written.outputs {
-        same_meaning(graph, request, &simple)?;
         let simple = Way { outputs: simple, names: request.names.clone() };
         ways.push(factored(graph, request, &simple)?);
         ways.push(simple);
@@ -158,12 +158,20 @@ fn only_scalars(graph: &Graph, request: &Request) -> Result<(), ScheduleError> {
 }
 
 fn same_meaning(graph: &Graph, request: &Request, new: &[Id]) -> Result<(), ScheduleError> {
+    let changed = graph.changed();
     for (output, new) in request.outputs.iter().zip(new) {
-        if !graph.same_signature(output.expression, *new) {
+        let inside = changed.is_some_and(|node| graph.depends(output.expression, node));
+        if inside || !graph.same_signature(output.expression, *new) {
             return Err(ScheduleError::MeaningChanged { output: output.name.clone() });
         }
     }
-    Ok(())
+    // In what a pass made of an output, which no output of the request holds.
+    match (changed, request.outputs.first()) {
+        (Some(_), Some(output)) => {
+            Err(ScheduleError::MeaningChanged { output: output.name.clone() })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The operations that are needed, in their order and with names.

@@ -75,30 +75,6 @@ pub struct Tensor {
     pub symmetry: Symmetry,
 }
 
-/// Names that the generated kernels use themselves.
-const KERNEL_NAMES: [&str; 18] = [
-    "n",
-    "i",
-    "j",
-    "L",
-    "a1",
-    "a2",
-    "start",
-    "end",
-    "out",
-    "rows",
-    "first",
-    "block",
-    "columns",
-    "state",
-    "tensors",
-    "vector",
-    "workspace",
-    "_workspace",
-];
-/// Beginnings of names that they make.
-const KERNEL_PREFIXES: [&str; 4] = ["dot_", "columns_of_", "column_of_", "weight_"];
-
 const TENSORS: [(&str, Shape, Symmetry); 5] = [
     ("scalar", Shape::Scalar, Symmetry::None),
     ("vector", Shape::Vector, Symmetry::None),
@@ -183,15 +159,6 @@ fn tensors(root: &Table, graph: &mut Graph, names: &mut BTreeMap<String, Id>) ->
     for key in table.names() {
         let word = table.word(key.text());
         let name = match formula::name(key.text()) {
-            Ok(name)
-                if KERNEL_NAMES.contains(&name.as_str())
-                    || KERNEL_PREFIXES.iter().any(|prefix| name.starts_with(prefix)) =>
-            {
-                let message = format!("the name `{name}` is kept for the kernels");
-                let error = key.error_here(Code::BAD_NAME, message);
-                table.document().push(error.help("choose another name"));
-                continue;
-            }
             Ok(name) if names.contains_key(&name) => {
                 let message = format!("`{name}` is already a coordinate, a rate or a tensor");
                 table

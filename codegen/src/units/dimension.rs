@@ -3,7 +3,7 @@
 use std::fmt;
 
 use num_rational::Ratio;
-use num_traits::{One, Signed, Zero};
+use num_traits::{CheckedAdd, CheckedMul, CheckedSub, One, Zero};
 
 /// An exponent of a unit: rational, as in N/mm^1.5.
 pub type Exponent = Ratio<i32>;
@@ -79,27 +79,56 @@ impl Dimension {
         std::array::from_fn(|base| self.exponents[base])
     }
 
-    /// Of a product.
+    /// Of a product; `None` if its exponents are beyond all use.
+    pub fn checked_times(&self, other: &Dimension) -> Option<Dimension> {
+        self.joined(other, CheckedAdd::checked_add)
+    }
+
+    /// Of a quotient; `None` if its exponents are beyond all use.
+    pub fn checked_over(&self, other: &Dimension) -> Option<Dimension> {
+        self.joined(other, CheckedSub::checked_sub)
+    }
+
+    /// Of a power; `None` if its exponents are beyond all use.
+    pub fn checked_power(&self, exponent: Exponent) -> Option<Dimension> {
+        let other = Dimension { exponents: [exponent; 5] };
+        self.joined(&other, CheckedMul::checked_mul)
+    }
+
+    fn joined(
+        &self,
+        other: &Dimension,
+        join: fn(&Exponent, &Exponent) -> Option<Exponent>,
+    ) -> Option<Dimension> {
+        let mut joined = *self;
+        for (e, other) in joined.exponents.iter_mut().zip(&other.exponents) {
+            *e = join(e, other)?;
+        }
+        joined.is_sane().then_some(joined)
+    }
+
+    /// Of a product of units in use.
     pub fn times(&self, other: &Dimension) -> Dimension {
         let exponents = std::array::from_fn(|i| self.exponents[i] + other.exponents[i]);
         Dimension { exponents }
     }
 
-    /// Of a quotient.
+    /// Of a quotient of units in use.
     pub fn over(&self, other: &Dimension) -> Dimension {
         let exponents = std::array::from_fn(|i| self.exponents[i] - other.exponents[i]);
         Dimension { exponents }
     }
 
-    /// Of a power.
+    /// Of a power of a unit in use.
     pub fn power(&self, exponent: Exponent) -> Dimension {
         Dimension { exponents: self.exponents.map(|e| e * exponent) }
     }
 
     /// Whether the largest exponent and denominator are small enough to go on computing with.
     pub fn is_sane(&self) -> bool {
-        const LARGEST: i32 = 1000;
-        let small = |e: &Exponent| e.numer().abs() <= LARGEST && *e.denom() <= LARGEST;
+        const LARGEST: u32 = 1000;
+        let small =
+            |e: &Exponent| e.numer().unsigned_abs() <= LARGEST && *e.denom() <= LARGEST as i32;
         self.exponents.iter().all(small)
     }
 
@@ -136,8 +165,9 @@ impl Dimension {
         // With the newton in place of the kilogram where that is shorter: N/m^(3/2), not kg/m^(1/2)/s^2.
         let newtons = self.exponents[MASS];
         let rest = self.over(&Dimension::FORCE.power(newtons));
-        let size = |d: &Dimension| d.exponents.iter().map(|e| e.abs()).sum::<Exponent>();
-        let (newtons, rest) = match size(&rest) + newtons.abs() < size(self) {
+        let length = |e: &Exponent| f64::from(*e.numer()).abs() / f64::from(*e.denom());
+        let size = |d: &Dimension| d.exponents.iter().map(length).sum::<f64>();
+        let (newtons, rest) = match size(&rest) + length(&newtons) < size(self) {
             true => (newtons, rest),
             false => (Exponent::zero(), *self),
         };

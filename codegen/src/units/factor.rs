@@ -3,9 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::rational::{Rational, nearest};
-use num_traits::{One, Zero};
+use num_traits::{CheckedAdd, CheckedMul, One, Zero};
 
 use super::Exponent;
+
+/// Highest power of a prime that is written out: far past the range of f64.
+const HIGHEST_POWER: u32 = 8192;
 
 /// A positive number Π pᵢ^eᵢ · π^e with rational exponents: closed under products and rational powers,
 /// and equal factors are equal values.
@@ -64,6 +67,28 @@ impl Factor {
         product
     }
 
+    /// The product; `None` if its exponents are beyond all use.
+    pub fn checked_times(&self, other: &Factor) -> Option<Factor> {
+        let mut product = self.clone();
+        for (p, e) in &other.primes {
+            let sum = product.primes.entry(*p).or_insert_with(Exponent::zero);
+            *sum = sum.checked_add(e)?;
+        }
+        product.primes.retain(|_, e| !e.is_zero());
+        product.pi = product.pi.checked_add(&other.pi)?;
+        Some(product)
+    }
+
+    /// The power; `None` if its exponents are beyond all use.
+    pub fn checked_power(&self, exponent: Exponent) -> Option<Factor> {
+        if exponent.is_zero() {
+            return Some(Factor::one());
+        }
+        let power = |e: &Exponent| e.checked_mul(&exponent);
+        let primes = self.primes.iter().map(|(p, e)| Some((*p, power(e)?)));
+        Some(Factor { primes: primes.collect::<Option<_>>()?, pi: power(&self.pi)? })
+    }
+
     /// The quotient.
     pub fn over(&self, other: &Factor) -> Factor {
         self.times(&other.power(-Exponent::one()))
@@ -88,11 +113,15 @@ impl Factor {
     /// The exact value, if it is rational.
     pub fn to_rational(&self) -> Option<Rational> {
         let integers = self.primes.values().all(|e| e.is_integer());
-        (integers && self.pi.is_zero()).then(|| self.whole_part())
+        (integers && self.pi.is_zero() && self.is_moderate()).then(|| self.whole_part())
     }
 
     /// The value: the integer powers exactly, then rounded, then what is left.
     pub fn to_f64(&self) -> f64 {
+        if !self.is_moderate() {
+            let powers = self.primes.iter().map(|(p, e)| libm::pow(f64::from(*p), as_f64(*e)));
+            return powers.product::<f64>() * libm::pow(std::f64::consts::PI, as_f64(self.pi));
+        }
         let mut value = nearest(&self.whole_part());
         for (p, e) in &self.primes {
             let rest = e.fract();
@@ -104,6 +133,11 @@ impl Factor {
             value *= libm::pow(std::f64::consts::PI, as_f64(self.pi));
         }
         value
+    }
+
+    /// Whether the powers can be written out.
+    fn is_moderate(&self) -> bool {
+        self.primes.values().all(|e| e.to_integer().unsigned_abs() <= HIGHEST_POWER)
     }
 
     fn whole_part(&self) -> Rational {

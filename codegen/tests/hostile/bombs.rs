@@ -3,7 +3,8 @@
 /// Files that are refused or done, as it comes.
 #[allow(dead_code, reason = "the example measures them; a build for tests is too slow")]
 pub(crate) fn all() -> Vec<String> {
-    let groups = [powers(), chains(), long_formulas(), pieces(), forms(), words(), elements()];
+    let groups =
+        [powers(), chains(), long_formulas(), pieces(), forms(), words(), elements(), repeated()];
     groups.into_iter().flatten().collect()
 }
 
@@ -39,6 +40,10 @@ fn chains() -> Vec<String> {
         "sqrt(#*# + 1)",
         "exp(-#)/(1 + exp(-#))",
         "#*(2 - #)",
+        "#*h + h",
+        "abs(# - h)",
+        "sinh(#)",
+        "max(#, -#)*h",
     ] {
         for count in [10, 100, 600] {
             let mut text = String::new();
@@ -143,6 +148,16 @@ pub(crate) fn refused() -> Vec<(String, &'static str)> {
         (format!("kind = \"element\"\n# {}", "x".repeat(1_000_000)), "E015"),
         (law("", "h").replace("\"mm\"", &format!("\"{}\"", "mm*".repeat(2000))), "E020"),
     ];
+    for number in [
+        "(((sqrt(2)+sqrt(3)+1)^64+1)^64+1)^64",
+        "1/(((sqrt(2)+sqrt(3)+1)^8+1)^8+1)^8",
+        "(sqrt(2)+1)*(sqrt(3)+1)*(sqrt(5)+1)*(sqrt(7)+1)*(sqrt(11)+1)*(sqrt(13)+1)*(sqrt(17)+1)",
+    ] {
+        texts.push((points(number), "E015"));
+    }
+    for power in ["h^(1/997)*h^(1/991)*h^(1/983)*h^(1/977)", "((h^(1/997))^(1/991))^(1/983)"] {
+        texts.push((law("", &format!("({power})^0*{power}")), "E014"));
+    }
     let node = |i: usize| format!("[{}, {}, {}]", i % 4, (i / 4) % 4, i / 16);
     for (shape, count, code) in
         [("(1 + xi_a*xi)*(1 + eta_a*eta)*(1 + zeta_a*zeta)/8", 64, "E050"), ("xi", 10_000, "E004")]
@@ -151,6 +166,33 @@ pub(crate) fn refused() -> Vec<(String, &'static str)> {
         texts.push((element(&nodes.join(", "), shape), code));
     }
     texts
+}
+
+/// Expressions that use what is below them twice, level upon level.
+pub(crate) fn repeated() -> Vec<String> {
+    let nested = |function: &str, of: &str| {
+        format!("{}{of}{}", format!("{function}(").repeat(40), ")".repeat(40))
+    };
+    let mut texts = Vec::new();
+    for scale in [nested("sinh", "det"), nested("cosh", "det0/det"), nested("abs", "sinh(det)")] {
+        texts.push(
+            include_str!("../../../specs/elements/hex8i.toml")
+                .replace("scale = 'det0/det'", &format!("scale = '{scale}'")),
+        );
+    }
+    let shape = format!("xi*{}", nested("sinh", "xi"));
+    let nodes = "[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], \
+                 [-1, 1, 1]";
+    texts.push(element(nodes, &shape));
+    texts.push(points(&nested("sinh", "1")));
+    texts.push(law("", &nested("sinh", "h")));
+    texts
+}
+
+/// An element whose rule has this number for a coordinate.
+fn points(number: &str) -> String {
+    include_str!("../../../specs/elements/tet4.toml")
+        .replace("rule = [\"tetrahedron(4)\"]", &format!("points = [['{number}', 0, 0, '1/6']]"))
 }
 
 /// Shape functions that are much when they are multiplied out, on the nodes of a cube.

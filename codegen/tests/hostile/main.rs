@@ -15,6 +15,7 @@ use std::time::Duration;
 use corpus::{Corpus, texts};
 use injection::Vocabulary;
 use run::{Input, input, run};
+use whirl_codegen::formula;
 use whirl_codegen::generate::{SpecFile, generate};
 
 /// Inputs of a test run; the example takes as many as asked for.
@@ -99,25 +100,65 @@ fn names_of_a_spec_stay_names() {
     let vocabulary = Vocabulary::shared();
     let keywords =
         ["fn", "unsafe", "type", "self", "Self", "crate", "super", "async", "try", "gen", "_"];
-    for name in keywords.iter().chain(&["r", "std", "panic", "L", "f64", "Lane", "include", "core"])
-    {
+    let others = [
+        "r",
+        "std",
+        "panic",
+        "L",
+        "f64",
+        "Lane",
+        "include",
+        "core",
+        "None",
+        "Some",
+        "Ok",
+        "Err",
+        "n",
+        "i",
+        "a1",
+        "out",
+        "workspace",
+        "once",
+        "sums",
+        "material",
+        "matrix",
+        "ENTRY",
+        "Eight",
+        "WEIGHTS",
+    ];
+    for name in keywords.iter().chain(&others) {
+        // What is no name of a formula can still be that of a file.
+        let own = formula::name(name).unwrap_or_else(|_| "p".to_owned());
         let law = format!(
             "kind = \"law\"\nname = \"{name}\"\ntitle = \"t\"\nsource = \"s\"\n[inputs.h]\nunit = \"mm\"\n\
-             [parameters.{name}]\nvalue = 2\nunit = \"N/mm\"\n\
-             [outputs.Q]\nunit = \"N\"\nvalue = '{name}*h'\n"
+             [parameters.{own}]\nvalue = 2\nunit = \"N/mm\"\n\
+             [outputs.Q]\nunit = \"N\"\nvalue = '{own}*h'\n"
         );
-        fine(&Input { is_formula: false, text: law }, vocabulary);
+        assert!(fine(&Input { is_formula: false, text: law }, vocabulary), "{name}");
+        let name_of_form = own.to_lowercase();
         let form = format!(
             "kind = \"form\"\nname = \"{name}\"\ntitle = \"t\"\nsource = \"s\"\n\
-             [material.{name}]\nunit = \"Pa\"\ntitle = \"t\"\n[forms]\n{name}_ = '{name}*dot(u, v)'\n"
+             [material.{own}]\nunit = \"Pa\"\ntitle = \"t\"\n[forms]\n{name_of_form} = '{own}*dot(u, v)'\n"
         );
-        fine(&Input { is_formula: false, text: form }, vocabulary);
+        assert!(fine(&Input { is_formula: false, text: form }, vocabulary), "{name}");
         let motion = format!(
             "kind = \"motion\"\nname = \"{name}\"\ntitle = \"t\"\nsource = \"s\"\n\
-             kinetic_energy = '1/2*theta_dot^2*{name} + 1/2*dot(eta_dot, eta_dot)'\n\
-             [coordinates]\ntheta = \"scalar\"\neta = \"vector\"\n[tensors]\n{name} = \"scalar\"\n"
+             kinetic_energy = '1/2*theta_dot^2*{own} + 1/2*dot(eta_dot, eta_dot)'\n\
+             [coordinates]\ntheta = \"scalar\"\neta = \"vector\"\n[tensors]\n{own} = \"scalar\"\n"
         );
-        fine(&Input { is_formula: false, text: motion }, vocabulary);
+        assert!(fine(&Input { is_formula: false, text: motion }, vocabulary), "{name}");
+    }
+}
+
+/// sinh a is made of eᵃ twice: what is nested n deep is written 2ⁿ times.
+#[test]
+fn what_repeats_itself_is_evaluated_once() {
+    let vocabulary = Vocabulary::shared();
+    for text in bombs::repeated() {
+        let start = std::time::Instant::now();
+        fine(&Input { is_formula: false, text }, vocabulary);
+        // Milliseconds where each node is evaluated once, years where it is not.
+        assert!(start.elapsed() < Duration::from_secs(60));
     }
 }
 

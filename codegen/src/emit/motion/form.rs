@@ -185,6 +185,7 @@ pub(super) fn without_choices(graph: &mut Graph, id: Id) -> Id {
         let (first, second) = (graph.select(mask, one, zero), graph.select(mask, zero, one));
         let (a, b) = (graph.scale(first, a), graph.scale(second, b));
         let sum = graph.sum(&[(a, Rational::one()), (b, Rational::one())]);
+        graph.keep(node, sum);
         id = graph.substitute(id, &BTreeMap::from([(node, sum)]));
     }
 }

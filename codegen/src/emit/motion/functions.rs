@@ -108,7 +108,7 @@ fn kernels(spec: &MotionSpec, graph: &mut Graph) -> Vec<Kernel> {
     let flat = |blocks: &Blocks| blocks.concat();
     let (mass, pf, b, p) =
         (flat(&equations.mass), flat(&derived.pf), flat(&derived.b), flat(&derived.p));
-    let (a1, a2) = (graph.scalar("a1"), graph.scalar("a2"));
+    let (a1, a2) = (graph.scalar("a1_"), graph.scalar("a2_"));
     let minus_a1 = graph.times(minus.clone(), a1);
     let tangent = (0..mass.len())
         .map(|place| {
@@ -163,26 +163,29 @@ fn kernels(spec: &MotionSpec, graph: &mut Graph) -> Vec<Kernel> {
 fn function(spec: &MotionSpec, Planned { kernel, plan, graph }: &Planned) -> TokenStream {
     let name = format_ident!("{}", kernel.name);
     let header = documented(&header(spec, graph, kernel, plan));
-    let body = Writer { spec, graph, plan }.body(kernel.kind);
-    let workspace = if plan.words.is_empty() { "_workspace" } else { "workspace" };
+    let writer = Writer { spec, graph, plan };
+    let body = writer.body(kernel.kind);
+    let tensors = if writer.takes_tensors() { "tensors_" } else { "_tensors_" };
+    let tensors = format_ident!("{tensors}");
+    let workspace = if plan.words.is_empty() { "_workspace_" } else { "workspace_" };
     let workspace = format_ident!("{workspace}");
-    let newmark = kernel.newmark.then(|| quote!(a1: f64, a2: f64,));
+    let newmark = kernel.newmark.then(|| quote!(a1_: f64, a2_: f64,));
     let lanes = kernel.newmark.then(|| {
         quote! {
-            let a1 = L::splat(a1);
-            let a2 = L::splat(a2);
+            let a1_ = L::splat(a1_);
+            let a2_ = L::splat(a2_);
         }
     });
     let (out, result) = match kernel.kind {
         Kind::Value => (quote!(), quote!(-> L)),
-        _ => (quote!(out: &mut [L]), quote!()),
+        _ => (quote!(out_: &mut [L]), quote!()),
     };
     quote! {
         #header
         #[inline(always)]
         pub fn #name<L: Lane>(
-            tensors: &[&[f64]],
-            state: &MotionState<L>,
+            #tensors: &[&[f64]],
+            state_: &MotionState<L>,
             #newmark
             #workspace: &mut [L],
             #out

@@ -40,10 +40,10 @@ impl Writer<'_> {
         let after = statements(&self.plan.scalars, AFTER, Numbers::Lanes);
         let split = match result {
             Kind::Blocks => quote! {
-                let out = &mut out[..(n + 1) * (n + 1)];
-                let (first, columns) = out.split_at_mut(n + 1);
+                let out_ = &mut out_[..(n_ + 1) * (n_ + 1)];
+                let (first_, columns_) = out_.split_at_mut(n_ + 1);
             },
-            Kind::Rows => quote!(let out = &mut out[..n + 1];),
+            Kind::Rows => quote!(let out_ = &mut out_[..n_ + 1];),
             Kind::Value => quote!(),
         };
         let passes = self.passes(result);
@@ -63,14 +63,14 @@ impl Writer<'_> {
     /// The symbols that are used, bound to names.
     fn symbols(&self) -> TokenStream {
         let used = self.used();
-        let mut lines = vec![quote!(let n = state.eta.len();)];
+        let mut lines = vec![quote!(let n_ = state_.eta.len();)];
         for coordinate in &self.spec.coordinates {
             let symbols = [coordinate.position, coordinate.velocity, coordinate.acceleration];
             for symbol in symbols.into_iter().filter(|symbol| used.contains(symbol)) {
                 let name = self.ident(symbol);
                 lines.push(match self.graph.shape(symbol) {
-                    Shape::Scalar => quote!(let #name = state.#name;),
-                    _ => quote!(let #name = &state.#name[..n];),
+                    Shape::Scalar => quote!(let #name = state_.#name;),
+                    _ => quote!(let #name = &state_.#name[..n_];),
                 });
             }
         }
@@ -82,13 +82,19 @@ impl Writer<'_> {
             let place = Literal::usize_unsuffixed(place);
             lines.push(match tensor.shape {
                 Shape::Scalar => {
-                    quote!(let #name = L::splat(tensors[#place][0]);)
+                    quote!(let #name = L::splat(tensors_[#place][0]);)
                 }
-                Shape::Vector => quote!(let #name = &tensors[#place][..n];),
-                _ => quote!(let #name = &tensors[#place][..n * n];),
+                Shape::Vector => quote!(let #name = &tensors_[#place][..n_];),
+                _ => quote!(let #name = &tensors_[#place][..n_ * n_];),
             });
         }
         quote!(#(#lines)*)
+    }
+
+    /// Whether any tensor is used.
+    pub(super) fn takes_tensors(&self) -> bool {
+        let used = self.used();
+        self.spec.tensors.iter().any(|tensor| used.contains(&tensor.symbol))
     }
 
     /// Symbols that the plan uses.
@@ -121,8 +127,8 @@ impl Writer<'_> {
         let mut text = quote!();
         for (place, word) in plan.words.iter().enumerate() {
             let name = self.ident(word.id);
-            let rest = if place + 1 < plan.words.len() { quote!(workspace) } else { quote!(_) };
-            text.extend(quote!(let (#name, #rest) = workspace.split_at_mut(n);));
+            let rest = if place + 1 < plan.words.len() { quote!(workspace_) } else { quote!(_) };
+            text.extend(quote!(let (#name, #rest) = workspace_.split_at_mut(n_);));
         }
         for word in plan.words.iter().filter(|word| !word.transposed) {
             let name = self.ident(word.id);
@@ -134,7 +140,7 @@ impl Writer<'_> {
         }
         if let (0, Some(form), Kind::Blocks) = (levels, fused, result) {
             let block = self.block(form);
-            text.extend(quote!(for j in 0..n { #block }));
+            text.extend(quote!(for j_ in 0..n_ { #block }));
         }
         text
     }
@@ -147,7 +153,7 @@ impl Writer<'_> {
         matrices.dedup();
         let columns = matrices.iter().map(|matrix| {
             let (name, slice) = (self.ident(*matrix), self.columns_of(*matrix));
-            quote!(let #slice = &#name[start * n..end * n];)
+            quote!(let #slice = &#name[start_ * n_..end_ * n_];)
         });
         let products = words.iter().map(|word| {
             let name = self.ident(word.id);
@@ -155,28 +161,28 @@ impl Writer<'_> {
                 let x = self.ident(word.of);
                 let matrix = self.ident(word.matrix);
                 let dot = if self.is_lane(word.of) {
-                    quote!(vector::dot_numbers(#x, &#matrix[j * n..][..n]))
+                    quote!(vector::dot_numbers(#x, &#matrix[j_ * n_..][..n_]))
                 } else {
-                    quote!(L::splat(vector::dot(#x, &#matrix[j * n..][..n])))
+                    quote!(L::splat(vector::dot(#x, &#matrix[j_ * n_..][..n_])))
                 };
-                quote!(for j in start..end { #name[j] = #dot; })
+                quote!(for j_ in start_..end_ { #name[j_] = #dot; })
             } else {
                 let slice = self.columns_of(word.matrix);
                 let x = self.ident(word.of);
                 let x = match self.is_lane(word.of) {
-                    true => quote!(&#x[start..end]),
-                    false => quote!(&vector::lanes(&#x[start..end])[..end - start]),
+                    true => quote!(&#x[start_..end_]),
+                    false => quote!(&vector::lanes(&#x[start_..end_])[..end_ - start_]),
                 };
                 quote!(vector::add_columns(#name, #slice, #x);)
             }
         });
         let block = fused.map(|form| {
             let block = self.block(form);
-            quote!(for j in start..end { #block })
+            quote!(for j_ in start_..end_ { #block })
         });
         quote! {
-            for start in (0..n).step_by(vector::COLUMNS) {
-                let end = n.min(start + vector::COLUMNS);
+            for start_ in (0..n_).step_by(vector::COLUMNS) {
+                let end_ = n_.min(start_ + vector::COLUMNS);
                 #(#columns)*
                 #(#products)*
                 #block
@@ -188,12 +194,12 @@ impl Writer<'_> {
     fn block(&self, form: &Form<Operand>) -> TokenStream {
         let Form::Matrix { stored, identity, outer } = form else { return quote!() };
         let plan = self.plan;
-        let i = quote!(i);
+        let i = quote!(i_);
         let mut bound = Vec::new();
         for id in form.matrices() {
             if let Node::Symbol(_) = self.graph.node(id) {
                 let (column, name) = (self.column_of(id), self.ident(id));
-                bound.push(quote!(let #column = &#name[j * n..][..n];));
+                bound.push(quote!(let #column = &#name[j_ * n_..][..n_];));
             }
         }
         let mut groups_text = vec![];
@@ -201,17 +207,17 @@ impl Writer<'_> {
             groups_text.push(combination(&plan.scalars, stored, |id| match *self.graph.node(id) {
                 Node::Transpose(matrix) => {
                     let name = self.ident(matrix);
-                    Text { tokens: quote!(#name[i * n + j]), lane: false }
+                    Text { tokens: quote!(#name[i_ * n_ + j_]), lane: false }
                 }
                 _ => {
                     let column = self.column_of(id);
-                    Text { tokens: quote!(#column[i]), lane: false }
+                    Text { tokens: quote!(#column[i_]), lane: false }
                 }
             }));
         }
         for (left, weights) in outer {
-            let weight = format_ident!("weight_{}", self.ident(*left));
-            let value = self.at(weights, &quote!(j)).into_lane();
+            let weight = format_ident!("weight_{}_", self.ident(*left));
+            let value = self.at(weights, &quote!(j_)).into_lane();
             bound.push(quote!(let #weight = #value;));
             let left = entry(plan.name(*left), &i, self.is_lane(*left)).tokens;
             groups_text.push(Text { tokens: quote!(#weight * #left), lane: true });
@@ -224,13 +230,13 @@ impl Writer<'_> {
         let value = value.unwrap_or(Text { tokens: quote!(0.0), lane: false }).into_lane();
         let diagonal = identity.as_ref().map(|coefficient| {
             let coefficient = self.scalar(*coefficient);
-            quote!(block[j] = block[j] + #coefficient;)
+            quote!(block_[j_] = block_[j_] + #coefficient;)
         });
         quote! {
             #(#bound)*
-            let block = &mut columns[j * (n + 1)..][1..n + 1];
-            for i in 0..n {
-                block[i] = #value;
+            let block_ = &mut columns_[j_ * (n_ + 1)..][1..n_ + 1];
+            for i_ in 0..n_ {
+                block_[i_] = #value;
             }
             #diagonal
         }
@@ -256,22 +262,22 @@ impl Writer<'_> {
             (Kind::Value, [Form::Scalar(value)]) => self.scalar(*value),
             (Kind::Rows, [Form::Scalar(value), Form::Vector(groups)]) => {
                 let value = self.scalar(*value);
-                let entries = self.filled(quote!(out[1..]), groups);
-                quote!(out[0] = #value; #entries)
+                let entries = self.filled(quote!(out_[1..]), groups);
+                quote!(out_[0] = #value; #entries)
             }
             (
                 Kind::Blocks,
                 [Form::Scalar(corner), Form::Vector(row), Form::Vector(column), block],
             ) => {
                 let corner = self.scalar(*corner);
-                let column = self.filled(quote!(first[1..]), column);
-                let row = self.at(row, &quote!(j)).into_lane();
+                let column = self.filled(quote!(first_[1..]), column);
+                let row = self.at(row, &quote!(j_)).into_lane();
                 let block = (!self.plan.fuses(block)).then(|| self.block(block));
                 quote! {
-                    first[0] = #corner;
+                    first_[0] = #corner;
                     #column
-                    for j in 0..n {
-                        columns[j * (n + 1)] = #row;
+                    for j_ in 0..n_ {
+                        columns_[j_ * (n_ + 1)] = #row;
                         #block
                     }
                 }
@@ -282,11 +288,11 @@ impl Writer<'_> {
 
     /// A loop that fills n entries.
     fn filled(&self, target: TokenStream, groups: &[Group<Operand>]) -> TokenStream {
-        let value = self.at(groups, &quote!(i)).into_lane();
+        let value = self.at(groups, &quote!(i_)).into_lane();
         quote! {
-            let rows = &mut #target[..n];
-            for i in 0..n {
-                rows[i] = #value;
+            let rows_ = &mut #target[..n_];
+            for i_ in 0..n_ {
+                rows_[i_] = #value;
             }
         }
     }
@@ -312,10 +318,10 @@ impl Writer<'_> {
     }
 
     fn columns_of(&self, matrix: Id) -> Ident {
-        format_ident!("columns_of_{}", identifier(self.plan.name(matrix)))
+        format_ident!("columns_of_{}_", identifier(self.plan.name(matrix)))
     }
 
     fn column_of(&self, matrix: Id) -> Ident {
-        format_ident!("column_of_{}", identifier(self.plan.name(matrix)))
+        format_ident!("column_of_{}_", identifier(self.plan.name(matrix)))
     }
 }

@@ -82,7 +82,7 @@ impl Plan {
     }
 }
 
-/// Plans the computation of `outputs`. Names that begin with `dot_` must be free.
+/// Plans the computation of `outputs`.
 ///
 /// # Errors
 /// Expressions beyond the graph's bounds, or that are not linear in what they combine.
@@ -94,18 +94,18 @@ pub(super) fn plan(graph: &mut Graph, outputs: &[Asked]) -> Result<Plan, Schedul
         if graph.exceeded() {
             return Err(ScheduleError::Exceeded);
         }
-        if !graph.same_signature(output.expression, expanded) {
+        if graph.changed().is_some() || !graph.same_signature(output.expression, expanded) {
             return Err(ScheduleError::MeaningChanged { output: output.name.to_owned() });
         }
         forms.push(form(graph, expanded));
     }
     let (dots, needed) = products(graph, outputs, &forms)?;
     let words: Vec<Word> = needed.iter().map(|id| word(graph, *id)).collect();
-    let names = names(graph, outputs, &words);
-    let (dots, by) = dot_products(graph, &names, &dots);
+    let mut taken = BTreeSet::new();
+    let names = names(graph, outputs, &words, &mut taken);
+    let (dots, by) = dot_products(graph, &names, &dots, &mut taken);
 
     let mut coefficients: Vec<Output> = Vec::new();
-    let mut taken: BTreeSet<String> = names.values().cloned().collect();
     let mut numbered = Vec::with_capacity(forms.len());
     for (form, output) in forms.into_iter().zip(outputs) {
         numbered.push(form.map(|coefficient, first| {
@@ -185,24 +185,32 @@ fn word(graph: &Graph, id: Id) -> Word {
     Word { id, matrix, transposed, of, level: word::parts(graph, id).len() }
 }
 
-/// Names of all symbols and words: the spec's own, and those joined.
-fn names(graph: &Graph, outputs: &[Asked], words: &[Word]) -> BTreeMap<Id, String> {
+/// Names of all symbols and words: the spec's own, and those joined; what is no name of the spec gives way
+/// to what is.
+fn names(
+    graph: &Graph,
+    outputs: &[Asked],
+    words: &[Word],
+    taken: &mut BTreeSet<String>,
+) -> BTreeMap<Id, String> {
     let mut names = BTreeMap::new();
-    let mut taken = BTreeSet::new();
     let roots: Vec<Id> = outputs.iter().map(|output| output.expression).collect();
-    for id in graph.reachable(&roots) {
-        if let Node::Symbol(Symbol { name, .. }) = graph.node(id) {
-            names.insert(id, name.clone());
+    let reachable = graph.reachable(&roots);
+    for id in &reachable {
+        if let Node::Symbol(Symbol { name, .. }) = graph.node(*id) {
+            names.insert(*id, name.clone());
             taken.insert(name.clone());
         }
+    }
+    for id in reachable {
         if let Node::Transpose(matrix) = *graph.node(id) {
-            names.insert(id, format!("{}_transposed", names[&matrix]));
+            names.insert(id, free(taken, format!("{}_transposed", names[&matrix])));
         }
     }
     for word in words {
         let joint = if word.transposed { "_transposed_" } else { "_" };
         let name = format!("{}{joint}{}", names[&word.matrix], names[&word.of]);
-        names.insert(word.id, free(&mut taken, name));
+        names.insert(word.id, free(taken, name));
     }
     names
 }
@@ -212,6 +220,7 @@ fn dot_products(
     graph: &mut Graph,
     names: &BTreeMap<Id, String>,
     chosen: &BTreeMap<Id, Split>,
+    taken: &mut BTreeSet<String>,
 ) -> (Vec<DotProduct>, BTreeMap<Id, Id>) {
     let mut dots: Vec<DotProduct> = Vec::new();
     let mut by = BTreeMap::new();
@@ -220,7 +229,7 @@ fn dot_products(
         let name = match dots.iter().find(|other| (other.a, other.b) == (a, b)) {
             Some(known) => known.name.clone(),
             None => {
-                let name = format!("dot_{}_{}", names[&a], names[&b]);
+                let name = free(taken, format!("dot_{}_{}", names[&a], names[&b]));
                 dots.push(DotProduct { name: name.clone(), a, b });
                 name
             }

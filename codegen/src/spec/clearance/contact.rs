@@ -4,6 +4,8 @@
 //! coordinates): the generalised force is Σ_m F_m ∂x_m/∂qᵢ; B + a1·P is
 //! Σ_m [ Σ_n ∂F_m/∂z_n (∂z_n/∂q_k + a1 ∂z_n/∂q̇_k) ∂x_m/∂qᵢ + F_m ∂²x_m/∂qᵢ∂q_k ].
 
+use std::collections::BTreeSet;
+
 use num_traits::One;
 
 use super::{BoreMotion, ClearanceSpec, Coordinate, RING};
@@ -107,16 +109,16 @@ impl ClearanceSpec {
         let names = contact.forces.iter().map(|force| force.name.clone());
         let forces: Vec<(String, Id)> =
             names.map(|name| (name.clone(), graph.scalar(&name))).collect();
-        let slope = |graph: &mut Graph, force: &str, input: &ContactInput| {
-            let name = format!("d{force}_d{}", input.name);
+        let mut slope = |name: String| {
             let symbol = graph.scalar(&name);
             (name, symbol)
         };
-        let slopes: Vec<Vec<(String, Id)>> = forces
-            .iter()
-            .map(|(force, _)| contact.inputs.iter().map(|z| slope(&mut graph, force, z)).collect())
+        let slopes: Vec<Vec<(String, Id)>> = contact
+            .slopes()
+            .into_iter()
+            .map(|row| row.into_iter().map(&mut slope).collect())
             .collect();
-        let a1 = graph.scalar("a1");
+        let a1 = graph.scalar("a1_");
         let q: Vec<Id> = coordinates.iter().map(|own| own.symbol).collect();
         let v: Vec<Id> = rates.iter().map(|own| own.symbol).collect();
         let mut d = Derivation { graph: &mut graph, spec: self, q: &q, v: &v, a1 };
@@ -200,6 +202,22 @@ impl Derivation<'_> {
 }
 
 impl Contact {
+    /// Names of ∂F/∂z: one row a force, one entry an input.
+    pub fn slopes(&self) -> Vec<Vec<String>> {
+        let mut taken = BTreeSet::new();
+        let mut slope = |force: &ContactForce, input: &ContactInput| {
+            let mut name = format!("d{}_d{}", force.name, input.name);
+            // d(F_da)_db and dF_d(a_db) are spelt alike.
+            while !taken.insert(name.clone()) {
+                name.push('2');
+            }
+            name
+        };
+        let mut row =
+            |force| self.inputs.iter().map(|input| slope(force, input)).collect::<Vec<String>>();
+        self.forces.iter().map(&mut row).collect()
+    }
+
     /// Number of coordinates of the ring and the bore.
     pub fn coordinates(&self) -> usize {
         RING + self.bore.len()

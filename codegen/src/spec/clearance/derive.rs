@@ -70,7 +70,7 @@ pub(super) fn derive(spec: &ClearanceSpec) -> Result<Derived, Diagnostics> {
     let ring_rates = spec.ring.each_ref().map(&mut rate);
     let radial_rate = rate(&spec.radial);
     let [q, dq_dh, dq_dh_dot, a1] =
-        ["Q", "dQ_dh", "dQ_dh_dot", "a1"].map(|name| graph.scalar(name));
+        ["Q", "dQ_dh", "dQ_dh_dot", "a1_"].map(|name| graph.scalar(name));
 
     // All four coordinates together; the spring's own is the last.
     let coordinates: Vec<Id> =

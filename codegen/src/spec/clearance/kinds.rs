@@ -113,7 +113,15 @@ impl<'d> Reader<'d> {
                 None
             }
         };
-        items.iter().filter_map(|item| word(item.value())).collect()
+        let words: Vec<Located> = items.iter().filter_map(|item| word(item.value())).collect();
+        for (place, text) in words.iter().enumerate() {
+            if words[..place].iter().any(|before| before.text() == text.text()) {
+                let message = format!("`{}` is listed twice", text.text());
+                let error = text.error_here(Code::BAD_VALUE, message);
+                self.document.push(error.help("leave one of them out"));
+            }
+        }
+        words
     }
 
     fn must_be_name(&self, text: &Located) {

@@ -12,26 +12,8 @@ use crate::spec::read::{Document, Table, Value};
 use crate::spec::schema::Described;
 use crate::units::{Dimension, Unit};
 
-/// Names that the generated kernels use themselves.
-const KERNEL_NAMES: [&str; 17] = [
-    "springs",
-    "table",
-    "law",
-    "tangent",
-    "a1",
-    "Q",
-    "dQ_dh",
-    "dQ_dh_dot",
-    "j",
-    "count",
-    "state",
-    "ring",
-    "bore",
-    "bore_dot",
-    "forces",
-    "slopes",
-    "out",
-];
+/// What laws call the force normal to the clearance.
+const NORMAL_FORCE: &str = "Q";
 
 pub(super) fn read(file: &Arc<Source>) -> Result<ClearanceSpec, Diagnostics> {
     let document = Document::parse(file);
@@ -123,7 +105,7 @@ impl<'d> Reader<'d> {
         Some(spec)
     }
 
-    /// A name that is free and means nothing else in the kernels.
+    /// A name that is free, and that of no normal force, rate or slope.
     pub(super) fn name(&mut self, key: &Located) -> Option<String> {
         let name = match formula::name(key.text()) {
             Ok(name) => name,
@@ -133,16 +115,16 @@ impl<'d> Reader<'d> {
                 return None;
             }
         };
-        let reserved = KERNEL_NAMES.contains(&name.as_str())
-            || ["_row", "_dot"].iter().any(|end| name.ends_with(end))
-            || name.starts_with("total_")
-            // Slopes of forces, such as dT_dh.
-            || name.starts_with('d') && name.contains("_d");
-        if reserved || self.symbols.contains_key(&name) {
-            let message = if reserved {
-                format!("the name `{name}` is kept for the kernels")
-            } else {
-                format!("the name `{name}` is taken")
+        let meant = match name.as_str() {
+            NORMAL_FORCE => Some("the normal force"),
+            rate if rate.ends_with("_dot") => Some("a rate"),
+            slope if slope.starts_with('d') && slope.contains("_d") => Some("a slope"),
+            _ => None,
+        };
+        if meant.is_some() || self.symbols.contains_key(&name) {
+            let message = match meant {
+                Some(what) => format!("the name `{name}` is that of {what}"),
+                None => format!("the name `{name}` is taken"),
             };
             self.document.push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
             return None;

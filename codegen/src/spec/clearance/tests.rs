@@ -109,5 +109,8 @@ fn errors_name_the_place() {
     assert!(error("'2*s^2 - s'", "'2*s^2 - psi'").contains("psi"));
     assert!(error(", '2*s^2 - s'", "").contains("2 axial functions, but 3 are needed"));
     assert!(error("c - cos(psi)*u_x", "theta - cos(psi)*u_x").contains("clearance.toml:"));
-    assert!(error("[ring.theta]", "[ring.j]").contains("kept for the kernels"));
+    assert!(error("[ring.theta]", "[ring.j_]").contains("`j_` ends in `_`"));
+    assert!(error("[ring.theta]", "[ring.Q]").contains("the name `Q` is that of the normal force"));
+    assert!(error("[ring.theta]", "[ring.x_dot]").contains("that of a rate"));
+    assert!(error("[ring.theta]", "[ring.dT_dh]").contains("that of a slope"));
 }

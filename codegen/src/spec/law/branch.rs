@@ -93,8 +93,15 @@ fn step(law: &LawSpec, graph: &Graph, id: Id, places: &BTreeMap<Id, usize>) -> S
         Node::Or(a, b) => Step::Or(at(a), at(b)),
         Node::Not(a) => Step::Not(at(a)),
         Node::Select(mask, a, b) => Step::Select(at(mask), at(a), at(b)),
-        // Laws are made of numbers.
-        _ => Step::Number(f64::NAN),
+        // Laws are made of numbers, and of no symbols but their inputs.
+        Node::Symbol(_)
+        | Node::Zero(_)
+        | Node::Identity
+        | Node::Scale(..)
+        | Node::Dot(..)
+        | Node::Apply(..)
+        | Node::Transpose(_)
+        | Node::Outer(..) => Step::Number(f64::NAN),
     }
 }
 

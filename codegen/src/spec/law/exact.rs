@@ -239,66 +239,113 @@ fn regions(graph: &Graph, value: Id, x: Id, low: Rational, high: Rational) -> Op
         .collect()
 }
 
-/// The polynomial that applies in a region.
+/// The polynomial that applies in a region. What the choices there leave out need not be a polynomial.
 struct Choice<'g> {
     graph: &'g Graph,
     x: Id,
     middle: Rational,
-    known: BTreeMap<Id, Polynomial>,
+    known: BTreeMap<Id, Chosen>,
+}
+
+/// What a node is in a region.
+#[derive(Clone)]
+enum Chosen {
+    Polynomial(Polynomial),
+    Truth(bool),
+    Neither,
 }
 
 impl Choice<'_> {
     fn polynomial(&mut self, id: Id) -> Option<Polynomial> {
-        if let Some(known) = self.known.get(&id) {
-            return Some(known.clone());
+        // Without recursion, and every node once: definitions can be long chains.
+        let mut open = vec![id];
+        while let Some(&next) = open.last() {
+            if self.known.contains_key(&next) {
+                open.pop();
+                continue;
+            }
+            let before = open.len();
+            let found = self.chosen(next, &mut open);
+            if open.len() == before {
+                self.known.insert(next, found);
+                open.pop();
+            }
         }
-        let polynomial = match self.graph.node(id).clone() {
-            _ if id == self.x => Polynomial::of(self.graph, id, self.x)?,
-            Node::Number(value) => Polynomial::constant(&value),
+        self.polynomial_of(id).cloned()
+    }
+
+    fn polynomial_of(&self, id: Id) -> Option<&Polynomial> {
+        match self.known.get(&id) {
+            Some(Chosen::Polynomial(polynomial)) => Some(polynomial),
+            _ => None,
+        }
+    }
+
+    /// What a node is; operands that are not known yet come to `open`, and what is found then is nothing.
+    fn chosen(&self, id: Id, open: &mut Vec<Id>) -> Chosen {
+        let graph = self.graph;
+        let mut need = |ids: &[Id]| {
+            let before = open.len();
+            open.extend(ids.iter().filter(|id| !self.known.contains_key(*id)));
+            open.len() == before
+        };
+        let truth = |id: &Id| match self.known.get(id) {
+            Some(Chosen::Truth(truth)) => Some(*truth),
+            _ => None,
+        };
+        let found = match graph.node(id) {
+            _ if id == self.x => Polynomial::of(graph, id, self.x).map(Chosen::Polynomial),
+            Node::Number(value) => Some(Chosen::Polynomial(Polynomial::constant(value))),
+            Node::Truth(value) => Some(Chosen::Truth(*value)),
+            Node::Select(mask, a, b) => need(&[*mask])
+                .then(|| truth(mask))
+                .flatten()
+                .map(|mask| if mask { *a } else { *b })
+                .filter(|chosen| need(&[*chosen]))
+                .and_then(|chosen| self.known.get(&chosen).cloned()),
+            node => {
+                let mut operands = Vec::new();
+                node.operands(|operand| operands.push(operand));
+                need(&operands).then(|| self.of_node(node, &truth)).flatten()
+            }
+        };
+        found.unwrap_or(Chosen::Neither)
+    }
+
+    /// A node whose operands are known.
+    fn of_node(&self, node: &Node, truth: &dyn Fn(&Id) -> Option<bool>) -> Option<Chosen> {
+        Some(match node {
             Node::Sum(terms) => {
                 let mut sum = Polynomial::constant(&Rational::zero());
                 for (term, coefficient) in terms {
-                    let term = self.polynomial(term)?;
-                    sum = sum.plus(&term.times(&Polynomial::constant(&coefficient))?);
+                    let term = self.polynomial_of(*term)?;
+                    sum = sum.plus(&term.times(&Polynomial::constant(coefficient))?);
                 }
-                sum
+                Chosen::Polynomial(sum)
             }
             Node::Product(factors) => {
                 let mut product = Polynomial::constant(&Rational::one());
                 for (base, exponent) in factors {
-                    let base = self.polynomial(base)?;
-                    product = product.times(&base.power(&exponent)?)?;
+                    product = product.times(&self.polynomial_of(*base)?.power(exponent)?)?;
                 }
-                product
+                Chosen::Polynomial(product)
             }
             Node::Function(Function::Abs, a) => {
-                let a = self.polynomial(a)?;
+                let a = self.polynomial_of(*a)?;
                 let sign = if a.at(&self.middle).is_negative() { -1 } else { 1 };
-                a.times(&Polynomial::constant(&Rational::from(sign)))?
+                Chosen::Polynomial(a.times(&Polynomial::constant(&Rational::from(sign)))?)
             }
-            Node::Select(mask, a, b) => {
-                let chosen = if self.truth(mask)? { a } else { b };
-                self.polynomial(chosen)?
-            }
-            _ => return None,
-        };
-        self.known.insert(id, polynomial.clone());
-        Some(polynomial)
-    }
-
-    fn truth(&mut self, id: Id) -> Option<bool> {
-        Some(match *self.graph.node(id) {
             Node::Compare(relation, a, b) => {
-                let difference = self.polynomial(a)?.minus(&self.polynomial(b)?).at(&self.middle);
-                match relation {
+                let (a, b) = (self.polynomial_of(*a)?, self.polynomial_of(*b)?);
+                let difference = a.minus(b).at(&self.middle);
+                Chosen::Truth(match relation {
                     Relation::Less => difference.is_negative(),
                     Relation::LessOrEqual => !difference.is_positive(),
-                }
+                })
             }
-            Node::Truth(value) => value,
-            Node::And(a, b) => self.truth(a)? && self.truth(b)?,
-            Node::Or(a, b) => self.truth(a)? || self.truth(b)?,
-            Node::Not(a) => !self.truth(a)?,
+            Node::And(a, b) => Chosen::Truth(truth(a)? && truth(b)?),
+            Node::Or(a, b) => Chosen::Truth(truth(a)? || truth(b)?),
+            Node::Not(a) => Chosen::Truth(!truth(a)?),
             _ => return None,
         })
     }

@@ -35,6 +35,7 @@ mod draft;
 mod exact;
 mod judge;
 mod look;
+mod points;
 mod poles;
 mod program;
 mod report;
@@ -221,6 +222,7 @@ impl LawSpec {
         let draft = draft::read(file, beside)?;
         let mut law = build::build(draft)?;
         law.report = report::report(&law)?;
+        law.graph.look_at(points::of(&law));
         Ok(law)
     }
 

@@ -7,7 +7,7 @@ use num_traits::ToPrimitive;
 
 use super::Reader;
 use crate::diagnostic::{Code, Diagnostic, Located, suggest};
-use crate::element::algebraic::{Algebraic, Field};
+use crate::element::algebraic::{Algebraic, Field, ReadError};
 use crate::element::quadrature::Factor;
 use crate::element::{Cell, Quadrature, rules};
 use crate::spec::read::{Item, Table};
@@ -55,13 +55,24 @@ impl Reader<'_> {
             let mut numbers = Vec::with_capacity(4);
             for value in &values {
                 let id = self.constant(value)?;
-                let number = field.read(&self.graph, id);
-                if number.is_none() {
-                    let message =
-                        "expected a number made of rational numbers and a few square roots";
-                    self.error(Code::QUADRATURE, value.span(), message.to_owned());
-                }
-                numbers.push(number?);
+                let number = field.read(&self.graph, id).map_err(|error| {
+                    let (code, message, help) = match error {
+                        ReadError::Roots => (
+                            Code::QUADRATURE,
+                            "expected a number made of rational numbers and a few square roots",
+                            "such as '1/sqrt(3)' or '(5 + 3*sqrt(5))/20'",
+                        ),
+                        ReadError::Size => (
+                            Code::LIMIT,
+                            "multiplied out, this number has too many digits or square roots",
+                            "write it as a fraction or a decimal, or with few roots, such as '1/sqrt(3)'",
+                        ),
+                    };
+                    let source = self.document.source;
+                    let error = Diagnostic::new(source, code, value.span(), message.to_owned());
+                    self.document.push(error.help(help));
+                });
+                numbers.push(number.ok()?);
             }
             let weight = numbers.pop()?;
             points.push((numbers, weight));

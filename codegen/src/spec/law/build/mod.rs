@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 use self::names::Names;
 use super::draft::Draft;
-use super::system::System;
+use super::system::{Misfit, System};
 use super::{Definition, LawInput, LawReport, LawSpec, Parameter, in_si};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expression::{Graph, Shape};
@@ -30,10 +30,14 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
             errors.append(unused);
             return Err(errors);
         }
-        Err(place) => {
+        Err(misfit) => {
+            let (Misfit::Contradicts(place) | Misfit::Unwieldy(place)) = misfit;
             if let Some(odd) = variables.clone().nth(place) {
-                let message =
-                    format!("the unit `{}` does not go with the units before it", odd.unit);
+                let what = match misfit {
+                    Misfit::Contradicts(_) => "does not go with the units before it",
+                    Misfit::Unwieldy(_) => "and those before it have powers of too many fractions",
+                };
+                let message = format!("the unit `{}` {what}", odd.unit);
                 let error = odd.unit_place.error_here(Code::WRONG_UNIT, message);
                 errors.push(error.help("use one system, such as mm, mm/s and N, or m, m/s and N"));
             }

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use super::branch::Branches;
 use super::exact;
+use super::poles::Signs;
 use super::report::{Break, OutputReport, Trend};
 use super::scan::{self, Line, Lined, Point};
 use super::{Condition, LawOutput, LawSpec};
@@ -45,7 +46,7 @@ pub(super) struct Look<'l> {
     /// Place of the input that the output should oppose.
     motion: Option<usize>,
     /// Signs of the divisors at the point looked at last, if the piece was the same.
-    signs_at_last: Option<u64>,
+    signs_at_last: Option<Signs>,
 }
 
 pub(super) fn in_file(si: f64, unit: &Unit) -> f64 {

@@ -1,4 +1,4 @@
-//! Poles along a line: where something that a formula divides by changes its sign.
+//! Poles along a line: where a factor of something that a formula divides by changes its sign.
 
 use super::super::Named;
 use super::super::poles::Signed;

@@ -11,6 +11,9 @@ use crate::units::{Unit, decimal};
 /// Most bytes of a file, and most rows: every row costs a comparison and five choices in the kernel.
 const LONGEST: usize = 32 * 1024;
 pub(super) const MOST_ROWS: usize = 128;
+/// How to mend a line of too many values.
+const POINTS: &str =
+    "write numbers with a point, as `0.5`; commas separate columns, unless `;` does";
 /// Errors of one column that are shown.
 const MOST_ERRORS: usize = 8;
 
@@ -63,8 +66,9 @@ impl Columns {
             let text = line.trim_start_matches('\u{feff}');
             let offset = start + line.len() - text.len();
             start += line.len();
-            if !text.trim().is_empty() && !text.trim_start().starts_with('#') {
-                lines.push(cells(text.trim_end(), offset));
+            let text = without_comment(text).trim_end();
+            if !text.is_empty() {
+                lines.push(cells(text, offset));
             }
         }
         let is_number = |cell: &Range<usize>| number(&source.text[cell.clone()]).is_some();
@@ -78,11 +82,38 @@ impl Columns {
             let message = format!("a table has 2 to {MOST_ROWS} rows of numbers, this has {count}");
             return Err(refuse(message).into());
         }
-        Ok(Columns { source: source.clone(), heads, rows: lines })
+        let columns = Columns { source: source.clone(), heads, rows: lines };
+        columns.check_lengths()?;
+        Ok(columns)
     }
 
     fn error(&self, span: Range<usize>, message: String) -> Diagnostic {
         Diagnostic::new(&self.source, Code::TABLE, span, message)
+    }
+
+    /// A value without a column would be read as that of another, as those of `0,0, 230,5` are.
+    fn check_lengths(&self) -> Result<(), Diagnostics> {
+        let (most, named) = match &self.heads {
+            Some(heads) => (heads.len(), true),
+            None => (self.rows.first().map_or(0, Vec::len), false),
+        };
+        let mut errors = Diagnostics::new();
+        for row in self.rows.iter().filter(|row| row.len() > most).take(MOST_ERRORS) {
+            let span = row[0].start..row[row.len() - 1].end;
+            let s = if most == 1 { "" } else { "s" };
+            let says = match named {
+                true => format!("the line of names has {most} column{s}"),
+                false => format!("the first line has {most}"),
+            };
+            let message = format!("this line has {} values, but {says}", row.len());
+            errors.push(self.error(span, message).help(POINTS));
+        }
+        errors.into_result(())
+    }
+
+    /// Columns, if there are no names above them.
+    pub(super) fn unnamed(&self) -> Option<usize> {
+        self.heads.is_none().then(|| self.rows.iter().map(Vec::len).max().unwrap_or(0))
     }
 
     pub(super) fn column(&self, wanted: &Wanted) -> Result<Column, Diagnostics> {
@@ -194,7 +225,8 @@ impl Head {
 
 /// The cells of a line that starts at byte `offset`, without the blanks and quotes around them.
 fn cells(line: &str, offset: usize) -> Vec<Range<usize>> {
-    let separator = [',', ';', '\t'].into_iter().find(|c| line.contains(*c));
+    // Where `;` separates columns, commas stand in numbers, which are refused then.
+    let separator = [';', '\t', ','].into_iter().find(|c| line.contains(*c));
     let mut pieces: Vec<&str> = match separator {
         Some(separator) => line.split(separator).collect(),
         None => line.split_whitespace().collect(),
@@ -212,12 +244,26 @@ fn cells(line: &str, offset: usize) -> Vec<Range<usize>> {
         }
         pieces = whole;
     }
+    // A separator at the end of a line begins no column.
+    if pieces.len() > 1 && pieces.last().is_some_and(|last| last.trim().is_empty()) {
+        pieces.pop();
+    }
     let trimmed = pieces.into_iter().map(|piece| {
         let piece = piece.trim().trim_matches('"').trim();
         let Range { start, end } = part(line, piece);
         offset + start..offset + end
     });
     trimmed.collect()
+}
+
+/// A line up to a `#` that stands in no quotes.
+fn without_comment(line: &str) -> &str {
+    let mut quoted = false;
+    let comment = line.char_indices().find(|(_, c)| {
+        quoted ^= *c == '"';
+        *c == '#' && !quoted
+    });
+    comment.map_or(line, |(at, _)| &line[..at])
 }
 
 /// Where a slice of `line` stands in it.

@@ -77,6 +77,17 @@ pub(in crate::spec::law) fn read(
     };
     let (x, y) = (x?, y?);
     let columns = Columns::read(&source).map_err(|errors| document.append(errors)).ok()?;
+    if let Some(count) = columns.unnamed().filter(|count| *count > 2)
+        && !(section.has("x") && section.has("y"))
+    {
+        let shown = path.text();
+        let message = format!("`{shown}` has {count} columns and no line of names");
+        let error = path.error_here(Code::TABLE, message);
+        document.push(error.help(
+            "say which to read, as `x = 1` and `y = 2`; numbers are written with a point, not a comma",
+        ));
+        return None;
+    }
     let read = |wanted| columns.column(wanted).map_err(|errors| document.append(errors)).ok();
     let (x, y) = (read(&x), read(&y));
     let (input, name, x, y) = (input?, name?, x?, y?);

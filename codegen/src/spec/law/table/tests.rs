@@ -181,6 +181,21 @@ fn errors_point_into_the_file_of_columns() {
             "a [mm], b [mm]\n1, 2\n2, 3\n",
             "law.toml:13:10: `Q` is a force, but this is a length (a parameter with a unit is missing as a factor; a number as a factor takes any unit)",
         ),
+        (
+            "",
+            "a [mm], b [N]\n0,0, 230,5\n1, 460\n",
+            "f.csv:2:1: this line has 4 values, but the line of names has 2 columns (write numbers with a point, as `0.5`; commas separate columns, unless `;` does)",
+        ),
+        (
+            "",
+            "a [mm]; b [N]\n0,0; 230,5\n1; 460\n",
+            "f.csv:2:1: expected a number, found `0,0` (write numbers with a point, such as `0.035` or `3.5e-2`)",
+        ),
+        (
+            "x = { column = 1, unit = \"mm\" }",
+            "0,0, 230,5\n0,5, 460,5\n",
+            "law.toml:8:9: `f.csv` has 4 columns and no line of names (say which to read, as `x = 1` and `y = 2`; numbers are written with a point, not a comma)",
+        ),
         ("", "a [mm], b [N]\n1, 2\n", "f.csv: a table has 2 to 128 rows of numbers, this has 1"),
         (
             "x = \"c\"",
@@ -196,6 +211,8 @@ fn errors_point_into_the_file_of_columns() {
     ] {
         assert_eq!(messages(keys, columns), [expected], "{columns}");
     }
+    let commented = fine("", "a [mm], b [N] # names\n0, 0 # at rest\n# none\n3, 10,# \"a\", 5\n");
+    assert!((value(&commented, 1.5e-3) - 5.0).abs() < 1e-13);
     let plain = fine(
         "x = { column = 2, unit = \"um\" }\ny = { column = 1, unit = \"kN\" }",
         "0.001 0\r\n0.003; 2000\r\n0.004\t3000\r\n".replace("; ", " ").as_str(),

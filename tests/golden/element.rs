@@ -1,0 +1,257 @@
+/// Linear tetrahedron, 4 nodes.
+///
+/// Spec: `elements/tet4.toml`. Source: Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., ch. 6.
+///
+/// 4 nodes on the tetrahedron; integrated with tetrahedron(4).
+/// `stiffness` is integrated with tetrahedron(1).
+pub mod tet4 {
+    use crate::{
+        cells, forms, Eight, Matrix, Register, Element, FormKernel, Origin, Structure,
+        Variable,
+    };
+    /// The rows of ∂x/∂ξ, ∂x/∂η and ∂x/∂ζ at every point.
+    const COLUMNS_: [[usize; 3]; 4] = [[0, 1, 2], [0, 1, 2], [0, 1, 2], [0, 1, 2]];
+    /// The rows of ∂x/∂ξ, ∂x/∂η and ∂x/∂ζ at every point.
+    const COLUMNS_STIFFNESS_: [[usize; 3]; 1] = [[0, 1, 2]];
+    /// N_a at the points.
+    const SHAPES_: [[f64; 4]; 4] = [
+        [0.5854101966249684, 0.1381966011250105, 0.1381966011250105, 0.1381966011250105],
+        [0.1381966011250105, 0.5854101966249684, 0.1381966011250105, 0.1381966011250105],
+        [0.1381966011250105, 0.1381966011250105, 0.5854101966249684, 0.1381966011250105],
+        [0.1381966011250105, 0.1381966011250105, 0.1381966011250105, 0.5854101966249684],
+    ];
+    /// ∂N_a/∂(ξ, η, ζ) at the points.
+    const SLOPES_STIFFNESS_: [[[f64; 3]; 4]; 1] = [
+        [[-1.0, -1.0, -1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+    ];
+    /// Weights of the points.
+    const WEIGHTS_: [f64; 4] = [
+        0.041666666666666664,
+        0.041666666666666664,
+        0.041666666666666664,
+        0.041666666666666664,
+    ];
+    /// Weights of the points.
+    const WEIGHTS_STIFFNESS_: [f64; 1] = [0.16666666666666666];
+    /// `stiffness`: ∫ `lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))` dV (`forms/elasticity.toml`), rows from v, columns from u, of every cell of a block ([`crate::CellKernel`]).
+    ///
+    /// A cell: 4 nodes × 3 (m); E (Pa), nu (1); symmetric 12 × 12, upper triangle by rows: 78 values; the smallest det J.
+    ///
+    /// Rule: tetrahedron(1). 10 pairs × 1 points. Once a cell: 3 add, 3 mul, 2 div for coefficients, then 1 add, 1 mul; once a pair: 12 add, 18 mul. Together 579 operations a cell, a multiplication with the addition behind it counted as two; 96 bytes read, 632 written.
+    pub fn stiffness(
+        coordinates: &[f64],
+        material: &[f64],
+        matrices: &mut [Eight],
+        jacobians: &mut [f64],
+    ) {
+        enum Cells {}
+        unsafe impl cells::CellLanes<4, 2, 78> for Cells {
+            type Room<L: Register> = cells::Room<L, 4, 1, 3, 3, ()>;
+            const IN_REGISTERS: bool = false;
+            #[inline(always)]
+            fn cell<L: Register>(
+                x: &[[L; 3]; 4],
+                material: [L; 2],
+                room: &mut Self::Room<L>,
+                matrix: Matrix<L>,
+            ) -> L {
+                let once = forms::elasticity::stiffness_once_(material);
+                for i in 0..cells::looped(3) {
+                    let part_0 = x[1][i] - x[0][i];
+                    let part_1 = x[2][i] - x[0][i];
+                    let part_2 = x[3][i] - x[0][i];
+                    room.tangents[0][i] = part_0;
+                    room.tangents[1][i] = part_1;
+                    room.tangents[2][i] = part_2;
+                }
+                let least_det = cells::maps(
+                    &room.tangents,
+                    &COLUMNS_STIFFNESS_,
+                    &WEIGHTS_STIFFNESS_,
+                    &mut room.maps,
+                    &mut room.roots,
+                );
+                cells::gradients(
+                    &room.maps,
+                    SLOPES_STIFFNESS_.as_flattened(),
+                    room.basis[..4].as_flattened_mut(),
+                );
+                forms::elasticity::stiffness_pairs_(
+                    room.basis.as_flattened(),
+                    1,
+                    once,
+                    matrix,
+                );
+                least_det
+            }
+        }
+        cells::each_cell::<Cells, 4, 2, 78>(coordinates, material, matrices, jacobians);
+    }
+    /// `mass`: ∫ `rho*dot(u, v)` dV (`forms/inertia.toml`), rows from v, columns from u, of every cell of a block ([`crate::CellKernel`]).
+    ///
+    /// A cell: 4 nodes × 3 (m); rho (kg/m^3); a symmetric 4 × 4 matrix times a constant 3 × 3 pattern, upper triangle by rows: 10 values; the smallest det J.
+    ///
+    /// Rule: tetrahedron(4). 10 pairs × 4 points. Once a cell: no operations for coefficients, then no operations, then 1 mul. Together 170 operations a cell, a multiplication with the addition behind it counted as two; 96 bytes read, 88 written.
+    pub fn mass(
+        coordinates: &[f64],
+        material: &[f64],
+        matrices: &mut [Eight],
+        jacobians: &mut [f64],
+    ) {
+        enum Cells {}
+        unsafe impl cells::CellLanes<4, 1, 10> for Cells {
+            type Room<L: Register> = cells::Scalars<L, 4, 3>;
+            const IN_REGISTERS: bool = false;
+            #[inline(always)]
+            fn cell<L: Register>(
+                x: &[[L; 3]; 4],
+                material: [L; 1],
+                room: &mut Self::Room<L>,
+                matrix: Matrix<L>,
+            ) -> L {
+                let factor = {
+                    let [rho] = material;
+                    let s_nn_ = L::splat(1.0);
+                    let s = s_nn_ * rho;
+                    s
+                };
+                for i in 0..cells::looped(3) {
+                    let part_0 = x[1][i] - x[0][i];
+                    let part_1 = x[2][i] - x[0][i];
+                    let part_2 = x[3][i] - x[0][i];
+                    room.tangents[0][i] = part_0;
+                    room.tangents[1][i] = part_1;
+                    room.tangents[2][i] = part_2;
+                }
+                let least_det = cells::determinants(
+                    &room.tangents,
+                    &COLUMNS_,
+                    &WEIGHTS_,
+                    factor,
+                    &mut room.det,
+                );
+                cells::products(
+                    &room.det,
+                    SHAPES_.as_flattened(),
+                    &mut room.weighted,
+                    matrix,
+                );
+                least_det
+            }
+        }
+        cells::each_cell::<Cells, 4, 1, 10>(coordinates, material, matrices, jacobians);
+    }
+    /// `spin_inertia`: ∫ `rho*dot(D*v, D*u)` dV (`forms/inertia.toml`), rows from v, columns from u, of every cell of a block ([`crate::CellKernel`]).
+    ///
+    /// A cell: 4 nodes × 3 (m); rho (kg/m^3); a symmetric 4 × 4 matrix times a constant 3 × 3 pattern, upper triangle by rows: 10 values; the smallest det J.
+    ///
+    /// Rule: tetrahedron(4). 10 pairs × 4 points. Once a cell: no operations for coefficients, then no operations, then 1 mul. Together 170 operations a cell, a multiplication with the addition behind it counted as two; 96 bytes read, 88 written.
+    pub fn spin_inertia(
+        coordinates: &[f64],
+        material: &[f64],
+        matrices: &mut [Eight],
+        jacobians: &mut [f64],
+    ) {
+        mass(coordinates, material, matrices, jacobians);
+    }
+    /// `spin_coupling`: ∫ `rho*dot(D*v, u)` dV (`forms/inertia.toml`), rows from v, columns from u, of every cell of a block ([`crate::CellKernel`]).
+    ///
+    /// A cell: 4 nodes × 3 (m); rho (kg/m^3); a symmetric 4 × 4 matrix times a constant 3 × 3 pattern, upper triangle by rows: 10 values; the smallest det J.
+    ///
+    /// Rule: tetrahedron(4). 10 pairs × 4 points. Once a cell: no operations for coefficients, then no operations, then 1 mul. Together 170 operations a cell, a multiplication with the addition behind it counted as two; 96 bytes read, 88 written.
+    pub fn spin_coupling(
+        coordinates: &[f64],
+        material: &[f64],
+        matrices: &mut [Eight],
+        jacobians: &mut [f64],
+    ) {
+        mass(coordinates, material, matrices, jacobians);
+    }
+    /// The entry of the registry.
+    pub const ENTRY: Element = Element {
+        origin: Origin {
+            name: "tet4",
+            title: "Linear tetrahedron, 4 nodes",
+            source: "Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., ch. 6",
+            spec: "elements/tet4.toml",
+            text: "kind = \"element\"\nname = \"tet4\"\ntitle = \"Linear tetrahedron, 4 nodes\"\nsource = \"Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., ch. 6\"\ncell = \"tetrahedron\"\n\nnodes = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n# Volume coordinates.\nshape = ['1 - xi - eta - zeta', 'xi', 'eta', 'zeta']\n\n# Products of the functions are quadratic.\n[quadrature]\nrule = [\"tetrahedron(4)\"]\ndegree = 2\n\n# Their gradients are constant.\n[quadrature.forms.stiffness]\nrule = [\"tetrahedron(1)\"]\ndegree = 1\n\n[abaqus]\ntypes = [\"C3D4\"]\n\n[vtk]\ntype = 10\n",
+            hash: "5cd4d38936ef39e12fe3a391c0b6c7c9",
+        },
+        nodes: 4,
+        reference_nodes: &[
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 0.0, 1.0],
+        ],
+        abaqus: &["C3D4"],
+        abaqus_order: &[0, 1, 2, 3],
+        vtk: 10,
+        vtk_order: &[0, 1, 2, 3],
+        forms: &[
+            FormKernel {
+                form: "stiffness",
+                material: &[
+                    Variable {
+                        name: "E",
+                        unit: "Pa",
+                        title: "Young's modulus",
+                    },
+                    Variable {
+                        name: "nu",
+                        unit: "1",
+                        title: "Poisson's ratio",
+                    },
+                ],
+                structure: Structure::Symmetric,
+                flops: 579,
+                evaluate: stiffness,
+            },
+            FormKernel {
+                form: "mass",
+                material: &[
+                    Variable {
+                        name: "rho",
+                        unit: "kg/m^3",
+                        title: "density",
+                    },
+                ],
+                structure: Structure::Kronecker {
+                    pattern: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                },
+                flops: 170,
+                evaluate: mass,
+            },
+            FormKernel {
+                form: "spin_inertia",
+                material: &[
+                    Variable {
+                        name: "rho",
+                        unit: "kg/m^3",
+                        title: "density",
+                    },
+                ],
+                structure: Structure::Kronecker {
+                    pattern: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]],
+                },
+                flops: 170,
+                evaluate: spin_inertia,
+            },
+            FormKernel {
+                form: "spin_coupling",
+                material: &[
+                    Variable {
+                        name: "rho",
+                        unit: "kg/m^3",
+                        title: "density",
+                    },
+                ],
+                structure: Structure::Kronecker {
+                    pattern: [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
+                },
+                flops: 170,
+                evaluate: spin_coupling,
+            },
+        ],
+    };
+}
