@@ -76,7 +76,7 @@ fn the_rust_of_a_spec_is_exactly_its_module() {
         assert!(outcome.stdout.ends_with("\n}\n"));
     }
     let outcome = bench.whirl(&["explain", "elasticity", "--rust"]);
-    assert!(outcome.stdout.contains("pub fn stiffness_pairs<"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("pub fn stiffness_pairs_<"), "{}", outcome.stdout);
     let page = bench.whirl(&["explain", "inertia"]);
     says(&page, &["and in the module of every element, such as `whirl explain hex8 --rust`"]);
 }

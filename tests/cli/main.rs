@@ -7,6 +7,7 @@ mod first_law;
 mod good_runs;
 mod hostile;
 mod messages;
+mod mutants;
 mod new;
 mod readme;
 mod schema;

@@ -38,7 +38,7 @@ impl Spring {
             all.map(|coordinate| (coordinate.name.clone(), coordinate.symbol)).collect();
         let law = [("Q", derived.q), ("dQ_dh", derived.dq_dh), ("dQ_dh_dot", derived.dq_dh_dot)];
         inputs.extend(law.map(|(name, id)| (name.to_owned(), id)));
-        inputs.push(("a1".to_owned(), derived.a1));
+        inputs.push(("a1_".to_owned(), derived.a1));
         assert_eq!(inputs.len(), INPUTS);
         Spring { inputs, value: spec.value, derived }
     }

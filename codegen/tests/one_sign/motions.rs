@@ -267,7 +267,7 @@ impl<'a> Run<'a> {
             run.words.insert(word.id, product);
         }
         let mut known: BTreeMap<&str, f64> =
-            BTreeMap::from([("a1", NEWMARK[0]), ("a2", NEWMARK[1])]);
+            BTreeMap::from([("a1_", NEWMARK[0]), ("a2_", NEWMARK[1])]);
         for (name, value) in names {
             if let Value::Scalar(value) = value {
                 known.insert(name, *value);

@@ -1,0 +1,207 @@
+//! Inputs that are nearly right: cases and meshes cut, spliced and sown with what they do not expect.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Values and lines that a case does not expect.
+const WORDS: &[&str] = &[
+    "0",
+    "-1",
+    "1e308",
+    "-0.0",
+    "nan",
+    "inf",
+    "2.5",
+    "true",
+    "99999999999999999999",
+    "1000000000",
+    "9999",
+    "\"\"",
+    "\"x\"",
+    "\"0 mm\"",
+    "\"-1 mm\"",
+    "\"1e300 m\"",
+    "\"1e-300 m\"",
+    "\"1e9 s\"",
+    "\"1e-9 s\"",
+    "\"nan mm\"",
+    "\"4500 rpm\"",
+    "\"1 N\"",
+    "[]",
+    "[[]]",
+    "{}",
+    "[1, 2]",
+    "{ a = 1 }",
+    "\"Nall\"",
+    "[\"Nall\", \"Nall\", \"Nall\"]",
+    "\"case.toml\"",
+    "\"/dev/zero\"",
+    "\".\"",
+    "2026-11-21",
+    "'''",
+    "\"\\u0000\"",
+    "ε",
+    "[[load]]",
+    "[shaft.dimensions]",
+    "[mass]",
+    "[[stop]]",
+    "a.b.c = 1",
+    "include = \"hu2003.machine.toml\"",
+    "include = [\"case.toml\", \"case.toml\"]",
+    "law = \"ocvirk\"",
+    "motion = \"hu2003\"",
+    "number = 9999",
+    "side = \"around\"",
+];
+
+/// Sebastiano Vigna's SplitMix64.
+pub(crate) struct Random(u64);
+
+impl Random {
+    /// The stream that belongs to the number of an input.
+    pub(crate) fn new(number: u64) -> Self {
+        Random(number.wrapping_mul(0xd1b5_4a32_d192_ed03))
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) % count as u64) as usize
+    }
+}
+
+/// A case with one to four changes.
+pub(crate) fn case(random: &mut Random, corpus: &[String]) -> String {
+    mutant(random, corpus, WORDS, '=')
+}
+
+/// One to four changes of lines, whose values stand behind a sign.
+fn mutant(random: &mut Random, corpus: &[String], words: &[&str], sign: char) -> String {
+    let pick = |random: &mut Random| corpus[random.below(corpus.len())].clone();
+    let mut lines: Vec<String> = pick(random).lines().map(str::to_owned).collect();
+    for _ in 0..1 + random.below(4) {
+        let place = random.below(lines.len().max(1)).min(lines.len());
+        let word = words[random.below(words.len())];
+        match random.below(8) {
+            0 if place < lines.len() => drop(lines.remove(place)),
+            1 if place < lines.len() => {
+                let line = lines[place].clone();
+                lines.insert(random.below(lines.len()), line);
+            }
+            // Another value behind the same key.
+            2..=4 => {
+                let parts = lines.get(place).map(|line| line.split(sign).collect::<Vec<_>>());
+                if let Some(mut parts) = parts.filter(|parts| parts.len() > 1) {
+                    let last = 1 + random.below(parts.len() - 1);
+                    parts[last] = word;
+                    // A case has one value a line, a mesh several.
+                    parts.truncate(if sign == '=' { 2 } else { parts.len() });
+                    lines[place] = parts.join(&sign.to_string());
+                }
+            }
+            5 => lines.insert(place, word.to_owned()),
+            6 if place < lines.len() => {
+                let cut = random.below(lines[place].chars().count() + 1);
+                lines[place] = lines[place].chars().take(cut).collect();
+            }
+            _ => {
+                let other = pick(random);
+                let other: Vec<&str> = other.lines().collect();
+                let start = random.below(other.len().max(1)).min(other.len());
+                let some = other[start..].iter().take(1 + random.below(6));
+                lines.extend(some.map(|line| (*line).to_owned()));
+            }
+        }
+    }
+    lines.join("\n")
+}
+
+/// Entries and lines that a mesh does not expect.
+const ENTRIES: &[&str] = &[
+    "0",
+    "-1",
+    "1",
+    "8",
+    "99999999999999999999",
+    "18446744073709551615",
+    "1e308",
+    "-1e308",
+    "1e-320",
+    "nan",
+    "inf",
+    "1.0D0",
+    "1D",
+    "1.",
+    ".",
+    "",
+    " ",
+    "x",
+    "ALL",
+    "all",
+    "*",
+    "**",
+    "*NODE",
+    "*ELEMENT",
+    "*ELEMENT, TYPE=C3D8",
+    "*ELEMENT, TYPE=C3D8R, ELSET=ALL",
+    "*ELEMENT, TYPE=C3D20R",
+    "*ELEMENT, TYPE=C3D4",
+    "*NSET, NSET=ALL, GENERATE",
+    "*NSET, NSET=A\nA",
+    "*ELSET, ELSET=ALL\nALL",
+    "1, 4000000000, 1",
+    "4, 1, -1",
+    "1, 4, 0",
+    "*INCLUDE, INPUT=/dev/zero",
+    "*INCLUDE, INPUT=cube.inp",
+    "*SOLID SECTION",
+    "*MATERIAL",
+    "*MATERIAL, NAME=",
+    "*ELASTIC\n1, 0.5",
+    "*ELASTIC\n200e9, 0.49999999",
+    "*DENSITY\n-1",
+    "*STEP",
+    "*HEADING",
+    "TYPE=",
+    "NSET",
+    "ELSET=ALL",
+    "\u{feff}",
+    "\u{e4}",
+    "\0",
+    "\r",
+    "\t",
+    "'",
+    "\"",
+];
+
+/// Small meshes to begin with.
+pub(crate) fn meshes() -> Vec<String> {
+    let cube = "*HEADING\nA cube and a wedge\n** nodes\n*Node, nset=All\n1, 0, 0, 0\n2, 1., 0, 0\n\
+        3, 1.0D0, 1e0, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n9, 2, 0, 0\n10, 2, 0, 1\n\
+        *ELEMENT, TYPE=C3D8I, ELSET=CUBE\n101, 1, 2, 3, 4,\n5, 6, 7, 8\n*ELEMENT, TYPE=C3D6, ELSET=WEDGE\n\
+        102, 2, 9, 3, 6, 10, 7\n*NSET, NSET=BOTTOM, GENERATE\n1, 4\n*NSET, NSET=Ends\nBOTTOM, 5,\n6\n\
+        *NSET, NSET=ODD, GENERATE\n1, 9, 2\n*ELSET, ELSET=ALL\nCUBE, 102\n*MATERIAL, NAME=Steel\n\
+        *ELASTIC, TYPE=ISOTROPIC\n200e9, 0.3\n*DENSITY\n7860\n*SOLID SECTION,\n ELSET=ALL, MATERIAL=STEEL\n1.\n\
+        *STEP\n*STATIC\n*END STEP\n";
+    let tetrahedra = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n5, 1, 1, 1\n\
+        *ELEMENT, TYPE=C3D4, ELSET=A\n1, 1, 2, 3, 4\n*ELEMENT, TYPE=C3D4, ELSET=B\n2, 2, 3, 4, 5\n\
+        *MATERIAL, NAME=M\n*DENSITY\n7860\n*ELASTIC\n200e9, 0.3\n*MATERIAL, NAME=N\n*DENSITY\n2700\n*ELASTIC\n\
+        70e9, 0.33\n*SOLID SECTION, ELSET=A, MATERIAL=M\n*SOLID SECTION, ELSET=B, MATERIAL=N\n";
+    vec![cube.to_owned(), tetrahedra.to_owned()]
+}
+
+/// A mesh with one to four changes.
+pub(crate) fn mesh(random: &mut Random, corpus: &[String]) -> String {
+    mutant(random, corpus, ENTRIES, ',')
+}
+
+/// The texts of all cases in a folder.
+pub(crate) fn cases(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry"));
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    paths.sort();
+    let cases = paths.iter().filter(|path| path.extension().is_some_and(|end| end == "toml"));
+    cases.map(|path| fs::read_to_string(path).expect("a text")).collect()
+}
