@@ -138,13 +138,14 @@ struct SteadyFacts {
     time_s: Option<f64>,
 }
 
-/// work_in = kinetic + strain + spring + dissipated + error.
+/// work_in = kinetic + strain + spring_stored + spring_dissipated + dissipated + error.
 #[derive(Debug, Serialize)]
 struct EnergyFacts {
     work_in: f64,
     kinetic: f64,
     strain: f64,
-    spring: f64,
+    spring_stored: f64,
+    spring_dissipated: f64,
     dissipated: f64,
     error: f64,
 }
@@ -155,7 +156,8 @@ impl From<&EnergyBalance> for EnergyFacts {
             work_in: balance.work_in,
             kinetic: balance.kinetic,
             strain: balance.strain,
-            spring: balance.spring,
+            spring_stored: balance.spring_stored,
+            spring_dissipated: balance.spring_dissipated,
             dissipated: balance.dissipated,
             error: balance.error(),
         }

@@ -6,6 +6,7 @@ pub mod law;
 mod spin;
 mod spline;
 pub(crate) mod state;
+pub(crate) mod work;
 
 use std::ops::Range;
 

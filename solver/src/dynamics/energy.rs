@@ -1,14 +1,18 @@
 //! Where the work of the loads goes.
 
+use serde::{Deserialize, Serialize};
+
 use super::newmark::State;
 use super::system::System;
+use crate::bearing::work::{SpringWork, WorkAlong};
 
-/// The energy balance of a march, in J: work in = kinetic + strain + spring + dissipated + error, each
+/// The energy balance of a march, in J: work in = kinetic + strain + stored + lost + dissipated + error, each
 /// counted from the start.
 ///
-/// Work, dissipation and spring energy are sums of ½ (F_n + F_{n+1})·(q_{n+1} − q_n): with (γ, β) = (½, ¼)
-/// this is exact for constant matrices, so that the error is what the varying ones leave.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// Work of loads and dampers are sums of ½ (F_n + F_{n+1})·(q_{n+1} − q_n): with (γ, β) = (½, ¼) this is exact
+/// for constant matrices. The work on the springs is that along the way; so the error is what varying matrices
+/// leave and what steps made of the springs' energy.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct EnergyBalance {
     /// Work of the external loads.
     pub work_in: f64,
@@ -16,8 +20,10 @@ pub struct EnergyBalance {
     pub kinetic: f64,
     /// Strain energy of shaft and support gained.
     pub strain: f64,
-    /// Work done on the springs of the bearings, stored or lost in them.
-    pub spring: f64,
+    /// Work done against the forces that the springs of bearings and stops would have at rest.
+    pub spring_stored: f64,
+    /// Work done against the rest of their forces: friction, films, dampers.
+    pub spring_dissipated: f64,
     /// Work done on the dampers of shaft and support.
     pub dissipated: f64,
 }
@@ -25,51 +31,74 @@ pub struct EnergyBalance {
 impl EnergyBalance {
     /// What does not balance.
     pub fn error(&self) -> f64 {
-        self.work_in - self.kinetic - self.strain - self.spring - self.dissipated
+        let springs = self.spring_stored + self.spring_dissipated;
+        self.work_in - self.kinetic - self.strain - springs - self.dissipated
     }
+}
+
+/// The sums of an energy balance, as they are carried from step to step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct EnergySums {
+    work_in: f64,
+    dissipated: f64,
+    pub(crate) springs: SpringWork,
+    start: (f64, f64),
 }
 
 /// Sums the balance over steps.
-pub(crate) struct Ledger {
-    balance: EnergyBalance,
-    start: (f64, f64),
+pub(crate) struct EnergyMeter {
+    pub(crate) sums: EnergySums,
+    along: WorkAlong,
     load: Vec<f64>,
-    spring: Vec<f64>,
     damper: Vec<f64>,
+    time: f64,
 }
 
-impl Ledger {
-    /// Opens the account at a state that was just evaluated.
+impl EnergyMeter {
+    /// Starts at a state that was just evaluated.
     pub(crate) fn new(system: &mut System, state: &State) -> Self {
-        Ledger {
-            balance: EnergyBalance::default(),
-            start: (system.kinetic_energy(state), system.strain_energy(state)),
+        EnergyMeter {
+            sums: EnergySums {
+                work_in: 0.0,
+                dissipated: 0.0,
+                springs: SpringWork::default(),
+                start: (system.kinetic_energy(state), system.strain_energy(state)),
+            },
+            along: WorkAlong::new(&system.machine.springs, &system.springs),
             load: system.load.clone(),
-            spring: system.spring.clone(),
             damper: system.damper.clone(),
+            time: system.time,
         }
     }
 
-    /// Adds a step that ends at a state just evaluated.
-    pub(crate) fn add(&mut self, system: &System, start: &State, end: &State) {
+    /// Adds a step that ends at a state just evaluated; the energy that it made or destroyed (J).
+    pub(crate) fn add(&mut self, system: &System, start: &State, end: &State) -> f64 {
         let moved = |before: &[f64], after: &[f64]| -> f64 {
             let forces = before.iter().zip(after).map(|(a, b)| 0.5 * (a + b));
             forces.zip(start.q.iter().zip(&end.q)).map(|(force, (a, b))| force * (b - a)).sum()
         };
-        self.balance.work_in += moved(&self.load, &system.load);
-        self.balance.spring -= moved(&self.spring, &system.spring);
-        self.balance.dissipated += moved(&self.damper, &system.damper);
+        self.sums.work_in += moved(&self.load, &system.load);
+        self.sums.dissipated += moved(&self.damper, &system.damper);
         self.load.copy_from_slice(&system.load);
-        self.spring.copy_from_slice(&system.spring);
         self.damper.copy_from_slice(&system.damper);
+        let machine = system.machine;
+        let spins = [self.time, system.time].map(|t| machine.spin(t));
+        self.time = system.time;
+        let work = self.along.end(&machine.springs, &system.springs, spins);
+        self.sums.springs.add_step(&work);
+        work.made
     }
 
     /// The balance at a state.
     pub(crate) fn balance(&self, system: &mut System, state: &State) -> EnergyBalance {
+        let EnergySums { work_in, dissipated, springs, start } = self.sums;
         EnergyBalance {
-            kinetic: system.kinetic_energy(state) - self.start.0,
-            strain: system.strain_energy(state) - self.start.1,
-            ..self.balance
+            work_in,
+            kinetic: system.kinetic_energy(state) - start.0,
+            strain: system.strain_energy(state) - start.1,
+            spring_stored: springs.stored,
+            spring_dissipated: springs.dissipated,
+            dissipated,
         }
     }
 }

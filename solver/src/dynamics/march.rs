@@ -2,9 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use super::energy::{EnergyBalance, Ledger};
+use super::energy::EnergyBalance;
+use super::meters::Meters;
 use super::newmark::{Coefficients, Newmark, State};
 use super::newton::{Ending, Newton, NewtonOptions, Report};
+use super::quality::Quality;
 use super::steady::{SteadyState, SteadyTest};
 use super::system::System;
 use crate::error::Error;
@@ -54,6 +56,8 @@ pub struct Outcome {
     pub history: History,
     /// Where the work of the loads went.
     pub energy: EnergyBalance,
+    /// What the steps were worth.
+    pub quality: Quality,
     /// When the steady state was reached.
     pub steady: Option<SteadyState>,
     /// Newton iterations in all.
@@ -112,7 +116,7 @@ pub struct March<'m> {
     iterations: usize,
     last_iterations: usize,
     halved_steps: usize,
-    ledger: Ledger,
+    meters: Meters,
     steady: Option<SteadyTest>,
     history: History,
     row: Vec<f64>,
@@ -140,22 +144,28 @@ impl<'m> March<'m> {
             History::for_bearings(machine.monitors.len(), &turning)
         };
         history.reserve(options.steps);
-        if let Err(error) = accelerate(&mut system, &mut state) {
-            let outcome = Outcome {
-                history,
-                energy: EnergyBalance::default(),
-                steady: None,
-                iterations: 0,
-                factorisations: 0,
-                halved_steps: 0,
-            };
-            return Err(Box::new(Failure { error, outcome }));
-        }
+        let started = accelerate(&mut system, &mut state)
+            .and_then(|()| Meters::new(&mut system, options.newmark, options.time_step, &state));
+        let meters = match started {
+            Ok(meters) => meters,
+            Err(error) => {
+                let outcome = Outcome {
+                    history,
+                    energy: EnergyBalance::default(),
+                    quality: Quality::default(),
+                    steady: None,
+                    iterations: 0,
+                    factorisations: 0,
+                    halved_steps: 0,
+                };
+                return Err(Box::new(Failure { error, outcome }));
+            }
+        };
         let springs = machine.springs.forces();
         Ok(March {
             machine,
             newton: Newton::new(options.newton, &system),
-            ledger: Ledger::new(&mut system, &state),
+            meters,
             system,
             starts: vec![State::new(size); options.newton.max_halvings + 2],
             state,
@@ -208,7 +218,8 @@ impl<'m> March<'m> {
         self.last_iterations += report.iterations;
         let solved = match report.ending {
             Ending::Converged => {
-                self.ledger.add(&self.system, &start, &self.state);
+                let row_error = report.row_error;
+                self.meters.add(&self.system, (t, dt), &start, &self.state, row_error);
                 Ok(())
             }
             Ending::Failed if depth < self.options.newton.max_halvings => {
@@ -287,7 +298,7 @@ impl<'m> March<'m> {
 
     /// The energy balance from t = 0 to the end of the last step.
     pub fn energy(&mut self) -> EnergyBalance {
-        self.ledger.balance(&mut self.system, &self.state)
+        self.meters.balance(&mut self.system, &self.state)
     }
 
     fn progress(&self) -> Progress {
@@ -302,7 +313,8 @@ impl<'m> March<'m> {
     /// Ends the march.
     pub fn outcome(mut self) -> Outcome {
         Outcome {
-            energy: self.ledger.balance(&mut self.system, &self.state),
+            energy: self.energy(),
+            quality: self.meters.quality(&mut self.system),
             history: self.history,
             steady: self.steady.and_then(|test| test.reached),
             iterations: self.iterations,

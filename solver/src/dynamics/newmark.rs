@@ -1,5 +1,7 @@
 //! Newmark's method in displacements, eqs. (36b) and (36c).
 
+use serde::{Deserialize, Serialize};
+
 /// Parameters of the method. (½, ¼), the average acceleration, neither damps nor lets energy grow in
 /// linear systems; γ > ½ damps, which in a turning frame makes false lateral forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,6 +33,11 @@ impl Coefficients {
     pub fn new(method: Newmark, dt: f64) -> Self {
         let Newmark { gamma, beta } = method;
         Coefficients { dt, a1: gamma / (beta * dt), a2: 1.0 / (beta * dt * dt) }
+    }
+
+    /// Of a machine at rest that takes all the time there is: a1 = a2 = 0.
+    pub(crate) fn at_rest() -> Self {
+        Coefficients { dt: f64::INFINITY, a1: 0.0, a2: 0.0 }
     }
 
     /// a1 = γ/(β Δt): how velocities at the end follow positions there.
@@ -72,7 +79,7 @@ impl Coefficients {
 }
 
 /// Positions, velocities and accelerations of all coordinates q = {θ, η, x_b}.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// q: θ (rad), η, x_b.
     pub q: Vec<f64>,

@@ -15,7 +15,7 @@ fn run(machine: &Machine, options: &MarchOptions) -> History {
     let outcome = march(machine, options, &mut |_| std::ops::ControlFlow::Continue(()));
     let outcome = outcome.unwrap_or_else(|failure| panic!("{}", failure.error));
     // A stop that is met between two steps gives or takes the energy of a part of a step.
-    let scale = outcome.energy.kinetic.abs() + outcome.energy.spring.abs() + 1e-9;
+    let scale = outcome.energy.kinetic.abs() + outcome.energy.spring_stored.abs() + 1e-9;
     assert!(outcome.energy.error().abs() < 1e-3 * scale.max(1.0), "{:?}", outcome.energy);
     outcome.history
 }

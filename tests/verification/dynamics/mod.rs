@@ -7,6 +7,7 @@ mod films;
 mod free_shaft;
 mod lumped;
 mod newton;
+mod quality;
 
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::body::BodyNode;

@@ -2,7 +2,7 @@
 //! and a mass between stops follows its closed form.
 
 mod evaluation;
-mod stop;
+pub(super) mod stop;
 
 use std::f64::consts::{PI, TAU};
 

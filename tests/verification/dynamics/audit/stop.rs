@@ -12,11 +12,11 @@ use whirl_solver::support::Support;
 use super::super::{force, parts, stops};
 use super::{STIFF, as_shipped};
 
-const STIFFNESS: f64 = 1e9;
-const GAP: f64 = 0.05;
+pub(in super::super) const STIFFNESS: f64 = 1e9;
+pub(in super::super) const GAP: f64 = 0.05;
 const PUSH: f64 = -10.0;
 
-fn machine() -> Machine {
+pub(in super::super) fn machine() -> Machine {
     let shaft = Shaft::lumped(1.0, [0.0; 2], [0.0; 2], 0.0);
     let mut parts = parts(shaft, Support::rigid(&[]), Rotation::Held);
     parts.laws = vec![Box::new(&STIFF)];

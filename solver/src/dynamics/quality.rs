@@ -1,0 +1,285 @@
+//! How good the steps of a march are: the energy that they make, their local error, what is left in their rows.
+
+use serde::{Deserialize, Serialize};
+
+use super::newmark::{Coefficients, Newmark, State};
+use super::system::System;
+use crate::error::Error;
+use crate::linalg::{Cholesky, Matrix, generalised_symmetric_eigen};
+use crate::machine::Machine;
+
+/// What the steps of a march were worth.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Quality {
+    /// Energy that steps made or destroyed at the springs, summed without sign (J).
+    pub energy_made: f64,
+    /// Energy that flowed into the springs and out of them (J).
+    pub energy_flowed: f64,
+    /// Local error of a step that 95 % of the steps stay below, as a share of the largest displacement, in
+    /// the modes that the step resolves (ωΔt < 1), all in the norm of the mass matrix.
+    pub local_error: f64,
+    /// The largest local error.
+    pub largest_local_error: f64,
+    /// Largest residual of a row over what it may have; see `System::row_error`.
+    pub row_error: f64,
+    /// A step that resolves the machine with the springs as they were when most energy was made (s):
+    /// 0.3/√λ, λ the largest eigenvalue of M⁻¹K; none if no energy was made.
+    pub resolving_step: Option<f64>,
+}
+
+impl Quality {
+    /// Energy made as a share of what flowed; 0 if none did.
+    pub fn energy_made_share(&self) -> f64 {
+        if self.energy_flowed > 0.0 { self.energy_made / self.energy_flowed } else { 0.0 }
+    }
+}
+
+/// √λ Δt that counts as resolved, for [`Quality::resolving_step`].
+const RESOLVED: f64 = 0.3;
+
+/// What is carried from step to step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct QualitySums {
+    errors: Histogram,
+    largest_error: f64,
+    /// Largest displacement in resolved modes.
+    amplitude: f64,
+    row_error: f64,
+    /// Most energy made by a step, and the ends of that step.
+    most_made: f64,
+    worst: [(f64, State); 2],
+}
+
+/// Measures steps.
+pub(crate) struct QualityMeter {
+    pub(crate) sums: QualitySums,
+    modes: ResolvedModes,
+    beta: f64,
+}
+
+impl QualityMeter {
+    /// For steps of `dt` s from `state`.
+    ///
+    /// # Errors
+    /// A mass matrix that is not positive definite.
+    pub(crate) fn new(
+        machine: &Machine,
+        method: Newmark,
+        dt: f64,
+        state: &State,
+    ) -> Result<Self, Error> {
+        let modes = ResolvedModes::new(machine, dt)?;
+        let sums = QualitySums {
+            errors: Histogram::new(),
+            largest_error: 0.0,
+            amplitude: modes.norm(&state.q),
+            row_error: 0.0,
+            most_made: 0.0,
+            worst: [(0.0, state.clone()), (0.0, state.clone())],
+        };
+        Ok(QualityMeter { sums, modes, beta: method.beta })
+    }
+
+    /// Adds a step of `dt` s from `start` at time `t` (s) to `end`.
+    pub(crate) fn add(
+        &mut self,
+        (t, dt): (f64, f64),
+        start: &State,
+        end: &State,
+        made: f64,
+        row_error: f64,
+    ) {
+        let sums = &mut self.sums;
+        // Zienkiewicz and Xie (1991): (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
+        let factor = (self.beta - 1.0 / 6.0).abs() * dt * dt;
+        let error = factor * self.modes.norm_of_change(&start.a, &end.a);
+        sums.errors.add(error);
+        sums.largest_error = sums.largest_error.max(error);
+        sums.amplitude = sums.amplitude.max(self.modes.norm(&end.q));
+        sums.row_error = sums.row_error.max(row_error);
+        if made > sums.most_made {
+            sums.most_made = made;
+            for (kept, (t, state)) in sums.worst.iter_mut().zip([(t, start), (t + dt, end)]) {
+                kept.0 = t;
+                kept.1.copy_from(state);
+            }
+        }
+    }
+
+    /// What the steps so far were worth.
+    pub(crate) fn quality(
+        &self,
+        system: &mut System,
+        energy_made: f64,
+        energy_flowed: f64,
+    ) -> Quality {
+        let sums = &self.sums;
+        let share = |error: f64| if error > 0.0 { error / sums.amplitude } else { 0.0 };
+        let worst = sums.worst.iter().filter(|_| sums.most_made > 0.0);
+        let eigenvalues = worst.filter_map(|(t, state)| {
+            let value = largest_eigenvalue(system, *t, state);
+            (value > 0.0).then_some(value)
+        });
+        let largest = eigenvalues.reduce(f64::max);
+        Quality {
+            energy_made,
+            energy_flowed,
+            local_error: share(sums.errors.below(0.95)),
+            largest_local_error: share(sums.largest_error),
+            row_error: sums.row_error,
+            resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
+        }
+    }
+}
+
+/// The modes of shaft and support at rest with ωΔt < 1, as rows over the coordinates, in the norm of M.
+struct ResolvedModes {
+    /// Coordinates × modes of the shaft.
+    shaft: Matrix,
+    /// Coordinates of the support, each of which is a mode.
+    support: Vec<usize>,
+    change: Vec<f64>,
+}
+
+impl ResolvedModes {
+    fn new(machine: &Machine, dt: f64) -> Result<Self, Error> {
+        let (shaft, support) = (&machine.shaft, &machine.support);
+        let resolved = |square: f64| square * dt * dt < 1.0;
+        let rows = if shaft.size() > 0 {
+            let eigen = generalised_symmetric_eigen(&shaft.stiffness, &shaft.mass)?;
+            let modes: Vec<usize> =
+                (0..shaft.size()).filter(|&i| resolved(eigen.values[i])).collect();
+            let all: Vec<usize> = (0..shaft.size()).collect();
+            let shapes = eigen.vectors.select(&all, &modes);
+            crate::linalg::multiply(shaft.mass.view(), shapes.view())
+        } else {
+            Matrix::zeros(0, 0)
+        };
+        let first = 1 + shaft.size();
+        let support = (0..support.size()).filter(|&i| resolved(support.stiffness[i]));
+        let support = support.map(|i| first + i).collect();
+        Ok(ResolvedModes { shaft: rows, support, change: vec![0.0; shaft.size()] })
+    }
+
+    /// The norm of a vector of all coordinates, θ left out.
+    fn norm(&self, x: &[f64]) -> f64 {
+        norm(&self.shaft, &x[1..=self.shaft.rows], self.support.iter().map(|&i| x[i]))
+    }
+
+    fn norm_of_change(&mut self, before: &[f64], after: &[f64]) -> f64 {
+        let places = 1..=self.shaft.rows;
+        let pairs = before[places.clone()].iter().zip(&after[places]);
+        self.change.iter_mut().zip(pairs).for_each(|(out, (a, b))| *out = b - a);
+        norm(&self.shaft, &self.change, self.support.iter().map(|&i| after[i] - before[i]))
+    }
+}
+
+fn norm(modes: &Matrix, shaft: &[f64], support: impl Iterator<Item = f64>) -> f64 {
+    let shaft = (0..modes.cols).map(|k| crate::linalg::dot(modes.col(k), shaft));
+    shaft.chain(support).map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// The largest eigenvalue of M⁻¹K of the unknowns at a state, K = −∂r/∂q with all its springs, by the power
+/// method; NaN where M cannot be inverted.
+fn largest_eigenvalue(system: &mut System, t: f64, state: &State) -> f64 {
+    /// The method's error falls at least as 1/iterations.
+    const ITERATIONS: usize = 100;
+    let machine = system.machine;
+    let (size, first) = (machine.size(), machine.first_unknown());
+    let rows = 1 + machine.shaft.size();
+    system.evaluate(t, state);
+    let mut stiffness = vec![0.0; size * size];
+    system.tangent(t, state, &Coefficients::at_rest(), &mut stiffness);
+    let mut whole = vec![0.0; rows * rows];
+    system.shaft_mass(state, &mut whole);
+    let unknowns: Vec<usize> = (first..rows).collect();
+    let mass = Matrix { rows, cols: rows, data: whole }.select(&unknowns, &unknowns);
+    let mut cholesky = Cholesky::new(mass.rows);
+    if cholesky.factor(&mass.data).is_err() {
+        return f64::NAN;
+    }
+    // A start with a part along every mode, the same every time.
+    let mut x: Vec<f64> =
+        (0..size).map(|i| if i < first { 0.0 } else { (1.0 + i as f64).sin() }).collect();
+    let mut value = 0.0;
+    for _ in 0..ITERATIONS {
+        let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if length == 0.0 || !length.is_finite() {
+            return value;
+        }
+        x.iter_mut().for_each(|x| *x /= length);
+        let mut next = vec![0.0; size];
+        for (column, x) in stiffness.chunks_exact(size).zip(&x) {
+            next.iter_mut().zip(column).for_each(|(sum, k)| *sum += k * x);
+        }
+        next[..first].fill(0.0);
+        cholesky.solve_in_place(&mut next[first..rows]);
+        value = crate::linalg::dot(&next, &x);
+        x = next;
+    }
+    value
+}
+
+/// Counts of values by their size, fifty classes a decade from 1e-320 to 1e320.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Histogram {
+    zeros: u64,
+    counts: Vec<u64>,
+}
+
+impl Histogram {
+    const CLASSES: f64 = 50.0;
+    const DECADES: f64 = 320.0;
+
+    fn new() -> Self {
+        let classes = (2.0 * Self::DECADES * Self::CLASSES) as usize;
+        Histogram { zeros: 0, counts: vec![0; classes] }
+    }
+
+    fn add(&mut self, value: f64) {
+        let class = (value.log10() + Self::DECADES) * Self::CLASSES;
+        match self.counts.get_mut(class as usize).filter(|_| class >= 0.0) {
+            Some(count) => *count += 1,
+            None => self.zeros += 1,
+        }
+    }
+
+    /// What a share of the values stays below, to 1/50 decade.
+    fn below(&self, share: f64) -> f64 {
+        let total = self.zeros + self.counts.iter().sum::<u64>();
+        let mut left = (share * total as f64).ceil() as u64;
+        if left <= self.zeros {
+            return 0.0;
+        }
+        left -= self.zeros;
+        for (class, count) in self.counts.iter().enumerate() {
+            if left <= *count {
+                return 10.0_f64.powf((class + 1) as f64 / Self::CLASSES - Self::DECADES);
+            }
+            left -= count;
+        }
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_share_of_the_values_is_found_to_a_fiftieth_of_a_decade() {
+        let mut histogram = Histogram::new();
+        // In an order that makes classes at both ends, and with zeros.
+        for i in 0..1000_u32 {
+            let place = (i * 617) % 1000;
+            histogram.add(if place < 100 { 0.0 } else { 1e-12 * f64::from(place) });
+        }
+        for share in [0.05, 0.5, 0.95, 1.0] {
+            let exact: f64 = 1e-12 * (1000.0 * share - 1.0);
+            let exact = if share < 0.1 { 0.0 } else { exact };
+            let found = histogram.below(share);
+            let wide = 10.0_f64.powf(1.0 / Histogram::CLASSES);
+            assert!(found >= exact && found <= exact * wide * wide, "{found} for {exact}");
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! What the program itself believes of a run.
+
+use super::quality::Quality;
+
+/// Whether the results of a run can be believed, and what speaks against it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Verdict {
+    /// What is beyond its limit; nothing where the run is sound.
+    pub findings: Vec<Finding>,
+}
+
+/// Something that was measured and is beyond its limit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// What was measured.
+    pub what: String,
+    /// How much it is, in `unit`.
+    pub value: f64,
+    /// How much it may be.
+    pub limit: f64,
+    /// Unit of value and limit; `1` for a share.
+    pub unit: String,
+    /// What to do about it.
+    pub remedy: String,
+}
+
+impl Verdict {
+    /// Whether nothing was found.
+    pub fn sound(&self) -> bool {
+        self.findings.is_empty()
+    }
+}
+
+/// Energy made by steps, as a share of what flowed. A linear contact of frequency ω that is met in the middle
+/// of a step makes (ωΔt)²/6 of the energy that it takes: at 5 % it lasts six steps.
+pub const ENERGY_MADE: f64 = 0.05;
+/// Local error of a step as a share of the largest displacement. In motion at ω it is (ωΔt)³/12, and the period
+/// is wrong by (ωΔt)²/12: 1 % at this limit.
+pub const LOCAL_ERROR: f64 = 3.5e-3;
+/// Residual of a row over what it may have.
+pub const ROW_ERROR: f64 = 1.0;
+
+/// What is beyond its limit in steps of `time_step` s.
+pub fn findings(quality: &Quality, time_step: f64) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let made = quality.energy_made_share();
+    // A measure that is no number is beyond every limit.
+    let beyond = |value: f64, limit: f64| !value.is_finite() || value > limit;
+    if beyond(made, ENERGY_MADE) {
+        let step = quality.resolving_step.map_or(0.1 * time_step, |step| step.min(0.5 * time_step));
+        findings.push(Finding {
+            what:
+                "energy made or lost by the steps at bearings and stops, as a share of what flowed"
+                    .to_owned(),
+            value: made,
+            limit: ENERGY_MADE,
+            unit: "1".to_owned(),
+            remedy: shorter(step),
+        });
+    }
+    if beyond(quality.local_error, LOCAL_ERROR) {
+        // The error grows with Δt³, and in motion that a step cannot follow less: half of it at most.
+        let step = time_step * (LOCAL_ERROR / quality.local_error).cbrt().clamp(0.1, 0.5);
+        findings.push(Finding {
+            what: "local error that one step in twenty exceeds, as a share of the largest displacement"
+                .to_owned(),
+            value: quality.local_error,
+            limit: LOCAL_ERROR,
+            unit: "1".to_owned(),
+            remedy: shorter(step),
+        });
+    }
+    if beyond(quality.row_error, ROW_ERROR) {
+        findings.push(Finding {
+            what: "residual left in an equation of motion, over what rounding explains".to_owned(),
+            value: quality.row_error,
+            limit: ROW_ERROR,
+            unit: "1".to_owned(),
+            remedy: "lower `residual_tolerance`".to_owned(),
+        });
+    }
+    findings
+}
+
+/// The remedy of a shorter step, in two digits rounded down.
+fn shorter(step: f64) -> String {
+    let unit = 10.0_f64.powf(step.log10().floor() - 1.0);
+    let text = format!("{:.1e}", (step / unit).floor() * unit);
+    format!("set `time_step = \"{text} s\"` in [march], and as many more steps")
+}

@@ -1,0 +1,132 @@
+//! What a march measures of its steps, against closed forms; and the verdict.
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+use whirl_solver::dynamics::{March, Outcome, findings, march};
+use whirl_solver::machine::{Machine, Rotation};
+use whirl_solver::shaft::Shaft;
+use whirl_solver::support::Support;
+
+use super::audit::{as_shipped, stop};
+use super::contacts::Formula;
+use super::{parts, stops};
+
+fn run(machine: &Machine, time_step: f64, steps: usize, start: [f64; 2]) -> Outcome {
+    let mut options = as_shipped(time_step, steps);
+    options.initial_shaft = [vec![start[0], 0.0], vec![start[1], 0.0]];
+    let outcome = march(machine, &options, &mut |_| ControlFlow::Continue(()));
+    outcome.unwrap_or_else(|failure| panic!("{}", failure.error))
+}
+
+/// The stop that was reported as converged while its mass went 197 m far: solved exactly, and not sound; with the
+/// step of its remedy it is.
+#[test]
+fn an_unresolved_stop_is_not_sound_and_its_remedy_is() {
+    let machine = stop::machine();
+    let outcome = run(&machine, 1e-3, 500, [0.0, -1.0]);
+    let found = findings(&outcome.quality, 1e-3);
+    assert!(!found.is_empty(), "{:?}", outcome.quality);
+    assert!(outcome.quality.energy_made_share() > 1.0, "{:?}", outcome.quality);
+    // 0.3/√(k/m).
+    let step = outcome.quality.resolving_step.expect("energy was made");
+    assert!((step / (0.3 / 1e9_f64.sqrt()) - 1.0).abs() < 1e-6, "{step}");
+    assert!(found[0].remedy.contains("9.4e-6 s"), "{}", found[0].remedy);
+    let outcome = run(&machine, 9.4e-6, (0.5 / 9.4e-6) as usize, [0.0, -1.0]);
+    assert_eq!(findings(&outcome.quality, 9.4e-6), [], "{:?}", outcome.quality);
+}
+
+/// Each step's trapezoid less the drop of the stops' potential.
+#[test]
+fn energy_made_is_that_of_the_potential() {
+    let machine = stop::machine();
+    for time_step in [3e-5, 1e-5, 3e-6] {
+        let mut options = as_shipped(time_step, (0.3 / time_step) as usize);
+        options.initial_shaft = [vec![0.0; 2], vec![-1.0, 0.0]];
+        let mut march = March::new(&machine, &options).expect("starts");
+        let depth = |x: f64| (x.abs() - stop::GAP).max(0.0);
+        let (mut made, mut flowed, mut x) = (0.0, 0.0, 0.0_f64);
+        for _ in 0..options.steps {
+            march.advance().unwrap_or_else(|error| panic!("{error}"));
+            let end = march.state().q[1];
+            let force = |x: f64| -stop::STIFFNESS * depth(x) * x.signum();
+            let dropped = 0.5 * stop::STIFFNESS * (depth(x).powi(2) - depth(end).powi(2));
+            made += (0.5 * (force(x) + force(end)) * (end - x) - dropped).abs();
+            flowed += dropped.abs();
+            x = end;
+        }
+        let quality = march.outcome().quality;
+        // Lobatto's rule over a kink within the step: 3 % of the square of the depth at most.
+        let (found, exact) = (quality.energy_made, made);
+        assert!((found / exact - 1.0).abs() < 0.1, "Δt = {time_step}: {found} for {exact} J");
+        assert!((quality.energy_flowed / flowed - 1.0).abs() < 0.02, "Δt = {time_step}");
+        assert_eq!(found / quality.energy_flowed < 0.05, time_step < 2e-5);
+    }
+}
+
+/// A mass on a spring: (β − 1/6) Δt² (q̈_{n+1} − q̈_n) is of the size Δt²/6 · ω² sin(½ ω̂Δt), ω̂ = (2/Δt) atan(½ωΔt).
+#[test]
+fn the_local_error_of_an_oscillator_is_as_on_paper() {
+    for ratio in [0.05, 0.3, 0.9] {
+        let omega = 200.0_f64;
+        let time_step = ratio / omega;
+        let shaft = Shaft::lumped(2.0, [2.0 * omega * omega; 2], [0.0; 2], 0.0);
+        let parts = parts(shaft, Support::rigid(&[]), Rotation::Held);
+        let machine = Machine::new(parts).expect("a machine");
+        let outcome = run(&machine, time_step, 5000, [1e-3, 0.0]);
+        let largest = time_step.powi(2) / 6.0 * omega.powi(2) * (0.5 * ratio).atan().sin();
+        let quality = outcome.quality;
+        assert!((quality.largest_local_error / largest - 1.0).abs() < 1e-3, "{quality:?}");
+        // 95 % of |sin| lie below sin(0.475 π); found to a fiftieth of a decade.
+        let share = largest * (0.475 * PI).sin();
+        assert!((quality.local_error / share - 1.0).abs() < 0.05, "{quality:?} for {share}");
+        let sound = findings(&quality, time_step).is_empty();
+        assert_eq!(sound, ratio < 0.34, "{ratio}");
+        assert_eq!(quality.energy_flowed, 0.0);
+    }
+}
+
+static DASHPOT: Formula = Formula {
+    name: "spring and dashpot",
+    inputs: &["h", "h_dot"],
+    outputs: &["Q"],
+    value: |z| vec![z[0] * -3e4 - z[1] * 40.0],
+};
+
+static MOUNT: Formula = Formula {
+    name: "spring and dashpot all around",
+    inputs: &["e_x", "e_y", "e_x_dot", "e_y_dot"],
+    outputs: &["F_x", "F_y"],
+    value: |z| vec![z[0] * -3e4 - z[2] * 40.0, z[1] * -3e4 - z[3] * 40.0],
+};
+
+/// What a spring holds and what its dashpot turned into heat, as two numbers; by both kinds of law.
+#[test]
+fn stored_and_dissipated_energy_are_told_apart() {
+    for (law, around) in [(&DASHPOT, false), (&MOUNT, true)] {
+        let shaft = Shaft::lumped(2.0, [0.0; 2], [0.0; 2], 0.0);
+        let mut parts = parts(shaft, Support::rigid(&[]), Rotation::Held);
+        parts.laws = vec![Box::new(law)];
+        parts.bearings = vec![stops("mount", 0.0, if around { &[] } else { &[0.0] }, 0)];
+        let machine = Machine::new(parts).expect("a machine");
+        let (time_step, steps) = (1e-4, 300);
+        let outcome = run(&machine, time_step, steps, [1e-3, 0.5]);
+        // m ẍ + d ẋ + k x = 0 in closed form.
+        let (k, d, m) = (3e4, 40.0, 2.0);
+        let (decay, t) = (0.5 * d / m, time_step * steps as f64);
+        let omega = f64::sqrt(k / m - decay * decay);
+        let (a, b) = (1e-3, (0.5 + decay * 1e-3) / omega);
+        let x = (-decay * t).exp() * (a * (omega * t).cos() + b * (omega * t).sin());
+        let v = (-decay * t).exp()
+            * ((b * omega - a * decay) * (omega * t).cos()
+                - (a * omega + b * decay) * (omega * t).sin());
+        let stored = 0.5 * k * (x * x - 1e-6);
+        let lost = 0.5 * m * (0.25 - v * v) - stored;
+        let energy = outcome.energy;
+        // The period is wrong by (ωΔt)²/12 = 1e-5, 0.4 cycles long.
+        let scale = 0.5 * m * 0.25;
+        assert!((energy.spring_stored - stored).abs() < 1e-4 * scale, "{energy:?} for {stored}");
+        assert!((energy.spring_dissipated - lost).abs() < 1e-4 * scale, "{energy:?} for {lost}");
+        assert!(energy.error().abs() < 1e-9 * scale, "{energy:?}");
+    }
+}
