@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::Error;
 use crate::linalg::Matrix;
-use crate::reduction::{FreeMotion, ReductionError, RigidMotions};
+use crate::reduction::{self, FreeMotion, ReductionError};
 use crate::sparse::{SparseColumns, SparseMatrix};
 
 /// What is left of an equation after elimination counts as zero below this part of its largest
@@ -228,17 +228,23 @@ pub struct GroundSpring {
     pub stiffness: f64,
 }
 
+/// A spring is at most this many times as stiff as the stiffest dof of the body: its node then moves by a
+/// millionth of what the body would let it. Beyond, it is a mount, and takes the body's digits away.
+const STIFFEST_SPRING: f64 = 1e6;
+
 /// K with the springs on its diagonal.
 ///
 /// # Errors
-/// [`Error::Constraint`]: a dof that is not there, or a stiffness that is not positive.
+/// [`Error::Constraint`]: a dof that is not there, or a stiffness that is not positive. [`Error::StiffSpring`]:
+/// one beside which the body has no digits left.
 pub fn add_ground_springs(
     k: &SparseMatrix,
     springs: &[GroundSpring],
 ) -> Result<SparseMatrix, Error> {
     let size = k.size();
     let mut diagonal = Vec::with_capacity(springs.len());
-    for spring in springs {
+    let own = k.lower().map(|lower| lower.diagonal().into_iter().fold(0.0, f64::max));
+    for (place, spring) in springs.iter().enumerate() {
         let wrong = |what: String| Error::Constraint { constraint: spring.name.clone(), what };
         if spring.dof >= size {
             return Err(wrong(format!("acts on coordinate {}, there are {size}", spring.dof)));
@@ -246,6 +252,10 @@ pub fn add_ground_springs(
         let stiffness = spring.stiffness;
         if !(stiffness > 0.0 && stiffness.is_finite()) {
             return Err(wrong(format!("has a stiffness of {stiffness} N/m: it must be positive")));
+        }
+        if let Some(body) = own.filter(|&body| body > 0.0 && stiffness > STIFFEST_SPRING * body) {
+            let (name, most) = (spring.name.clone(), STIFFEST_SPRING * body);
+            return Err(Error::StiffSpring { place, name, stiffness, body, most });
         }
         diagonal.push((spring.dof, stiffness));
     }
@@ -265,19 +275,13 @@ pub fn free_motions(
     constraints: &Constraints,
 ) -> Result<Vec<FreeMotion>, Error> {
     let lower = k.lower().ok_or(ReductionError::NotSymmetric { matrix: "stiffness" })?;
-    let motions = RigidMotions::new(positions);
-    let equations = constraints.equations();
-    let mut rows = Matrix::zeros(equations.len(), 6);
-    for (r, equation) in equations.iter().enumerate() {
+    let mut rows: Vec<reduction::Row> = Vec::with_capacity(constraints.equations().len());
+    for equation in constraints.equations() {
         let row = equation.row(k.size())?;
         let scale = row.values().fold(0.0, |scale: f64, c| scale.max(c.abs()));
-        for (dof, c) in row {
-            for j in 0..6 {
-                rows[(r, j)] += c / scale * motions.shapes()[(dof, j)];
-            }
-        }
+        rows.push(row.into_iter().map(|(dof, c)| (dof, c / scale)).collect());
     }
-    Ok(motions.free_under(&lower, &rows)?)
+    Ok(reduction::free_motions(positions, &lower, &rows)?)
 }
 
 #[cfg(test)]

@@ -135,6 +135,23 @@ pub enum Error {
         /// What is wrong with it, naming the others.
         what: String,
     },
+    /// A spring to the ground beside which the body has no digits left.
+    #[error(
+        "{name} of {stiffness:.3e} N/m is {:.1e} times as stiff as the stiffest node of the body ({body:.1e} N/m), \
+         at most {most:.0e} N/m is", .stiffness / .body
+    )]
+    StiffSpring {
+        /// Its place among the springs, counted from 0.
+        place: usize,
+        /// How messages call it.
+        name: String,
+        /// N/m.
+        stiffness: f64,
+        /// Of the stiffest dof of the body (N/m).
+        body: f64,
+        /// The stiffest that is taken (N/m).
+        most: f64,
+    },
     /// A bearing law that the solver cannot use.
     #[error("law {law} {what}; {help}")]
     Law {

@@ -2,6 +2,7 @@
 
 use whirl_solver::assembly::assemble;
 use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
+use whirl_solver::error::Error;
 use whirl_solver::reduction::FreeMotion;
 
 use crate::bodies::reference;
@@ -64,4 +65,24 @@ fn a_turn_held_by_one_equation_is_no_mechanism() {
     let elimination = constraints.eliminate(mesh.dof_count()).unwrap();
     let reduced = elimination.reduce_sparse(&k);
     assert_eq!(reduced.size(), 5775 - 6);
+}
+
+/// Beside a spring of more than a million times its stiffness a body has no digits left.
+#[test]
+fn a_spring_that_swamps_the_body_is_refused() {
+    let mesh = reference("support");
+    let k = assemble(&mesh, "stiffness").unwrap();
+    let stiffest = k.lower().unwrap().diagonal().into_iter().fold(0.0, f64::max);
+    let spring = |stiffness: f64| {
+        let soft = GroundSpring { name: "soft".to_owned(), dof: 3, stiffness: 1.0 };
+        let own = GroundSpring { name: "stiff".to_owned(), dof: 7, stiffness };
+        add_ground_springs(&k, &[soft, own])
+    };
+    assert!(spring(0.99e6 * stiffest).is_ok());
+    match spring(1.01e6 * stiffest) {
+        Err(Error::StiffSpring { place: 1, name, body, .. }) => {
+            assert_eq!((name.as_str(), body), ("stiff", stiffest));
+        }
+        other => panic!("{other:?}"),
+    }
 }

@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use whirl_benches::hand::elements::ELEMENTS;
 use whirl_solver::error::InputErrors;
-use whirl_solver::mesh::Mesh;
 use whirl_solver::mesh::inp::{self, Read};
+use whirl_solver::mesh::{Cell, Material, Mesh};
 
 use crate::bodies::reference;
 
@@ -89,10 +89,8 @@ fn a_good_file_gives_its_mesh() {
         steel.properties.iter().map(|(name, &value)| (name.as_str(), value)).collect();
     assert_eq!(values, [("E", 200e9), ("nu", 0.3), ("rho", 7860.0)]);
     let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-    assert_eq!(
-        warnings,
-        ["cube.inp:1:1: *HEADING is left out", "cube.inp:39:1: *STEP is left out"]
-    );
+    // A heading says nothing of the mesh.
+    assert_eq!(warnings, ["cube.inp:39:1: *STEP is left out"]);
     let error = mesh.node_set("BOTOM").unwrap_err().to_string();
     assert_eq!(error, "cube.inp has no node set called BOTOM; did you mean BOTTOM?");
     let error = mesh.single_node("ODD").unwrap_err().to_string();
@@ -278,6 +276,42 @@ fn every_error_says_where_what_and_how_to_mend_it() {
             "200000, 0.3",
             "cube.inp:33:1: in material Steel (E = 200000 Pa, ρ = 7860 kg/m³) sound would travel at 5.044e0 m/s\n  help: units are m, Pa and kg/m³: steel is 200e9 and 7860",
         ),
+        (
+            "200e9, 0.3",
+            "200e9, 0.49999999",
+            "cube.inp:33:8: material Steel is nearly incompressible: with ν = 0.49999999 it is 5.0e7 times as stiff against change of volume as against shear\n  help: write 0.4999 or less",
+        ),
+        (
+            "200e9, 0.3",
+            "200e9, -0.99999999",
+            "cube.inp:33:8: material Steel hardly shears: with ν = -0.99999999 it is 4.5e8 times as stiff against shear as against change of volume\n  help: write -0.9999 or more",
+        ),
+        // Cells of other types, and cells that stand twice.
+        (
+            "TYPE=C3D8I",
+            "TYPE=c3d8r",
+            "cube.inp:15:16: no element is known for type c3d8r\n  help: write TYPE=C3D8I, an element of the same nodes in the same order; types that are read: C3D8, C3D8I, C3D6",
+        ),
+        (
+            "TYPE=C3D6",
+            "TYPE=C3D6H",
+            "cube.inp:18:16: no element is known for type C3D6H\n  help: write TYPE=C3D6, an element of the same nodes in the same order; types that are read: C3D8, C3D8I, C3D6",
+        ),
+        (
+            "TYPE=C3D8I",
+            "TYPE=C3D20R",
+            "cube.inp:15:16: no element is known for type C3D20R\n  help: types that are read: C3D8, C3D8I, C3D6",
+        ),
+        (
+            "*NSET, NSET=Ends",
+            "*ELEMENT, TYPE=C3D6, ELSET=CUBE\n103, 6, 10, 7, 2, 9, 3\n*NSET, NSET=Ends",
+            "cube.inp:23:1: cell 103 has the nodes of cell 102\n  help: take one of them out: line 19 has the first",
+        ),
+        (
+            "*NSET, NSET=Ends",
+            "*ELEMENT, TYPE=C3D8I, ELSET=CUBE\n103, 1, 2, 3, 4, 5, 6, 7, 8\n104, 1, 2, 3, 4, 5, 6, 7, 8\n*NSET, NSET=Ends",
+            "cube.inp:23:1: 2 cells have the nodes of others: 103, 104; cell 103 those of cell 101\n  help: take them out, or their originals, of which line 16 has the first",
+        ),
         // Sections.
         (
             "MATERIAL=STEEL",
@@ -292,7 +326,7 @@ fn every_error_says_where_what_and_how_to_mend_it() {
         (
             "ELSET=ALL, MAT",
             "ELSET=CUBE, MAT",
-            "cube.inp:19:1: 1 cell without a section: 102\n  help: add *SOLID SECTION, ELSET=…, MATERIAL=… for a set that holds them",
+            "cube.inp:19:1: 1 cell without a section: 102\n  help: add *SOLID SECTION, ELSET=…, MATERIAL=… for a set that holds them; in a case `material` serves, too",
         ),
         (
             "*STEP",
@@ -357,10 +391,10 @@ fn what_is_odd_but_readable_is_a_warning() {
     assert_eq!(labels(&mesh, "ALL").len(), 10);
     let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
-        warnings[1],
+        warnings[0],
         "cube.inp:15:1: 1 node in no cell, left out: 11\n  help: delete them, or add the cells that they belong to"
     );
-    assert_eq!(warnings[2], "cube.inp:40:1: *NSTE is left out\n  help: is *NSET meant?");
+    assert_eq!(warnings[1], "cube.inp:40:1: *NSTE is left out\n  help: is *NSET meant?");
     let millimetres = GOOD.replace(" 9, 2, 0, 0", " 9, 2000, 0, 0");
     let warnings = read(&millimetres).unwrap().warnings;
     assert!(
@@ -368,6 +402,44 @@ fn what_is_odd_but_readable_is_a_warning() {
             .to_string()
             .starts_with("cube.inp: the mesh is 2000 m long\n  help: coordinates are read in m")
     );
+}
+
+/// A cell without a section takes what the reader is told to leave open; whatever else is wrong is said.
+#[test]
+fn sections_may_be_left_open() {
+    let (whole, by) = ("ELSET=ALL, MAT", "ELSET=CUBE, MAT");
+    let text = GOOD.replace(whole, by);
+    let open = |text: &str| inp::read_open(text, "cube.inp", &ELEMENTS, true);
+    let mesh = open(&text).unwrap_or_else(|errors| panic!("{errors}")).mesh;
+    let names: Vec<&str> = mesh.materials().iter().map(|own| own.name.as_str()).collect();
+    assert_eq!(names, ["Steel", ""]);
+    let tin = Material::isotropic("tin", 50e9, 0.36, 7300.0).unwrap();
+    let bare = |cell: Cell| mesh.materials()[mesh.blocks()[cell.block].material].name.is_empty();
+    let filled = mesh.with_material(&tin, bare).unwrap();
+    let blocks: Vec<(&str, u64)> = filled
+        .blocks()
+        .iter()
+        .map(|block| (filled.materials()[block.material].name.as_str(), block.labels[0]))
+        .collect();
+    assert_eq!(blocks, [("Steel", 101), ("tin", 102)]);
+    // Sets still hold the same cells, also where blocks are parted.
+    let parted = filled.with_material(&tin, |cell| cell.block == 0).unwrap();
+    assert_eq!(parted.materials().len(), 1);
+    let cells = parted.element_set("all").unwrap().iter();
+    let labels: Vec<u64> = cells.map(|c| parted.blocks()[c.block].labels[c.cell]).collect();
+    assert_eq!(labels, [101, 102]);
+    assert!(open(&GOOD.replace("7860", "0").replace(whole, by)).is_err());
+}
+
+/// Text that is not UTF-8 is Latin-1.
+#[test]
+fn older_programs_write_latin_1() {
+    let mut bytes = b"** Welle f\xfcr den Pr\xfcfstand \xa9\n".to_vec();
+    bytes.extend(GOOD.replace("NSET=ODD", "NSET=M\u{e4}rz").chars().map(|c| c as u8));
+    let text = inp::decode(bytes);
+    assert!(text.starts_with("** Welle für den Prüfstand ©\n"));
+    assert_eq!(labels(&read(&text).unwrap().mesh, "März"), [1, 3, 5, 7, 9]);
+    assert_eq!(inp::decode("µ".to_owned().into_bytes()), "µ");
 }
 
 proptest! {

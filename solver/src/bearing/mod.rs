@@ -15,7 +15,7 @@ use whirl_specs::{BoreMotion, Clearance};
 pub(crate) use contact::Contacts;
 pub use law::SpringLaw;
 pub(crate) use law::{Bound, BoundLaw, Input};
-pub use spline::periodic_spline;
+pub use spline::{periodic_spline, spline_passes};
 pub use state::SpringState;
 
 use bore::Bore;

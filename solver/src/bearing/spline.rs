@@ -9,10 +9,9 @@ use crate::linalg::{Lu, Matrix};
 /// there are fewer than three.
 pub fn periodic_spline(knots: &[f64], angles: &[f64]) -> Option<Matrix> {
     let n = knots.len();
-    if n < 3 {
+    if !spline_passes(knots) {
         return None;
     }
-    let wrapped = |angle: f64| angle.rem_euclid(std::f64::consts::TAU);
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|&a, &b| wrapped(knots[a]).total_cmp(&wrapped(knots[b])));
     let sorted: Vec<f64> = order.iter().map(|&knot| wrapped(knots[knot])).collect();
@@ -20,9 +19,6 @@ pub fn periodic_spline(knots: &[f64], angles: &[f64]) -> Option<Matrix> {
         true => sorted[i + 1] - sorted[i],
         false => sorted[0] + std::f64::consts::TAU - sorted[i],
     };
-    if (0..n).any(|i| width(i) <= 1e-9) {
-        return None;
-    }
     let curvature = curvatures(n, width)?;
     let mut map = Matrix::zeros(angles.len(), n);
     for (row, &angle) in angles.iter().enumerate() {
@@ -44,6 +40,21 @@ pub fn periodic_spline(knots: &[f64], angles: &[f64]) -> Option<Matrix> {
         }
     }
     Some(map)
+}
+
+/// Whether a periodic spline goes through values at `knots` (rad, in any order): three at least, no two of which
+/// coincide.
+pub fn spline_passes(knots: &[f64]) -> bool {
+    let mut sorted: Vec<f64> = knots.iter().map(|&angle| wrapped(angle)).collect();
+    sorted.sort_by(f64::total_cmp);
+    let around = sorted.first().map(|first| first + std::f64::consts::TAU);
+    let next = sorted.iter().skip(1).copied().chain(around);
+    knots.len() >= 3 && sorted.iter().zip(next).all(|(knot, next)| next - knot > 1e-9)
+}
+
+/// The same angle from 0 to 2π.
+fn wrapped(angle: f64) -> f64 {
+    angle.rem_euclid(std::f64::consts::TAU)
 }
 
 /// Second derivatives at the sorted knots from the values there: n × n.

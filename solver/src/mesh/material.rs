@@ -4,6 +4,25 @@ use std::collections::BTreeMap;
 
 use crate::error::Error;
 
+/// √(E/ρ) of solids lies between 20 m/s (soft rubber) and 18 000 m/s (diamond); what is this far outside
+/// was written in other units than Pa and kg/m³.
+const SOUND: std::ops::Range<f64> = 10.0..1e5;
+
+/// Stiffness against change of volume and against shear, one over the other, at most. Sums of both lose as
+/// many digits as the quotient has; beyond it a body looks as if nothing held it.
+const MODULI: f64 = 1e6;
+
+/// A property that cannot be meant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Doubt {
+    /// Symbol of the property, such as `nu`.
+    pub symbol: &'static str,
+    /// What is wrong.
+    pub what: String,
+    /// What would do.
+    pub help: &'static str,
+}
+
 /// A material with its properties by the symbols that the forms use.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
@@ -39,5 +58,41 @@ impl Material {
             name: name.to_owned(),
             properties: properties.map(|(symbol, value)| (symbol.to_owned(), value)).into(),
         })
+    }
+
+    /// What of E, ν and ρ cannot be meant, as far as they are there.
+    pub fn doubts(&self) -> Vec<Doubt> {
+        let name = &self.name;
+        let value = |symbol: &str| self.properties.get(symbol).copied();
+        let mut doubts = Vec::new();
+        if let (Some(e), Some(rho)) = (value("E"), value("rho")) {
+            let sound = (e / rho).sqrt();
+            if !SOUND.contains(&sound) {
+                let what = format!(
+                    "in material {name} (E = {e} Pa, ρ = {rho} kg/m³) sound would travel at {sound:.3e} m/s"
+                );
+                let help = "units are m, Pa and kg/m³: steel is 200e9 and 7860";
+                doubts.push(Doubt { symbol: "E", what, help });
+            }
+        }
+        if let Some(nu) = value("nu") {
+            // K/G of an isotropic material.
+            let moduli = 2.0 * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu));
+            if moduli > MODULI {
+                let what = format!(
+                    "material {name} is nearly incompressible: with ν = {nu} it is {moduli:.1e} times as stiff \
+                     against change of volume as against shear"
+                );
+                doubts.push(Doubt { symbol: "nu", what, help: "write 0.4999 or less" });
+            } else if moduli < 1.0 / MODULI {
+                let what = format!(
+                    "material {name} hardly shears: with ν = {nu} it is {:.1e} times as stiff against shear as \
+                     against change of volume",
+                    1.0 / moduli
+                );
+                doubts.push(Doubt { symbol: "nu", what, help: "write -0.9999 or more" });
+            }
+        }
+        doubts
     }
 }

@@ -6,10 +6,13 @@
 pub mod inp;
 mod layers;
 mod material;
+pub mod measure;
+mod regions;
 pub mod shaft;
 pub mod support;
 
-pub use material::Material;
+pub use material::{Doubt, Material};
+pub(crate) use regions::connected;
 
 use std::collections::BTreeMap;
 

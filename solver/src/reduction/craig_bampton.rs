@@ -5,7 +5,7 @@ use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
 use super::modes::{Modes, Pencil};
-use super::rigid::RigidMotions;
+use super::rigid::{Row, free_motions};
 use super::{FreeMotion, ReductionError};
 
 /// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
@@ -74,7 +74,8 @@ impl Solid<'_> {
     ) -> Result<CraigBampton, ReductionError> {
         let partition = Partition::new(self.mass.size(), retained)?;
         let whole = lower(self.stiffness, "stiffness")?;
-        let motions = RigidMotions::new(self.coordinates).free(&whole, retained)?;
+        let held: Vec<Row> = retained.iter().map(|&dof| vec![(dof, 1.0)]).collect();
+        let motions = free_motions(self.coordinates, &whole, &held)?;
         if !motions.is_empty() {
             return Err(ReductionError::Mechanism { motions });
         }
@@ -96,6 +97,11 @@ impl Solid<'_> {
             ReductionError::LinearAlgebra(LinearAlgebraError::NotPositiveDefinite {
                 row, ..
             }) => loose(row),
+            ReductionError::Hidden { node: row, stiffest, modes, .. } => {
+                let dof = partition.inner[row as usize];
+                let (node, component) = ((dof / 3) as u64, dof % 3);
+                ReductionError::Hidden { node, component, stiffest, modes }
+            }
             error => error,
         })?;
         if let Some(row) = moves_freely(&fixed, &pencil) {

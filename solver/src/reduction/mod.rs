@@ -10,7 +10,7 @@ mod sturm;
 pub use craig_bampton::{CraigBampton, Solid};
 pub use modes::{Modes, Pencil, hertz};
 pub use rigid::FreeMotion;
-pub(crate) use rigid::RigidMotions;
+pub(crate) use rigid::{Row, free_motions};
 
 use crate::linalg::LinearAlgebraError;
 use crate::mesh::Mesh;
@@ -62,6 +62,21 @@ pub enum ReductionError {
         /// The free motions.
         motions: Vec<FreeMotion>,
     },
+    /// Rounding of the stiffest dof hides all lower modes.
+    #[error(
+        "node {node} is so stiff along {} against its mass (at {stiffest:.1e} Hz) that rounding hides the modes, \
+         which lie at {modes:.1e} Hz", ["x", "y", "z"][*component]
+    )]
+    Hidden {
+        /// The stiffest node: its label in a mesh, its index where there are matrices only.
+        node: u64,
+        /// Its component: 0 x, 1 y, 2 z.
+        component: usize,
+        /// √(K_ii/M_ii)/2π of this dof (Hz).
+        stiffest: f64,
+        /// The highest of the modes looked for (Hz).
+        modes: f64,
+    },
     /// The block Lanczos iteration stopped before all modes had converged.
     #[error("only {converged} of {asked} modes converged after {restarts} restarts")]
     NotConverged {
@@ -86,13 +101,17 @@ pub enum ReductionError {
 
 impl ReductionError {
     /// The same error with labels of the mesh in place of node indices.
-    pub(crate) fn with_labels(mut self, mesh: &Mesh) -> Self {
-        if let ReductionError::Mechanism { motions } = &mut self {
-            for motion in motions {
-                if let FreeMotion::Part { node } = motion {
-                    *node = mesh.labels()[*node as usize];
+    pub fn with_labels(mut self, mesh: &Mesh) -> Self {
+        match &mut self {
+            ReductionError::Mechanism { motions } => {
+                for motion in motions {
+                    if let FreeMotion::Part { node } = motion {
+                        *node = mesh.labels()[*node as usize];
+                    }
                 }
             }
+            ReductionError::Hidden { node, .. } => *node = mesh.labels()[*node as usize],
+            _ => {}
         }
         self
     }

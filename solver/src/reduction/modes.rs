@@ -9,6 +9,10 @@ use super::{ReductionError, convention, sturm};
 
 /// Modes found beyond those asked for, so that there is a gap to cut in after the last one.
 const GUARD: usize = 4;
+/// A multiple eigenvalue that reaches beyond the guard is looked for among this many times the modes.
+const WIDEST: usize = 8;
+/// Dofs up to which all modes are found at once where the iteration finds no gap to count in.
+const DENSE: usize = 2_000;
 /// Searches for modes that the Sturm count says are missing, before giving up.
 const SEARCHES: usize = 4;
 
@@ -158,8 +162,13 @@ impl Pencil<'_> {
             let Some((below, cut, counted)) = self.count(&modes.eigenvalues, count)? else {
                 // A multiple eigenvalue reaches beyond the guard: look further up.
                 wanted *= 2;
-                if self.mass.size <= dense_limit(wanted) {
+                let widest = wanted > WIDEST * (count + GUARD);
+                let hopeless = widest || self.hides(&modes.eigenvalues);
+                if self.mass.size <= dense_limit(wanted) || hopeless && self.mass.size <= DENSE {
                     return self.all_dense(definite, shift, count);
+                }
+                if hopeless {
+                    return Err(self.hidden(&modes.eigenvalues));
                 }
                 lanczos = Lanczos::new(factor, &mass, wanted)?;
                 continue;
@@ -176,6 +185,27 @@ impl Pencil<'_> {
             }
             searches += 1;
             lanczos.search_again()?;
+        }
+    }
+
+    /// Whether rounding leaves no gap to count in among these eigenvalues, nor among eight times as many: by
+    /// Weyl's law these reach 8^⅔ times as far.
+    fn hides(&self, eigenvalues: &[f64]) -> bool {
+        let span =
+            eigenvalues.last().zip(eigenvalues.first()).map_or(0.0, |(last, first)| last - first);
+        sturm::least_gap(0.0, self.blur()) > 4.0 * span
+    }
+
+    /// The error that says so, with the place of the stiffest dof in this pencil for its node.
+    fn hidden(&self, eigenvalues: &[f64]) -> ReductionError {
+        let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
+        let row =
+            (0..k.len()).max_by(|&a, &b| (k[a] / m[a]).total_cmp(&(k[b] / m[b]))).unwrap_or(0);
+        ReductionError::Hidden {
+            node: row as u64,
+            component: self.components[row],
+            stiffest: hertz(self.highest()),
+            modes: hertz(eigenvalues.last().copied().unwrap_or(0.0)),
         }
     }
 
@@ -241,6 +271,33 @@ mod tests {
         let (modes, _) = pencil.lowest_modes(20).unwrap();
         for (k, value) in modes.eigenvalues.iter().enumerate() {
             assert!((value / exact(k + 1) - 1.0).abs() < 1e-10);
+        }
+    }
+
+    /// A chain one mass of which is tied to the ground by a spring that swamps all digits of the others.
+    #[test]
+    fn modes_hidden_by_rounding_are_told_of_at_once() {
+        let n = 2 * DENSE;
+        let own = |j: usize| if j == 1234 { 1e18 } else { 2.0 };
+        let stiffness = LowerTriangle::from_columns(n, |j| {
+            [(j, own(j)), (j + 1, -1.0)].into_iter().filter(move |&(i, _)| i < n)
+        });
+        let mass = LowerTriangle::from_columns(n, |j| std::iter::once((j, 1.0)));
+        let order: Vec<usize> = (0..n).collect();
+        let pencil = Pencil {
+            stiffness: &stiffness,
+            mass: &mass,
+            order: &order,
+            components: &order.iter().map(|dof| dof % 3).collect::<Vec<_>>(),
+            memory: usize::MAX,
+        };
+        match pencil.lowest_modes(20) {
+            Err(ReductionError::Hidden { node: 1234, component: 1, stiffest, modes }) => {
+                assert!((stiffest / hertz(1e18) - 1.0).abs() < 1e-12);
+                // The 24 lowest of 4000: ω = 2 sin(kπ/2(n+1)) of the longer side of the chain.
+                assert!(modes > 0.0 && modes < hertz(4.0) / 50.0, "{modes}");
+            }
+            other => panic!("{:?}", other.map(|(modes, _)| modes.eigenvalues)),
         }
     }
 }

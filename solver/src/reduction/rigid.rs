@@ -5,6 +5,7 @@ use std::fmt;
 use crate::linalg::{
     LinearAlgebraError, LowerTriangle, Matrix, multiply, symmetric_eigen, transpose_multiply,
 };
+use crate::mesh::connected;
 
 /// A held motion moves the retained dofs by at least this part of the body's own motion, and a sprung
 /// one costs at least this part of the stiffness of a single dof; rounding leaves far less.
@@ -25,7 +26,7 @@ pub enum FreeMotion {
         /// The point of the axis nearest to the middle of the body (m).
         through: [f64; 3],
     },
-    /// Part of the mesh is loose: it is not joined to the rest.
+    /// Part of the mesh is loose: neither joined to the rest nor held.
     Part {
         /// A node of it: its label in a mesh, its index where there are matrices only.
         node: u64,
@@ -95,29 +96,32 @@ impl RigidMotions {
         RigidMotions { middle, size, shapes }
     }
 
-    /// The rigid motions that leave the `held` dofs where they are and strain nothing.
-    pub(super) fn free(
-        &self,
-        stiffness: &LowerTriangle,
-        held: &[usize],
-    ) -> Result<Vec<FreeMotion>, LinearAlgebraError> {
-        let all: Vec<usize> = (0..6).collect();
-        self.free_under(stiffness, &self.shapes.select(held, &all))
+    /// Of the nodes listed; the others stay where they are.
+    fn of_part(coordinates: &[[f64; 3]], nodes: &[usize]) -> Self {
+        let own: Vec<[f64; 3]> = nodes.iter().map(|&node| coordinates[node]).collect();
+        let part = RigidMotions::new(&own);
+        let mut shapes = Matrix::zeros(3 * coordinates.len(), 6);
+        for (place, &node) in nodes.iter().enumerate() {
+            for i in 0..3 {
+                (0..6).for_each(|j| shapes[(3 * node + i, j)] = part.shapes[(3 * place + i, j)]);
+            }
+        }
+        RigidMotions { shapes, ..part }
     }
 
-    /// The motion of the dofs, 3·nodes × 6.
-    pub(crate) fn shapes(&self) -> &Matrix {
-        &self.shapes
-    }
-
-    /// The rigid motions that make every one of `rows` zero (each a linear function of the six motions,
-    /// of order 1) and strain nothing.
-    pub(crate) fn free_under(
+    /// The motions that make every one of `rows` zero and strain nothing.
+    fn free(
         &self,
         stiffness: &LowerTriangle,
-        rows: &Matrix,
+        rows: &[Row],
     ) -> Result<Vec<FreeMotion>, LinearAlgebraError> {
-        let loose = small(&transpose_multiply(rows.view(), rows.view()), NEGLIGIBLE)?;
+        let rows = Matrix::from_fn(rows.len(), 6, |i, j| {
+            rows[i].iter().map(|&(dof, c)| c * self.shapes[(dof, j)]).sum()
+        });
+        let moving = self.moving()?;
+        let rows = multiply(rows.view(), moving.view());
+        let held = small(&transpose_multiply(rows.view(), rows.view()), NEGLIGIBLE)?;
+        let loose = multiply(moving.view(), held.view());
         let moves = multiply(self.shapes.view(), loose.view());
         let mut forces = Matrix::zeros(moves.rows, moves.cols);
         stiffness.multiply(&moves.data, &mut forces.data);
@@ -125,6 +129,18 @@ impl RigidMotions {
         let energy = transpose_multiply(moves.view(), forces.view());
         let free = multiply(loose.view(), small(&energy, NEGLIGIBLE * stiffest)?.view());
         Ok((0..free.cols).map(|j| self.describe(free.col(j))).collect())
+    }
+
+    /// The motions that move anything, as columns: all six but for nodes on a line, or one alone.
+    fn moving(&self) -> Result<Matrix, LinearAlgebraError> {
+        let mut gram = transpose_multiply(self.shapes.view(), self.shapes.view());
+        let largest = (0..6).map(|j| gram[(j, j)]).fold(0.0, f64::max);
+        let still = small(&gram, NEGLIGIBLE * largest)?;
+        if still.cols == 0 {
+            return Ok(Matrix::identity(6));
+        }
+        gram.data.iter_mut().for_each(|value| *value = -*value);
+        small(&gram, -NEGLIGIBLE * largest)
     }
 
     fn describe(&self, motion: &[f64]) -> FreeMotion {
@@ -149,6 +165,49 @@ impl RigidMotions {
     }
 }
 
+/// Σ cᵢ uᵢ over dofs i, of order 1.
+pub(crate) type Row = Vec<(usize, f64)>;
+
+/// The rigid motions of a body that make every one of `rows` zero and strain nothing. Of a mesh in several
+/// parts each is looked at alone, too: one that nothing holds is told of as a part, but for the largest.
+pub(crate) fn free_motions(
+    coordinates: &[[f64; 3]],
+    stiffness: &LowerTriangle,
+    rows: &[Row],
+) -> Result<Vec<FreeMotion>, LinearAlgebraError> {
+    let pairs = (0..stiffness.size)
+        .flat_map(|dof| stiffness.column(dof).map(move |(other, _)| (dof / 3, other / 3)));
+    let part_of = connected(coordinates.len(), pairs);
+    let count = part_of.iter().max().map_or(0, |last| last + 1);
+    if count < 2 {
+        return RigidMotions::new(coordinates).free(stiffness, rows);
+    }
+    let mut parts: Vec<Vec<usize>> = vec![Vec::new(); count];
+    part_of.iter().enumerate().for_each(|(node, &part)| parts[part].push(node));
+    // The first of the largest.
+    let largest = (0..count).rev().max_by_key(|&part| parts[part].len()).unwrap_or(0);
+    let mut free = Vec::new();
+    for (part, nodes) in parts.iter().enumerate() {
+        let own = RigidMotions::of_part(coordinates, nodes).free(stiffness, rows)?;
+        match own.is_empty() {
+            true => {}
+            false if part == largest => free.extend(own),
+            false => free.push(FreeMotion::Part { node: nodes[0] as u64 }),
+        }
+        if free.len() > MOST_PARTS {
+            break;
+        }
+    }
+    if free.is_empty() {
+        // Parts that equations hold together may move as one.
+        return RigidMotions::new(coordinates).free(stiffness, rows);
+    }
+    Ok(free)
+}
+
+/// Loose parts that are told of.
+const MOST_PARTS: usize = 8;
+
 /// The eigenvectors, as columns, of the eigenvalues of `gram` that are at most `limit`.
 fn small(gram: &Matrix, limit: f64) -> Result<Matrix, LinearAlgebraError> {
     let eigen = symmetric_eigen(&gram.symmetric_part())?;
@@ -164,10 +223,13 @@ mod tests {
     #[test]
     fn names_the_motions_that_held_dofs_leave() {
         let coordinates = [[0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.3, 1.0], [0.5, -0.3, 1.0]];
-        let motions = RigidMotions::new(&coordinates);
+        let motions = |stiffness: &LowerTriangle, held: &[usize]| {
+            let rows: Vec<Row> = held.iter().map(|&dof| vec![(dof, 1.0)]).collect();
+            RigidMotions::new(&coordinates).free(stiffness, &rows)
+        };
         let nothing = LowerTriangle::from_columns(12, |j| std::iter::once((j, 0.0)));
         let held = [0, 1, 2, 3, 4, 5];
-        let free = motions.free(&nothing, &held).unwrap();
+        let free = motions(&nothing, &held).unwrap();
         let [FreeMotion::Rotation { direction, through }] = free[..] else {
             panic!("{free:?}");
         };
@@ -177,10 +239,36 @@ mod tests {
         // A lateral spring on the third node stops the turn.
         let spring = |j| std::iter::once((j, if j == 7 { 1e3 } else { 0.0 }));
         let spring = LowerTriangle::from_columns(12, spring);
-        assert_eq!(motions.free(&spring, &held).unwrap(), []);
-        let free = motions.free(&nothing, &[0, 1, 3, 4, 7]).unwrap();
+        assert_eq!(motions(&spring, &held).unwrap(), []);
+        let free = motions(&nothing, &[0, 1, 3, 4, 7]).unwrap();
         assert_eq!(free.len(), 1);
         assert_eq!(free[0].to_string(), "shift along z");
-        assert_eq!(motions.free(&nothing, &[]).unwrap().len(), 6);
+        assert_eq!(motions(&nothing, &[]).unwrap().len(), 6);
+    }
+
+    /// Two triangles without stiffness; the first is held, and what the other one does depends on whether it is
+    /// held as well.
+    #[test]
+    fn a_part_that_nothing_holds_is_told_of() {
+        let triangle = |x: f64| [[x, 0.0, 0.0], [x, 1.0, 0.0], [x + 1.0, 0.0, 0.0]];
+        let coordinates = [triangle(0.0), triangle(5.0)].concat();
+        let joined = LowerTriangle::from_columns(18, |dof| {
+            let other = (dof / 3 % 3 < 2).then_some((dof + 3, 0.0));
+            std::iter::once((dof, 0.0)).chain(other)
+        });
+        let free = |held: &[usize]| {
+            let rows: Vec<Row> = held.iter().map(|&dof| vec![(dof, 1.0)]).collect();
+            free_motions(&coordinates, &joined, &rows).unwrap()
+        };
+        let first = [0, 1, 2, 3, 5, 8];
+        assert_eq!(free(&first), [FreeMotion::Part { node: 3 }]);
+        let both: Vec<usize> = first.iter().copied().chain(first.map(|dof| dof + 9)).collect();
+        assert_eq!(free(&both), []);
+        let turning = free(&first[..5]);
+        assert!(matches!(turning[..], [FreeMotion::Rotation { .. }, FreeMotion::Part { node: 3 }]));
+        // A node alone has no turns, and is held by three dofs.
+        let alone = LowerTriangle::from_columns(3, |dof| std::iter::once((dof, 0.0)));
+        let held: Vec<Row> = (0..3).map(|dof| vec![(dof, 1.0)]).collect();
+        assert_eq!(free_motions(&[[1.0, 2.0, 3.0]], &alone, &held).unwrap(), []);
     }
 }

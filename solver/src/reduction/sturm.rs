@@ -31,8 +31,13 @@ pub(super) fn cuts(
 ) -> impl Iterator<Item = (usize, f64)> + '_ {
     (from.max(1)..eigenvalues.len()).filter_map(move |below| {
         let (low, high) = (eigenvalues[below - 1], eigenvalues[below]);
-        (high - low > GAP * high.abs() + SAFETY * blur).then_some((below, 0.5 * (low + high)))
+        (high - low > least_gap(high, blur)).then_some((below, 0.5 * (low + high)))
     })
+}
+
+/// The narrowest gap below the eigenvalue `high` that can be cut in.
+pub(super) fn least_gap(high: f64, blur: f64) -> f64 {
+    GAP * high.abs() + SAFETY * blur
 }
 
 #[cfg(test)]

@@ -1,5 +1,8 @@
 //! Nodes, cells and the sections that give cells their material.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
 use whirl_specs::Element;
 
 use super::cards::{Card, Token};
@@ -21,6 +24,42 @@ pub(super) struct RawCell {
 pub(super) struct Cells {
     pub(super) list: Vec<RawCell>,
     pub(super) named: Named,
+}
+
+impl Cells {
+    /// Notes cells that have the nodes of others, and would give them their stiffness and mass again.
+    pub(super) fn stand_once(&self, report: &mut Report) {
+        let mut first: HashMap<Vec<u64>, usize> = HashMap::new();
+        let mut again = Vec::new();
+        for (place, cell) in self.list.iter().enumerate().filter(|(_, cell)| !cell.nodes.is_empty())
+        {
+            let mut nodes = cell.nodes.clone();
+            nodes.sort_unstable();
+            match first.entry(nodes) {
+                Entry::Occupied(other) => again.push((place, *other.get())),
+                Entry::Vacant(free) => drop(free.insert(place)),
+            }
+        }
+        let Some(&(place, other)) = again.first() else { return };
+        let label = |place: usize| self.list[place].label;
+        let line = self.named.places[other].line;
+        let (what, help) = match again.len() {
+            1 => (
+                format!("cell {} has the nodes of cell {}", label(place), label(other)),
+                format!("take one of them out: line {line} has the first"),
+            ),
+            number => (
+                format!(
+                    "{number} cells have the nodes of others: {}; cell {} those of cell {}",
+                    list(again.iter().map(|&(place, _)| label(place))),
+                    label(place),
+                    label(other)
+                ),
+                format!("take them out, or their originals, of which line {line} has the first"),
+            ),
+        };
+        report.error(self.named.places[place], what, help);
+    }
 }
 
 pub(super) fn read_nodes(cards: &[&Card], report: &mut Report) -> Nodes {
@@ -96,10 +135,36 @@ fn element(
     if found.is_none() {
         let types: Vec<&str> =
             elements.iter().flat_map(|element| element.abaqus.iter().copied()).collect();
-        let help = format!("types that are read: {}", types.join(", "));
+        let known = format!("types that are read: {}", types.join(", "));
+        let help = match alike(name.text, &types) {
+            Some(other) => {
+                format!(
+                    "write TYPE={other}, an element of the same nodes in the same order; {known}"
+                )
+            }
+            None => known,
+        };
         report.error(name, format!("no element is known for type {}", name.text), help);
     }
     found
+}
+
+/// The type among `types` that has as many nodes as `name`, as its number says: for elements that differ in
+/// their integration (R), are hybrid (H) or modified (M). One with incompatible modes, if there is any.
+fn alike<'t>(name: &str, types: &[&'t str]) -> Option<&'t str> {
+    let name = name.to_uppercase();
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let numbered = stem.starts_with("C3D") && stem.ends_with(|c: char| c.is_ascii_digit());
+    let mut fitting: Vec<&str> = types
+        .iter()
+        .copied()
+        .filter(|known| {
+            let rest = known.strip_prefix(stem);
+            numbered && rest.is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()))
+        })
+        .collect();
+    fitting.sort_by_key(|known| !known.ends_with('I'));
+    fitting.first().copied()
 }
 
 /// The tokens of each cell: a cell goes on in the next line until it has all its nodes.
@@ -151,11 +216,13 @@ fn cell_nodes(
     list
 }
 
-/// Index of the material of every cell, from `*SOLID SECTION`; errors for cells with none or two.
+/// Index of the material of every cell, from `*SOLID SECTION`; one beyond the materials for those that have
+/// none, where the sections are left `open`. Errors for cells with none otherwise, or with two.
 pub(super) fn assign_sections(
     cards: &[&Card],
     cells: &Cells,
     materials: &[RawMaterial],
+    open: bool,
     report: &mut Report,
 ) -> Vec<usize> {
     let mut material_of: Vec<Option<(usize, Place)>> = vec![None; cells.list.len()];
@@ -208,11 +275,13 @@ pub(super) fn assign_sections(
     }
     // Where a set is not there or not whole, cells without a section are no further error.
     let bare: Vec<usize> = (0..cells.list.len()).filter(|&c| material_of[c].is_none()).collect();
-    if let Some(&first) = bare.first().filter(|_| all_found) {
+    if let Some(&first) = bare.first().filter(|_| all_found && !open) {
         let labels = list(bare.iter().map(|&cell| cells.list[cell].label));
         let what = format!("{} without a section: {labels}", count(bare.len(), "cell"));
-        let help = "add *SOLID SECTION, ELSET=…, MATERIAL=… for a set that holds them";
+        let help = "add *SOLID SECTION, ELSET=…, MATERIAL=… for a set that holds them; in a case `material` \
+                    serves, too";
         report.error(cells.named.places[first], what, help);
     }
-    material_of.into_iter().map(|section| section.map_or(0, |(material, _)| material)).collect()
+    let none = materials.len();
+    material_of.into_iter().map(|section| section.map_or(none, |(material, _)| material)).collect()
 }

@@ -3,11 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::cards::{Card, Token};
-use super::{Place, Report, count};
-
-/// √(E/ρ) of solids lies between 20 m/s (soft rubber) and 18 000 m/s (diamond); what is this far outside
-/// was written in other units than Pa and kg/m³.
-const SOUND: std::ops::Range<f64> = 10.0..1e5;
+use super::{Material, Place, Report, count};
 
 /// A material as written.
 #[derive(Debug)]
@@ -18,6 +14,17 @@ pub(super) struct RawMaterial {
     pub(super) values: BTreeMap<&'static str, (f64, Place)>,
     /// Whether something in it was refused, so that what is missing is no further error.
     broken: bool,
+}
+
+impl RawMaterial {
+    /// Without places.
+    pub(super) fn material(&self) -> Material {
+        let values = self.values.iter();
+        Material {
+            name: self.name.clone(),
+            properties: values.map(|(name, &(value, _))| (name.to_string(), value)).collect(),
+        }
+    }
 }
 
 pub(super) fn read_materials(cards: &[&Card], report: &mut Report) -> Vec<RawMaterial> {
@@ -120,15 +127,9 @@ fn check(material: &RawMaterial, report: &mut Report) {
             report.error(material.place, format!("material {name} has no *{keyword}"), help);
         }
     }
-    if let (Some(&(e, place)), Some(&(rho, _))) =
-        (material.values.get("E"), material.values.get("rho"))
-    {
-        let sound = (e / rho).sqrt();
-        if !SOUND.contains(&sound) {
-            let what = format!(
-                "in material {name} (E = {e} Pa, ρ = {rho} kg/m³) sound would travel at {sound:.3e} m/s"
-            );
-            report.error(place, what, "units are m, Pa and kg/m³: steel is 200e9 and 7860");
+    for doubt in material.material().doubts() {
+        if let Some(&(_, place)) = material.values.get(doubt.symbol) {
+            report.error(place, doubt.what, doubt.help);
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Read are `*NODE`, `*ELEMENT`, `*NSET`, `*ELSET` (with `GENERATE`), `*MATERIAL` with `*ELASTIC` and
 //! `*DENSITY`, and `*SOLID SECTION`, in any order, in m, Pa and kg/m³. Other keywords are left out with a
-//! warning, but for those that would change the mesh, which are errors. A file's errors are all given
+//! warning, but for those that would change the mesh, which are errors, and those that say nothing of it. A file's errors are all given
 //! at once.
 
 mod cards;
@@ -10,7 +10,7 @@ mod cells;
 mod materials;
 mod sets;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use whirl_specs::Element;
 
@@ -20,6 +20,15 @@ use self::materials::{RawMaterial, read_materials};
 use self::sets::{Named, Sets};
 use super::{Block, Cell, Material, Mesh, MeshParts};
 use crate::error::{InputError, InputErrors, nearest};
+
+/// The text of a file in UTF-8, or else in Latin-1, in which older programs write names and comments.
+pub fn decode(bytes: Vec<u8>) -> String {
+    match String::from_utf8(bytes) {
+        Ok(text) => text,
+        // Latin-1 is the first 256 characters of Unicode.
+        Err(error) => error.into_bytes().into_iter().map(char::from).collect(),
+    }
+}
 
 /// A mesh with what was left out of the file.
 #[derive(Debug, Clone)]
@@ -35,6 +44,20 @@ pub struct Read {
 /// # Errors
 /// All that is wrong, each with line, column, and how to mend it.
 pub fn read(text: &str, path: &str, elements: &[&'static Element]) -> Result<Read, InputErrors> {
+    read_open(text, path, elements, false)
+}
+
+/// As [`read`]; where `open` is true, cells without a section are no error: they get a material without name
+/// and properties, for which another is to be put.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_open(
+    text: &str,
+    path: &str,
+    elements: &[&'static Element],
+    open: bool,
+) -> Result<Read, InputErrors> {
     let cards = cards(text);
     let mut report = Report { path, errors: Vec::new(), warnings: Vec::new() };
     let cards = readable(&cards, &mut report);
@@ -43,7 +66,8 @@ pub fn read(text: &str, path: &str, elements: &[&'static Element]) -> Result<Rea
     sets::read(&cards, "NSET", &mut nodes.named, &mut report);
     sets::read(&cards, "ELSET", &mut cells.named, &mut report);
     let materials = read_materials(&cards, &mut report);
-    let sections = assign_sections(&cards, &cells, &materials, &mut report);
+    let sections = assign_sections(&cards, &cells, &materials, open, &mut report);
+    cells.stand_once(&mut report);
     if cells.list.is_empty() && report.errors.is_empty() {
         report.error_in_file("the file has no cells", "add *ELEMENT with its TYPE and cells");
     }
@@ -127,20 +151,16 @@ fn build(
         blocks[block].labels.push(cell.label);
         blocks[block].connectivity.extend(own);
     }
-    let material = |raw: &RawMaterial| Material {
-        name: raw.name.clone(),
-        properties: raw
-            .values
-            .iter()
-            .map(|(name, &(value, _))| (name.to_string(), value))
-            .collect(),
-    };
+    let mut materials: Vec<Material> = materials.iter().map(RawMaterial::material).collect();
+    if blocks.iter().any(|block| block.material == materials.len()) {
+        materials.push(Material { name: String::new(), properties: BTreeMap::new() });
+    }
     Mesh::new(MeshParts {
         origin: path.to_owned(),
         nodes: nodes.positions,
         labels: nodes.named.labels,
         blocks,
-        materials: materials.iter().map(material).collect(),
+        materials,
         node_sets: nodes.named.sets.into_map(|node| node),
         element_sets: element_sets.into_map(|cell| places[cell]),
     })
@@ -250,6 +270,9 @@ impl From<Token<'_>> for Place {
 const READ: [&str; 8] =
     ["NODE", "ELEMENT", "NSET", "ELSET", "MATERIAL", "ELASTIC", "DENSITY", "SOLID SECTION"];
 
+/// Keywords for people and printers: nothing of the mesh is lost without them.
+const SAYS_NOTHING: [&str; 2] = ["HEADING", "PREPRINT"];
+
 /// Keywords that add or move nodes, cells or their matrices: a mesh without them would be another mesh.
 const CHANGES_THE_MESH: [&str; 9] =
     ["INCLUDE", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "ORIENTATION"];
@@ -263,7 +286,7 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut Report) -> Vec<&'c Card<
         let keyword = card.keyword.as_str();
         if keyword == "END STEP" {
             in_step = false;
-        } else if in_step {
+        } else if in_step || SAYS_NOTHING.contains(&keyword) {
             continue;
         } else if READ.contains(&keyword) {
             kept.push(card);
