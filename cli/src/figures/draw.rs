@@ -40,7 +40,13 @@ pub(crate) fn svg(figure: &Figure) -> String {
             .with_shared_legend_position(FigureLegendPosition::BottomCenter)
             .with_shared_legend_entries(legend);
     }
-    SvgBackend::new().render_scene(&sheet.render())
+    rounded(&SvgBackend::new().render_scene(&sheet.render()))
+}
+
+/// Lines with round joins, which all of them inherit: at the sharp turns of a dense line pointed ones stand out
+/// far beyond its points, up to four times its width.
+fn rounded(svg: &str) -> String {
+    svg.replacen("<svg ", r#"<svg stroke-linejoin="round" "#, 1)
 }
 
 /// An SVG as PNG, with the font built into the program; `None` if the SVG has no area.
