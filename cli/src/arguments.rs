@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use whirl_solver::cache::Cache;
 
 /// Transient dynamics of a rotating flexible shaft on a flexible support with clearances.
 #[derive(Debug, Parser)]
@@ -51,6 +52,9 @@ pub struct RunArguments {
 pub struct CheckArguments {
     /// Path of a case or spec file, or the name of a built-in case (see `whirl list`)
     pub case: String,
+    /// Where reduced machines are kept
+    #[command(flatten)]
+    pub cache: CacheArguments,
 }
 
 /// Arguments of `whirl explain`.
@@ -124,4 +128,15 @@ pub struct CacheArguments {
     /// Neither use nor keep reduced machines
     #[arg(long)]
     pub no_cache: bool,
+}
+
+impl CacheArguments {
+    /// The cache that is meant, if any.
+    pub(crate) fn open(&self) -> Option<Cache> {
+        match (&self.cache, self.no_cache) {
+            (_, true) => None,
+            (Some(folder), false) => Some(Cache::new(folder)),
+            (None, false) => Cache::of_platform(),
+        }
+    }
 }

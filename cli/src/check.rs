@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
-use whirl_solver::cache::Cache;
 
+use crate::arguments::CheckArguments;
 use crate::case::{Case, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
@@ -18,7 +18,8 @@ use crate::spec_file;
 ///
 /// # Errors
 /// Whatever keeps the case from being marched, or is wrong with the spec.
-pub(crate) fn check(name: &str) -> Result<String, Failure> {
+pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
+    let name = arguments.case.as_str();
     if spec_file::is_spec(name) {
         return explain::check(name);
     }
@@ -28,15 +29,18 @@ pub(crate) fn check(name: &str) -> Result<String, Failure> {
         line(&mut text, format_args!("source: {}", case.origin));
     }
     text.push('\n');
-    match &case.system {
-        System::Rotor(rotor) => say_rotor(&mut text, rotor)?,
-        System::Lumped(lumped) => say_lumped(&mut text, lumped),
+    // Meshes are read once, and warned of once.
+    let plan = machine::plan(&case)?;
+    match (&case.system, &plan) {
+        (System::Rotor(rotor), Some(plan)) => say_rotor(&mut text, rotor, plan)?,
+        (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
+        (System::Rotor(_), None) => {}
     }
     say_laws(&mut text, &case);
     say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
     let _spinner = progress::spinner("reducing shaft and support");
-    machine::build(&case, Cache::of_platform().as_ref())?;
+    machine::build(&case, plan.as_ref(), arguments.cache.open().as_ref())?;
     Ok(text)
 }
 
@@ -44,10 +48,9 @@ fn line(text: &mut String, arguments: std::fmt::Arguments) {
     writeln!(text, "{arguments}").expect("text can be written");
 }
 
-fn say_rotor(text: &mut String, rotor: &Rotor) -> Result<(), Failure> {
-    let plan = Plan::new(rotor)?;
+fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failure> {
     plan.verify()?;
-    text.push_str(&bodies(&plan)?);
+    text.push_str(&bodies(plan)?);
     let both = [&plan.shaft, &plan.support].map(|body| body.counts().craig_bampton_dofs);
     let active = 1 + plan.shaft.active() + plan.support.active();
     line(text, format_args!("\n{} coordinates, {active} active", 1 + both.iter().sum::<usize>()));
@@ -59,6 +62,14 @@ fn say_rotor(text: &mut String, rotor: &Rotor) -> Result<(), Failure> {
             .map(|(name, nodes)| format!("{name} ({})", nodes.len()))
             .collect();
         line(text, format_args!("node sets of the {name}: {}", sets.join(", ")));
+        let materials: Vec<String> = (body.mesh.materials().iter().enumerate())
+            .map(|(place, material)| {
+                let blocks = body.mesh.blocks().iter().filter(|block| block.material == place);
+                let cells: usize = blocks.map(|block| block.len()).sum();
+                format!("{} ({cells} cells)", material.name)
+            })
+            .collect();
+        line(text, format_args!("materials of the {name}: {}", materials.join(", ")));
     }
     let drive = &rotor.drive;
     match drive.acts {
@@ -180,6 +191,9 @@ fn say_march(text: &mut String, case: &Case) {
             march.cycle
         ),
     );
+    if march.steady_cycle().is_none() {
+        line(text, format_args!("shorter than two cycles: no steady state is looked for"));
+    }
 }
 
 /// A number without the digits that unit conversion adds.

@@ -30,7 +30,7 @@ use errors::Failure;
 pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {
         Command::Run(arguments) => run::run(arguments),
-        Command::Check(arguments) => check::check(&arguments.case).map(|text| print!("{text}")),
+        Command::Check(arguments) => check::check(arguments).map(|text| print!("{text}")),
         Command::Explain(arguments) => explain::explain(arguments).map(|text| print!("{text}")),
         Command::New(arguments) => new::new(arguments).map(|text| print!("{text}")),
         Command::Schema(arguments) => {

@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, Outcome, march};
 
 use crate::arguments::{CacheArguments, RunArguments};
@@ -46,13 +45,9 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
 }
 
 fn build(case: &Case, arguments: &CacheArguments) -> Result<Built, Failure> {
-    let cache = match (&arguments.cache, arguments.no_cache) {
-        (_, true) => None,
-        (Some(folder), false) => Some(Cache::new(folder)),
-        (None, false) => Cache::of_platform(),
-    };
+    let cache = arguments.open();
     let _spinner = progress::spinner("reducing shaft and support");
-    machine::build(case, cache.as_ref())
+    machine::build(case, None, cache.as_ref())
 }
 
 /// A march to its end, or to the step that did not converge.
@@ -72,7 +67,7 @@ fn march_through(case: &Case, built: &Built) -> Marched {
             force_tolerance: case.march.force_tolerance,
             ..NewtonOptions::default()
         },
-        cycle: Some(case.march.cycle),
+        cycle: case.march.steady_cycle(),
         stop_when_steady: false,
         initial_shaft: built.initial.clone(),
         initial_speed: 0.0,
@@ -116,6 +111,9 @@ fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String
     };
     let steady = match summary.steady_time() {
         Some(time) => format!("steady from {time:.4} s"),
+        None if case.march.steady_cycle().is_none() => {
+            "not judged for a steady state: the run is shorter than two cycles".to_string()
+        }
         None => "not steady".to_string(),
     };
     format!(

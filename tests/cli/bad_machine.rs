@@ -183,10 +183,12 @@ const INVERTED: &str = "*NODE, NSET=Nall
 2, 9, 10, 11, 12, 5, 6, 7, 8
 *NSET, NSET=J
 1
+*NSET, NSET=MIDDLE
+5
+*NSET, NSET=END
+9
 *NSET, NSET=TOP
 2
-*NSET, NSET=BOTTOM
-4
 *MATERIAL, NAME=STEEL
 *ELASTIC
 2e11, 0.3
@@ -199,14 +201,14 @@ const INVERTED: &str = "*NODE, NSET=Nall
 fn an_inverted_element_is_named_with_its_line() {
     let lines = "[shaft]\nmesh = \"shaft.inp\"\nmodes = 1\n\
                  axial_restraint = \"J\"\n[support]\nmaterial = \"steel\"\nmodes = 1\n\
-                 mounts = \"MOUNTS\"\n[support.dimensions]\nstart = \"0 mm\"\nlength = \"100 mm\"\n\
-                 height = \"20 mm\"\nwidth = \"20 mm\"\npedestal_height = \"10 mm\"\n\
-                 rings = [\"50 mm\"]\nring_length = \"20 mm\"\nring_thickness = \"10 mm\"\n\
-                 bore_radius = \"20 mm\"\nlayers_in_ring = 2\nlayers_between = 2\n\
+                 mounts = \"MOUNTS\"\n[support.dimensions]\nstart = \"0 mm\"\nlength = \"2 m\"\n\
+                 height = \"200 mm\"\nwidth = \"200 mm\"\npedestal_height = \"100 mm\"\n\
+                 rings = [\"1 m\"]\nring_length = \"2 m\"\nring_thickness = \"100 mm\"\n\
+                 bore_radius = \"800 mm\"\nlayers_in_ring = 20\nlayers_between = 2\n\
                  [springs]\nlaw = \"hu2003-linear\"\nnumber = 8\nradial_clearance = \"35 um\"\n\
-                 [[bearing]]\njournal = [\"J\", \"TOP\", \"BOTTOM\"]\n\
+                 [[bearing]]\njournal = [\"J\", \"MIDDLE\", \"END\"]\n\
                  bore = [\"BORE1_LEFT\", \"BORE1_MIDDLE\", \"BORE1_RIGHT\"]\n\
-                 [drive]\ntop = \"TOP\"\nbottom = \"BOTTOM\"\ntorque = \"1 N*m\"\n\
+                 [drive]\ntop = \"TOP\"\nbottom = \"J\"\ntorque = \"1 N*m\"\n\
                  target_speed = \"100 rpm\"\n[march]\nsteps = 1\ntime_step = \"1e-4 s\"\n\
                  [material.steel]\nyoungs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\n\
                  density = \"7860 kg/m^3\"\n";

@@ -216,6 +216,88 @@ fn what_was_computed_is_kept_when_a_step_does_not_converge() {
     assert!(history(&bench, "kept").starts_with("t_s,"));
 }
 
+/// One set three times, with the station in its plane: one ring of springs. Where it is in the middle of three, it
+/// carries what a bearing of these three does with this station alone.
+#[test]
+fn a_bearing_in_one_plane_has_one_ring() {
+    let z = [24, 476, 928, 1380];
+    let bearing = |sets: fn(&str, usize) -> [String; 3]| -> String {
+        let table = |k: usize| {
+            let [journal, bore] = ["JOURNAL", "BORE"].map(|name| sets(name, k));
+            let z = z[k - 1];
+            format!(
+                "[[bearing]]\njournal = {journal:?}\nbore = {bore:?}\nstations = [\"{z} mm\"]\n"
+            )
+        };
+        (1..=4).map(table).collect()
+    };
+    let one = bearing(|name, k| [(); 3].map(|()| format!("{name}{k}_MIDDLE")));
+    let three =
+        bearing(|name, k| ["LEFT", "MIDDLE", "RIGHT"].map(|end| format!("{name}{k}_{end}")));
+    // Retained dofs of the ends change the modes: few of them, compared with what the statics say.
+    let lines = SHORT.replace("steps = 40", "steps = 400").replace("hu2003-5", "hu2003-1");
+    let bench = Workbench::new()
+        .file("one.toml", &format!("{lines}{one}"))
+        .file("three.toml", &format!("{lines}{three}"));
+    let means = ["one", "three"].map(|name| {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let summary = summary(&bench, &format!("results/{name}"));
+        assert_eq!(summary["counts"]["springs"], 96);
+        [0, 1, 2, 3].map(|k| summary["supports"][k]["RX_N"]["mean"].as_f64().expect("a mean"))
+    });
+    let total: f64 = means[0].iter().sum();
+    assert!(total < -1000.0, "the bearings carry the load: {means:?}");
+    for (one, three) in means[0].iter().zip(means[1]) {
+        // Constraint modes are exact in statics; what still swings differs by the modes left out.
+        assert!((one - three).abs() < 1e-4 * total.abs(), "{means:?}");
+    }
+}
+
+/// A cycle that never ends twice, by its own frequency or by the shortness of the steps, is not judged: once it
+/// asked for room for all its forces, 80 TB here and 61 GB there.
+#[test]
+fn a_run_shorter_than_two_cycles_is_not_judged() {
+    let mass = "title = \"a long cycle\"\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e4 N/m\"\nforce = \"1 N\"\n\
+                [[stop]]\nside = \"above\"\ngap = \"0.1 mm\"\nlaw = \"gap-linear-1e6\"\n\
+                [march]\ntime_step = \"1e-4 s\"\nsteps = 20\ncycle_frequency = \"1e-9 Hz\"\n";
+    let short = SHORT.replace("[march]", "[march]\ntime_step = \"1e-9 s\"");
+    let bench = Workbench::new().file("mass.toml", mass).file("short.toml", &short);
+    for name in ["mass", "short"] {
+        let file = format!("{name}.toml");
+        let outcome = bench.whirl(&["run", &file, "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let words = "not judged for a steady state: the run is shorter than two cycles";
+        assert!(outcome.stdout.contains(words), "{}", outcome.stdout);
+        let steady = &summary(&bench, &format!("results/{name}"))["steady_state"];
+        assert_eq!((&steady["judged"], &steady["reached"]), (&false.into(), &false.into()));
+        let checked = bench.whirl(&["check", &file]).stdout;
+        assert!(checked.contains("shorter than two cycles"), "{checked}");
+    }
+    // Two cycles can be compared.
+    let two = mass.replace("1e-9 Hz", "1000 Hz").replace("steps = 20\n", "steps = 200\n");
+    let two = two.replace("1e-4 s", "1e-5 s");
+    let bench = bench.file("two.toml", &two);
+    let outcome = bench.whirl(&["run", "two.toml", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert_eq!(summary(&bench, "results/two")["steady_state"]["judged"], true);
+}
+
+/// Sharp turns of dense lines have round joins: pointed ones stand out beyond the points of the line.
+#[test]
+fn lines_of_figures_have_round_joins() {
+    let bench = Workbench::new();
+    assert_eq!(bench.whirl(&["run", "sdnd101"]).status, 0);
+    for name in ["reactions", "displacement"] {
+        let svg = fs::read_to_string(bench.path("results/sdnd101").join(format!("{name}.svg")));
+        let svg = svg.expect("a figure");
+        let (head, rest) = svg.split_once('>').expect("an element");
+        assert!(head.starts_with("<svg ") && head.contains("stroke-linejoin=\"round\""), "{head}");
+        // Lines inherit it.
+        assert!(!rest.contains("stroke-linejoin"));
+    }
+}
+
 #[test]
 fn check_says_what_would_be_run() {
     let bench = Workbench::new();

@@ -9,6 +9,7 @@ mod hostile;
 mod messages;
 mod mutants;
 mod new;
+mod read_meshes;
 mod readme;
 mod schema;
 mod workbench;

@@ -13,7 +13,7 @@ use super::library::{Shelf, resolve};
 use super::loads;
 use super::reader::Reader;
 use super::rotor::{
-    Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, RotorDraft, Shaft, Support,
+    Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Region, RotorDraft, Shaft, Support,
 };
 use super::schema::MOST_SPRINGS;
 
@@ -44,17 +44,39 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> RotorDraft {
 }
 
 fn material(name: &str, table: &Reader) -> Material {
+    let before = table.errors();
     let values = [
         ("E", table.quantity_or_one("youngs_modulus")),
         ("nu", table.number_or_middle("poissons_ratio")),
         ("rho", table.quantity_or_one("density")),
     ];
     let properties = values.map(|(symbol, value)| (symbol.to_string(), value)).into();
-    Material { name: name.to_string(), properties }
+    let material = Material { name: name.to_string(), properties };
+    let keys = [("E", "youngs_modulus"), ("nu", "poissons_ratio"), ("rho", "density")];
+    let whole = keys.iter().all(|(_, key)| table.has(key)) && table.errors() == before;
+    for doubt in material.doubts().into_iter().filter(|_| whole) {
+        let key = keys.iter().find(|(symbol, _)| *symbol == doubt.symbol).map(|(_, key)| *key);
+        let place = key.and_then(|key| table.places().remove(key));
+        let place = place.unwrap_or_else(|| table.place().text(""));
+        table.push(place.error_here(Code::BAD_VALUE, doubt.what).help(doubt.help));
+    }
+    material
 }
 
 fn material_of(table: &Reader, materials: &Materials) -> Option<Material> {
-    let name = table.text("material")?;
+    called_material(table, &table.text("material")?, materials)
+}
+
+/// Materials of parts of the mesh.
+fn regions(table: &Reader, materials: &Materials) -> Vec<Region> {
+    let named = table.named_texts("regions").into_iter();
+    let region = |(set, name): (Located, Located)| {
+        Some(Region { set, material: called_material(table, &name, materials)? })
+    };
+    named.filter_map(region).collect()
+}
+
+fn called_material(table: &Reader, name: &Located, materials: &Materials) -> Option<Material> {
     let found = materials.known.get(name.text());
     if found.is_none() && materials.all_read {
         let known: Vec<&str> = materials.known.keys().map(String::as_str).collect();
@@ -169,6 +191,7 @@ fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
     file.demand("shaft");
     let table = file.table("shaft")?;
     let material = material_of(&table, materials);
+    let regions = regions(&table, materials);
     let mesh = mesh(shelf, &table, material.as_ref(), solid_shaft);
     let motion = motion(&table);
     let shaft = Shaft {
@@ -176,6 +199,7 @@ fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
         damping: table.quantity("damping").unwrap_or(0.0),
         axial_restraint: table.text_or_none("axial_restraint"),
         material,
+        regions,
         motion: motion.or_else(default_motion)?,
         mesh: mesh?,
     };
@@ -186,6 +210,7 @@ fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support
     file.demand("support");
     let table = file.table("support")?;
     let material = material_of(&table, materials);
+    let regions = regions(&table, materials);
     let mesh = mesh(shelf, &table, material.as_ref(), ring_support);
     let ground_spring = |spring: Reader| GroundSpring {
         set: spring.text_or_none("set"),
@@ -202,6 +227,7 @@ fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support
         mounts: table.text_or_none("mounts"),
         ground_springs: table.tables("ground_spring").into_iter().map(ground_spring).collect(),
         material,
+        regions,
         mesh: mesh?,
     };
     Some(support)
@@ -224,7 +250,10 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<([Vec<Located>; 2], Option<Beari
         let sets = [table.names("journal"), table.names("bore")];
         let stations = table.quantities("stations");
         let own = springs(shelf, table);
-        let bearing = bearing(&sets, stations, own.or(&shared_springs));
+        let mut places = shared.as_ref().map(Reader::places).unwrap_or_default();
+        places.extend(table.places());
+        let said = (table.place().written(), places);
+        let bearing = bearing(&sets, stations, own.or(&shared_springs), said);
         (sets, bearing.filter(|bearing| bounded(table, bearing)))
     };
     tables.iter().map(one).collect()
@@ -272,7 +301,12 @@ impl Springs {
 }
 
 /// The bearing, if all that it must have is there.
-fn bearing(sets: &[Vec<Located>; 2], stations: Vec<f64>, springs: Springs) -> Option<Bearing> {
+fn bearing(
+    sets: &[Vec<Located>; 2],
+    stations: Vec<f64>,
+    springs: Springs,
+    (table, places): (Located, BTreeMap<String, Located>),
+) -> Option<Bearing> {
     let [journal, bore] = sets.clone();
     Some(Bearing {
         journal,
@@ -282,6 +316,8 @@ fn bearing(sets: &[Vec<Located>; 2], stations: Vec<f64>, springs: Springs) -> Op
         radial_clearance: springs.radial_clearance?,
         journal_radius: springs.journal_radius,
         law: springs.law?,
+        table,
+        places,
     })
 }
 

@@ -26,36 +26,84 @@ impl March {
     pub fn duration(&self) -> f64 {
         self.time_step * self.steps as f64
     }
+
+    /// The cycle by which the steady state is judged, in s; none where the analysis ends before two of them
+    /// are over, so that no cycle can be compared with the one before.
+    pub fn steady_cycle(&self) -> Option<f64> {
+        // A sum of steps may miss the end by rounding.
+        (2.0 * self.cycle <= self.duration() * (1.0 + 1e-9)).then_some(self.cycle)
+    }
 }
+
+/// Steps in a cycle at least. Between N samples of a sine lies (2π/N)²/8 of its amplitude: that much a
+/// straight line between two of them misses it, and the largest of them its peak. From 23 on this is below
+/// the 1 % by which a steady state is judged.
+const LEAST_STEPS: f64 = 23.0;
 
 /// Of the reference histories: far below every force of interest, far above rounding.
 const FORCE_TOLERANCE: f64 = 1e-3;
 
 pub(super) fn read(file: &Reader, system: &SystemDraft) -> Option<March> {
     let march = file.table("march")?;
-    let time_step = march.quantity_or_one("time_step");
+    let said = march.quantity("time_step");
+    let time_step = said.unwrap_or(1.0);
     let steps = steps(&march, time_step);
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
-    let cycle = match march.quantity("cycle_frequency") {
-        Some(frequency) => 1.0 / frequency,
-        None => natural_cycle(system).unwrap_or(time_step * steps as f64),
+    let frequency = march.quantity("cycle_frequency");
+    let cycle = match frequency {
+        Some(frequency) => Some((1.0 / frequency, "cycle_frequency", "a cycle")),
+        None => natural_cycle(system).map(|(cycle, called)| (cycle, "time_step", called)),
     };
+    if let (Some(time_step), Some(cycle)) = (said, cycle) {
+        shown(&march, time_step, cycle);
+    }
+    let cycle = cycle.map_or(time_step * steps as f64, |(cycle, ..)| cycle);
     Some(March { time_step, steps, force_tolerance, cycle })
 }
 
+/// Notes a cycle that is too short for its steps to show it; `key` is to blame for it.
+fn shown(march: &Reader, time_step: f64, (cycle, key, called): (f64, &str, &str)) {
+    let steps = cycle / time_step;
+    if steps >= LEAST_STEPS {
+        return;
+    }
+    let message = format!(
+        "{called} of {} s takes {} steps of `time_step`: {LEAST_STEPS} at least show what happens in it",
+        three_digits(cycle, f64::round),
+        three_digits(steps, f64::round)
+    );
+    let step = three_digits(cycle / LEAST_STEPS, f64::floor);
+    let mut help = format!("write `time_step = \"{step} s\"` or less");
+    if key == "cycle_frequency" {
+        let frequency = three_digits(1.0 / (LEAST_STEPS * time_step), f64::floor);
+        help += &format!(", or `cycle_frequency = \"{frequency} Hz\"` or less");
+    }
+    let place = march.places().remove(key).unwrap_or_else(|| march.place().text(""));
+    march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+}
+
+/// A positive number with three digits, rounded as told.
+fn three_digits(value: f64, round: fn(f64) -> f64) -> String {
+    let place = 10f64.powf(value.log10().floor() - 2.0);
+    // The quotient of a number of three digits may be less than it by rounding.
+    plain(round(value / place + 1e-9) * place)
+}
+
 /// The longest period of the loads, or else two revolutions at the speed that the drive aims at; one
-/// revolution of an unbalance.
-fn natural_cycle(system: &SystemDraft) -> Option<f64> {
+/// revolution of an unbalance. With what it is.
+fn natural_cycle(system: &SystemDraft) -> Option<(f64, &'static str)> {
     let rotor = match system {
         SystemDraft::Rotor(rotor) => rotor,
         SystemDraft::Lumped(lumped) => {
-            return lumped.as_ref()?.unbalance.map(|own| TAU / own.speed);
+            let turn = |own: super::Unbalance| (TAU / own.speed, "a revolution of the unbalance");
+            return lumped.as_ref()?.unbalance.map(turn);
         }
     };
     let lowest = rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::min);
     let drive = rotor.drive.as_ref().filter(|drive| drive.acts && drive.target_speed != 0.0);
     let two_revolutions = drive.map(|drive| 2.0 * TAU / drive.target_speed.abs());
-    lowest.map(|frequency| 1.0 / frequency).or(two_revolutions)
+    let period = lowest.map(|frequency| (1.0 / frequency, "a period of the loads"));
+    period.or(two_revolutions.map(|turns| (turns, "a cycle of two revolutions")))
 }
 
 fn steps(march: &Reader, time_step: f64) -> usize {

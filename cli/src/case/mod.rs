@@ -24,7 +24,9 @@ pub use march::March;
 pub use read::read;
 pub(crate) use read::{SystemDraft, draft};
 pub(crate) use rotor::RotorDraft;
-pub use rotor::{Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Rotor, Shaft, Support};
+pub use rotor::{
+    Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Region, Rotor, Shaft, Support,
+};
 
 /// One case, ready to be built.
 #[derive(Debug, Clone)]

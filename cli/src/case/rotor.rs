@@ -94,8 +94,10 @@ pub struct MeshFile {
 pub struct Shaft {
     /// Mesh.
     pub mesh: Mesh<SolidShaft>,
-    /// Material of every cell in place of the mesh file's own.
+    /// Material of the cells to which the mesh gives none.
     pub material: Option<Material>,
+    /// Materials of parts of the mesh, in place of its own.
+    pub regions: Vec<Region>,
     /// Fixed-interface modes kept.
     pub modes: usize,
     /// C = damping · K, in s.
@@ -111,8 +113,10 @@ pub struct Shaft {
 pub struct Support {
     /// Mesh.
     pub mesh: Mesh<RingSupport>,
-    /// Material of every cell in place of the mesh file's own.
+    /// Material of the cells to which the mesh gives none.
     pub material: Option<Material>,
+    /// Materials of parts of the mesh, in place of its own.
+    pub regions: Vec<Region>,
     /// Fixed-interface modes kept.
     pub modes: usize,
     /// C = damping · K, in s; K with the ground springs.
@@ -121,6 +125,15 @@ pub struct Support {
     pub mounts: Located,
     /// Springs to the ground.
     pub ground_springs: Vec<GroundSpring>,
+}
+
+/// A material of part of a mesh.
+#[derive(Debug, Clone)]
+pub struct Region {
+    /// An element set.
+    pub set: Located,
+    /// What its cells are made of.
+    pub material: Material,
 }
 
 /// A spring from every node of a set to the ground.
@@ -151,6 +164,10 @@ pub struct Bearing {
     pub journal_radius: Option<f64>,
     /// The law of one spring, or of a whole ring.
     pub law: NamedLaw,
+    /// The table of the bearing.
+    pub table: Located,
+    /// What the bearing and `[springs]` say, by key, such as `radial_clearance` and `stations[0]`.
+    pub places: BTreeMap<String, Located>,
 }
 
 /// A couple of forces fixed to the shaft, acting until a speed is reached.

@@ -73,8 +73,22 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Takes what `self` does not say from `included`, tables within tables likewise.
+    /// Takes what `self` does not say from `included`, tables within tables likewise. Of keys that exclude
+    /// each other, one that `self` says replaces what `included` says.
     pub(crate) fn merge(&mut self, included: Table) {
+        self.merge_as("", included);
+    }
+
+    /// As [`Table::merge`], for the table called `name` at the top of a file.
+    fn merge_as(&mut self, name: &str, mut included: Table) {
+        for (table, keys) in INSTEAD {
+            let says = |key: &&str| self.entries.contains_key(*key);
+            if *table == name && keys.iter().any(says) {
+                included.entries.retain(|key, _| {
+                    self.entries.contains_key(key) || !keys.contains(&key.as_str())
+                });
+            }
+        }
         for (key, (place, node)) in included.entries {
             match self.entries.get_mut(&key) {
                 None => {
@@ -82,13 +96,25 @@ impl Table {
                 }
                 Some((_, own)) => {
                     if let (Value::Table(own), Value::Table(other)) = (&mut own.value, node.value) {
-                        own.merge(other);
+                        // Names of tables within tables are not those of the top.
+                        let inner = if name.is_empty() { key.as_str() } else { WITHIN };
+                        own.merge_as(inner, other);
                     }
                 }
             }
         }
     }
 }
+
+/// Keys of tables that exclude each other.
+const INSTEAD: &[(&str, &[&str])] = &[
+    ("shaft", &["mesh", "dimensions"]),
+    ("support", &["mesh", "dimensions"]),
+    ("march", &["steps", "duration"]),
+];
+
+/// No name of a table: for those within others.
+const WITHIN: &str = ".";
 
 /// The tree of one file.
 ///

@@ -1,12 +1,13 @@
 //! Meshes of a case: read from a file, or made from dimensions.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::ops::Range;
 use std::path::Path;
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_solver::error::{Error, InputErrors};
-use whirl_solver::mesh::{self, Material, Mesh, MeshParts};
+use whirl_solver::mesh::{self, Cell, Material, Mesh};
 use whirl_specs::{ELEMENTS, Element};
 
 use crate::case::{self, MeshFile};
@@ -18,9 +19,10 @@ use crate::errors::Failure;
 /// What is wrong with its file or its dimensions, with places.
 pub(super) fn shaft(shaft: &case::Shaft) -> Result<Mesh, Failure> {
     match &shaft.mesh {
-        case::Mesh::File(file) => read(file, shaft.material.as_ref()),
+        case::Mesh::File(file) => read(file, shaft.material.as_ref(), &shaft.regions),
         case::Mesh::Made(made) => {
-            made.dimensions.mesh(&elements()).map_err(|error| impossible(made, error))
+            let mesh = made.dimensions.mesh(&elements());
+            in_regions(mesh.map_err(|error| impossible(made, error))?, &shaft.regions)
         }
     }
 }
@@ -31,9 +33,10 @@ pub(super) fn shaft(shaft: &case::Shaft) -> Result<Mesh, Failure> {
 /// As for the shaft.
 pub(super) fn support(support: &case::Support) -> Result<Mesh, Failure> {
     match &support.mesh {
-        case::Mesh::File(file) => read(file, support.material.as_ref()),
+        case::Mesh::File(file) => read(file, support.material.as_ref(), &support.regions),
         case::Mesh::Made(made) => {
-            made.dimensions.mesh(&elements()).map_err(|error| impossible(made, error))
+            let mesh = made.dimensions.mesh(&elements());
+            in_regions(mesh.map_err(|error| impossible(made, error))?, &support.regions)
         }
     }
 }
@@ -52,35 +55,80 @@ fn impossible<D>(made: &case::Made<D>, error: Error) -> Failure {
     Diagnostics::from(place.error_here(Code::BAD_VALUE, message).help(help)).into()
 }
 
-/// The mesh in a file, with `material` in place of the file's own where the case names one.
-fn read(file: &MeshFile, material: Option<&Material>) -> Result<Mesh, Failure> {
-    let text = fs::read_to_string(&file.path).map_err(|error| {
+/// The mesh in a file: with its own sections, the `regions` of the case in place of them, and `material` where
+/// there is neither.
+fn read(
+    file: &MeshFile,
+    material: Option<&Material>,
+    regions: &[case::Region],
+) -> Result<Mesh, Failure> {
+    let text = text(&file.path).map_err(|error| {
         let message = format!("cannot read `{}`: {error}", file.path.display());
         Diagnostics::from(file.name.error_here(Code::BAD_VALUE, message))
     })?;
     let path = file.path.display().to_string();
-    let read = mesh::inp::read(&text, &path, &elements())
+    let open = material.is_some() || !regions.is_empty();
+    let read = mesh::inp::read_open(&text, &path, &elements(), open)
         .map_err(|errors| placed(&file.path, &text, &errors))?;
     read.warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
-    match material {
-        Some(material) => with_material(&read.mesh, material).map_err(Failure::from),
-        None => Ok(read.mesh),
+    let mesh = in_regions(read.mesh, regions)?;
+    let bare: Vec<bool> =
+        mesh.materials().iter().map(|material| material.properties.is_empty()).collect();
+    let is_bare = |cell: Cell| bare[mesh.blocks()[cell.block].material];
+    if let Some(material) = material {
+        let filled = mesh.with_material(material, is_bare).map_err(Failure::from)?;
+        return Ok(filled);
     }
+    let cells = mesh.blocks().iter().filter(|block| bare[block.material]);
+    let labels: Vec<u64> = cells.flat_map(|block| block.labels.iter().copied()).collect();
+    if let Some(first) = labels.first() {
+        let message = format!(
+            "{path}: {} cells have neither a section nor a region of the case, such as cell {first}",
+            labels.len()
+        );
+        let help = "write `material = \"…\"`, which fills what is missing";
+        return Err(
+            Diagnostics::from(file.name.error_here(Code::BAD_VALUE, message).help(help)).into()
+        );
+    }
+    Ok(mesh)
 }
 
-/// The mesh with one material everywhere.
-fn with_material(mesh: &Mesh, material: &Material) -> Result<Mesh, Error> {
-    let mut blocks = mesh.blocks().to_vec();
-    blocks.iter_mut().for_each(|block| block.material = 0);
-    Mesh::new(MeshParts {
-        origin: mesh.origin().to_string(),
-        nodes: mesh.nodes().to_vec(),
-        labels: mesh.labels().to_vec(),
-        blocks,
-        materials: vec![material.clone()],
-        node_sets: mesh.node_sets().clone(),
-        element_sets: mesh.element_sets().clone(),
-    })
+/// The text of a mesh file.
+fn text(path: &Path) -> std::io::Result<String> {
+    fs::read(path).map(mesh::inp::decode)
+}
+
+/// The mesh with the materials that the case gives to element sets.
+fn in_regions(mut mesh: Mesh, regions: &[case::Region]) -> Result<Mesh, Failure> {
+    let mut errors = Diagnostics::new();
+    // By label, since places change with the materials.
+    let mut taken: BTreeMap<u64, &Located> = BTreeMap::new();
+    for case::Region { set, material } in regions {
+        let cells: BTreeSet<Cell> = match mesh.element_set(set.text()) {
+            Ok(cells) => cells.iter().copied().collect(),
+            Err(_) => {
+                let known: Vec<&str> = mesh.element_sets().keys().map(String::as_str).collect();
+                let message = format!("{} has no element set `{}`", mesh.origin(), set.text());
+                let error = set.error_here(Code::BAD_VALUE, message);
+                errors.push(error.maybe_help(suggest(set.text(), &known)));
+                continue;
+            }
+        };
+        let labels = cells.iter().map(|cell| mesh.blocks()[cell.block].labels[cell.cell]);
+        let twice = labels.filter_map(|label| taken.insert(label, set)).next();
+        if let Some(other) = twice {
+            let message = format!(
+                "`{}` and `{}` share cells, whose material is open",
+                other.text(),
+                set.text()
+            );
+            let help = "name element sets that have no cell in common";
+            errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        mesh = mesh.with_material(material, |cell| cells.contains(&cell)).map_err(Failure::from)?;
+    }
+    Ok(errors.into_result(mesh)?)
 }
 
 /// Errors of a mesh file with their places in its text.
@@ -105,7 +153,7 @@ pub(super) fn inverted(error: &Error) -> Failure {
     let Error::InvertedCells { origin, cells, .. } = error else {
         return error.clone().into();
     };
-    let Ok(text) = fs::read_to_string(origin) else {
+    let Ok(text) = text(Path::new(origin)) else {
         return error.clone().into();
     };
     let source = Source::new(origin, text);

@@ -83,20 +83,33 @@ pub(crate) fn read(name: &str) -> Result<Case, Failure> {
 /// # Errors
 /// Everything that is wrong with them.
 pub(crate) fn examine(case: &Case) -> Result<(), Failure> {
+    plan(case).map(|_| ())
+}
+
+/// What is to be reduced of a case; nothing of a lumped one. Its meshes are read or made here.
+///
+/// # Errors
+/// Whatever is wrong with meshes and sets.
+pub(crate) fn plan(case: &Case) -> Result<Option<Plan>, Failure> {
     match &case.system {
-        System::Rotor(rotor) => Plan::new(rotor).map(|_| ()),
-        System::Lumped(_) => Ok(()),
+        System::Rotor(rotor) => Plan::new(rotor).map(Some),
+        System::Lumped(_) => Ok(None),
     }
 }
 
-/// Builds the machine of a case; reduced bodies come from the cache where it has them.
+/// Builds the machine of a case from its [`plan`]; reduced bodies come from the cache where it has them.
 ///
 /// # Errors
-/// Whatever is wrong with meshes, sets, constraints and laws.
-pub(crate) fn build(case: &Case, cache: Option<&Cache>) -> Result<Built, Failure> {
-    match &case.system {
-        System::Rotor(rotor) => rotor::build(rotor, cache),
-        System::Lumped(lumped) => lumped::build(lumped),
+/// Whatever is wrong with constraints and laws.
+pub(crate) fn build(
+    case: &Case,
+    plan: Option<&Plan>,
+    cache: Option<&Cache>,
+) -> Result<Built, Failure> {
+    match (&case.system, plan) {
+        (System::Rotor(rotor), Some(plan)) => rotor::build(rotor, plan, cache),
+        (System::Rotor(rotor), None) => rotor::build(rotor, &Plan::new(rotor)?, cache),
+        (System::Lumped(lumped), _) => lumped::build(lumped),
     }
 }
 
@@ -106,7 +119,7 @@ pub(crate) fn build(case: &Case, cache: Option<&Cache>) -> Result<Built, Failure
 /// As [`build`].
 pub(crate) fn parts(case: &Case) -> Result<Option<MachineParts>, Failure> {
     match &case.system {
-        System::Rotor(rotor) => Ok(Some(rotor::assemble(rotor, None)?.parts)),
+        System::Rotor(rotor) => Ok(Some(rotor::assemble(rotor, &Plan::new(rotor)?, None)?.parts)),
         System::Lumped(_) => Ok(None),
     }
 }

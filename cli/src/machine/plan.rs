@@ -1,6 +1,7 @@
 //! What is to be reduced: meshes with the dofs to retain, hold and watch, found by the sets of the case.
 
 mod body;
+mod geometry;
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
@@ -59,10 +60,17 @@ pub(super) fn both<A, B>(
 pub(crate) struct Outline<'a> {
     shaft: Option<&'a case::Shaft>,
     support: Option<&'a case::Support>,
-    /// Sets of the journal and of the bore, a bearing each.
-    bearings: Vec<[&'a [Located]; 2]>,
+    bearings: Vec<BearingOutline<'a>>,
     drive: Option<&'a case::Drive>,
     loads: &'a [case::Load],
+}
+
+/// A bearing as far as a case says it.
+struct BearingOutline<'a> {
+    /// Sets of the journal and of the bore.
+    sets: [&'a [Located]; 2],
+    /// The bearing, if all that it must have is there.
+    whole: Option<&'a case::Bearing>,
 }
 
 impl<'a> From<&'a Rotor> for Outline<'a> {
@@ -71,7 +79,9 @@ impl<'a> From<&'a Rotor> for Outline<'a> {
         Outline {
             shaft: Some(&rotor.shaft),
             support: Some(&rotor.support),
-            bearings: bearings.map(|own| [own.journal.as_slice(), own.bore.as_slice()]).collect(),
+            bearings: bearings
+                .map(|own| BearingOutline { sets: [&own.journal, &own.bore], whole: Some(own) })
+                .collect(),
             drive: Some(&rotor.drive),
             loads: &rotor.loads,
         }
@@ -84,7 +94,12 @@ impl<'a> From<&'a RotorDraft> for Outline<'a> {
         Outline {
             shaft: draft.shaft.as_ref(),
             support: draft.support.as_ref(),
-            bearings: bearings.map(|(sets, _)| sets.each_ref().map(Vec::as_slice)).collect(),
+            bearings: bearings
+                .map(|(sets, own)| BearingOutline {
+                    sets: sets.each_ref().map(Vec::as_slice),
+                    whole: own.as_ref(),
+                })
+                .collect(),
             drive: draft.drive.as_ref(),
             loads: &draft.loads,
         }
@@ -95,7 +110,8 @@ impl Plan {
     /// Reads or makes the meshes, and finds the sets that the case names.
     ///
     /// # Errors
-    /// Everything that is wrong with the meshes, and every set that is missing or of the wrong size.
+    /// Everything that is wrong with the meshes, every set that is missing or of the wrong size, and what
+    /// does not fit together.
     pub(crate) fn new(rotor: &Rotor) -> Result<Plan, Failure> {
         Plan::of(&Outline::from(rotor), Diagnostics::new())
             .map(|plan| plan.expect("nothing of a whole case is missing"))
@@ -126,6 +142,9 @@ impl Plan {
                 None
             }
         });
+        let mesh_of_support = support.as_ref().map(|(support, _)| &support.mesh);
+        let mesh_of_shaft = shaft.as_ref().map(|own| &own.shaft.mesh);
+        geometry::compare(mesh_of_shaft, mesh_of_support, outline, &mut errors);
         errors.into_result(())?;
         if let Some(failure) = rest {
             return Err(failure);
@@ -167,7 +186,7 @@ impl OnShaft {
         let mut own =
             OnShaft { shaft: body, journals: Vec::new(), drive: [0; 2], loads: Vec::new() };
         let shaft = &mut own.shaft;
-        for [sets, _] in &outline.bearings {
+        for BearingOutline { sets: [sets, _], .. } in &outline.bearings {
             let mut journal = [0; 3];
             for (place, set) in sets.iter().take(3).enumerate() {
                 let node = shaft.node(set, errors).unwrap_or(0);
@@ -204,7 +223,7 @@ fn place_support(
     let mounts = &case.mounts;
     let mut support = BodyPlan::new(mesh, case.mesh.place(), case.modes, case.damping, mounts);
     let mut bores = Vec::new();
-    for [_, sets] in &outline.bearings {
+    for BearingOutline { sets: [_, sets], .. } in &outline.bearings {
         let mut bore = [const { Vec::new() }; 3];
         for (ring, set) in bore.iter_mut().zip(*sets) {
             let nodes = support.nodes(set, errors);
@@ -223,11 +242,12 @@ fn place_support(
     for spring in &case.ground_springs {
         for node in support.nodes(&spring.set, errors) {
             let axis = AXES[spring.direction];
-            support.spec.springs.push(GroundSpring {
+            let own = GroundSpring {
                 name: format!("ground spring ({} {axis})", spring.set.text()),
                 dof: 3 * node + spring.direction,
                 stiffness: spring.stiffness,
-            });
+            };
+            support.spring(&spring.set, own);
         }
     }
     support.bound(errors);

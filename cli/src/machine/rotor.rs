@@ -13,8 +13,8 @@ use super::{BodyFacts, Built};
 use crate::case::{self, Rotor};
 use crate::errors::Failure;
 
-pub(super) fn build(rotor: &Rotor, cache: Option<&Cache>) -> Result<Built, Failure> {
-    let Assembled { parts, law_hashes, facts } = assemble(rotor, cache)?;
+pub(super) fn build(rotor: &Rotor, plan: &Plan, cache: Option<&Cache>) -> Result<Built, Failure> {
+    let Assembled { parts, law_hashes, facts } = assemble(rotor, plan, cache)?;
     Ok(Built {
         machine: Machine::new(parts).map_err(|error| {
             let bearing = |place: usize| &rotor.bearings[place];
@@ -35,12 +35,15 @@ pub(super) struct Assembled {
 }
 
 /// Reduces the bodies and places springs and loads.
-pub(super) fn assemble(rotor: &Rotor, cache: Option<&Cache>) -> Result<Assembled, Failure> {
-    let plan = Plan::new(rotor)?;
-    let (bodies, wall, cached) = bodies(&plan, cache)?;
+pub(super) fn assemble(
+    rotor: &Rotor,
+    plan: &Plan,
+    cache: Option<&Cache>,
+) -> Result<Assembled, Failure> {
+    let (bodies, wall, cached) = bodies(plan, cache)?;
     let mut laws = Laws::default();
-    let bearings = bearings(rotor, &plan, &bodies.shaft, &mut laws)?;
-    let loads = loads(rotor, &plan, &bodies.shaft);
+    let bearings = bearings(rotor, plan, &bodies.shaft, &mut laws)?;
+    let loads = loads(rotor, plan, &bodies.shaft);
     let facts = BodyFacts {
         shaft: plan.shaft.counts(),
         support: plan.support.counts(),
@@ -89,10 +92,12 @@ fn bearings(
     Ok(bearings)
 }
 
-/// Rings of springs by their distance from the left end over the length; `ends` are the z of the ends.
+/// Rings of springs by their distance from the left end over the length; `ends` are the z of the ends. A bearing
+/// in one plane has its only ring there, which the middle is.
 fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
     match bearing.stations.as_slice() {
         [] => vec![0.0, 0.5, 1.0],
+        [_] if left == right => vec![0.5],
         stations => stations.iter().map(|z| (z - left) / (right - left)).collect(),
     }
 }

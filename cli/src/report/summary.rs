@@ -133,6 +133,8 @@ impl Statistics {
 
 #[derive(Debug, Serialize)]
 struct SteadyFacts {
+    /// Whether it was looked for: a run shorter than two cycles has nothing to compare.
+    judged: bool,
     reached: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     time_s: Option<f64>,
@@ -214,6 +216,7 @@ impl Summary {
                 .collect(),
             cycle_s: case.march.cycle,
             steady_state: SteadyFacts {
+                judged: case.march.steady_cycle().is_some(),
                 reached: outcome.steady.is_some(),
                 time_s: outcome.steady.map(|steady| steady.time),
             },

@@ -1,6 +1,6 @@
 //! Tables inside a table: one, a list of them, or by names that the user chose.
 
-use whirl_codegen::diagnostic::Code;
+use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::spec::schema::Shape;
 
 use super::{Node, Place, Reader, Table, Value};
@@ -72,6 +72,23 @@ impl<'a> Reader<'a> {
             }
         }
         readers
+    }
+
+    /// Texts by names that the user chose, each with the place of its name.
+    pub(crate) fn named_texts(&self, key: &'static str) -> Vec<(Located, Located)> {
+        let Some((node, _)) = self.get(key, Shape::names_are_free) else { return Vec::new() };
+        let Value::Table(table) = &node.value else {
+            self.wrong_table(node, key, "texts by name", &format!("[{}]", self.path(key)));
+            return Vec::new();
+        };
+        let mut texts = Vec::with_capacity(table.entries.len());
+        for (name, (place, node)) in &table.entries {
+            match &node.value {
+                Value::Text(text) => texts.push((place.text(name), node.place.text(text))),
+                _ => self.wrong(name, node, "text", "\"steel\""),
+            }
+        }
+        texts
     }
 
     pub(super) fn path(&self, key: &str) -> String {

@@ -3,10 +3,10 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::assemble;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
-use whirl_solver::constraints::{Constraints, add_ground_springs, free_motions};
+use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
 use whirl_solver::error::Error;
-use whirl_solver::mesh::Mesh;
-use whirl_solver::reduction::ReductionError;
+use whirl_solver::mesh::{Cell, Material, Mesh};
+use whirl_solver::reduction::{FreeMotion, ReductionError};
 
 use super::AXES;
 use crate::case;
@@ -28,6 +28,8 @@ pub(crate) struct BodyPlan {
     held_by: Located,
     /// What it is made from, as the case says it.
     made_from: Located,
+    /// The set of each of its springs to the ground, as the case says it.
+    sprung: Vec<Located>,
 }
 
 impl BodyPlan {
@@ -47,7 +49,7 @@ impl BodyPlan {
             nodes: Vec::new(),
             memory: FACTOR_MEMORY,
         };
-        BodyPlan { mesh, spec, held_by: held_by.clone(), made_from }
+        BodyPlan { mesh, spec, held_by: held_by.clone(), made_from, sprung: Vec::new() }
     }
 
     /// Sizes of the body, as in the paper's Table 1.
@@ -74,14 +76,31 @@ impl BodyPlan {
     pub(in crate::machine) fn explain(&self, error: Error) -> Failure {
         match error {
             Error::InvertedCells { .. } => meshes::inverted(&error),
-            Error::Reduction(ReductionError::Mechanism { motions }) => {
-                let motions: Vec<String> = motions.iter().map(ToString::to_string).collect();
-                let message =
-                    format!("{} can still move freely: {}", self.mesh.origin(), motions.join("; "));
-                let help = "against each of these motions hold more nodes or, on the support, add a spring \
-                            `[[support.ground_spring]]`";
-                Diagnostics::from(self.held_by.error_here(Code::BAD_VALUE, message).help(help))
+            Error::Reduction(ReductionError::Mechanism { motions }) => self.free(&motions).into(),
+            Error::Reduction(ReductionError::Hidden { .. }) => {
+                let message = format!("{}: {error}", self.mesh.origin());
+                let help =
+                    "look for a material, a cell or a spring that is far stiffer than the rest";
+                Diagnostics::from(self.made_from.error_here(Code::BAD_VALUE, message).help(help))
                     .into()
+            }
+            Error::StiffSpring { place, stiffness, body, most, .. } => {
+                let message = format!(
+                    "this spring of {stiffness:e} N/m is {:.0e} times as stiff as the stiffest node of {} \
+                     ({body:.1e} N/m)",
+                    stiffness / body,
+                    self.mesh.origin()
+                );
+                let materials = self.mesh.materials().iter();
+                let softest = materials.min_by(|a, b| modulus(a).total_cmp(&modulus(b)));
+                let made = softest.map_or(String::new(), |softest| {
+                    format!(", or look at E = {:e} Pa of `{}`", modulus(softest), softest.name)
+                });
+                let help = format!(
+                    "write a stiffness of {most:.0e} N/m at most, name the set in `mounts` if it is to be held{made}"
+                );
+                let at = self.sprung.get(place).unwrap_or(&self.held_by);
+                Diagnostics::from(at.error_here(Code::BAD_VALUE, message).help(help)).into()
             }
             Error::Reduction(_) | Error::Constraint { .. } => {
                 let message = format!("{}: {error}", self.mesh.origin());
@@ -94,6 +113,79 @@ impl BodyPlan {
         }
     }
 
+    /// What can move freely: the whole body, or loose parts of it.
+    fn free(&self, motions: &[FreeMotion]) -> Diagnostics {
+        let mut errors = Diagnostics::new();
+        let origin = self.mesh.origin();
+        let mut whole = Vec::new();
+        for motion in motions {
+            match motion {
+                FreeMotion::Part { node } => {
+                    let message =
+                        format!("a part of {origin} is loose: {}", self.part_around(*node));
+                    let help = "let it share nodes with the rest, hold it, or take its cells out";
+                    errors.push(self.made_from.error_here(Code::BAD_VALUE, message).help(help));
+                }
+                motion => whole.push(motion.to_string()),
+            }
+        }
+        if !whole.is_empty() {
+            let message = format!("{origin} can still move freely: {}", whole.join("; "));
+            let help = "against each of these motions hold more nodes or, on the support, add a spring \
+                        `[[support.ground_spring]]`";
+            errors.push(self.held_by.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        errors
+    }
+
+    /// The part of the mesh with the node of this label: its cells, and the sets that lie in it.
+    fn part_around(&self, label: u64) -> String {
+        let mesh = &self.mesh;
+        let part_of = mesh.parts();
+        let Some(node) = mesh.labels().iter().position(|&own| own == label) else {
+            return format!("that around node {label}");
+        };
+        let inside = |node: usize, part: usize| part_of[node] == part;
+        let part = part_of[node];
+        let blocks = mesh.blocks().iter();
+        let cells = blocks.flat_map(|block| block.cells().zip(&block.labels));
+        let mut labels: Vec<u64> =
+            cells.filter(|(nodes, _)| inside(nodes[0], part)).map(|(_, &label)| label).collect();
+        labels.sort_unstable();
+        if labels.len() == mesh.cell_count() {
+            return format!("the cells around node {label} strain nothing when they move");
+        }
+        let of_cell = |cell: &Cell| mesh.blocks()[cell.block].cells().nth(cell.cell).map(|n| n[0]);
+        let node_sets = mesh
+            .node_sets()
+            .iter()
+            .filter(|(_, nodes)| !nodes.is_empty() && nodes.iter().all(|&node| inside(node, part)));
+        let element_sets = mesh.element_sets().iter().filter(|(_, cells)| {
+            !cells.is_empty()
+                && cells.iter().all(|cell| of_cell(cell).is_some_and(|node| inside(node, part)))
+        });
+        let sets: Vec<&str> = element_sets
+            .map(|(name, _)| name.as_str())
+            .chain(node_sets.map(|(name, _)| name.as_str()))
+            .collect();
+        let shown: Vec<String> = labels.iter().take(4).map(ToString::to_string).collect();
+        let (first, more) = (shown.join(", "), if labels.len() > shown.len() { ", …" } else { "" });
+        let named =
+            if sets.is_empty() { String::new() } else { format!("; sets{}", listed(&sets)) };
+        let noun = if labels.len() == 1 { "cell shares" } else { "cells share" };
+        format!(
+            "{} {noun} no node with the rest ({first}{more}{named}), and nothing holds {}",
+            labels.len(),
+            if labels.len() == 1 { "it" } else { "them" }
+        )
+    }
+
+    /// Notes a spring from a node to the ground.
+    pub(super) fn spring(&mut self, set: &Located, spring: GroundSpring) {
+        self.spec.springs.push(spring);
+        self.sprung.push(set.clone());
+    }
+
     /// Looks for cells turned inside out and for motions that nothing stops.
     pub(super) fn verify(&self) -> Result<(), Error> {
         let elastic = assemble(&self.mesh, "stiffness")?;
@@ -102,7 +194,10 @@ impl BodyPlan {
         self.spec.retained.iter().for_each(|retained| held.fix(&retained.name, retained.dof));
         match free_motions(self.mesh.nodes(), &stiffness, &held)? {
             motions if motions.is_empty() => Ok(()),
-            motions => Err(ReductionError::Mechanism { motions }.into()),
+            motions => {
+                let free = ReductionError::Mechanism { motions };
+                Err(free.with_labels(&self.mesh).into())
+            }
         }
     }
 
@@ -137,8 +232,22 @@ impl BodyPlan {
         }
     }
 
-    /// Nodes of a set; what is wrong with it is noted, and none are given.
+    /// Nodes of a set, one at least; what is wrong with it is noted, and none are given.
     pub(super) fn nodes(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
+        let nodes = self.members(set, errors);
+        if nodes.is_empty() && self.mesh.node_set(set.text()).is_ok() {
+            let message =
+                format!("the node set `{}` of {} has no nodes", set.text(), self.mesh.origin());
+            let full = self.mesh.node_sets().iter().filter(|(_, nodes)| !nodes.is_empty());
+            let full: Vec<&str> = full.map(|(name, _)| name.as_str()).collect();
+            let help = format!("name a set that has some{}", listed(&full));
+            errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        nodes
+    }
+
+    /// Nodes of a set, if there is one of this name.
+    fn members(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
         // A set that the case does not say is missing, which has been told.
         if set.text().is_empty() && !errors.is_empty() {
             return Vec::new();
@@ -165,7 +274,7 @@ impl BodyPlan {
 
     /// The only node of a set; what is wrong with it is noted.
     pub(super) fn node(&self, set: &Located, errors: &mut Diagnostics) -> Option<usize> {
-        let nodes = self.nodes(set, errors);
+        let nodes = self.members(set, errors);
         let origin = self.mesh.origin();
         if nodes.len() != 1 && self.mesh.node_set(set.text()).is_ok() {
             let message = format!(
@@ -197,6 +306,11 @@ impl BodyPlan {
         self.spec.constraints.equation(name, [(ties[0], 1.0), (ties[1], -1.0)]);
         [top, bottom].map(|node| self.watch(node))
     }
+}
+
+/// Young's modulus (Pa).
+fn modulus(material: &Material) -> f64 {
+    material.properties.get("E").copied().unwrap_or(f64::INFINITY)
 }
 
 /// Names in a list after a colon, not too many of them; nothing if there are none.

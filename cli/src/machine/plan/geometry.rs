@@ -1,0 +1,150 @@
+//! What a case joins is held against where it stands: bearings, driven nodes, loads. The solver takes sets
+//! at their word, so that a bore beside its journal would carry it all the same.
+
+mod bearing;
+mod place;
+mod sets;
+
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_solver::mesh::Mesh;
+
+use self::place::{mm, nodes_of, single};
+use super::{BearingOutline, Outline};
+use crate::case;
+
+/// The arm of the driving couple is at least this part of the distance of its nodes. Below it the forces
+/// along y are ten times those that the distance asks for, and stretch the section between them.
+const LEAST_ARM: f64 = 0.1;
+/// The driven nodes stand in one section: along the axis they are apart by at most this part of the arm, so
+/// that the moment that tilts the section stays below this part of the torque.
+const SECTION: f64 = 0.01;
+
+/// Notes whatever does not stand where it should, of the sets that are there; those that are missing or of
+/// the wrong size have been noted.
+pub(super) fn compare(
+    shaft: Option<&Mesh>,
+    support: Option<&Mesh>,
+    outline: &Outline,
+    errors: &mut Diagnostics,
+) {
+    for (place, own) in outline.bearings.iter().enumerate() {
+        bearing::compare(place, own, shaft, support, errors);
+    }
+    twice(&outline.bearings, shaft, support, errors);
+    let Some(shaft) = shaft else { return };
+    if let Some(drive) = outline.drive {
+        driven(drive, shaft, errors);
+    }
+    outline.loads.iter().for_each(|load| loaded_twice(load, shaft, errors));
+}
+
+/// Bearings that are the same: one law, or one that is not said, at the same nodes. Two laws at one place
+/// add their forces, and so do rings of one law at different stations.
+fn twice(
+    bearings: &[BearingOutline],
+    shaft: Option<&Mesh>,
+    support: Option<&Mesh>,
+    errors: &mut Diagnostics,
+) {
+    let nodes = |mesh: Option<&Mesh>, sets: &[Located]| -> Option<Vec<Vec<usize>>> {
+        let mut rings: Vec<Vec<usize>> = Vec::with_capacity(3);
+        for set in sets {
+            let mut ring = nodes_of(mesh?, set)?.to_vec();
+            ring.sort_unstable();
+            rings.push(ring);
+        }
+        (rings.len() == 3).then_some(rings)
+    };
+    let of =
+        |own: &BearingOutline| Some((nodes(shaft, own.sets[0])?, nodes(support, own.sets[1])?));
+    for (second, own) in bearings.iter().enumerate() {
+        let (Some(whole), Some(stands)) = (own.whole, of(own)) else { continue };
+        let same = bearings[..second].iter().position(|other| {
+            other.whole.is_some_and(|other| {
+                let apart = !whole.stations.is_empty()
+                    && !other.stations.is_empty()
+                    && !whole.stations.iter().any(|z| other.stations.contains(z));
+                other.law.source.name() == whole.law.source.name() && !apart
+            }) && of(other).as_ref() == Some(&stands)
+        });
+        if let Some(first) = same {
+            let message = format!(
+                "bearing {} stands where bearing {} does, and has the same law `{}`: its forces would act \
+                 twice",
+                second + 1,
+                first + 1,
+                whole.law.name.text()
+            );
+            let help = "take one of them out, or correct the sets of this one";
+            errors.push(whole.table.error_here(Code::BAD_VALUE, message).help(help));
+        }
+    }
+}
+
+/// Driven nodes between which a couple of forces along y has no arm, or tilts the section.
+fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut Diagnostics) {
+    let (Some(top), Some(bottom)) = (single(shaft, &drive.top), single(shaft, &drive.bottom))
+    else {
+        return;
+    };
+    // One node for both has been noted.
+    if top == bottom {
+        return;
+    }
+    let [a, b] = [top, bottom].map(|node| shaft.nodes()[node]);
+    let (x, y, z) = (a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    let names = format!("the driven nodes `{}` and `{}`", drive.top.text(), drive.bottom.text());
+    let mut note = |message: String, help: &str| {
+        errors.push(drive.bottom.error_here(Code::BAD_VALUE, message).help(help));
+    };
+    if !(x.abs() > LEAST_ARM * x.hypot(y)) {
+        note(
+            format!(
+                "{names} stand at x = {} and {}: their couple of forces along y has an arm of {} only",
+                mm(a[0]),
+                mm(b[0]),
+                mm(x.abs())
+            ),
+            "name two nodes at opposite ends of a diameter along x",
+        );
+    } else if !(z.abs() <= SECTION * x.abs()) {
+        note(
+            format!(
+                "{names} stand in different sections: at z = {} and {}, {} apart",
+                mm(a[2]),
+                mm(b[2]),
+                mm(z.abs())
+            ),
+            "name two nodes of one section, at opposite ends of a diameter along x",
+        );
+    }
+}
+
+/// Nodes that would carry the force of one load twice.
+fn loaded_twice(load: &case::Load, shaft: &Mesh, errors: &mut Diagnostics) {
+    for (second, set) in load.sets.iter().enumerate() {
+        let Some(nodes) = nodes_of(shaft, set) else { continue };
+        let shared = load.sets[..second].iter().find_map(|first| {
+            let other = nodes_of(shaft, first)?;
+            let both = nodes.iter().filter(|node| other.contains(node)).count();
+            (both > 0).then_some((first, both))
+        });
+        let Some((first, both)) = shared else { continue };
+        let (message, help) = match first.text().eq_ignore_ascii_case(set.text()) {
+            true => (
+                format!("`{}` is listed twice: its nodes would carry the force twice", set.text()),
+                "list it once, and write twice the force if that is meant",
+            ),
+            false => (
+                format!(
+                    "`{}` and `{}` have {} in common, which would carry the force twice",
+                    first.text(),
+                    set.text(),
+                    if both == 1 { "a node".to_string() } else { format!("{both} nodes") }
+                ),
+                "name sets that share no node, or write a second `[[load]]` if that is meant",
+            ),
+        };
+        errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
+    }
+}
