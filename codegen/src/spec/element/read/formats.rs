@@ -15,9 +15,23 @@ impl Reader<'_> {
         let types = table
             .items("types")
             .and_then(|items| self.texts(&items, "an element type such as \"C3D8\""));
+        for name in types.iter().flatten() {
+            let wanted = abaqus_nodes(name.text());
+            self.has_nodes(nodes, wanted, name, &format!("{} of Abaqus", name.text()));
+        }
         let order = self.order(&table, nodes);
         table.finish();
         Some((types?, order?))
+    }
+
+    /// Notes an element of another number of nodes than the cells that it is to stand for, where that is known.
+    fn has_nodes(&self, nodes: Option<usize>, wanted: Option<usize>, at: &Located, called: &str) {
+        let (Some(nodes), Some(wanted)) = (nodes, wanted) else { return };
+        if nodes != wanted {
+            let message = format!("{called} has {wanted} nodes, this element has {nodes}");
+            let help = "name a type of as many nodes, or correct the list of nodes";
+            self.document.push(at.error_here(Code::BAD_VALUE, message).help(help));
+        }
     }
 
     pub(super) fn vtk(&self, table: Table<'_>, nodes: Option<usize>) -> Option<(u8, Vec<usize>)> {
@@ -29,6 +43,11 @@ impl Reader<'_> {
             }
             small
         });
+        if let Some(kind) = kind {
+            let (span, written) = (table.place("type"), kind.to_string());
+            let at = Located::new(table.source(), span, written);
+            self.has_nodes(nodes, vtk_nodes(kind), &at, &format!("the VTK cell type {kind}"));
+        }
         let order = self.order(&table, nodes);
         table.finish();
         Some((kind?, order?))
@@ -61,5 +80,32 @@ impl Reader<'_> {
         let message = format!("`order` must name every node from 1 to {nodes} once");
         self.error(Code::BAD_VALUE, span, message);
         None
+    }
+}
+
+/// Nodes of a continuum element by its name, such as 8 of `C3D8I`.
+fn abaqus_nodes(name: &str) -> Option<usize> {
+    let number = name.to_ascii_uppercase();
+    let number = number.strip_prefix("C3D")?;
+    let digits = number.find(|c: char| !c.is_ascii_digit()).unwrap_or(number.len());
+    number[..digits].parse().ok()
+}
+
+/// Nodes of VTK's solid cells (vtkCellType.h).
+fn vtk_nodes(kind: u8) -> Option<usize> {
+    match kind {
+        10 => Some(4),
+        11 | 12 => Some(8),
+        13 => Some(6),
+        14 => Some(5),
+        24 => Some(10),
+        25 => Some(20),
+        26 => Some(15),
+        27 => Some(13),
+        29 => Some(27),
+        32 => Some(18),
+        33 => Some(24),
+        37 => Some(19),
+        _ => None,
     }
 }
