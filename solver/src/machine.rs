@@ -2,7 +2,7 @@
 
 use whirl_specs::{Clearance, Motion};
 
-use crate::bearing::{Bearing, SpringLaw, Springs, mean_motion};
+use crate::bearing::{Bearing, SpringLaw, Springs, axis_motion};
 use crate::error::Error;
 use crate::loads::Load;
 use crate::shaft::Shaft;
@@ -72,7 +72,8 @@ pub(crate) struct Monitor {
     pub(crate) torque: bool,
     /// Displacement of the middle journal node along x and y (frame of the shaft), as rows over η.
     pub(crate) journal: [Vec<f64>; 2],
-    /// Mean displacement of the middle bore ring, as rows over the support's coordinates.
+    /// Displacement of the bore's axis in the middle ring, as the laws see it: rows over the support's
+    /// coordinates.
     pub(crate) bore: [Vec<f64>; 2],
 }
 
@@ -115,7 +116,7 @@ impl Machine {
                     contacts,
                     journal: [0, 1]
                         .map(|axis| (0..shaft.size()).map(|j| node.shapes[(axis, j)]).collect()),
-                    bore: mean_motion(&bearing.bore[1], &support),
+                    bore: axis_motion(&bearing.bore[1], &support),
                 }
             })
             .collect();

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod bad_machine;
+mod eccentricity;
 mod explain;
 mod first_law;
 mod good_runs;

@@ -64,7 +64,7 @@ impl<'a> Bore<'a> {
                 continue;
             }
             match spline {
-                _ if !at_springs(motion) => add_mean(ring, weight, motion, &mut rows[0]),
+                _ if !at_springs(motion) => add_rigid(ring, weight, motion, &mut rows[0]),
                 Some(spline) => add_spline(ring, spline, weight, motion, angles, &mut rows),
                 None => {}
             }
@@ -100,16 +100,34 @@ fn add_spline(
     }
 }
 
-/// Adds the displacement b of the axis or the rotation β of the rigid motion δ = b + β ẑ×x that fits the
-/// nodes of the ring best.
-fn add_mean(ring: &[&BodyNode], weight: f64, motion: BoreMotion, row: &mut [f64]) {
+/// Adds the displacement of the axis or the rotation of the ring's [`rigid_fit`].
+fn add_rigid(ring: &[&BodyNode], weight: f64, motion: BoreMotion, row: &mut [f64]) {
+    let [x, y, turn] = rigid_fit(ring, row.len());
+    let fitted = match motion {
+        BoreMotion::MeanX => x,
+        BoreMotion::MeanY => y,
+        _ => turn,
+    };
+    row.iter_mut().zip(fitted).for_each(|(sum, value)| *sum += weight * value);
+}
+
+/// The displacement b of the axis along x and y and the rotation β of the rigid motion δ = b + β ẑ×x that
+/// fits the nodes of the ring best, as rows over the support's `size` coordinates; zeros without nodes.
+///
+/// Their plain mean is not b: nodes that stand unevenly around have their centroid off the axis, and it moves
+/// when the ring turns.
+fn rigid_fit(ring: &[&BodyNode], size: usize) -> [Vec<f64>; 3] {
+    let mut rows = [0, 1, 2].map(|_| vec![0.0; size]);
+    if ring.is_empty() {
+        return rows;
+    }
     let count = ring.len() as f64;
     let centre = [0, 1].map(|axis| ring.iter().map(|n| n.position[axis]).sum::<f64>() / count);
     let arm = |node: &BodyNode| [0, 1].map(|axis| node.position[axis] - centre[axis]);
     let square: f64 = ring.iter().map(|node| arm(node).iter().map(|x| x * x).sum::<f64>()).sum();
     // Nodes at one place do not turn.
     let turns = if square > 0.0 { 1.0 / square } else { 0.0 };
-    for (j, value) in row.iter_mut().enumerate() {
+    for j in 0..size {
         let mut mean = [0.0; 2];
         let mut turn = 0.0;
         for node in ring {
@@ -118,13 +136,19 @@ fn add_mean(ring: &[&BodyNode], weight: f64, motion: BoreMotion, row: &mut [f64]
             mean[1] += delta[1] / count;
             turn += turns * (x * delta[1] - y * delta[0]);
         }
-        *value += weight
-            * match motion {
-                BoreMotion::MeanX => mean[0] + turn * centre[1],
-                BoreMotion::MeanY => mean[1] - turn * centre[0],
-                _ => turn,
-            };
+        rows[0][j] = mean[0] + turn * centre[1];
+        rows[1][j] = mean[1] - turn * centre[0];
+        rows[2][j] = turn;
     }
+    rows
+}
+
+/// Displacement of the axis of a ring of nodes along x and y, as laws of rings see it: rows over the
+/// support's coordinates.
+pub(crate) fn axis_motion(ring: &[usize], support: &Support) -> [Vec<f64>; 2] {
+    let nodes: Vec<&BodyNode> = ring.iter().map(|&node| &support.nodes[node]).collect();
+    let [x, y, _] = rigid_fit(&nodes, support.size());
+    [x, y]
 }
 
 /// Radius of the journal in a bore whose nodes stand at their mean distance from the axis, c further out;

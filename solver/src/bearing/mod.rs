@@ -19,6 +19,7 @@ pub use spline::{periodic_spline, spline_passes};
 pub use state::SpringState;
 
 use bore::Bore;
+pub(crate) use bore::axis_motion;
 
 use crate::error::Error;
 use crate::linalg::Matrix;
@@ -213,13 +214,4 @@ fn arms_of<'a>(
         })
         .collect();
     Matrix::from_fn(rows.len(), shaft_size, |i, j| rows[i][j])
-}
-
-/// Mean displacement of a ring of nodes along x and y, as rows over the support's coordinates.
-pub(crate) fn mean_motion(ring: &[usize], support: &Support) -> [Vec<f64>; 2] {
-    [0, 1].map(|direction| {
-        let shape = |node: &usize, j| support.nodes[*node].shapes[(direction, j)];
-        let mean = |j| ring.iter().map(|node| shape(node, j)).sum::<f64>();
-        (0..support.size()).map(|j| mean(j) / ring.len().max(1) as f64).collect()
-    })
 }

@@ -2,6 +2,7 @@
 
 mod audit;
 mod contacts;
+mod eccentricity;
 mod equations;
 mod films;
 mod free_shaft;
