@@ -3,6 +3,7 @@
 mod bad_input;
 mod bad_machine;
 mod eccentricity;
+mod every_key;
 mod explain;
 mod first_law;
 mod good_runs;

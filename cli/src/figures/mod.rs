@@ -172,4 +172,48 @@ mod tests {
             assert!(dot.at.0.abs() < 0.7 && (dot.at.1 - 20.0).abs() < 0.1, "{dot:?}");
         }
     }
+
+    /// What lines are drawn through: of every support its own columns, over the last cycle only.
+    #[test]
+    fn reactions_and_orbits_go_through_their_own_columns_in_the_last_cycle() {
+        let mut history = History::for_bearings(2, &[]);
+        let names = history.names().to_vec();
+        // Every column has values of its own, which no cycle of 0.1 s repeats.
+        let angle = |step: u32| 0.3 + TAU * 10.0 * 1e-3 * f64::from(step);
+        let value = |column: usize, step: u32| 10.0 * column as f64 + 1e-3 * f64::from(step);
+        for step in 1..=300 {
+            let mut row = vec![1e-3 * f64::from(step), angle(step), TAU * 10.0];
+            row.extend((3..names.len()).map(|column| value(column, step)));
+            history.push(&row);
+        }
+        let column = |name: &str| names.iter().position(|own| own == name).expect("a column");
+        let titles = ["Support 1", "Support 2"].map(str::to_owned);
+        let span = Span::LastCycle(0.1);
+        let steps = 200..=300;
+        let near = |found: (f64, f64), expected: (f64, f64)| {
+            (found.0 - expected.0).abs() < 1e-9 && (found.1 - expected.1).abs() < 1e-9
+        };
+        for (k, panel) in reactions(&history, &titles, span).panels.iter().enumerate() {
+            for (line, letters) in panel.lines.iter().zip(["RX", "RY"]) {
+                assert!(line.name.starts_with(letters), "{}", line.name);
+                let column = column(&format!("{letters}{}_N", k + 1));
+                assert_eq!(line.points.len(), 101);
+                for (&point, step) in line.points.iter().zip(steps.clone()) {
+                    let turned = (angle(step) - angle(200)).to_degrees();
+                    assert!(near(point, (turned, value(column, step))), "{letters} {k} {point:?}");
+                }
+            }
+            assert_eq!(panel.lines.len(), 2);
+        }
+        let orbits = eccentricities(&history, &titles, &[35.687, 20.0], span);
+        for (k, panel) in orbits.panels.iter().enumerate() {
+            let [x, y] = ["EX", "EY"].map(|letters| column(&format!("{letters}{}_um", k + 1)));
+            let orbit = &panel.lines.last().expect("an orbit").points;
+            assert_eq!(orbit.len(), 101);
+            for (&point, step) in orbit.iter().zip(steps.clone()) {
+                assert!(near(point, (value(y, step), value(x, step))), "{k} {point:?}");
+            }
+        }
+        assert_eq!((orbits.panels.len(), orbits.panels[1].title.as_str()), (2, "Support 2"));
+    }
 }

@@ -307,6 +307,49 @@ fn the_angular_momentum_changes_by_the_torque_of_the_law() {
     assert!(errors[0] < 1e-4 && (3.0..5.0).contains(&ratio), "{errors:?}, ratio {ratio}");
 }
 
+/// A brake by a moment, and no force.
+static MOMENT: Formula = Formula {
+    name: "moment",
+    inputs: &["omega"],
+    outputs: &["F_x", "F_y", "M_z"],
+    value: |z| vec![Dual64::from_re(0.0), Dual64::from_re(0.0), z[0] * z[0] * -0.02],
+};
+
+/// A moment counts as the force that it is at the journal's surface.
+#[test]
+fn moments_are_judged_over_the_journals_radius() {
+    let change = |radius: f64| {
+        let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
+        parts.laws = laws(&[&MOMENT]);
+        let bore = Default::default();
+        let journal_radius = Some(radius);
+        parts.bearings = vec![Bearing { stations: vec![0.5], bore, journal_radius, ..bearing(0) }];
+        let machine = Machine::new(parts).expect("a machine");
+        let mut options = options(1e-3, 1);
+        options.initial_speed = 40.0;
+        // One iteration is too few, and leaves its change of force behind.
+        (options.newton.max_iterations, options.newton.max_halvings) = (1, 0);
+        let go_on = &mut |_: &_| std::ops::ControlFlow::Continue(());
+        let failure = march(&machine, &options, go_on).expect_err("one iteration");
+        let Error::NewtonDiverged { force_change, .. } = failure.error else {
+            panic!("{}", failure.error)
+        };
+        force_change
+    };
+    // By Newton's method from the prediction, of the moment −0.02 ω² N·m on 0.05 kg·m².
+    let (omega, dt) = (40.0, 1e-3);
+    let moment = |omega: f64| -0.02 * omega * omega;
+    let predicted = omega + dt * moment(omega) / INERTIA;
+    // ω̇ = 2 (ω − ω_n)/Δt − ω̇_n, so that the residual at the prediction is M(ω_p) − M(ω_n).
+    let slope = INERTIA * 2.0 / dt + 0.04 * predicted;
+    let solved = predicted + (moment(predicted) - moment(omega)) / slope;
+    let expected = (moment(solved) - moment(predicted)).abs();
+    for radius in [RADIUS, 0.1 * RADIUS] {
+        let found = change(radius) * radius;
+        assert!((found / expected - 1.0).abs() < 1e-9, "{found} N·m, expected {expected} N·m");
+    }
+}
+
 /// Full annular contact: a radial stiffness beyond the gap, damping of the surroundings.
 static ANNULUS: Formula = Formula {
     name: "annulus",

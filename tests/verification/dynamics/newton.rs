@@ -124,6 +124,91 @@ fn step_cutting_saves_the_plain_method() {
     }
 }
 
+/// A load that turns within a step makes the parts of a halved step differ: they are the steps of a march with
+/// half the step.
+#[test]
+fn the_halves_of_a_step_are_steps_of_their_own() {
+    // As above with 20 kg, s = 80 MN/m: from 10 µm the plain method goes to −2.5 and 22.5 µm and on for ever;
+    // in half the step, s = 320 MN/m, 5 µm lead to 1.9 µm, where the springs yield, too.
+    let mut parts =
+        parts(Shaft::lumped(20.0, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
+    parts.laws = vec![boxed(&YIELDING)];
+    parts.bearings = vec![stops("between springs", 1e-3, &[0.0, std::f64::consts::PI], 0)];
+    let sine = Course::Sine { frequency: 400.0, phase: 0.9 };
+    parts.loads = vec![force(&parts.shaft.nodes[0], [40.0, 25.0, 0.0], sine, Frame::Space)];
+    let machine = Machine::new(parts).expect("a machine");
+    let newton =
+        NewtonOptions { line_search: false, keep_factors: false, ..options(1.0, 1).newton };
+    let end = |parts: usize| {
+        let mut options = thrown(newton);
+        (options.time_step, options.steps) = (1e-3 / parts as f64, parts);
+        let mut march = March::new(&machine, &options).expect("starts");
+        (0..parts).for_each(|_| march.advance().unwrap_or_else(|error| panic!("{error}")));
+        (march.state().clone(), march.outcome().halved_steps)
+    };
+    let ((whole, halved), (halves, _)) = (end(1), end(2));
+    assert_eq!(halved, 1);
+    // Along x and y: positions, velocities and accelerations, each the same sums of the same numbers.
+    for (a, b) in [(&whole.q, &halves.q), (&whole.v, &halves.v), (&whole.a, &halves.a)] {
+        let size = b.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        for (a, b) in a.iter().zip(b) {
+            assert!((a - b).abs() <= 1e-9 * size, "{whole:?} {halves:?}");
+        }
+    }
+    assert!(halves.q[2].abs() > 1e-9, "the load moves the mass along y");
+}
+
+/// A spring of 15 MN/m that yields at 750 N.
+static SOFTENING: Law = law("softening", false, |n, h, out| {
+    for j in 0..n {
+        let depth = 1e-3 - h[j];
+        let acts = depth > 0.0 && depth < 50e-6;
+        out[j] = 15e6 * depth.clamp(0.0, 50e-6);
+        out[n + j] = if acts { -15e6 } else { 0.0 };
+    }
+});
+
+/// Factors of [AK] with a spring that has yielded since contract by 15/(15 + 10) = 0.6 an iteration: too
+/// little to be kept. Made anew they solve the step, for the residual is linear from there on.
+#[test]
+fn factors_that_contract_badly_are_made_anew() {
+    let mut parts =
+        parts(Shaft::lumped(2.5, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
+    parts.laws = vec![boxed(&SOFTENING)];
+    parts.bearings = vec![stops("softening", 1e-3, &[0.0], 0)];
+    // Slow beside the steps: yields within some of them, and not to and fro.
+    let sine = Course::Sine { frequency: 10.0, phase: 0.0 };
+    parts.loads = vec![force(&parts.shaft.nodes[0], [1000.0, 0.0, 0.0], sine, Frame::Space)];
+    let machine = Machine::new(parts).expect("a machine");
+    let mut options = options(1e-3, 20);
+    options.newton = NewtonOptions::default();
+    let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(())).expect("marches");
+    let column = |name| outcome.history.column(name).expect("a column");
+    assert!(column("RX1_N").last().is_some_and(|force| (force + 750.0).abs() < 1e-9), "it yields");
+    // Two show how they contract, the third is exact, and the spring may yield between any of them; kept, they
+    // would take 0.6ⁿ = 1e-7, n = 31.
+    let most = column("iterations").into_iter().fold(0.0, f64::max);
+    assert!(most <= 6.0, "{most} iterations in a step");
+}
+
+/// Tolerances so wide that the first shortened iteration is within them: forces may change by more than the
+/// springs have, and the residual there, at 3.75 µm, is 937.5 N.
+#[test]
+fn a_shortened_iteration_does_not_end_a_step() {
+    let wide = NewtonOptions {
+        force_tolerance: 1e4,
+        residual_tolerance: 1.0,
+        max_halvings: 0,
+        ..NewtonOptions::default()
+    };
+    let machine = between_yielding_springs();
+    let mut go_on = |_: &_| ControlFlow::Continue(());
+    let outcome = march(&machine, &thrown(wide), &mut go_on).expect("converges");
+    // The first whole one is that on the springs' slope, which ends at the solution.
+    let x = outcome.history.column("X1_um").expect("a column")[0];
+    assert!((x - 10.0 / 101.0).abs() < 1e-6, "{x}");
+}
+
 #[test]
 fn an_observer_stops_the_march_and_keeps_what_there_is() {
     let machine = between_yielding_springs();

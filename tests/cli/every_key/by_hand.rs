@@ -1,0 +1,237 @@
+//! A machine put together from meshes, sets and numbers, without what reads cases.
+
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use whirl_solver::bearing::{Bearing, SpringLaw};
+use whirl_solver::body::{BodySpec, Rayleigh, Retained};
+use whirl_solver::constraints::{Constraints, GroundSpring};
+use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, march};
+use whirl_solver::history::History;
+use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::machine::{Machine, MachineParts, Rotation};
+use whirl_solver::mesh::Mesh;
+use whirl_solver::shaft::Shaft;
+use whirl_solver::support::Support;
+use whirl_specs::{CLEARANCES, MOTIONS};
+
+/// A shaft on a support in numbers, SI.
+pub(super) struct ByHand {
+    pub(super) shaft: Mesh,
+    pub(super) support: Mesh,
+    /// Of the shaft, then of the support.
+    pub(super) modes: [usize; 2],
+    /// C = damping · K, likewise.
+    pub(super) damping: [f64; 2],
+    pub(super) motion: &'static str,
+    pub(super) axial_restraint: &'static str,
+    /// Set, direction (0, 1, 2), N/m.
+    pub(super) ground_springs: Vec<(&'static str, usize, f64)>,
+    pub(super) laws: Vec<Box<dyn SpringLaw>>,
+    pub(super) bearings: Vec<BearingByHand>,
+    /// Torque and the speed at which it ends, rad/s.
+    pub(super) drive: Option<(f64, f64)>,
+    pub(super) loads: Vec<LoadByHand>,
+    pub(super) time_step: f64,
+    pub(super) steps: usize,
+    pub(super) force_tolerance: f64,
+}
+
+/// A bearing between the sets JOURNALk_… and BOREk_….
+pub(super) struct BearingByHand {
+    pub(super) k: usize,
+    pub(super) springs: usize,
+    pub(super) clearance: f64,
+    pub(super) radius: Option<f64>,
+    pub(super) law: usize,
+    /// z of the rings of springs (m).
+    pub(super) stations: Vec<f64>,
+}
+
+/// A force in space on every node of some sets.
+pub(super) struct LoadByHand {
+    pub(super) sets: &'static [&'static str],
+    /// N along x, y.
+    pub(super) force: [f64; 2],
+    /// Frequency (Hz) and phase (rad).
+    pub(super) sine: Option<(f64, f64)>,
+}
+
+const PLACES: [&str; 3] = ["LEFT", "MIDDLE", "RIGHT"];
+
+/// The only node of a set.
+fn node(mesh: &Mesh, set: &str) -> usize {
+    let nodes = mesh.node_set(set).expect("a set of the mesh");
+    assert_eq!(nodes.len(), 1, "{set}");
+    nodes[0]
+}
+
+fn body(mesh: &Mesh, which: usize, own: &ByHand, held: Held, nodes: Vec<usize>) -> BodySpec {
+    assert!(nodes.iter().all(|&node| node < mesh.nodes().len()));
+    BodySpec {
+        retained: held.retained,
+        modes: own.modes[which],
+        constraints: held.constraints,
+        springs: held.springs,
+        damping: Rayleigh { alpha: 0.0, beta: own.damping[which] },
+        nodes,
+        memory: 1 << 30,
+    }
+}
+
+/// What holds a body, and what is kept of it.
+#[derive(Default)]
+struct Held {
+    retained: Vec<Retained>,
+    constraints: Constraints,
+    springs: Vec<GroundSpring>,
+}
+
+impl Held {
+    fn retain(&mut self, node: usize, axis: usize) -> usize {
+        self.retained.push(Retained { dof: 3 * node + axis, name: format!("{node} {axis}") });
+        self.retained.len() - 1
+    }
+}
+
+impl ByHand {
+    /// The columns that a run of the machine has.
+    pub(super) fn march(self) -> History {
+        let (shaft, support) = (self.reduced_shaft(), self.reduced_support());
+        let bearings = self.placed_bearings(&shaft);
+        let loads = self.placed_loads(&shaft);
+        let named = |motion: &&whirl_specs::Motion| motion.origin.name == self.motion;
+        let machine = Machine::new(MachineParts {
+            shaft,
+            support,
+            motion: MOTIONS.iter().find(named).expect("a shipped motion"),
+            rotation: Rotation::Free,
+            clearance: &CLEARANCES[0],
+            laws: self.laws,
+            bearings,
+            loads,
+        });
+        let options = MarchOptions {
+            time_step: self.time_step,
+            steps: self.steps,
+            newmark: Newmark::default(),
+            newton: NewtonOptions {
+                force_tolerance: self.force_tolerance,
+                ..NewtonOptions::default()
+            },
+            cycle: None,
+            stop_when_steady: false,
+            initial_shaft: [Vec::new(), Vec::new()],
+            initial_speed: 0.0,
+        };
+        let machine = machine.expect("a machine");
+        let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));
+        outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history
+    }
+
+    /// The shaft; its nodes are three a bearing, the top and the bottom one of the drive, then those of the
+    /// loads.
+    fn reduced_shaft(&self) -> Shaft {
+        let (mesh, mut held, mut nodes) = (&self.shaft, Held::default(), Vec::new());
+        let [top, bottom] = ["DRIVE_TOP", "DRIVE_BOTTOM"].map(|set| node(mesh, set));
+        let ties = [held.retain(top, 1), held.retain(bottom, 1)];
+        held.constraints.equation("drive", [(ties[0], 1.0), (ties[1], -1.0)]);
+        let axial = held.retain(node(mesh, self.axial_restraint), 2);
+        held.constraints.fix("axial", axial);
+        for bearing in &self.bearings {
+            for place in PLACES {
+                let journal = node(mesh, &format!("JOURNAL{}_{place}", bearing.k));
+                for axis in [0, 1] {
+                    held.retain(journal, axis);
+                }
+                nodes.push(journal);
+            }
+        }
+        nodes.extend([top, bottom]);
+        for load in &self.loads {
+            for set in load.sets {
+                nodes.extend(mesh.node_set(set).expect("a set of the mesh"));
+            }
+        }
+        Shaft::from_mesh(mesh, &body(mesh, 0, self, held, nodes)).expect("a shaft")
+    }
+
+    /// The support; its nodes are those of the bores, ring after ring.
+    fn reduced_support(&self) -> Support {
+        let (mesh, mut held, mut nodes) = (&self.support, Held::default(), Vec::new());
+        for &mount in mesh.node_set("MOUNTS").expect("mounts") {
+            for axis in 0..3 {
+                let dof = held.retain(mount, axis);
+                held.constraints.fix("mount", dof);
+            }
+        }
+        for &(set, axis, stiffness) in &self.ground_springs {
+            for &node in mesh.node_set(set).expect("a set of the mesh") {
+                let name = format!("{set} {axis}");
+                held.springs.push(GroundSpring { name, dof: 3 * node + axis, stiffness });
+            }
+        }
+        for ring in self.bores() {
+            nodes.extend(mesh.node_set(&ring).expect("a set of the mesh"));
+        }
+        Support::from_mesh(mesh, &body(mesh, 1, self, held, nodes)).expect("a support")
+    }
+
+    /// Sets of the bores, three a bearing.
+    fn bores(&self) -> impl Iterator<Item = String> + '_ {
+        let rings = self.bearings.iter().flat_map(|own| PLACES.map(|place| (own.k, place)));
+        rings.map(|(k, place)| format!("BORE{k}_{place}"))
+    }
+
+    fn placed_bearings(&self, shaft: &Shaft) -> Vec<Bearing> {
+        let mut first = 0;
+        let mut rings = self.bores().map(|set| {
+            let count = self.support.node_set(&set).expect("a set of the mesh").len();
+            first += count;
+            (first - count..first).collect::<Vec<usize>>()
+        });
+        let mut placed = Vec::new();
+        for (place, own) in self.bearings.iter().enumerate() {
+            let journal = [0, 1, 2].map(|end| 3 * place + end);
+            let [left, _, right] = journal.map(|node| shaft.nodes[node].position[2]);
+            placed.push(Bearing {
+                name: format!("bearing {place}"),
+                journal,
+                bore: [0, 1, 2].map(|_| rings.next().expect("three rings a bearing")),
+                clearance: own.clearance,
+                journal_radius: own.radius,
+                stations: own.stations.iter().map(|z| (z - left) / (right - left)).collect(),
+                angles: (0..own.springs).map(|j| TAU * j as f64 / own.springs as f64).collect(),
+                law: own.law,
+            });
+        }
+        placed
+    }
+
+    fn placed_loads(&self, shaft: &Shaft) -> Vec<Load> {
+        let drive = 3 * self.bearings.len();
+        let mut nodes = shaft.nodes[drive + 2..].iter();
+        let mut placed = Vec::new();
+        for own in &self.loads {
+            let course = match own.sine {
+                Some((frequency, phase)) => Course::Sine { frequency, phase },
+                None => Course::Constant,
+            };
+            let [x, y] = own.force;
+            for _ in own.sets.iter().flat_map(|set| self.shaft.node_set(set).expect("a set")) {
+                let node = nodes.next().expect("a node a load").clone();
+                placed.push(Load { node, force: [x, y, 0.0], course, frame: Frame::Space });
+            }
+        }
+        if let Some((torque, target)) = self.drive {
+            let [top, bottom] = [0, 1].map(|end| shaft.nodes[drive + end].clone());
+            // ±F along y, as far apart along x as the nodes: a couple about +z.
+            let force = torque / (top.position[0] - bottom.position[0]);
+            for (node, force) in [(top, force), (bottom, -force)] {
+                let course = Course::UntilSpeed { target };
+                placed.push(Load { node, force: [0.0, force, 0.0], course, frame: Frame::Shaft });
+            }
+        }
+        placed
+    }
+}

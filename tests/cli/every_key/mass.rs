@@ -1,0 +1,99 @@
+//! The mass: its equations stepped here, by Newmark's method with (½, ¼).
+
+use std::f64::consts::PI;
+
+use super::Results;
+
+const MASS: f64 = 3.0;
+const STIFFNESS: f64 = 2e4;
+const DAMPING: f64 = 35.0;
+const FORCE: f64 = 17.0;
+const ECCENTRICITY: f64 = 0.4e-3;
+const SPEED: f64 = 95.0;
+const STEP: f64 = 2e-4;
+const STEPS: usize = 900;
+/// Of the stops above and below (m).
+const GAPS: [f64; 2] = [0.9e-3, 0.7e-3];
+
+/// Q of buffer.toml.
+fn buffer(h: f64, h_dot: f64) -> f64 {
+    40.0 * (-h / 0.5e-3).exp() * (1.0 - 0.3 * h_dot)
+}
+
+/// Forces along x, y of the stops above, below and around a mass that moves.
+fn stops([x, y]: [f64; 2], [vx, _]: [f64; 2]) -> [[f64; 2]; 3] {
+    [
+        [-buffer(GAPS[0] - x, -vx), 0.0],
+        [buffer(GAPS[1] + x, vx), 0.0],
+        [-3e3 * x - 1.5e3 * y, 2e3 * x - 4e3 * y],
+    ]
+}
+
+/// m ẍ of a mass that moves.
+fn push(t: f64, q: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+    let turning = MASS * ECCENTRICITY * SPEED * SPEED;
+    let (sin, cos) = (SPEED * t).sin_cos();
+    let mut sum = [FORCE + turning * cos, turning * sin];
+    for axis in 0..2 {
+        sum[axis] -= STIFFNESS * q[axis] + DAMPING * v[axis];
+        stops(q, v).iter().for_each(|stop| sum[axis] += stop[axis]);
+    }
+    sum
+}
+
+#[test]
+fn a_mass_is_what_its_case_says() {
+    let results = Results::of("mass", &[]);
+    let history = &results.history;
+    assert_eq!(history.column("t_s").len(), STEPS);
+    let (mut q, mut v) = ([0.3e-3, 0.0], [-0.12, 0.0]);
+    let mut a = push(0.0, q, v).map(|force| force / MASS);
+    let mut rows = Vec::new();
+    for step in 1..=STEPS {
+        let t = step as f64 * STEP;
+        // q = q_n + Δt v_n + ¼ Δt² (a_n + a), v = v_n + ½ Δt (a_n + a): a fixed point of a, which a step
+        // contracts by ¼ Δt² (k + k_stops)/m + ½ Δt d/m < 0.01.
+        let mut next = a;
+        let mut at = (q, v);
+        for _ in 0..12 {
+            for axis in 0..2 {
+                let both = a[axis] + next[axis];
+                at.0[axis] = q[axis] + STEP * v[axis] + 0.25 * STEP * STEP * both;
+                at.1[axis] = v[axis] + 0.5 * STEP * both;
+            }
+            next = push(t, at.0, at.1).map(|force| force / MASS);
+        }
+        (q, v) = at;
+        a = next;
+        rows.push((t, q, stops(q, v)));
+    }
+    let largest = |of: &dyn Fn(&(f64, [f64; 2], [[f64; 2]; 3])) -> f64| {
+        rows.iter().map(of).fold(0.0, |m: f64, v| m.max(v.abs()))
+    };
+    let close = |name: String, of: &dyn Fn(&(f64, [f64; 2], [[f64; 2]; 3])) -> f64| {
+        let peak = largest(of);
+        for (row, (found, expected)) in
+            history.column(&name).iter().zip(rows.iter().map(of)).enumerate()
+        {
+            // Steps are solved to 1e-7 of the largest force, and errors of oscillations add up as the root
+            // of the number of steps.
+            let wrong = (found - expected).abs();
+            assert!(wrong <= 3e-6 * peak, "{name} in row {row}: {found}, by hand {expected}");
+        }
+    };
+    close("t_s".to_owned(), &|row| row.0);
+    for k in 1..=3 {
+        for (axis, letter) in ["X", "Y"].into_iter().enumerate() {
+            close(format!("{letter}{k}_um"), &|row| 1e6 * row.1[axis]);
+            close(format!("E{letter}{k}_um"), &|row| 1e6 * row.1[axis]);
+            if k == 3 || axis == 0 {
+                close(format!("R{letter}{k}_N"), &|row| row.2[k - 1][axis]);
+            }
+        }
+    }
+    // Stops above and below push along x alone, but for the sine of π.
+    for name in ["RY1_N", "RY2_N"] {
+        assert!(history.column(name).iter().all(|force| force.abs() <= PI.sin() * 200.0), "{name}");
+    }
+    results.sums_up(1.0 / 12.0);
+}

@@ -1,0 +1,187 @@
+//! Cases that use every key, with values that are neither symmetric, zero nor default, against machines put
+//! together here by hand: meshes, sets and numbers, in SI, as a reader of the case would take them.
+//!
+//! The cases are the files beside this one. A key that none of them has fails
+//! [`no_key_is_left_out`]: add it there, and to the numbers here.
+
+mod by_hand;
+mod mass;
+mod rotor;
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::workbench::Workbench;
+
+/// Everything that the cases name, by its name.
+const FILES: [(&str, &str); 8] = [
+    ("made.toml", include_str!("made.toml")),
+    ("base.toml", include_str!("base.toml")),
+    ("read.toml", include_str!("read.toml")),
+    ("mass.toml", include_str!("mass.toml")),
+    ("film.toml", include_str!("film.toml")),
+    ("wall.toml", include_str!("wall.toml")),
+    ("buffer.toml", include_str!("buffer.toml")),
+    ("ring.toml", include_str!("ring.toml")),
+];
+
+/// Those of them that are cases.
+const CASES: [&str; 4] = ["made.toml", "base.toml", "read.toml", "mass.toml"];
+
+#[test]
+fn no_key_is_left_out() {
+    let bench = Workbench::new();
+    let schema = serde_json::from_str(&bench.whirl(&["schema", "case"]).stdout).expect("JSON");
+    let (mut known, mut used) = (BTreeSet::new(), BTreeSet::new());
+    keys(&schema, "", &mut known);
+    for (name, text) in FILES.iter().filter(|(name, _)| CASES.contains(name)) {
+        let case: toml::Table = toml::from_str(text).expect(name);
+        let case = serde_json::to_value(case).expect("a table");
+        uses(&schema, &case, "", &mut used);
+    }
+    let unused: Vec<&String> = known.difference(&used).collect();
+    assert!(unused.is_empty(), "no case under tests/cli/every_key has {unused:?}");
+    assert!(known.len() > 80, "the schema has keys");
+}
+
+/// The schemas one level down, each with what it adds to the path of a key.
+fn below(schema: &Value) -> Vec<(String, &Value)> {
+    let mut found = Vec::new();
+    if let Some(properties) = schema["properties"].as_object() {
+        found.extend(properties.iter().map(|(key, inner)| (format!(".{key}"), inner)));
+    }
+    if let Some(patterns) = schema["patternProperties"].as_object() {
+        found.extend(patterns.values().map(|inner| (".NAME".to_owned(), inner)));
+    }
+    if schema["additionalProperties"].is_object() {
+        found.push((".NAME".to_owned(), &schema["additionalProperties"]));
+    }
+    if schema["items"].is_object() {
+        found.push((String::new(), &schema["items"]));
+    }
+    if let Some(shapes) = schema["anyOf"].as_array() {
+        found.extend(shapes.iter().map(|inner| (String::new(), inner)));
+    }
+    found
+}
+
+/// Paths of all keys of a schema, such as `.bearing.stations`; lists add nothing to them.
+fn keys(schema: &Value, path: &str, found: &mut BTreeSet<String>) {
+    for (step, inner) in below(schema) {
+        let path = format!("{path}{step}");
+        if !step.is_empty() {
+            found.insert(path.clone());
+        }
+        keys(inner, &path, found);
+    }
+}
+
+/// Paths of all keys of a schema that a value has.
+fn uses(schema: &Value, value: &Value, path: &str, found: &mut BTreeSet<String>) {
+    for (step, inner) in below(schema) {
+        let path = format!("{path}{step}");
+        let values: Vec<&Value> = match (step.as_str(), value) {
+            ("", Value::Array(items)) if schema["items"].is_object() => items.iter().collect(),
+            ("", Value::Array(_)) => vec![value],
+            ("", _) if schema["anyOf"].is_array() => vec![value],
+            (".NAME", Value::Object(entries)) => entries.values().collect(),
+            (step, Value::Object(entries)) if !step.is_empty() => {
+                entries.get(&step[1..]).into_iter().collect()
+            }
+            _ => Vec::new(),
+        };
+        if !step.is_empty() && !values.is_empty() {
+            found.insert(path.clone());
+        }
+        values.into_iter().for_each(|value| uses(inner, value, &path, found));
+    }
+}
+
+/// What a run left behind.
+struct Results {
+    history: History,
+    summary: Value,
+    bench: Workbench,
+}
+
+impl Results {
+    /// Runs a case with all files beside it, and with `more` of them.
+    fn of(case: &str, more: &[(&str, String)]) -> Results {
+        let mut bench = Workbench::new();
+        for (name, text) in FILES {
+            bench = bench.file(name, text);
+        }
+        for (name, text) in more {
+            bench = bench.file(name, text);
+        }
+        let outcome = bench.whirl(&["run", &format!("{case}.toml"), "--out", "out"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let read = |name: &str| fs::read_to_string(bench.path("out").join(name)).expect(name);
+        let history = History::parse(&read("history.csv"));
+        let summary = serde_json::from_str(&read("summary.json")).expect("JSON");
+        Results { history, summary, bench }
+    }
+
+    /// The text of a figure.
+    fn figure(&self, name: &str) -> String {
+        let path = self.bench.path("out").join(format!("{name}.svg"));
+        fs::read_to_string(path).expect("a figure")
+    }
+
+    /// Least, mean and largest values over the last `cycle` seconds of the history, against those of
+    /// summary.json.
+    fn sums_up(&self, cycle: f64) {
+        assert!((self.summary["cycle_s"].as_f64().expect("s") / cycle - 1.0).abs() < 1e-12);
+        let time = self.history.column("t_s");
+        let end = time[time.len() - 1];
+        // To a rounding error: steps are not thinner than 1e-3 of the cycles here.
+        let rows = time.iter().filter(|&&t| t >= end - cycle * (1.0 + 1e-9)).count();
+        assert!(10 < rows && rows < time.len() - 10, "a cycle is a part of the run");
+        for (place, support) in
+            self.summary["supports"].as_array().expect("a list").iter().enumerate()
+        {
+            for name in ["RX_N", "RY_N", "X_um", "Y_um", "EX_um", "EY_um"] {
+                let (letters, unit) = name.split_once('_').expect("a unit");
+                let values = self.history.column(&format!("{letters}{}_{unit}", place + 1));
+                let values = &values[values.len() - rows..];
+                let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+                let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                let mean = values.iter().sum::<f64>() / values.len() as f64;
+                // The history has ten digits.
+                let rounding = 1e-9 * least.abs().max(most.abs());
+                for (what, value) in [("min", least), ("mean", mean), ("max", most)] {
+                    let said = support[name][what].as_f64().expect("a number");
+                    let wrong = (said - value).abs();
+                    assert!(wrong <= rounding, "{what} of {name} at {place}: {said}, not {value}");
+                }
+            }
+        }
+    }
+}
+
+/// Columns by name, in the units of their names.
+struct History {
+    names: Vec<String>,
+    columns: Vec<Vec<f64>>,
+}
+
+impl History {
+    fn parse(text: &str) -> History {
+        let mut lines = text.lines();
+        let names: Vec<String> =
+            lines.next().expect("names").split(',').map(str::to_owned).collect();
+        let mut columns = vec![Vec::new(); names.len()];
+        for line in lines {
+            let values = line.split(',').map(|cell| cell.parse::<f64>().expect("a number"));
+            columns.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+        }
+        History { names, columns }
+    }
+
+    fn column(&self, name: &str) -> &[f64] {
+        let place = self.names.iter().position(|own| own == name);
+        &self.columns[place.unwrap_or_else(|| panic!("no column {name} in {:?}", self.names))]
+    }
+}
