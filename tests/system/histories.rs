@@ -2,18 +2,20 @@
 
 use crate::run::{History, reference, shipped};
 
-/// Rows of the reference over which the closer bound holds: the last cycle.
-const LAST_CYCLE: usize = 361;
+/// Largest difference from the reference as a share of the peak. Both programs solve the same equations of the
+/// same time integration, each step to 1e-6 of its forces or better, and the reference is written in eight
+/// digits; the differences of three analyses were measured as 1.5e-6 and less.
+const SHARE: f64 = 2e-5;
 
 /// Largest difference over `columns`, scaled by the largest reference value of all of them.
-fn scaled_difference(ours: &History, theirs: &History, columns: &[String], rows: usize) -> f64 {
+fn scaled_difference(ours: &History, theirs: &History, columns: &[String]) -> f64 {
     let scale = columns
         .iter()
         .flat_map(|name| theirs.column(name))
         .fold(0.0_f64, |largest, value| largest.max(value.abs()));
     columns
         .iter()
-        .flat_map(|name| ours.tail(name, rows).iter().zip(theirs.tail(name, rows)))
+        .flat_map(|name| ours.column(name).iter().zip(theirs.column(name)))
         .fold(0.0_f64, |largest, (a, b)| largest.max((a - b).abs()))
         / scale
 }
@@ -33,17 +35,15 @@ fn compare(number: usize) {
     for (what, columns) in
         [("reactions", starting(&['R'])), ("displacements", starting(&['X', 'Y']))]
     {
-        let whole = scaled_difference(ours, &theirs, &columns, theirs.rows());
-        let cycle = scaled_difference(ours, &theirs, &columns, LAST_CYCLE);
-        println!(
-            "analysis {number}, {what}: {whole:.2e} over all, {cycle:.2e} over the last cycle"
-        );
-        assert!(whole <= 0.01, "analysis {number}: {what} differ by {whole} of their peak");
-        assert!(cycle <= 0.0005, "analysis {number}: {what} of the last cycle differ by {cycle}");
+        let share = scaled_difference(ours, &theirs, &columns);
+        println!("analysis {number}, {what}: {share:.2e}");
+        assert!(share <= SHARE, "analysis {number}: {what} differ by {share} of their peak");
     }
-    for (row, (a, b)) in ours.column("theta_rad").iter().zip(theirs.column("theta_rad")).enumerate()
-    {
-        assert!((a - b).abs() <= 0.01, "row {row}: angle {a} against {b} rad");
+    // Of the speed that analysis 2 reaches, and of a radian; without a drive neither turns at all.
+    for (name, scale) in [("theta_rad", 1.0), ("omega_rad_s", 471.2389)] {
+        let rows = ours.column(name).iter().zip(theirs.column(name));
+        let worst = rows.fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+        assert!(worst <= SHARE * scale, "analysis {number}: {name} differs by {worst}");
     }
 }
 

@@ -13,6 +13,7 @@ mod invariants;
 mod laws;
 mod made_meshes;
 mod mesh_input;
+mod missed_modes;
 mod newton;
 mod reduction;
 mod reference_modes;

@@ -16,7 +16,7 @@ use serde_json::Value;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 8] = [
+const FILES: [(&str, &str); 9] = [
     ("made.toml", include_str!("made.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
@@ -24,6 +24,7 @@ const FILES: [(&str, &str); 8] = [
     ("film.toml", include_str!("film.toml")),
     ("wall.toml", include_str!("wall.toml")),
     ("buffer.toml", include_str!("buffer.toml")),
+    ("skid.toml", include_str!("skid.toml")),
     ("ring.toml", include_str!("ring.toml")),
 ];
 
