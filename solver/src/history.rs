@@ -1,5 +1,7 @@
 //! What a march leaves behind: one row a step.
 
+use crate::machine::Machine;
+
 /// Named columns of one length, stored row by row.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
@@ -11,6 +13,13 @@ impl History {
     /// No rows yet. Names carry their units, such as `RX1_N`.
     pub fn new(names: Vec<String>) -> Self {
         History { names, values: Vec::new() }
+    }
+
+    /// The columns of a machine, as [`History::for_bearings`] has them.
+    pub fn for_machine(machine: &Machine) -> Self {
+        let monitors = machine.monitors.iter().enumerate();
+        let turning: Vec<usize> = monitors.filter(|(_, own)| own.torque).map(|(k, _)| k).collect();
+        History::for_bearings(machine.monitors.len(), &turning)
     }
 
     /// The columns of a machine with `bearings` bearings: time, angle, speed, then for every bearing the

@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use serde::{Deserialize, Serialize};
+
 use super::energy::EnergyBalance;
-use super::meters::Meters;
+use super::meters::{MeterSums, Meters};
 use super::newmark::{Coefficients, Newmark, State};
 use super::newton::{Ending, Newton, NewtonOptions, Report};
 use super::quality::Quality;
@@ -52,7 +54,7 @@ pub struct Progress {
 /// What a march gave.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// One row a step.
+    /// One row a step where [`march`] kept them; none of a [`March`], whose driver takes the rows.
     pub history: History,
     /// Where the work of the loads went.
     pub energy: EnergyBalance,
@@ -77,8 +79,12 @@ pub struct Failure {
     pub outcome: Outcome,
 }
 
-/// Marches a machine from rest (or the initial state of the options) at t = 0. `observe` is called after
-/// every step and may stop the march.
+/// Steps from one checkpoint to the next. Factors are made anew there in every march, so that one resumed from
+/// a checkpoint goes on with the same bits. A factorisation costs a few steps, of which this many make little.
+pub const CHECKPOINT_STEPS: usize = 1000;
+
+/// Marches a machine from rest (or the initial state of the options) at t = 0 and keeps the history in memory.
+/// `observe` is called after every step and may stop the march.
 ///
 /// # Errors
 /// A step that does not converge, however short; the history up to there is kept.
@@ -88,21 +94,65 @@ pub fn march(
     observe: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<Outcome, Box<Failure>> {
     let mut march = March::new(machine, options)?;
-    while march.step < options.steps {
+    let mut history = History::for_machine(machine);
+    history.reserve(options.steps.min(CHECKPOINT_STEPS));
+    while !march.is_done() {
         if let Err(error) = march.advance() {
-            let outcome = march.outcome();
+            let outcome = Outcome { history, ..march.outcome() };
             return Err(Box::new(Failure { error, outcome }));
         }
-        let stop = observe(&march.progress()).is_break();
-        let steady = march.steady.as_ref().is_some_and(|test| test.reached.is_some());
-        if stop || options.stop_when_steady && steady {
+        history.push(march.row());
+        if observe(&march.progress()).is_break() {
             break;
         }
     }
-    Ok(march.outcome())
+    Ok(Outcome { history, ..march.outcome() })
 }
 
-/// A march that can be advanced step by step.
+/// What a march has counted and summed up; all of it is in its checkpoints.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Tally {
+    /// Steps done.
+    step: usize,
+    iterations: usize,
+    halved_steps: usize,
+    steady: Option<SteadyTest>,
+}
+
+/// Everything that a march needs to go on after a step, but its machine and its options.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Checkpoint {
+    state: State,
+    /// Time at which the system was last evaluated (s): that of the state, rounded as its step had it.
+    time: f64,
+    /// Which driving loads have stopped.
+    released: Vec<bool>,
+    factorisations: usize,
+    meters: MeterSums,
+    tally: Tally,
+}
+
+impl Checkpoint {
+    /// Steps done.
+    pub fn step(&self) -> usize {
+        self.tally.step
+    }
+
+    /// All of it, every number with its bits.
+    ///
+    /// # Panics
+    /// Never: plain data can be serialised.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        postcard::to_allocvec(self).expect("plain data can be serialised")
+    }
+
+    /// What [`Checkpoint::to_bytes`] gave; none if the bytes are no such thing.
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        postcard::from_bytes(bytes).ok()
+    }
+}
+
+/// A march that can be advanced step by step; it keeps no rows.
 pub struct March<'m> {
     machine: &'m Machine,
     options: MarchOptions,
@@ -111,14 +161,9 @@ pub struct March<'m> {
     state: State,
     /// State at the start of the step, and room for the ends of its parts, one a halving.
     starts: Vec<State>,
-    time: f64,
-    step: usize,
-    iterations: usize,
     last_iterations: usize,
-    halved_steps: usize,
+    tally: Tally,
     meters: Meters,
-    steady: Option<SteadyTest>,
-    history: History,
     row: Vec<f64>,
 }
 
@@ -137,20 +182,13 @@ impl<'m> March<'m> {
         if machine.rotation == Rotation::Free {
             state.v[0] = options.initial_speed;
         }
-        let mut history = {
-            let monitors = machine.monitors.iter().enumerate();
-            let turning: Vec<usize> =
-                monitors.filter(|(_, own)| own.torque).map(|(k, _)| k).collect();
-            History::for_bearings(machine.monitors.len(), &turning)
-        };
-        history.reserve(options.steps);
         let started = accelerate(&mut system, &mut state)
             .and_then(|()| Meters::new(&mut system, options.newmark, options.time_step, &state));
         let meters = match started {
             Ok(meters) => meters,
             Err(error) => {
                 let outcome = Outcome {
-                    history,
+                    history: History::for_machine(machine),
                     energy: EnergyBalance::default(),
                     quality: Quality::default(),
                     steady: None,
@@ -162,40 +200,87 @@ impl<'m> March<'m> {
             }
         };
         let springs = machine.springs.forces();
-        Ok(March {
+        let steady = options.cycle.map(|cycle| SteadyTest::new(springs, cycle, options.time_step));
+        let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
+        Ok(March::from_parts(options, system, state, meters, tally))
+    }
+
+    /// The machine as it was at a checkpoint of a march with the same machine and options. The rows of the
+    /// steps that follow, and the outcome, have the same bits as those of a march that was never interrupted.
+    ///
+    /// # Errors
+    /// A mass matrix that is not positive definite.
+    pub fn resume(
+        machine: &'m Machine,
+        options: &MarchOptions,
+        from: Checkpoint,
+    ) -> Result<Self, Error> {
+        let Checkpoint { state, time, released, factorisations, meters: sums, tally } = from;
+        let mut system = System::new(machine);
+        system.released = released;
+        system.evaluate(time, &state);
+        let mut meters = Meters::new(&mut system, options.newmark, options.time_step, &state)?;
+        meters.go_on_from(sums);
+        let mut march = March::from_parts(options, system, state, meters, tally);
+        march.newton.factorisations = factorisations;
+        Ok(march)
+    }
+
+    fn from_parts(
+        options: &MarchOptions,
+        system: System<'m>,
+        state: State,
+        meters: Meters,
+        tally: Tally,
+    ) -> Self {
+        let machine = system.machine;
+        let size = machine.size();
+        March {
             machine,
             newton: Newton::new(options.newton, &system),
             meters,
             system,
             starts: vec![State::new(size); options.newton.max_halvings + 2],
             state,
-            time: 0.0,
-            step: 0,
-            iterations: 0,
             last_iterations: 0,
-            halved_steps: 0,
-            steady: options.cycle.map(|cycle| SteadyTest::new(springs, cycle, options.time_step)),
-            row: vec![0.0; history.names().len()],
-            history,
+            tally,
+            row: vec![0.0; History::for_machine(machine).names().len()],
             options: options.clone(),
+        }
+    }
+
+    /// What a march needs to go on after this step; at multiples of [`CHECKPOINT_STEPS`] only, as elsewhere
+    /// the factors that are kept would be missing.
+    pub fn checkpoint(&self) -> Option<Checkpoint> {
+        let here = self.tally.step > 0 && self.tally.step.is_multiple_of(CHECKPOINT_STEPS);
+        here.then(|| Checkpoint {
+            state: self.state.clone(),
+            time: self.system.time,
+            released: self.system.released.clone(),
+            factorisations: self.newton.factorisations,
+            meters: self.meters.sums(),
+            tally: self.tally.clone(),
         })
     }
 
-    /// Takes one step and records it.
+    /// Takes one step; its row is in [`March::row`].
     ///
     /// # Errors
     /// The step does not converge.
     pub fn advance(&mut self) -> Result<(), Error> {
+        if self.tally.step.is_multiple_of(CHECKPOINT_STEPS) {
+            self.newton.forget_factors();
+        }
         self.release_loads();
         let dt = self.options.time_step;
-        let start = self.step as f64 * dt;
+        let start = self.tally.step as f64 * dt;
         self.last_iterations = 0;
         self.part(start, dt, 0)?;
-        self.step += 1;
-        self.time = self.step as f64 * dt;
-        self.iterations += self.last_iterations;
-        if let Some(test) = &mut self.steady {
-            test.add(self.time, &self.system.springs.forces);
+        self.tally.step += 1;
+        self.tally.iterations += self.last_iterations;
+        let time = self.time();
+        if let Some(test) = &mut self.tally.steady {
+            test.add(time, &self.system.springs.forces);
         }
         self.record();
         Ok(())
@@ -223,7 +308,7 @@ impl<'m> March<'m> {
                 Ok(())
             }
             Ending::Failed if depth < self.options.newton.max_halvings => {
-                self.halved_steps += usize::from(depth == 0);
+                self.tally.halved_steps += usize::from(depth == 0);
                 self.state.copy_from(&start);
                 let half = 0.5 * dt;
                 self.part(t, half, depth + 1).and_then(|()| self.part(t + half, half, depth + 1))
@@ -241,7 +326,7 @@ impl<'m> March<'m> {
     fn diverged(&self, time: f64, dt: f64, report: &Report) -> Error {
         let worst = self.newton.worst(&self.system.residual);
         Error::NewtonDiverged {
-            step: self.step + 1,
+            step: self.tally.step + 1,
             time,
             time_step: dt,
             iterations: report.iterations,
@@ -253,14 +338,15 @@ impl<'m> March<'m> {
 
     /// Writes the row of the step just done.
     fn record(&mut self) {
+        let time = self.time();
         let (state, machine) = (&self.state, self.machine);
         let first = 1 + machine.shaft.size();
         let (eta, support) = (&state.q[1..first], &state.q[first..]);
         let position = Position::new(state.q[0]);
         let bearings = machine.monitors.len();
         let mut torque_column = 3 + 6 * bearings;
-        let [theta, speed] = machine.spin(self.time).unwrap_or([state.q[0], state.v[0]]);
-        self.row[..3].copy_from_slice(&[self.time, theta, speed]);
+        let [theta, speed] = machine.spin(time).unwrap_or([state.q[0], state.v[0]]);
+        self.row[..3].copy_from_slice(&[time, theta, speed]);
         for (k, monitor) in machine.monitors.iter().enumerate() {
             let springs = &self.system.springs;
             let planes = monitor.planes.iter().map(|&plane| springs.plane_force[plane]);
@@ -288,7 +374,22 @@ impl<'m> March<'m> {
             }
         }
         *self.row.last_mut().expect("columns") = self.last_iterations as f64;
-        self.history.push(&self.row);
+    }
+
+    /// The row of the last step, one value a column of [`History::for_machine`].
+    pub fn row(&self) -> &[f64] {
+        &self.row
+    }
+
+    /// Time at the end of the last step (s).
+    pub fn time(&self) -> f64 {
+        self.tally.step as f64 * self.options.time_step
+    }
+
+    /// Whether all steps are done, or the steady state is reached where that is the end.
+    pub fn is_done(&self) -> bool {
+        let steady = self.tally.steady.as_ref().is_some_and(|test| test.reached.is_some());
+        self.tally.step >= self.options.steps || self.options.stop_when_steady && steady
     }
 
     /// The state at the end of the last step, or of the last part of a step that converged.
@@ -301,11 +402,12 @@ impl<'m> March<'m> {
         self.meters.balance(&mut self.system, &self.state)
     }
 
-    fn progress(&self) -> Progress {
+    /// Where the march is.
+    pub fn progress(&self) -> Progress {
         Progress {
-            step: self.step,
+            step: self.tally.step,
             steps: self.options.steps,
-            time: self.time,
+            time: self.time(),
             iterations: self.last_iterations,
         }
     }
@@ -315,11 +417,11 @@ impl<'m> March<'m> {
         Outcome {
             energy: self.energy(),
             quality: self.meters.quality(&mut self.system),
-            history: self.history,
-            steady: self.steady.and_then(|test| test.reached),
-            iterations: self.iterations,
+            history: History::for_machine(self.machine),
+            steady: self.tally.steady.and_then(|test| test.reached),
+            iterations: self.tally.iterations,
             factorisations: self.newton.factorisations,
-            halved_steps: self.halved_steps,
+            halved_steps: self.tally.halved_steps,
         }
     }
 

@@ -13,7 +13,9 @@ mod system;
 mod verdict;
 
 pub use energy::EnergyBalance;
-pub use march::{Failure, March, MarchOptions, Outcome, Progress, march};
+pub use march::{
+    CHECKPOINT_STEPS, Checkpoint, Failure, March, MarchOptions, Outcome, Progress, march,
+};
 pub use newmark::{Coefficients, Newmark, State};
 pub use newton::NewtonOptions;
 pub use quality::Quality;

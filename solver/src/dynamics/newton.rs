@@ -124,6 +124,11 @@ impl Newton {
         }
     }
 
+    /// Makes the factors anew in the next iteration.
+    pub(crate) fn forget_factors(&mut self) {
+        self.factored_dt = 0.0;
+    }
+
     /// Solves for the state at `t`, the end of `step`, from the prediction in `end`.
     pub(crate) fn solve(
         &mut self,

@@ -1,31 +1,44 @@
 //! The steady state: every spring force changes by less than 1 % over a cycle (paper, section 5.1).
 
+use serde::{Deserialize, Serialize};
+
 /// Largest change of a spring force over a cycle, as a share of the spring's peak in a cycle: a force that
 /// passes through zero is not judged by the little that it is there.
 const CHANGE: f64 = 0.01;
 /// Springs whose peak is below this share of the largest one are judged by that share instead.
 const FLOOR: f64 = 0.01;
 
+/// Most rows of forces kept of a cycle; of a longer one every k-th step is compared.
+const MOST_SAMPLES: usize = 4096;
+/// As many rows at least, however many springs there are: a sine is interpolated between them to (π/64)²/2.
+const LEAST_SAMPLES: usize = 64;
+/// Forces kept of a cycle where the springs are many, 8 MB.
+const MOST_FORCES: usize = 1 << 20;
+
 /// When the steady state was reached, if it was.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SteadyState {
     /// End of the first whole cycle over which the test held at every step (s).
     pub time: f64,
 }
 
-/// Compares spring forces with those of one cycle before, between steps where it is no whole number of
-/// them.
+/// Compares spring forces with those of one cycle before, between samples where it is no whole number of
+/// them. A sample is a step, or one of every few where a cycle has very many: memory is bounded.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct SteadyTest {
     springs: usize,
-    /// Steps of a cycle, not whole.
+    /// Steps from one sample to the next, and those since the last.
+    every: usize,
+    since: usize,
+    /// Samples of a cycle, not whole.
     steps: f64,
-    /// Forces of the last steps, a ring of rows.
+    /// Forces of the last samples, a ring of rows.
     rows: Vec<f64>,
     capacity: usize,
     count: usize,
     /// Largest |Q| of every spring in the last whole cycle, and in the one that runs.
     peaks: [Vec<f64>; 2],
-    /// Steps in a row for which the test held.
+    /// Samples in a row for which the test held.
     held: usize,
     pub(crate) reached: Option<SteadyState>,
 }
@@ -33,10 +46,14 @@ pub(crate) struct SteadyTest {
 impl SteadyTest {
     /// A test for a cycle of `cycle` s in steps of `dt` s.
     pub(crate) fn new(springs: usize, cycle: f64, dt: f64) -> Self {
-        let steps = cycle / dt;
+        let most = (MOST_FORCES / springs.max(1)).clamp(LEAST_SAMPLES, MOST_SAMPLES);
+        let every = (cycle / dt / most as f64).ceil().max(1.0);
+        let steps = cycle / dt / every;
         let capacity = steps.ceil() as usize + 2;
         SteadyTest {
             springs,
+            every: every as usize,
+            since: 0,
             steps,
             rows: vec![0.0; capacity * springs],
             capacity,
@@ -49,6 +66,12 @@ impl SteadyTest {
 
     /// Adds the forces at the end of a step, at time `t`.
     pub(crate) fn add(&mut self, t: f64, forces: &[f64]) {
+        self.since += 1;
+        if self.since < self.every {
+            raise(&mut self.peaks[1], forces);
+            return;
+        }
+        self.since = 0;
         let place = self.count % self.capacity;
         self.rows[place * self.springs..(place + 1) * self.springs].copy_from_slice(forces);
         self.count += 1;
@@ -81,16 +104,20 @@ impl SteadyTest {
         }
     }
 
-    /// Takes the forces of a step into the peaks; a new cycle starts every `back` steps.
+    /// Takes the forces of a sample into the peaks; a new cycle starts every `back` samples.
     fn raise_peaks(&mut self, forces: &[f64], back: usize) {
         let [last, running] = &mut self.peaks;
         if self.count.is_multiple_of(back) {
             std::mem::swap(last, running);
             running.fill(0.0);
         }
-        for (peak, force) in running.iter_mut().zip(forces) {
-            *peak = peak.max(force.abs());
-        }
+        raise(running, forces);
+    }
+}
+
+fn raise(peaks: &mut [f64], forces: &[f64]) {
+    for (peak, force) in peaks.iter_mut().zip(forces) {
+        *peak = peak.max(force.abs());
     }
 }
 
@@ -99,13 +126,39 @@ mod tests {
     use super::*;
 
     fn reached(force: impl Fn(f64) -> f64) -> Option<f64> {
-        let (cycle, dt) = (1.0, 0.013);
-        let mut test = SteadyTest::new(2, cycle, dt);
-        for step in 1..2000 {
-            let t = f64::from(step) * dt;
+        reached_in_steps(0.013, force)
+    }
+
+    fn reached_in_steps(dt: f64, force: impl Fn(f64) -> f64) -> Option<f64> {
+        let mut test = SteadyTest::new(2, 1.0, dt);
+        let room = test.rows.capacity();
+        for step in 1..(26.0 / dt) as usize {
+            let t = step as f64 * dt;
             test.add(t, &[force(t), 100.0]);
         }
+        assert!(room <= 2 * (MOST_SAMPLES + 2) && test.rows.capacity() == room, "{room}");
         test.reached.map(|steady| steady.time)
+    }
+
+    #[test]
+    fn cycles_of_many_steps_are_judged_alike_in_bounded_memory() {
+        let wave = |t: f64| 50.0 + 10.0 * (std::f64::consts::TAU * t).sin() + 20.0 * (-t).exp();
+        let (step, steps) = (1e-3, 1e-5);
+        let coarse = reached_in_steps(step, wave).expect("steady at last");
+        let fine = reached_in_steps(steps, wave).expect("steady at last");
+        // The change of 20 (e − 1) e^−t, at its limit, is off by the interpolation between 4096 samples, the
+        // time by a step of either.
+        assert!((fine - coarse).abs() < 2.0 * step, "{fine} {coarse}");
+    }
+
+    #[test]
+    fn no_cycle_is_too_long_for_the_memory() {
+        for (springs, cycle) in [(1, 1e9), (10_000, 1e9), (50_000, 1.0), (3, f64::MAX)] {
+            let test = SteadyTest::new(springs, cycle, 1e-9);
+            assert!(test.capacity <= MOST_SAMPLES + 2, "{springs} {cycle}");
+            let most = MOST_FORCES.max(LEAST_SAMPLES * springs);
+            assert!(test.capacity * springs <= most + 2 * springs, "{springs} {cycle}");
+        }
     }
 
     #[test]

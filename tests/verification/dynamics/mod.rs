@@ -9,6 +9,7 @@ mod free_shaft;
 mod lumped;
 mod newton;
 mod quality;
+mod resume;
 
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::body::BodyNode;

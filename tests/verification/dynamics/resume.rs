@@ -1,0 +1,108 @@
+//! A march resumed from a checkpoint is the march that was never interrupted, bit for bit.
+
+use whirl_solver::bearing::Bearing;
+use whirl_solver::dynamics::{CHECKPOINT_STEPS, Checkpoint, March, MarchOptions};
+use whirl_solver::loads::{Course, Frame};
+use whirl_solver::machine::{Machine, Rotation};
+
+use super::{FILM, bearing, bores, boxed, discs, force, options, parts};
+
+const STEPS: usize = 2 * CHECKPOINT_STEPS + 300;
+
+/// A driven shaft in films that switch off at 2 mm, in bores that vibrate: loads that are released, factors that
+/// are kept over steps, a cycle of the steady-state test that reaches back over a checkpoint.
+fn machine(target: f64) -> Machine {
+    let mut parts = parts(discs(1e6), bores(), Rotation::Free);
+    parts.laws = vec![boxed(&FILM)];
+    parts.bearings = vec![Bearing { clearance: 5e-4, ..bearing(0) }];
+    let node = |place: usize| parts.shaft.nodes[place].clone();
+    let sine = Course::Sine { frequency: 80.0, phase: 0.3 };
+    let drive = Course::UntilSpeed { target };
+    parts.loads = vec![
+        force(&node(2), [60.0, 20.0, 0.0], Course::Constant, Frame::Space),
+        force(&node(1), [0.0, 30.0, 0.0], sine, Frame::Space),
+    ];
+    let mut arm = node(0);
+    arm.position[0] = 0.1;
+    parts.loads.push(force(&arm, [0.0, 20.0, 0.0], drive, Frame::Shaft));
+    Machine::new(parts).expect("a machine")
+}
+
+/// A speed that is reached between the first checkpoint and the second.
+fn target() -> f64 {
+    let machine = machine(f64::INFINITY);
+    let mut march = March::new(&machine, &march_options()).expect("starts");
+    let mut fastest = f64::NEG_INFINITY;
+    for _ in 1..=3 * CHECKPOINT_STEPS / 2 {
+        march.advance().expect("converges");
+        fastest = fastest.max(march.row()[2]);
+    }
+    fastest
+}
+
+fn march_options() -> MarchOptions {
+    MarchOptions { cycle: Some(1.0 / 80.0), initial_speed: 30.0, ..options(1e-4, STEPS) }
+}
+
+/// Goes on to the end; the bits of all rows, and the checkpoints on the way as a file has them.
+fn finish(march: &mut March) -> (Vec<Vec<u64>>, Vec<Vec<u8>>) {
+    let (mut rows, mut kept) = (Vec::new(), Vec::new());
+    while !march.is_done() {
+        march.advance().expect("converges");
+        rows.push(march.row().iter().map(|value| value.to_bits()).collect());
+        kept.extend(march.checkpoint().map(|checkpoint| checkpoint.to_bytes()));
+    }
+    (rows, kept)
+}
+
+#[test]
+fn a_resumed_march_has_the_bits_of_one_never_interrupted() {
+    let (machine, options) = (machine(target()), march_options());
+    let mut whole = March::new(&machine, &options).expect("starts");
+    let (rows, checkpoints) = finish(&mut whole);
+    let whole = whole.outcome();
+    assert_eq!((rows.len(), checkpoints.len()), (STEPS, 2));
+    assert!(whole.factorisations < STEPS / 2, "factors are kept: {}", whole.factorisations);
+    for (bytes, number) in checkpoints.iter().zip(1..) {
+        let checkpoint = Checkpoint::from_bytes(bytes).expect("what was written");
+        let step = checkpoint.step();
+        assert_eq!(step, number * CHECKPOINT_STEPS);
+        let mut resumed = March::resume(&machine, &options, checkpoint).expect("resumes");
+        let (rest, _) = finish(&mut resumed);
+        assert!(rest == rows[step..], "other bits after step {step}");
+        assert_eq!(resumed.outcome(), whole);
+    }
+}
+
+#[test]
+fn a_drive_is_released_and_films_act_in_the_march_that_is_resumed() {
+    let free = machine(f64::INFINITY);
+    let mut free = March::new(&free, &march_options()).expect("starts");
+    let machine = machine(target());
+    let mut march = March::new(&machine, &march_options()).expect("starts");
+    let (mut same, mut last) = (0, [0.0; 2]);
+    while !march.is_done() {
+        march.advance().expect("converges");
+        free.advance().expect("converges");
+        last = [march.row()[2], free.row()[2]];
+        same += usize::from(last[0].to_bits() == last[1].to_bits());
+    }
+    assert!((CHECKPOINT_STEPS..2 * CHECKPOINT_STEPS).contains(&same), "released in step {same}");
+    assert!(last[0] < last[1], "{last:?}");
+    assert!(march.energy().spring_stored.abs() > 1e-6, "{:?}", march.energy());
+}
+
+#[test]
+fn damaged_checkpoints_are_none() {
+    let (machine, options) = (machine(target()), march_options());
+    let mut march = March::new(&machine, &options).expect("starts");
+    let checkpoint = loop {
+        march.advance().expect("converges");
+        if let Some(checkpoint) = march.checkpoint() {
+            break checkpoint;
+        }
+    };
+    let bytes = checkpoint.to_bytes();
+    assert_eq!(Checkpoint::from_bytes(&bytes), Some(checkpoint));
+    assert_eq!(Checkpoint::from_bytes(&bytes[..bytes.len() - 1]), None);
+}
