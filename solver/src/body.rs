@@ -58,11 +58,11 @@ pub struct BodySpec {
 }
 
 impl BodySpec {
-    /// Reduces a mesh and eliminates the constraints.
+    /// Reduces a mesh.
     ///
     /// # Errors
-    /// As [`assemble`], [`Solid::craig_bampton`] and [`Constraints::eliminate`]; a dof retained twice.
-    pub fn reduce(&self, mesh: &Mesh) -> Result<(CraigBampton, Coordinates), Error> {
+    /// As [`assemble`] and [`Solid::craig_bampton`]; a dof retained twice.
+    pub fn reduce(&self, mesh: &Mesh) -> Result<CraigBampton, Error> {
         self.check(mesh)?;
         let stiffness = add_ground_springs(&assemble(mesh, "stiffness")?, &self.springs)?;
         let mass = assemble(mesh, "mass")?;
@@ -73,13 +73,18 @@ impl BodySpec {
             memory: self.memory,
         };
         let dofs: Vec<usize> = self.retained.iter().map(|retained| retained.dof).collect();
-        let reduction =
-            solid.craig_bampton(&dofs, self.modes).map_err(|error| error.with_labels(mesh))?;
-        let elimination = self.constraints.eliminate(dofs.len())?;
+        Ok(solid.craig_bampton(&dofs, self.modes).map_err(|error| error.with_labels(mesh))?)
+    }
+
+    /// The coordinates of a reduction that the constraints leave.
+    ///
+    /// # Errors
+    /// As [`Constraints::eliminate`].
+    pub fn active(&self, reduction: &CraigBampton) -> Result<Coordinates, Error> {
+        let elimination = self.constraints.eliminate(self.retained.len())?;
         let names: Vec<String> =
             self.retained.iter().map(|retained| retained.name.clone()).collect();
-        let active = Coordinates::new(&reduction, &elimination, &names);
-        Ok((reduction, active))
+        Ok(Coordinates::new(reduction, &elimination, &names))
     }
 
     fn check(&self, mesh: &Mesh) -> Result<(), Error> {

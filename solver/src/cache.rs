@@ -17,6 +17,10 @@ const MAGIC: &[u8] = b"whirl cache 1\n";
 /// Bytes of a SHA-256.
 const HASH: usize = 32;
 
+/// Hash of the sources of everything that reduces bodies, dependencies and compiler included: values of another
+/// program are not trusted, whether its changes are committed or not.
+pub const PROGRAM: &str = env!("WHIRL_REDUCTION_SOURCES");
+
 /// What a stored value depends on, as a hash.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Key([u8; HASH]);
@@ -69,36 +73,69 @@ impl Cache {
 
     /// The value stored under `key`; `None` if there is none, or one that is damaged.
     pub fn load<T: DeserializeOwned>(&self, key: &Key) -> Option<T> {
-        let bytes = fs::read(self.path(key)).ok()?;
-        let rest = bytes.strip_prefix(MAGIC)?.strip_prefix(&key.0)?;
-        let (checksum, value) = rest.split_at_checked(HASH)?;
-        if checksum != hash(value) {
-            return None;
-        }
-        postcard::from_bytes(value).ok()
+        unpack(key, &fs::read(self.path(key)).ok()?)
     }
 
-    /// Stores `value` under `key`. The file appears whole or not at all.
+    /// Stores `value` under `key`. The file appears whole or not at all, whoever else stores or loads it.
     ///
     /// # Errors
     /// The folder cannot be made or written.
     pub fn store(&self, key: &Key, value: &impl Serialize) -> io::Result<()> {
-        let value = postcard::to_allocvec(value).map_err(io::Error::other)?;
+        let bytes = pack(key, value)?;
         fs::create_dir_all(&self.folder)?;
-        let partial = self.folder.join(format!("{}.{}.part", key.hex(), std::process::id()));
-        let written = fs::File::create(&partial).and_then(|mut file| {
-            file.write_all(MAGIC)?;
-            file.write_all(&key.0)?;
-            file.write_all(&hash(&value))?;
-            file.write_all(&value)?;
-            file.sync_all()
-        });
-        let stored = written.and_then(|()| fs::rename(&partial, self.path(key)));
-        if stored.is_err() {
-            let _ = fs::remove_file(&partial);
-        }
-        stored
+        write_whole(&self.path(key), &bytes)
     }
+}
+
+/// A value under its key, with a checksum.
+///
+/// # Errors
+/// The value refuses to be serialised.
+pub fn pack(key: &Key, value: &impl Serialize) -> io::Result<Vec<u8>> {
+    let value = postcard::to_allocvec(value).map_err(io::Error::other)?;
+    Ok([MAGIC, &key.0, &hash(&value), &value].concat())
+}
+
+/// The value that was packed under `key`; `None` for bytes that are damaged or have another key.
+pub fn unpack<T: DeserializeOwned>(key: &Key, bytes: &[u8]) -> Option<T> {
+    let rest = bytes.strip_prefix(MAGIC)?.strip_prefix(&key.0)?;
+    let (checksum, value) = rest.split_at_checked(HASH)?;
+    if checksum != hash(value) {
+        return None;
+    }
+    postcard::from_bytes(value).ok()
+}
+
+/// Writes a file that appears under its name whole or not at all; an older one stays until then.
+///
+/// # Errors
+/// It cannot be written; nothing is left of it then.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    write_aside(path, bytes)?()
+}
+
+/// Writes a file under a name that nobody else has, beside `path`; what is given back moves it there. It is removed
+/// if that is dropped.
+///
+/// # Errors
+/// It cannot be written.
+pub fn write_aside(
+    path: &Path,
+    bytes: &[u8],
+) -> io::Result<impl FnOnce() -> io::Result<()> + use<>> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let mut aside = tempfile::Builder::new();
+    aside.prefix(".").suffix(".part");
+    #[cfg(unix)]
+    let mode: fs::Permissions = std::os::unix::fs::PermissionsExt::from_mode(0o666);
+    // What the user's mask leaves of it, as for any other file.
+    #[cfg(unix)]
+    aside.permissions(mode);
+    let mut file = aside.tempfile_in(folder.unwrap_or_else(|| Path::new(".")))?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    let path = path.to_path_buf();
+    Ok(move || file.persist(path).map(|_| ()).map_err(|error| error.error))
 }
 
 /// XDG on Unix, `Library/Caches` on macOS, `LOCALAPPDATA` on Windows.
@@ -171,6 +208,66 @@ mod tests {
         assert_eq!(cache.load(&key), Some(vec![7u64; 20]));
         assert_eq!(fs::read_dir(cache.folder()).unwrap().count(), 1);
         fs::remove_dir_all(cache.folder()).unwrap();
+    }
+
+    #[test]
+    fn many_may_store_and_load_the_same_value_at_once() {
+        let cache = cache("many");
+        let (key, value) = (Key::of(&"key"), vec![7u64; 5000]);
+        std::thread::scope(|scope| {
+            for _ in 0..8 {
+                scope.spawn(|| {
+                    for _ in 0..25 {
+                        cache.store(&key, &value).unwrap();
+                        assert_eq!(cache.load(&key).as_ref(), Some(&value));
+                    }
+                });
+            }
+        });
+        assert_eq!(fs::read_dir(cache.folder()).unwrap().count(), 1, "no partial files are left");
+        fs::remove_dir_all(cache.folder()).unwrap();
+    }
+
+    #[test]
+    fn what_cannot_be_written_leaves_the_older_file() {
+        let cache = cache("older");
+        fs::create_dir_all(cache.folder().join("taken")).unwrap();
+        assert!(write_whole(&cache.folder().join("taken"), b"new").is_err());
+        assert!(write_whole(&cache.folder().join("absent/file"), b"new").is_err());
+        write_whole(&cache.folder().join("file"), b"new").unwrap();
+        assert_eq!(fs::read_dir(cache.folder()).unwrap().count(), 2);
+        fs::remove_dir_all(cache.folder()).unwrap();
+    }
+
+    mod build {
+        include!("../sources.rs");
+
+        pub(super) fn of(root: &Path) -> String {
+            sources(root, &["src"], &["lock"])
+        }
+    }
+
+    #[test]
+    fn the_program_is_another_with_every_change_of_its_sources() {
+        let root = tempfile::tempdir().unwrap();
+        let source = root.path().join("src/deep/part.rs");
+        fs::create_dir_all(source.parent().unwrap()).unwrap();
+        let mut seen = vec![build::of(root.path())];
+        let mut changed = |what: &str| {
+            let hash = build::of(root.path());
+            assert_eq!(hash, build::of(root.path()), "{what}");
+            assert!(!seen.contains(&hash), "{what}");
+            seen.push(hash);
+        };
+        fs::write(&source, "let x = 1;").unwrap();
+        changed("a new file");
+        fs::write(&source, "let x = 2;").unwrap();
+        changed("another text of the same length");
+        fs::rename(&source, source.with_file_name("other.rs")).unwrap();
+        changed("another name");
+        fs::write(root.path().join("lock"), "faer 1").unwrap();
+        changed("another dependency");
+        assert_eq!(PROGRAM.len(), 64);
     }
 
     #[test]

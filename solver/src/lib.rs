@@ -13,6 +13,7 @@ pub mod loads;
 pub mod machine;
 pub mod mesh;
 pub mod ordering;
+pub mod reduced;
 pub mod reduction;
 pub mod shaft;
 pub mod sparse;

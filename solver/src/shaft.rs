@@ -2,11 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::assembly::assemble;
 use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh};
 use crate::error::Error;
 use crate::linalg::{Matrix, congruence};
 use crate::mesh::Mesh;
+use crate::reduced::{Kind, Reduced, Spin};
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
 
@@ -62,55 +62,46 @@ impl Shaft {
     /// Reduces the mesh of a shaft.
     ///
     /// # Errors
-    /// As [`BodySpec::reduce`].
+    /// As [`Reduced::new`] and [`Reduced::shaft`].
     pub fn from_mesh(mesh: &Mesh, spec: &BodySpec) -> Result<Shaft, Error> {
-        let (reduction, active) = spec.reduce(mesh)?;
-        Ok(Shaft::new(&ShaftParts {
-            reduction: &reduction,
-            spin_inertia: &assemble(mesh, "spin_inertia")?,
-            spin_coupling: &assemble(mesh, "spin_coupling")?,
-            positions: mesh.nodes(),
-            active: &active,
-            damping: spec.damping,
-            nodes: &spec.nodes,
-        }))
+        Reduced::new(Kind::Shaft, mesh, spec)?.shaft(spec)
     }
 
     /// The shaft of a reduction, in active coordinates.
     pub fn new(parts: &ShaftParts) -> Shaft {
-        let reduction = parts.reduction;
-        let active = parts.active;
-        let x0: Vec<f64> = parts.positions.iter().flatten().copied().collect();
-        let applied = |matrix: &SparseMatrix| {
-            let mut product = vec![0.0; x0.len()];
-            matrix.multiply(&x0, &mut product);
-            product
-        };
-        let (y_x0, h_x0) = (applied(parts.spin_inertia), applied(parts.spin_coupling));
-        let to_active = |forces: &[f64]| {
-            active.transform.apply_transpose(&reduction.shapes.apply_transpose(forces))
-        };
+        let spin =
+            Spin::new(parts.reduction, parts.spin_inertia, parts.spin_coupling, parts.positions);
+        let nodes = parts
+            .nodes
+            .iter()
+            .map(|&node| BodyNode::new(parts.reduction, parts.active, parts.positions, node));
+        Shaft::from_spin(parts.reduction, &spin, parts.active, parts.damping, nodes.collect())
+    }
+
+    /// The shaft of a reduction whose spin is reduced, too.
+    pub(crate) fn from_spin(
+        reduction: &CraigBampton,
+        spin: &Spin,
+        active: &Coordinates,
+        damping: Rayleigh,
+        nodes: Vec<BodyNode>,
+    ) -> Shaft {
+        let to_active = |forces: &[f64]| active.transform.apply_transpose(forces);
         let mass = congruence(&reduction.mass, &active.transform).symmetric_part();
         let stiffness = congruence(&reduction.stiffness, &active.transform).symmetric_part();
-        let spin_inertia = reduction.reduce(parts.spin_inertia);
-        let spin_coupling = reduction.reduce(parts.spin_coupling);
         Shaft {
-            j0: x0.iter().zip(&y_x0).map(|(x, y)| x * y).sum(),
-            y0: to_active(&y_x0),
+            j0: spin.j0,
+            y0: to_active(&spin.y0),
             // x0ᵀH = −(H x0)ᵀ, because H is skew.
-            g0: to_active(&h_x0).iter().map(|value| -value).collect(),
-            damping: parts.damping.matrix(&mass, &stiffness),
+            g0: to_active(&spin.h0).iter().map(|value| -value).collect(),
+            damping: damping.matrix(&mass, &stiffness),
             mass,
             stiffness,
-            spin_inertia: congruence(&spin_inertia, &active.transform).symmetric_part(),
-            spin_coupling: congruence(&spin_coupling, &active.transform).skew_part(),
+            spin_inertia: congruence(&spin.inertia, &active.transform).symmetric_part(),
+            spin_coupling: congruence(&spin.coupling, &active.transform).skew_part(),
             hertz: reduction.hertz.clone(),
             coordinates: active.names.clone(),
-            nodes: parts
-                .nodes
-                .iter()
-                .map(|&node| BodyNode::new(reduction, active, parts.positions, node))
-                .collect(),
+            nodes,
         }
     }
 

@@ -8,6 +8,7 @@ use crate::linalg::{
     LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply,
 };
 use crate::mesh::Mesh;
+use crate::reduced::{Kind, Reduced};
 use crate::reduction::{CraigBampton, hertz};
 
 /// A flexible support in the fixed frame as n oscillators that nothing but their forces couples:
@@ -30,10 +31,9 @@ impl Support {
     /// Reduces the mesh of a support.
     ///
     /// # Errors
-    /// As [`BodySpec::reduce`].
+    /// As [`Reduced::new`] and [`Reduced::support`].
     pub fn from_mesh(mesh: &Mesh, spec: &BodySpec) -> Result<Support, Error> {
-        let (reduction, active) = spec.reduce(mesh)?;
-        Ok(Support::new(&reduction, &active, spec.damping, mesh.nodes(), &spec.nodes)?)
+        Reduced::new(Kind::Support, mesh, spec)?.support(spec)
     }
 
     /// The support of a reduction. Where retained dofs stay free after elimination, its modes are

@@ -1,84 +1,79 @@
-//! Reducing both bodies, or finding them in the cache.
+//! Reducing both bodies, or finding them in the cache, each by itself.
 
 use std::time::Instant;
 
-use serde::{Deserialize, Serialize};
 use whirl_codegen::diagnostic::Diagnostics;
-use whirl_solver::cache::{Cache, Key, instruction_set};
-use whirl_solver::mesh::Mesh;
+use whirl_solver::cache::{Cache, Key};
+use whirl_solver::reduced::{Kind, Reduced};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use super::plan::{BodyPlan, Plan, both};
 use crate::errors::Failure;
-use crate::version;
 
 /// Both bodies after their reduction.
-#[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Bodies {
     pub(super) shaft: Shaft,
     pub(super) support: Support,
+    /// Everything on which each depends that no text of a case says, as a hash.
+    pub(super) content: [Key; 2],
+    /// Wall time in s.
+    pub(super) wall: f64,
+    /// Whether both come from the cache.
+    pub(super) cached: bool,
 }
 
-/// The bodies, the wall time in s that it took, and whether they come from the cache.
+/// The bodies of a plan.
 ///
 /// # Errors
 /// Cells turned inside out, a body that can move freely, more modes than it has, and what else keeps
 /// a body from being reduced.
-pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<(Bodies, f64, bool), Failure> {
+pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<Bodies, Failure> {
     let start = Instant::now();
-    let kept = cache.map(|cache| (cache, key(plan)));
-    if let Some(found) = kept.and_then(|(cache, key)| cache.load(&key)) {
-        return Ok((found, start.elapsed().as_secs_f64(), true));
-    }
     // The bodies know nothing of each other.
     let (shaft, support) = std::thread::scope(|scope| {
-        let support = scope.spawn(|| Support::from_mesh(&plan.support.mesh, &plan.support.spec));
-        let shaft = Shaft::from_mesh(&plan.shaft.mesh, &plan.shaft.spec);
+        let support = scope.spawn(|| reduced(Kind::Support, &plan.support, cache));
+        let shaft = reduced(Kind::Shaft, &plan.shaft, cache);
         (shaft, support.join().expect("a reduction does not panic"))
     });
-    let (shaft, support) = both(
-        shaft.map_err(|error| plan.shaft.explain(error)),
-        support.map_err(|error| plan.support.explain(error)),
-        &mut Diagnostics::new(),
-    )?;
-    let bodies = Bodies { shaft, support };
-    if let Some((cache, key)) = kept
-        && let Err(error) = cache.store(&key, &bodies)
+    let explained = |error| plan.shaft.explain(error);
+    let shaft = shaft.and_then(|(found, own, known)| {
+        Ok((found.shaft(&plan.shaft.spec).map_err(explained)?, own, known))
+    });
+    let explained = |error| plan.support.explain(error);
+    let support = support.and_then(|(found, own, known)| {
+        Ok((found.support(&plan.support.spec).map_err(explained)?, own, known))
+    });
+    let (shaft, support) = both(shaft, support, &mut Diagnostics::new())?;
+    let ((shaft, first, known), (support, second, also)) = (shaft, support);
+    Ok(Bodies {
+        shaft,
+        support,
+        content: [first, second],
+        wall: start.elapsed().as_secs_f64(),
+        cached: known && also,
+    })
+}
+
+/// A body, a hash of its content, and whether it comes from the cache.
+fn reduced(
+    kind: Kind,
+    plan: &BodyPlan,
+    cache: Option<&Cache>,
+) -> Result<(Reduced, Key, bool), Failure> {
+    let (mesh, spec) = (&plan.mesh, &plan.spec);
+    let key = Reduced::key(kind, mesh, spec);
+    // Which nodes are watched as what is applied to the body afterwards.
+    let content = Key::of(&(key.hex(), &spec.nodes));
+    if let Some(found) = cache.and_then(|cache| cache.load(&key)) {
+        return Ok((found, content, true));
+    }
+    let found = Reduced::new(kind, mesh, spec).map_err(|error| plan.explain(error))?;
+    if let Some(cache) = cache
+        && let Err(error) = cache.store(&key, &found)
     {
         let folder = cache.folder().display();
-        eprintln!("warning: cannot keep the reduced machine in {folder}: {error}");
+        eprintln!("warning: cannot keep a reduced body in {folder}: {error}");
     }
-    Ok((bodies, start.elapsed().as_secs_f64(), false))
-}
-
-/// Everything on which the bits of the reduced bodies depend.
-fn key(plan: &Plan) -> Key {
-    Key::of(&(
-        (version::PACKAGE, version::COMMIT, instruction_set()),
-        dependencies(&plan.shaft),
-        dependencies(&plan.support),
-    ))
-}
-
-fn dependencies(plan: &BodyPlan) -> impl Serialize + '_ {
-    let spec = &plan.spec;
-    let retained: Vec<(usize, &str)> =
-        spec.retained.iter().map(|retained| (retained.dof, retained.name.as_str())).collect();
-    let equations = spec.constraints.equations().iter();
-    let equations: Vec<(&str, &[(usize, f64)])> =
-        equations.map(|equation| (equation.name.as_str(), equation.terms.as_slice())).collect();
-    let springs: Vec<(usize, f64)> =
-        spec.springs.iter().map(|spring| (spring.dof, spring.stiffness)).collect();
-    (mesh(&plan.mesh), (retained, spec.modes, equations, springs), spec.damping, &spec.nodes)
-}
-
-fn mesh(mesh: &Mesh) -> impl Serialize + '_ {
-    let blocks: Vec<(&str, usize, &[usize])> = mesh
-        .blocks()
-        .iter()
-        .map(|block| (block.element.origin.hash, block.material, block.connectivity.as_slice()))
-        .collect();
-    let materials: Vec<_> = mesh.materials().iter().map(|material| &material.properties).collect();
-    (mesh.nodes(), blocks, materials)
+    Ok((found, content, false))
 }

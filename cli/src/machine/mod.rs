@@ -8,7 +8,7 @@ mod rotor;
 mod springs;
 
 use serde::Serialize;
-use whirl_solver::cache::Cache;
+use whirl_solver::cache::{Cache, Key};
 use whirl_solver::machine::{Machine, MachineParts};
 
 pub(crate) use plan::{BodyPlan, Outline, Plan};
@@ -40,6 +40,8 @@ pub(crate) struct BodyFacts {
     pub(crate) shaft_hertz: Vec<f64>,
     /// Fixed-interface frequencies of the support, Hz.
     pub(crate) support_hertz: Vec<f64>,
+    /// Hashes of what each body and its watched nodes depend on.
+    pub(crate) content: Vec<(&'static str, Key)>,
     /// Wall time of reading, assembling and reducing, s.
     pub(crate) wall: f64,
     /// Whether the reduced bodies were found in the cache.

@@ -40,7 +40,7 @@ pub(super) fn assemble(
     plan: &Plan,
     cache: Option<&Cache>,
 ) -> Result<Assembled, Failure> {
-    let (bodies, wall, cached) = bodies(plan, cache)?;
+    let bodies = bodies(plan, cache)?;
     let mut laws = Laws::default();
     let bearings = bearings(rotor, plan, &bodies.shaft, &mut laws)?;
     let loads = loads(rotor, plan, &bodies.shaft);
@@ -49,8 +49,9 @@ pub(super) fn assemble(
         support: plan.support.counts(),
         shaft_hertz: bodies.shaft.hertz.clone(),
         support_hertz: bodies.support.hertz.clone(),
-        wall,
-        cached,
+        content: ["shaft", "support"].into_iter().zip(bodies.content).collect(),
+        wall: bodies.wall,
+        cached: bodies.cached,
     };
     let law_hashes = laws.hashes();
     let parts = MachineParts {

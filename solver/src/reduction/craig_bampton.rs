@@ -1,5 +1,7 @@
 use std::borrow::Cow;
 
+use serde::{Deserialize, Serialize};
+
 use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, transpose_multiply};
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
@@ -23,7 +25,7 @@ pub struct Solid<'a> {
 
 /// A body in Craig–Bampton coordinates: amplitudes of its fixed-interface modes, then the displacements
 /// of its retained dofs. Source: Craig, Bampton, AIAA J. 6 (1968) 1313–1319.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CraigBampton {
     /// Frequencies of the fixed-interface modes (Hz), ascending.
     pub hertz: Vec<f64>,

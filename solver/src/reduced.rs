@@ -1,0 +1,162 @@
+//! A body as its reduction leaves it, before anything that costs nothing: constraints, names, damping, and which of its
+//! nodes are watched. This is what a cache keeps, under a key of all that it depends on.
+
+use std::collections::BTreeSet;
+
+use serde::{Deserialize, Serialize};
+
+use crate::assembly::assemble;
+use crate::body::{BodyNode, BodySpec, Coordinates};
+use crate::cache::{Key, PROGRAM, instruction_set};
+use crate::error::Error;
+use crate::linalg::Matrix;
+use crate::mesh::Mesh;
+use crate::reduction::CraigBampton;
+use crate::shaft::Shaft;
+use crate::sparse::SparseMatrix;
+use crate::support::Support;
+
+/// Which body a reduction is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Kind {
+    /// One that turns: it has a [`Spin`].
+    Shaft,
+    /// One that stands.
+    Support,
+}
+
+/// What couples the deformation of a reduced body to its rotation about z, in Craig–Bampton coordinates.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Spin {
+    /// J0 = x0ᵀY x0 (kg·m²).
+    pub(crate) j0: f64,
+    /// φᵀY x0 and φᵀH x0.
+    pub(crate) y0: Vec<f64>,
+    pub(crate) h0: Vec<f64>,
+    /// φᵀYφ and φᵀHφ.
+    pub(crate) inertia: Matrix,
+    pub(crate) coupling: Matrix,
+}
+
+impl Spin {
+    /// Of a reduction with its Y and H, and the positions x0 of its nodes (m).
+    pub(crate) fn new(
+        reduction: &CraigBampton,
+        inertia: &SparseMatrix,
+        coupling: &SparseMatrix,
+        positions: &[[f64; 3]],
+    ) -> Spin {
+        let x0: Vec<f64> = positions.iter().flatten().copied().collect();
+        let applied = |matrix: &SparseMatrix| {
+            let mut product = vec![0.0; x0.len()];
+            matrix.multiply(&x0, &mut product);
+            product
+        };
+        let (y_x0, h_x0) = (applied(inertia), applied(coupling));
+        Spin {
+            j0: x0.iter().zip(&y_x0).map(|(x, y)| x * y).sum(),
+            y0: reduction.shapes.apply_transpose(&y_x0),
+            h0: reduction.shapes.apply_transpose(&h_x0),
+            inertia: reduction.reduce(inertia),
+            coupling: reduction.reduce(coupling),
+        }
+    }
+}
+
+/// A reduced body with the shapes of the nodes that its mesh has sets of, not counting a set of all nodes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Reduced {
+    /// Its shapes have three rows a node of `nodes`.
+    reduction: CraigBampton,
+    spin: Option<Spin>,
+    /// Nodes of the mesh, ascending, and where they are (m).
+    nodes: Vec<usize>,
+    positions: Vec<[f64; 3]>,
+}
+
+impl Reduced {
+    /// Reduces a mesh. Of the spec it takes the retained dofs, the modes, the springs and the nodes: those, and the
+    /// nodes of all sets of the mesh, can be watched.
+    ///
+    /// # Errors
+    /// As [`BodySpec::reduce`].
+    pub fn new(kind: Kind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
+        let whole = spec.reduce(mesh)?;
+        let spin = match kind {
+            Kind::Shaft => {
+                let (inertia, coupling) =
+                    (assemble(mesh, "spin_inertia")?, assemble(mesh, "spin_coupling")?);
+                Some(Spin::new(&whole, &inertia, &coupling, mesh.nodes()))
+            }
+            Kind::Support => None,
+        };
+        let nodes = watchable(mesh, spec);
+        let row = |i: usize| 3 * nodes[i / 3] + i % 3;
+        let shapes =
+            Matrix::from_fn(3 * nodes.len(), whole.shapes.cols, |i, j| whole.shapes[(row(i), j)]);
+        let positions = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
+        Ok(Reduced { reduction: CraigBampton { shapes, ..whole }, spin, nodes, positions })
+    }
+
+    /// The key of [`Reduced::new`]: the same for whatever gives the same bits, another for everything else, another
+    /// program included.
+    pub fn key(kind: Kind, mesh: &Mesh, spec: &BodySpec) -> Key {
+        let retained: Vec<usize> = spec.retained.iter().map(|retained| retained.dof).collect();
+        let springs: Vec<(usize, f64)> =
+            spec.springs.iter().map(|spring| (spring.dof, spring.stiffness)).collect();
+        let block = |block: &crate::mesh::Block| {
+            (block.element.origin.hash, block.material, block.connectivity.clone())
+        };
+        let blocks: Vec<_> = mesh.blocks().iter().map(block).collect();
+        let materials: Vec<_> =
+            mesh.materials().iter().map(|material| material.properties.clone()).collect();
+        let program = (PROGRAM, instruction_set());
+        let body = (mesh.nodes(), blocks, materials);
+        Key::of(&(program, kind, body, retained, spec.modes, springs, watchable(mesh, spec)))
+    }
+
+    /// The shaft, with the constraints, names, damping and nodes of the spec.
+    ///
+    /// # Errors
+    /// Constraints that contradict each other.
+    ///
+    /// # Panics
+    /// If this is no [`Kind::Shaft`], or the spec watches a node that this has no shapes of.
+    pub fn shaft(&self, spec: &BodySpec) -> Result<Shaft, Error> {
+        let spin = self.spin.as_ref().expect("a shaft is reduced with its spin");
+        let active = spec.active(&self.reduction)?;
+        let nodes = self.places(spec).map(|node| self.node(&active, node)).collect();
+        Ok(Shaft::from_spin(&self.reduction, spin, &active, spec.damping, nodes))
+    }
+
+    /// The support, as [`Reduced::shaft`].
+    ///
+    /// # Errors
+    /// Constraints that contradict each other; a mass that is not positive definite.
+    ///
+    /// # Panics
+    /// If the spec watches a node that this has no shapes of.
+    pub fn support(&self, spec: &BodySpec) -> Result<Support, Error> {
+        let active = spec.active(&self.reduction)?;
+        let nodes: Vec<usize> = self.places(spec).collect();
+        Ok(Support::new(&self.reduction, &active, spec.damping, &self.positions, &nodes)?)
+    }
+
+    fn node(&self, active: &Coordinates, place: usize) -> BodyNode {
+        BodyNode::new(&self.reduction, active, &self.positions, place)
+    }
+
+    /// Places of the watched nodes among those with shapes.
+    fn places(&self, spec: &BodySpec) -> impl Iterator<Item = usize> {
+        let place = |node| self.nodes.binary_search(node).expect("its shapes are kept");
+        spec.nodes.iter().map(place)
+    }
+}
+
+/// Nodes whose shapes are kept, ascending.
+fn watchable(mesh: &Mesh, spec: &BodySpec) -> Vec<usize> {
+    // A set of all nodes, such as many a mesher writes, says nothing of any of them.
+    let sets = mesh.node_sets().values().filter(|nodes| nodes.len() < mesh.nodes().len());
+    let all: BTreeSet<usize> = sets.flatten().chain(&spec.nodes).copied().collect();
+    all.into_iter().collect()
+}
