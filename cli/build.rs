@@ -1,7 +1,6 @@
-//! Tells the program from which commit it is built, where that is known.
+//! Tells the program from which commit it is built, where that is known, and from which sources.
 
-use std::path::Path;
-use std::process::Command;
+include!("../solver/sources.rs");
 
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -28,4 +27,8 @@ fn main() {
         println!("cargo::rustc-env=WHIRL_COMMIT={commit}");
     }
     println!("cargo::rustc-env=WHIRL_VERSION={long}");
+    let folders = ["cli/src", "codegen/src", "solver/src", "specs"];
+    let files =
+        ["Cargo.lock", "Cargo.toml", "cli/build.rs", "solver/build.rs", "solver/sources.rs"];
+    println!("cargo::rustc-env=WHIRL_SOURCES={}", sources(&root, &folders, &files));
 }

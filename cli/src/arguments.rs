@@ -42,6 +42,12 @@ pub struct RunArguments {
     /// Write no figures
     #[arg(long)]
     pub no_figures: bool,
+    /// Go on from where a run into the same folder was interrupted
+    #[arg(long)]
+    pub resume: bool,
+    /// Say nothing but warnings and errors
+    #[arg(long)]
+    pub quiet: bool,
     /// Where reduced machines are kept
     #[command(flatten)]
     pub cache: CacheArguments,

@@ -39,7 +39,7 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     say_laws(&mut text, &case);
     say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
-    let _spinner = progress::spinner("reducing shaft and support");
+    let _spinner = progress::spinner(progress::Show::fitting(false), "reducing shaft and support");
     machine::build(&case, plan.as_ref(), arguments.cache.open().as_ref())?;
     Ok(text)
 }
@@ -193,6 +193,9 @@ fn say_march(text: &mut String, case: &Case) {
     );
     if march.steady_cycle().is_none() {
         line(text, format_args!("shorter than two cycles: no steady state is looked for"));
+    }
+    if march.output_every > 1 {
+        line(text, format_args!("a row of the history every {} steps", march.output_every));
     }
 }
 

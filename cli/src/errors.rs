@@ -23,13 +23,31 @@ pub enum Failure {
     /// Meshes, bodies or springs that cannot be used.
     #[error("{0}")]
     Machine(#[from] whirl_solver::Error),
-    /// A step that does not converge.
+    /// A folder that another run writes.
+    #[error("another run is writing its results to `{}`{}", folder.display(), process(*by))]
+    InUse {
+        /// The folder.
+        folder: PathBuf,
+        /// The process, where it is known.
+        by: Option<u32>,
+    },
+    /// A run that is to be resumed as another one.
+    #[error("the run in `{}` cannot be resumed: since then these have changed: {}", folder.display(), differs.join(", "))]
+    OtherRun {
+        /// Its folder.
+        folder: PathBuf,
+        /// What differs.
+        differs: Vec<String>,
+    },
+    /// A run that was begun and could not be finished: a step that does not converge, an interruption, a full disk.
     #[error("{reason}")]
-    NotConverged {
-        /// Which step, and what was tried.
+    Unfinished {
+        /// Why.
         reason: String,
-        /// Where the results up to it are.
-        kept: PathBuf,
+        /// Where the results up to there are; nowhere if there are none.
+        kept: Option<PathBuf>,
+        /// How to go on, if that may lead further.
+        help: Option<String>,
     },
 }
 
@@ -40,10 +58,10 @@ impl From<Diagnostics> for Failure {
 }
 
 impl Failure {
-    /// Exit status: 1 for a march that did not converge, 2 for bad input.
+    /// Exit status: 1 for a run that could not be finished, 2 for bad input.
     pub fn status(&self) -> ExitCode {
         match self {
-            Failure::NotConverged { .. } => ExitCode::from(1),
+            Failure::Unfinished { .. } => ExitCode::from(1),
             _ => ExitCode::from(2),
         }
     }
@@ -61,9 +79,26 @@ impl Failure {
                 format!("error: {self}\n = help: choose another folder with `--out DIR`\n")
             }
             Failure::Machine(error) => format!("error: {error}\n"),
-            Failure::NotConverged { kept, .. } => {
-                format!("error: {self}\n = note: the steps before are kept in {}\n", kept.display())
+            Failure::InUse { .. } => {
+                format!(
+                    "error: {self}\n = help: wait for it, or choose another folder with `--out DIR`\n"
+                )
+            }
+            Failure::OtherRun { .. } => format!(
+                "error: {self}\n = help: put back what it was, or begin anew without `--resume`; `--out DIR` keeps the \
+                 results that are there\n"
+            ),
+            Failure::Unfinished { kept, help, .. } => {
+                let note = kept.as_ref().map_or(String::new(), |kept| {
+                    format!(" = note: the steps before are kept in {}\n", kept.display())
+                });
+                let help = help.as_ref().map_or(String::new(), |help| format!(" = help: {help}\n"));
+                format!("error: {self}\n{note}{help}")
             }
         }
     }
+}
+
+fn process(number: Option<u32>) -> String {
+    number.map_or(String::new(), |number| format!(" (process {number})"))
 }

@@ -3,18 +3,24 @@
 pub mod arguments;
 pub mod case;
 mod check;
+mod checkpoint;
 pub mod errors;
 mod explain;
 mod figures;
+mod history;
 mod law_file;
 mod list;
+mod lock;
 mod machine;
+mod march;
 mod new;
 mod output;
 mod progress;
 mod report;
+mod results;
 mod run;
 mod schema;
+mod signals;
 mod spec_file;
 pub mod version;
 
@@ -25,7 +31,7 @@ use whirl_solver::machine::MachineParts;
 use arguments::{Arguments, Command};
 use errors::Failure;
 
-/// Does what the command line asks for, and says which exit status that gives: 0 done, 1 not converged,
+/// Does what the command line asks for, and says which exit status that gives: 0 done, 1 begun and not finished,
 /// 2 bad input.
 pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {

@@ -1,8 +1,9 @@
-//! The folder of results: checked before the work, filled at the end, all files or none.
+//! Files of one command: their folder is checked before the work, filled at the end, all files or none.
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
+
+use whirl_solver::cache::write_aside;
 
 use crate::errors::Failure;
 
@@ -32,9 +33,8 @@ impl Output {
 
     fn prepare(&self) -> std::io::Result<()> {
         fs::create_dir_all(&self.folder)?;
-        let probe = self.folder.join(partial("probe"));
-        fs::write(&probe, b"")?;
-        fs::remove_file(&probe)
+        // What is written and not given its name is removed.
+        write_aside(&self.folder.join("probe"), b"").map(drop)
     }
 
     /// Keeps a file for the end.
@@ -42,35 +42,22 @@ impl Output {
         self.files.push((name.to_string(), content.into()));
     }
 
-    /// Writes every file under a temporary name, then gives all of them their names. Returns the folder.
+    /// Writes every file under a temporary name, then gives all of them their names.
     ///
     /// # Errors
     /// [`Failure::Output`]; files of an earlier run are left as they were unless renaming fails.
-    pub(crate) fn commit(mut self) -> Result<PathBuf, Failure> {
+    pub(crate) fn commit(mut self) -> Result<(), Failure> {
+        let mut written = Vec::with_capacity(self.files.len());
         for (name, content) in &self.files {
-            let path = self.folder.join(partial(name));
-            let written = fs::File::create(&path)
-                .and_then(|mut file| file.write_all(content).and_then(|()| file.sync_all()));
-            if let Err(error) = written {
-                self.remove_partial();
-                return Err(self.failure(&path, &error));
-            }
-        }
-        for (name, _) in &self.files {
             let path = self.folder.join(name);
-            if let Err(error) = fs::rename(self.folder.join(partial(name)), &path) {
-                self.remove_partial();
-                return Err(self.failure(&path, &error));
-            }
+            let aside = write_aside(&path, content).map_err(|error| self.failure(&path, &error))?;
+            written.push((path, aside));
+        }
+        for (path, rename) in written {
+            rename().map_err(|error| self.failure(&path, &error))?;
         }
         self.made.clear();
-        Ok(self.folder.clone())
-    }
-
-    fn remove_partial(&self) {
-        for (name, _) in &self.files {
-            let _ = fs::remove_file(self.folder.join(partial(name)));
-        }
+        Ok(())
     }
 
     fn failure(&self, path: &Path, error: &std::io::Error) -> Failure {
@@ -85,10 +72,6 @@ impl Drop for Output {
             let _ = fs::remove_dir(folder);
         }
     }
-}
-
-fn partial(name: &str) -> String {
-    format!(".{name}.{}.part", std::process::id())
 }
 
 #[cfg(test)]
@@ -110,9 +93,11 @@ mod tests {
         let mut output = Output::open(&folder.path().join("a")).unwrap();
         output.put("x", "1");
         output.put("y", "2");
-        let path = output.commit().unwrap();
-        let mut names: Vec<_> =
-            fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        output.commit().unwrap();
+        let mut names: Vec<_> = fs::read_dir(folder.path().join("a"))
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name())
+            .collect();
         names.sort();
         assert_eq!(names, ["x", "y"]);
     }

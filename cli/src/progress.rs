@@ -1,53 +1,187 @@
-//! Progress on stderr: a bar with the time left on a terminal, nothing elsewhere.
+//! Progress on stderr: a bar with the time left on a terminal, elsewhere a line now and then.
 
-use std::time::Duration;
+use std::io::IsTerminal;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+/// How progress is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Show {
+    /// A bar that moves.
+    Bar,
+    /// A line now and then.
+    Lines,
+    /// Nothing.
+    Nothing,
+}
+
+impl Show {
+    /// As fits what stderr is.
+    pub(crate) fn fitting(quiet: bool) -> Show {
+        match (quiet, std::io::stderr().is_terminal()) {
+            (true, _) => Show::Nothing,
+            (false, true) => Show::Bar,
+            (false, false) => Show::Lines,
+        }
+    }
+
+    /// A note on its own line.
+    pub(crate) fn note(self, words: &str) {
+        if self != Show::Nothing {
+            eprintln!("{words}");
+        }
+    }
+}
+
 /// A line that says what is being done, until it is dropped.
-pub(crate) struct Spinner(ProgressBar);
+pub(crate) struct Spinner {
+    bar: Option<ProgressBar>,
+    _lines: Option<Lines>,
+}
 
 /// Says `what` is being done.
-pub(crate) fn spinner(what: &str) -> Spinner {
-    let bar = ProgressBar::new_spinner().with_message(what.to_string());
-    bar.enable_steady_tick(Duration::from_millis(100));
-    Spinner(bar)
+pub(crate) fn spinner(show: Show, what: &'static str) -> Spinner {
+    let bar = (show == Show::Bar).then(|| {
+        let bar = ProgressBar::new_spinner().with_message(what);
+        bar.enable_steady_tick(Duration::from_millis(100));
+        bar
+    });
+    let say = move |elapsed: Duration| format!("{what}: {}", words(elapsed));
+    Spinner { bar, _lines: (show == Show::Lines).then(|| Lines::start(say)) }
 }
 
 impl Drop for Spinner {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.iter().for_each(ProgressBar::finish_and_clear);
     }
 }
 
-/// A bar of steps.
-pub(crate) struct Steps(ProgressBar);
+/// Progress of time steps.
+pub(crate) struct Steps {
+    bar: Option<ProgressBar>,
+    /// Kept while lines are shown.
+    _lines: Option<Lines>,
+    now: Arc<Now>,
+}
 
-/// A bar of `steps` time steps.
-pub(crate) fn steps(steps: usize) -> Steps {
-    let bar = ProgressBar::new(steps as u64);
-    let style =
-        ProgressStyle::with_template("{wide_bar} {pos}/{len} steps, {per_sec}, {eta} left; {msg}");
-    if let Ok(style) = style {
-        bar.set_style(style);
-    }
-    Steps(bar)
+/// Where a march is, for whoever looks.
+#[derive(Default)]
+struct Now {
+    step: AtomicUsize,
+    /// Bits of the time (s).
+    time: AtomicU64,
+}
+
+/// Progress of `steps` time steps, of which `first` are done.
+pub(crate) fn steps(show: Show, steps: usize, first: usize) -> Steps {
+    let now = Arc::<Now>::default();
+    let bar = (show == Show::Bar).then(|| {
+        let bar = ProgressBar::new(steps as u64).with_position(first as u64);
+        let words = "{wide_bar} {pos}/{len} steps, {per_sec}, {eta} left; {msg}";
+        match ProgressStyle::with_template(words) {
+            Ok(style) => bar.with_style(style),
+            Err(_) => bar,
+        }
+    });
+    let lines = (show == Show::Lines).then(|| {
+        let now = now.clone();
+        Lines::start(move |elapsed| {
+            let step = now.step.load(Ordering::Relaxed);
+            let time = f64::from_bits(now.time.load(Ordering::Relaxed));
+            line((step, steps, first), time, elapsed)
+        })
+    });
+    Steps { bar, _lines: lines, now }
 }
 
 impl Steps {
     /// `step` steps are done, up to `time` s.
     pub(crate) fn done(&self, step: usize, time: f64) {
+        self.now.step.store(step, Ordering::Relaxed);
+        self.now.time.store(time.to_bits(), Ordering::Relaxed);
         // Formatting the time takes longer than a step; a hundredth of the steps is often enough to look.
         const LOOKS: usize = 64;
-        if step.is_multiple_of(LOOKS) && !self.0.is_hidden() {
-            self.0.set_position(step as u64);
-            self.0.set_message(format!("t = {:.1} ms", 1e3 * time));
+        if let Some(bar) = self.bar.as_ref().filter(|_| step.is_multiple_of(LOOKS)) {
+            bar.set_position(step as u64);
+            bar.set_message(format!("t = {:.1} ms", 1e3 * time));
         }
     }
 }
 
 impl Drop for Steps {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.iter().for_each(ProgressBar::finish_and_clear);
+    }
+}
+
+fn line((step, steps, first): (usize, usize, usize), time: f64, elapsed: Duration) -> String {
+    let share = 100.0 * step as f64 / steps.max(1) as f64;
+    let left = match step.saturating_sub(first) {
+        0 => String::new(),
+        done => {
+            let each = elapsed.as_secs_f64() / done as f64;
+            let left = Duration::try_from_secs_f64(each * steps.saturating_sub(step) as f64);
+            left.map_or(String::new(), |left| format!(", about {} left", words(left)))
+        }
+    };
+    format!("step {step} of {steps} ({share:.1} %), t = {time:.6} s{left}")
+}
+
+/// A duration as people say it.
+fn words(duration: Duration) -> String {
+    match duration.as_secs() {
+        seconds @ 0..60 => format!("{seconds} s"),
+        seconds @ 60..3600 => format!("{} min {} s", seconds / 60, seconds % 60),
+        seconds => format!("{} h {} min", seconds / 3600, seconds % 3600 / 60),
+    }
+}
+
+/// Lines on stderr from a thread of their own, until they are dropped: the first after a second, then after ever
+/// longer pauses, up to a minute.
+struct Lines {
+    stop: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Lines {
+    fn start(say: impl Fn(Duration) -> String + Send + 'static) -> Lines {
+        let (stop, stopped) = channel();
+        let start = Instant::now();
+        let thread = std::thread::spawn(move || {
+            let mut pause = Duration::from_secs(1);
+            while let Err(RecvTimeoutError::Timeout) = stopped.recv_timeout(pause) {
+                eprintln!("{}", say(start.elapsed()));
+                pause = (start.elapsed() / 2).clamp(pause, Duration::from_secs(60));
+            }
+        });
+        Lines { stop: Some(stop), thread: Some(thread) }
+    }
+}
+
+impl Drop for Lines {
+    fn drop(&mut self) {
+        self.stop = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_say_how_far_and_how_long() {
+        let said = line((3_000, 12_000, 1_000), 0.25, Duration::from_secs(20));
+        assert_eq!(said, "step 3000 of 12000 (25.0 %), t = 0.250000 s, about 1 min 30 s left");
+        let none = line((1_000, 12_000, 1_000), 0.0, Duration::from_secs(20));
+        assert_eq!(none, "step 1000 of 12000 (8.3 %), t = 0.000000 s");
+        assert_eq!(words(Duration::from_secs(7300)), "2 h 1 min");
     }
 }

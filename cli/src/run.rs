@@ -1,42 +1,52 @@
 //! `whirl run`: a case from its file to its results.
 
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, Outcome, march};
 
 use crate::arguments::{CacheArguments, RunArguments};
 use crate::case::{Case, System};
+use crate::checkpoint::{self, Identity};
 use crate::errors::Failure;
+use crate::history::HistoryFile;
 use crate::machine::{self, Built};
-use crate::output::Output;
-use crate::report::{Summary, Times, history_csv, stops, supports};
-use crate::{figures, progress};
+use crate::march::{End, Marched, march};
+use crate::progress::{self, Show};
+use crate::report::{Summary, Times, stops, supports};
+use crate::results::{Results, SUMMARY};
+use crate::signals::Interruption;
+use crate::{figures, history};
 
-/// Runs a case: read, build, march, report. What was computed is kept even if a step does not converge.
+/// Runs a case: read, build, march, report. What was computed is kept however the run ends; the history is on disk
+/// before anything is made of it.
 ///
 /// # Errors
-/// Bad input, a folder that cannot be written, or a step that does not converge.
+/// Bad input, a folder that cannot be written, or a run that does not come to its end.
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let start = Instant::now();
+    let show = Show::fitting(arguments.quiet);
     let case = machine::read(&arguments.case)?;
-    let mut output = Output::open(&folder(arguments, &case))?;
-    let built = build(&case, &arguments.cache)?;
-    let marched = march_through(&case, &built);
-    let time = times(&built, &marched, start);
-    let summary = Summary::new(&case, &built, &marched.outcome, time, marched.failure.clone());
-    output.put("history.csv", history_csv(&marched.outcome.history));
-    output.put("summary.json", summary.json());
-    if !arguments.no_figures {
-        figures::draw(&case, &marched.outcome.history, &built.clearances, &mut output);
+    let mut results = Results::open(&folder(arguments, &case))?;
+    let built = build(&case, &arguments.cache, show)?;
+    let identity = Identity::of(&case, &built);
+    let from = match arguments.resume {
+        true => checkpoint::read(&results, &identity)?,
+        false => None,
+    };
+    if arguments.resume {
+        show.note(&match &from {
+            Some(point) => format!("going on after step {}", point.march.step()),
+            None => {
+                format!("nothing to go on from in {}: from the start", results.folder().display())
+            }
+        });
     }
-    let folder = output.commit()?;
-    print!("{}", closing(&case, &summary, time, &folder));
-    match marched.failure {
-        None => Ok(()),
-        Some(reason) => Err(Failure::NotConverged { reason, kept: folder }),
-    }
+    let interruption = Interruption::watch().map_err(|error| Failure::Output {
+        path: results.folder().to_path_buf(),
+        reason: format!("signals cannot be watched: {error}"),
+    })?;
+    let marched = march((&case, &built), (&mut results, identity), from, &interruption, show)?;
+    report(arguments, (&case, &built), &results, marched, (start, show))
 }
 
 fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
@@ -44,60 +54,66 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
     arguments.out.clone().unwrap_or_else(usual)
 }
 
-fn build(case: &Case, arguments: &CacheArguments) -> Result<Built, Failure> {
+fn build(case: &Case, arguments: &CacheArguments, show: Show) -> Result<Built, Failure> {
     let cache = arguments.open();
-    let _spinner = progress::spinner("reducing shaft and support");
+    let _spinner = progress::spinner(show, "reducing shaft and support");
     machine::build(case, None, cache.as_ref())
 }
 
-/// A march to its end, or to the step that did not converge.
-struct Marched {
-    outcome: Outcome,
-    failure: Option<String>,
-    /// s.
-    wall: f64,
-}
-
-fn march_through(case: &Case, built: &Built) -> Marched {
-    let options = MarchOptions {
-        time_step: case.march.time_step,
-        steps: case.march.steps,
-        newmark: Newmark::default(),
-        newton: NewtonOptions {
-            force_tolerance: case.march.force_tolerance,
-            ..NewtonOptions::default()
-        },
-        cycle: case.march.steady_cycle(),
-        stop_when_steady: false,
-        initial_shaft: built.initial.clone(),
-        initial_speed: 0.0,
-    };
-    let steps = progress::steps(case.march.steps);
-    let start = Instant::now();
-    let marched = march(&built.machine, &options, &mut |progress| {
-        steps.done(progress.step, progress.time);
-        ControlFlow::Continue(())
+/// Makes summary and figures of a history that is on disk, and says how the run has ended.
+fn report(
+    arguments: &RunArguments,
+    (case, built): (&Case, &Built),
+    results: &Results,
+    marched: Marched,
+    (start, show): (Instant, Show),
+) -> Result<(), Failure> {
+    let mut problems = Vec::new();
+    let time = times(built, &marched, start);
+    let reason = marched.end.reason(marched.step, case.march.steps);
+    let history = HistoryFile::open(&results.path(history::NAME));
+    let made = history.and_then(|history| {
+        let converged = !matches!(marched.end, End::Diverged(_));
+        let run = ((case, built), (&marched.outcome, &history), (marched.step, converged));
+        let summary = Summary::new(run.0, run.1, run.2, time, reason.clone())?;
+        Ok((history, summary))
     });
-    let wall = start.elapsed().as_secs_f64();
-    match marched {
-        Ok(outcome) => Marched { outcome, failure: None, wall },
-        Err(failure) => {
-            Marched { outcome: failure.outcome, failure: Some(failure.error.to_string()), wall }
+    match made {
+        Err(error) => problems.push(format!("no summary and no figures: {error}")),
+        Ok((history, summary)) => {
+            problems.extend(results.write(SUMMARY, summary.json().as_bytes()).err());
+            // A full disk has room for the numbers first.
+            if !arguments.no_figures && !matches!(marched.end, End::NotWritten(_)) {
+                let write = |name: &str, content: &[u8]| results.write(name, content);
+                problems.extend(figures::draw(case, &history, &built.clearances, &write));
+            }
+            if show != Show::Nothing {
+                print!("{}", closing(case, &summary, time, results.folder()));
+            }
         }
     }
+    // A step that does not converge would not do so in the next run either.
+    let over = problems.is_empty() && matches!(marched.end, End::Done | End::Diverged(_));
+    if over {
+        results.forget_checkpoint();
+    }
+    let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return Ok(()) };
+    problems.iter().filter(|problem| **problem != reason).for_each(|p| eprintln!("warning: {p}"));
+    Err(Failure::Unfinished {
+        reason,
+        kept: Some(results.folder().to_path_buf()),
+        help: (!over).then(|| "the same command with `--resume` goes on from there".to_string()),
+    })
 }
 
 fn times(built: &Built, marched: &Marched, start: Instant) -> Times {
-    let history = &marched.outcome.history;
-    let last = history.rows().checked_sub(1);
-    let simulated = last.map_or(0.0, |row| history.row(row)[0]);
     let bodies = built.bodies.as_ref();
     Times {
-        simulated_s: simulated,
+        simulated_s: marched.time,
         reduction_wall_s: bodies.map_or(0.0, |bodies| bodies.wall),
         march_wall_s: marched.wall,
         total_wall_s: start.elapsed().as_secs_f64(),
-        real_time_factor: simulated / marched.wall,
+        real_time_factor: marched.time / marched.wall,
         reduction_cached: bodies.is_some_and(|bodies| bodies.cached),
     }
 }

@@ -37,18 +37,31 @@ impl Workbench {
 
     /// Runs `whirl` with these arguments and a cache in the folder's neighbourhood.
     pub(crate) fn whirl(&self, arguments: &[&str]) -> Outcome {
-        let output = Command::new(env!("CARGO_BIN_EXE_whirl"))
-            .args(arguments)
-            .current_dir(self.folder.path())
-            .env("XDG_CACHE_HOME", shared_cache())
-            .output()
-            .expect("the binary runs");
+        let output = self.command(arguments).output().expect("the binary runs");
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         Outcome {
             status: output.status.code().expect("an exit status"),
             stdout: text(&output.stdout),
             stderr: text(&output.stderr),
         }
+    }
+
+    /// The command, to be run in other ways.
+    pub(crate) fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = self.prepared(env!("CARGO_BIN_EXE_whirl"));
+        command.args(arguments);
+        command
+    }
+
+    /// A shell in the folder.
+    pub(crate) fn shell(&self) -> Command {
+        self.prepared("sh")
+    }
+
+    fn prepared(&self, program: &str) -> Command {
+        let mut command = Command::new(program);
+        command.current_dir(self.folder.path()).env("XDG_CACHE_HOME", shared_cache());
+        command
     }
 
     /// Names of all files and folders in the folder, sorted.

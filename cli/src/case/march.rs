@@ -17,6 +17,8 @@ pub struct March {
     pub steps: usize,
     /// Largest change of a spring force between iterations, in N, at which a step has converged.
     pub force_tolerance: f64,
+    /// Steps from one row of the history to the next.
+    pub output_every: usize,
     /// Period over which steady state is judged and results are summed up, in s.
     pub cycle: f64,
 }
@@ -58,7 +60,8 @@ pub(super) fn read(file: &Reader, system: &SystemDraft) -> Option<March> {
         shown(&march, time_step, cycle);
     }
     let cycle = cycle.map_or(time_step * steps as f64, |(cycle, ..)| cycle);
-    Some(March { time_step, steps, force_tolerance, cycle })
+    let output_every = output_every(&march, time_step, steps);
+    Some(March { time_step, steps, force_tolerance, output_every, cycle })
 }
 
 /// Notes a cycle that is too short for its steps to show it; `key` is to blame for it.
@@ -132,6 +135,30 @@ fn steps(march: &Reader, time_step: f64) -> usize {
         return 1;
     }
     steps.unwrap_or(whole as usize)
+}
+
+/// Steps from one row of the history to the next: `output_step` over `time_step`, a whole number.
+fn output_every(march: &Reader, time_step: f64, steps: usize) -> usize {
+    let Some(output_step) = march.quantity("output_step") else { return 1 };
+    if !march.has("time_step") {
+        return 1;
+    }
+    let (exact, most) = (output_step / time_step, steps as f64);
+    let whole = exact.round().clamp(1.0, most);
+    // Both are written in decimals: what is meant as a multiple is one to a few roundings.
+    if (exact / whole - 1.0).abs() <= 1e-9 {
+        return whole as usize;
+    }
+    let said = match exact > most {
+        true => "is longer than the run".to_string(),
+        false => format!("is {} steps of `time_step`, no whole number of them", plain(exact)),
+    };
+    let message = format!("`output_step` {said}: a row is written at the end of a step");
+    let help = format!("write `output_step = \"{} s\"`", plain(whole * time_step));
+    let place = march.places().remove("output_step");
+    let place = place.unwrap_or_else(|| march.place().text(""));
+    march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+    1
 }
 
 /// A number without the digits that rounding adds.

@@ -210,6 +210,11 @@ const MARCH: &[Key] = &[
     merged("time_step", TIME, "Δt"),
     key("steps", Count(1, MOST_STEPS), "or a duration"),
     key("duration", DURATION, "or a number of steps"),
+    key(
+        "output_step",
+        DURATION,
+        "from one row of history.csv to the next, a multiple of time_step",
+    ),
     key("force_tolerance", TOLERANCE, "change of a spring force at which a step has converged"),
     key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),
 ];

@@ -1,12 +1,12 @@
-//! Reactions, eccentricity orbits, displacement and rotation out of a history.
+//! Reactions, eccentricity orbits, displacement and rotation out of a history, read row by row.
 
+use std::collections::VecDeque;
 use std::f64::consts::TAU;
-use std::ops::Range;
-
-use whirl_solver::history::History;
+use std::io;
 
 use super::figure::{Dot, Figure, Line, Panel, Style};
-use crate::report::{column, last_cycle};
+use crate::history::{Bucket, HistoryFile, Thinned};
+use crate::report::last_cycle;
 
 /// What histories are drawn over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,51 +17,65 @@ pub(crate) enum Span {
     LastCycle(f64),
 }
 
-/// Rows to draw, and their abscissae.
-struct Rows {
-    rows: Range<usize>,
-    abscissae: Vec<f64>,
-    label: &'static str,
-    /// Angle turned, rad.
+/// Rows to draw, and what their abscissae are.
+struct Rows<'h> {
+    history: &'h HistoryFile,
+    span: Span,
+    /// Where they begin in the file.
+    from: u64,
+    buckets: Bucket,
+    /// θ of the first row (rad), and the angle turned up to the last.
+    start: f64,
     turned: f64,
 }
 
 impl Span {
     /// The last cycle if the shaft turns in it, else everything.
-    pub(crate) fn fitting(history: &History, cycle: f64) -> Span {
-        let turned = Span::LastCycle(cycle).rows(history).turned;
-        if turned.abs() > 0.5 * TAU { Span::LastCycle(cycle) } else { Span::All }
+    pub(crate) fn fitting(history: &HistoryFile, cycle: f64) -> io::Result<Span> {
+        let turned = Span::LastCycle(cycle).rows(history)?.turned;
+        Ok(if turned.abs() > 0.5 * TAU { Span::LastCycle(cycle) } else { Span::All })
     }
 
-    fn rows(self, history: &History) -> Rows {
-        let (time, theta) = (column(history, "t_s"), column(history, "theta_rad"));
-        let rows = match self {
-            Span::All => 0..time.len(),
-            Span::LastCycle(cycle) => last_cycle(&time, cycle),
+    fn rows(self, history: &HistoryFile) -> io::Result<Rows<'_>> {
+        let from = match self {
+            Span::All => history.start(),
+            Span::LastCycle(cycle) => last_cycle(history, cycle)?,
         };
-        let (first, last) = match &theta[rows.clone()] {
-            [first, .., last] => (*first, *last),
-            _ => (0.0, 0.0),
+        let end = history.last_time()?.unwrap_or(0.0);
+        let angle = |at| -> io::Result<[f64; 2]> {
+            let mut found = None;
+            history
+                .first_row(at, &["t_s", "theta_rad"], &mut |row| found = Some([row[0], row[1]]))?;
+            Ok(found.unwrap_or_default())
         };
-        let (abscissae, label) = match self {
-            Span::All => (time.iter().map(|t| 1e3 * t).collect(), "time (ms)"),
-            Span::LastCycle(_) => {
-                let degrees = |angle: &f64| (angle - first).to_degrees();
-                (
-                    theta[rows.clone()].iter().map(degrees).collect(),
-                    "rotation in the last cycle (°)",
-                )
-            }
-        };
-        Rows { rows, abscissae, label, turned: last - first }
+        let ([first, start], [_, last]) = (angle(from)?, angle(history.from_time(end)?)?);
+        let buckets = Bucket::between(first, end);
+        Ok(Rows { history, span: self, from, buckets, start, turned: last - start })
     }
 }
 
-impl Rows {
-    fn line(&self, history: &History, name: &str, legend: &str, style: Style) -> Line {
-        let values = &column(history, name)[self.rows.clone()];
-        let points = self.abscissae.iter().copied().zip(values.iter().copied()).collect();
-        Line { points, style, name: legend.to_string() }
+impl Rows<'_> {
+    fn label(&self) -> &'static str {
+        match self.span {
+            Span::All => "time (ms)",
+            Span::LastCycle(_) => "rotation in the last cycle (°)",
+        }
+    }
+
+    /// Points of these columns over the abscissa.
+    fn curves(&self, names: &[&str]) -> io::Result<Vec<Vec<(f64, f64)>>> {
+        let columns = [&["t_s", "theta_rad"][..], names].concat();
+        let mut curves: Vec<Thinned> = names.iter().map(|_| Thinned::default()).collect();
+        self.history.scan(self.from, &columns, &mut |row| {
+            let x = match self.span {
+                Span::All => 1e3 * row[0],
+                Span::LastCycle(_) => (row[1] - self.start).to_degrees(),
+            };
+            for (curve, y) in curves.iter_mut().zip(&row[2..]) {
+                curve.push(self.buckets, row[0], (x, *y));
+            }
+        })?;
+        Ok(curves.into_iter().map(Thinned::finish).collect())
     }
 
     /// An axis in eighths of two revolutions where the shaft turns forward.
@@ -73,38 +87,44 @@ impl Rows {
 }
 
 /// RX and RY of every support, a panel each.
-pub(crate) fn reactions(history: &History, supports: &[String], span: Span) -> Figure {
-    let rows = span.rows(history);
-    let panel = |(index, title): (usize, &String)| {
-        let k = index + 1;
-        Panel {
-            title: title.clone(),
-            x: rows.label.to_string(),
-            y: "force on the shaft (N)".to_string(),
-            x_scale: rows.scale(span),
-            lines: vec![
-                rows.line(history, &format!("RX{k}_N"), "RX, vertical", Style::First),
-                rows.line(history, &format!("RY{k}_N"), "RY, lateral", Style::Second),
-            ],
-            ..Panel::default()
-        }
+pub(crate) fn reactions(
+    history: &HistoryFile,
+    supports: &[String],
+    span: Span,
+) -> io::Result<Figure> {
+    let rows = span.rows(history)?;
+    let columns = |k: usize| [format!("RX{k}_N"), format!("RY{k}_N")];
+    let names: Vec<String> = (1..=supports.len()).flat_map(columns).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut curves = rows.curves(&names)?.into_iter();
+    let mut line = |name: &str, style| {
+        let points = curves.next().expect("a curve a column");
+        Line { points, style, name: name.to_string() }
     };
-    Figure {
+    let panel = |title: &String| Panel {
+        title: title.clone(),
+        x: rows.label().to_string(),
+        y: "force on the shaft (N)".to_string(),
+        x_scale: rows.scale(span),
+        lines: vec![line("RX, vertical", Style::First), line("RY, lateral", Style::Second)],
+        ..Panel::default()
+    };
+    Ok(Figure {
         title: "Reactions at the supports".to_string(),
-        panels: supports.iter().enumerate().map(panel).collect(),
+        panels: supports.iter().map(panel).collect(),
         columns: 2,
-    }
+    })
 }
 
 /// Eccentricity of every journal in its bore, a panel each: equal axes, X upwards, the clearance circle
 /// (`clearances` in µm), and a dot where the keyphasor sees the shaft (θ a multiple of 360°).
 pub(crate) fn eccentricities(
-    history: &History,
+    history: &HistoryFile,
     supports: &[String],
     clearances: &[f64],
     span: Span,
-) -> Figure {
-    let rows = span.rows(history);
+) -> io::Result<Figure> {
+    let rows = span.rows(history)?;
     let (what, lateral) = match span {
         Span::All => ("Eccentricity of the journals", "EY, lateral (µm)"),
         // Seen along +z, x up and y to the right: positive rotation is clockwise.
@@ -115,35 +135,66 @@ pub(crate) fn eccentricities(
             ("Eccentricity of the journals in the last cycle", "EY, lateral (µm); rotation ↺")
         }
     };
-    let passages = passages(&column(history, "theta_rad")[rows.rows.clone()]);
-    let panel = |(index, (title, &clearance)): (usize, (&String, &f64))| {
-        let k = index + 1;
-        let x = &column(history, &format!("EX{k}_um"))[rows.rows.clone()];
-        let y = &column(history, &format!("EY{k}_um"))[rows.rows.clone()];
-        let dot = |&(row, part): &(usize, f64)| {
-            let mix = |values: &[f64]| values[row] + part * (values[row + 1] - values[row]);
-            Dot { at: (mix(y), mix(x)), name: "keyphasor, θ = 0°".to_string() }
-        };
-        let orbit = Line {
-            points: y.iter().copied().zip(x.iter().copied()).collect(),
-            style: Style::First,
-            name: "centre of the journal".to_string(),
-        };
+    let orbits = orbits(&rows, supports.len())?;
+    let panel = |((title, &clearance), (points, dots)): ((&String, &f64), Orbit)| {
+        let name = "centre of the journal".to_string();
+        let dot = |at| Dot { at, name: "keyphasor, θ = 0°".to_string() };
         Panel {
             title: title.clone(),
             x: lateral.to_string(),
             y: "EX, vertical (µm)".to_string(),
-            lines: vec![circle(clearance), orbit],
-            dots: passages.iter().map(dot).collect(),
+            lines: vec![circle(clearance), Line { points, style: Style::First, name }],
+            dots: dots.into_iter().map(dot).collect(),
             equal_axes: true,
             x_scale: None,
         }
     };
-    Figure {
+    Ok(Figure {
         title: what.to_string(),
-        panels: supports.iter().zip(clearances).enumerate().map(panel).collect(),
+        panels: supports.iter().zip(clearances).zip(orbits).map(panel).collect(),
         columns: 2,
-    }
+    })
+}
+
+/// Points (EY, EX) of a journal, and those at which the keyphasor sees the shaft, the last ones if they are many.
+type Orbit = (Vec<(f64, f64)>, VecDeque<(f64, f64)>);
+
+fn orbits(rows: &Rows, supports: usize) -> io::Result<Vec<Orbit>> {
+    const MOST_DOTS: usize = 256;
+    let columns = |k: usize| [format!("EY{k}_um"), format!("EX{k}_um")];
+    let names: Vec<String> = (1..=supports).flat_map(columns).collect();
+    let mut all = vec!["t_s", "theta_rad"];
+    all.extend(names.iter().map(String::as_str));
+    let mut curves: Vec<Thinned> = (0..supports).map(|_| Thinned::default()).collect();
+    let mut dots = vec![VecDeque::new(); supports];
+    let mut before: Option<Vec<f64>> = None;
+    rows.history.scan(rows.from, &all, &mut |row| {
+        for (curve, at) in curves.iter_mut().zip(row[2..].chunks_exact(2)) {
+            curve.push(rows.buckets, row[0], (at[0], at[1]));
+        }
+        if let Some(before) = &mut before {
+            if let Some(part) = passage(before[1], row[1]) {
+                let mix = |place: usize| before[place] + part * (row[place] - before[place]);
+                for (k, dots) in dots.iter_mut().enumerate() {
+                    if dots.len() == MOST_DOTS {
+                        dots.pop_front();
+                    }
+                    dots.push_back((mix(2 + 2 * k), mix(3 + 2 * k)));
+                }
+            }
+            before.copy_from_slice(row);
+        } else {
+            before = Some(row.to_vec());
+        }
+    })?;
+    Ok(curves.into_iter().map(Thinned::finish).zip(dots).collect())
+}
+
+/// The part of a step after which θ passes a whole revolution, if it does.
+fn passage(before: f64, after: f64) -> Option<f64> {
+    let (before, after) = (before / TAU, after / TAU);
+    let whole = after.floor();
+    (before < whole && after > before).then(|| (whole - before) / (after - before))
 }
 
 /// Orbits without the clearance circle, each axis filled by the orbit: its shape, where it is flat.
@@ -173,53 +224,42 @@ fn circle(radius: f64) -> Line {
     }
 }
 
-/// Where θ passes a whole revolution: the row before, and the part of the step after it.
-fn passages(theta: &[f64]) -> Vec<(usize, f64)> {
-    let revolutions: Vec<f64> = theta.iter().map(|angle| angle / TAU).collect();
-    let mut found = Vec::new();
-    for (row, pair) in revolutions.windows(2).enumerate() {
-        let whole = pair[1].floor();
-        if pair[0] < whole && pair[1] > pair[0] {
-            found.push((row, (whole - pair[0]) / (pair[1] - pair[0])));
-        }
-    }
-    found
-}
-
 /// Displacement along x of the first journal against time, in mm.
-pub(crate) fn displacement(history: &History) -> Figure {
-    let rows = Span::All.rows(history);
-    let mut line = rows.line(history, "X1_um", "displacement", Style::First);
-    line.points.iter_mut().for_each(|point| point.1 *= 1e-3);
+pub(crate) fn displacement(history: &HistoryFile) -> io::Result<Figure> {
+    let rows = Span::All.rows(history)?;
+    let mut points = rows.curves(&["X1_um"])?.remove(0);
+    points.iter_mut().for_each(|point| point.1 *= 1e-3);
     let panel = Panel {
-        x: rows.label.to_string(),
+        x: rows.label().to_string(),
         y: "displacement (mm)".to_string(),
-        lines: vec![line],
+        lines: vec![Line { points, style: Style::First, name: "displacement".to_string() }],
         ..Panel::default()
     };
-    Figure { title: "Displacement of the mass".to_string(), panels: vec![panel], columns: 1 }
+    let title = "Displacement of the mass".to_string();
+    Ok(Figure { title, panels: vec![panel], columns: 1 })
 }
 
 /// Angle and speed of rotation against time.
-pub(crate) fn rotation(history: &History) -> Figure {
-    let rows = Span::All.rows(history);
-    let panel = |title: &str, y: &str, name: &str, scale: f64| {
-        let mut line = rows.line(history, name, "shaft", Style::First);
-        line.points.iter_mut().for_each(|point| point.1 *= scale);
+pub(crate) fn rotation(history: &HistoryFile) -> io::Result<Figure> {
+    let rows = Span::All.rows(history)?;
+    let panel = |(mut points, (title, y, scale)): (Vec<(f64, f64)>, (&str, &str, f64))| {
+        points.iter_mut().for_each(|point| point.1 *= scale);
         Panel {
             title: title.to_string(),
-            x: rows.label.to_string(),
+            x: rows.label().to_string(),
             y: y.to_string(),
-            lines: vec![line],
+            lines: vec![Line { points, style: Style::First, name: "shaft".to_string() }],
             ..Panel::default()
         }
     };
-    Figure {
+    let panels = [
+        ("Angle of rotation", "angle (revolutions)", 1.0 / TAU),
+        ("Speed of rotation", "speed (rpm)", 60.0 / TAU),
+    ];
+    let curves = rows.curves(&["theta_rad", "omega_rad_s"])?;
+    Ok(Figure {
         title: "Rotation of the shaft".to_string(),
-        panels: vec![
-            panel("Angle of rotation", "angle (revolutions)", "theta_rad", 1.0 / TAU),
-            panel("Speed of rotation", "speed (rpm)", "omega_rad_s", 60.0 / TAU),
-        ],
+        panels: curves.into_iter().zip(panels).map(panel).collect(),
         columns: 2,
-    }
+    })
 }

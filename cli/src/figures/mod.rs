@@ -5,15 +5,21 @@ mod figure;
 mod histories;
 mod laws;
 
+use std::io;
+use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 
 use whirl_codegen::spec::law::LawSpec;
-use whirl_solver::history::History;
 
 use self::figure::Figure;
 use self::histories::Span;
 use crate::case::{Case, System};
+use crate::history::HistoryFile;
 use crate::output::Output;
+
+/// Names of all figures that a run may draw, without their endings.
+pub(crate) const NAMES: [&str; 6] =
+    ["laws", "reactions", "eccentricity", "eccentricity-stretched", "rotation", "displacement"];
 
 pub(crate) use self::laws::{Curve, curves};
 
@@ -23,58 +29,106 @@ pub(crate) fn draw_law(law: &LawSpec, stem: &str, output: &mut Output) {
 }
 
 fn put(stem: &str, figure: &Figure, output: &mut Output) {
+    for (name, content) in pictures(stem, figure) {
+        output.put(&name, content);
+    }
+}
+
+/// A figure as files: SVG, and PNG where it has an area.
+fn pictures(stem: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
     let svg = draw::svg(figure);
-    if let Some(png) = draw::png(&svg) {
-        output.put(&format!("{stem}.png"), png);
-    }
-    output.put(&format!("{stem}.svg"), svg);
+    let png = draw::png(&svg).map(|png| (format!("{stem}.png"), png));
+    png.into_iter().chain([(format!("{stem}.svg"), svg.into_bytes())]).collect()
 }
 
-/// Draws the figures of a case as SVG and PNG into `output`. `clearances`: of every support, in m.
-pub(crate) fn draw(case: &Case, history: &History, clearances: &[f64], output: &mut Output) {
-    for (name, number, figure) in figures(case, history, clearances) {
-        let place = number.map_or(String::new(), |number| format!(" (Fig. {number} of the paper)"));
-        let figure = Figure { title: format!("{}: {}{place}", case.name, figure.title), ..figure };
-        put(name, &figure, output);
+/// Draws the figures of a case as SVG and PNG, each written by `write`; why some are missing. `clearances`: of every
+/// support, in m. Nothing that happens to a figure keeps another one from being drawn.
+pub(crate) fn draw(
+    case: &Case,
+    history: &HistoryFile,
+    clearances: &[f64],
+    write: &dyn Fn(&str, &[u8]) -> Result<(), String>,
+) -> Vec<String> {
+    let mut missing = Vec::new();
+    for (stem, number) in wanted(case) {
+        let drawn = guarded(|| {
+            let Some(figure) = figure(stem, case, history, clearances)? else {
+                return Ok(Vec::new());
+            };
+            let place = number.map_or(String::new(), |k| format!(" (Fig. {k} of the paper)"));
+            let title = format!("{}: {}{place}", case.name, figure.title);
+            Ok(pictures(stem, &Figure { title, ..figure }))
+        });
+        match drawn {
+            Err(reason) => missing.push(format!("the figure `{stem}` cannot be drawn: {reason}")),
+            Ok(files) => {
+                let written = files.iter().try_for_each(|(name, content)| write(name, content));
+                missing.extend(written.err());
+            }
+        }
+    }
+    missing
+}
+
+/// What `draw` gives, or why it gives nothing: a plotting library may panic over values that it cannot place.
+fn guarded<T>(draw: impl FnOnce() -> io::Result<T>) -> Result<T, String> {
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
+    let drawn = panic::catch_unwind(AssertUnwindSafe(draw));
+    panic::set_hook(hook);
+    match drawn {
+        Ok(drawn) => drawn.map_err(|error| error.to_string()),
+        Err(_) => Err("its values cannot be placed on axes".to_string()),
     }
 }
 
-type Named = (&'static str, Option<usize>, Figure);
-
-fn figures(case: &Case, history: &History, clearances: &[f64]) -> Vec<Named> {
+/// Names of the figures of a case, and their numbers in the paper.
+fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
     let named = &case.figures;
-    let laws: Vec<Arc<LawSpec>> = match named.laws.as_slice() {
-        [] => case.laws().into_iter().map(|law| law.spec()).collect(),
-        laws => laws.iter().map(|law| law.spec()).collect(),
-    };
-    let mut figures = vec![("laws", named.law, laws::laws(&laws))];
-    let span = Span::fitting(history, case.march.cycle);
-    let micrometres: Vec<f64> = clearances.iter().map(|clearance| 1e6 * clearance).collect();
-    let titles = support_names(case);
+    let mut wanted = vec![("laws", named.law), ("reactions", named.reactions)];
     match &case.system {
         System::Rotor(rotor) => {
-            let orbits = histories::eccentricities(history, &titles, &micrometres, span);
-            figures.push((
-                "reactions",
-                named.reactions,
-                histories::reactions(history, &titles, span),
-            ));
-            if span != Span::All {
-                let stretched = histories::stretched(&orbits);
-                figures.push(("eccentricity-stretched", named.eccentricity, stretched));
-            }
-            figures.push(("eccentricity", named.eccentricity, orbits));
-            if rotor.drive.acts {
-                figures.push(("rotation", named.rotation, histories::rotation(history)));
-            }
+            wanted.extend(
+                ["eccentricity-stretched", "eccentricity"].map(|stem| (stem, named.eccentricity)),
+            );
+            wanted.extend(rotor.drive.acts.then_some(("rotation", named.rotation)));
         }
-        System::Lumped(_) => {
-            let reactions = histories::reactions(history, &titles, Span::All);
-            figures.push(("reactions", named.reactions, reactions));
-            figures.push(("displacement", None, histories::displacement(history)));
-        }
+        System::Lumped(_) => wanted.push(("displacement", None)),
     }
-    figures
+    wanted
+}
+
+/// A figure by its name; none where it would show no more than another one.
+fn figure(
+    stem: &str,
+    case: &Case,
+    history: &HistoryFile,
+    clearances: &[f64],
+) -> io::Result<Option<Figure>> {
+    let span = match &case.system {
+        System::Rotor(_) => Span::fitting(history, case.march.cycle)?,
+        System::Lumped(_) => Span::All,
+    };
+    let titles = support_names(case);
+    let micrometres: Vec<f64> = clearances.iter().map(|clearance| 1e6 * clearance).collect();
+    let orbits = || histories::eccentricities(history, &titles, &micrometres, span);
+    Ok(Some(match stem {
+        "laws" => laws::laws(&drawn_laws(case)),
+        "reactions" => histories::reactions(history, &titles, span)?,
+        "eccentricity" => orbits()?,
+        "eccentricity-stretched" if span == Span::All => return Ok(None),
+        "eccentricity-stretched" => histories::stretched(&orbits()?),
+        "rotation" => histories::rotation(history)?,
+        _ => histories::displacement(history)?,
+    }))
+}
+
+/// The laws that the case wants drawn; its own if it names none.
+fn drawn_laws(case: &Case) -> Vec<Arc<LawSpec>> {
+    match case.figures.laws.as_slice() {
+        [] => case.laws().into_iter().map(|law| law.spec()).collect(),
+        laws => laws.iter().map(|law| law.spec()).collect(),
+    }
 }
 
 /// What results call the supports, in order.
@@ -97,13 +151,17 @@ mod tests {
 
     use super::histories::{Span, eccentricities, reactions, rotation};
     use super::laws::laws;
-    use super::{draw, figure::Figure};
+    use super::{NAMES, draw, figure::Figure, guarded};
+    use crate::history::{HistoryFile, HistoryWriter};
     use crate::report::last_cycle;
     use whirl_solver::history::History;
 
     /// One support, two revolutions at 10 Hz after 0.1 s at rest, in steps of 1 ms.
-    fn history() -> History {
-        let mut history = History::for_bearings(1, &[]);
+    fn history() -> (tempfile::TempDir, HistoryFile) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let names = History::for_bearings(1, &[]).names().to_vec();
+        let mut history = HistoryWriter::create(&path, &names).unwrap();
         for step in 1..=300 {
             let time = 1e-3 * f64::from(step);
             let theta = (TAU * 10.0 * (time - 0.1)).max(0.0);
@@ -113,9 +171,11 @@ mod tests {
             let mut row = vec![time, theta, TAU * 10.0];
             row.extend([reaction, journal, journal].concat());
             row.push(1.0);
-            history.push(&row);
+            history.push(&row).unwrap();
         }
-        history
+        history.finish(false).unwrap();
+        let history = HistoryFile::open(&path).unwrap();
+        (folder, history)
     }
 
     fn names() -> Vec<String> {
@@ -134,12 +194,12 @@ mod tests {
 
     #[test]
     fn every_figure_becomes_a_picture() {
-        let history = history();
+        let (_folder, history) = history();
         for span in [Span::All, Span::LastCycle(0.2)] {
-            decodes(&reactions(&history, &names(), span));
-            decodes(&eccentricities(&history, &names(), &[35.687], span));
+            decodes(&reactions(&history, &names(), span).unwrap());
+            decodes(&eccentricities(&history, &names(), &[35.687], span).unwrap());
         }
-        decodes(&rotation(&history));
+        decodes(&rotation(&history).unwrap());
     }
 
     #[test]
@@ -161,11 +221,15 @@ mod tests {
 
     #[test]
     fn the_last_cycle_has_its_rows_and_its_keyphasor_dots() {
-        let history = history();
-        assert_eq!(last_cycle(&history.column("t_s").unwrap(), 0.2), 99..300);
-        assert_eq!(Span::fitting(&history, 0.2), Span::LastCycle(0.2));
-        assert_eq!(Span::fitting(&history, 0.01), Span::All);
-        let orbit = eccentricities(&history, &names(), &[35.687], Span::LastCycle(0.2));
+        let (_folder, history) = history();
+        let mut rows = Vec::new();
+        let start = last_cycle(&history, 0.2).unwrap();
+        history.scan(start, &["t_s"], &mut |row| rows.push(row[0])).unwrap();
+        assert_eq!((rows.len(), rows[0]), (201, 0.1));
+        assert_eq!(Span::fitting(&history, 0.2).unwrap(), Span::LastCycle(0.2));
+        assert_eq!(Span::fitting(&history, 0.01).unwrap(), Span::All);
+        let orbit = eccentricities(&history, &names(), &[35.687], Span::LastCycle(0.2)).unwrap();
+        assert_eq!(orbit.panels[0].lines[1].points.len(), 201);
         let dots = &orbit.panels[0].dots;
         assert!(!dots.is_empty() && dots.len() <= 3);
         for dot in dots {
@@ -176,24 +240,29 @@ mod tests {
     /// What lines are drawn through: of every support its own columns, over the last cycle only.
     #[test]
     fn reactions_and_orbits_go_through_their_own_columns_in_the_last_cycle() {
-        let mut history = History::for_bearings(2, &[]);
-        let names = history.names().to_vec();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let names = History::for_bearings(2, &[]).names().to_vec();
+        let mut writer = HistoryWriter::create(&path, &names).unwrap();
         // Every column has values of its own, which no cycle of 0.1 s repeats.
         let angle = |step: u32| 0.3 + TAU * 10.0 * 1e-3 * f64::from(step);
         let value = |column: usize, step: u32| 10.0 * column as f64 + 1e-3 * f64::from(step);
         for step in 1..=300 {
             let mut row = vec![1e-3 * f64::from(step), angle(step), TAU * 10.0];
             row.extend((3..names.len()).map(|column| value(column, step)));
-            history.push(&row);
+            writer.push(&row).unwrap();
         }
+        writer.finish(false).unwrap();
+        let history = HistoryFile::open(&path).unwrap();
         let column = |name: &str| names.iter().position(|own| own == name).expect("a column");
         let titles = ["Support 1", "Support 2"].map(str::to_owned);
         let span = Span::LastCycle(0.1);
         let steps = 200..=300;
         let near = |found: (f64, f64), expected: (f64, f64)| {
-            (found.0 - expected.0).abs() < 1e-9 && (found.1 - expected.1).abs() < 1e-9
+            // The ten digits of an angle of 19 rad are right to 5e-9 rad, 3e-7°.
+            (found.0 - expected.0).abs() < 1e-6 && (found.1 - expected.1).abs() < 1e-9
         };
-        for (k, panel) in reactions(&history, &titles, span).panels.iter().enumerate() {
+        for (k, panel) in reactions(&history, &titles, span).unwrap().panels.iter().enumerate() {
             for (line, letters) in panel.lines.iter().zip(["RX", "RY"]) {
                 assert!(line.name.starts_with(letters), "{}", line.name);
                 let column = column(&format!("{letters}{}_N", k + 1));
@@ -205,7 +274,7 @@ mod tests {
             }
             assert_eq!(panel.lines.len(), 2);
         }
-        let orbits = eccentricities(&history, &titles, &[35.687, 20.0], span);
+        let orbits = eccentricities(&history, &titles, &[35.687, 20.0], span).unwrap();
         for (k, panel) in orbits.panels.iter().enumerate() {
             let [x, y] = ["EX", "EY"].map(|letters| column(&format!("{letters}{}_um", k + 1)));
             let orbit = &panel.lines.last().expect("an orbit").points;
@@ -215,5 +284,17 @@ mod tests {
             }
         }
         assert_eq!((orbits.panels.len(), orbits.panels[1].title.as_str()), (2, "Support 2"));
+    }
+
+    #[test]
+    fn a_figure_that_cannot_be_drawn_is_a_reason_and_no_end() {
+        assert_eq!(guarded(|| Ok(1)), Ok(1));
+        assert!(guarded(|| -> std::io::Result<()> { panic!("no axis") }).is_err());
+        assert!(
+            guarded(|| Err::<(), _>(std::io::Error::other("gone"))).is_err_and(|why| why == "gone")
+        );
+        let mut names = NAMES.to_vec();
+        names.dedup();
+        assert_eq!(names, NAMES);
     }
 }

@@ -1,29 +1,18 @@
-//! Results of a run: files and tables.
+//! Results of a run: summary and tables.
 
-mod history_csv;
 mod summary;
 mod table;
 
-use std::ops::Range;
+use std::io;
 
-use whirl_solver::history::History;
-
-pub(crate) use history_csv::history_csv;
 pub(crate) use summary::{Summary, Times};
 pub(crate) use table::{stops, supports, table};
 
-/// The values of a column that every history has.
-///
-/// # Panics
-/// If it has none of that name.
-pub(crate) fn column(history: &History, name: &str) -> Vec<f64> {
-    history.column(name).unwrap_or_else(|| panic!("histories have a column {name}"))
-}
+use crate::history::HistoryFile;
 
-/// Rows of the last `cycle` seconds.
-pub(crate) fn last_cycle(time: &[f64], cycle: f64) -> Range<usize> {
-    let end = time.last().copied().unwrap_or(0.0);
-    // A row that lies a rounding error before the cycle belongs to it.
-    let first = time.partition_point(|&t| t < end - cycle * (1.0 + 1e-9));
-    first..time.len()
+/// Where the rows of the last `cycle` seconds begin.
+pub(crate) fn last_cycle(history: &HistoryFile, cycle: f64) -> io::Result<u64> {
+    let end = history.last_time()?.unwrap_or(0.0);
+    // A row that lies a rounding error, of the sum or of its ten digits, before the cycle belongs to it.
+    history.from_time(end - cycle - 1e-9 * (cycle + end))
 }

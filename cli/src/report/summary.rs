@@ -1,15 +1,15 @@
 //! summary.json.
 
 use std::collections::BTreeMap;
-use std::ops::Range;
+use std::io;
 
 use serde::Serialize;
 use whirl_solver::dynamics::{EnergyBalance, Outcome};
-use whirl_solver::history::History;
 use whirl_specs::{CLEARANCES, ELEMENTS};
 
 use super::last_cycle;
 use crate::case::Case;
+use crate::history::HistoryFile;
 use crate::machine::{BodyFacts, Built, Counts};
 use crate::version;
 
@@ -66,7 +66,10 @@ struct Frequencies {
 
 #[derive(Debug, Serialize)]
 struct MarchFacts {
+    /// Every step that was tried.
     converged: bool,
+    /// Every step that was asked for.
+    complete: bool,
     time_step_s: f64,
     steps_asked: usize,
     steps: usize,
@@ -95,18 +98,33 @@ pub(crate) struct SupportSummary {
 }
 
 impl SupportSummary {
-    /// Sums up support `k` (from 1) over `rows` of a history.
-    fn new(history: &History, k: usize, rows: Range<usize>) -> Self {
-        let of = |name: String| Statistics::of(&super::column(history, &name)[rows.clone()]);
-        SupportSummary {
-            support: k,
-            rx: of(format!("RX{k}_N")),
-            ry: of(format!("RY{k}_N")),
-            x: of(format!("X{k}_um")),
-            y: of(format!("Y{k}_um")),
-            ex: of(format!("EX{k}_um")),
-            ey: of(format!("EY{k}_um")),
-        }
+    /// Columns of support `k` (from 1).
+    fn columns(k: usize) -> [String; 6] {
+        let names = ["RX_N", "RY_N", "X_um", "Y_um", "EX_um", "EY_um"];
+        names.map(|name| name.replace('_', &format!("{k}_")))
+    }
+
+    /// Sums up `supports` supports over the last `cycle` seconds of a history.
+    fn all(history: &HistoryFile, supports: usize, cycle: f64) -> io::Result<Vec<Self>> {
+        let names: Vec<String> = (1..=supports).flat_map(SupportSummary::columns).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut sums = vec![Statistics::NONE; names.len()];
+        let mut rows = 0;
+        history.scan(last_cycle(history, cycle)?, &names, &mut |row| {
+            sums.iter_mut().zip(row).for_each(|(sum, value)| sum.add(*value));
+            rows += 1;
+        })?;
+        let sums: Vec<Statistics> = sums.iter().map(|sum| sum.over(rows)).collect();
+        let of = |(place, own): (usize, &[Statistics])| SupportSummary {
+            support: place + 1,
+            rx: own[0],
+            ry: own[1],
+            x: own[2],
+            y: own[3],
+            ex: own[4],
+            ey: own[5],
+        };
+        Ok(sums.chunks_exact(6).enumerate().map(of).collect())
     }
 }
 
@@ -119,14 +137,19 @@ pub(crate) struct Statistics {
 }
 
 impl Statistics {
-    pub(crate) fn of(values: &[f64]) -> Self {
-        if values.is_empty() {
-            return Statistics::default();
-        }
-        Statistics {
-            min: values.iter().copied().fold(f64::INFINITY, f64::min),
-            mean: values.iter().sum::<f64>() / values.len() as f64,
-            max: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    const NONE: Statistics = Statistics { min: f64::INFINITY, mean: 0.0, max: f64::NEG_INFINITY };
+
+    /// Takes a value in; the mean is a sum until [`Statistics::over`].
+    fn add(&mut self, value: f64) {
+        self.min = self.min.min(value);
+        self.mean += value;
+        self.max = self.max.max(value);
+    }
+
+    fn over(self, count: usize) -> Self {
+        match count {
+            0 => Statistics::default(),
+            _ => Statistics { mean: self.mean / count as f64, ..self },
         }
     }
 }
@@ -184,18 +207,19 @@ pub(crate) struct Times {
 }
 
 impl Summary {
-    /// Sums up a march, which may have ended early with `error`.
+    /// Sums up a march of `steps` steps and the history that it left; it may have ended early with `error`.
+    ///
+    /// # Errors
+    /// The history cannot be read.
     pub(crate) fn new(
-        case: &Case,
-        built: &Built,
-        outcome: &Outcome,
+        (case, built): (&Case, &Built),
+        (outcome, history): (&Outcome, &HistoryFile),
+        (steps, converged): (usize, bool),
         time: Times,
         error: Option<String>,
-    ) -> Summary {
-        let history = &outcome.history;
-        let rows = last_cycle(&super::column(history, "t_s"), case.march.cycle);
-        let supports = built.clearances.len();
-        Summary {
+    ) -> io::Result<Summary> {
+        let cycle = case.march.cycle;
+        Ok(Summary {
             case: case_facts(case, built),
             version: version::PACKAGE,
             commit: version::COMMIT,
@@ -203,18 +227,17 @@ impl Summary {
             counts: counts(built),
             fixed_interface_hz: built.bodies.as_ref().map(frequencies),
             march: MarchFacts {
-                converged: error.is_none(),
+                converged,
+                complete: steps == case.march.steps,
                 time_step_s: case.march.time_step,
                 steps_asked: case.march.steps,
-                steps: history.rows(),
+                steps,
                 iterations: outcome.iterations,
                 factorisations: outcome.factorisations,
                 halved_steps: outcome.halved_steps,
             },
-            supports: (1..=supports)
-                .map(|k| SupportSummary::new(history, k, rows.clone()))
-                .collect(),
-            cycle_s: case.march.cycle,
+            supports: SupportSummary::all(history, built.clearances.len(), cycle)?,
+            cycle_s: cycle,
             steady_state: SteadyFacts {
                 judged: case.march.steady_cycle().is_some(),
                 reached: outcome.steady.is_some(),
@@ -223,7 +246,7 @@ impl Summary {
             energy_balance_j: EnergyFacts::from(&outcome.energy),
             time,
             error,
-        }
+        })
     }
 
     /// When the steady state was reached, s.

@@ -1,0 +1,123 @@
+//! The point from which a run can be resumed, in a file beside its history: where the march was, and of what.
+
+use std::io;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use whirl_solver::cache::{Key, instruction_set, pack, unpack, write_whole};
+use whirl_solver::dynamics::Checkpoint;
+
+use crate::case::Case;
+use crate::errors::Failure;
+use crate::history::HistoryFile;
+use crate::machine::Built;
+use crate::results::{CHECKPOINT, Results};
+use crate::{history, version};
+
+/// Layout of the file.
+const LAYOUT: &str = "whirl checkpoint 1";
+
+/// Everything on which the bits of a history depend: what it is, and a hash of it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Identity(Vec<(String, String)>);
+
+impl Identity {
+    /// Of a case and its machine, run by this program on this processor.
+    pub(crate) fn of(case: &Case, built: &Built) -> Identity {
+        let mut parts = vec![
+            ("the program".to_string(), version::SOURCES.to_string()),
+            ("the kind of processor".to_string(), instruction_set()),
+        ];
+        for source in &case.sources {
+            let name = source.path.file_name().unwrap_or(source.path.as_os_str());
+            parts.push((format!("the file `{}`", name.display()), Key::of(&source.text).hex()));
+        }
+        parts.extend(
+            built.law_hashes.iter().map(|(name, hash)| (format!("the law `{name}`"), hash.clone())),
+        );
+        for (body, key) in built.bodies.iter().flat_map(|bodies| &bodies.content) {
+            parts.push((format!("the mesh of the {body}, or what is made of it"), key.hex()));
+        }
+        Identity(parts)
+    }
+
+    /// What differs from another, in words.
+    fn differences(&self, other: &Identity) -> Vec<String> {
+        let has = |all: &Identity, part: &(String, String)| all.0.contains(part);
+        let mut found: Vec<String> = Vec::new();
+        let changed = self.0.iter().filter(|part| !has(other, part));
+        for (what, _) in changed.chain(other.0.iter().filter(|part| !has(self, part))) {
+            if !found.contains(what) {
+                found.push(what.clone());
+            }
+        }
+        if found.is_empty() && self != other {
+            found.push("the order of the files".to_string());
+        }
+        found
+    }
+}
+
+/// A run as it stood after a step.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Point {
+    identity: Identity,
+    /// Bytes of the history up to it.
+    pub(crate) history: u64,
+    /// Wall time of the march up to it (s).
+    pub(crate) wall: f64,
+    /// The march.
+    pub(crate) march: Checkpoint,
+}
+
+/// Writes the point of a march.
+///
+/// # Errors
+/// It cannot be written; the one before is still there then.
+pub(crate) fn write(
+    path: &Path,
+    identity: &Identity,
+    history: u64,
+    (march, wall): (Checkpoint, f64),
+) -> io::Result<()> {
+    let point = Point { identity: identity.clone(), history, wall, march };
+    write_whole(path, &pack(&Key::of(&LAYOUT), &point)?)
+}
+
+/// The point from which the run in `results` goes on; none if it left none, or one that is damaged.
+///
+/// # Errors
+/// It is one of another case or program, or the history is not the one that belongs to it.
+pub(crate) fn read(results: &Results, identity: &Identity) -> Result<Option<Point>, Failure> {
+    let Ok(bytes) = std::fs::read(results.path(CHECKPOINT)) else { return Ok(None) };
+    let Some(point) = unpack::<Point>(&Key::of(&LAYOUT), &bytes) else { return Ok(None) };
+    let refused = |differs| {
+        let folder = results.folder().to_path_buf();
+        Err(Failure::OtherRun { folder, differs })
+    };
+    let differences = point.identity.differences(identity);
+    if !differences.is_empty() {
+        return refused(differences);
+    }
+    let length = HistoryFile::open(&results.path(history::NAME)).map(|history| history.length());
+    if length.is_ok_and(|length| length >= point.history) {
+        return Ok(Some(point));
+    }
+    refused(vec![format!("`{}`, which has fewer rows", history::NAME)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn differences_are_named_once() {
+        let identity = |parts: &[(&str, &str)]| {
+            Identity(parts.iter().map(|(a, b)| (a.to_string(), b.to_string())).collect())
+        };
+        let own = identity(&[("the program", "1"), ("the law `a`", "2"), ("the shaft", "3")]);
+        let other = identity(&[("the program", "1"), ("the law `b`", "2"), ("the shaft", "4")]);
+        assert_eq!(own.differences(&own), Vec::<String>::new());
+        assert_eq!(own.differences(&other), ["the law `a`", "the shaft", "the law `b`"]);
+    }
+}

@@ -1,0 +1,231 @@
+//! A history read from its file: by rows, or from a time on. Times never fall from row to row.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+
+/// A history on disk. A last line without its end is not part of it.
+#[derive(Debug)]
+pub(crate) struct HistoryFile {
+    path: PathBuf,
+    names: Vec<String>,
+    /// First byte of the rows, and the one behind the last whole line.
+    first: u64,
+    end: u64,
+}
+
+impl HistoryFile {
+    /// Opens a history.
+    ///
+    /// # Errors
+    /// It cannot be read, or has no line of names.
+    pub(crate) fn open(path: &Path) -> io::Result<HistoryFile> {
+        let mut file = File::open(path)?;
+        let length = file.metadata()?.len();
+        let mut head = Vec::new();
+        BufReader::new(&mut file).read_until(b'\n', &mut head)?;
+        let names = String::from_utf8_lossy(&head);
+        let Some(names) = names.strip_suffix('\n') else {
+            return Err(invalid(path, "has no line of names"));
+        };
+        let names = names.split(',').map(str::to_string).collect();
+        let first = head.len() as u64;
+        let mut history = HistoryFile { path: path.to_path_buf(), names, first, end: length };
+        history.end = history.line_start(&mut file, length)?;
+        Ok(history)
+    }
+
+    /// Bytes of names and whole rows.
+    pub(crate) fn length(&self) -> u64 {
+        self.end
+    }
+
+    /// Where the rows begin, for [`HistoryFile::scan`].
+    pub(crate) fn start(&self) -> u64 {
+        self.first
+    }
+
+    /// Time of the last row (s), if there is a row.
+    pub(crate) fn last_time(&self) -> io::Result<Option<f64>> {
+        if self.end == self.first {
+            return Ok(None);
+        }
+        let mut file = File::open(&self.path)?;
+        let start = self.line_start(&mut file, self.end - 1)?;
+        self.time_at(&mut file, start).map(|(time, _)| Some(time))
+    }
+
+    /// Where the first row at `time` (s) or later begins; the end if there is none.
+    pub(crate) fn from_time(&self, time: f64) -> io::Result<u64> {
+        let mut file = File::open(&self.path)?;
+        // Rows before `low` are earlier; the row at `high` is not.
+        let (mut low, mut high) = (self.first, self.end);
+        while low < high {
+            let start = self.line_start(&mut file, low + (high - low) / 2)?;
+            let (found, next) = self.time_at(&mut file, start)?;
+            if found < time { low = next } else { high = start }
+        }
+        Ok(low)
+    }
+
+    /// Calls `each` with the values of `columns`, row after row from byte `from` on.
+    ///
+    /// # Errors
+    /// The file cannot be read, or a cell is no number.
+    ///
+    /// # Panics
+    /// If there is no column of one of these names.
+    pub(crate) fn scan(
+        &self,
+        from: u64,
+        columns: &[&str],
+        each: &mut dyn FnMut(&[f64]),
+    ) -> io::Result<()> {
+        self.rows(from, columns, usize::MAX, each)
+    }
+
+    /// As [`HistoryFile::scan`], for the first row only, if there is one.
+    ///
+    /// # Errors
+    /// As [`HistoryFile::scan`].
+    pub(crate) fn first_row(
+        &self,
+        from: u64,
+        columns: &[&str],
+        each: &mut dyn FnMut(&[f64]),
+    ) -> io::Result<()> {
+        self.rows(from, columns, 1, each)
+    }
+
+    fn rows(
+        &self,
+        from: u64,
+        columns: &[&str],
+        most: usize,
+        each: &mut dyn FnMut(&[f64]),
+    ) -> io::Result<()> {
+        let place = |name: &&str| {
+            let found = self.names.iter().position(|own| own == name);
+            found.unwrap_or_else(|| panic!("histories have a column {name}"))
+        };
+        let places: Vec<usize> = columns.iter().map(place).collect();
+        let wanted = places.iter().max().map_or(0, |last| last + 1);
+        let mut file = File::open(&self.path)?;
+        file.seek(SeekFrom::Start(from))?;
+        let mut lines = BufReader::with_capacity(1 << 18, file.take(self.end - from));
+        let (mut line, mut row) = (Vec::new(), vec![0.0; columns.len()]);
+        let mut count = 0;
+        while count < most && lines.read_until(b'\n', &mut line)? > 0 {
+            count += 1;
+            let text = std::str::from_utf8(&line).unwrap_or_default().trim_end();
+            let mut found = 0;
+            for (place, cell) in text.split(',').take(wanted).enumerate() {
+                for (value, _) in row.iter_mut().zip(&places).filter(|(_, own)| **own == place) {
+                    *value = cell.parse().map_err(|_| invalid(&self.path, text))?;
+                    found += 1;
+                }
+            }
+            if found < row.len() {
+                return Err(invalid(&self.path, text));
+            }
+            each(&row);
+            line.clear();
+        }
+        Ok(())
+    }
+
+    /// First byte of the line with byte `at`, which is at most the length of the file.
+    fn line_start(&self, file: &mut File, at: u64) -> io::Result<u64> {
+        const WINDOW: u64 = 4096;
+        let mut bytes = Vec::new();
+        let mut end = at;
+        while end > self.first {
+            let start = end.saturating_sub(WINDOW).max(self.first);
+            file.seek(SeekFrom::Start(start))?;
+            bytes.resize((end - start) as usize, 0);
+            file.read_exact(&mut bytes)?;
+            if let Some(place) = bytes.iter().rposition(|byte| *byte == b'\n') {
+                return Ok(start + place as u64 + 1);
+            }
+            end = start;
+        }
+        Ok(self.first)
+    }
+
+    /// Time of the row that begins at `start`, and where the next one does.
+    fn time_at(&self, file: &mut File, start: u64) -> io::Result<(f64, u64)> {
+        file.seek(SeekFrom::Start(start))?;
+        let mut line = Vec::new();
+        BufReader::new(file).read_until(b'\n', &mut line)?;
+        let text = String::from_utf8_lossy(&line);
+        let cell = text.trim_end().split(',').next().and_then(|cell| cell.parse().ok());
+        let time = cell.ok_or_else(|| invalid(&self.path, &text))?;
+        Ok((time, start + line.len() as u64))
+    }
+}
+
+fn invalid(path: &Path, what: &str) -> io::Error {
+    let message = format!("`{}` is no history: {}", path.display(), what.trim_end());
+    io::Error::new(io::ErrorKind::InvalidData, message)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file(text: &str) -> (tempfile::TempDir, io::Result<HistoryFile>) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        std::fs::write(&path, text).unwrap();
+        let history = HistoryFile::open(&path);
+        (folder, history)
+    }
+
+    fn rows(history: &HistoryFile, from: u64, columns: &[&str]) -> Vec<Vec<f64>> {
+        let mut rows = Vec::new();
+        history.scan(from, columns, &mut |row| rows.push(row.to_vec())).unwrap();
+        rows
+    }
+
+    #[test]
+    fn a_torn_last_line_is_dropped() {
+        let (_folder, history) = file("t_s,x,y\n1,2,3\n2,4,-5e-9\n3,4");
+        let history = history.unwrap();
+        assert_eq!(history.names, ["t_s", "x", "y"]);
+        let all = rows(&history, history.start(), &["y", "t_s"]);
+        assert_eq!(all, [[3.0, 1.0], [-5e-9, 2.0]]);
+        assert_eq!(history.last_time().unwrap(), Some(2.0));
+        assert_eq!(history.length(), 24);
+    }
+
+    #[test]
+    fn rows_are_found_by_their_time() {
+        for long in [1, 3000] {
+            let cell = "7".repeat(long);
+            let mut text = String::from("t_s,x\n");
+            (1..=50).for_each(|i| text.push_str(&format!("{i},{cell}\n")));
+            let (_folder, history) = file(&text);
+            let history = history.unwrap();
+            for (time, first) in [(-1.0, 1), (1.0, 1), (1.5, 2), (25.0, 25), (50.0, 50), (50.5, 51)]
+            {
+                let found = rows(&history, history.from_time(time).unwrap(), &["t_s"]);
+                assert_eq!(found.len(), 51 - first, "{time}");
+                assert!(found.first().is_none_or(|row| row[0] == first as f64), "{time}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_history_is_an_error() {
+        assert!(file("").1.is_err());
+        assert!(file("t_s,x").1.is_err());
+        let (_folder, history) = file("t_s,x\n1,2\n1\n");
+        let history = history.unwrap();
+        let error = history.scan(history.start(), &["x"], &mut |_| {}).unwrap_err();
+        assert!(error.to_string().contains("is no history"), "{error}");
+        let (_folder, history) = file("t_s,x\n");
+        let history = history.unwrap();
+        assert_eq!(history.last_time().unwrap(), None);
+        assert_eq!(history.from_time(0.0).unwrap(), history.length());
+    }
+}

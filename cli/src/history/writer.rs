@@ -1,0 +1,324 @@
+//! Rows go to the file on a thread of their own, whole lines several times a second: a march waits for no disk.
+//!
+//! Checkpoints travel with the rows, so that one stands in its file only when the rows before it stand in theirs.
+
+use std::fs::File;
+use std::io::{self, Seek, SeekFrom, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use super::text;
+
+/// Longest time for which a row stands in memory only, but for the time that writing takes.
+const PAUSE: Duration = Duration::from_millis(100);
+/// Time from one point to resume from to the next, at least: which of them are made changes nothing that is computed.
+const BETWEEN_POINTS: Duration = Duration::from_secs(1);
+/// Values that are written at once; twice as many may wait, then the march waits.
+const BATCH: usize = 1 << 16;
+
+/// Why rows are not written: what the operating system says.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct NotWritten(pub(crate) String);
+
+/// A point from which the march can be resumed, made from the length in bytes of the history up to it.
+pub(crate) type Resumable = Box<dyn FnOnce(u64) -> io::Result<()> + Send>;
+
+/// A history that is being written.
+pub(crate) struct HistoryWriter {
+    shared: Arc<Shared>,
+    thread: Option<JoinHandle<()>>,
+}
+
+#[derive(Default)]
+struct Shared {
+    queue: Mutex<Queue>,
+    /// There is something to be written at once.
+    work: Condvar,
+    /// There is room again.
+    room: Condvar,
+}
+
+#[derive(Default)]
+struct Queue {
+    values: Vec<f64>,
+    /// With the number of values that come before it.
+    resumable: Option<(usize, Resumable)>,
+    done: bool,
+    /// Whether the last point to resume from is wanted, although it is not time for it.
+    keep_last: bool,
+    failed: Option<NotWritten>,
+    /// The first error of a resumable point; rows are worth more than it.
+    unkept: Option<String>,
+}
+
+impl Shared {
+    fn queue(&self) -> MutexGuard<'_, Queue> {
+        self.queue.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl HistoryWriter {
+    /// Begins a history with these columns.
+    ///
+    /// # Errors
+    /// The file cannot be made or written.
+    pub(crate) fn create(path: &Path, names: &[String]) -> io::Result<HistoryWriter> {
+        let mut lines = Lines::new(File::create(path)?, 0);
+        lines.text.extend(text::head(names).into_bytes());
+        lines.write()?;
+        Ok(HistoryWriter::start(lines, names.len()))
+    }
+
+    /// Goes on after the first `length` bytes of a history with as many columns; what follows is dropped.
+    ///
+    /// # Errors
+    /// The file cannot be opened, cut or written.
+    pub(crate) fn go_on(path: &Path, length: u64, columns: usize) -> io::Result<HistoryWriter> {
+        let mut file = File::options().write(true).open(path)?;
+        file.set_len(length)?;
+        file.seek(SeekFrom::End(0))?;
+        Ok(HistoryWriter::start(Lines::new(file, length), columns))
+    }
+
+    fn start(mut lines: Lines, columns: usize) -> HistoryWriter {
+        let shared = Arc::<Shared>::default();
+        let own = shared.clone();
+        let thread = std::thread::spawn(move || {
+            let served = catch_unwind(AssertUnwindSafe(|| lines.serve(&own, columns)));
+            if served.is_err() {
+                // Nobody waits for room that will not come.
+                let reason = "the thread that writes the history has died".to_string();
+                own.queue().failed = Some(NotWritten(reason));
+                own.room.notify_one();
+            }
+        });
+        HistoryWriter { shared, thread: Some(thread) }
+    }
+
+    /// Adds a row, one value a column.
+    ///
+    /// # Errors
+    /// An earlier row could not be written.
+    pub(crate) fn push(&mut self, row: &[f64]) -> Result<(), NotWritten> {
+        let mut queue = self.shared.queue();
+        queue.values.extend_from_slice(row);
+        if queue.values.len() >= BATCH {
+            self.shared.work.notify_one();
+            let full =
+                |queue: &mut Queue| queue.values.len() >= 2 * BATCH && queue.failed.is_none();
+            let waited = self.shared.room.wait_while(queue, full);
+            queue = waited.unwrap_or_else(PoisonError::into_inner);
+        }
+        queue.failed.clone().map_or(Ok(()), Err)
+    }
+
+    /// Makes a point to resume from once all rows so far are in the file, if the last one is old enough and no
+    /// later one is there by then.
+    pub(crate) fn keep(&mut self, resumable: Resumable) {
+        let mut queue = self.shared.queue();
+        queue.resumable = Some((queue.values.len(), resumable));
+    }
+
+    /// Writes what is left, with `keep_last` the last point to resume from, too; the reason why one could not be
+    /// made, if there is one.
+    ///
+    /// # Errors
+    /// Not all rows could be written. Those that are in the file are whole lines.
+    pub(crate) fn finish(mut self, keep_last: bool) -> Result<Option<String>, NotWritten> {
+        self.shared.queue().keep_last = keep_last;
+        self.end();
+        let mut queue = self.shared.queue();
+        queue.failed.take().map_or(Ok(queue.unkept.take()), Err)
+    }
+
+    fn end(&mut self) {
+        self.shared.queue().done = true;
+        self.shared.work.notify_one();
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+impl Drop for HistoryWriter {
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+/// The file, and the lines that are to be written next.
+struct Lines {
+    file: File,
+    /// Bytes of whole lines in the file.
+    length: u64,
+    text: Vec<u8>,
+    /// The last point to resume from that was not made, with the length of the file there.
+    point: Option<(u64, Resumable)>,
+    /// When the last one was made.
+    made: Option<Instant>,
+}
+
+impl Lines {
+    fn new(file: File, length: u64) -> Lines {
+        Lines { file, length, text: Vec::new(), point: None, made: None }
+    }
+
+    fn serve(&mut self, shared: &Shared, columns: usize) {
+        let mut values = Vec::new();
+        loop {
+            let idle = |queue: &mut Queue| !queue.done && queue.values.len() < BATCH;
+            let waited = shared.work.wait_timeout_while(shared.queue(), PAUSE, idle);
+            let (mut queue, _) = waited.unwrap_or_else(PoisonError::into_inner);
+            std::mem::swap(&mut values, &mut queue.values);
+            let (resumable, done) = (queue.resumable.take(), queue.done);
+            let keep_last = done && queue.keep_last;
+            drop(queue);
+            shared.room.notify_one();
+
+            let (before, make) = resumable.map_or((0, None), |(at, make)| (at, Some(make)));
+            let written = self.rows(&values[..before], columns).and_then(|()| {
+                if let Some(make) = make {
+                    self.point = Some((self.length, make));
+                }
+                self.rows(&values[before..], columns)
+            });
+            values.clear();
+            let due = self.made.is_none_or(|made| made.elapsed() >= BETWEEN_POINTS);
+            if due && !done || keep_last || written.is_err() {
+                let unkept = self.make_point().err().map(|error| error.to_string());
+                let mut queue = shared.queue();
+                queue.unkept = queue.unkept.take().or(unkept);
+            }
+            if let Err(error) = written {
+                shared.queue().failed = Some(NotWritten(error.to_string()));
+                shared.room.notify_one();
+                return;
+            }
+            if done {
+                return;
+            }
+        }
+    }
+
+    fn rows(&mut self, values: &[f64], columns: usize) -> io::Result<()> {
+        values.chunks_exact(columns).for_each(|row| text::line(&mut self.text, row));
+        self.write()
+    }
+
+    /// A point to resume from is as good as the rows before it.
+    fn make_point(&mut self) -> io::Result<()> {
+        let Some((length, make)) = self.point.take() else { return Ok(()) };
+        self.made = Some(Instant::now());
+        self.file.sync_data()?;
+        make(length)
+    }
+
+    /// Writes the text; if not all of it fits, as many whole lines as do.
+    fn write(&mut self) -> io::Result<()> {
+        let mut written = 0;
+        let mut result = Ok(());
+        while result.is_ok() && written < self.text.len() {
+            result = match self.file.write(&self.text[written..]) {
+                Ok(0) => Err(io::ErrorKind::WriteZero.into()),
+                Ok(count) => {
+                    written += count;
+                    Ok(())
+                }
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => Ok(()),
+                Err(error) => Err(error),
+            };
+        }
+        let whole = self.text[..written].iter().rposition(|byte| *byte == b'\n');
+        let whole = whole.map_or(0, |end| end + 1);
+        self.length += whole as u64;
+        self.text.clear();
+        if written > whole {
+            // Who reads the file drops a torn line, too.
+            let _ = self.file.set_len(self.length);
+        }
+        result
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    use super::*;
+
+    fn names() -> Vec<String> {
+        ["t_s", "x"].map(String::from).to_vec()
+    }
+
+    fn wait_for(path: &Path, text: &str) {
+        let patience = std::time::Instant::now();
+        while std::fs::read_to_string(path).unwrap() != text {
+            assert!(
+                patience.elapsed() < Duration::from_secs(20),
+                "rows are not written by themselves"
+            );
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    #[test]
+    fn rows_reach_the_file_without_being_asked_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let mut writer = HistoryWriter::create(&path, &names()).unwrap();
+        writer.push(&[1.0, 2.0]).unwrap();
+        wait_for(&path, "t_s,x\n1,2\n");
+        writer.push(&[2.0, 3.5]).unwrap();
+        wait_for(&path, "t_s,x\n1,2\n2,3.5\n");
+        assert_eq!(writer.finish(false), Ok(None));
+    }
+
+    #[test]
+    fn points_to_resume_from_know_the_length_of_the_rows_before_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let mut writer = HistoryWriter::create(&path, &names()).unwrap();
+        let length = Arc::new(AtomicU64::new(0));
+        let point = || -> Resumable {
+            let (own, at) = (length.clone(), path.clone());
+            Box::new(move |length| {
+                own.store(length, Ordering::Relaxed);
+                assert!(std::fs::metadata(at)?.len() >= length);
+                Ok(())
+            })
+        };
+        writer.push(&[1.0, 2.0]).unwrap();
+        writer.keep(point());
+        (2..60_000).try_for_each(|i| writer.push(&[f64::from(i), 0.0])).unwrap();
+        assert_eq!(writer.finish(true), Ok(None));
+        let whole = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(whole.lines().count(), 60_000);
+        let length = length.load(Ordering::Relaxed);
+        assert_eq!(&whole[..length as usize], "t_s,x\n1,2\n");
+
+        let mut writer = HistoryWriter::go_on(&path, length, 2).unwrap();
+        writer.push(&[7.0, 8.0]).unwrap();
+        writer.keep(Box::new(|_| Err(io::Error::other("no room"))));
+        assert_eq!(writer.finish(true), Ok(Some("no room".to_string())));
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "t_s,x\n1,2\n7,8\n");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_stops_the_march() {
+        let file = File::options().write(true).open("/dev/full").unwrap();
+        let mut writer = HistoryWriter::start(Lines::new(file, 0), 2);
+        let patience = std::time::Instant::now();
+        let error = loop {
+            assert!(patience.elapsed() < Duration::from_secs(20), "the error is noticed");
+            if let Err(error) = writer.push(&[1.0, 2.0]) {
+                break error;
+            }
+        };
+        assert!(error.0.contains("space"), "{error:?}");
+        assert_eq!(writer.finish(false), Err(error));
+    }
+}

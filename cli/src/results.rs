@@ -1,0 +1,184 @@
+//! The folder of results while a run is at work: locked, checked before the work, its old files gone with the first
+//! step, its new ones there as soon as they are known.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use whirl_solver::cache::write_whole;
+
+use crate::errors::Failure;
+use crate::figures;
+use crate::history;
+use crate::lock::{Lock, Locked};
+
+/// The summary.
+pub(crate) const SUMMARY: &str = "summary.json";
+/// From what `--resume` goes on.
+pub(crate) const CHECKPOINT: &str = "checkpoint.bin";
+
+/// A folder of results that nobody else writes.
+#[derive(Debug)]
+pub(crate) struct Results {
+    folder: PathBuf,
+    /// Folders made by [`Results::open`], the outermost first; removed again if nothing is kept.
+    made: Vec<PathBuf>,
+    lock: Option<Lock>,
+}
+
+impl Results {
+    /// Makes `folder` where it is missing, and sees that results can be written in it.
+    ///
+    /// # Errors
+    /// It cannot be written, another run writes it, or a folder has the name of a result; nothing is left behind
+    /// then.
+    pub(crate) fn open(folder: &Path) -> Result<Results, Failure> {
+        let missing = |path: &&Path| !path.as_os_str().is_empty() && !path.exists();
+        let mut made: Vec<PathBuf> =
+            folder.ancestors().take_while(missing).map(Path::to_path_buf).collect();
+        made.reverse();
+        let mut results = Results { folder: folder.to_path_buf(), made, lock: None };
+        fs::create_dir_all(folder).map_err(|error| results.failure(folder, &error.to_string()))?;
+        if let Some(name) = names().find(|name| results.path(name).is_dir()) {
+            let reason = "a folder has the name of a result: move it or remove it";
+            return Err(results.failure(&results.path(&name), reason));
+        }
+        results.lock = match Lock::take(folder) {
+            Ok(Locked::Ours(lock)) => Some(lock),
+            Ok(Locked::Unknown) => None,
+            Ok(Locked::InUse(by)) => {
+                let folder = folder.to_path_buf();
+                results.made.clear();
+                return Err(Failure::InUse { folder, by });
+            }
+            Err(error) => return Err(results.failure(folder, &error.to_string())),
+        };
+        Ok(results)
+    }
+
+    /// The folder.
+    pub(crate) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Path of a file in it.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    /// Takes away what earlier runs left, but for `except`: from here on the folder has the files of this run only.
+    /// Files that no run writes are left alone.
+    ///
+    /// # Errors
+    /// A file cannot be removed.
+    pub(crate) fn begin(&mut self, except: &[&str]) -> io::Result<()> {
+        self.made.clear();
+        for name in names().filter(|name| !except.contains(&name.as_str())) {
+            match fs::remove_file(self.path(&name)) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes a file, whole or not at all.
+    ///
+    /// # Errors
+    /// Why not, with the path.
+    pub(crate) fn write(&self, name: &str, content: &[u8]) -> Result<(), String> {
+        let path = self.path(name);
+        write_whole(&path, content)
+            .map_err(|error| format!("cannot write `{}`: {error}", path.display()))
+    }
+
+    /// Takes away the point to resume from: the run has come to its end.
+    pub(crate) fn forget_checkpoint(&self) {
+        let _ = fs::remove_file(self.path(CHECKPOINT));
+    }
+
+    fn failure(&self, path: &Path, reason: &str) -> Failure {
+        Failure::Output { path: path.to_path_buf(), reason: reason.to_string() }
+    }
+}
+
+/// Takes away the folders that were made for results which did not come.
+impl Drop for Results {
+    fn drop(&mut self) {
+        self.lock = None;
+        for folder in self.made.iter().rev() {
+            let _ = fs::remove_dir(folder);
+        }
+    }
+}
+
+/// Every name that a run may give to a file.
+fn names() -> impl Iterator<Item = String> {
+    let figures =
+        figures::NAMES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
+    [history::NAME, SUMMARY, CHECKPOINT].map(String::from).into_iter().chain(figures)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn listing(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
+        let mut names: Vec<String> = entries.map(|name| name.into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn nothing_is_left_of_a_run_that_does_not_begin() {
+        let folder = tempfile::tempdir().unwrap();
+        drop(Results::open(&folder.path().join("a/b")).unwrap());
+        assert!(listing(folder.path()).is_empty());
+        fs::write(folder.path().join("summary.json"), "old").unwrap();
+        drop(Results::open(folder.path()).unwrap());
+        assert_eq!(listing(folder.path()), ["summary.json"]);
+    }
+
+    #[test]
+    fn old_results_go_when_a_run_begins_and_other_files_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["summary.json", "rotation.png", "checkpoint.bin", "history.csv", "notes.txt"] {
+            fs::write(folder.path().join(name), "old").unwrap();
+        }
+        let mut results = Results::open(folder.path()).unwrap();
+        results.begin(&[history::NAME]).unwrap();
+        results.write(SUMMARY, b"new").unwrap();
+        drop(results);
+        assert_eq!(listing(folder.path()), ["history.csv", "notes.txt", "summary.json"]);
+        assert_eq!(fs::read(folder.path().join("summary.json")).unwrap(), b"new");
+    }
+
+    #[test]
+    fn a_folder_in_use_is_refused_until_it_is_free() {
+        let folder = tempfile::tempdir().unwrap();
+        let first = Results::open(folder.path()).unwrap();
+        let own = std::process::id();
+        for _ in 0..2 {
+            match Results::open(folder.path()) {
+                Err(Failure::InUse { by, .. }) => assert_eq!(by, Some(own)),
+                other => panic!("{other:?}"),
+            }
+        }
+        drop(first);
+        Results::open(folder.path()).unwrap();
+    }
+
+    #[test]
+    fn what_stands_in_the_way_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        fs::write(&file, "").unwrap();
+        assert!(Results::open(&file.join("results")).is_err());
+        assert!(Results::open(&file).is_err());
+        fs::create_dir_all(folder.path().join("taken/reactions.png")).unwrap();
+        let error = Results::open(&folder.path().join("taken")).unwrap_err();
+        assert!(error.to_string().contains("reactions.png"), "{error}");
+        assert_eq!(listing(&folder.path().join("taken")), ["reactions.png"]);
+    }
+}
