@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-
 use crate::arguments::{CacheArguments, RunArguments};
 use crate::case::{Case, System};
 use crate::checkpoint::{self, Identity};
@@ -46,7 +45,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         reason: format!("signals cannot be watched: {error}"),
     })?;
     let marched = march((&case, &built), (&mut results, identity), from, &interruption, show)?;
-    report(arguments, (&case, &built), &results, marched, (start, show))
+    report(arguments, (&case, &built), &results, (marched, &interruption), (start, show))
 }
 
 fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
@@ -65,7 +64,7 @@ fn report(
     arguments: &RunArguments,
     (case, built): (&Case, &Built),
     results: &Results,
-    marched: Marched,
+    (marched, interruption): (Marched, &Interruption),
     (start, show): (Instant, Show),
 ) -> Result<(), Failure> {
     let mut problems = Vec::new();
@@ -85,7 +84,10 @@ fn report(
             // A full disk has room for the numbers first.
             if !arguments.no_figures && !matches!(marched.end, End::NotWritten(_)) {
                 let write = |name: &str, content: &[u8]| results.write(name, content);
-                problems.extend(figures::draw(case, &history, &built.clearances, &write));
+                // One signal has ended the march, and figures are wanted of what is done.
+                let stop = || matches!(marched.end, End::Done) && interruption.asked();
+                let clearances = &built.clearances;
+                problems.extend(figures::draw(case, &history, clearances, &write, &stop));
             }
             if show != Show::Nothing {
                 print!("{}", closing(case, &summary, time, results.folder()));

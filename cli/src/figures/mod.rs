@@ -42,15 +42,20 @@ fn pictures(stem: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
 }
 
 /// Draws the figures of a case as SVG and PNG, each written by `write`; why some are missing. `clearances`: of every
-/// support, in m. Nothing that happens to a figure keeps another one from being drawn.
+/// support, in m. Nothing that happens to a figure keeps another one from being drawn, but for `stop`.
 pub(crate) fn draw(
     case: &Case,
     history: &HistoryFile,
     clearances: &[f64],
     write: &dyn Fn(&str, &[u8]) -> Result<(), String>,
+    stop: &dyn Fn() -> bool,
 ) -> Vec<String> {
     let mut missing = Vec::new();
     for (stem, number) in wanted(case) {
+        if stop() {
+            missing.push("interrupted before all figures were drawn".to_string());
+            return missing;
+        }
         let drawn = guarded(|| {
             let Some(figure) = figure(stem, case, history, clearances)? else {
                 return Ok(Vec::new());
