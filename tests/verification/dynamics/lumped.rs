@@ -35,8 +35,10 @@ impl Stop {
         let [mut x, mut v] = at(&march);
         let flowing = self.energy(x, v).abs().max(0.5 * self.mass * v * v);
         let (mut met, mut between) = (0, 0.0);
+        let mut history = History::for_bearings(1, &[]);
         for step in 0..options.steps {
             march.advance().unwrap_or_else(|error| panic!("{error}"));
+            history.push(march.row());
             let [x_end, v_end] = at(&march);
             let made = (self.energy(x_end, v_end) - self.energy(x, v)).abs();
             // Average acceleration keeps the energy of anything linear. Where a step of length d meets the stop
@@ -62,7 +64,7 @@ impl Stop {
         // What the march says of it is no worse than the trapezium where a step meets the stop.
         let tiny = between + 1e-12 * flowing;
         assert!((kept - stored).abs() <= tiny && lost.abs() <= tiny, "{kept} {lost} {stored}");
-        march.outcome().history
+        history
     }
 }
 
