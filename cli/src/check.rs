@@ -5,7 +5,7 @@ use std::fmt::Write;
 use whirl_solver::assembly::mass_properties;
 
 use crate::arguments::CheckArguments;
-use crate::case::{Case, Lumped, Rotor, Side, System, Unbalance};
+use crate::case::{Case, LawSource, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
 use crate::machine::{self, BodyPlan, Plan};
@@ -31,12 +31,15 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     text.push('\n');
     // Meshes are read once, and warned of once.
     let plan = machine::plan(&case)?;
-    match (&case.system, &plan) {
-        (System::Rotor(rotor), Some(plan)) => say_rotor(&mut text, rotor, plan)?,
+    let laws = match (&case.system, &plan) {
+        (System::Rotor(rotor), Some(plan)) => {
+            say_rotor(&mut text, rotor, plan)?;
+            plan.laws.clone()
+        }
         (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
-        (System::Rotor(_), None) => {}
-    }
-    say_laws(&mut text, &case);
+        (System::Rotor(_), None) => Vec::new(),
+    };
+    say_laws(&mut text, &laws);
     say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
     let _spinner = progress::spinner(progress::Show::fitting(false), "reducing shaft and support");
@@ -95,15 +98,15 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
         line(text, format_args!("load: {} N along {direction} at {at}, {course}", load.force));
     }
     for (k, bearing) in rotor.bearings.iter().enumerate() {
-        let rings = if bearing.stations.is_empty() { 3 } else { bearing.stations.len() };
         line(
             text,
             format_args!(
-                "support {}: {rings} rings of {} springs, c = {} µm, law {}",
+                "support {}: {} rings of {} springs, c = {} µm, law {}",
                 k + 1,
+                bearing.rings(),
                 bearing.springs,
                 rounded(1e6 * bearing.radial_clearance),
-                bearing.law.source.name()
+                plan.laws[k].name()
             ),
         );
     }
@@ -148,7 +151,7 @@ fn bodies(plan: &Plan) -> Result<String, Failure> {
     Ok(table(&rows))
 }
 
-fn say_lumped(text: &mut String, lumped: &Lumped) {
+fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {
     let Lumped { mass, stiffness, damping, displacement, velocity, force, .. } = lumped;
     line(
         text,
@@ -163,16 +166,24 @@ fn say_lumped(text: &mut String, lumped: &Lumped) {
     }
     for stop in &lumped.stops {
         let side = format!("{:?}", stop.side).to_lowercase();
+        // A law of a ring that does not say which of its parameters is the gap has it in itself.
         let gap = match stop.side {
-            Side::Around => String::new(),
+            Side::Around if stop.gap == 0.0 => String::new(),
             _ => format!(", gap {} m", stop.gap),
         };
-        line(text, format_args!("stop {side}{gap}, law {}", stop.law.source.name()));
+        line(text, format_args!("stop {side}{gap}, law {}", stop.law.name()));
     }
+    lumped.stops.iter().map(|stop| stop.law.clone()).collect()
 }
 
-fn say_laws(text: &mut String, case: &Case) {
-    for law in case.laws() {
+/// Each law once, in the order in which the case first names them.
+fn say_laws(text: &mut String, laws: &[LawSource]) {
+    let mut said: Vec<String> = Vec::new();
+    for law in laws {
+        if said.contains(&law.name()) {
+            continue;
+        }
+        said.push(law.name());
         let spec = law.spec();
         line(text, format_args!("\nlaw {}: {}", law.name(), spec.title));
         text.push_str(&spec.report.to_string());

@@ -1,9 +1,11 @@
 //! A law of a spec file, evaluated without a compiler.
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics};
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::schedule::ScheduleError;
+use whirl_codegen::spec::law;
+use whirl_codegen::spec::law::{Given, LawSpec};
 use whirl_codegen::tape::Tape;
-use whirl_solver::bearing::SpringLaw;
+use whirl_solver::bearing::{SpringLaw, Validity};
 use whirl_solver::cache::Key;
 
 /// A law whose kernel is a tape; it gives the same bits as a compiled one.
@@ -13,23 +15,36 @@ pub(crate) struct LawFile {
     inputs: Vec<String>,
     outputs: Vec<String>,
     tape: Tape,
+    valid: Vec<Validity>,
+    /// Of the measures of `valid`.
+    measures: Option<Tape>,
 }
 
 impl LawFile {
-    /// The law of a spec.
+    /// The law of a spec that was read with the values `given` in place of those in its file.
     ///
     /// # Errors
     /// A law too large to be scheduled.
-    pub(crate) fn new(spec: &LawSpec) -> Result<LawFile, Diagnostics> {
-        let program = spec
-            .program()
-            .map_err(|error| Diagnostic::new(&spec.file, Code::LIMIT, None, error.to_string()))?;
+    pub(crate) fn new(spec: &LawSpec, given: &[Given]) -> Result<LawFile, Diagnostics> {
+        let too_large = |error: ScheduleError| {
+            Diagnostic::new(&spec.file, Code::LIMIT, None, error.to_string())
+        };
+        let program = spec.program().map_err(too_large)?;
+        let measures = spec.measures_program().map_err(too_large)?;
+        let exactly = |given: &Given| {
+            let Given { name, value, unit } = given;
+            format!("{name} = {}/{} {unit}", value.numer(), value.denom())
+        };
+        let texts: Vec<String> =
+            spec.texts().map(str::to_owned).chain(given.iter().map(exactly)).collect();
         Ok(LawFile {
             name: spec.name.clone(),
-            hash: Key::of(&spec.texts().collect::<Vec<_>>().join("\0")).hex(),
+            hash: Key::of(&texts.join("\0")).hex(),
             inputs: spec.inputs.iter().map(|input| input.name.clone()).collect(),
             outputs: spec.outputs.iter().map(|output| output.name.clone()).collect(),
             tape: Tape::new(&program),
+            valid: spec.valid.iter().map(validity).collect(),
+            measures: measures.as_ref().map(Tape::new),
         })
     }
 }
@@ -52,10 +67,31 @@ impl SpringLaw for LawFile {
     }
 
     fn workspace(&self) -> usize {
-        self.tape.workspace()
+        self.tape.workspace().max(self.measures.as_ref().map_or(0, Tape::workspace))
     }
 
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
         self.tape.evaluate(springs, inputs, outputs, workspace);
+    }
+
+    fn valid(&self) -> Vec<Validity> {
+        self.valid.clone()
+    }
+
+    fn measure(&self, springs: usize, inputs: &[f64], measures: &mut [f64], workspace: &mut [f64]) {
+        if let Some(tape) = &self.measures {
+            tape.evaluate(springs, inputs, measures, workspace);
+        }
+    }
+}
+
+fn validity(own: &law::Validity) -> Validity {
+    Validity {
+        name: own.name.clone(),
+        title: own.title.clone(),
+        help: own.help.clone(),
+        unit: own.unit.text().to_string(),
+        per_unit: own.unit.factor().to_f64(),
+        limits: own.limits,
     }
 }

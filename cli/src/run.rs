@@ -86,8 +86,7 @@ fn report(
                 let write = |name: &str, content: &[u8]| results.write(name, content);
                 // One signal has ended the march, and figures are wanted of what is done.
                 let stop = || matches!(marched.end, End::Done) && interruption.asked();
-                let clearances = &built.clearances;
-                problems.extend(figures::draw(case, &history, clearances, &write, &stop));
+                problems.extend(figures::draw(case, built, &history, &write, &stop));
             }
             if show != Show::Nothing {
                 print!("{}", closing(case, &summary, time, results.folder()));

@@ -80,6 +80,27 @@ pub struct Law {
     pub outputs: &'static [Variable],
     /// The kernel.
     pub evaluate: LawKernel,
+    /// Where the law may be believed.
+    pub valid: &'static [Validity],
+    /// The measures of `valid` over a row of springs: one row an input, one row a measure, SI.
+    pub measure: fn(springs: usize, inputs: &[f64], measures: &mut [f64]),
+}
+
+/// A measure of a law's inputs, and the limits within which the law may be believed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Validity {
+    /// Name in the spec.
+    pub name: &'static str,
+    /// What is measured.
+    pub title: &'static str,
+    /// What is wrong beyond the limits, and what to do.
+    pub help: &'static str,
+    /// Unit for people.
+    pub unit: &'static str,
+    /// One of this unit in SI.
+    pub per_unit: f64,
+    /// Least and largest value, SI; infinite where there is no limit.
+    pub limits: [f64; 2],
 }
 
 /// The clearance h of a ring of springs as a function of ring coordinates (shared by the springs:

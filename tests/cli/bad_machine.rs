@@ -143,9 +143,13 @@ fn a_stop_takes_the_law_of_its_side() {
         &case("side = \"around\"\nlaw = \"gap-linear\""),
         &["case.toml:6:8", "`gap-linear` is a law of a spring", "F_x and F_y"],
     );
+    // A law that does not say which of its parameters is the gap.
+    let ring = include_str!("../../specs/cases/annular-rub.law.toml");
+    let silent = ring.replace("bearing = \"radial_clearance\"\n", "");
+    assert_ne!(silent, ring);
     refused(
-        &case("side = \"around\"\ngap = \"1 mm\"\nlaw = \"ocvirk\""),
-        &["case.toml:6:7", "no `gap` of its own", "leave `gap` out"],
+        &case("side = \"around\"\ngap = \"1 mm\"\nlaw = \"ring.toml\"").file("ring.toml", &silent),
+        &["case.toml:6:7", "no `gap` of its own", "leave `gap` out", "radial_clearance"],
     );
 }
 

@@ -89,6 +89,8 @@ fn a_law_is_explained_with_equations_report_and_plot() {
         &outcome,
         &[
             "c0 = 0.035687 mm",
+            "(in a bearing: its radial_clearance)",
+            "Valid where\n  film = h  at least 0 mm  clearance at the spring\n",
             "= 233 - 6517*h  where h <= c0",
             "  dQ_dh (N/mm)\n    = -6517  where h <= 0.0357526 (the root; the file says h <= c0)\n",
             "never rises with rising h",

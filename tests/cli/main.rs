@@ -8,6 +8,7 @@ mod explain;
 mod first_law;
 mod good_runs;
 mod hostile;
+mod law_values;
 mod lost_work;
 mod messages;
 mod mutants;

@@ -13,6 +13,7 @@ use crate::random::Random;
 fn compiled_tape_and_direct_evaluation_agree() {
     let mut random = Random::new(7);
     assert!(!LAWS.is_empty());
+    let mut measured = 0;
     for law in LAWS {
         let file = Source::new(law.origin.spec, law.origin.text);
         let table = |name: &str| {
@@ -50,6 +51,30 @@ fn compiled_tape_and_direct_evaluation_agree() {
             );
         }
 
+        let measures = spec.measures_program().expect("a program").map(|own| Tape::new(&own));
+        assert_eq!(law.valid.len(), spec.valid.len(), "{}", law.origin.name);
+        if let Some(tape) = measures {
+            let mut taped = vec![1.0; tape.outputs() * springs];
+            let mut workspace = vec![f64::NAN; tape.workspace()];
+            tape.evaluate(springs, &inputs, &mut taped, &mut workspace);
+            let mut compiled = vec![f64::NAN; taped.len()];
+            for registers in Registers::all() {
+                compiled.fill(f64::NAN);
+                registers.within(|| (law.measure)(springs, &inputs, &mut compiled));
+                assert_eq!(bits(&compiled), bits(&taped), "measures of {}", law.origin.name);
+            }
+            for j in 0..springs {
+                let at: Vec<Rounded> =
+                    (0..spec.inputs.len()).map(|i| Rounded::new(inputs[i * springs + j])).collect();
+                for (place, direct) in spec.measures(&at).iter().enumerate() {
+                    let value = compiled[place * springs + j];
+                    let bound = 2.0 * direct.error;
+                    assert!((value - direct.value).abs() <= bound, "{value} {direct:?}");
+                }
+            }
+            measured += law.valid.len();
+        }
+
         for j in 0..springs {
             let at: Vec<Rounded> =
                 (0..spec.inputs.len()).map(|i| Rounded::new(inputs[i * springs + j])).collect();
@@ -64,4 +89,5 @@ fn compiled_tape_and_direct_evaluation_agree() {
             }
         }
     }
+    assert!(measured > 10, "{measured} measures");
 }

@@ -60,5 +60,7 @@ pub mod example {
             },
         ],
         evaluate,
+        valid: &[],
+        measure: |_, _, _| {},
     };
 }

@@ -3,11 +3,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use whirl_codegen::diagnostic::{Code, Located, Source, suggest};
-use whirl_codegen::spec::law::{Acts, LawSpec};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
+use whirl_codegen::spec::law::{Acts, Given, LawSpec, Parameter};
 use whirl_specs::{LAWS, Law, TABLES};
 
 use super::library::Shelf;
+use super::parameters::{self, BearingFacts, SetParameter};
 use super::reader::Reader;
 
 /// Where a law comes from.
@@ -17,15 +18,47 @@ pub enum LawSource {
     BuiltIn(&'static Law),
     /// A spec file, evaluated at run time.
     File(Arc<LawSpec>),
+    /// Either with other values of its parameters than its file has.
+    Given(Arc<GivenLaw>),
+}
+
+/// A law with other values of its parameters than its file has, evaluated at run time.
+#[derive(Debug)]
+pub struct GivenLaw {
+    /// The law with these values.
+    pub spec: Arc<LawSpec>,
+    /// The values.
+    pub given: Vec<Given>,
+    /// What results call it: the law, and the values in parentheses.
+    pub name: String,
 }
 
 /// A law, and where the case names it.
 #[derive(Debug, Clone)]
 pub struct NamedLaw {
-    /// The law.
+    /// The law, with the values in its file.
     pub source: LawSource,
     /// The value of the key `law`.
     pub name: Located,
+}
+
+impl NamedLaw {
+    /// The law as a bearing uses it: with what the case sets, and with what is known of the bearing.
+    ///
+    /// # Errors
+    /// Whatever is wrong with the law once it has these values.
+    pub(crate) fn used(
+        &self,
+        set: &[SetParameter],
+        facts: &BearingFacts,
+    ) -> Result<LawSource, Diagnostics> {
+        self.source.with(parameters::given(&self.source.parameters(), set, facts))
+    }
+
+    /// What is wrong where the law takes a value from its bearing that nothing gives.
+    pub(crate) fn lacking(&self, set: &[SetParameter], facts: &BearingFacts) -> Vec<Diagnostic> {
+        parameters::lacking(self, set, facts)
+    }
 }
 
 impl LawSource {
@@ -34,6 +67,7 @@ impl LawSource {
         match self {
             LawSource::BuiltIn(law) => law.origin.name.to_string(),
             LawSource::File(spec) => spec.file.path.display().to_string(),
+            LawSource::Given(law) => law.name.clone(),
         }
     }
 
@@ -48,6 +82,7 @@ impl LawSource {
                 Acts::ALL.into_iter().find(gives).unwrap_or(Acts::Spring)
             }
             LawSource::File(spec) => spec.acts,
+            LawSource::Given(law) => law.spec.acts,
         }
     }
 
@@ -58,13 +93,64 @@ impl LawSource {
     pub fn spec(&self) -> Arc<LawSpec> {
         match self {
             LawSource::BuiltIn(law) => {
-                let source = Source::new(format!("specs/{}", law.origin.spec), law.origin.text);
-                let spec = LawSpec::read_with(&source, &|name| built_in_table(law, name));
+                let spec = LawSpec::read_with(&source_of(law), &|name| built_in_table(law, name));
                 Arc::new(spec.expect("built-in laws have no errors"))
             }
             LawSource::File(spec) => spec.clone(),
+            LawSource::Given(law) => law.spec.clone(),
         }
     }
+
+    /// The parameters as the file has them.
+    ///
+    /// # Panics
+    /// As [`LawSource::spec`].
+    pub fn parameters(&self) -> Vec<Parameter> {
+        match self {
+            LawSource::BuiltIn(law) => {
+                let found =
+                    LawSpec::parameters_of(&source_of(law), &|name| built_in_table(law, name));
+                found.expect("built-in laws have no errors")
+            }
+            LawSource::File(spec) => spec.parameters.clone(),
+            LawSource::Given(law) => law.spec.parameters.clone(),
+        }
+    }
+
+    /// The law with these values in place of those in its file; itself if there are none.
+    ///
+    /// # Errors
+    /// Whatever is wrong with the law once it has them.
+    pub(crate) fn with(&self, given: Vec<Given>) -> Result<LawSource, Diagnostics> {
+        if given.is_empty() {
+            return Ok(self.clone());
+        }
+        let spec = match self {
+            LawSource::BuiltIn(law) => {
+                let beside = |name: &str| built_in_table(law, name);
+                LawSpec::read_given(&source_of(law), &beside, &given)
+            }
+            LawSource::File(spec) => spec.read_again(&given),
+            LawSource::Given(law) => law.spec.read_again(&given),
+        };
+        let values = parameters::listed(&given);
+        let named = |mut error: Diagnostic| {
+            error.message = format!("{} (with {values}, as the case says)", error.message);
+            error
+        };
+        let joined = |mut all: Diagnostics, error| {
+            all.push(error);
+            all
+        };
+        let spec =
+            spec.map_err(|errors| errors.into_iter().map(named).fold(Diagnostics::new(), joined))?;
+        let name = format!("{} ({values})", self.name());
+        Ok(LawSource::Given(Arc::new(GivenLaw { spec: Arc::new(spec), given, name })))
+    }
+}
+
+fn source_of(law: &Law) -> Arc<Source> {
+    Source::new(format!("specs/{}", law.origin.spec), law.origin.text)
 }
 
 /// The file of columns called `name` beside a built-in law.

@@ -1,12 +1,15 @@
 //! One mass on a spring and a damper, between stops.
 
-use whirl_codegen::diagnostic::Code;
-use whirl_codegen::spec::law::Acts;
+use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::rational::{Rational, nearest};
+use whirl_codegen::spec::law::{Acts, BearingValue, Parameter};
+use whirl_codegen::units::Quantity;
 use whirl_specs::Motion;
 
-use super::law::{self, NamedLaw};
+use super::law::{self, LawSource, NamedLaw};
 use super::library::Shelf;
 use super::machine;
+use super::parameters::{self, BearingFacts, Keys};
 use super::reader::Reader;
 
 /// m ẍ + d ẋ + k x = F + m e Ω² cos Ωt + stops, and along y the same with sin Ωt and without F.
@@ -47,12 +50,14 @@ pub struct Unbalance {
 pub struct Stop {
     /// Where it stands.
     pub side: Side,
-    /// h at x = 0, in m; 0 around, where the law has the gap.
+    /// h at x = 0, in m; around, the radial clearance of the law, 0 if it does not say which that is.
     pub gap: f64,
-    /// Radius of the mass where it slides on the stop, m, for laws that need it.
+    /// Radius of the mass where it runs in the stop, in m, if the case says it.
     pub journal_radius: Option<f64>,
-    /// Q(h, ḣ), or more.
-    pub law: NamedLaw,
+    /// Q(h, ḣ), or more, with the values that the case gives it.
+    pub law: LawSource,
+    /// The value of the key `law`.
+    pub law_name: Located,
 }
 
 /// The side of a mass on which a stop stands.
@@ -67,19 +72,7 @@ pub enum Side {
 }
 
 pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
-    let stop = |stop: Reader| {
-        let side = match stop.word("side") {
-            Some("around") => Side::Around,
-            Some("below") => Side::Below,
-            _ => Side::Above,
-        };
-        let law = law::read(shelf, &stop);
-        let gap = gap(&stop, side);
-        law.iter().for_each(|law| fits(&stop, side, law));
-        let journal_radius = stop.quantity("journal_radius");
-        Some(Stop { side, gap, journal_radius, law: law? })
-    };
-    let stops = file.tables("stop").into_iter().filter_map(stop).collect();
+    let stops = file.tables("stop").into_iter().filter_map(|table| stop(shelf, &table)).collect();
     let mass = file.table("mass")?;
     let or_zero = |key| mass.quantity(key).unwrap_or(0.0);
     Some(Lumped {
@@ -98,18 +91,89 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
     })
 }
 
-fn gap(stop: &Reader, side: Side) -> f64 {
-    if side != Side::Around {
-        stop.demand("gap");
-        return stop.quantity_or_one("gap");
+/// What messages call the values of a stop.
+const KEYS: Keys = Keys { clearance: "gap" };
+
+fn stop(shelf: Shelf, table: &Reader) -> Option<Stop> {
+    let side = match table.word("side") {
+        Some("around") => Side::Around,
+        Some("below") => Side::Below,
+        _ => Side::Above,
+    };
+    let law = law::read(shelf, table);
+    let set = parameters::read(table);
+    let exactly = |key| table.exact(key).as_ref().map(parameters::exactly);
+    let mut facts = BearingFacts {
+        journal_radius: exactly("journal_radius"),
+        length: exactly("length"),
+        springs: Some(1),
+        ..BearingFacts::default()
+    };
+    let gap = table.exact("gap");
+    match (side, &law) {
+        (Side::Around, Some(law)) => facts.radial_clearance = around(table, law, gap.as_ref()),
+        (Side::Around, None) => {}
+        (Side::Above | Side::Below, _) => table.demand("gap"),
     }
-    if stop.quantity("gap").is_some() {
+    let law = law?;
+    let before = table.errors();
+    fits(table, side, &law);
+    parameters::check(table, &law, &set, KEYS, &mut facts);
+    if table.errors() > before {
+        return None;
+    }
+    let used = match law.used(&set, &facts) {
+        Ok(used) => used,
+        Err(errors) => {
+            errors.into_iter().for_each(|error| table.push(error));
+            return None;
+        }
+    };
+    let gap = match side {
+        Side::Around => clearance_of(&used),
+        Side::Above | Side::Below => gap.map_or(1.0, |gap| gap.si()),
+    };
+    let journal_radius = facts.journal_radius.as_ref().map(nearest);
+    Some(Stop { side, gap, journal_radius, law: used, law_name: law.name })
+}
+
+/// The radial clearance that the case gives the law of a ring, in m; a `gap` that the law has no use for is
+/// noted.
+fn around(table: &Reader, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rational> {
+    let gap = gap?;
+    let place = || table.places().remove("gap").unwrap_or_else(|| table.place().text(""));
+    let of = |parameter: &Parameter| {
+        matches!(
+            parameter.bearing,
+            Some(BearingValue::RadialClearance | BearingValue::DiametralClearance)
+        )
+    };
+    let (message, help) = if !law.source.parameters().iter().any(of) {
         let message = "a stop around the mass has no `gap` of its own: it is in its law";
-        let help = "leave `gap` out";
-        let place = stop.places().remove("gap").unwrap_or_else(|| stop.place().text(""));
-        stop.push(place.error_here(Code::BAD_VALUE, message).help(help));
-    }
-    0.0
+        let help = "leave `gap` out; or say in the law which of its parameters is the gap: \
+                    `bearing = \"radial_clearance\"`";
+        (message, help)
+    } else if gap.si() <= 0.0 {
+        ("`gap` must be greater than zero all around", "such as `gap = \"35 um\"`")
+    } else {
+        return Some(parameters::exactly(gap));
+    };
+    table.push(place().error_here(Code::BAD_VALUE, message).help(help));
+    None
+}
+
+/// The radial clearance of a law in m, 0 if no parameter is said to be one.
+fn clearance_of(law: &LawSource) -> f64 {
+    let si = |parameter: &Parameter| {
+        let factor = parameter.unit.rational()?;
+        let value = &parameter.written * factor;
+        match parameter.bearing? {
+            BearingValue::RadialClearance => Some(nearest(&value)),
+            BearingValue::DiametralClearance => Some(nearest(&(value / Rational::from(2)))),
+            _ => None,
+        }
+    };
+    law.parameters().iter().find_map(si).unwrap_or(0.0)
 }
 
 /// Notes a law of springs around the mass, or one of rings on one side of it.

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_codegen::rational::nearest;
+use whirl_codegen::units::Quantity;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
@@ -11,6 +13,7 @@ use whirl_specs::{MOTIONS, Motion};
 use super::law::{self, NamedLaw};
 use super::library::{Shelf, resolve};
 use super::loads;
+use super::parameters::{self, BearingFacts, Keys, SetParameter};
 use super::reader::Reader;
 use super::rotor::{
     Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Region, RotorDraft, Shaft, Support,
@@ -246,14 +249,18 @@ fn bearings(shelf: Shelf, file: &Reader) -> Vec<([Vec<Located>; 2], Option<Beari
             demand_of_each(&tables, key);
         }
     }
+    if let (Some(table), Some(law)) = (&shared, &shared_springs.law) {
+        // Of the bearings' own values nothing is known here: only names and units are looked at.
+        let set = &shared_springs.parameters;
+        parameters::check(table, law, set, KEYS, &mut BearingFacts::default());
+    }
     let one = |table: &Reader| {
         let sets = [table.names("journal"), table.names("bore")];
         let stations = table.quantities("stations");
         let own = springs(shelf, table);
         let mut places = shared.as_ref().map(Reader::places).unwrap_or_default();
         places.extend(table.places());
-        let said = (table.place().written(), places);
-        let bearing = bearing(&sets, stations, own.or(&shared_springs), said);
+        let bearing = bearing(table, &sets, stations, own.or(&shared_springs), places);
         (sets, bearing.filter(|bearing| bounded(table, bearing)))
     };
     tables.iter().map(one).collect()
@@ -275,50 +282,81 @@ fn demand_of_each(tables: &[Reader], key: &'static str) {
 struct Springs {
     law: Option<NamedLaw>,
     number: Option<usize>,
-    radial_clearance: Option<f64>,
-    journal_radius: Option<f64>,
+    radial_clearance: Option<Quantity>,
+    journal_radius: Option<Quantity>,
+    length: Option<Quantity>,
+    parameters: Vec<SetParameter>,
 }
+
+/// What messages call the values of a bearing.
+const KEYS: Keys = Keys { clearance: "radial_clearance" };
 
 fn springs(shelf: Shelf, table: &Reader) -> Springs {
     Springs {
         law: law::read(shelf, table),
         number: table.count("number"),
-        radial_clearance: table.quantity("radial_clearance"),
-        journal_radius: table.quantity("journal_radius"),
+        radial_clearance: table.exact("radial_clearance"),
+        journal_radius: table.exact("journal_radius"),
+        length: table.exact("length"),
+        parameters: parameters::read(table),
     }
 }
 
 impl Springs {
     /// What these do not say, `shared` does.
     fn or(self, shared: &Springs) -> Springs {
+        let or = |own: Option<Quantity>, shared: &Option<Quantity>| own.or_else(|| shared.clone());
+        // Parameters belong to the law beside them, if one is named there.
+        let name = |law: &NamedLaw| law.source.name();
+        let (own, other) = (self.law.as_ref().map(name), shared.law.as_ref().map(name));
+        let alike = own.is_none() || other.is_none() || own == other;
+        let parameters = if alike { shared.parameters.as_slice() } else { &[] };
         Springs {
+            parameters: parameters::over(&self.parameters, parameters),
             law: self.law.or_else(|| shared.law.clone()),
             number: self.number.or(shared.number),
-            radial_clearance: self.radial_clearance.or(shared.radial_clearance),
-            journal_radius: self.journal_radius.or(shared.journal_radius),
+            radial_clearance: or(self.radial_clearance, &shared.radial_clearance),
+            journal_radius: or(self.journal_radius, &shared.journal_radius),
+            length: or(self.length, &shared.length),
         }
     }
 }
 
 /// The bearing, if all that it must have is there.
 fn bearing(
+    table: &Reader,
     sets: &[Vec<Located>; 2],
     stations: Vec<f64>,
     springs: Springs,
-    (table, places): (Located, BTreeMap<String, Located>),
+    places: BTreeMap<String, Located>,
 ) -> Option<Bearing> {
     let [journal, bore] = sets.clone();
-    Some(Bearing {
+    let exactly = |quantity: &Option<Quantity>| quantity.as_ref().map(parameters::exactly);
+    let mut facts = BearingFacts {
+        radial_clearance: exactly(&springs.radial_clearance),
+        journal_radius: exactly(&springs.journal_radius),
+        bore_radius: None,
+        length: exactly(&springs.length),
+        springs: None,
+    };
+    if let Some(law) = &springs.law {
+        parameters::check(table, law, &springs.parameters, KEYS, &mut facts);
+    }
+    let mut bearing = Bearing {
         journal,
         bore,
         stations,
         springs: springs.number?,
-        radial_clearance: springs.radial_clearance?,
-        journal_radius: springs.journal_radius,
+        radial_clearance: springs.radial_clearance?.si(),
+        journal_radius: facts.journal_radius.as_ref().map(nearest),
         law: springs.law?,
-        table,
+        parameters: springs.parameters,
+        facts,
+        table: table.place().written(),
         places,
-    })
+    };
+    bearing.facts.springs = Some(bearing.springs.saturating_mul(bearing.rings()));
+    Some(bearing)
 }
 
 /// Whether a bearing has no more springs than are allowed, which is noted otherwise.

@@ -6,6 +6,7 @@ mod loads;
 mod lumped;
 mod machine;
 mod march;
+mod parameters;
 mod read;
 mod reader;
 mod rotor;
@@ -16,11 +17,13 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
 
-pub use law::{LawSource, NamedLaw};
+pub use law::{GivenLaw, LawSource, NamedLaw};
 pub use library::embedded_cases;
 pub use loads::Load;
 pub use lumped::{Lumped, Side, Stop, Unbalance};
 pub use march::March;
+pub(crate) use parameters::rounded;
+pub use parameters::{BearingFacts, SetParameter};
 pub use read::read;
 pub(crate) use read::{SystemDraft, draft};
 pub(crate) use rotor::RotorDraft;
@@ -69,21 +72,4 @@ pub struct Figures {
     pub eccentricity: Option<usize>,
     /// Angle and speed of rotation.
     pub rotation: Option<usize>,
-}
-
-impl Case {
-    /// The laws of the case, each once, in the order in which the case first names them.
-    pub fn laws(&self) -> Vec<&LawSource> {
-        let all: Vec<&LawSource> = match &self.system {
-            System::Rotor(rotor) => rotor.bearings.iter().map(|b| &b.law.source).collect(),
-            System::Lumped(lumped) => lumped.stops.iter().map(|stop| &stop.law.source).collect(),
-        };
-        let mut laws: Vec<&LawSource> = Vec::new();
-        for law in all {
-            if laws.iter().all(|other| other.name() != law.name()) {
-                laws.push(law);
-            }
-        }
-        laws
-    }
 }

@@ -11,6 +11,7 @@ use whirl_specs::Motion;
 
 use super::law::NamedLaw;
 use super::loads::Load;
+use super::parameters::{BearingFacts, SetParameter};
 
 /// Shaft, support, what lies between, and what drives and loads them.
 #[derive(Debug, Clone)]
@@ -164,10 +165,21 @@ pub struct Bearing {
     pub journal_radius: Option<f64>,
     /// The law of one spring, or of a whole ring.
     pub law: NamedLaw,
+    /// Parameters of the law that the case sets.
+    pub parameters: Vec<SetParameter>,
+    /// What the case says of the bearing that laws can take.
+    pub facts: BearingFacts,
     /// The table of the bearing.
     pub table: Located,
     /// What the bearing and `[springs]` say, by key, such as `radial_clearance` and `stations[0]`.
     pub places: BTreeMap<String, Located>,
+}
+
+impl Bearing {
+    /// Rings of springs.
+    pub fn rings(&self) -> usize {
+        if self.stations.is_empty() { 3 } else { self.stations.len() }
+    }
 }
 
 /// A couple of forces fixed to the shaft, acting until a speed is reached.

@@ -2,7 +2,8 @@
 //! the entries of lists, which are never merged, need keys in the file itself.
 
 use whirl_codegen::spec::schema::Shape::{
-    Between, Count, Either, Flag, List, Named, Quantity, Registered, Table, Text, Tuple, Words,
+    Between, Count, Either, Flag, List, Named, Number, Quantity, Registered, Table, Text, Tuple,
+    Words,
 };
 use whirl_codegen::spec::schema::{Described, Key, Measure, Range, Shape, key, merged, needed};
 use whirl_codegen::units::Dimension;
@@ -61,6 +62,9 @@ const NAMES: Shape = Either(&[Text, List(&Text)]);
 /// Left, middle and right.
 const SETS: Shape = Tuple(&Text, 3);
 const MOTION: Shape = Registered(motions);
+/// Quantities with their units, or pure numbers.
+const PARAMETERS: Shape = Named(&Either(&[Text, Number]));
+const PARAMETERS_EXAMPLE: &str = "{ mu = \"12 mPa*s\" }";
 
 const CASE: &[Key] = &[
     key("include", NAMES, "files whose keys hold where this one says nothing"),
@@ -153,8 +157,14 @@ const GROUND_SPRING: &[Key] = &[
 const SPRINGS: &[Key] = &[
     key("number", Count(3, MOST_SPRINGS), "springs in a ring").like("24"),
     key("radial_clearance", CLEARANCE, "of the undeformed bearing"),
-    key("journal_radius", LENGTH, "for slip; that of the bore less the clearance if left out"),
+    key(
+        "journal_radius",
+        LENGTH,
+        "for slip and for laws; that of the bore less the clearance if left out",
+    ),
+    key("length", LENGTH, "along the axis, for laws; between the ends of the journal if left out"),
     key("law", Text, "the name of a law, or the path of a law file").like("\"hu2003-nonlinear\""),
+    key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
 ];
 
 const BEARING: &[Key] = &[
@@ -201,9 +211,11 @@ const STOP: &[Key] = &[
         Words(&["above", "below", "around"]),
         "towards greater or smaller x, or all around",
     ),
-    key("gap", POSITION, "clearance at x = 0; a law all around has it in itself"),
-    key("journal_radius", LENGTH, "of the mass where it slides on the stop, for slip"),
+    key("gap", POSITION, "clearance at x = 0; all around, the radial clearance of the law"),
+    key("journal_radius", LENGTH, "of the mass where it slides on the stop, for slip and for laws"),
+    key("length", LENGTH, "of the stop along the axis, for laws"),
     needed("law", Text, "the name of a law, or the path of a law file").like("\"my.law.toml\""),
+    key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
 ];
 
 const MARCH: &[Key] = &[

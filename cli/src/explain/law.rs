@@ -1,14 +1,8 @@
 //! What a law says and what follows from it.
 
-use std::collections::BTreeMap;
-
 use num_traits::ToPrimitive;
-use whirl_codegen::diagnostic::Located;
 use whirl_codegen::expression::Rational;
-use whirl_codegen::formula;
 use whirl_codegen::spec::law::{Condition, LawSpec, Parameter, short};
-use whirl_codegen::spec::read::Document;
-use whirl_codegen::spec::schema::Described;
 
 use super::equations::{Equation, equations};
 use super::page::Page;
@@ -18,6 +12,7 @@ use super::plot;
 pub(super) fn explain(page: &mut Page, law: &LawSpec) {
     variables(page, law);
     given(page, law);
+    valid(page, law);
     derived(page, law);
     report(page, law);
     if let Some(plot) = plot::law(law) {
@@ -32,6 +27,12 @@ pub(super) fn report(page: &mut Page, law: &LawSpec) {
     law.report.to_string().lines().for_each(|line| page.item(line));
 }
 
+/// What `whirl check` says of a law.
+pub(super) fn check(page: &mut Page, law: &LawSpec) {
+    report(page, law);
+    valid(page, law);
+}
+
 fn variables(page: &mut Page, law: &LawSpec) {
     page.heading("Inputs");
     let rows = law.inputs.iter().map(|input| {
@@ -44,33 +45,42 @@ fn variables(page: &mut Page, law: &LawSpec) {
     page.columns(&rows.collect::<Vec<_>>());
     if !law.parameters.is_empty() {
         page.heading("Parameters");
-        let given = given_values(law);
         let rows = law.parameters.iter().map(|parameter| {
-            let Parameter { name, title, unit, value } = parameter;
-            let given = given.get(name).unwrap_or(value);
+            let Parameter { name, title, unit, written, bearing, value } = parameter;
             let number = |value: &Rational| short(value.to_f64().unwrap_or(f64::NAN));
             let unit = if unit.text() == "1" { String::new() } else { format!(" {unit}") };
-            let converted = match given == value {
+            let converted = match written == value {
                 true => String::new(),
                 false => format!("{} in the units of the formulas", number(value)),
             };
-            vec![format!("{name} = {}{unit}", number(given)), converted, title.clone()]
+            let title = match bearing {
+                Some(bearing) => format!("{title} (in a bearing: its {})", bearing.word()),
+                None => title.clone(),
+            };
+            vec![format!("{name} = {}{unit}", number(written)), converted, title]
         });
         page.columns(&rows.collect::<Vec<_>>());
     }
 }
 
-/// Values of the parameters in the units in which the file gives them.
-fn given_values(law: &LawSpec) -> BTreeMap<String, Rational> {
-    let document = Document::parse(&law.file);
-    let Some(table) = document.root(LawSpec::SHAPE).optional_table("parameters") else {
-        return BTreeMap::new();
-    };
-    let value = |key: Located| {
-        let (value, _) = table.optional_table(key.text())?.optional_number("value")?;
-        Some((formula::name(key.text()).ok()?, value))
-    };
-    table.names().into_iter().filter_map(value).collect()
+/// Where the law may be believed.
+fn valid(page: &mut Page, law: &LawSpec) {
+    if law.valid.is_empty() {
+        return;
+    }
+    page.heading("Valid where");
+    let rows = law.valid.iter().map(|own| {
+        let si = own.unit.factor().to_f64();
+        let unit = if own.unit.text() == "1" { String::new() } else { format!(" {}", own.unit) };
+        let [least, most] = own.limits.map(|limit| short(limit / si));
+        let limits = match own.limits.map(f64::is_finite) {
+            [true, true] => format!("from {least} to {most}{unit}"),
+            [true, false] => format!("at least {least}{unit}"),
+            _ => format!("at most {most}{unit}"),
+        };
+        vec![format!("{} = {}", own.name, own.text), limits, own.title.clone()]
+    });
+    page.columns(&rows.collect::<Vec<_>>());
 }
 
 /// The formulas as the file has them.

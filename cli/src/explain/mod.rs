@@ -49,7 +49,7 @@ pub(crate) fn check(name: &str) -> Result<String, Failure> {
     }
     let mut page = head(&spec);
     match &spec {
-        Spec::Law(law) => law::report(&mut page, law),
+        Spec::Law(law) => law::check(&mut page, law),
         Spec::Element(element) => element::report(&mut page, element),
         Spec::Form(form) => form::report(&mut page, form),
         Spec::Motion(motion) => motion::report(&mut page, motion),

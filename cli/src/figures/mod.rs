@@ -15,6 +15,7 @@ use self::figure::Figure;
 use self::histories::Span;
 use crate::case::{Case, System};
 use crate::history::HistoryFile;
+use crate::machine::Built;
 use crate::output::Output;
 
 /// Names of all figures that a run may draw, without their endings.
@@ -41,12 +42,12 @@ fn pictures(stem: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
     png.into_iter().chain([(format!("{stem}.svg"), svg.into_bytes())]).collect()
 }
 
-/// Draws the figures of a case as SVG and PNG, each written by `write`; why some are missing. `clearances`: of every
-/// support, in m. Nothing that happens to a figure keeps another one from being drawn, but for `stop`.
+/// Draws the figures of a case as SVG and PNG, each written by `write`; why some are missing. `built`: the
+/// machine that was run. Nothing that happens to a figure keeps another one from being drawn, but for `stop`.
 pub(crate) fn draw(
     case: &Case,
+    built: &Built,
     history: &HistoryFile,
-    clearances: &[f64],
     write: &dyn Fn(&str, &[u8]) -> Result<(), String>,
     stop: &dyn Fn() -> bool,
 ) -> Vec<String> {
@@ -57,7 +58,7 @@ pub(crate) fn draw(
             return missing;
         }
         let drawn = guarded(|| {
-            let Some(figure) = figure(stem, case, history, clearances)? else {
+            let Some(figure) = figure(stem, case, built, history)? else {
                 return Ok(Vec::new());
             };
             let place = number.map_or(String::new(), |k| format!(" (Fig. {k} of the paper)"));
@@ -107,18 +108,18 @@ fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
 fn figure(
     stem: &str,
     case: &Case,
+    built: &Built,
     history: &HistoryFile,
-    clearances: &[f64],
 ) -> io::Result<Option<Figure>> {
     let span = match &case.system {
         System::Rotor(_) => Span::fitting(history, case.march.cycle)?,
         System::Lumped(_) => Span::All,
     };
     let titles = support_names(case);
-    let micrometres: Vec<f64> = clearances.iter().map(|clearance| 1e6 * clearance).collect();
+    let micrometres: Vec<f64> = built.clearances.iter().map(|clearance| 1e6 * clearance).collect();
     let orbits = || histories::eccentricities(history, &titles, &micrometres, span);
     Ok(Some(match stem {
-        "laws" => laws::laws(&drawn_laws(case)),
+        "laws" => laws::laws(&drawn_laws(case, built)),
         "reactions" => histories::reactions(history, &titles, span)?,
         "eccentricity" => orbits()?,
         "eccentricity-stretched" if span == Span::All => return Ok(None),
@@ -129,9 +130,9 @@ fn figure(
 }
 
 /// The laws that the case wants drawn; its own if it names none.
-fn drawn_laws(case: &Case) -> Vec<Arc<LawSpec>> {
+fn drawn_laws(case: &Case, built: &Built) -> Vec<Arc<LawSpec>> {
     match case.figures.laws.as_slice() {
-        [] => case.laws().into_iter().map(|law| law.spec()).collect(),
+        [] => built.laws.iter().map(|law| law.spec()).collect(),
         laws => laws.iter().map(|law| law.spec()).collect(),
     }
 }

@@ -32,7 +32,7 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
                 Side::Below => vec![PI],
                 Side::Around => Vec::new(),
             },
-            law: laws.place(&stop.law.source)?,
+            law: laws.place(&stop.law)?,
         });
     }
     let load = |force: [f64; 2], course: Course| Load {
@@ -51,7 +51,7 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         loads.push(load([force, 0.0], turning(0.5 * PI)));
         loads.push(load([0.0, force], turning(0.0)));
     }
-    let law_hashes = laws.hashes();
+    let (used, law_hashes) = (laws.used(), laws.hashes());
     let machine = Machine::new(MachineParts {
         shaft,
         support: Support::rigid(&[]),
@@ -65,11 +65,12 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         bearings,
         loads,
     })
-    .map_err(|error| explain(error, |place| &lumped.stops[place].law.name, |_| &[]))?;
+    .map_err(|error| explain(error, |place| &lumped.stops[place].law_name, |_| &[]))?;
     Ok(Built {
         machine,
         initial: [vec![lumped.displacement, 0.0], vec![lumped.velocity, 0.0]],
         clearances: lumped.stops.iter().map(|stop| stop.gap).collect(),
+        laws: used,
         law_hashes,
         bodies: None,
     })

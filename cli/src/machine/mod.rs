@@ -1,6 +1,7 @@
 //! From a case to a machine that can be marched: meshes, sets, reduced bodies, springs, loads.
 
 mod bodies;
+mod laws;
 mod lumped;
 mod meshes;
 mod plan;
@@ -13,7 +14,7 @@ use whirl_solver::machine::{Machine, MachineParts};
 
 pub(crate) use plan::{BodyPlan, Outline, Plan};
 
-use crate::case::{self, Case, System, SystemDraft};
+use crate::case::{self, Case, LawSource, System, SystemDraft};
 use crate::errors::Failure;
 
 /// A machine with what results say about how it came about.
@@ -24,6 +25,8 @@ pub(crate) struct Built {
     pub(crate) initial: [Vec<f64>; 2],
     /// Radial clearance of each bearing, m.
     pub(crate) clearances: Vec<f64>,
+    /// The laws with the values with which they are used, in the order in which the case first names them.
+    pub(crate) laws: Vec<LawSource>,
     /// Names of the laws, and hashes of what they were made from.
     pub(crate) law_hashes: Vec<(String, String)>,
     /// The bodies, where they were reduced from meshes.

@@ -8,8 +8,9 @@ use whirl_solver::constraints::GroundSpring;
 use whirl_solver::mesh::Mesh;
 
 pub(crate) use self::body::BodyPlan;
+use super::laws::laws;
 use super::meshes;
-use crate::case::{self, Rotor, RotorDraft};
+use crate::case::{self, LawSource, Rotor, RotorDraft};
 use crate::errors::Failure;
 
 /// Letters of the components of a dof.
@@ -29,6 +30,8 @@ pub(crate) struct Plan {
     pub(super) drive: [usize; 2],
     /// Places of the loaded nodes in the shaft's watched nodes, a load each.
     pub(super) loads: Vec<Vec<usize>>,
+    /// The laws with the values with which the bearings use them, a bearing each; none of a case with errors.
+    pub(crate) laws: Vec<LawSource>,
 }
 
 /// Both results, or the errors of both beside those that are there.
@@ -113,8 +116,10 @@ impl Plan {
     /// Everything that is wrong with the meshes, every set that is missing or of the wrong size, and what
     /// does not fit together.
     pub(crate) fn new(rotor: &Rotor) -> Result<Plan, Failure> {
-        Plan::of(&Outline::from(rotor), Diagnostics::new())
-            .map(|plan| plan.expect("nothing of a whole case is missing"))
+        let plan = Plan::of(&Outline::from(rotor), Diagnostics::new())?;
+        let mut plan = plan.expect("nothing of a whole case is missing");
+        plan.laws = laws(rotor, &plan)?;
+        Ok(plan)
     }
 
     /// As [`Plan::new`], for as much as is there of a case with these errors; they are told together. None
@@ -151,7 +156,7 @@ impl Plan {
         }
         let (Some(on_shaft), Some((support, bores))) = (shaft, support) else { return Ok(None) };
         let OnShaft { shaft, journals, drive, loads } = on_shaft;
-        Ok(Some(Plan { shaft, support, journals, bores, drive, loads }))
+        Ok(Some(Plan { shaft, support, journals, bores, drive, loads, laws: Vec::new() }))
     }
 
     /// Looks for what would keep the bodies from being reduced, without reducing them.

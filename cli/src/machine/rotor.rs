@@ -10,11 +10,11 @@ use super::bodies::bodies;
 use super::plan::Plan;
 use super::springs::{Laws, angles, clearance, explain};
 use super::{BodyFacts, Built};
-use crate::case::{self, Rotor};
+use crate::case::{self, LawSource, Rotor};
 use crate::errors::Failure;
 
 pub(super) fn build(rotor: &Rotor, plan: &Plan, cache: Option<&Cache>) -> Result<Built, Failure> {
-    let Assembled { parts, law_hashes, facts } = assemble(rotor, plan, cache)?;
+    let Assembled { parts, laws, law_hashes, facts } = assemble(rotor, plan, cache)?;
     Ok(Built {
         machine: Machine::new(parts).map_err(|error| {
             let bearing = |place: usize| &rotor.bearings[place];
@@ -22,6 +22,7 @@ pub(super) fn build(rotor: &Rotor, plan: &Plan, cache: Option<&Cache>) -> Result
         })?,
         initial: [Vec::new(), Vec::new()],
         clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),
+        laws,
         law_hashes,
         bodies: Some(facts),
     })
@@ -30,6 +31,7 @@ pub(super) fn build(rotor: &Rotor, plan: &Plan, cache: Option<&Cache>) -> Result
 /// What a machine is made from, and what results say about it.
 pub(super) struct Assembled {
     pub(super) parts: MachineParts,
+    laws: Vec<LawSource>,
     law_hashes: Vec<(String, String)>,
     facts: BodyFacts,
 }
@@ -41,8 +43,8 @@ pub(super) fn assemble(
     cache: Option<&Cache>,
 ) -> Result<Assembled, Failure> {
     let bodies = bodies(plan, cache)?;
-    let mut laws = Laws::default();
-    let bearings = bearings(rotor, plan, &bodies.shaft, &mut laws)?;
+    let mut placed = Laws::default();
+    let bearings = bearings(rotor, plan, &bodies.shaft, &mut placed)?;
     let loads = loads(rotor, plan, &bodies.shaft);
     let facts = BodyFacts {
         shaft: plan.shaft.counts(),
@@ -53,18 +55,18 @@ pub(super) fn assemble(
         wall: bodies.wall,
         cached: bodies.cached,
     };
-    let law_hashes = laws.hashes();
+    let (used, law_hashes) = (placed.used(), placed.hashes());
     let parts = MachineParts {
         shaft: bodies.shaft,
         support: bodies.support,
         motion: rotor.shaft.motion,
         rotation: Rotation::Free,
         clearance: clearance(),
-        laws: laws.into_laws(),
+        laws: placed.into_laws(),
         bearings,
         loads,
     };
-    Ok(Assembled { parts, law_hashes, facts })
+    Ok(Assembled { parts, laws: used, law_hashes, facts })
 }
 
 fn bearings(
@@ -87,7 +89,7 @@ fn bearings(
                 [journal[0], journal[2]].map(|n| shaft.nodes[n].position[2]),
             ),
             angles: angles(bearing.springs),
-            law: laws.place(&bearing.law.source)?,
+            law: laws.place(&plan.laws[place])?,
         });
     }
     Ok(bearings)

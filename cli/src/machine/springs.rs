@@ -14,7 +14,7 @@ use crate::law_file::LawFile;
 /// Laws in the order in which they are first named, each once.
 #[derive(Default)]
 pub(super) struct Laws {
-    names: Vec<String>,
+    used: Vec<LawSource>,
     laws: Vec<Box<dyn SpringLaw>>,
 }
 
@@ -22,21 +22,27 @@ impl Laws {
     /// The place of a law, which is added if it is new.
     pub(super) fn place(&mut self, law: &LawSource) -> Result<usize, Failure> {
         let name = law.name();
-        if let Some(place) = self.names.iter().position(|known| *known == name) {
+        if let Some(place) = self.used.iter().position(|known| known.name() == name) {
             return Ok(place);
         }
         self.laws.push(match law {
             LawSource::BuiltIn(law) => Box::new(*law),
-            LawSource::File(spec) => Box::new(LawFile::new(spec)?),
+            LawSource::File(spec) => Box::new(LawFile::new(spec, &[])?),
+            LawSource::Given(law) => Box::new(LawFile::new(&law.spec, &law.given)?),
         });
-        self.names.push(name);
-        Ok(self.names.len() - 1)
+        self.used.push(law.clone());
+        Ok(self.used.len() - 1)
+    }
+
+    /// The laws as the case uses them.
+    pub(super) fn used(&self) -> Vec<LawSource> {
+        self.used.clone()
     }
 
     /// Names and hashes of the specs.
     pub(super) fn hashes(&self) -> Vec<(String, String)> {
         let hashes = self.laws.iter().map(|law| law.hash().to_string());
-        self.names.iter().cloned().zip(hashes).collect()
+        self.used.iter().map(LawSource::name).zip(hashes).collect()
     }
 
     /// The laws.

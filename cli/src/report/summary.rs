@@ -267,7 +267,7 @@ fn case_facts(case: &Case, built: &Built) -> CaseFacts {
         title: case.title.clone(),
         source: case.origin.clone(),
         files: case.sources.iter().map(|source| source.path.display().to_string()).collect(),
-        laws: case.laws().iter().map(|law| law.name()).collect(),
+        laws: built.laws.iter().map(|law| law.name()).collect(),
         motion: built.machine.motion.origin.name,
     }
 }

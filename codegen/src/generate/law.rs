@@ -2,14 +2,14 @@
 
 use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::Kernel;
 use super::facts::{About, unscheduled, variable};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{Numbers, documented, identifier, operand, statements};
-use crate::schedule::Program;
-use crate::spec::law::{Condition, LawSpec};
+use crate::schedule::{Operand, Program};
+use crate::spec::law::{Condition, LawSpec, Validity};
 
 pub(super) fn kernel(law: &LawSpec) -> Result<Kernel, Diagnostics> {
     let program = law.program().map_err(|error| unscheduled(&law.file, &error))?;
@@ -20,14 +20,18 @@ pub(super) fn kernel(law: &LawSpec) -> Result<Kernel, Diagnostics> {
         file: &law.file,
         beside: law.texts().skip(1).collect(),
     };
+    let measures = law.measures_program().map_err(|error| unscheduled(&law.file, &error))?;
+    let measured = measures.as_ref().map(|program| measures_of(law, program));
     let functions = functions(law, &program);
+    let functions = quote!(#functions #measured);
     let entry = entry(law, &about, &functions);
     let name = identifier(&law.name);
     let heading = documented(&format!("{}{}", about.heading(), pieces(law)));
+    let validity = measures.is_some().then(|| quote!(Validity,));
     let module = quote! {
         #heading
         pub mod #name {
-            use crate::{Lane, Law, Origin, SpringKernel, Variable, each_spring};
+            use crate::{Lane, Law, Origin, SpringKernel, #validity Variable, each_spring};
             #functions
             #entry
         }
@@ -97,6 +101,65 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
     }
 }
 
+/// The measures of the inputs by which the law may be believed or not.
+fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
+    let used = |place: usize| {
+        let input = Operand::Input(place);
+        let inside = program.instructions.iter().flat_map(|i| i.operation.operands());
+        inside.chain(program.outputs.iter().map(|o| o.operand)).any(|operand| operand == input)
+    };
+    let inputs = law.inputs.iter().enumerate().map(|(place, input)| match used(place) {
+        true => identifier(&input.name).to_token_stream(),
+        false => quote!(_),
+    });
+    let (input_count, count) = (
+        Literal::usize_unsuffixed(law.inputs.len()),
+        Literal::usize_unsuffixed(program.outputs.len()),
+    );
+    let body = body(program);
+    let names: Vec<&str> = law.valid.iter().map(|own| own.name.as_str()).collect();
+    let about = documented(&format!(
+        "Rows of `springs` values, SI: where the law may be believed, by {}.",
+        names.join(", ")
+    ));
+    quote! {
+        enum Measures {}
+
+        impl SpringKernel<#input_count, #count> for Measures {
+            #[inline(always)]
+            fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
+                #body
+            }
+        }
+
+        #about
+        pub fn measure(springs: usize, inputs: &[f64], measures: &mut [f64]) {
+            each_spring::<Measures, #input_count, #count>(springs, inputs, measures);
+        }
+    }
+}
+
+/// A number that may be negative or infinite.
+fn number(value: f64) -> TokenStream {
+    let size = match value.abs() {
+        size if size.is_infinite() => quote!(f64::INFINITY),
+        size => Literal::f64_unsuffixed(size).to_token_stream(),
+    };
+    if value < 0.0 { quote!(-#size) } else { size }
+}
+
+fn validity(own: &Validity) -> TokenStream {
+    let Validity { name, title, help, unit, limits: [least, most], .. } = own;
+    let (per, unit) = (number(unit.factor().to_f64()), unit.text());
+    let (least, most) = (number(*least), number(*most));
+    quote! {
+        Validity {
+            name: #name, title: #title, help: #help,
+            unit: #unit, per_unit: #per, limits: [#least, #most],
+        }
+    }
+}
+
 /// The statements of a program of one stage, and its outputs as an array.
 fn body(program: &Program) -> TokenStream {
     let statements = statements(program, 0, Numbers::Lanes);
@@ -115,6 +178,11 @@ fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
         .outputs
         .iter()
         .map(|output| variable(&output.name, &output.unit.dimension().si_unit(), &output.title));
+    let valid = law.valid.iter().map(validity);
+    let measure = match law.valid.is_empty() {
+        true => quote!(measure: |_, _, _| {}),
+        false => quote!(measure),
+    };
     quote! {
         /// The entry of the registry.
         pub const ENTRY: Law = Law {
@@ -122,6 +190,8 @@ fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
             inputs: &[#(#inputs),*],
             outputs: &[#(#outputs),*],
             evaluate,
+            valid: &[#(#valid),*],
+            #measure,
         };
     }
 }

@@ -97,8 +97,10 @@ impl std::fmt::Display for Unit {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
     text: String,
+    /// The number as it was written, exactly.
+    value: Rational,
+    unit: Unit,
     si: f64,
-    dimension: Dimension,
 }
 
 impl Quantity {
@@ -108,15 +110,18 @@ impl Quantity {
     /// No number at the start, a number too large, or a unit that is not known.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
         let (value, rest) = read::number(text)?;
-        let (factor, dimension) = if text[rest..].trim().is_empty() {
-            (Factor::one(), Dimension::NUMBER)
-        } else {
-            read::unit(&text[rest..], rest)?
+        let written = text[rest..].trim();
+        let (factor, dimension) = match written {
+            "" => (Factor::one(), Dimension::NUMBER),
+            _ => read::unit(&text[rest..], rest)?,
         };
-        let si = match factor.to_rational() {
-            Some(factor) => nearest(&(value * factor)),
+        let rational = factor.to_rational();
+        let si = match &rational {
+            Some(factor) => nearest(&(&value * factor)),
             None => nearest(&value) * factor.to_f64(),
         };
+        let unit_text = if written.is_empty() { "1" } else { written }.to_owned();
+        let unit = Unit { text: unit_text, factor, rational, dimension };
         if !si.is_finite() {
             return Err(UnitError {
                 span: 0..text.len(),
@@ -125,7 +130,7 @@ impl Quantity {
                 code: Code::BAD_VALUE,
             });
         }
-        Ok(Quantity { text: text.trim().to_owned(), si, dimension })
+        Ok(Quantity { text: text.trim().to_owned(), value, unit, si })
     }
 
     /// The value in SI units (rad for angles, rad/s for rotation).
@@ -133,9 +138,19 @@ impl Quantity {
         self.si
     }
 
+    /// The number as it was written, exactly.
+    pub fn value(&self) -> &Rational {
+        &self.value
+    }
+
+    /// The unit as it was written; `1` where there is none.
+    pub fn unit(&self) -> &Unit {
+        &self.unit
+    }
+
     /// What it measures.
     pub fn dimension(&self) -> &Dimension {
-        &self.dimension
+        &self.unit.dimension
     }
 
     /// The value in SI units if this measures what is wanted.
@@ -143,13 +158,14 @@ impl Quantity {
     /// # Errors
     /// [`Code::WRONG_UNIT`], such as "expected a length, such as `1 mm`, found a force".
     pub fn expect(&self, wanted: &Dimension) -> Result<f64, UnitError> {
-        if self.dimension.fits(wanted) {
+        let found = self.dimension();
+        if found.fits(wanted) {
             return Ok(self.si);
         }
-        let message = if self.dimension == Dimension::NUMBER && !self.has_unit() {
+        let message = if *found == Dimension::NUMBER && !self.has_unit() {
             format!("expected {wanted}, but `{}` has no unit", self.text)
         } else {
-            format!("expected {wanted}, but `{}` is {}", self.text, self.dimension)
+            format!("expected {wanted}, but `{}` is {found}", self.text)
         };
         Err(UnitError {
             span: 0..self.text.len(),

@@ -44,6 +44,7 @@ const UNITS: &[(&str, i32, Dimension)] = &[
     ("J", 0, Dimension::TORQUE),
     ("kJ", 3, Dimension::TORQUE),
     ("mJ", -3, Dimension::TORQUE),
+    ("mPa", -3, Dimension::PRESSURE),
     ("Pa", 0, Dimension::PRESSURE),
     ("kPa", 3, Dimension::PRESSURE),
     ("MPa", 6, Dimension::PRESSURE),

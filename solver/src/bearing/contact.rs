@@ -166,9 +166,9 @@ pub(crate) struct ContactsState {
     /// Motions of the bores and their rates.
     bore: Vec<f64>,
     bore_dot: Vec<f64>,
-    law_inputs: Vec<f64>,
+    pub(super) law_inputs: Vec<f64>,
     law_outputs: Vec<f64>,
-    law_workspace: Vec<f64>,
+    pub(super) law_workspace: Vec<f64>,
 }
 
 /// One plane; rows as in [`whirl_specs::Contact`].
@@ -303,8 +303,13 @@ impl ContactsState {
         }
     }
 
-    /// Evaluates a law over all its planes at once.
-    fn evaluate(&mut self, contacts: &Contacts, law: &ContactLaw, planes: Range<usize>) {
+    /// What a law takes over all its planes, one row an input; the number of springs or rings.
+    pub(super) fn gather(
+        &mut self,
+        contacts: &Contacts,
+        law: &ContactLaw,
+        planes: Range<usize>,
+    ) -> usize {
         let count = |place: usize| contacts.planes[place].count;
         let total: usize = planes.clone().map(count).sum();
         for (&input, row) in law.inputs.iter().zip(self.law_inputs.chunks_exact_mut(total.max(1))) {
@@ -316,6 +321,13 @@ impl ContactsState {
                 start += n;
             }
         }
+        total
+    }
+
+    /// Evaluates a law over all its planes at once.
+    fn evaluate(&mut self, contacts: &Contacts, law: &ContactLaw, planes: Range<usize>) {
+        let count = |place: usize| contacts.planes[place].count;
+        let total = self.gather(contacts, law, planes.clone());
         let inputs = &self.law_inputs[..law.inputs.len() * total];
         let outputs = &mut self.law_outputs[..law.forces.len() * (1 + law.inputs.len()) * total];
         law.law.evaluate(total, inputs, outputs, &mut self.law_workspace);

@@ -19,6 +19,32 @@ pub trait SpringLaw: Send + Sync {
     fn workspace(&self) -> usize;
     /// Evaluates all springs; rows as in [`whirl_specs::LawKernel`]. Allocates nothing.
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]);
+    /// Where its results may be believed.
+    fn valid(&self) -> Vec<Validity> {
+        Vec::new()
+    }
+    /// Computes the measures of [`SpringLaw::valid`]: one row of `springs` values an input, one row a measure, SI.
+    /// Allocates nothing.
+    fn measure(&self, springs: usize, inputs: &[f64], measures: &mut [f64], workspace: &mut [f64]) {
+        let _ = (springs, inputs, measures, workspace);
+    }
+}
+
+/// A measure of a law's inputs, and the limits within which the law may be believed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Validity {
+    /// Name in the law's file.
+    pub name: String,
+    /// What is measured, for people.
+    pub title: String,
+    /// What is wrong beyond the limits, and what to do.
+    pub help: String,
+    /// Unit for people.
+    pub unit: String,
+    /// One of this unit in SI.
+    pub per_unit: f64,
+    /// Least and largest value, SI; infinite where there is no limit.
+    pub limits: [f64; 2],
 }
 
 impl SpringLaw for &'static Law {
@@ -39,6 +65,20 @@ impl SpringLaw for &'static Law {
     }
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], _: &mut [f64]) {
         (self.evaluate)(springs, inputs, outputs);
+    }
+    fn valid(&self) -> Vec<Validity> {
+        let own = |own: &whirl_specs::Validity| Validity {
+            name: own.name.to_owned(),
+            title: own.title.to_owned(),
+            help: own.help.to_owned(),
+            unit: own.unit.to_owned(),
+            per_unit: own.per_unit,
+            limits: own.limits,
+        };
+        self.valid.iter().map(own).collect()
+    }
+    fn measure(&self, springs: usize, inputs: &[f64], measures: &mut [f64], _: &mut [f64]) {
+        (self.measure)(springs, inputs, measures);
     }
 }
 

@@ -6,6 +6,7 @@ pub mod law;
 mod spin;
 mod spline;
 pub(crate) mod state;
+mod valid;
 pub(crate) mod work;
 
 use std::ops::Range;
@@ -13,13 +14,15 @@ use std::ops::Range;
 use whirl_specs::{BoreMotion, Clearance};
 
 pub(crate) use contact::Contacts;
-pub use law::SpringLaw;
 pub(crate) use law::{Bound, BoundLaw, Input};
+pub use law::{SpringLaw, Validity};
 pub use spline::{periodic_spline, spline_passes};
 pub use state::SpringState;
+pub use valid::{Measure, Worst};
 
 use bore::Bore;
 pub(crate) use bore::axis_motion;
+use valid::Measures;
 
 use crate::error::Error;
 use crate::linalg::Matrix;
@@ -79,6 +82,8 @@ pub struct Springs {
     shaft_size: usize,
     /// How far the journal moves in a plane by a unit of η_j, in the direction in which it does (planes × η).
     arms: Matrix,
+    /// Where the laws may be believed.
+    pub(crate) measures: Measures,
 }
 
 impl Springs {
@@ -148,6 +153,9 @@ impl Springs {
         let arms = planes.iter().map(|plane: &Plane| &plane.eccentricity);
         let arms = arms_of(arms, shaft.size());
         let shaft_size = shaft.size();
+        let ranges: Vec<Range<usize>> = bound.iter().map(|(_, range)| range.clone()).collect();
+        let normal = bound.iter().map(|(law, _): &(BoundLaw, _)| law.law.as_ref());
+        let measures = Measures::new(bearings, normal, &planes, &ranges, &contacts);
         Ok(Springs {
             kernels,
             contacts,
@@ -157,6 +165,7 @@ impl Springs {
             bore_transposed,
             shaft_size,
             arms,
+            measures,
         })
     }
 

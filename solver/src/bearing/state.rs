@@ -1,9 +1,12 @@
 //! The springs at one instant: clearances, forces, generalised forces and their derivatives.
 
+use std::ops::Range;
+
 use whirl_specs::{Ring, RingTangent, SpringForce};
 
 use super::contact::ContactsState;
-use super::{Input, Springs};
+use super::valid::Watch;
+use super::{BoundLaw, Input, Springs};
 use crate::linalg::{Matrix, add_product};
 
 /// Position and velocity of the machine's coordinates, as the springs see them.
@@ -44,6 +47,8 @@ pub struct SpringState {
     pub(super) law_outputs: Vec<f64>,
     pub(super) law_workspace: Vec<f64>,
     rates: bool,
+    /// Whether the laws are used where they may be believed.
+    pub(super) watch: Watch,
 }
 
 impl SpringState {
@@ -71,6 +76,7 @@ impl SpringState {
             law_outputs: vec![0.0; most(|law| law.output_rows)],
             law_workspace: vec![0.0; workspace.unwrap_or(0)],
             rates: springs.needs_rates(),
+            watch: Watch::new(&springs.measures),
         }
     }
 
@@ -118,13 +124,7 @@ impl SpringState {
     fn evaluate_laws(&mut self, springs: &Springs) {
         for (law, range) in &springs.laws {
             let n = range.len();
-            for (row, input) in law.inputs.iter().enumerate() {
-                let values = match input {
-                    Input::Clearance => &self.h[range.clone()],
-                    Input::ClearanceRate => &self.h_dot[range.clone()],
-                };
-                self.law_inputs[row * n..(row + 1) * n].copy_from_slice(values);
-            }
+            self.gather(law, range.clone());
             let inputs = &self.law_inputs[..law.inputs.len() * n];
             let outputs = &mut self.law_outputs[..law.output_rows * n];
             law.law.evaluate(n, inputs, outputs, &mut self.law_workspace);
@@ -137,6 +137,18 @@ impl SpringState {
                 };
                 target[range.clone()].copy_from_slice(row(law.q_row + 1 + place));
             }
+        }
+    }
+
+    /// The inputs of a law, one row each.
+    pub(super) fn gather(&mut self, law: &BoundLaw, range: Range<usize>) {
+        let n = range.len();
+        for (row, input) in law.inputs.iter().enumerate() {
+            let values = match input {
+                Input::Clearance => &self.h[range.clone()],
+                Input::ClearanceRate => &self.h_dot[range.clone()],
+            };
+            self.law_inputs[row * n..(row + 1) * n].copy_from_slice(values);
         }
     }
 

@@ -11,6 +11,7 @@ use super::newton::{Ending, Newton, NewtonOptions, Report};
 use super::quality::Quality;
 use super::steady::{SteadyState, SteadyTest};
 use super::system::System;
+use crate::bearing::Worst;
 use crate::error::Error;
 use crate::history::History;
 use crate::linalg::{Lu, dot};
@@ -60,6 +61,9 @@ pub struct Outcome {
     pub energy: EnergyBalance,
     /// What the steps were worth.
     pub quality: Quality,
+    /// The worst value of every measure by which the laws may be believed, in the order of
+    /// [`Springs::measures`](crate::bearing::Springs::measures); none before the first step.
+    pub worst: Vec<Option<Worst>>,
     /// When the steady state was reached.
     pub steady: Option<SteadyState>,
     /// Newton iterations in all.
@@ -129,6 +133,8 @@ pub struct Checkpoint {
     released: Vec<bool>,
     factorisations: usize,
     meters: MeterSums,
+    /// Of the measures by which the laws may be believed.
+    worst: Vec<Option<Worst>>,
     tally: Tally,
 }
 
@@ -191,6 +197,7 @@ impl<'m> March<'m> {
                     history: History::for_machine(machine),
                     energy: EnergyBalance::default(),
                     quality: Quality::default(),
+                    worst: vec![None; machine.springs.measures().len()],
                     steady: None,
                     iterations: 0,
                     factorisations: 0,
@@ -215,7 +222,7 @@ impl<'m> March<'m> {
         options: &MarchOptions,
         from: Checkpoint,
     ) -> Result<Self, Error> {
-        let Checkpoint { state, time, released, factorisations, meters: sums, tally } = from;
+        let Checkpoint { state, time, released, factorisations, meters: sums, worst, tally } = from;
         let mut system = System::new(machine);
         system.released = released;
         system.evaluate(time, &state);
@@ -223,6 +230,7 @@ impl<'m> March<'m> {
         meters.go_on_from(sums);
         let mut march = March::from_parts(options, system, state, meters, tally);
         march.newton.factorisations = factorisations;
+        march.system.springs.resume(&worst);
         Ok(march)
     }
 
@@ -259,6 +267,7 @@ impl<'m> March<'m> {
             released: self.system.released.clone(),
             factorisations: self.newton.factorisations,
             meters: self.meters.sums(),
+            worst: self.worst().to_vec(),
             tally: self.tally.clone(),
         })
     }
@@ -283,6 +292,7 @@ impl<'m> March<'m> {
             test.add(time, &self.system.springs.forces);
         }
         self.record();
+        self.system.springs.observe(&self.machine.springs, time);
         Ok(())
     }
 
@@ -402,6 +412,12 @@ impl<'m> March<'m> {
         self.meters.balance(&mut self.system, &self.state)
     }
 
+    /// The worst value so far of every measure by which the laws may be believed, in the order of
+    /// [`Springs::measures`](crate::bearing::Springs::measures).
+    pub fn worst(&self) -> &[Option<Worst>] {
+        self.system.springs.worst()
+    }
+
     /// Where the march is.
     pub fn progress(&self) -> Progress {
         Progress {
@@ -417,6 +433,7 @@ impl<'m> March<'m> {
         Outcome {
             energy: self.energy(),
             quality: self.meters.quality(&mut self.system),
+            worst: self.worst().to_vec(),
             history: History::for_machine(self.machine),
             steady: self.tally.steady.and_then(|test| test.reached),
             iterations: self.tally.iterations,

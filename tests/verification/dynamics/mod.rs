@@ -10,6 +10,7 @@ mod lumped;
 mod newton;
 mod quality;
 mod resume;
+mod validity;
 
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::body::BodyNode;
@@ -139,7 +140,8 @@ const Q: Variable = Variable { name: "Q", unit: "N", title: "normal force" };
 /// A law of a test.
 pub(crate) const fn law(name: &'static str, rates: bool, evaluate: whirl_specs::LawKernel) -> Law {
     let origin = Origin { name, title: "", source: "", spec: "", text: "", hash: "" };
-    Law { origin, inputs: if rates { &[H, H_DOT] } else { &[H] }, outputs: &[Q], evaluate }
+    let inputs: &[Variable] = if rates { &[H, H_DOT] } else { &[H] };
+    Law { origin, inputs, outputs: &[Q], evaluate, valid: &[], measure: |_, _, _| {} }
 }
 
 /// Q = 50 N · exp(−h/0.5 mm) · (1 − ḣ/(2 m/s)): smooth, and a different force for every ḣ.

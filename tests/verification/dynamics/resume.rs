@@ -5,7 +5,8 @@ use whirl_solver::dynamics::{CHECKPOINT_STEPS, Checkpoint, March, MarchOptions};
 use whirl_solver::loads::{Course, Frame};
 use whirl_solver::machine::{Machine, Rotation};
 
-use super::{FILM, bearing, bores, boxed, discs, force, options, parts};
+use super::validity::MEASURED;
+use super::{bearing, bores, boxed, discs, force, options, parts};
 
 const STEPS: usize = 2 * CHECKPOINT_STEPS + 300;
 
@@ -13,7 +14,8 @@ const STEPS: usize = 2 * CHECKPOINT_STEPS + 300;
 /// are kept over steps, a cycle of the steady-state test that reaches back over a checkpoint.
 fn machine(target: f64) -> Machine {
     let mut parts = parts(discs(1e6), bores(), Rotation::Free);
-    parts.laws = vec![boxed(&FILM)];
+    // Its measures are kept, too.
+    parts.laws = vec![boxed(&MEASURED)];
     parts.bearings = vec![Bearing { clearance: 5e-4, ..bearing(0) }];
     let node = |place: usize| parts.shaft.nodes[place].clone();
     let sine = Course::Sine { frequency: 80.0, phase: 0.3 };

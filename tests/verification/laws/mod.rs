@@ -2,6 +2,7 @@
 
 mod contact;
 mod films;
+mod given;
 mod impact;
 mod kernel;
 mod mounts;

@@ -7,7 +7,7 @@ use whirl_codegen::units::Quantity;
 use super::{Node, Reader, Value};
 
 impl Reader<'_> {
-    fn quantity_of(&self, key: &str, node: &Node, kind: &Measure) -> Option<f64> {
+    fn quantity_of(&self, key: &str, node: &Node, kind: &Measure) -> Option<Quantity> {
         let text = match &node.value {
             Value::Text(text) => text,
             Value::Integer(_) | Value::Number(_) => {
@@ -28,8 +28,10 @@ impl Reader<'_> {
                 return None;
             }
         };
-        match Quantity::parse(text).and_then(|quantity| quantity.expect(&kind.dimension)) {
-            Ok(value) => self.in_range(key, node, kind, value),
+        let quantity = Quantity::parse(text)
+            .and_then(|quantity| quantity.expect(&kind.dimension).and(Ok(quantity)));
+        match quantity {
+            Ok(quantity) => self.in_range(key, node, kind, quantity.si()).map(|_| quantity),
             Err(error) => {
                 let start = node.place.span.start + OPENING_QUOTE;
                 let mut diagnostic = error.at(&node.place.source, start);
@@ -63,6 +65,11 @@ impl Reader<'_> {
 
     /// A quantity, if given; SI.
     pub(crate) fn quantity(&self, key: &'static str) -> Option<f64> {
+        self.exact(key).map(|quantity| quantity.si())
+    }
+
+    /// A quantity as it is written, if given.
+    pub(crate) fn exact(&self, key: &'static str) -> Option<Quantity> {
         match self.get(key, |shape| matches!(shape, Shape::Quantity(_)))? {
             (node, Shape::Quantity(measure)) => self.quantity_of(key, node, measure),
             _ => None,
@@ -84,7 +91,8 @@ impl Reader<'_> {
             self.wrong(key, node, "a list of quantities", &self.example(key));
             return Vec::new();
         };
-        list.iter().filter_map(|item| self.quantity_of(key, item, measure)).collect()
+        let quantity = |item| self.quantity_of(key, item, measure).map(|quantity| quantity.si());
+        list.iter().filter_map(quantity).collect()
     }
 }
 

@@ -91,6 +91,28 @@ impl<'a> Reader<'a> {
         texts
     }
 
+    /// Quantities and numbers by names that the user chose: places of names and what is written there.
+    pub(crate) fn named_values(&self, key: &'static str) -> Vec<(Located, Located)> {
+        let Some((node, _)) = self.get(key, Shape::names_are_free) else { return Vec::new() };
+        let Value::Table(table) = &node.value else {
+            self.wrong(key, node, "a table", &self.example(key));
+            return Vec::new();
+        };
+        let mut values = Vec::new();
+        for (name, (place, node)) in &table.entries {
+            let value = match &node.value {
+                Value::Text(text) => node.place.text(text),
+                Value::Integer(_) | Value::Number(_) => node.place.written(),
+                _ => {
+                    self.wrong(name, node, "a number with its unit, as text", "\"12 mm\"");
+                    continue;
+                }
+            };
+            values.push((place.text(name), value));
+        }
+        values
+    }
+
     pub(super) fn path(&self, key: &str) -> String {
         match self.name.trim_matches(['[', ']']) {
             "" => key.to_string(),

@@ -27,6 +27,7 @@
 //! is converted to the system of the inputs' and outputs' units. Kernels work in SI.
 
 mod acts;
+mod bearing;
 mod blend;
 mod branch;
 mod build;
@@ -44,15 +45,18 @@ mod scan;
 mod schema;
 mod system;
 mod table;
+mod valid;
 
 use std::sync::Arc;
 
 use crate::rational::{Rational, nearest};
 
 pub use acts::{Acts, Quantity};
+pub use bearing::BearingValue;
 pub use describe::short;
 pub use report::{Break, LawReport, OutputReport, TableReport, Trend};
 pub use table::{Extend, LawTable};
+pub use valid::Validity;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
@@ -85,6 +89,8 @@ pub struct LawSpec {
     pub definitions: Vec<Definition>,
     /// The outputs, in the order of the file.
     pub outputs: Vec<LawOutput>,
+    /// Where the law may be believed: the sections of the file, then the ends of its tables.
+    pub valid: Vec<Validity>,
     /// The graph that holds symbols, values and derivatives, all SI.
     pub graph: Graph,
     /// What was found about the law.
@@ -128,8 +134,23 @@ pub struct Parameter {
     pub title: String,
     /// Unit in which the file gives it.
     pub unit: Unit,
+    /// Value in that unit.
+    pub written: Rational,
+    /// What it is of the bearing, if the file says so.
+    pub bearing: Option<BearingValue>,
     /// Value in the system of units of the file's inputs and outputs.
     pub value: Rational,
+}
+
+/// A value that holds in place of the one in the file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Given {
+    /// Name of the parameter.
+    pub name: String,
+    /// The value.
+    pub value: Rational,
+    /// Its unit, which measures what the file's unit does.
+    pub unit: Unit,
 }
 
 /// A named formula that others use.
@@ -219,11 +240,50 @@ impl LawSpec {
     /// # Errors
     /// Everything that is wrong with them, each with its place.
     pub fn read_with(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Self, Diagnostics> {
-        let draft = draft::read(file, beside)?;
+        Self::read_given(file, beside, &[])
+    }
+
+    /// Reads a law file as if these values stood in it: all that follows from them, such as breaks moved to
+    /// roots, follows from these.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file; a name that is none of its parameters; whatever is wrong with
+    /// these values.
+    pub fn read_given(
+        file: &Arc<Source>,
+        beside: &Beside<'_>,
+        given: &[Given],
+    ) -> Result<Self, Diagnostics> {
+        let mut draft = draft::read(file, beside)?;
+        draft.give(given)?;
         let mut law = build::build(draft)?;
         law.report = report::report(&law)?;
         law.graph.look_at(points::of(&law));
         Ok(law)
+    }
+
+    /// The law with these values in place of those in its file; its tables are not read again.
+    ///
+    /// # Errors
+    /// As [`LawSpec::read_given`].
+    pub fn read_again(&self, given: &[Given]) -> Result<Self, Diagnostics> {
+        let beside = |name: &str| {
+            let table = self.tables.iter().find(|table| table.path == name);
+            let file = table.map(|table| table.file.clone());
+            file.ok_or_else(|| format!("there is no file `{name}` beside this law"))
+        };
+        Self::read_given(&self.file, &beside, given)
+    }
+
+    /// The parameters of a law file, of which nothing else is looked at than how it is written.
+    ///
+    /// # Errors
+    /// Everything that is wrong with keys, names, units and the grammar of formulas.
+    pub fn parameters_of(
+        file: &Arc<Source>,
+        beside: &Beside<'_>,
+    ) -> Result<Vec<Parameter>, Diagnostics> {
+        build::parameters_of(draft::read(file, beside)?)
     }
 
     /// The texts that the law was made from: its own file, then those of its tables.

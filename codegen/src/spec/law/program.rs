@@ -11,8 +11,6 @@ impl LawSpec {
     /// # Errors
     /// None for a law that was read without errors and stays within the bounds of the graph.
     pub fn program(&self) -> Result<Program, ScheduleError> {
-        let input =
-            |input: &LawInput| Input { name: input.name.clone(), symbol: input.symbol, stage: 0 };
         let mut outputs = Vec::new();
         for output in &self.outputs {
             outputs.push(Output { name: output.name.clone(), expression: output.value });
@@ -29,4 +27,30 @@ impl LawSpec {
         };
         schedule(&mut self.graph.clone(), &request)
     }
+
+    /// The program of the measures of [`LawSpec::valid`], in their order, SI, from the inputs of the law; none if
+    /// there are none.
+    ///
+    /// # Errors
+    /// As [`LawSpec::program`].
+    pub fn measures_program(&self) -> Result<Option<Program>, ScheduleError> {
+        if self.valid.is_empty() {
+            return Ok(None);
+        }
+        let outputs = self
+            .valid
+            .iter()
+            .map(|own| Output { name: format!("measure_{}", own.name), expression: own.value });
+        let request = Request {
+            stages: vec![Stage::new("spring", &[], 1.0)],
+            inputs: self.inputs.iter().map(input).collect(),
+            outputs: outputs.collect(),
+            names: Vec::new(),
+        };
+        schedule(&mut self.graph.clone(), &request).map(Some)
+    }
+}
+
+fn input(input: &LawInput) -> Input {
+    Input { name: input.name.clone(), symbol: input.symbol, stage: 0 }
 }

@@ -2,6 +2,7 @@
 
 use super::LawSpec;
 use super::acts::{Acts, Quantity};
+use super::bearing::BearingValue;
 use crate::spec::schema::Shape::{
     Count, Either, Formula, Known, List, Named, Number, Table, Text, Tuple, Words,
 };
@@ -24,12 +25,17 @@ const LAW: &[Key] = &[
     ),
     key("definitions", Named(&Formula), "names for parts of formulas"),
     needed("outputs", Known(outputs, &Table(&[VARIABLE, OUTPUT])), "what it gives"),
+    key(
+        "valid",
+        Named(&Table(&[VALID])),
+        "where it may be believed: a run that goes beyond is not sound",
+    ),
 ];
 
 const VARIABLE: &[Key] = &[
     needed("unit", Text, "unit in which formulas take or give it, such as \"mm\""),
     key("title", Text, "one line for people"),
-    key("range", Tuple(&Number, 2), "where the law is looked at and meant to be used"),
+    key("range", Tuple(&Number, 2), "where the law is plotted and looked at"),
 ];
 
 const OUTPUT: &[Key] = &[
@@ -49,6 +55,20 @@ const PARAMETER: &[Key] = &[
     needed("value", Number, "in the unit beside it"),
     needed("unit", Text, "any unit; \"1\" for a pure number"),
     key("title", Text, "one line for people"),
+    key(
+        "bearing",
+        Words(BearingValue::WORDS),
+        "what it is of the bearing, whose value then holds; the one here is for plots and tests",
+    ),
+];
+
+const VALID: &[Key] = &[
+    needed("value", Formula, "what is measured, such as 'sqrt(e_x^2 + e_y^2)/c'"),
+    needed("unit", Text, "its unit; \"1\" for a pure number"),
+    key("min", Either(&[Number, Formula]), "least value: a number in the unit, or of parameters"),
+    key("max", Either(&[Number, Formula]), "largest value: a number in the unit, or of parameters"),
+    needed("title", Text, "what the measure is called, for people"),
+    needed("help", Text, "what is wrong beyond the limits, and what to do"),
 ];
 
 const TABLE: &[Key] = &[
@@ -57,6 +77,11 @@ const TABLE: &[Key] = &[
     key("x", COLUMN, "the column of the input; the first if left out"),
     key("y", COLUMN, "the column of the values; the second if left out"),
     key("extend", EXTEND, "what becomes of inputs outside its rows"),
+    key(
+        "valid_beyond",
+        Words(&["below", "above", "both"]),
+        "ends of the rows beyond which the extension may be believed",
+    ),
 ];
 
 /// More columns than any file of a moderate length has.

@@ -3,7 +3,7 @@
 use crate::rational::Rational;
 use num_traits::{CheckedMul, CheckedSub, One, Zero};
 
-use crate::units::{Exponent, Factor, Unit};
+use crate::units::{Dimension, Exponent, Factor, Unit};
 
 /// Scales of the base quantities (m, kg, s, K) in SI, such that every unit given to [`System::of`] is a
 /// product of powers of them: with h in mm and Q in N, lengths are in mm, and masses in N·s²/mm.
@@ -77,6 +77,21 @@ impl System {
         let power = |e: Exponent| f64::from(*e.numer()) / f64::from(*e.denom());
         let scale = scales.map(|(scale, e)| libm::pow(scale.to_f64(), power(e)));
         unit.factor().to_f64() / scale.product::<f64>()
+    }
+
+    /// One of what this system measures a dimension in, in SI: exact if that is rational, else the nearest f64.
+    pub(super) fn in_si(&self, dimension: &Dimension) -> Rational {
+        let powers = || self.scales.iter().zip(dimension.bases());
+        let exact = powers().try_fold(Factor::one(), |product, (scale, e)| {
+            product.checked_times(&scale.checked_power(e)?)
+        });
+        let power = |e: Exponent| f64::from(*e.numer()) / f64::from(*e.denom());
+        let rounded = || match &exact {
+            Some(scale) => scale.to_f64(),
+            None => powers().map(|(scale, e)| libm::pow(scale.to_f64(), power(e))).product(),
+        };
+        let inexact = || Rational::from_float(rounded()).unwrap_or_else(Rational::one);
+        exact.as_ref().and_then(Factor::to_rational).unwrap_or_else(inexact)
     }
 
     /// A value in `unit` as a value in this system: exact if the ratio of the units is rational, else the

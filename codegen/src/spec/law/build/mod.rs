@@ -9,9 +9,11 @@ pub(super) use engage::engaged;
 
 use std::collections::BTreeSet;
 
-use self::names::Names;
-use super::draft::Draft;
+pub(super) use self::names::Names;
+use super::draft::{Constant, Draft};
 use super::system::{Misfit, System};
+use super::table::LawTable;
+use super::valid::{self, Scope, ValidityDraft};
 use super::{Definition, LawInput, LawReport, LawSpec, Parameter, in_si};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expression::{Graph, Shape};
@@ -23,24 +25,14 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
     let mut errors = Diagnostics::new();
     check_units(&draft, &mut errors);
     let unused = unused(&draft);
-    let variables = draft.inputs.iter().chain(draft.outputs.iter().map(|o| &o.variable));
-    let system = match System::of(variables.clone().map(|v| &v.unit)) {
+    let system = match system(&draft) {
         Ok(system) if errors.is_empty() => system,
         Ok(_) => {
             errors.append(unused);
             return Err(errors);
         }
-        Err(misfit) => {
-            let (Misfit::Contradicts(place) | Misfit::Unwieldy(place)) = misfit;
-            if let Some(odd) = variables.clone().nth(place) {
-                let what = match misfit {
-                    Misfit::Contradicts(_) => "does not go with the units before it",
-                    Misfit::Unwieldy(_) => "and those before it have powers of too many fractions",
-                };
-                let message = format!("the unit `{}` {what}", odd.unit);
-                let error = odd.unit_place.error_here(Code::WRONG_UNIT, message);
-                errors.push(error.help("use one system, such as mm, mm/s and N, or m, m/s and N"));
-            }
+        Err(found) => {
+            errors.append(found);
             return Err(errors);
         }
     };
@@ -61,12 +53,11 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         });
     }
     let mut parameters = Vec::new();
-    for parameter in draft.parameters {
-        let value = system.convert(&parameter.value, &parameter.unit);
-        let id = graph.number(value.clone());
-        names.add(&parameter.name, id, &parameter.unit, Some(value.clone()));
-        let (name, title, unit) = (parameter.name, parameter.title, parameter.unit);
-        parameters.push(Parameter { name, title, unit, value });
+    for constant in draft.parameters {
+        let parameter = parameter(constant, &system);
+        let id = graph.number(parameter.value.clone());
+        names.add(&parameter.name, id, &parameter.unit, Some(parameter.value.clone()));
+        parameters.push(parameter);
     }
     let mut waiting = draft.tables;
     let mut tables = Vec::new();
@@ -109,6 +100,22 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
     if errors.iter().all(|error| error.code != Some(Code::UNKNOWN_NAME)) {
         errors.append(unused);
     }
+    let after = |place: usize| tables.iter().filter(move |table: &&LawTable| table.after == place);
+    let mut made: Vec<&str> = Vec::new();
+    for place in 0..=definitions.len() {
+        made.extend(after(place).map(|table| table.name.as_str()));
+        made.extend(definitions.get(place).map(|definition| definition.name.as_str()));
+    }
+    let scope =
+        Scope { names: &names, system: &system, inputs: &inputs, parameters: &parameters, made };
+    let valid = if errors.is_empty() {
+        valid::build(&draft.valid, &tables, &scope, &mut graph).unwrap_or_else(|found| {
+            errors.append(found);
+            Vec::new()
+        })
+    } else {
+        Vec::new()
+    };
     let mut law = errors.into_result(LawSpec {
         name: draft.name,
         title: draft.title,
@@ -120,6 +127,7 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         tables,
         definitions,
         outputs,
+        valid,
         graph,
         report: LawReport::default(),
         made: Vec::new(),
@@ -129,6 +137,34 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
     Ok(law)
 }
 
+/// The parameters of a draft.
+pub(super) fn parameters_of(draft: Draft) -> Result<Vec<Parameter>, Diagnostics> {
+    let system = system(&draft)?;
+    Ok(draft.parameters.into_iter().map(|constant| parameter(constant, &system)).collect())
+}
+
+fn parameter(constant: Constant, system: &System) -> Parameter {
+    let Constant { name, title, unit, value: written, bearing, .. } = constant;
+    let value = system.convert(&written, &unit);
+    Parameter { name, title, unit, written, bearing, value }
+}
+
+/// The system of the units of inputs and outputs.
+fn system(draft: &Draft) -> Result<System, Diagnostics> {
+    let mut variables = draft.inputs.iter().chain(draft.outputs.iter().map(|o| &o.variable));
+    System::of(variables.clone().map(|v| &v.unit)).map_err(|misfit| {
+        let (Misfit::Contradicts(place) | Misfit::Unwieldy(place)) = misfit;
+        let odd = variables.nth(place).expect("the place of a variable");
+        let what = match misfit {
+            Misfit::Contradicts(_) => "does not go with the units before it",
+            Misfit::Unwieldy(_) => "and those before it have powers of too many fractions",
+        };
+        let message = format!("the unit `{}` {what}", odd.unit);
+        let error = odd.unit_place.error_here(Code::WRONG_UNIT, message);
+        error.help("use one system, such as mm, mm/s and N, or m, m/s and N").into()
+    })
+}
+
 /// A name that nothing uses is most likely a slip of the pen.
 fn unused(draft: &Draft) -> Diagnostics {
     let mut errors = Diagnostics::new();
@@ -136,6 +172,7 @@ fn unused(draft: &Draft) -> Diagnostics {
     let formulas = outputs.flat_map(|(when, value)| when.iter().chain([value]));
     let formulas = formulas.chain(draft.definitions.iter().map(|(_, _, formula)| formula));
     let formulas = formulas.chain(draft.tables.iter().map(|table| &table.input));
+    let formulas = formulas.chain(draft.valid.iter().flat_map(ValidityDraft::formulas));
     let used: BTreeSet<&str> = formulas.flat_map(|formula| formula.names().into_keys()).collect();
     let inputs = draft.inputs.iter().map(|input| (&input.key, &input.name));
     let parameters = draft.parameters.iter().map(|parameter| (&parameter.key, &parameter.name));

@@ -12,9 +12,9 @@ use crate::units::{Dimension, Unit};
 
 /// Names of a law, with what they stand for.
 #[derive(Default)]
-pub(super) struct Names {
-    pub(super) ids: BTreeMap<String, Id>,
-    pub(super) meanings: BTreeMap<String, Meaning>,
+pub(in crate::spec::law) struct Names {
+    pub(in crate::spec::law) ids: BTreeMap<String, Id>,
+    pub(in crate::spec::law) meanings: BTreeMap<String, Meaning>,
 }
 
 impl Names {
@@ -68,7 +68,7 @@ impl Names {
     }
 
     /// Lowers a formula of the given shape, in the units of the file, and finds what it measures.
-    pub(super) fn lower(
+    pub(in crate::spec::law) fn lower(
         &self,
         graph: &mut Graph,
         formula: &Formula,

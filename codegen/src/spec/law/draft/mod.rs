@@ -12,7 +12,8 @@ use crate::rational::Rational;
 
 use super::acts::{self, Acts, Quantity as Known};
 use super::table::{self, TableDraft};
-use super::{Beside, LawSpec};
+use super::valid::{self, ValidityDraft};
+use super::{BearingValue, Beside, Given, LawSpec};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use crate::formula::{self, Formula};
 use crate::spec::read::{Document, Table, Value, plain_name};
@@ -34,6 +35,7 @@ pub(super) struct Draft {
     pub(super) tables: Vec<TableDraft>,
     pub(super) definitions: Vec<(Located, String, Formula)>,
     pub(super) outputs: Vec<Output>,
+    pub(super) valid: Vec<ValidityDraft>,
 }
 
 /// An input, or the head of an output.
@@ -54,6 +56,29 @@ pub(super) struct Constant {
     pub(super) title: String,
     pub(super) unit: Unit,
     pub(super) value: Rational,
+    pub(super) bearing: Option<BearingValue>,
+}
+
+impl Draft {
+    /// Puts these values in the place of those of the file.
+    ///
+    /// # Errors
+    /// A name that is none of its parameters.
+    pub(super) fn give(&mut self, given: &[Given]) -> Result<(), Diagnostics> {
+        let mut errors = Diagnostics::new();
+        for Given { name, value, unit } in given {
+            match self.parameters.iter_mut().find(|parameter| parameter.name == *name) {
+                Some(parameter) => {
+                    (parameter.value, parameter.unit) = (value.clone(), unit.clone());
+                }
+                None => {
+                    let message = format!("this law has no parameter `{name}`");
+                    errors.push(Diagnostic::new(&self.file, Code::UNKNOWN_NAME, None, message));
+                }
+            }
+        }
+        errors.into_result(())
+    }
 }
 
 /// Reads the file; formulas are parsed but their names are not looked up yet.
@@ -98,9 +123,14 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
             let (Some(entry), Some(name)) = (entry, name) else { continue };
             let value = entry.number("value");
             let title = entry.optional_string("title").map_or(String::new(), |t| t.text().into());
-            let unit = entry.string("unit").and_then(|text| unit(&document, &text));
+            let unit_place = entry.string("unit");
+            let unit = unit_place.as_ref().and_then(|text| unit_of(&document, text));
+            let bearing = entry.optional_word("bearing").and_then(BearingValue::called);
+            if let (Some(bearing), Some(unit), Some(place)) = (bearing, &unit, &unit_place) {
+                fits(&document, &name, bearing, unit, place);
+            }
             if let (Some((value, _)), Some(unit)) = (value, unit) {
-                parameters.push(Constant { key, name, title, unit, value });
+                parameters.push(Constant { key, name, title, unit, value, bearing });
             }
             entry.finish();
         }
@@ -143,6 +173,21 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
         }
         table.finish();
     }
+    let mut valid = Vec::new();
+    if let Some(table) = root.optional_table("valid") {
+        // Nothing refers to measures, so that one may have the name of an input. The ends of tables are measures,
+        // too.
+        let taken = tables.iter().map(|table| (table.name.clone(), table.key.span()));
+        let mut own = Names { taken: taken.collect(), document: &document };
+        for key in table.names() {
+            let entry = table.table(key.text());
+            let name = own.take(&key);
+            let Some(entry) = entry else { continue };
+            valid.extend(valid::read(&entry, &key, name));
+            entry.finish();
+        }
+        table.finish();
+    }
     root.finish();
     let acts = acts(&document, &inputs, &outputs);
     let text = |text: Option<Located>| text.map(|text| text.text().to_owned()).unwrap_or_default();
@@ -157,7 +202,20 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
         tables,
         definitions,
         outputs,
+        valid,
     }))
+}
+
+/// Notes a parameter that cannot be what it says it is of the bearing.
+fn fits(document: &Document<'_>, name: &str, bearing: BearingValue, unit: &Unit, place: &Located) {
+    let wanted = bearing.dimension();
+    if !unit.dimension().fits(&wanted) {
+        let (word, found) = (bearing.word(), unit.dimension());
+        let message =
+            format!("`{name}` is the `{word}`, {wanted}, but `{unit}` is the unit of {found}");
+        let error = place.error_here(Code::WRONG_UNIT, message);
+        document.push(error.help(format!("write for example `unit = \"{}\"`", wanted.si_unit())));
+    }
 }
 
 /// What the law acts on: the kind of which all names are known.
@@ -223,7 +281,7 @@ impl Names<'_> {
     }
 }
 
-fn unit(document: &Document<'_>, text: &Located) -> Option<Unit> {
+pub(super) fn unit_of(document: &Document<'_>, text: &Located) -> Option<Unit> {
     match Unit::parse(text.text()) {
         Ok(unit) => Some(unit),
         Err(error) => {
@@ -250,7 +308,7 @@ fn variable(
     let title = table.optional_string("title");
     let range = range(table);
     let unit_place = table.string("unit");
-    let unit = unit_place.as_ref().and_then(|text| unit(document, text));
+    let unit = unit_place.as_ref().and_then(|text| unit_of(document, text));
     let known = acts::known(list);
     let Some((quantity, only)) = known.iter().find(|(quantity, _)| quantity.name == name) else {
         let names: Vec<&str> = known.iter().map(|(quantity, _)| quantity.name).collect();

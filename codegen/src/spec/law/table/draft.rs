@@ -66,6 +66,12 @@ pub(in crate::spec::law) fn read(
         Some("periodic") => Extend::Periodic,
         _ => Extend::Refuse,
     };
+    let valid_beyond = match section.optional_word("valid_beyond") {
+        Some("below") => [true, false],
+        Some("above") => [false, true],
+        Some(_) => [true; 2],
+        None => [false; 2],
+    };
     let path = file?;
     let source = match beside(path.text()) {
         Ok(source) => source,
@@ -99,6 +105,7 @@ pub(in crate::spec::law) fn read(
         input_unit: x.unit.clone(),
         unit: y.unit.clone(),
         extend,
+        valid_beyond,
         knots: Vec::new(),
         pieces: Vec::new(),
         splits: Vec::new(),

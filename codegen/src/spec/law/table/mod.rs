@@ -36,6 +36,8 @@ pub struct LawTable {
     pub unit: Unit,
     /// What becomes of inputs outside its rows.
     pub extend: Extend,
+    /// Whether the extension below and above the rows may be believed.
+    pub valid_beyond: [bool; 2],
     /// The inputs of its rows, ascending: between them it is a cubic, at them its slope is continuous.
     pub knots: Vec<Rational>,
     /// One piece more than there are splits.
@@ -102,6 +104,15 @@ impl LawTable {
     /// First and last input of the rows.
     pub fn span(&self) -> [&Rational; 2] {
         [&self.knots[0], &self.knots[self.knots.len() - 1]]
+    }
+
+    /// The ends of the rows beyond which the table may not be believed; none where it may be anywhere. A little
+    /// further out, as rounding of a unit goes.
+    pub(super) fn trusted(&self) -> Option<[Option<Rational>; 2]> {
+        let [below, above] = self.valid_beyond;
+        let [first, last] = self.bounds.clone();
+        let ends = [(!below).then_some(first), (!above).then_some(last)];
+        (self.extend != Extend::Periodic && !(below && above)).then_some(ends)
     }
 
     /// Inputs at which the slope jumps, with the slopes below and above.

@@ -219,3 +219,29 @@ fn errors_point_into_the_file_of_columns() {
     );
     assert!((value(&plain, 2e-3) - 3.0).abs() < 1e-13);
 }
+
+/// A table may be believed between its rows, and beyond the ends at which it says so.
+#[test]
+fn a_table_is_believed_within_its_rows() {
+    let limits = |more: &str| {
+        let text = format!(
+            "kind = \"law\"\nname = \"t\"\ntitle = \"t\"\nsource = \"s\"\n[inputs.h]\nunit = \"mm\"\n\
+             [tables.film]\nfile = \"film.csv\"\ninput = '2*h'\n{more}\n[outputs.Q]\nunit = \"N\"\nvalue = 'film'\n"
+        );
+        let columns = Source::new("film.csv", "gap [um], force [N]\n0, 30\n20, 10\n40, 30\n");
+        let law = LawSpec::read_with(&Source::new("law.toml", text), &|_| Ok(columns.clone()));
+        let law = law.unwrap_or_else(|errors| panic!("{errors}"));
+        law.valid.iter().map(|own| (own.name.clone(), own.limits)).collect::<Vec<_>>()
+    };
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * 4e-5;
+    for extend in ["", "extend = \"constant\"", "extend = \"linear\""] {
+        let [(name, [first, last])] = limits(extend).try_into().unwrap();
+        assert!(name == "film" && near(first, 0.0) && near(last, 4e-5), "{first} {last}");
+        let above = limits(&format!("{extend}\nvalid_beyond = \"above\""));
+        assert!(near(above[0].1[0], 0.0) && above[0].1[1] == f64::INFINITY);
+        let below = limits(&format!("{extend}\nvalid_beyond = \"below\""));
+        assert!(near(below[0].1[1], 4e-5) && below[0].1[0] == f64::NEG_INFINITY);
+        assert_eq!(limits(&format!("{extend}\nvalid_beyond = \"both\"")), []);
+    }
+    assert_eq!(limits("extend = \"periodic\""), []);
+}

@@ -116,3 +116,74 @@ value = '-K*sum(j, 0, Z - 1, max(e_x*cos(turned + 2*pi*j/Z) + e_y*sin(turned + 2
         }
     }
 }
+
+/// A value given in place of the file's has the graph, breaks and roots that a file with it has.
+#[test]
+fn given_values_move_breaks_and_their_roots() {
+    let text =
+        paper("engage = \"root\"", "233 - k*h") + "[parameters.k]\nvalue = 6517\nunit = \"N/mm\"\n";
+    let law = read(&text).unwrap();
+    let unit = |text: &str| crate::units::Unit::parse(text).unwrap();
+    let given = |name: &str, value: i64, text: &str| Given {
+        name: name.to_owned(),
+        value: Rational::from(value),
+        unit: unit(text),
+    };
+    let other = law.read_again(&[given("k", 5, "kN/mm"), given("c0", 40, "um")]).unwrap();
+    let edited = text.replace("35.687", "40").replace("6517", "5000");
+    let file = read(&edited).unwrap();
+    assert_eq!(other.report, file.report);
+    assert_eq!(other.report.outputs[0].breaks[0].at, 233.0 / 5000.0);
+    assert_eq!(other.report.outputs[0].breaks[0].moved_from, Some(0.04));
+    for h in [1e-6, 3e-5, 4.65e-5, 4.67e-5] {
+        assert_eq!(value(&other, &[h]).to_bits(), value(&file, &[h]).to_bits());
+    }
+    let message =
+        law.read_again(&[given("c1", 1, "mm")]).unwrap_err().iter().next().unwrap().to_string();
+    assert!(message.contains("no parameter `c1`"), "{message}");
+}
+
+/// Measures are in SI, whatever the units of the file; limits follow parameters.
+#[test]
+fn measures_are_evaluated_in_si() {
+    let law = read(
+        "[inputs.h]
+unit = \"mm\"
+[parameters.k]
+value = 2
+unit = \"kN/mm\"
+[parameters.h_m]
+value = 50
+unit = \"um\"
+[definitions]
+half = 'h/2'
+[valid.h]
+value = 'half'
+unit = \"um\"
+min = -3
+max = 'h_m/2'
+title = \"half\"
+help = \"less\"
+[valid.force]
+value = 'k*h'
+unit = \"kN\"
+max = 4
+title = \"force\"
+help = \"less\"
+[outputs.Q]
+unit = \"N\"
+value = '-k*half'
+",
+    )
+    .unwrap();
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-15 * b.abs();
+    let [h, force] = law.valid.as_slice() else { panic!("{:?}", law.valid) };
+    assert!(near(h.limits[0], -3e-6) && near(h.limits[1], 25e-6), "{:?}", h.limits);
+    assert_eq!(force.limits, [f64::NEG_INFINITY, 4e3]);
+    let found = law.measures(&[30e-6]);
+    assert!(near(found[0], 15e-6) && near(found[1], 60.0), "{found:?}");
+    let tape = crate::tape::Tape::new(&law.measures_program().unwrap().unwrap());
+    let mut measures = [0.0; 2];
+    tape.evaluate(1, &[30e-6], &mut measures, &mut vec![0.0; tape.workspace()]);
+    assert!(near(measures[0], 15e-6) && near(measures[1], 60.0), "{measures:?}");
+}

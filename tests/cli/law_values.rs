@@ -1,0 +1,206 @@
+//! Laws with the values of their bearings, and with parameters that a case sets: they are what a file with these
+//! values gives, bit for bit.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::workbench::{Outcome, Workbench};
+
+const OCVIRK: &str = include_str!("../../specs/laws/ocvirk.toml");
+
+/// A law file with other values of some parameters, as a user would edit a copy of it: nothing is taken from the
+/// bearing any more.
+fn edited(law: &str, values: &[(&str, &str)]) -> String {
+    let mut text: String = law
+        .lines()
+        .filter(|line| !line.starts_with("bearing = "))
+        .map(|l| format!("{l}\n"))
+        .collect();
+    for (name, value) in values {
+        let head = format!("[parameters.{name}]\nvalue = ");
+        let start = text.find(&head).unwrap_or_else(|| panic!("{name}")) + head.len();
+        let end = start + text[start..].find('\n').expect("a line");
+        text.replace_range(start..end, value);
+    }
+    text
+}
+
+/// A mass that whirls in what `stop` says.
+fn mass(stop: &str) -> String {
+    format!(
+        "title = \"a journal in a ring\"\n[mass]\nmass = \"2 kg\"\nstiffness = \"1e5 N/m\"\nforce = \"20 N\"\n\
+         velocity = \"0.01 m/s\"\nunbalance = {{ eccentricity = \"5 um\", speed = \"300 rad/s\" }}\n\
+         [[stop]]\nside = \"around\"\n{stop}\n[march]\ntime_step = \"1e-4 s\"\nsteps = 60\n"
+    )
+}
+
+/// A short run of the reference machine with these lines under `[springs]`.
+fn machine(springs: &str) -> String {
+    format!(
+        "include = \"hu2003-5.toml\"\ntitle = \"a short run\"\n[springs]\n{springs}\n[march]\nsteps = 12\n"
+    )
+}
+
+fn fine(outcome: &Outcome) {
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+}
+
+/// History and summary of a case.
+fn run(bench: &Workbench, case: &str) -> (String, Value) {
+    fine(&bench.whirl(&["run", &format!("{case}.toml"), "--no-figures"]));
+    let read = |file: &str| {
+        fs::read_to_string(bench.path(&format!("results/{case}/{file}"))).expect("a result")
+    };
+    (read("history.csv"), serde_json::from_str(&read("summary.json")).expect("JSON"))
+}
+
+/// Names and hashes of the laws in a summary.
+fn laws(summary: &Value) -> Vec<(String, String)> {
+    let kernels = summary["kernels"].as_object().expect("kernels").iter();
+    let law = |(name, hash): (&String, &Value)| {
+        Some((name.strip_prefix("law/")?.to_string(), hash.as_str().expect("a hash").to_string()))
+    };
+    kernels.filter_map(law).collect()
+}
+
+#[test]
+fn a_law_has_the_clearance_of_its_stop_and_the_parameters_of_the_case() {
+    let copy = edited(OCVIRK, &[("R", "20"), ("L", "18"), ("c", "0.04"), ("mu", "0.012")]);
+    let case = "gap = \"40 um\"\njournal_radius = \"2 cm\"\nlength = \"18 mm\"\nlaw = \"ocvirk\"\n\
+                parameters = { mu = \"12 mPa*s\" }";
+    let by_name = "law = \"ocvirk\"\n\
+                   parameters = { c = \"40 um\", R = \"20 mm\", L = \"18e3 um\", mu = \"12 mPa*s\" }";
+    let bench = Workbench::new()
+        .file("ocvirk-copy.toml", &copy)
+        .file("file.toml", &mass("law = \"ocvirk-copy.toml\""))
+        .file("case.toml", &mass(case))
+        .file("named.toml", &mass(by_name))
+        .file("plain.toml", &mass("law = \"ocvirk\""));
+    let [file, case, named, plain] =
+        ["file", "case", "named", "plain"].map(|name| run(&bench, name));
+    assert_eq!(file.0, case.0, "the values of the stop, and a copy of the file with them");
+    assert_eq!(case.0, named.0);
+    assert_ne!(file.0, plain.0, "these values matter");
+    let [(name, hash)] = laws(&case.1).try_into().expect("one law");
+    assert_eq!(name, "ocvirk (R = 20 mm, L = 18 mm, c = 0.04 mm, mu = 0.012 Pa*s)");
+    let [(_, other)] = laws(&plain.1).try_into().expect("one law");
+    assert_ne!(hash, other);
+    let said = bench.whirl(&["check", "case.toml"]);
+    fine(&said);
+    assert!(
+        said.stdout.contains(&format!("stop around, gap 0.00004 m, law {name}\n")),
+        "{}",
+        said.stdout
+    );
+}
+
+/// Values that are those of the file, in whatever unit, need no other law than the compiled one.
+#[test]
+fn values_of_the_file_leave_a_law_as_it_is() {
+    let values = "gap = \"50 um\"\njournal_radius = \"2.5 cm\"\nlaw = \"ocvirk\"\n\
+                  parameters = { L = \"0.02 m\", mu = \"20 mPa*s\", eps_m = 0.99, v_0 = \"1 um/s\" }";
+    let bench = Workbench::new()
+        .file("case.toml", &mass(values))
+        .file("plain.toml", &mass("law = \"ocvirk\""))
+        .file("copy.toml", OCVIRK)
+        .file("file.toml", &mass("law = \"copy.toml\""));
+    let [case, plain, file] = ["case", "plain", "file"].map(|name| run(&bench, name));
+    assert_eq!((laws(&case.1), case.0), (laws(&plain.1), plain.0));
+    assert_eq!(laws(&plain.1)[0].0, "ocvirk");
+    assert_eq!(file.0, run(&bench, "plain").0, "compiled and by tape");
+}
+
+/// Two bearings of one law with their own clearances; what the case does not say is measured on the meshes.
+#[test]
+fn every_bearing_has_the_law_with_its_own_values() {
+    let bearings = |law: &str, own: &str| {
+        let all = [bearing(1, law), bearing(2, law), bearing(3, own), bearing(4, own)];
+        machine("") + &all.concat()
+    };
+    let case = bearings(
+        "law = \"ocvirk\"",
+        "law = \"ocvirk\"\nradial_clearance = \"40 um\"\nlength = \"20 mm\"",
+    );
+    let files =
+        bearings("law = \"wide.toml\"", "law = \"narrow.toml\"\nradial_clearance = \"40 um\"");
+    let bench = Workbench::new()
+        .file("wide.toml", &edited(OCVIRK, &[("R", "34"), ("L", "25"), ("c", "0.035687")]))
+        .file("narrow.toml", &edited(OCVIRK, &[("R", "33.995687"), ("L", "20"), ("c", "0.04")]))
+        .file("case.toml", &case)
+        .file("files.toml", &files);
+    let (case, files) = (run(&bench, "case"), run(&bench, "files"));
+    assert_eq!(case.0, files.0);
+    let names: Vec<String> = laws(&case.1).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(
+        names,
+        [
+            "ocvirk (R = 33.995687 mm, c = 0.04 mm)",
+            "ocvirk (R = 34 mm, L = 25 mm, c = 0.035687 mm)"
+        ]
+    );
+}
+
+/// A bearing of the reference machine with more lines.
+fn bearing(k: usize, more: &str) -> String {
+    let sets =
+        |word: &str| format!("[\"{word}{k}_LEFT\", \"{word}{k}_MIDDLE\", \"{word}{k}_RIGHT\"]");
+    format!("[[bearing]]\njournal = {}\nbore = {}\n{more}\n", sets("JOURNAL"), sets("BORE"))
+}
+
+/// A bearing's own parameters come before those of `[springs]`, which belong to the law beside them.
+#[test]
+fn a_bearings_own_parameters_come_first() {
+    let springs = "law = \"rub-coulomb\"\nparameters = { mu = 0.2, k = \"5 kN/mm\" }\n";
+    let all = [
+        bearing(1, ""),
+        bearing(2, "parameters = { mu = 0.1 }"),
+        bearing(3, "law = \"gap-linear\""),
+        bearing(4, "law = \"radial-gap\"\nparameters = { k = \"1e6 N/m\" }"),
+    ];
+    let bench = Workbench::new().file("case.toml", &(machine(springs) + &all.concat()));
+    let said = bench.whirl(&["check", "case.toml"]);
+    fine(&said);
+    for (k, law) in [
+        (1, "rub-coulomb (k = 5 kN/mm, mu = 0.2)"),
+        (2, "rub-coulomb (k = 5 kN/mm, mu = 0.1)"),
+        (3, "gap-linear"),
+        (4, "radial-gap (k = 1 kN/mm)"),
+    ] {
+        let line = said.stdout.lines().find(|line| line.starts_with(&format!("support {k}:")));
+        assert!(line.is_some_and(|line| line.ends_with(&format!("law {law}"))), "{}", said.stdout);
+    }
+}
+
+/// A break moved to a root follows the values that the case sets.
+#[test]
+fn a_root_follows_the_values_of_the_case() {
+    let law = "kind = \"law\"\nname = \"root\"\ntitle = \"A line to its root\"\nsource = \"a test\"\n\
+               [inputs.h]\nunit = \"mm\"\n\
+               [parameters.c]\nvalue = 0.03\nunit = \"mm\"\nbearing = \"radial_clearance\"\n\
+               [parameters.k]\nvalue = 6517\nunit = \"N/mm\"\n\
+               [outputs.Q]\nunit = \"N\"\nengage = \"root\"\n\
+               pieces = [{ when = 'h < c', value = '233 - k*h' }, { value = '0' }]\n";
+    let case =
+        "law = \"root.toml\"\nradial_clearance = \"40 um\"\nparameters = { k = \"5 kN/mm\" }";
+    let bench = Workbench::new().file("root.toml", law).file("case.toml", &machine(case));
+    let said = bench.whirl(&["check", "case.toml"]);
+    fine(&said);
+    for words in
+        ["law root.toml (c = 0.04 mm, k = 5000 N/mm)", "break at h = 0.0466 mm (moved from 0.04)"]
+    {
+        assert!(said.stdout.contains(words), "`{words}` is not in:\n{}", said.stdout);
+    }
+}
+
+/// The area of the bore that a spring stands for is that of its bearing: 2π·34.035687 mm·25 mm over 3 × 24.
+#[test]
+fn the_area_of_a_spring_is_that_of_its_bearing() {
+    let bench = Workbench::new().file("case.toml", &machine("law = \"greenwood-tripp\""));
+    let said = bench.whirl(&["check", "case.toml"]);
+    fine(&said);
+    let area = std::f64::consts::TAU * 34.035687 * 25.0 / 72.0;
+    let name = said.stdout.split("law greenwood-tripp (A = ").nth(1).expect("the area");
+    let found: f64 = name.split(' ').next().expect("a number").parse().expect("a number");
+    assert!((found - area).abs() < 1e-10 * area, "{found} {area}");
+}
