@@ -5,3 +5,4 @@ mod histories;
 mod paper;
 mod run;
 mod summary;
+mod validity;
