@@ -24,7 +24,7 @@ const EVERY: usize = 3;
 /// Radius with which the mass skids on the stop below (m).
 const RADIUS: f64 = 30e-3;
 
-/// Q and T of skid.toml.
+/// Q and T of skid.toml with the values of its stop.
 fn skid(h: f64, v_t: f64) -> [f64; 2] {
     let q = 30.0 * (-h / 0.6e-3).exp();
     [q, -0.2 * q * (v_t / 4.0).tanh()]

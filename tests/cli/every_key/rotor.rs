@@ -50,7 +50,7 @@ fn with(mesh: &Mesh, material: Material, types: &[&str]) -> Mesh {
     .expect("a mesh")
 }
 
-/// film.toml and wall.toml: Q = a exp(−h/b) (1 − c ḣ), T = −μ Q tanh(v_t/v).
+/// film.toml and wall.toml with the values of the case: Q = a exp(−h/b) (1 − c ḣ), T = −μ Q tanh(v_t/v), a = q L.
 struct Film {
     name: &'static str,
     /// a (N), b (m), c (s/m), μ, v (m/s).
