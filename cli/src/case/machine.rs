@@ -393,7 +393,12 @@ fn leads_to_its_target(table: &Reader) {
         return;
     }
     let mut places = table.places();
-    let mut written = |key: &str| places.remove(key).unwrap_or_else(|| table.place().text(""));
+    // What stands there is a string, with its quotes.
+    let mut written = |key: &str| {
+        let place = places.remove(key).unwrap_or_else(|| table.place().text(""));
+        let bare = place.text().trim_matches(['"', '\'']).to_owned();
+        Located::new(place.source(), place.span(), bare)
+    };
     let (torque_text, target_text) = (written("torque"), written("target_speed"));
     let opposite = |text: &str| match text.trim().strip_prefix('-') {
         Some(rest) => rest.trim_start().to_owned(),
