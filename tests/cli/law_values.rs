@@ -204,3 +204,35 @@ fn the_area_of_a_spring_is_that_of_its_bearing() {
     let found: f64 = name.split(' ').next().expect("a number").parse().expect("a number");
     assert!((found - area).abs() < 1e-10 * area, "{found} {area}");
 }
+
+/// The ends of a journal in one plane are no length: a law that takes one asks for the key.
+#[test]
+fn a_value_that_nothing_gives_is_asked_for() {
+    let case = |more: &str| {
+        let one_plane = "[[bearing]]\njournal = [\"JOURNAL1_MIDDLE\", \"JOURNAL1_MIDDLE\", \"JOURNAL1_MIDDLE\"]\n\
+                       bore = [\"BORE1_MIDDLE\", \"BORE1_MIDDLE\", \"BORE1_MIDDLE\"]\nstations = [\"24 mm\"]\n";
+        machine("") + one_plane + "law = \"ocvirk\"\n" + more + &bearing(4, "")
+    };
+    let bench = Workbench::new()
+        .file("case.toml", &case(""))
+        .file("key.toml", &case("length = \"21 mm\"\n"))
+        .file("named.toml", &case("parameters = { L = \"21 mm\" }\n"));
+    let before = bench.listing();
+    for command in ["check", "run"] {
+        let outcome = bench.whirl(&[command, "case.toml"]);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{}", outcome.stderr);
+        for words in ["case.toml:11:8", "takes `L` from its bearing", "add `length = \"…\"`"] {
+            assert!(outcome.stderr.contains(words), "`{words}` is not in:\n{}", outcome.stderr);
+        }
+        assert_eq!(bench.listing(), before);
+    }
+    for file in ["key.toml", "named.toml"] {
+        let said = bench.whirl(&["check", file]);
+        fine(&said);
+        assert!(
+            said.stdout.contains("law ocvirk (R = 34 mm, L = 21 mm, c = 0.035687 mm)"),
+            "{}",
+            said.stdout
+        );
+    }
+}

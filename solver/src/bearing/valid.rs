@@ -159,7 +159,7 @@ fn extreme(measure: &Measure, row: &[f64]) -> f64 {
             let value = values[lane];
             least[lane] = if value < least[lane] { value } else { least[lane] };
             most[lane] = if value > most[lane] { value } else { most[lane] };
-            numbers[lane] &= value == value;
+            numbers[lane] &= !value.is_nan();
         }
     }
     for (lane, value) in rest.iter().enumerate() {
