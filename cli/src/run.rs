@@ -86,7 +86,8 @@ fn report(
                 let write = |name: &str, content: &[u8]| results.write(name, content);
                 // One signal has ended the march, and figures are wanted of what is done.
                 let stop = || matches!(marched.end, End::Done) && interruption.asked();
-                problems.extend(figures::draw(case, built, &history, &write, &stop));
+                let marked = (case, summary.verdict.sound);
+                problems.extend(figures::draw(marked, built, &history, &write, &stop));
             }
             if show != Show::Nothing {
                 print!("{}", closing(case, &summary, time, results.folder()));
@@ -135,11 +136,13 @@ fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String
     };
     format!(
         "{}: {}\n\nlast cycle ({:.2} ms), {steady}\n{table}\n\
+         {}\
          {:.4} s simulated in {:.3} s ({:.3} of real time), reduction {:.2} s{}\n\
          results in {}\n",
         case.name,
         case.title,
         1e3 * case.march.cycle,
+        summary.verdict.words(),
         time.simulated_s,
         time.march_wall_s,
         time.real_time_factor,

@@ -370,3 +370,78 @@ fn list_names_what_is_built_in() {
         assert!(outcome.stdout.contains(name), "`{name}` is not in:\n{}", outcome.stdout);
     }
 }
+
+/// The case of `steps` of a mass between two stops of 1e9 N/m at 50 mm.
+fn between_stops(time_step: &str) -> String {
+    let stop = |side: &str| {
+        format!("[[stop]]\nside = \"{side}\"\ngap = \"50 mm\"\nlaw = \"stiff.toml\"\n")
+    };
+    format!(
+        "title = \"a mass between stops\"\n[mass]\nmass = \"1 kg\"\nvelocity = \"-1 m/s\"\nforce = \"-10 N\"\n\
+         {}{}[march]\ntime_step = \"{time_step}\"\nduration = \"0.2 s\"\n",
+        stop("above"),
+        stop("below")
+    )
+}
+
+const STIFF: &str = "kind = \"law\"\nname = \"stiff\"\ntitle = \"A stiff stop\"\nsource = \"a test\"\n\
+     [inputs.h]\nunit = \"mm\"\nrange = [-0.1, 1]\n[parameters.k]\nvalue = 1e9\nunit = \"N/m\"\n\
+     [outputs.Q]\nunit = \"N\"\npieces = [{ when = 'h < 0', value = '-k*h' }, { value = '0' }]\n";
+
+#[test]
+fn a_stop_that_the_step_does_not_resolve_is_told_of_with_a_remedy_that_serves() {
+    let bench =
+        Workbench::new().file("stiff.toml", STIFF).file("case.toml", &between_stops("1e-3 s"));
+    let outcome = bench.whirl(&["run", "case.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("verdict: NOT SOUND"), "{}", outcome.stdout);
+    let verdict = &summary(&bench, "results/case")["verdict"];
+    assert_eq!(verdict["sound"], false);
+    let found = &verdict["findings"][0];
+    let number = |key: &str| found[key].as_f64().expect("a number");
+    assert!(number("value") > number("limit"), "{found}");
+    assert!(found["what"].as_str().expect("a text").contains("energy"), "{found}");
+    let svg = fs::read_to_string(bench.path("results/case/displacement.svg")).expect("a figure");
+    assert!(svg.contains("NOT SOUND"));
+    // The step that the remedy names.
+    let remedy = found["remedy"].as_str().expect("a text");
+    let step = remedy.split('"').nth(1).expect("a step");
+    let bench = bench.file("case.toml", &between_stops(step));
+    let outcome = bench.whirl(&["run", "case.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("verdict: sound"), "{}", outcome.stdout);
+    assert_eq!(summary(&bench, "results/case")["verdict"]["sound"], true);
+    let svg = fs::read_to_string(bench.path("results/case/displacement.svg")).expect("a figure");
+    assert!(!svg.contains("NOT SOUND"));
+}
+
+#[test]
+fn shipped_masses_are_sound() {
+    for case in ["sdnd101", "sdnd108", "annular-rub"] {
+        let bench = Workbench::new();
+        let outcome = bench.whirl(&["run", case, "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let verdict = &summary(&bench, &format!("results/{case}"))["verdict"];
+        assert_eq!(verdict["sound"], true, "{case}: {verdict}");
+    }
+}
+
+#[test]
+fn a_drive_of_either_sign_ends_at_its_target() {
+    let speeds = ["", "-"].map(|sign| {
+        let case = format!(
+            "include = \"hu2003-2.toml\"\ntitle = \"the other way\"\n[drive]\ntorque = \"{sign}109 N*m\"\n\
+             target_speed = \"{sign}100 rpm\"\n[march]\nsteps = 60\n"
+        );
+        let bench = Workbench::new().file("case.toml", &case);
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let history = history(&bench, "results/case");
+        let last = history.lines().last().expect("a row");
+        last.split(',').nth(2).expect("a speed").parse::<f64>().expect("a number")
+    });
+    let target = 100.0 * std::f64::consts::TAU / 60.0;
+    // The couple stops up to a step late.
+    assert!(speeds[0] >= 0.9 * target && speeds[0] < 1.15 * target, "{speeds:?}");
+    assert!((speeds[0] + speeds[1]).abs() < 1e-3 * target, "{speeds:?}");
+}

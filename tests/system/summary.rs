@@ -85,3 +85,11 @@ fn halving_the_step_quarters_the_error_of_the_balance() {
     let ratio = coarse / fine;
     assert!((3.0..5.0).contains(&ratio), "{coarse:e} J, {fine:e} J: a ratio of {ratio}");
 }
+
+#[test]
+fn the_reference_analyses_are_sound() {
+    for case in ["hu2003-1", "hu2003-2", "hu2003-3", "hu2003-4", "hu2003-5"] {
+        let verdict = &shipped(case).summary["verdict"];
+        assert_eq!(verdict["sound"], true, "{case}: {verdict}");
+    }
+}

@@ -400,9 +400,10 @@ fn leads_to_its_target(table: &Reader) {
         Located::new(place.source(), place.span(), bare)
     };
     let (torque_text, target_text) = (written("torque"), written("target_speed"));
-    let opposite = |text: &str| match text.trim().strip_prefix('-') {
+    let bare = |located: &Located| located.text().trim_matches(['"', '\'']).trim().to_owned();
+    let opposite = |text: String| match text.strip_prefix('-') {
         Some(rest) => rest.trim_start().to_owned(),
-        None => format!("-{}", text.trim().trim_start_matches('+')),
+        None => format!("-{}", text.trim_start_matches('+')),
     };
     let (place, message, help) = if target == 0.0 {
         let message = "a shaft that starts at rest is at this `target_speed` at once".to_owned();
@@ -413,13 +414,13 @@ fn leads_to_its_target(table: &Reader) {
     } else {
         let message = format!(
             "a couple of {} leads away from a `target_speed` of {}",
-            torque_text.text(),
-            target_text.text()
+            bare(&torque_text),
+            bare(&target_text)
         );
         let help = format!(
             "write `target_speed = \"{}\"` to turn the shaft that way, or `torque = \"{}\"`",
-            opposite(target_text.text()),
-            opposite(torque_text.text())
+            opposite(bare(&target_text)),
+            opposite(bare(&torque_text))
         );
         (&target_text, message, help)
     };

@@ -43,9 +43,9 @@ fn pictures(stem: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
 }
 
 /// Draws the figures of a case as SVG and PNG, each written by `write`; why some are missing. `built`: the
-/// machine that was run. Nothing that happens to a figure keeps another one from being drawn, but for `stop`.
+/// machine that was run; what is not `sound` is marked. Nothing that happens to a figure keeps another one from being drawn, but for `stop`.
 pub(crate) fn draw(
-    case: &Case,
+    (case, sound): (&Case, bool),
     built: &Built,
     history: &HistoryFile,
     write: &dyn Fn(&str, &[u8]) -> Result<(), String>,
@@ -62,7 +62,8 @@ pub(crate) fn draw(
                 return Ok(Vec::new());
             };
             let place = number.map_or(String::new(), |k| format!(" (Fig. {k} of the paper)"));
-            let title = format!("{}: {}{place}", case.name, figure.title);
+            let mark = if sound { "" } else { " [NOT SOUND: see the verdict]" };
+            let title = format!("{}: {}{place}{mark}", case.name, figure.title);
             Ok(pictures(stem, &Figure { title, ..figure }))
         });
         match drawn {

@@ -2,11 +2,13 @@
 
 mod summary;
 mod table;
+mod verdict;
 
 use std::io;
 
 pub(crate) use summary::{Summary, Times};
 pub(crate) use table::{stops, supports, table};
+pub(crate) use verdict::VerdictFacts;
 
 use crate::history::HistoryFile;
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 use whirl_solver::dynamics::{EnergyBalance, Outcome};
 use whirl_specs::{CLEARANCES, ELEMENTS};
 
-use super::last_cycle;
+use super::{VerdictFacts, last_cycle};
 use crate::case::Case;
 use crate::history::HistoryFile;
 use crate::machine::{BodyFacts, Built, Counts};
@@ -23,6 +23,8 @@ pub(crate) struct Summary {
     counts: CountFacts,
     #[serde(skip_serializing_if = "Option::is_none")]
     fixed_interface_hz: Option<Frequencies>,
+    /// Whether the results can be believed.
+    pub(crate) verdict: VerdictFacts,
     march: MarchFacts,
     /// Over the last cycle.
     pub(crate) supports: Vec<SupportSummary>,
@@ -226,6 +228,7 @@ impl Summary {
             kernels: kernels(built),
             counts: counts(built),
             fixed_interface_hz: built.bodies.as_ref().map(frequencies),
+            verdict: VerdictFacts::new(&outcome.quality, case.march.time_step),
             march: MarchFacts {
                 converged,
                 complete: steps == case.march.steps,

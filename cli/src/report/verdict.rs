@@ -1,7 +1,7 @@
 //! What the program itself believes of a run, as summary.json and the terminal say it.
 
 use serde::Serialize;
-use whirl_solver::dynamics::{Finding, Quality, Verdict};
+use whirl_solver::dynamics::{Finding, Quality, findings};
 
 /// The verdict of a run in summary.json.
 #[derive(Debug, Clone, Serialize)]
@@ -33,7 +33,9 @@ struct Measures {
 }
 
 impl VerdictFacts {
-    pub(crate) fn new(verdict: &Verdict, quality: &Quality) -> Self {
+    /// Of steps of `time_step` s.
+    pub(crate) fn new(quality: &Quality, time_step: f64) -> Self {
+        let findings = findings(quality, time_step);
         let finding = |finding: &Finding| FindingFacts {
             what: finding.what.clone(),
             value: finding.value,
@@ -42,8 +44,8 @@ impl VerdictFacts {
             remedy: finding.remedy.clone(),
         };
         VerdictFacts {
-            sound: verdict.sound(),
-            findings: verdict.findings.iter().map(finding).collect(),
+            sound: findings.is_empty(),
+            findings: findings.iter().map(finding).collect(),
             measures: Measures {
                 energy_made_share: quality.energy_made_share(),
                 local_error: quality.local_error,

@@ -38,11 +38,11 @@ pub(crate) struct Contacts {
     pub(crate) laws: Vec<(ContactLaw, Range<usize>)>,
     pub(crate) planes: Vec<ContactPlane>,
     /// Motions of the bores from the support's coordinates (rows × coordinates).
-    bore: Matrix,
+    pub(crate) bore: Matrix,
     /// One column a row of `bore`.
     pub(crate) bore_transposed: Matrix,
     /// How far the journal moves in a plane by a unit of η_j, in the direction in which it does (planes × η).
-    arms: Matrix,
+    pub(crate) arms: Matrix,
 }
 
 impl Contacts {

@@ -80,6 +80,10 @@ pub struct Springs {
     pub(crate) bore_transposed: Matrix,
     /// Number of η.
     shaft_size: usize,
+    /// √Σ of the squares of how far a unit of each coordinate moves the springs: θ (at the farthest node that is
+    /// known), η, the support's. A force that is missing at every spring in its own way is missing as this many in
+    /// the coordinate's row.
+    pub(crate) reach: Vec<f64>,
     /// How far the journal moves in a plane by a unit of η_j, in the direction in which it does (planes × η).
     arms: Matrix,
     /// Where the laws may be believed.
@@ -156,6 +160,21 @@ impl Springs {
         let ranges: Vec<Range<usize>> = bound.iter().map(|(_, range)| range.clone()).collect();
         let normal = bound.iter().map(|(law, _): &(BoundLaw, _)| law.law.as_ref());
         let measures = Measures::new(bearings, normal, &planes, &ranges, &contacts);
+        let squares = |matrix: &Matrix, j: usize, springs: &dyn Fn(usize) -> usize| -> f64 {
+            let column = matrix.col(j).iter().enumerate();
+            column.map(|(row, share)| springs(row) as f64 * share * share).sum()
+        };
+        let on_shaft = (0..shaft_size).map(|j| {
+            let own = squares(&arms, j, &|plane| planes[plane].springs.len());
+            (own + squares(&contacts.arms, j, &|plane| contacts.planes[plane].count)).sqrt()
+        });
+        let on_support = (0..support.size())
+            .map(|j| (squares(&bore, j, &|_| 1) + squares(&contacts.bore, j, &|_| 1)).sqrt());
+        let all = rows.len() + contacts.planes.iter().map(|plane| plane.count).sum::<usize>();
+        let arm = |node: &crate::body::BodyNode| node.position[0].hypot(node.position[1]);
+        let arm = shaft.nodes.iter().map(arm).fold(0.0, f64::max);
+        let on_theta = std::iter::once(arm * (all as f64).sqrt());
+        let reach = on_theta.chain(on_shaft).chain(on_support).collect();
         Ok(Springs {
             kernels,
             contacts,
@@ -164,6 +183,7 @@ impl Springs {
             bore,
             bore_transposed,
             shaft_size,
+            reach,
             arms,
             measures,
         })

@@ -42,8 +42,8 @@ impl Spin {
         [moment, x, y]
     }
 
-    /// The derivatives of the force on u after u, A ((B + a1 P) Aᵀ + P Ȧᵀ), from B + a1 P and P after ε. Rows
-    /// and columns of θ, which is given, are zero.
+    /// The derivatives of moment and force on (θ, u) after u, A ((B + a1 P) Aᵀ + P Ȧᵀ), from B + a1 P and P after
+    /// ε. Those after θ, which is given, are zero.
     pub(super) fn tangent(&self, both: &[[f64; 3]; 3], rate: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
         let mut out = [[0.0; 3]; 3];
         for axis in 0..2 {
@@ -52,11 +52,12 @@ impl Spin {
             let moved = self.to_journal(unit);
             // −φ̇ Aᵀ(ẑ×u).
             let turned = self.to_journal([self.speed * unit[1], -self.speed * unit[0]]);
-            let force = [1, 2].map(|row| {
+            let [moment, along_x, along_y] = [0, 1, 2].map(|row| {
                 let elastic = both[row][1] * moved[0] + both[row][2] * moved[1];
                 elastic + rate[row][1] * turned[0] + rate[row][2] * turned[1]
             });
-            let [x, y] = self.to_frame(force);
+            let [x, y] = self.to_frame([along_x, along_y]);
+            out[0][1 + axis] = moment;
             out[1][1 + axis] = x;
             out[2][1 + axis] = y;
         }

@@ -34,7 +34,7 @@ impl Meters {
     ) -> Result<Self, Error> {
         Ok(Meters {
             energy: EnergyMeter::new(system, state),
-            quality: QualityMeter::new(system.machine, method, dt, state)?,
+            quality: QualityMeter::new(system, method, dt, state)?,
         })
     }
 

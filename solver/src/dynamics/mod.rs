@@ -21,4 +21,4 @@ pub use newton::NewtonOptions;
 pub use quality::Quality;
 pub use steady::SteadyState;
 pub use system::System;
-pub use verdict::{ENERGY_MADE, Finding, LOCAL_ERROR, ROW_ERROR, Verdict, findings};
+pub use verdict::{ENERGY_MADE, Finding, LOCAL_ERROR, ROW_ERROR, findings};

@@ -14,7 +14,7 @@ use crate::linalg::Lu;
 /// How the equations of a step are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewtonOptions {
-    /// Largest change of a spring force in the last iteration (N).
+    /// Largest change of a spring force in the last iteration, and largest force missing at a spring (N).
     pub force_tolerance: f64,
     /// Largest residual left in a row of the equations, as a share of the largest term of that row; see
     /// [`System::row_error`].
@@ -181,8 +181,7 @@ impl Newton {
             force_change = change;
             let at_rest = change <= self.options.force_tolerance + FORCE_ROUNDING * largest;
             if length == 1.0 && at_rest {
-                let row_error =
-                    system.row_error(end, &self.predicted, self.options.residual_tolerance);
+                let row_error = system.row_error(end, &self.predicted, &self.options);
                 if row_error <= 1.0 {
                     let ending = Ending::Converged;
                     let iterations = iteration;
@@ -218,8 +217,7 @@ impl Newton {
             // Where the rows are solved, what is left of φ is rounding.
             if enough
                 || !self.options.line_search
-                || system.row_error(&self.trial, &self.predicted, self.options.residual_tolerance)
-                    <= 1.0
+                || system.row_error(&self.trial, &self.predicted, &self.options) <= 1.0
             {
                 return Some((length, tried));
             }

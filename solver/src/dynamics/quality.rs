@@ -6,7 +6,6 @@ use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
 use crate::error::Error;
 use crate::linalg::{Cholesky, Matrix, generalised_symmetric_eigen};
-use crate::machine::Machine;
 
 /// What the steps of a march were worth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -58,17 +57,17 @@ pub(crate) struct QualityMeter {
 }
 
 impl QualityMeter {
-    /// For steps of `dt` s from `state`.
+    /// For steps of `dt` s from `state`, which was just evaluated.
     ///
     /// # Errors
     /// A mass matrix that is not positive definite.
     pub(crate) fn new(
-        machine: &Machine,
+        system: &mut System,
         method: Newmark,
         dt: f64,
         state: &State,
     ) -> Result<Self, Error> {
-        let modes = ResolvedModes::new(machine, dt)?;
+        let mut modes = ResolvedModes::new(system, dt, state)?;
         let sums = QualitySums {
             errors: Histogram::new(),
             largest_error: 0.0,
@@ -132,51 +131,64 @@ impl QualityMeter {
     }
 }
 
-/// The modes of shaft and support at rest with ωΔt < 1, as rows over the coordinates, in the norm of M.
+/// The modes of the machine at rest that the step resolves, springs as they are at the start, as rows over the
+/// unknowns in the norm of M. θ takes part: it and the flexible shaft accelerate against each other. Motions of
+/// more than 6000 steps a period are left out, so that a shaft that turns is not measured by its angle.
 struct ResolvedModes {
-    /// Coordinates × modes of the shaft.
-    shaft: Matrix,
-    /// Coordinates of the support, each of which is a mode.
-    support: Vec<usize>,
+    /// Place of the first unknown.
+    first: usize,
+    /// Unknowns × modes.
+    rows: Matrix,
     change: Vec<f64>,
 }
 
 impl ResolvedModes {
-    fn new(machine: &Machine, dt: f64) -> Result<Self, Error> {
-        let (shaft, support) = (&machine.shaft, &machine.support);
-        let resolved = |square: f64| square * dt * dt < 1.0;
-        let rows = if shaft.size() > 0 {
-            let eigen = generalised_symmetric_eigen(&shaft.stiffness, &shaft.mass)?;
-            let modes: Vec<usize> =
-                (0..shaft.size()).filter(|&i| resolved(eigen.values[i])).collect();
-            let all: Vec<usize> = (0..shaft.size()).collect();
-            let shapes = eigen.vectors.select(&all, &modes);
-            crate::linalg::multiply(shaft.mass.view(), shapes.view())
-        } else {
-            Matrix::zeros(0, 0)
-        };
-        let first = 1 + shaft.size();
-        let support = (0..support.size()).filter(|&i| resolved(support.stiffness[i]));
-        let support = support.map(|i| first + i).collect();
-        Ok(ResolvedModes { shaft: rows, support, change: vec![0.0; shaft.size()] })
+    /// At a state that was just evaluated.
+    fn new(system: &mut System, dt: f64, state: &State) -> Result<Self, Error> {
+        let machine = system.machine;
+        let (size, first) = (machine.size(), machine.first_unknown());
+        let on_shaft = 1 + machine.shaft.size();
+        let mut tangent = vec![0.0; size * size];
+        system.tangent(system.time, state, &Coefficients::at_rest(), &mut tangent);
+        let unknowns: Vec<usize> = (first..size).collect();
+        let whole = Matrix { rows: size, cols: size, data: tangent };
+        let stiffness = whole.select(&unknowns, &unknowns).symmetric_part();
+        let mut inertia = vec![0.0; on_shaft * on_shaft];
+        system.shaft_mass(state, &mut inertia);
+        let mass = Matrix::from_fn(size - first, size - first, |i, j| {
+            let (i, j) = (first + i, first + j);
+            if i < on_shaft && j < on_shaft {
+                inertia[j * on_shaft + i]
+            } else {
+                f64::from(u8::from(i == j))
+            }
+        });
+        let eigen = generalised_symmetric_eigen(&stiffness, &mass)?;
+        let resolved = |square: f64| (1e-6..1.0).contains(&(square * dt * dt));
+        let modes: Vec<usize> = (0..size - first).filter(|&i| resolved(eigen.values[i])).collect();
+        let all: Vec<usize> = (0..size - first).collect();
+        let rows = crate::linalg::multiply(mass.view(), eigen.vectors.select(&all, &modes).view());
+        Ok(ResolvedModes { first, rows, change: vec![0.0; size - first] })
     }
 
-    /// The norm of a vector of all coordinates, θ left out.
-    fn norm(&self, x: &[f64]) -> f64 {
-        norm(&self.shaft, &x[1..=self.shaft.rows], self.support.iter().map(|&i| x[i]))
+    /// The norm of a displacement. An angle alone is none: it is orthogonal to all modes.
+    fn norm(&mut self, x: &[f64]) -> f64 {
+        self.change.copy_from_slice(&x[self.first..]);
+        if self.first == 0 {
+            self.change[0] = 0.0;
+        }
+        norm(&self.rows, &self.change)
     }
 
     fn norm_of_change(&mut self, before: &[f64], after: &[f64]) -> f64 {
-        let places = 1..=self.shaft.rows;
-        let pairs = before[places.clone()].iter().zip(&after[places]);
+        let pairs = before[self.first..].iter().zip(&after[self.first..]);
         self.change.iter_mut().zip(pairs).for_each(|(out, (a, b))| *out = b - a);
-        norm(&self.shaft, &self.change, self.support.iter().map(|&i| after[i] - before[i]))
+        norm(&self.rows, &self.change)
     }
 }
 
-fn norm(modes: &Matrix, shaft: &[f64], support: impl Iterator<Item = f64>) -> f64 {
-    let shaft = (0..modes.cols).map(|k| crate::linalg::dot(modes.col(k), shaft));
-    shaft.chain(support).map(|x| x * x).sum::<f64>().sqrt()
+fn norm(rows: &Matrix, x: &[f64]) -> f64 {
+    (0..rows.cols).map(|k| crate::linalg::dot(rows.col(k), x).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The largest eigenvalue of M⁻¹K of the unknowns at a state, K = −∂r/∂q with all its springs, by the power

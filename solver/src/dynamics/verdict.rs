@@ -2,13 +2,6 @@
 
 use super::quality::Quality;
 
-/// Whether the results of a run can be believed, and what speaks against it.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Verdict {
-    /// What is beyond its limit; nothing where the run is sound.
-    pub findings: Vec<Finding>,
-}
-
 /// Something that was measured and is beyond its limit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
@@ -24,13 +17,6 @@ pub struct Finding {
     pub remedy: String,
 }
 
-impl Verdict {
-    /// Whether nothing was found.
-    pub fn sound(&self) -> bool {
-        self.findings.is_empty()
-    }
-}
-
 /// Energy made by steps, as a share of what flowed. A linear contact of frequency ω that is met in the middle
 /// of a step makes (ωΔt)²/6 of the energy that it takes: at 5 % it lasts six steps.
 pub const ENERGY_MADE: f64 = 0.05;
@@ -40,7 +26,7 @@ pub const LOCAL_ERROR: f64 = 3.5e-3;
 /// Residual of a row over what it may have.
 pub const ROW_ERROR: f64 = 1.0;
 
-/// What is beyond its limit in steps of `time_step` s.
+/// What is beyond its limit in steps of `time_step` s; nothing where the run is sound.
 pub fn findings(quality: &Quality, time_step: f64) -> Vec<Finding> {
     let mut findings = Vec::new();
     let made = quality.energy_made_share();

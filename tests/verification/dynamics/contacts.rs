@@ -60,7 +60,7 @@ const ALL_OF_RINGS: &[&str] = &["omega", "e_x", "e_y", "theta", "e_x_dot", "e_y_
 const RADIUS: f64 = 0.03;
 
 /// A film with friction in which everything that a spring has plays a part.
-static FILM: Formula = Formula {
+pub(super) static FILM: Formula = Formula {
     name: "film with friction",
     inputs: ALL_OF_SPRINGS,
     outputs: &["T", "Q"],
@@ -74,7 +74,7 @@ static FILM: Formula = Formula {
 };
 
 /// A ring on which all that it has plays a part.
-static RING: Formula = Formula {
+pub(super) static RING: Formula = Formula {
     name: "ring",
     inputs: ALL_OF_RINGS,
     outputs: &["F_x", "M_z", "F_y"],

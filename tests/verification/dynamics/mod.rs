@@ -11,6 +11,7 @@ mod newton;
 mod quality;
 mod resume;
 mod validity;
+mod spinning;
 
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::body::BodyNode;

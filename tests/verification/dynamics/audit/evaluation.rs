@@ -5,11 +5,11 @@ use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::State;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Course, Frame, Load};
-use whirl_solver::machine::Machine;
+use whirl_solver::machine::{Machine, Rotation};
 
 /// What a law takes at one place, in the fixed frame.
 #[derive(Default)]
-pub(super) struct Seen {
+pub(in super::super) struct Seen {
     pub(super) h: f64,
     pub(super) h_dot: f64,
     pub(super) slip: f64,
@@ -19,7 +19,7 @@ pub(super) struct Seen {
 }
 
 /// A law in closed form.
-pub(super) enum Direct {
+pub(in super::super) enum Direct {
     /// Normal and tangential force of one spring.
     Spring(fn(&Seen) -> [f64; 2]),
     /// F_x, F_y and M_z of a ring.
@@ -126,6 +126,11 @@ pub(super) fn rows(
     for (i, products) in loads.into_iter().enumerate() {
         rows.term(i, products);
     }
+    // What laws see as the speed of the journal.
+    let turns = match machine.rotation {
+        Rotation::Spinning { speed } => speed,
+        Rotation::Free | Rotation::Held => omega,
+    };
     let mut springs = vec![Vec::new(); size];
     for (bearing, law) in bearings {
         for &station in &bearing.stations {
@@ -180,8 +185,8 @@ pub(super) fn rows(
                         let [q, t] = law(&Seen {
                             h: bearing.clearance - dot(normal, e),
                             h_dot: -dot(normal, e_dot),
-                            slip: radius * omega + dot(tangent, e_dot),
-                            omega,
+                            slip: radius * turns + dot(tangent, e_dot),
+                            omega: turns,
                             ..Seen::default()
                         });
                         let force = [0, 1].map(|k| t * tangent[k] - q * normal[k]);
@@ -189,7 +194,7 @@ pub(super) fn rows(
                     }
                 }
                 Direct::Ring(law) => {
-                    let [x, y, moment] = law(&Seen { e, e_dot, omega, ..Seen::default() });
+                    let [x, y, moment] = law(&Seen { e, e_dot, omega: turns, ..Seen::default() });
                     push([x, y], moment);
                 }
             }

@@ -17,7 +17,8 @@ use whirl_solver::support::Support;
 use super::contacts::Formula;
 use super::{bearing, bores, discs, force, options, parts, stops, wild};
 use crate::small_shaft;
-use evaluation::{Direct, Seen, rows, worst_row};
+pub(super) use evaluation::Direct;
+use evaluation::{Seen, rows, worst_row};
 
 /// How steps are solved where nothing is said.
 pub(super) fn as_shipped(time_step: f64, steps: usize) -> MarchOptions {
@@ -25,7 +26,12 @@ pub(super) fn as_shipped(time_step: f64, steps: usize) -> MarchOptions {
 }
 
 /// Marches and audits every step; how many steps were halved.
-fn audit(name: &str, parts: MachineParts, laws: &[&Direct], options: &MarchOptions) -> usize {
+pub(super) fn audit(
+    name: &str,
+    parts: MachineParts,
+    laws: &[&Direct],
+    options: &MarchOptions,
+) -> usize {
     let bearings = parts.bearings.clone();
     let machine = Machine::new(parts).expect("a machine");
     let pairs: Vec<(&Bearing, &Direct)> =
@@ -47,9 +53,9 @@ fn audit(name: &str, parts: MachineParts, laws: &[&Direct], options: &MarchOptio
 }
 
 /// A linear stop of 1 N/m behind the gap, to be scaled; one that is Hertz-like; a film; dry friction; a ring.
-struct Pair {
-    law: &'static Formula,
-    direct: Direct,
+pub(super) struct Pair {
+    pub(super) law: &'static Formula,
+    pub(super) direct: Direct,
 }
 
 macro_rules! springs_of {
@@ -145,6 +151,11 @@ static PAIRS: [Pair; 6] = [
         }),
     },
 ];
+
+/// All laws with their closed forms.
+pub(super) fn pairs() -> &'static [Pair] {
+    &PAIRS
+}
 
 /// Point masses between stops, Δt√(k/m) from 0.01 to 100, thrown, pushed, and shaken.
 #[test]
