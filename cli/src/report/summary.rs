@@ -228,7 +228,7 @@ impl Summary {
             kernels: kernels(built),
             counts: counts(built),
             fixed_interface_hz: built.bodies.as_ref().map(frequencies),
-            verdict: VerdictFacts::new(&outcome.quality, case.march.time_step),
+            verdict: VerdictFacts::new(&built.machine, outcome, case.march.time_step),
             march: MarchFacts {
                 converged,
                 complete: steps == case.march.steps,

@@ -1,7 +1,9 @@
 //! What the program itself believes of a run, as summary.json and the terminal say it.
 
 use serde::Serialize;
-use whirl_solver::dynamics::{Finding, Quality, findings};
+use whirl_solver::bearing::{Measure, Worst};
+use whirl_solver::dynamics::{Finding, Outcome, findings};
+use whirl_solver::machine::Machine;
 
 /// The verdict of a run in summary.json.
 #[derive(Debug, Clone, Serialize)]
@@ -33,19 +35,19 @@ struct Measures {
 }
 
 impl VerdictFacts {
-    /// Of steps of `time_step` s.
-    pub(crate) fn new(quality: &Quality, time_step: f64) -> Self {
-        let findings = findings(quality, time_step);
-        let finding = |finding: &Finding| FindingFacts {
-            what: finding.what.clone(),
-            value: finding.value,
-            limit: finding.limit,
-            unit: finding.unit.clone(),
-            remedy: finding.remedy.clone(),
-        };
+    /// Of a march of steps of `time_step` s.
+    pub(crate) fn new(machine: &Machine, outcome: &Outcome, time_step: f64) -> Self {
+        let quality = &outcome.quality;
+        let of_steps = findings(quality, time_step).into_iter().map(FindingFacts::from);
+        let measures = machine.springs.measures().iter().zip(&outcome.worst);
+        let of_laws = measures.filter_map(|(measure, worst)| {
+            let Worst { value, time } = (*worst)?;
+            (measure.excess(value) > 0.0).then(|| FindingFacts::beyond(measure, value, time))
+        });
+        let findings: Vec<FindingFacts> = of_steps.chain(of_laws).collect();
         VerdictFacts {
             sound: findings.is_empty(),
-            findings: findings.iter().map(finding).collect(),
+            findings,
             measures: Measures {
                 energy_made_share: quality.energy_made_share(),
                 local_error: quality.local_error,
@@ -70,7 +72,32 @@ impl VerdictFacts {
     }
 }
 
+impl From<Finding> for FindingFacts {
+    fn from(finding: Finding) -> Self {
+        let Finding { what, value, limit, unit, remedy } = finding;
+        FindingFacts { what, value, limit, unit, remedy }
+    }
+}
+
 impl FindingFacts {
+    /// A law that was used where it may not be believed; `value` in SI.
+    fn beyond(measure: &Measure, value: f64, time: f64) -> Self {
+        let validity = &measure.validity;
+        let [least, most] = validity.limits;
+        let limit = if value < least { least } else { most };
+        let place = measure.bearing + 1;
+        FindingFacts {
+            what: format!(
+                "{} at support {place} (law `{}`, worst at t = {time:.6} s)",
+                validity.title, measure.law
+            ),
+            value: value / validity.per_unit,
+            limit: limit / validity.per_unit,
+            unit: validity.unit.clone(),
+            remedy: validity.help.clone(),
+        }
+    }
+
     /// A value with its unit; shares in per cent.
     fn amount(&self, value: f64) -> String {
         match self.unit.as_str() {

@@ -10,8 +10,8 @@ mod lumped;
 mod newton;
 mod quality;
 mod resume;
-mod validity;
 mod spinning;
+mod validity;
 
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::body::BodyNode;
