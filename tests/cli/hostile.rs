@@ -1,5 +1,5 @@
 //! Mutants of cases and meshes: whatever they say, their examination ends soon, in order or with diagnostics.
-//! `cargo run --release -p whirl-cli --example hostile` does the same with any number of inputs.
+//! `cargo run --release -p whirl-cli --example hostile_cases` does the same with any number of inputs.
 
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -193,9 +193,10 @@ impl Check<'_> {
                     assert!(MACROS.contains(&name.as_str()), "{name}!");
                 }
                 syn::Item::Const(_) | syn::Item::Static(_) => {}
-                // The type that a law's kernel belongs to, and the kernel.
+                // The types that a law's kernel and that of its measures belong to, and the kernels.
                 syn::Item::Enum(kernel) => {
-                    assert!(kernel.ident == "Kernel" && kernel.variants.is_empty());
+                    assert!(kernel.ident == "Kernel" || kernel.ident == "Measures");
+                    assert!(kernel.variants.is_empty());
                 }
                 syn::Item::Impl(kernel) => {
                     let (path, _) = kernel.trait_.as_ref().expect("a trait of the crate");

@@ -47,12 +47,13 @@ pub(crate) struct QualitySums {
     /// Most energy made by a step, and the ends of that step.
     most_made: f64,
     worst: [(f64, State); 2],
+    /// Of the machine at the start.
+    modes: ResolvedModes,
 }
 
 /// Measures steps.
 pub(crate) struct QualityMeter {
     pub(crate) sums: QualitySums,
-    modes: ResolvedModes,
     beta: f64,
 }
 
@@ -75,8 +76,9 @@ impl QualityMeter {
             row_error: 0.0,
             most_made: 0.0,
             worst: [(0.0, state.clone()), (0.0, state.clone())],
+            modes,
         };
-        Ok(QualityMeter { sums, modes, beta: method.beta })
+        Ok(QualityMeter { sums, beta: method.beta })
     }
 
     /// Adds a step of `dt` s from `start` at time `t` (s) to `end`.
@@ -91,10 +93,11 @@ impl QualityMeter {
         let sums = &mut self.sums;
         // Zienkiewicz and Xie (1991): (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
         let factor = (self.beta - 1.0 / 6.0).abs() * dt * dt;
-        let error = factor * self.modes.norm_of_change(&start.a, &end.a);
+        let error = factor * sums.modes.norm_of_change(&start.a, &end.a);
         sums.errors.add(error);
         sums.largest_error = sums.largest_error.max(error);
-        sums.amplitude = sums.amplitude.max(self.modes.norm(&end.q));
+        let amplitude = sums.modes.norm(&end.q);
+        sums.amplitude = sums.amplitude.max(amplitude);
         sums.row_error = sums.row_error.max(row_error);
         if made > sums.most_made {
             sums.most_made = made;
@@ -134,6 +137,7 @@ impl QualityMeter {
 /// The modes of the machine at rest that the step resolves, springs as they are at the start, as rows over the
 /// unknowns in the norm of M. θ takes part: it and the flexible shaft accelerate against each other. Motions of
 /// more than 6000 steps a period are left out, so that a shaft that turns is not measured by its angle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct ResolvedModes {
     /// Place of the first unknown.
     first: usize,

@@ -7,13 +7,16 @@ use super::system::System;
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
 /// forces cancel, what is left of them is rounding of the state.
 pub(super) const PROJECTED: f64 = 1e-3;
+/// Share of the tolerance of forces that may be missing at each spring: forces at rest to it are nearer to their
+/// limit, as far as the iteration contracts.
+const MISSING: f64 = 0.1;
 /// Multiples of eps · Σ |terms| that rounding may leave in a row.
 const ROUNDING: f64 = 16.0;
 
 impl System<'_> {
     /// The largest |r_i| of the unknowns' rows at the state that was last evaluated, over what a row may have:
-    /// `residual_tolerance` · (largest term + 1e-3 · largest force projected on it) + `force_tolerance`
-    /// missing at each spring + 16 ε Σ |terms|. At most 1: solved.
+    /// `residual_tolerance` · (largest term + 1e-3 · largest force projected on it) + a tenth of
+    /// `force_tolerance` missing at each spring + 16 ε Σ |terms|. At most 1: solved.
     ///
     /// Terms are Q_v − M q̈, C q̇, K q, loads and springs; where they cancel, their products are summed, with
     /// those of the accelerations in `predicted`, from which the state was corrected.
@@ -27,17 +30,24 @@ impl System<'_> {
         let reach = &self.machine.springs.reach;
         let first = self.machine.first_unknown();
         let mut worst = 0.0;
+        let mut mass_is_known = false;
         for i in first..self.residual.len() {
             let r = self.residual[i].abs();
             let terms = [&self.inertia, &self.damper, &self.elastic, &self.load, &self.spring];
             let terms = terms.map(|term| term[i].abs());
             let largest = terms.into_iter().fold(0.0, f64::max);
             let sum: f64 = terms.into_iter().sum();
-            let missing = options.force_tolerance * reach[i];
+            let missing = MISSING * options.force_tolerance * reach[i];
             let bound = tolerance * largest + missing + ROUNDING * f64::EPSILON * sum;
             if r <= bound {
                 worst = f64::max(worst, if r > 0.0 { r / bound } else { 0.0 });
                 continue;
+            }
+            if !mass_is_known && i <= self.machine.shaft.size() {
+                let mut mass = std::mem::take(&mut self.shaft_block);
+                self.shaft_mass(state, &mut mass);
+                self.shaft_block = mass;
+                mass_is_known = true;
             }
             let (projected, products) = self.projected(state, predicted, i);
             let bound = tolerance * (largest + PROJECTED * projected)
@@ -51,6 +61,7 @@ impl System<'_> {
     }
 
     /// Of row `i` the largest single force projected on it, and the sum of all products that stand in it.
+    /// The shaft's mass matrix must be in `shaft_block`.
     fn projected(&self, state: &State, predicted: &State, i: usize) -> (f64, f64) {
         let machine = self.machine;
         let (shaft, first) = (&machine.shaft, 1 + machine.shaft.size());
@@ -64,16 +75,9 @@ impl System<'_> {
             largest = f64::max(largest, force);
             sum += force;
         }
-        // Inertia as it is at η = 0.
-        let accelerations = |i: usize| state.a[i].abs() + predicted.a[i].abs();
-        let couplings = match i.checked_sub(1) {
-            None => &shaft.g0[..],
-            Some(row) => shaft.mass.col(row),
-        };
-        let own = i.checked_sub(1).map_or(shaft.j0, |row| shaft.g0[row]);
-        sum += own.abs() * accelerations(0);
-        let others = couplings.iter().enumerate();
-        sum += others.map(|(j, share)| share.abs() * accelerations(1 + j)).sum::<f64>();
+        let mass = self.shaft_block.chunks_exact(first);
+        let accelerations = state.a.iter().zip(&predicted.a).map(|(a, b)| a.abs() + b.abs());
+        sum += mass.zip(accelerations).map(|(column, a)| column[i].abs() * a).sum::<f64>();
         if let Some(row) = i.checked_sub(1) {
             for j in 0..shaft.size() {
                 sum += (shaft.stiffness[(row, j)] * state.q[1 + j]).abs()

@@ -196,7 +196,7 @@ fn factors_that_contract_badly_are_made_anew() {
 #[test]
 fn a_shortened_iteration_does_not_end_a_step() {
     let wide = NewtonOptions {
-        force_tolerance: 1e4,
+        force_tolerance: 2e3,
         residual_tolerance: 1.0,
         max_halvings: 0,
         ..NewtonOptions::default()

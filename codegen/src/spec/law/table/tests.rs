@@ -188,7 +188,7 @@ fn errors_point_into_the_file_of_columns() {
         ),
         (
             "",
-            "a [mm]; b [N]\n0,0; 230,5\n1; 460\n",
+            "a [mm]; b [N]\n0,0; 230\n1; 460\n",
             "f.csv:2:1: expected a number, found `0,0` (write numbers with a point, such as `0.035` or `3.5e-2`)",
         ),
         (
