@@ -262,7 +262,7 @@ fn at(node: &Node, point: usize, points: &Points, of: &dyn Fn(Id) -> Value) -> V
             let close = (a.value - b.value).abs() <= BOUNDS * (a.error + b.error);
             let exact = a.error == 0.0 && b.error == 0.0;
             let known = a.value.is_finite() && b.value.is_finite() && (exact || !close);
-            Value::Truth(known.then(|| match relation {
+            Value::Truth(known.then_some(match relation {
                 Relation::Less => a.value < b.value,
                 Relation::LessOrEqual => a.value <= b.value,
             }))

@@ -31,9 +31,10 @@ pub(super) fn modules(spec: &ClearanceSpec) -> Result<TokenStream, Diagnostics> 
     }
     // Apart from what the clearance's own kernels import.
     let any = !modules.is_empty();
-    Ok(any
-        .then(|| quote!(#[doc = " Kinds of laws."] pub mod contacts { #modules }))
-        .unwrap_or_default())
+    if !any {
+        return Ok(TokenStream::new());
+    }
+    Ok(quote!(#[doc = " Kinds of laws."] pub mod contacts { #modules }))
 }
 
 /// The entries of the registry.
