@@ -30,6 +30,14 @@ impl Show {
         }
     }
 
+    /// On a terminal only, for what is short.
+    pub(crate) fn on_terminal() -> Show {
+        match Show::fitting(false) {
+            Show::Bar => Show::Bar,
+            _ => Show::Nothing,
+        }
+    }
+
     /// A note on its own line.
     pub(crate) fn note(self, words: &str) {
         if self != Show::Nothing {
