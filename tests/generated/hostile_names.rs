@@ -219,7 +219,8 @@ fn specs_of_hostile_names_compile() {
     // The names of rates and forces that laws take and give stay what they are.
     let kept = ["v_t", "omega", "F_x", "F_y"];
     let mut free: Vec<String> = (words.iter())
-        .filter(|word| !word.ends_with("_dot") && !(word.starts_with('d') && word.contains("_d")))
+        .filter(|word| !word.ends_with("_dot"))
+        .filter(|word| !(word.starts_with('d') && word.contains("_d")))
         .filter(|word| !kept.contains(&word.as_str()))
         .map(name)
         .collect();

@@ -48,7 +48,7 @@ impl Span {
                 .first_row(at, &["t_s", "theta_rad"], &mut |row| found = Some([row[0], row[1]]))?;
             Ok(found.unwrap_or_default())
         };
-        let ([first, start], [_, last]) = (angle(from)?, angle(history.from_time(end)?)?);
+        let ([first, start], [_, last]) = (angle(from)?, angle(history.place_of_time(end)?)?);
         let buckets = Bucket::between(first, end);
         Ok(Rows { history, span: self, from, buckets, start, turned: last - start })
     }

@@ -56,7 +56,7 @@ impl HistoryFile {
     }
 
     /// Where the first row at `time` (s) or later begins; the end if there is none.
-    pub(crate) fn from_time(&self, time: f64) -> io::Result<u64> {
+    pub(crate) fn place_of_time(&self, time: f64) -> io::Result<u64> {
         let mut file = File::open(&self.path)?;
         // Rows before `low` are earlier; the row at `high` is not.
         let (mut low, mut high) = (self.first, self.end);
@@ -208,7 +208,7 @@ mod tests {
             let history = history.unwrap();
             for (time, first) in [(-1.0, 1), (1.0, 1), (1.5, 2), (25.0, 25), (50.0, 50), (50.5, 51)]
             {
-                let found = rows(&history, history.from_time(time).unwrap(), &["t_s"]);
+                let found = rows(&history, history.place_of_time(time).unwrap(), &["t_s"]);
                 assert_eq!(found.len(), 51 - first, "{time}");
                 assert!(found.first().is_none_or(|row| row[0] == first as f64), "{time}");
             }
@@ -226,6 +226,6 @@ mod tests {
         let (_folder, history) = file("t_s,x\n");
         let history = history.unwrap();
         assert_eq!(history.last_time().unwrap(), None);
-        assert_eq!(history.from_time(0.0).unwrap(), history.length());
+        assert_eq!(history.place_of_time(0.0).unwrap(), history.length());
     }
 }

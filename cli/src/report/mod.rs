@@ -16,5 +16,5 @@ use crate::history::HistoryFile;
 pub(crate) fn last_cycle(history: &HistoryFile, cycle: f64) -> io::Result<u64> {
     let end = history.last_time()?.unwrap_or(0.0);
     // A row that lies a rounding error, of the sum or of its ten digits, before the cycle belongs to it.
-    history.from_time(end - cycle - 1e-9 * (cycle + end))
+    history.place_of_time(end - cycle - 1e-9 * (cycle + end))
 }

@@ -117,9 +117,8 @@ fn add_rigid(ring: &[&BodyNode], weight: f64, motion: BoreMotion, row: &mut [f64
 /// Their plain mean is not b: nodes that stand unevenly around have their centroid off the axis, and it moves
 /// when the ring turns.
 fn rigid_fit(ring: &[&BodyNode], size: usize) -> [Vec<f64>; 3] {
-    let mut rows = [0, 1, 2].map(|_| vec![0.0; size]);
     if ring.is_empty() {
-        return rows;
+        return [0, 1, 2].map(|_| vec![0.0; size]);
     }
     let count = ring.len() as f64;
     let centre = [0, 1].map(|axis| ring.iter().map(|n| n.position[axis]).sum::<f64>() / count);
@@ -127,7 +126,7 @@ fn rigid_fit(ring: &[&BodyNode], size: usize) -> [Vec<f64>; 3] {
     let square: f64 = ring.iter().map(|node| arm(node).iter().map(|x| x * x).sum::<f64>()).sum();
     // Nodes at one place do not turn.
     let turns = if square > 0.0 { 1.0 / square } else { 0.0 };
-    for j in 0..size {
+    let motion = |j: usize| {
         let mut mean = [0.0; 2];
         let mut turn = 0.0;
         for node in ring {
@@ -136,11 +135,10 @@ fn rigid_fit(ring: &[&BodyNode], size: usize) -> [Vec<f64>; 3] {
             mean[1] += delta[1] / count;
             turn += turns * (x * delta[1] - y * delta[0]);
         }
-        rows[0][j] = mean[0] + turn * centre[1];
-        rows[1][j] = mean[1] - turn * centre[0];
-        rows[2][j] = turn;
-    }
-    rows
+        [mean[0] + turn * centre[1], mean[1] - turn * centre[0], turn]
+    };
+    let motions: Vec<[f64; 3]> = (0..size).map(motion).collect();
+    [0, 1, 2].map(|row| motions.iter().map(|motion| motion[row]).collect())
 }
 
 /// Displacement of the axis of a ring of nodes along x and y, as laws of rings see it: rows over the
