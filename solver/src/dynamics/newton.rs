@@ -4,7 +4,7 @@
 //! [AK] are kept over iterations and steps while they contract. A step is taken only if it lessens the merit
 //! φ = ½ Σ r_i²/s_i, where s is the diagonal of the constant part a2 M + a1 C + K: along the direction of a
 //! fresh [AK] φ falls for a short enough step wherever r is differentiable, so that the iteration cannot cycle.
-//! φ only steers. A step counts as solved when every row of r is ([`System::row_error`]) and the forces of the
+//! φ only steers. A step counts as solved when every row of r is (`System::row_error`) and the forces of the
 //! springs have come to rest.
 
 use super::newmark::{Coefficients, State};
@@ -17,7 +17,7 @@ pub struct NewtonOptions {
     /// Largest change of a spring force in the last iteration, and largest force missing at a spring (N).
     pub force_tolerance: f64,
     /// Largest residual left in a row of the equations, as a share of the largest term of that row; see
-    /// [`System::row_error`].
+    /// `System::row_error`.
     pub residual_tolerance: f64,
     /// Iterations after which a step counts as failed.
     pub max_iterations: usize,
@@ -72,7 +72,7 @@ pub(crate) struct Report {
     pub(crate) residual: f64,
     /// Largest change of a spring force in the last iteration (N).
     pub(crate) force_change: f64,
-    /// [`System::row_error`] of the state that was accepted.
+    /// `System::row_error` of the state that was accepted.
     pub(crate) row_error: f64,
 }
 
