@@ -35,7 +35,7 @@ impl Default for NewtonOptions {
     fn default() -> Self {
         NewtonOptions {
             force_tolerance: 1e-3,
-            residual_tolerance: 5e-7,
+            residual_tolerance: SOLVED,
             max_iterations: 40,
             keep_factors: true,
             line_search: true,
@@ -44,6 +44,8 @@ impl Default for NewtonOptions {
     }
 }
 
+/// Residual of a row, as a share of its largest term, at which it counts as solved.
+const SOLVED: f64 = 5e-7;
 /// Worst contraction for which factors are kept.
 const CONTRACTION: f64 = 0.2;
 /// Share of the decrease promised by the slope of φ that a step must bring.
@@ -214,11 +216,7 @@ impl Newton {
             system.evaluate(t, &self.trial);
             let tried = self.norm(system);
             let enough = tried <= norm * (1.0 - SUFFICIENT * length);
-            // Where the rows are solved, what is left of φ is rounding.
-            if enough
-                || !self.options.line_search
-                || system.row_error(&self.trial, &self.predicted, &self.options) <= 1.0
-            {
+            if enough || !self.options.line_search || self.rounding_is_left(system) {
                 return Some((length, tried));
             }
             if !fresh {
@@ -227,6 +225,14 @@ impl Newton {
             length *= 0.5;
         }
         None
+    }
+
+    /// Whether the rows of the trial are solved, however wide the tolerances are: what is left of φ is rounding,
+    /// and need not fall.
+    fn rounding_is_left(&self, system: &mut System) -> bool {
+        let residual_tolerance = self.options.residual_tolerance.min(SOLVED);
+        let narrow = NewtonOptions { force_tolerance: 0.0, residual_tolerance, ..self.options };
+        system.row_error(&self.trial, &self.predicted, &narrow) <= 1.0
     }
 
     /// Largest change of a spring force since the start of the iteration, and the largest force (N).
