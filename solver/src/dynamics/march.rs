@@ -2,20 +2,19 @@
 
 use std::ops::ControlFlow;
 
-use serde::{Deserialize, Serialize};
-
+use super::checkpoint::{CHECKPOINT_STEPS, Checkpoint, Tally};
 use super::energy::EnergyBalance;
-use super::meters::{MeterSums, Meters};
+use super::meters::Meters;
 use super::newmark::{Coefficients, Newmark, State};
 use super::newton::{Ending, Newton, NewtonOptions, Report};
 use super::quality::Quality;
+use super::row::write_row;
 use super::steady::{SteadyState, SteadyTest};
 use super::system::System;
 use crate::bearing::Worst;
 use crate::error::Error;
 use crate::history::History;
-use crate::linalg::{Lu, dot};
-use crate::loads::Position;
+use crate::linalg::Lu;
 use crate::machine::{Machine, Rotation};
 
 /// How far and how a machine is marched.
@@ -83,10 +82,6 @@ pub struct Failure {
     pub outcome: Outcome,
 }
 
-/// Steps from one checkpoint to the next. Factors are made anew there in every march, so that one resumed from
-/// a checkpoint goes on with the same bits. A factorisation costs a few steps, of which this many make little.
-pub const CHECKPOINT_STEPS: usize = 1000;
-
 /// Marches a machine from rest (or the initial state of the options) at t = 0 and keeps the history in memory.
 /// `observe` is called after every step and may stop the march.
 ///
@@ -111,51 +106,6 @@ pub fn march(
         }
     }
     Ok(Outcome { history, ..march.outcome() })
-}
-
-/// What a march has counted and summed up; all of it is in its checkpoints.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct Tally {
-    /// Steps done.
-    step: usize,
-    iterations: usize,
-    halved_steps: usize,
-    steady: Option<SteadyTest>,
-}
-
-/// Everything that a march needs to go on after a step, but its machine and its options.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Checkpoint {
-    state: State,
-    /// Time at which the system was last evaluated (s): that of the state, rounded as its step had it.
-    time: f64,
-    /// Which driving loads have stopped.
-    released: Vec<bool>,
-    factorisations: usize,
-    meters: MeterSums,
-    /// Of the measures by which the laws may be believed.
-    worst: Vec<Option<Worst>>,
-    tally: Tally,
-}
-
-impl Checkpoint {
-    /// Steps done.
-    pub fn step(&self) -> usize {
-        self.tally.step
-    }
-
-    /// All of it, every number with its bits.
-    ///
-    /// # Panics
-    /// Never: plain data can be serialised.
-    pub fn to_bytes(&self) -> Vec<u8> {
-        postcard::to_allocvec(self).expect("plain data can be serialised")
-    }
-
-    /// What [`Checkpoint::to_bytes`] gave; none if the bytes are no such thing.
-    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        postcard::from_bytes(bytes).ok()
-    }
 }
 
 /// A march that can be advanced step by step; it keeps no rows.
@@ -291,7 +241,7 @@ impl<'m> March<'m> {
         if let Some(test) = &mut self.tally.steady {
             test.add(time, &self.system.springs.forces);
         }
-        self.record();
+        write_row(&self.system, &self.state, time, self.last_iterations, &mut self.row);
         self.system.springs.observe(&self.machine.springs, time);
         Ok(())
     }
@@ -344,46 +294,6 @@ impl<'m> March<'m> {
             force_change: report.force_change,
             worst_dof: self.machine.coordinate(worst),
         }
-    }
-
-    /// Writes the row of the step just done.
-    fn record(&mut self) {
-        let time = self.time();
-        let (state, machine) = (&self.state, self.machine);
-        let first = 1 + machine.shaft.size();
-        let (eta, support) = (&state.q[1..first], &state.q[first..]);
-        let position = Position::new(state.q[0]);
-        let bearings = machine.monitors.len();
-        let mut torque_column = 3 + 6 * bearings;
-        let [theta, speed] = machine.spin(time).unwrap_or([state.q[0], state.v[0]]);
-        self.row[..3].copy_from_slice(&[time, theta, speed]);
-        for (k, monitor) in machine.monitors.iter().enumerate() {
-            let springs = &self.system.springs;
-            let planes = monitor.planes.iter().map(|&plane| springs.plane_force[plane]);
-            let contacts =
-                monitor.contacts.iter().map(|&plane| springs.contacts.plane_force(plane));
-            let mut force = [0.0; 2];
-            for [_, x, y] in planes.chain(contacts) {
-                force[0] += x;
-                force[1] += y;
-            }
-            let reaction = position.to_space(force);
-            let journal =
-                position.to_space([dot(&monitor.journal[0], eta), dot(&monitor.journal[1], eta)]);
-            for axis in 0..2 {
-                let place = 3 + 2 * k + axis;
-                let bore = dot(&monitor.bore[axis], support);
-                self.row[place] = reaction[axis];
-                self.row[place + 2 * bearings] = 1e6 * journal[axis];
-                self.row[place + 4 * bearings] = 1e6 * (journal[axis] - bore);
-            }
-            if monitor.torque {
-                let torques = monitor.contacts.iter().map(|&p| springs.contacts.plane_torque(p));
-                self.row[torque_column] = torques.sum();
-                torque_column += 1;
-            }
-        }
-        *self.row.last_mut().expect("columns") = self.last_iterations as f64;
     }
 
     /// The row of the last step, one value a column of [`History::for_machine`].

@@ -1,5 +1,6 @@
 //! Marching a machine in time.
 
+mod checkpoint;
 mod contacts;
 mod energy;
 mod march;
@@ -7,15 +8,15 @@ mod meters;
 mod newmark;
 mod newton;
 mod quality;
+mod row;
 mod rows;
 mod steady;
 mod system;
 mod verdict;
 
+pub use checkpoint::{CHECKPOINT_STEPS, Checkpoint};
 pub use energy::EnergyBalance;
-pub use march::{
-    CHECKPOINT_STEPS, Checkpoint, Failure, March, MarchOptions, Outcome, Progress, march,
-};
+pub use march::{Failure, March, MarchOptions, Outcome, Progress, march};
 pub use newmark::{Coefficients, Newmark, State};
 pub use newton::NewtonOptions;
 pub use quality::Quality;

@@ -16,7 +16,8 @@ const ROUNDING: f64 = 16.0;
 impl System<'_> {
     /// The largest |r_i| of the unknowns' rows at the state that was last evaluated, over what a row may have:
     /// `residual_tolerance` · (largest term + 1e-3 · largest force projected on it) + a tenth of
-    /// `force_tolerance` missing at each spring + 16 ε Σ |terms|. At most 1: solved.
+    /// `force_tolerance` missing at each spring + 16 ε Σ |terms|. At most 1: solved; otherwise that of the first
+    /// row that is not.
     ///
     /// Terms are Q_v − M q̈, C q̇, K q, loads and springs; where they cancel, their products are summed, with
     /// those of the accelerations in `predicted`, from which the state was corrected.
@@ -54,8 +55,11 @@ impl System<'_> {
                 + missing
                 + ROUNDING * f64::EPSILON * (sum + products);
             // A ratio that is no number is the worst.
-            let error = r / bound;
-            worst = if error.is_nan() { f64::INFINITY } else { f64::max(worst, error) };
+            let error = if (r / bound).is_nan() { f64::INFINITY } else { r / bound };
+            if error > 1.0 {
+                return error;
+            }
+            worst = f64::max(worst, error);
         }
         worst
     }

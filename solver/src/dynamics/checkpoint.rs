@@ -1,0 +1,57 @@
+//! What a march needs to go on after it was interrupted.
+
+use serde::{Deserialize, Serialize};
+
+use super::meters::MeterSums;
+use super::newmark::State;
+use super::steady::SteadyTest;
+use crate::bearing::Worst;
+
+/// Steps from one checkpoint to the next. Factors are made anew there in every march, so that one resumed from
+/// a checkpoint goes on with the same bits. A factorisation costs a few steps, of which this many make little.
+pub const CHECKPOINT_STEPS: usize = 1000;
+
+/// What a march has counted and summed up; all of it is in its checkpoints.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Tally {
+    /// Steps done.
+    pub(super) step: usize,
+    pub(super) iterations: usize,
+    pub(super) halved_steps: usize,
+    pub(super) steady: Option<SteadyTest>,
+}
+
+/// Everything that a march needs to go on after a step, but its machine and its options.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Checkpoint {
+    pub(super) state: State,
+    /// Time at which the system was last evaluated (s): that of the state, rounded as its step had it.
+    pub(super) time: f64,
+    /// Which driving loads have stopped.
+    pub(super) released: Vec<bool>,
+    pub(super) factorisations: usize,
+    pub(super) meters: MeterSums,
+    /// Of the measures by which the laws may be believed.
+    pub(super) worst: Vec<Option<Worst>>,
+    pub(super) tally: Tally,
+}
+
+impl Checkpoint {
+    /// Steps done.
+    pub fn step(&self) -> usize {
+        self.tally.step
+    }
+
+    /// All of it, every number with its bits.
+    ///
+    /// # Panics
+    /// Never: plain data can be serialised.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        postcard::to_allocvec(self).expect("plain data can be serialised")
+    }
+
+    /// What [`Checkpoint::to_bytes`] gave; none if the bytes are no such thing.
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        postcard::from_bytes(bytes).ok()
+    }
+}
