@@ -15,7 +15,7 @@ use crate::results::{CHECKPOINT, Results};
 use crate::{history, version};
 
 /// Layout of the file.
-const LAYOUT: &str = "whirl checkpoint 1";
+const LAYOUT: &str = "whirl checkpoint 2";
 
 /// Everything on which the bits of a history depend: what it is, and a hash of it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -84,17 +84,32 @@ pub(crate) fn write(
     write_whole(path, &pack(&Key::of(&LAYOUT), &point)?)
 }
 
-/// The point from which the run in `results` goes on; none if it left none, or one that is damaged.
+/// The point from which the run in `results` goes on; none where there is no run.
 ///
 /// # Errors
-/// It is one of another case or program, or the history is not the one that belongs to it.
+/// It is one of another case or program, it is damaged, or the history is not the one that belongs to it; a history
+/// without such a point.
 pub(crate) fn read(results: &Results, identity: &Identity) -> Result<Option<Point>, Failure> {
-    let Ok(bytes) = std::fs::read(results.path(CHECKPOINT)) else { return Ok(None) };
-    let Some(point) = unpack::<Point>(&Key::of(&LAYOUT), &bytes) else { return Ok(None) };
-    let refused = |differs| {
-        let folder = results.folder().to_path_buf();
-        Err(Failure::OtherRun { folder, differs })
+    let folder = || results.folder().to_path_buf();
+    let nothing = |reason: String| Failure::NothingToResume { folder: folder(), reason };
+    let bytes = match std::fs::read(results.path(CHECKPOINT)) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            if !results.path(history::NAME).exists() {
+                return Ok(None);
+            }
+            let reason = format!(
+                "`{}` has no `{CHECKPOINT}` beside it, as the run came to its end",
+                history::NAME
+            );
+            return Err(nothing(reason));
+        }
+        Err(error) => return Err(nothing(format!("cannot read `{CHECKPOINT}`: {error}"))),
     };
+    let damaged =
+        || nothing(format!("`{CHECKPOINT}` is damaged, or of another version of the program"));
+    let point = unpack::<Point>(&Key::of(&LAYOUT), &bytes).ok_or_else(damaged)?;
+    let refused = |differs| Err(Failure::OtherRun { folder: folder(), differs });
     let differences = point.identity.differences(identity);
     if !differences.is_empty() {
         return refused(differences);

@@ -20,6 +20,12 @@ pub enum Failure {
         /// Why.
         reason: String,
     },
+    /// Standard output that cannot be written: all else is done.
+    #[error("cannot write to standard output: {reason}")]
+    StandardOutput {
+        /// Why.
+        reason: String,
+    },
     /// Meshes, bodies or springs that cannot be used.
     #[error("{0}")]
     Machine(#[from] whirl_solver::Error),
@@ -38,6 +44,14 @@ pub enum Failure {
         folder: PathBuf,
         /// What differs.
         differs: Vec<String>,
+    },
+    /// A run that is to be resumed and has left nothing to go on from.
+    #[error("the run in `{}` cannot be resumed: {reason}", folder.display())]
+    NothingToResume {
+        /// Its folder.
+        folder: PathBuf,
+        /// Why.
+        reason: String,
     },
     /// A run that was begun and could not be finished: a step that does not converge, an interruption, a full disk.
     #[error("{reason}")]
@@ -58,10 +72,10 @@ impl From<Diagnostics> for Failure {
 }
 
 impl Failure {
-    /// Exit status: 1 for a run that could not be finished, 2 for bad input.
+    /// Exit status: 1 for a run that could not be finished and for words that nobody got, 2 for bad input.
     pub fn status(&self) -> ExitCode {
         match self {
-            Failure::Unfinished { .. } => ExitCode::from(1),
+            Failure::Unfinished { .. } | Failure::StandardOutput { .. } => ExitCode::from(1),
             _ => ExitCode::from(2),
         }
     }
@@ -78,6 +92,10 @@ impl Failure {
             Failure::Output { .. } => {
                 format!("error: {self}\n = help: choose another folder with `--out DIR`\n")
             }
+            Failure::StandardOutput { .. } => format!(
+                "error: {self}\n = help: free space where it goes, or send it elsewhere; files are written all the \
+                 same\n"
+            ),
             Failure::Machine(error) => format!("error: {error}\n"),
             Failure::InUse { .. } => {
                 format!(
@@ -87,6 +105,9 @@ impl Failure {
             Failure::OtherRun { .. } => format!(
                 "error: {self}\n = help: put back what it was, or begin anew without `--resume`; `--out DIR` keeps the \
                  results that are there\n"
+            ),
+            Failure::NothingToResume { .. } => format!(
+                "error: {self}\n = help: begin anew without `--resume`; `--out DIR` keeps the results that are there\n"
             ),
             Failure::Unfinished { kept, help, .. } => {
                 let note = kept.as_ref().map_or(String::new(), |kept| {

@@ -22,6 +22,7 @@ mod run;
 mod schema;
 mod signals;
 mod spec_file;
+mod streams;
 pub mod version;
 
 use std::process::ExitCode;
@@ -30,28 +31,23 @@ use whirl_solver::machine::MachineParts;
 
 use arguments::{Arguments, Command};
 use errors::Failure;
+use streams::{complain, say};
 
-/// Does what the command line asks for, and says which exit status that gives: 0 done, 1 begun and not finished,
-/// 2 bad input.
+/// Does what the command line asks for, and says which exit status that gives: 0 done, 1 begun and not finished or
+/// not written to standard output, 2 bad input.
 pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {
         Command::Run(arguments) => run::run(arguments),
-        Command::Check(arguments) => check::check(arguments).map(|text| print!("{text}")),
-        Command::Explain(arguments) => explain::explain(arguments).map(|text| print!("{text}")),
-        Command::New(arguments) => new::new(arguments).map(|text| print!("{text}")),
-        Command::Schema(arguments) => {
-            print!("{}", schema::schema(arguments.kind));
-            Ok(())
-        }
-        Command::List => {
-            print!("{}", list::list());
-            Ok(())
-        }
+        Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
+        Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
+        Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),
+        Command::Schema(arguments) => say(&schema::schema(arguments.kind)),
+        Command::List => say(&list::list()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprint!("{}", failure.report());
+            complain(&failure.report());
             failure.status()
         }
     }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use whirl_solver::dynamics::{Checkpoint, March, MarchOptions, Newmark, NewtonOptions, Outcome};
 use whirl_solver::history::History;
@@ -15,6 +15,7 @@ use crate::machine::Built;
 use crate::progress::{self, Show};
 use crate::results::{CHECKPOINT, Results};
 use crate::signals::Interruption;
+use crate::streams;
 
 /// How a march has ended.
 pub(crate) enum End {
@@ -90,8 +91,8 @@ pub(crate) fn march(
         if let Err(NotWritten(reason)) = recorder.record(&march, case.march.output_every) {
             break End::NotWritten(reason);
         }
-        if let Some(point) = march.checkpoint() {
-            recorder.keep(point, passed + start.elapsed().as_secs_f64());
+        if recorder.is_due() {
+            recorder.keep(march.checkpoint(), passed + start.elapsed().as_secs_f64());
         }
         let progress = march.progress();
         shown.done(progress.step, progress.time);
@@ -103,7 +104,10 @@ pub(crate) fn march(
         let reason = format!("interrupted before the first step of {}", options.steps);
         return Err(Failure::Unfinished { reason, kept: None, help: None });
     }
-    let end = match (recorder.finish(matches!(end, End::Interrupted)), end) {
+    if matches!(end, End::Interrupted) {
+        recorder.keep(march.checkpoint(), wall);
+    }
+    let end = match (recorder.finish(), end) {
         (Err(NotWritten(reason)), End::Done | End::Interrupted) => End::NotWritten(reason),
         (_, end) => end,
     };
@@ -135,12 +139,17 @@ struct Recorder<'r> {
     head: (Vec<String>, Option<u64>),
     writer: Option<HistoryWriter>,
     path: PathBuf,
+    /// When the last point was kept.
+    kept: Option<Instant>,
 }
+
+/// Time from one point to resume from to the next, at least: which of them are made changes nothing that is computed.
+const BETWEEN_POINTS: Duration = Duration::from_secs(1);
 
 impl<'r> Recorder<'r> {
     fn new(results: &'r mut Results, identity: Identity, head: (Vec<String>, Option<u64>)) -> Self {
         let path = results.path(CHECKPOINT);
-        Recorder { results, identity: Arc::new(identity), head, writer: None, path }
+        Recorder { results, identity: Arc::new(identity), head, writer: None, path, kept: None }
     }
 
     /// The history, begun or gone on with.
@@ -167,8 +176,14 @@ impl<'r> Recorder<'r> {
         }
     }
 
+    /// Whether it is time to keep a point again.
+    fn is_due(&self) -> bool {
+        self.kept.is_none_or(|kept| kept.elapsed() >= BETWEEN_POINTS)
+    }
+
     /// Keeps where the march is. `wall`: of the march so far (s).
     fn keep(&mut self, point: Checkpoint, wall: f64) {
+        self.kept = Some(Instant::now());
         if let Some(writer) = &mut self.writer {
             let (path, identity) = (self.path.clone(), self.identity.clone());
             writer.keep(Box::new(move |length| {
@@ -177,13 +192,12 @@ impl<'r> Recorder<'r> {
         }
     }
 
-    /// Writes what is left; with `keep_last` the last checkpoint, too. A march without a first step leaves the
-    /// names of its columns.
-    fn finish(mut self, keep_last: bool) -> Result<(), NotWritten> {
+    /// Writes what is left. A march without a first step leaves the names of its columns.
+    fn finish(mut self) -> Result<(), NotWritten> {
         self.writer()?;
-        let unkept = self.writer.take().map_or(Ok(None), |writer| writer.finish(keep_last))?;
+        let unkept = self.writer.take().map_or(Ok(None), HistoryWriter::finish)?;
         if let Some(reason) = unkept {
-            eprintln!("warning: cannot write `{}`: {reason}", self.path.display());
+            streams::warn(format_args!("cannot write `{}`: {reason}", self.path.display()));
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Progress on stderr: a bar with the time left on a terminal, elsewhere a line now and then.
 
+use std::cell::RefCell;
 use std::io::IsTerminal;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -8,6 +9,8 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::streams::note;
 
 /// How progress is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,7 +44,7 @@ impl Show {
     /// A note on its own line.
     pub(crate) fn note(self, words: &str) {
         if self != Show::Nothing {
-            eprintln!("{words}");
+            note(words);
         }
     }
 }
@@ -75,9 +78,31 @@ pub(crate) struct Steps {
     /// Kept while lines are shown.
     _lines: Option<Lines>,
     now: Arc<Now>,
+    /// When the bar moves next.
+    due: RefCell<Due>,
 }
 
-/// Where a march is, for whoever looks.
+/// Something that happens at most ten times a second: a step may take less time than formatting the words beside a
+/// bar, or a minute.
+#[derive(Default)]
+struct Due {
+    last: Option<Instant>,
+}
+
+impl Due {
+    const PAUSE: Duration = Duration::from_millis(100);
+
+    /// Whether it is time again at `now`.
+    fn at(&mut self, now: Instant) -> bool {
+        let due = self.last.is_none_or(|last| now.duration_since(last) >= Due::PAUSE);
+        if due {
+            self.last = Some(now);
+        }
+        due
+    }
+}
+
+/// Where a march is, for the thread that shows it.
 #[derive(Default)]
 struct Now {
     step: AtomicUsize,
@@ -104,7 +129,7 @@ pub(crate) fn steps(show: Show, steps: usize, first: usize) -> Steps {
             line((step, steps, first), time, elapsed)
         })
     });
-    Steps { bar, _lines: lines, now }
+    Steps { bar, _lines: lines, now, due: RefCell::default() }
 }
 
 impl Steps {
@@ -112,9 +137,8 @@ impl Steps {
     pub(crate) fn done(&self, step: usize, time: f64) {
         self.now.step.store(step, Ordering::Relaxed);
         self.now.time.store(time.to_bits(), Ordering::Relaxed);
-        // Formatting the time takes longer than a step; a hundredth of the steps is often enough to look.
-        const LOOKS: usize = 64;
-        if let Some(bar) = self.bar.as_ref().filter(|_| step.is_multiple_of(LOOKS)) {
+        let Some(bar) = &self.bar else { return };
+        if self.due.borrow_mut().at(Instant::now()) {
             bar.set_position(step as u64);
             bar.set_message(format!("t = {:.1} ms", 1e3 * time));
         }
@@ -163,7 +187,7 @@ impl Lines {
         let thread = std::thread::spawn(move || {
             let mut pause = Duration::from_secs(1);
             while let Err(RecvTimeoutError::Timeout) = stopped.recv_timeout(pause) {
-                eprintln!("{}", say(start.elapsed()));
+                note(say(start.elapsed()));
                 pause = (start.elapsed() / 2).clamp(pause, Duration::from_secs(60));
             }
         });
@@ -183,6 +207,18 @@ impl Drop for Lines {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Slow steps are shown one by one, quick ones ten times a second.
+    #[test]
+    fn a_bar_moves_by_the_clock_and_not_by_the_number_of_steps() {
+        let start = Instant::now();
+        let shown = |steps: u32, each: Duration| {
+            let mut due = Due::default();
+            (0..steps).filter(|step| due.at(start + *step * each)).count()
+        };
+        assert_eq!(shown(60, Duration::from_secs(1)), 60);
+        assert_eq!(shown(20_000, Duration::from_micros(100)), 20);
+    }
 
     #[test]
     fn lines_say_how_far_and_how_long() {

@@ -4,13 +4,15 @@
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
-use whirl_solver::cache::write_whole;
+use whirl_solver::cache::{ABANDONED, remove_unfinished, write_whole};
 
 use crate::errors::Failure;
 use crate::figures;
 use crate::history;
 use crate::lock::{Lock, Locked};
+use crate::streams::warn;
 
 /// The summary.
 pub(crate) const SUMMARY: &str = "summary.json";
@@ -44,13 +46,12 @@ impl Results {
             return Err(results.failure(&results.path(&name), reason));
         }
         results.lock = match Lock::take(folder) {
-            Ok(Locked::Ours(lock)) => Some(lock),
-            Ok(Locked::Unknown) => None,
             Ok(Locked::InUse(by)) => {
                 let folder = folder.to_path_buf();
                 results.made.clear();
                 return Err(Failure::InUse { folder, by });
             }
+            Ok(locked) => held(locked, folder, &mut |words| warn(words)),
             Err(error) => return Err(results.failure(folder, &error.to_string())),
         };
         Ok(results)
@@ -67,7 +68,8 @@ impl Results {
     }
 
     /// Takes away what earlier runs left, but for `except`: from here on the folder has the files of this run only.
-    /// Files that no run writes are left alone.
+    /// Files that no run writes are left alone. Of a folder that is not locked, files that were being written stay if
+    /// they may belong to a run that is at work.
     ///
     /// # Errors
     /// A file cannot be removed.
@@ -79,6 +81,8 @@ impl Results {
                 _ => {}
             }
         }
+        let age = if self.lock.is_some() { Duration::ZERO } else { ABANDONED };
+        remove_unfinished(&self.folder, age);
         Ok(())
     }
 
@@ -112,6 +116,18 @@ impl Drop for Results {
     }
 }
 
+/// The lock of a folder that nobody else has; none, and a warning, where its file system knows no locks.
+fn held(locked: Locked, folder: &Path, warn: &mut dyn FnMut(&str)) -> Option<Lock> {
+    let Locked::Ours(lock) = locked else {
+        warn(&format!(
+            "the file system of `{}` has no locks: it would not be noticed if another run wrote its results there, too",
+            folder.display()
+        ));
+        return None;
+    };
+    Some(lock)
+}
+
 /// Every name that a run may give to a file.
 fn names() -> impl Iterator<Item = String> {
     let figures =
@@ -121,6 +137,8 @@ fn names() -> impl Iterator<Item = String> {
 
 #[cfg(test)]
 mod tests {
+    use whirl_solver::cache::write_aside;
+
     use super::*;
 
     fn listing(folder: &Path) -> Vec<String> {
@@ -152,6 +170,39 @@ mod tests {
         drop(results);
         assert_eq!(listing(folder.path()), ["history.csv", "notes.txt", "summary.json"]);
         assert_eq!(fs::read(folder.path().join("summary.json")).unwrap(), b"new");
+    }
+
+    /// Files that a killed run was writing go with its results, whichever names they have.
+    #[test]
+    fn what_a_killed_run_was_writing_goes_when_a_run_begins() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = write_aside(&folder.path().join(SUMMARY), b"half").unwrap();
+        let aside = listing(folder.path());
+        drop(write);
+        assert_eq!(aside.len(), 1, "{aside:?}");
+        // As it stays when the process is killed.
+        fs::write(folder.path().join(&aside[0]), "half").unwrap();
+        fs::write(folder.path().join(".notes.part"), "the user's").unwrap();
+        let mut results = Results::open(folder.path()).unwrap();
+        assert!(folder.path().join(&aside[0]).exists(), "no run has begun yet");
+        results.begin(&[]).unwrap();
+        drop(results);
+        assert_eq!(listing(folder.path()), [".notes.part"]);
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_locked_is_warned_of() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut warnings = Vec::new();
+        let lock =
+            held(Locked::Unknown, folder.path(), &mut |words| warnings.push(words.to_owned()));
+        assert!(lock.is_none());
+        assert_eq!(warnings.len(), 1);
+        let name = folder.path().display().to_string();
+        assert!(warnings[0].contains(&name) && warnings[0].contains("no locks"), "{warnings:?}");
+        let Locked::Ours(lock) = Lock::take(folder.path()).unwrap() else { panic!("it is free") };
+        let lock = held(Locked::Ours(lock), folder.path(), &mut |words| panic!("{words}"));
+        assert!(lock.is_some());
     }
 
     #[test]

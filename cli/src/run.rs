@@ -12,9 +12,9 @@ use crate::machine::{self, Built};
 use crate::march::{End, Marched, march};
 use crate::progress::{self, Show};
 use crate::report::{Summary, Times, stops, supports};
-use crate::results::{Results, SUMMARY};
+use crate::results::{CHECKPOINT, Results, SUMMARY};
 use crate::signals::Interruption;
-use crate::{figures, history};
+use crate::{figures, history, streams};
 
 /// Runs a case: read, build, march, report. What was computed is kept however the run ends; the history is on disk
 /// before anything is made of it.
@@ -68,6 +68,7 @@ fn report(
     (start, show): (Instant, Show),
 ) -> Result<(), Failure> {
     let mut problems = Vec::new();
+    let mut closing_words = None;
     let time = times(built, &marched, start);
     let reason = marched.end.reason(marched.step, case.march.steps);
     let history = HistoryFile::open(&results.path(history::NAME));
@@ -81,7 +82,7 @@ fn report(
         Err(error) => problems.push(format!("no summary and no figures: {error}")),
         Ok((history, summary)) => {
             problems.extend(results.write(SUMMARY, summary.json().as_bytes()).err());
-            // A full disk has room for the numbers first.
+            // On a full disk the numbers come first.
             if !arguments.no_figures && !matches!(marched.end, End::NotWritten(_)) {
                 let write = |name: &str, content: &[u8]| results.write(name, content);
                 // One signal has ended the march, and figures are wanted of what is done.
@@ -89,9 +90,14 @@ fn report(
                 let marked = (case, summary.verdict.sound);
                 problems.extend(figures::draw(marked, built, &history, &write, &stop));
             }
-            if show != Show::Nothing {
-                print!("{}", closing(case, &summary, time, results.folder()));
-            }
+            closing_words = match show {
+                Show::Nothing if summary.verdict.sound => None,
+                Show::Nothing => {
+                    streams::complain(&summary.verdict.words());
+                    None
+                }
+                _ => Some(closing(case, &summary, time, results.folder())),
+            };
         }
     }
     // A step that does not converge would not do so in the next run either.
@@ -99,12 +105,14 @@ fn report(
     if over {
         results.forget_checkpoint();
     }
-    let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return Ok(()) };
-    problems.iter().filter(|problem| **problem != reason).for_each(|p| eprintln!("warning: {p}"));
+    let said = closing_words.map_or(Ok(()), |words| streams::say(&words));
+    let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return said };
+    problems.iter().filter(|problem| **problem != reason).for_each(streams::warn);
+    let goes_on = results.path(CHECKPOINT).exists();
     Err(Failure::Unfinished {
         reason,
         kept: Some(results.folder().to_path_buf()),
-        help: (!over).then(|| "the same command with `--resume` goes on from there".to_string()),
+        help: goes_on.then(|| "the same command with `--resume` goes on from there".to_string()),
     })
 }
 
@@ -130,7 +138,7 @@ fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String
     let steady = match summary.steady_time() {
         Some(time) => format!("steady from {time:.4} s"),
         None if case.march.steady_cycle().is_none() => {
-            "not judged for a steady state: the run is shorter than two cycles".to_string()
+            "not tested for a steady state: the run is shorter than two cycles".to_string()
         }
         None => "not steady".to_string(),
     };

@@ -88,6 +88,9 @@ impl Spec {
 
 /// Whether `name` is the path of a TOML file that says its `kind`, as specs do and cases do not.
 pub(crate) fn is_spec(name: &str) -> bool {
+    if !Path::new(name).is_file() {
+        return false;
+    }
     let Ok(text) = fs::read_to_string(name) else { return false };
     let source = Source::new(name, text);
     let document = Document::parse(&source);

@@ -7,6 +7,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -16,6 +17,11 @@ use sha2::{Digest, Sha256};
 const MAGIC: &[u8] = b"whirl cache 1\n";
 /// Bytes of a SHA-256.
 const HASH: usize = 32;
+
+/// How names begin and end that files have until they are whole.
+const ASIDE: [&str; 2] = [".whirl-", ".part"];
+/// A file that is not whole after this time is one of a process that was killed: none takes so long to write.
+pub const ABANDONED: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// Hash of the sources of everything that reduces bodies, dependencies and compiler included: values of another
 /// program are not trusted, whether its changes are committed or not.
@@ -83,6 +89,7 @@ impl Cache {
     pub fn store(&self, key: &Key, value: &impl Serialize) -> io::Result<()> {
         let bytes = pack(key, value)?;
         fs::create_dir_all(&self.folder)?;
+        remove_unfinished(&self.folder, ABANDONED);
         write_whole(&self.path(key), &bytes)
     }
 }
@@ -125,7 +132,7 @@ pub fn write_aside(
 ) -> io::Result<impl FnOnce() -> io::Result<()> + use<>> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let mut aside = tempfile::Builder::new();
-    aside.prefix(".").suffix(".part");
+    aside.prefix(ASIDE[0]).suffix(ASIDE[1]);
     #[cfg(unix)]
     let mode: fs::Permissions = std::os::unix::fs::PermissionsExt::from_mode(0o666);
     // What the user's mask leaves of it, as for any other file.
@@ -136,6 +143,22 @@ pub fn write_aside(
     file.as_file().sync_all()?;
     let path = path.to_path_buf();
     Ok(move || file.persist(path).map(|_| ()).map_err(|error| error.error))
+}
+
+/// Removes the files in `folder` that [`write_aside`] wrote `age` ago or earlier and that have not got their names:
+/// what a process leaves that is killed. One that cannot be removed stays.
+pub fn remove_unfinished(folder: &Path, age: Duration) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let modified = entry.metadata().and_then(|found| found.modified());
+        // A time in the future, by another machine's clock, is no age.
+        let old = modified.is_ok_and(|time| time.elapsed().unwrap_or_default() >= age);
+        if name.starts_with(ASIDE[0]) && name.ends_with(ASIDE[1]) && old {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// XDG on Unix, `Library/Caches` on macOS, `LOCALAPPDATA` on Windows.
@@ -167,6 +190,9 @@ pub fn instruction_set() -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::fs::File;
+    use std::time::SystemTime;
+
     use super::*;
 
     fn cache(name: &str) -> Cache {
@@ -225,6 +251,27 @@ mod tests {
             }
         });
         assert_eq!(fs::read_dir(cache.folder()).unwrap().count(), 1, "no partial files are left");
+        fs::remove_dir_all(cache.folder()).unwrap();
+    }
+
+    #[test]
+    fn what_killed_processes_left_goes_and_what_others_write_stays() {
+        let cache = cache("abandoned");
+        fs::create_dir_all(cache.folder()).unwrap();
+        let file = |name: &str| File::create(cache.folder().join(name)).unwrap();
+        let old = SystemTime::now() - ABANDONED - Duration::from_secs(60);
+        file(".whirl-old.part").set_modified(old).unwrap();
+        file("whirl-notes.part").set_modified(old).unwrap();
+        let being_written = write_aside(&cache.folder().join("other"), b"new").unwrap();
+        cache.store(&Key::of(&"key"), &1).unwrap();
+        being_written().unwrap();
+        let entries = fs::read_dir(cache.folder()).unwrap();
+        let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        let stored = OsString::from(format!("{}.bin", Key::of(&"key").hex()));
+        let mut expected = [stored, "other".into(), "whirl-notes.part".into()];
+        expected.sort();
+        assert_eq!(names, expected);
         fs::remove_dir_all(cache.folder()).unwrap();
     }
 

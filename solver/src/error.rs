@@ -185,6 +185,22 @@ pub enum Error {
     /// Parts of a machine that do not fit together.
     #[error("{0}")]
     Machine(String),
+    /// A law that has no value where a time step leads.
+    #[error(
+        "step {step} (t = {time:.6e} s) leads to where the law `{law}` has no value, at bearing or stop {bearing}: \
+         its formula gives no number there. Give the law a value wherever the journal may go, or look for what \
+         drives it there"
+    )]
+    NoForce {
+        /// The step, counted from 1.
+        step: usize,
+        /// Time at its end (s).
+        time: f64,
+        /// Name of the law.
+        law: String,
+        /// The bearing, counted from 1.
+        bearing: usize,
+    },
     /// A time step that no iteration solves.
     #[error(
         "step {step} (t = {time:.6e} s) does not converge, even in parts of {time_step:.2e} s: after \

@@ -36,7 +36,7 @@ fn mounts_that_leave_a_mechanism_name_its_motion() {
     );
 }
 
-/// The three mounts stand at one angle. Each of the rings that they stand for is told of, no other.
+/// The three mounts stand at one angle. Each of the rings that they stand for is reported, no other.
 #[test]
 fn a_bore_that_carries_no_spline_is_named_in_the_case() {
     let machine = include_str!("../../specs/cases/hu2003.machine.toml");
@@ -104,14 +104,14 @@ fn sets_are_looked_for_in_a_case_that_lacks_tables() {
         let mut words = found.to_vec();
         words.push(missing);
         refused(&bench, &words);
-        let told = bench.whirl(&["check", "case.toml"]).stderr;
+        let said = bench.whirl(&["check", "case.toml"]).stderr;
         let count = if head == "[springs]" { 3 } else { usize::from(!missing.is_empty()) };
-        assert_eq!(told.matches("error[").count(), found.len() + count, "{head}: {told}");
+        assert_eq!(said.matches("error[").count(), found.len() + count, "{head}: {said}");
     }
 }
 
 #[test]
-fn a_bad_law_is_told_once_however_often_it_is_named() {
+fn a_bad_law_is_reported_once_however_often_it_is_named() {
     let law = include_str!("messages/bad.law.toml");
     let lines = "[springs]\nlaw = \"bad.law.toml\"\n[figures]\nlaws = [\"bad.law.toml\"]";
     let machine = include_str!("../../specs/cases/hu2003.machine.toml");
@@ -122,8 +122,8 @@ fn a_bad_law_is_told_once_however_often_it_is_named() {
         .file("m.toml", &machine)
         .file("bad.law.toml", law);
     refused(&bench, &["unknown name `stifness`"]);
-    let told = bench.whirl(&["check", "case.toml"]).stderr;
-    assert_eq!(told.matches("error[").count(), 1, "{told}");
+    let said = bench.whirl(&["check", "case.toml"]).stderr;
+    assert_eq!(said.matches("error[").count(), 1, "{said}");
 }
 
 #[test]

@@ -5,6 +5,8 @@ use std::fs;
 use std::io::Read;
 use std::path::Path;
 
+use whirl_tests::History;
+
 use crate::workbench::Workbench;
 
 /// k along x and along y (N/m).
@@ -80,30 +82,21 @@ fn the_eccentricity_is_the_one_that_laws_see() {
             bench = bench.file(&format!("{name}.toml"), &case(machine, direction));
             let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
             assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-            let path = bench.path("results").join(&name).join("history.csv");
-            follows_the_law(&name, &fs::read_to_string(path).expect("a history"));
+            follows_the_law(&name, &bench.history(&format!("results/{name}")));
         }
     }
 }
 
 /// R = −k E in every row, along x and y, at every bearing.
-fn follows_the_law(name: &str, history: &str) {
-    let mut lines = history.lines();
-    let names: Vec<&str> = lines.next().expect("names").split(',').collect();
-    let rows: Vec<Vec<f64>> = lines
-        .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
-        .collect();
-    assert_eq!(rows.len(), 80, "{name}");
-    let column = |name: &str| {
-        let place = names.iter().position(|own| *own == name).expect(name);
-        rows.iter().map(|row| row[place]).collect::<Vec<f64>>()
-    };
+fn follows_the_law(name: &str, history: &History) {
+    assert_eq!(history.rows(), 80, "{name}");
+    let column = |name: &str| history.column(name);
     for k in 1..=4 {
         for (axis, stiffness) in STIFFNESS {
             let (force, e) = (column(&format!("R{axis}{k}_N")), column(&format!("E{axis}{k}_um")));
             let journal = column(&format!("{axis}{k}_um"));
             let peak = journal.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            for (row, (force, e)) in force.iter().zip(&e).enumerate() {
+            for (row, (force, e)) in force.iter().zip(e).enumerate() {
                 let expected = -1e-6 * stiffness * e;
                 // Ten digits of both are written; rounding of X − bore is that of X.
                 let rounding = 1e-9 * expected.abs() + 1e-12 * stiffness * 1e-6 * peak;

@@ -212,7 +212,7 @@ fn made_functions(module: &str) -> Vec<String> {
     starts.filter_map(|text| Some(text[..text.find("\n    }\n")?].to_string())).collect()
 }
 
-/// What only a build would refuse is told at its place by `check` and `explain --rust`.
+/// What only a build would refuse is reported at its place by `check` and `explain --rust`.
 #[test]
 fn what_a_build_would_refuse_is_told() {
     let path = specs().join("elements/hex8i.toml");

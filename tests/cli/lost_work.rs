@@ -1,5 +1,5 @@
 //! Nothing done is lost: histories on disk while they are computed, runs that are stopped, resumed, in each other's
-//! way, or out of room.
+//! way, or out of space.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
@@ -67,23 +67,11 @@ fn read(path: PathBuf) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-fn summary(bench: &Workbench, folder: &str) -> serde_json::Value {
-    serde_json::from_str(&read(bench.path(folder).join("summary.json"))).expect("JSON")
-}
-
 /// The summary without what every run has of its own.
 fn numbers(bench: &Workbench, folder: &str) -> serde_json::Value {
-    let mut summary = summary(bench, folder);
+    let mut summary = bench.summary(folder);
     summary.as_object_mut().expect("a table").remove("time");
     summary
-}
-
-fn listing(bench: &Workbench, folder: &str) -> Vec<String> {
-    let entries = fs::read_dir(bench.path(folder)).expect("a folder");
-    let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("UTF-8");
-    let mut names: Vec<String> = entries.map(|entry| name(entry.expect("an entry"))).collect();
-    names.sort();
-    names
 }
 
 /// Begins the run and waits until it has a checkpoint and rows after it.
@@ -108,8 +96,8 @@ fn resumes(bench: &Workbench) {
     assert!(cut == whole, "other bytes: {} and {}", cut.len(), whole.len());
     assert_eq!(numbers(bench, "cut"), numbers(bench, "whole"));
     assert_eq!(numbers(bench, "cut")["march"]["complete"], true);
-    let names = listing(bench, "whole");
-    assert_eq!(listing(bench, "cut"), names);
+    let names = bench.listing_of("whole");
+    assert_eq!(bench.listing_of("cut"), names);
     assert_eq!(
         names.iter().filter(|name| !name.contains(".svg") && !name.contains(".png")).count(),
         2
@@ -146,7 +134,7 @@ fn interrupted_runs_end_cleanly_and_are_resumed() {
         for words in ["interrupted after step", "kept in cut", "--resume"] {
             assert!(said.contains(words), "`{words}` is not in: {said}");
         }
-        let summary = summary(&bench, "cut");
+        let summary = bench.summary("cut");
         assert_eq!(summary["march"]["complete"], false);
         assert_eq!(summary["march"]["converged"], true);
         assert!(summary["error"].as_str().expect("words").contains("interrupted"));
@@ -155,7 +143,7 @@ fn interrupted_runs_end_cleanly_and_are_resumed() {
         let history = read(bench.path("cut/history.csv"));
         assert!(history.ends_with('\n'));
         assert_eq!(history.lines().count() - 1, steps / every, "all that is done, whole");
-        let names = listing(&bench, "cut");
+        let names = bench.listing_of("cut");
         for file in ["displacement.png", "displacement.svg", "checkpoint.bin", "reactions.png"] {
             assert!(names.iter().any(|name| name == file), "{file} is not in {names:?}");
         }
@@ -219,17 +207,25 @@ fn a_folder_in_use_is_refused() {
 fn nothing_of_an_earlier_run_stays_and_bad_input_takes_nothing() {
     let bench = Workbench::new().file("bad.toml", "title = 1\n");
     fs::create_dir(bench.path("out")).expect("a folder");
-    let old = ["rotation.svg", "eccentricity.png", "checkpoint.bin", "summary.json", "notes.txt"];
+    // The last one is of a run that was killed as it wrote.
+    let old = [
+        "rotation.svg",
+        "eccentricity.png",
+        "checkpoint.bin",
+        "summary.json",
+        "notes.txt",
+        ".whirl-4f2a6c.part",
+    ];
     old.iter().for_each(|name| fs::write(bench.path("out").join(name), "old").expect("written"));
     let outcome = bench.whirl(&["run", "bad.toml", "--out", "out"]);
     assert_eq!(outcome.status, 2, "{}", outcome.stderr);
     let mut all = old.map(String::from).to_vec();
     all.sort();
-    assert_eq!(listing(&bench, "out"), all);
+    assert_eq!(bench.listing_of("out"), all);
     assert_eq!(read(bench.path("out/summary.json")), "old");
     let outcome = bench.whirl(&["run", "sdnd101", "--out", "out", "--no-figures"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert_eq!(listing(&bench, "out"), ["history.csv", "notes.txt", "summary.json"]);
+    assert_eq!(bench.listing_of("out"), ["history.csv", "notes.txt", "summary.json"]);
 }
 
 #[test]
@@ -242,7 +238,7 @@ fn a_result_whose_name_a_folder_has_is_refused_at_once() {
         for words in [name, "a folder has the name of a result", "--out DIR"] {
             assert!(outcome.stderr.contains(words), "`{words}` is not in: {}", outcome.stderr);
         }
-        assert_eq!(listing(&bench, "out"), [name]);
+        assert_eq!(bench.listing_of("out"), [name]);
     }
 }
 
@@ -272,16 +268,16 @@ fn a_full_disk_keeps_what_fits_and_is_resumed() {
         "{}",
         history.lines().count()
     );
-    assert_eq!(summary(&bench, "cut")["march"]["complete"], false);
+    assert_eq!(bench.summary("cut")["march"]["complete"], false);
     resumes(&bench);
 
-    // Room for the numbers, none for a figure.
+    // Space for the numbers, none for a figure.
     let bench = Workbench::new().file("case.toml", &case(20, ""));
     let (status, said) = limited(&bench, 16);
     assert_eq!(status, Some(1), "{said}");
     assert!(said.contains("cannot write `cut/") && said.contains(".png`"), "{said}");
     assert_eq!(read(bench.path("cut/history.csv")).lines().count(), 21);
-    assert_eq!(summary(&bench, "cut")["march"]["complete"], true);
+    assert_eq!(bench.summary("cut")["march"]["complete"], true);
 }
 
 #[test]
@@ -317,13 +313,13 @@ fn output_step_thins_the_history_and_changes_nothing_else() {
 
 #[cfg(unix)]
 #[test]
-fn progress_is_told_without_a_terminal_unless_it_is_not_wanted() {
+fn progress_is_shown_without_a_terminal_unless_it_is_not_wanted() {
     let bench = Workbench::new().file("case.toml", &case(10_000_000, "output_step = \"1 ms\"\n"));
-    for (quiet, told) in [(&[][..], true), (&["--quiet"], false)] {
+    for (quiet, shown) in [(&[][..], true), (&["--quiet"], false)] {
         let arguments = [&["run", "case.toml", "--no-figures", "--out", "cut"], quiet].concat();
         let mut running = Running::start(&bench, &arguments);
         let mut said = String::new();
-        if told {
+        if shown {
             let stderr = running.0.stderr.take().expect("piped");
             let mut lines = BufReader::new(stderr);
             lines.read_line(&mut said).expect("UTF-8");
@@ -337,7 +333,7 @@ fn progress_is_told_without_a_terminal_unless_it_is_not_wanted() {
         assert_eq!(status, Some(1), "{said}{rest}");
         assert!(rest.contains("interrupted after step"), "{rest}");
         let lines = said + &rest;
-        assert_eq!(lines.contains(" of 10000000 ("), told, "{lines}");
+        assert_eq!(lines.contains(" of 10000000 ("), shown, "{lines}");
     }
     let bench = Workbench::new();
     let outcome = bench.whirl(&["run", "sdnd101", "--quiet"]);

@@ -2,9 +2,11 @@
 
 mod bad_input;
 mod bad_machine;
+mod cached;
 mod eccentricity;
 mod every_key;
 mod explain;
+mod figures;
 mod first_law;
 mod good_runs;
 mod hostile;
@@ -16,4 +18,7 @@ mod new;
 mod read_meshes;
 mod readme;
 mod schema;
+mod streams;
+mod unsound;
+mod verdicts;
 mod workbench;

@@ -4,7 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use serde_json::Value;
 use tempfile::TempDir;
+use whirl_tests::History;
+
+/// A short run of the built-in machine.
+pub(crate) const SHORT: &str =
+    "include = \"hu2003-5.toml\"\ntitle = \"a short run\"\n\n[march]\nsteps = 40\n";
 
 /// A folder with files, in which the command runs.
 pub(crate) struct Workbench {
@@ -64,9 +70,30 @@ impl Workbench {
         command
     }
 
+    /// The summary of the run into a folder.
+    pub(crate) fn summary(&self, folder: &str) -> Value {
+        let text = fs::read_to_string(self.path(folder).join("summary.json")).expect("a summary");
+        serde_json::from_str(&text).expect("JSON")
+    }
+
+    /// The text of the history of the run into a folder.
+    pub(crate) fn history_text(&self, folder: &str) -> String {
+        fs::read_to_string(self.path(folder).join("history.csv")).expect("a history")
+    }
+
+    /// The history of the run into a folder.
+    pub(crate) fn history(&self, folder: &str) -> History {
+        History::parse(&self.history_text(folder))
+    }
+
     /// Names of all files and folders in the folder, sorted.
     pub(crate) fn listing(&self) -> Vec<String> {
-        let entries = fs::read_dir(self.folder.path()).expect("a folder");
+        self.listing_of("")
+    }
+
+    /// Names of all files and folders in a folder within it, sorted.
+    pub(crate) fn listing_of(&self, folder: &str) -> Vec<String> {
+        let entries = fs::read_dir(self.path(folder)).expect("a folder");
         let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
         let mut names: Vec<String> = entries.map(|entry| name(entry.expect("an entry"))).collect();
         names.sort();

@@ -1,9 +1,13 @@
 //! Verification, validation and golden tests across the crates.
 
+mod history;
+
 use std::env;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+
+pub use history::History;
 
 /// Builds and runs the crate whose sources are in `folder`, which needs nothing but libm, and gives what it
 /// prints. Its manifest is written here; it is a workspace of its own, with its own target folder.

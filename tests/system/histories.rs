@@ -1,6 +1,8 @@
 //! Histories of analyses 1 to 3 against an independent program, over the whole analysis.
 
-use crate::run::{History, reference, shipped};
+use whirl_tests::History;
+
+use crate::run::{reference, shipped};
 
 /// Largest difference from the reference as a share of the peak. Both programs solve the same equations of the
 /// same time integration, each step to 1e-6 of its forces or better, and the reference is written in eight

@@ -1,6 +1,8 @@
 //! What the paper says of its results, and what its extra term would do.
 
-use crate::run::{History, root, run, shipped};
+use whirl_tests::History;
+
+use crate::run::{root, run, shipped};
 
 const SUPPORTS: std::ops::RangeInclusive<usize> = 1..=4;
 /// Period of the loads and of two revolutions, in s.

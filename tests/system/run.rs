@@ -6,57 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Arc, Mutex, OnceLock};
 
-/// A history as columns by name, in the units of their names.
-pub(crate) struct History {
-    names: Vec<String>,
-    columns: Vec<Vec<f64>>,
-}
-
-impl History {
-    fn parse(text: &str) -> Self {
-        let mut lines = text.lines();
-        let names: Vec<String> =
-            lines.next().expect("a header").split(',').map(str::to_string).collect();
-        let mut columns = vec![Vec::new(); names.len()];
-        for line in lines {
-            let values: Vec<f64> =
-                line.split(',').map(|value| value.parse().expect("a number")).collect();
-            assert_eq!(values.len(), names.len(), "{line}");
-            columns.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
-        }
-        History { names, columns }
-    }
-
-    /// Column names, in order.
-    pub(crate) fn names(&self) -> &[String] {
-        &self.names
-    }
-
-    /// Number of rows.
-    pub(crate) fn rows(&self) -> usize {
-        self.columns[0].len()
-    }
-
-    /// The column called `name`.
-    pub(crate) fn column(&self, name: &str) -> &[f64] {
-        let place = self.names.iter().position(|column| column == name);
-        &self.columns[place.unwrap_or_else(|| panic!("no column {name}"))]
-    }
-
-    /// The last `rows` values of a column.
-    pub(crate) fn tail(&self, name: &str, rows: usize) -> &[f64] {
-        let column = self.column(name);
-        &column[column.len() - rows..]
-    }
-
-    /// The value of a column at time `t`, linear between rows.
-    pub(crate) fn at(&self, name: &str, t: f64) -> f64 {
-        let (times, values) = (self.column("t_s"), self.column(name));
-        let next = times.partition_point(|time| *time < t).clamp(1, times.len() - 1);
-        let share = (t - times[next - 1]) / (times[next] - times[next - 1]);
-        values[next - 1] + share * (values[next] - values[next - 1])
-    }
-}
+use whirl_tests::History;
 
 /// What one run left behind.
 pub(crate) struct Run {

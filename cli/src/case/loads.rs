@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use whirl_codegen::diagnostic::Located;
+use whirl_codegen::diagnostic::{Code, Located};
 
 use super::reader::Reader;
 
@@ -29,12 +29,24 @@ impl Load {
 }
 
 pub(super) fn read(file: &Reader) -> Vec<Load> {
-    let each = |load: Reader| Load {
+    let each = |load: Reader| {
+        if load.has("phase") && !load.has("frequency") {
+            let message = "a load without `frequency` is constant: its `phase` means nothing";
+            let place = load.places().remove("phase").unwrap_or_else(|| load.place().text(""));
+            let help = "add `frequency = \"37.5 Hz\"`, or leave `phase` out";
+            load.push(place.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        read_one(&load)
+    };
+    file.tables("load").into_iter().map(each).collect()
+}
+
+fn read_one(load: &Reader) -> Load {
+    Load {
         sets: load.names("sets"),
         direction: usize::from(load.word("direction") == Some("y")),
         force: load.quantity_or_one("force"),
         frequency: load.quantity("frequency"),
         phase: load.quantity("phase").unwrap_or(0.0),
-    };
-    file.tables("load").into_iter().map(each).collect()
+    }
 }

@@ -29,7 +29,8 @@ pub struct Lumped {
     pub force: f64,
     /// What turns in the mass out of balance.
     pub unbalance: Option<Unbalance>,
-    /// How the marcher couples displacement to rotation; of no effect here, since nothing turns.
+    /// How displacement is coupled to rotation; without effect here: the mass moves in the fixed frame, and turns, if it
+    /// is out of balance, at its given speed.
     pub motion: &'static Motion,
     /// What the mass may hit.
     pub stops: Vec<Stop>,

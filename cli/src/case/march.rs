@@ -19,7 +19,7 @@ pub struct March {
     pub force_tolerance: f64,
     /// Steps from one row of the history to the next.
     pub output_every: usize,
-    /// Period over which steady state is judged and results are summed up, in s.
+    /// Period over which steady state is tested and results are summed up, in s.
     pub cycle: f64,
 }
 
@@ -29,7 +29,7 @@ impl March {
         self.time_step * self.steps as f64
     }
 
-    /// The cycle by which the steady state is judged, in s; none where the analysis ends before two of them
+    /// The cycle by which the steady state is tested, in s; none where the analysis ends before two of them
     /// are over, so that no cycle can be compared with the one before.
     pub fn steady_cycle(&self) -> Option<f64> {
         // A sum of steps may miss the end by rounding.
@@ -39,7 +39,7 @@ impl March {
 
 /// Steps in a cycle at least. Between N samples of a sine lies (2π/N)²/8 of its amplitude: that much a
 /// straight line between two of them misses it, and the largest of them its peak. From 23 on this is below
-/// the 1 % by which a steady state is judged.
+/// the 1 % by which a steady state is tested.
 const LEAST_STEPS: f64 = 23.0;
 
 /// Of the reference histories: far below every force of interest, far above rounding.
@@ -56,11 +56,16 @@ pub(super) fn read(file: &Reader, system: &SystemDraft) -> Option<March> {
         Some(frequency) => Some((1.0 / frequency, "cycle_frequency", "a cycle")),
         None => natural_cycle(system).map(|(cycle, called)| (cycle, "time_step", called)),
     };
-    if let (Some(time_step), Some(cycle)) = (said, cycle) {
-        shown(&march, time_step, cycle);
+    if let Some(time_step) = said {
+        let cycle = cycle.filter(|(_, key, _)| *key == "cycle_frequency");
+        cycle.into_iter().chain(shortest(system)).for_each(|own| shown(&march, time_step, own));
     }
+    let cycle_of_rows = cycle;
     let cycle = cycle.map_or(time_step * steps as f64, |(cycle, ..)| cycle);
     let output_every = output_every(&march, time_step, steps);
+    if let (Some(_), Some((cycle, ..))) = (said, cycle_of_rows) {
+        shown_by_rows(&march, output_every as f64 * time_step, cycle);
+    }
     Some(March { time_step, steps, force_tolerance, output_every, cycle })
 }
 
@@ -85,28 +90,69 @@ fn shown(march: &Reader, time_step: f64, (cycle, key, called): (f64, &str, &str)
     march.push(place.error_here(Code::BAD_VALUE, message).help(help));
 }
 
-/// A positive number with three digits, rounded as told.
+/// Notes rows that are too far apart to sum up a cycle.
+fn shown_by_rows(march: &Reader, output_step: f64, cycle: f64) {
+    if !march.has("output_step") || cycle / output_step >= LEAST_STEPS * (1.0 - 1e-9) {
+        return;
+    }
+    let message = format!(
+        "a cycle of {} s has {} rows of `output_step`: {LEAST_STEPS} at least show what happens in it",
+        three_digits(cycle, f64::round),
+        three_digits(cycle / output_step, f64::round)
+    );
+    let step = three_digits(cycle / LEAST_STEPS, f64::floor);
+    let help = format!("write `output_step = \"{step} s\"` or less, a multiple of `time_step`");
+    let place = march.places().remove("output_step").unwrap_or_else(|| march.place().text(""));
+    march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+}
+
+/// A positive number with three digits, rounded by `round`.
 fn three_digits(value: f64, round: fn(f64) -> f64) -> String {
     let place = 10f64.powf(value.log10().floor() - 2.0);
     // The quotient of a number of three digits may be less than it by rounding.
     plain(round(value / place + 1e-9) * place)
 }
 
+/// Times within which something is given that the steps must show: the shortest period of the loads, revolutions.
+fn shortest(system: &SystemDraft) -> Vec<(f64, &'static str, &'static str)> {
+    let highest = match system {
+        SystemDraft::Rotor(rotor) => {
+            rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::max)
+        }
+        SystemDraft::Lumped(_) => None,
+    };
+    let period = highest.map(|frequency| (1.0 / frequency, "a period of the loads"));
+    let all = period.into_iter().chain(revolutions(system));
+    all.map(|(time, called)| (time, "time_step", called)).collect()
+}
+
 /// The longest period of the loads, or else two revolutions at the speed that the drive aims at; one
 /// revolution of an unbalance. With what it is.
 fn natural_cycle(system: &SystemDraft) -> Option<(f64, &'static str)> {
-    let rotor = match system {
-        SystemDraft::Rotor(rotor) => rotor,
-        SystemDraft::Lumped(lumped) => {
-            let turn = |own: super::Unbalance| (TAU / own.speed, "a revolution of the unbalance");
-            return lumped.as_ref()?.unbalance.map(turn);
+    let lowest = match system {
+        SystemDraft::Rotor(rotor) => {
+            rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::min)
         }
+        SystemDraft::Lumped(_) => None,
     };
-    let lowest = rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::min);
-    let drive = rotor.drive.as_ref().filter(|drive| drive.acts && drive.target_speed != 0.0);
-    let two_revolutions = drive.map(|drive| 2.0 * TAU / drive.target_speed.abs());
     let period = lowest.map(|frequency| (1.0 / frequency, "a period of the loads"));
-    period.or(two_revolutions.map(|turns| (turns, "a cycle of two revolutions")))
+    period.or_else(|| revolutions(system))
+}
+
+/// Two revolutions at the speed that the drive aims at; one of an unbalance.
+fn revolutions(system: &SystemDraft) -> Option<(f64, &'static str)> {
+    match system {
+        SystemDraft::Rotor(rotor) => {
+            let drive = rotor.drive.as_ref()?;
+            let aims = drive.acts && drive.target_speed != 0.0;
+            let two = 2.0 * TAU / drive.target_speed.abs();
+            aims.then_some((two, "a cycle of two revolutions"))
+        }
+        SystemDraft::Lumped(lumped) => {
+            let unbalance = lumped.as_ref()?.unbalance?;
+            Some((TAU / unbalance.speed, "a revolution of the unbalance"))
+        }
+    }
 }
 
 fn steps(march: &Reader, time_step: f64) -> usize {
@@ -117,6 +163,15 @@ fn steps(march: &Reader, time_step: f64) -> usize {
         _ => {}
     }
     let Some(duration) = duration else { return steps.unwrap_or(1) };
+    if steps.is_none() && march.has("time_step") && duration < time_step * (1.0 - 1e-9) {
+        let message = "`duration` is shorter than `time_step`: it has no whole step";
+        let help =
+            format!("lower `time_step` to {} s at most, or raise `duration`", plain(duration));
+        let place = march.places().remove("duration");
+        let place = place.unwrap_or_else(|| march.place().text(""));
+        march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+        return 1;
+    }
     let whole = (duration / time_step).round().max(1.0);
     if steps.is_none() && march.has("time_step") && whole > MOST_STEPS as f64 {
         let most = MOST_STEPS as f64;

@@ -23,7 +23,7 @@ pub(crate) struct Reader<'a> {
     name: String,
     place: Place,
     asked: RefCell<BTreeSet<&'static str>>,
-    /// Keys that must be there and are not. Told at the end: where one was misspelt, it is not missing.
+    /// Keys that must be there and are not. Reported at the end: where one was misspelt, it is not missing.
     missing: RefCell<Vec<(&'static str, Diagnostic)>>,
     errors: &'a RefCell<Diagnostics>,
 }

@@ -199,7 +199,7 @@ const LUMPED: &[Key] = &[
     key("displacement", POSITION, "at t = 0"),
     key("velocity", VELOCITY, "at t = 0"),
     key("force", FORCE, "constant"),
-    key("motion", MOTION, "without effect: nothing turns"),
+    key("motion", MOTION, "without effect: a mass moves in the fixed frame"),
 ];
 
 const UNBALANCE: &[Key] =

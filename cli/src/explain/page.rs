@@ -46,7 +46,7 @@ impl Page {
         };
         let widths: Vec<usize> = (0..columns).map(width).collect();
         for row in rows {
-            // A column that is empty everywhere takes no room.
+            // A column that is empty everywhere takes no width.
             let cells = row.iter().zip(&widths).enumerate();
             let cells = cells.filter(|(place, (_, width))| **width > 0 || place + 1 == row.len());
             let cells = cells.map(|(_, (cell, width))| format!("{cell:<width$}"));

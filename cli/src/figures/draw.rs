@@ -81,7 +81,7 @@ fn plots(panel: &Panel) -> Vec<Plot> {
 }
 
 fn curve(line: &Line) -> LinePlot {
-    let (colour, width, dash) = looks(line.style);
+    let (colour, width, dash) = stroke(line.style);
     LinePlot::new()
         .with_data(line.points.iter().copied())
         .with_color(colour)
@@ -95,7 +95,7 @@ fn mark(dot: &Dot) -> ScatterPlot {
 
 const DOT: &str = "#d62728";
 
-fn looks(style: Style) -> (&'static str, f64, LineStyle) {
+fn stroke(style: Style) -> (&'static str, f64, LineStyle) {
     match style {
         Style::First => ("#1f4e9c", 1.6, LineStyle::Solid),
         Style::Second => ("#d9730d", 1.6, LineStyle::Custom("6 3".to_string())),
@@ -134,7 +134,7 @@ fn legend(figure: &Figure) -> Vec<LegendEntry> {
     let mut entries = Vec::new();
     for line in figure.panels.iter().flat_map(|panel| &panel.lines) {
         if named.insert(line.name.as_str()) {
-            let (colour, _, dash) = looks(line.style);
+            let (colour, _, dash) = stroke(line.style);
             entries.push(LegendEntry {
                 label: line.name.clone(),
                 color: colour.to_string(),

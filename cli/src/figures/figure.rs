@@ -35,7 +35,7 @@ pub(crate) struct Panel {
 pub(crate) struct Line {
     /// x and y.
     pub(crate) points: Vec<(f64, f64)>,
-    /// How it looks.
+    /// Its colour, width and dashes.
     pub(crate) style: Style,
     /// Its name in the legend; the same name in several panels stands there once.
     pub(crate) name: String,
@@ -50,7 +50,7 @@ pub(crate) struct Dot {
     pub(crate) name: String,
 }
 
-/// Looks of a curve, the same in every figure: they tell apart on paper without colour too.
+/// Style of a curve, the same in every figure: curves can be distinguished on paper without colour, too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Style {
     /// First quantity: solid.

@@ -5,6 +5,7 @@ mod figure;
 mod histories;
 mod laws;
 
+use std::any::Any;
 use std::io;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
@@ -43,7 +44,8 @@ fn pictures(stem: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
 }
 
 /// Draws the figures of a case as SVG and PNG, each written by `write`; why some are missing. `built`: the
-/// machine that was run; what is not `sound` is marked. Nothing that happens to a figure keeps another one from being drawn, but for `stop`.
+/// machine that was run; what is not `sound` is marked. Nothing that happens to a figure keeps another one from being
+/// drawn, but for `stop`.
 pub(crate) fn draw(
     (case, sound): (&Case, bool),
     built: &Built,
@@ -77,7 +79,8 @@ pub(crate) fn draw(
     missing
 }
 
-/// What `draw` gives, or why it gives nothing: a plotting library may panic over values that it cannot place.
+/// What `draw` gives, or why it gives nothing: a plotting library may panic over values that no axis can show. What
+/// it says then is the reason, since a panic may come from elsewhere, too.
 fn guarded<T>(draw: impl FnOnce() -> io::Result<T>) -> Result<T, String> {
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
@@ -85,8 +88,14 @@ fn guarded<T>(draw: impl FnOnce() -> io::Result<T>) -> Result<T, String> {
     panic::set_hook(hook);
     match drawn {
         Ok(drawn) => drawn.map_err(|error| error.to_string()),
-        Err(_) => Err("its values cannot be placed on axes".to_string()),
+        Err(panic) => Err(format!("drawing it has failed: {}", message(&*panic))),
     }
+}
+
+/// What a panic says.
+fn message(panic: &(dyn Any + Send)) -> &str {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("without a message")
 }
 
 /// Names of the figures of a case, and their numbers in the paper.
@@ -105,7 +114,8 @@ fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
     wanted
 }
 
-/// A figure by its name; none where it would show no more than another one.
+/// A figure by its name; none where it would show nothing, or no more than another one: a history has columns of
+/// supports only.
 fn figure(
     stem: &str,
     case: &Case,
@@ -117,10 +127,15 @@ fn figure(
         System::Lumped(_) => Span::All,
     };
     let titles = support_names(case);
+    let laws = drawn_laws(case, built);
+    let empty = if stem == "laws" { laws.is_empty() } else { titles.is_empty() };
+    if empty {
+        return Ok(None);
+    }
     let micrometres: Vec<f64> = built.clearances.iter().map(|clearance| 1e6 * clearance).collect();
     let orbits = || histories::eccentricities(history, &titles, &micrometres, span);
     Ok(Some(match stem {
-        "laws" => laws::laws(&drawn_laws(case, built)),
+        "laws" => laws::laws(&laws),
         "reactions" => histories::reactions(history, &titles, span)?,
         "eccentricity" => orbits()?,
         "eccentricity-stretched" if span == Span::All => return Ok(None),
@@ -180,7 +195,7 @@ mod tests {
             row.push(1.0);
             history.push(&row).unwrap();
         }
-        history.finish(false).unwrap();
+        history.finish().unwrap();
         let history = HistoryFile::open(&path).unwrap();
         (folder, history)
     }
@@ -259,7 +274,7 @@ mod tests {
             row.extend((3..names.len()).map(|column| value(column, step)));
             writer.push(&row).unwrap();
         }
-        writer.finish(false).unwrap();
+        writer.finish().unwrap();
         let history = HistoryFile::open(&path).unwrap();
         let column = |name: &str| names.iter().position(|own| own == name).expect("a column");
         let titles = ["Support 1", "Support 2"].map(str::to_owned);
@@ -296,7 +311,11 @@ mod tests {
     #[test]
     fn a_figure_that_cannot_be_drawn_is_a_reason_and_no_end() {
         assert_eq!(guarded(|| Ok(1)), Ok(1));
-        assert!(guarded(|| -> std::io::Result<()> { panic!("no axis") }).is_err());
+        let axis = std::hint::black_box(2);
+        let reason = guarded(|| -> std::io::Result<()> { panic!("no axis {axis}") });
+        assert!(reason.is_err_and(|why| why.ends_with("no axis 2")));
+        let reason = guarded(|| -> std::io::Result<()> { panic!("no axis") });
+        assert!(reason.is_err_and(|why| why.ends_with("no axis")));
         assert!(
             guarded(|| Err::<(), _>(std::io::Error::other("gone"))).is_err_and(|why| why == "gone")
         );

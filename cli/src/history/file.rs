@@ -108,8 +108,10 @@ impl HistoryFile {
             let found = self.names.iter().position(|own| own == name);
             found.unwrap_or_else(|| panic!("histories have a column {name}"))
         };
-        let places: Vec<usize> = columns.iter().map(place).collect();
-        let wanted = places.iter().max().map_or(0, |last| last + 1);
+        // Columns by their places in a line.
+        let mut places: Vec<(usize, usize)> = columns.iter().map(place).zip(0..).collect();
+        places.sort_unstable();
+        let wanted = places.last().map_or(0, |(last, _)| last + 1);
         let mut file = File::open(&self.path)?;
         file.seek(SeekFrom::Start(from))?;
         let mut lines = BufReader::with_capacity(1 << 18, file.take(self.end - from));
@@ -118,14 +120,13 @@ impl HistoryFile {
         while count < most && lines.read_until(b'\n', &mut line)? > 0 {
             count += 1;
             let text = std::str::from_utf8(&line).unwrap_or_default().trim_end();
-            let mut found = 0;
+            let mut left = places.iter().peekable();
             for (place, cell) in text.split(',').take(wanted).enumerate() {
-                for (value, _) in row.iter_mut().zip(&places).filter(|(_, own)| **own == place) {
-                    *value = cell.parse().map_err(|_| invalid(&self.path, text))?;
-                    found += 1;
+                while let Some((_, value)) = left.next_if(|(own, _)| *own == place) {
+                    row[*value] = cell.parse().map_err(|_| invalid(&self.path, text))?;
                 }
             }
-            if found < row.len() {
+            if left.next().is_some() {
                 return Err(invalid(&self.path, text));
             }
             each(&row);

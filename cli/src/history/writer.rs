@@ -8,14 +8,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::text;
 
 /// Longest time for which a row stands in memory only, but for the time that writing takes.
 const PAUSE: Duration = Duration::from_millis(100);
-/// Time from one point to resume from to the next, at least: which of them are made changes nothing that is computed.
-const BETWEEN_POINTS: Duration = Duration::from_secs(1);
 /// Values that are written at once; twice as many may wait, then the march waits.
 const BATCH: usize = 1 << 16;
 
@@ -37,8 +35,8 @@ struct Shared {
     queue: Mutex<Queue>,
     /// There is something to be written at once.
     work: Condvar,
-    /// There is room again.
-    room: Condvar,
+    /// There is space again.
+    space: Condvar,
 }
 
 #[derive(Default)]
@@ -47,8 +45,6 @@ struct Queue {
     /// With the number of values that come before it.
     resumable: Option<(usize, Resumable)>,
     done: bool,
-    /// Whether the last point to resume from is wanted, although it is not time for it.
-    keep_last: bool,
     failed: Option<NotWritten>,
     /// The first error of a resumable point; rows are worth more than it.
     unkept: Option<String>,
@@ -89,10 +85,10 @@ impl HistoryWriter {
         let thread = std::thread::spawn(move || {
             let served = catch_unwind(AssertUnwindSafe(|| lines.serve(&own, columns)));
             if served.is_err() {
-                // Nobody waits for room that will not come.
+                // Nobody waits for space that will not come.
                 let reason = "the thread that writes the history has died".to_string();
                 own.queue().failed = Some(NotWritten(reason));
-                own.room.notify_one();
+                own.space.notify_one();
             }
         });
         HistoryWriter { shared, thread: Some(thread) }
@@ -109,26 +105,23 @@ impl HistoryWriter {
             self.shared.work.notify_one();
             let full =
                 |queue: &mut Queue| queue.values.len() >= 2 * BATCH && queue.failed.is_none();
-            let waited = self.shared.room.wait_while(queue, full);
+            let waited = self.shared.space.wait_while(queue, full);
             queue = waited.unwrap_or_else(PoisonError::into_inner);
         }
         queue.failed.clone().map_or(Ok(()), Err)
     }
 
-    /// Makes a point to resume from once all rows so far are in the file, if the last one is old enough and no
-    /// later one is there by then.
+    /// Makes a point to resume from once all rows so far are in the file, if no later one is there by then.
     pub(crate) fn keep(&mut self, resumable: Resumable) {
         let mut queue = self.shared.queue();
         queue.resumable = Some((queue.values.len(), resumable));
     }
 
-    /// Writes what is left, with `keep_last` the last point to resume from, too; the reason why one could not be
-    /// made, if there is one.
+    /// Writes what is left; the reason why a point to resume from could not be made, if there is one.
     ///
     /// # Errors
     /// Not all rows could be written. Those that are in the file are whole lines.
-    pub(crate) fn finish(mut self, keep_last: bool) -> Result<Option<String>, NotWritten> {
-        self.shared.queue().keep_last = keep_last;
+    pub(crate) fn finish(mut self) -> Result<Option<String>, NotWritten> {
         self.end();
         let mut queue = self.shared.queue();
         queue.failed.take().map_or(Ok(queue.unkept.take()), Err)
@@ -155,15 +148,11 @@ struct Lines {
     /// Bytes of whole lines in the file.
     length: u64,
     text: Vec<u8>,
-    /// The last point to resume from that was not made, with the length of the file there.
-    point: Option<(u64, Resumable)>,
-    /// When the last one was made.
-    made: Option<Instant>,
 }
 
 impl Lines {
     fn new(file: File, length: u64) -> Lines {
-        Lines { file, length, text: Vec::new(), point: None, made: None }
+        Lines { file, length, text: Vec::new() }
     }
 
     fn serve(&mut self, shared: &Shared, columns: usize) {
@@ -174,27 +163,21 @@ impl Lines {
             let (mut queue, _) = waited.unwrap_or_else(PoisonError::into_inner);
             std::mem::swap(&mut values, &mut queue.values);
             let (resumable, done) = (queue.resumable.take(), queue.done);
-            let keep_last = done && queue.keep_last;
             drop(queue);
-            shared.room.notify_one();
+            shared.space.notify_one();
 
-            let (before, make) = resumable.map_or((0, None), |(at, make)| (at, Some(make)));
-            let written = self.rows(&values[..before], columns).and_then(|()| {
-                if let Some(make) = make {
-                    self.point = Some((self.length, make));
-                }
-                self.rows(&values[before..], columns)
-            });
-            values.clear();
-            let due = self.made.is_none_or(|made| made.elapsed() >= BETWEEN_POINTS);
-            if due && !done || keep_last || written.is_err() {
-                let unkept = self.make_point().err().map(|error| error.to_string());
+            let before = resumable.as_ref().map_or(0, |(before, _)| *before);
+            let mut written = self.rows(&values[..before], columns);
+            if let (Ok(()), Some((_, make))) = (&written, resumable) {
+                let unkept = self.make_point(make).err().map(|error| error.to_string());
                 let mut queue = shared.queue();
                 queue.unkept = queue.unkept.take().or(unkept);
             }
+            written = written.and_then(|()| self.rows(&values[before..], columns));
+            values.clear();
             if let Err(error) = written {
                 shared.queue().failed = Some(NotWritten(error.to_string()));
-                shared.room.notify_one();
+                shared.space.notify_one();
                 return;
             }
             if done {
@@ -209,11 +192,9 @@ impl Lines {
     }
 
     /// A point to resume from is as good as the rows before it.
-    fn make_point(&mut self) -> io::Result<()> {
-        let Some((length, make)) = self.point.take() else { return Ok(()) };
-        self.made = Some(Instant::now());
+    fn make_point(&self, make: Resumable) -> io::Result<()> {
         self.file.sync_data()?;
-        make(length)
+        make(self.length)
     }
 
     /// Writes the text; if not all of it fits, as many whole lines as do.
@@ -273,7 +254,7 @@ mod tests {
         wait_for(&path, "t_s,x\n1,2\n");
         writer.push(&[2.0, 3.5]).unwrap();
         wait_for(&path, "t_s,x\n1,2\n2,3.5\n");
-        assert_eq!(writer.finish(false), Ok(None));
+        assert_eq!(writer.finish(), Ok(None));
     }
 
     #[test]
@@ -293,7 +274,7 @@ mod tests {
         writer.push(&[1.0, 2.0]).unwrap();
         writer.keep(point());
         (2..60_000).try_for_each(|i| writer.push(&[f64::from(i), 0.0])).unwrap();
-        assert_eq!(writer.finish(true), Ok(None));
+        assert_eq!(writer.finish(), Ok(None));
         let whole = std::fs::read_to_string(&path).unwrap();
         assert_eq!(whole.lines().count(), 60_000);
         let length = length.load(Ordering::Relaxed);
@@ -301,8 +282,8 @@ mod tests {
 
         let mut writer = HistoryWriter::go_on(&path, length, 2).unwrap();
         writer.push(&[7.0, 8.0]).unwrap();
-        writer.keep(Box::new(|_| Err(io::Error::other("no room"))));
-        assert_eq!(writer.finish(true), Ok(Some("no room".to_string())));
+        writer.keep(Box::new(|_| Err(io::Error::other("no space"))));
+        assert_eq!(writer.finish(), Ok(Some("no space".to_string())));
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "t_s,x\n1,2\n7,8\n");
     }
 
@@ -319,6 +300,6 @@ mod tests {
             }
         };
         assert!(error.0.contains("space"), "{error:?}");
-        assert_eq!(writer.finish(false), Err(error));
+        assert_eq!(writer.finish(), Err(error));
     }
 }

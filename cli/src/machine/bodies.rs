@@ -10,6 +10,7 @@ use whirl_solver::support::Support;
 
 use super::plan::{BodyPlan, Plan, both};
 use crate::errors::Failure;
+use crate::streams::warn;
 
 /// Both bodies after their reduction.
 pub(super) struct Bodies {
@@ -63,7 +64,7 @@ fn reduced(
 ) -> Result<(Reduced, Key, bool), Failure> {
     let (mesh, spec) = (&plan.mesh, &plan.spec);
     let key = Reduced::key(kind, mesh, spec);
-    // Which nodes are watched as what is applied to the body afterwards.
+    // Which nodes are output nodes, as what is applied to the body afterwards.
     let content = Key::of(&(key.hex(), &spec.nodes));
     if let Some(found) = cache.and_then(|cache| cache.load(&key)) {
         return Ok((found, content, true));
@@ -73,7 +74,7 @@ fn reduced(
         && let Err(error) = cache.store(&key, &found)
     {
         let folder = cache.folder().display();
-        eprintln!("warning: cannot keep a reduced body in {folder}: {error}");
+        warn(format_args!("cannot keep a reduced body in {folder}: {error}"));
     }
     Ok((found, content, false))
 }

@@ -3,6 +3,7 @@
 use whirl_codegen::diagnostic::Diagnostics;
 use whirl_codegen::rational::Rational;
 use whirl_codegen::spec::law::BearingValue;
+use whirl_solver::mesh::measure::mean_radius;
 
 use super::plan::Plan;
 use crate::case::{Bearing, BearingFacts, LawSource, NamedLaw, Rotor, rounded};
@@ -56,8 +57,8 @@ fn facts(bearing: &Bearing, place: usize, plan: &Plan) -> BearingFacts {
         facts.journal_radius = Some(bore - clearance);
     }
     if facts.length.is_none() {
-        let [left, _, right] = plan.journals[place].map(|watched| {
-            let node = plan.shaft.spec.nodes[watched];
+        let [left, _, right] = plan.journals[place].map(|own| {
+            let node = plan.shaft.spec.nodes[own];
             plan.shaft.mesh.nodes()[node][2]
         });
         facts.length = rounded((right - left).abs()).filter(|length| *length > Rational::from(0));
@@ -68,11 +69,10 @@ fn facts(bearing: &Bearing, place: usize, plan: &Plan) -> BearingFacts {
 /// Mean distance of the nodes of a bore from the axis, m.
 fn bore_radius(place: usize, plan: &Plan) -> Option<Rational> {
     let support = &plan.support;
-    let nodes: Vec<usize> = plan.bores[place].iter().flatten().copied().collect();
-    let distance = |watched: &usize| {
-        let [x, y, _] = support.mesh.nodes()[support.spec.nodes[*watched]];
-        x.hypot(y)
-    };
-    let mean = nodes.iter().map(distance).sum::<f64>() / nodes.len() as f64;
-    rounded(mean).filter(|radius| *radius > Rational::from(0))
+    let nodes = plan.bores[place].iter().flatten().map(|&own| support.spec.nodes[own]);
+    let points = nodes.map(|node| {
+        let [x, y, _] = support.mesh.nodes()[node];
+        [x, y]
+    });
+    rounded(mean_radius(points)).filter(|radius| *radius > Rational::from(0))
 }

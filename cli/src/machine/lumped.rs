@@ -24,7 +24,7 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
             journal: [0; 3],
             bore: [const { Vec::new() }; 3],
             clearance: stop.gap,
-            // Where nothing turns a radius is of no effect.
+            // Without an unbalance nothing turns, and a radius is of no effect.
             journal_radius: stop.journal_radius.or(lumped.unbalance.is_none().then_some(0.0)),
             stations: vec![0.5],
             angles: match stop.side {

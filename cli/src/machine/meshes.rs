@@ -7,24 +7,21 @@ use std::path::Path;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_solver::error::{Error, InputErrors};
+use whirl_solver::mesh::shaft::SolidShaft;
+use whirl_solver::mesh::support::RingSupport;
 use whirl_solver::mesh::{self, Cell, Material, Mesh};
 use whirl_specs::{ELEMENTS, Element};
 
 use crate::case::{self, MeshFile};
 use crate::errors::Failure;
+use crate::streams::warn;
 
 /// The mesh of the shaft.
 ///
 /// # Errors
 /// What is wrong with its file or its dimensions, with places.
 pub(super) fn shaft(shaft: &case::Shaft) -> Result<Mesh, Failure> {
-    match &shaft.mesh {
-        case::Mesh::File(file) => read(file, shaft.material.as_ref(), &shaft.regions),
-        case::Mesh::Made(made) => {
-            let mesh = made.dimensions.mesh(&elements());
-            in_regions(mesh.map_err(|error| impossible(made, error))?, &shaft.regions)
-        }
-    }
+    body(&shaft.mesh, (shaft.material.as_ref(), &shaft.regions), SolidShaft::mesh)
 }
 
 /// The mesh of the support.
@@ -32,11 +29,20 @@ pub(super) fn shaft(shaft: &case::Shaft) -> Result<Mesh, Failure> {
 /// # Errors
 /// As for the shaft.
 pub(super) fn support(support: &case::Support) -> Result<Mesh, Failure> {
-    match &support.mesh {
-        case::Mesh::File(file) => read(file, support.material.as_ref(), &support.regions),
+    body(&support.mesh, (support.material.as_ref(), &support.regions), RingSupport::mesh)
+}
+
+/// The mesh of a body, with its materials; `make` makes it from dimensions.
+fn body<D>(
+    mesh: &case::Mesh<D>,
+    (material, regions): (Option<&Material>, &[case::Region]),
+    make: fn(&D, &[&'static Element]) -> Result<Mesh, Error>,
+) -> Result<Mesh, Failure> {
+    match mesh {
+        case::Mesh::File(file) => read(file, material, regions),
         case::Mesh::Made(made) => {
-            let mesh = made.dimensions.mesh(&elements());
-            in_regions(mesh.map_err(|error| impossible(made, error))?, &support.regions)
+            let mesh = make(&made.dimensions, &elements());
+            in_regions(mesh.map_err(|error| impossible(made, error))?, regions)
         }
     }
 }
@@ -70,7 +76,7 @@ fn read(
     let open = material.is_some() || !regions.is_empty();
     let read = mesh::inp::read_open(&text, &path, &elements(), open)
         .map_err(|errors| placed(&file.path, &text, &errors))?;
-    read.warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    read.warnings.iter().for_each(warn);
     let mesh = in_regions(read.mesh, regions)?;
     let bare: Vec<bool> =
         mesh.materials().iter().map(|material| material.properties.is_empty()).collect();

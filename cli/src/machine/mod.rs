@@ -43,7 +43,7 @@ pub(crate) struct BodyFacts {
     pub(crate) shaft_hertz: Vec<f64>,
     /// Fixed-interface frequencies of the support, Hz.
     pub(crate) support_hertz: Vec<f64>,
-    /// Hashes of what each body and its watched nodes depend on.
+    /// Hashes of what each body and its output nodes depend on.
     pub(crate) content: Vec<(&'static str, Key)>,
     /// Wall time of reading, assembling and reducing, s.
     pub(crate) wall: f64,
@@ -71,7 +71,7 @@ pub(crate) struct Counts {
 }
 
 /// Reads the case that the user called `name`, and looks for what its meshes and sets have wrong even where
-/// the case has errors, so that all are told at once.
+/// the case has errors, so that all are reported at once.
 ///
 /// # Errors
 /// Everything that is wrong with the case; of its meshes and sets only where the case has errors.

@@ -1,4 +1,5 @@
-//! What is to be reduced: meshes with the dofs to retain, hold and watch, found by the sets of the case.
+//! What is to be reduced: meshes with the dofs to retain and to hold, and the output nodes, found by the sets
+//! of the case.
 
 mod body;
 mod geometry;
@@ -22,13 +23,13 @@ pub(crate) struct Plan {
     pub(crate) shaft: BodyPlan,
     /// The standing body.
     pub(crate) support: BodyPlan,
-    /// Places of the journals' nodes in the shaft's watched nodes, a bearing each.
+    /// Places of the journals' nodes in the shaft's output nodes, a bearing each.
     pub(super) journals: Vec<[usize; 3]>,
-    /// Places of the bores' nodes in the support's watched nodes, a bearing each.
+    /// Places of the bores' nodes in the support's output nodes, a bearing each.
     pub(super) bores: Vec<[Vec<usize>; 3]>,
-    /// Places of the driven nodes in the shaft's watched nodes: top, bottom.
+    /// Places of the driven nodes in the shaft's output nodes: top, bottom.
     pub(super) drive: [usize; 2],
-    /// Places of the loaded nodes in the shaft's watched nodes, a load each.
+    /// Places of the loaded nodes in the shaft's output nodes, a load each.
     pub(super) loads: Vec<Vec<usize>>,
     /// The laws with the values with which the bearings use them, a bearing each; none of a case with errors.
     pub(crate) laws: Vec<LawSource>,
@@ -122,7 +123,7 @@ impl Plan {
         Ok(plan)
     }
 
-    /// As [`Plan::new`], for as much as is there of a case with these errors; they are told together. None
+    /// As [`Plan::new`], for as much as is there of a case with these errors; they are reported together. None
     /// if nothing is wrong but a body is missing.
     ///
     /// # Errors
@@ -197,7 +198,7 @@ impl OnShaft {
                 let node = shaft.node(set, errors).unwrap_or(0);
                 shaft.retain(set, node, 0);
                 shaft.retain(set, node, 1);
-                journal[place] = shaft.watch(node);
+                journal[place] = shaft.output_node(node);
             }
             own.journals.push(journal);
         }
@@ -211,7 +212,7 @@ impl OnShaft {
         for load in outline.loads {
             let nodes = load.sets.iter().flat_map(|set| shaft.nodes(set, errors));
             let nodes: Vec<usize> = nodes.collect();
-            own.loads.push(nodes.into_iter().map(|node| shaft.watch(node)).collect());
+            own.loads.push(nodes.into_iter().map(|node| shaft.output_node(node)).collect());
         }
         shaft.bound(errors);
         own
@@ -232,7 +233,7 @@ fn place_support(
         let mut bore = [const { Vec::new() }; 3];
         for (ring, set) in bore.iter_mut().zip(*sets) {
             let nodes = support.nodes(set, errors);
-            *ring = nodes.into_iter().map(|node| support.watch(node)).collect();
+            *ring = nodes.into_iter().map(|node| support.output_node(node)).collect();
         }
         bores.push(bore);
     }

@@ -11,6 +11,9 @@ use crate::case::LawSource;
 use crate::errors::Failure;
 use crate::law_file::LawFile;
 
+/// How to mend a ring of a bore whose nodes springs cannot stand between.
+pub(super) const NAME_A_RING: &str = "name a set of nodes all around the bore, in one plane";
+
 /// Laws in the order in which they are first named, each once.
 #[derive(Default)]
 pub(super) struct Laws {
@@ -68,8 +71,7 @@ pub(super) fn explain<'a>(
             }
             Error::Bore { place, ring, .. } => {
                 let Some(set) = bore_of(*place).get(*ring) else { continue };
-                let help = "name a set of nodes all around the bore, in one plane";
-                placed.push(set.error_here(Code::BAD_VALUE, part.to_string()).help(help));
+                placed.push(set.error_here(Code::BAD_VALUE, part.to_string()).help(NAME_A_RING));
             }
             _ => {}
         }

@@ -9,6 +9,7 @@ use whirl_specs::{CLEARANCES, ELEMENTS};
 
 use super::{VerdictFacts, last_cycle};
 use crate::case::Case;
+use crate::figures::support_names;
 use crate::history::HistoryFile;
 use crate::machine::{BodyFacts, Built, Counts};
 use crate::version;
@@ -110,13 +111,20 @@ impl SupportSummary {
     fn all(history: &HistoryFile, supports: usize, cycle: f64) -> io::Result<Vec<Self>> {
         let names: Vec<String> = (1..=supports).flat_map(SupportSummary::columns).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let mut sums = vec![Statistics::NONE; names.len()];
-        let mut rows = 0;
-        history.scan(last_cycle(history, cycle)?, &names, &mut |row| {
-            sums.iter_mut().zip(row).for_each(|(sum, value)| sum.add(*value));
-            rows += 1;
+        let mut signals = vec![Signal::default(); names.len()];
+        let columns: Vec<&str> = std::iter::once("t_s").chain(names).collect();
+        let mut times: Option<[f64; 2]> = None;
+        history.scan(last_cycle(history, cycle)?, &columns, &mut |row| {
+            let (time, values) = (row[0], &row[1..]);
+            let passed = times.map(|[_, last]| time - last);
+            signals.iter_mut().zip(values).for_each(|(signal, value)| signal.add(*value, passed));
+            times = Some([times.map_or(time, |[first, _]| first), time]);
         })?;
-        let sums: Vec<Statistics> = sums.iter().map(|sum| sum.over(rows)).collect();
+        let covered = times.map_or(0.0, |[first, last]| last - first);
+        // Rows do not always meet the start of the cycle, which ends as it begins.
+        let rest = if covered > 0.5 * cycle { (cycle - covered).max(0.0) } else { 0.0 };
+        let sums: Vec<Statistics> =
+            signals.iter().map(|signal| signal.statistics(covered, rest)).collect();
         let of = |(place, own): (usize, &[Statistics])| SupportSummary {
             support: place + 1,
             rx: own[0],
@@ -138,28 +146,42 @@ pub(crate) struct Statistics {
     pub(crate) max: f64,
 }
 
-impl Statistics {
-    const NONE: Statistics = Statistics { min: f64::INFINITY, mean: 0.0, max: f64::NEG_INFINITY };
+/// What is gathered of the values of one column: straight lines between them.
+#[derive(Debug, Clone, Copy, Default)]
+struct Signal {
+    /// The first and the last value, the least and the largest.
+    ends: Option<[f64; 2]>,
+    span: [f64; 2],
+    /// ∫ over time.
+    integral: f64,
+}
 
-    /// Takes a value in; the mean is a sum until [`Statistics::over`].
-    fn add(&mut self, value: f64) {
-        self.min = self.min.min(value);
-        self.mean += value;
-        self.max = self.max.max(value);
+impl Signal {
+    /// Takes a value in, so many seconds after the one before.
+    fn add(&mut self, value: f64, passed: Option<f64>) {
+        let [first, last] = self.ends.unwrap_or([value; 2]);
+        let [least, largest] = self.ends.map_or([value; 2], |_| self.span);
+        self.span = [least.min(value), largest.max(value)];
+        self.integral += 0.5 * (last + value) * passed.unwrap_or(0.0);
+        self.ends = Some([first, value]);
     }
 
-    fn over(self, count: usize) -> Self {
-        match count {
-            0 => Statistics::default(),
-            _ => Statistics { mean: self.mean / count as f64, ..self },
-        }
+    /// Over the seconds that the values cover, and a rest in which the last leads to the first again.
+    fn statistics(&self, covered: f64, rest: f64) -> Statistics {
+        let Some([first, last]) = self.ends else { return Statistics::default() };
+        let all = covered + rest;
+        let mean = match all > 0.0 {
+            true => (self.integral + 0.5 * (first + last) * rest) / all,
+            false => last,
+        };
+        Statistics { min: self.span[0], mean, max: self.span[1] }
     }
 }
 
 #[derive(Debug, Serialize)]
 struct SteadyFacts {
-    /// Whether it was looked for: a run shorter than two cycles has nothing to compare.
-    judged: bool,
+    /// Whether cycles were compared: a run shorter than two of them has none to compare.
+    checked: bool,
     reached: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     time_s: Option<f64>,
@@ -228,7 +250,12 @@ impl Summary {
             kernels: kernels(built),
             counts: counts(built),
             fixed_interface_hz: built.bodies.as_ref().map(frequencies),
-            verdict: VerdictFacts::new(&built.machine, outcome, case.march.time_step),
+            verdict: VerdictFacts::new(
+                (&built.machine, &support_names(case)),
+                outcome,
+                case.march.time_step,
+                (!converged).then_some([steps, case.march.steps]),
+            ),
             march: MarchFacts {
                 converged,
                 complete: steps == case.march.steps,
@@ -242,7 +269,7 @@ impl Summary {
             supports: SupportSummary::all(history, built.clearances.len(), cycle)?,
             cycle_s: cycle,
             steady_state: SteadyFacts {
-                judged: case.march.steady_cycle().is_some(),
+                checked: case.march.steady_cycle().is_some(),
                 reached: outcome.steady.is_some(),
                 time_s: outcome.steady.map(|steady| steady.time),
             },
@@ -257,10 +284,10 @@ impl Summary {
         self.steady_state.time_s
     }
 
-    /// The text of summary.json.
+    /// The text of summary.json, in which numbers that are not finite are null.
     pub(crate) fn json(&self) -> String {
         let text = serde_json::to_string_pretty(self);
-        text.expect("a summary has string keys and finite numbers") + "\n"
+        text.expect("the keys of a summary are strings") + "\n"
     }
 }
 

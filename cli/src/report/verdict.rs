@@ -29,29 +29,43 @@ pub(crate) struct FindingFacts {
 #[derive(Debug, Clone, Serialize)]
 struct Measures {
     energy_made_share: f64,
+    energy_error_share: f64,
     local_error: f64,
     largest_local_error: f64,
+    unresolved_motion: f64,
+    /// Of accepted steps, so that it is never above 1.
     row_error: f64,
 }
 
 impl VerdictFacts {
-    /// Of a march of steps of `time_step` s.
-    pub(crate) fn new(machine: &Machine, outcome: &Outcome, time_step: f64) -> Self {
+    /// Of a march of steps of `time_step` s; `diverged`: the steps that were done and those asked for, where the
+    /// march ended in one that does not converge; `places` names the supports or stops.
+    pub(crate) fn new(
+        (machine, places): (&Machine, &[String]),
+        outcome: &Outcome,
+        time_step: f64,
+        diverged: Option<[usize; 2]>,
+    ) -> Self {
         let quality = &outcome.quality;
-        let of_steps = findings(quality, time_step).into_iter().map(FindingFacts::from);
+        let of_run = diverged.into_iter().map(FindingFacts::diverged);
+        let of_steps = findings(outcome, time_step).into_iter();
+        let of_steps = of_steps.map(|finding| FindingFacts::of_steps(finding, places));
         let measures = machine.springs.measures().iter().zip(&outcome.worst);
         let of_laws = measures.filter_map(|(measure, worst)| {
             let Worst { value, time } = (*worst)?;
-            (measure.excess(value) > 0.0).then(|| FindingFacts::beyond(measure, value, time))
+            (measure.excess(value) > 0.0)
+                .then(|| FindingFacts::beyond(measure, value, time, places))
         });
-        let findings: Vec<FindingFacts> = of_steps.chain(of_laws).collect();
+        let findings: Vec<FindingFacts> = of_run.chain(of_steps).chain(of_laws).collect();
         VerdictFacts {
             sound: findings.is_empty(),
             findings,
             measures: Measures {
-                energy_made_share: quality.energy_made_share(),
+                energy_made_share: quality.energy_made_share,
+                energy_error_share: outcome.energy.error_share(),
                 local_error: quality.local_error,
                 largest_local_error: quality.largest_local_error,
+                unresolved_motion: quality.unresolved_motion,
                 row_error: quality.row_error,
             },
         }
@@ -72,23 +86,35 @@ impl VerdictFacts {
     }
 }
 
-impl From<Finding> for FindingFacts {
-    fn from(finding: Finding) -> Self {
-        let Finding { what, value, limit, unit, remedy } = finding;
+impl FindingFacts {
+    fn of_steps(finding: Finding, places: &[String]) -> Self {
+        let Finding { what, bearing, value, limit, unit, remedy } = finding;
+        let place = bearing.map(|bearing| format!(" (at {})", named(places, bearing)));
+        let what = what + &place.unwrap_or_default();
         FindingFacts { what, value, limit, unit, remedy }
     }
-}
 
-impl FindingFacts {
+    fn diverged([done, asked]: [usize; 2]) -> Self {
+        FindingFacts {
+            what: "steps done before one that does not converge".to_owned(),
+            value: done as f64,
+            limit: asked as f64,
+            unit: "steps".to_owned(),
+            remedy:
+                "see `error`: a shorter `time_step` may pass, a law that gives no number never does"
+                    .to_owned(),
+        }
+    }
+
     /// A law that was used where it may not be believed; `value` in SI.
-    fn beyond(measure: &Measure, value: f64, time: f64) -> Self {
+    fn beyond(measure: &Measure, value: f64, time: f64, places: &[String]) -> Self {
         let validity = &measure.validity;
         let [least, most] = validity.limits;
         let limit = if value < least { least } else { most };
-        let place = measure.bearing + 1;
+        let place = named(places, measure.bearing);
         FindingFacts {
             what: format!(
-                "{} at support {place} (law `{}`, worst at t = {time:.6} s)",
+                "{} at {place} (law `{}`, worst at t = {time:.6} s)",
                 validity.title, measure.law
             ),
             value: value / validity.per_unit,
@@ -105,6 +131,13 @@ impl FindingFacts {
             unit => format!("{} {unit}", digits(value)),
         }
     }
+}
+
+/// The name of a support or stop, such as `support 2`.
+fn named(places: &[String], bearing: usize) -> String {
+    places
+        .get(bearing)
+        .map_or_else(|| format!("bearing {}", bearing + 1), |name| name.to_lowercase())
 }
 
 /// Three digits, in scientific notation where that is shorter.

@@ -12,6 +12,8 @@ use crate::expression::{Graph, Id, Node, Rational};
 
 /// Sums of more terms stay as they are: choosing factors takes time quadratic in the terms.
 const MOST_TERMS: usize = 1000;
+/// Sums of more factors in all their terms stay as they are, too: each is tried against all others.
+const MOST_FACTORS: usize = 8000;
 /// Factors taken out one after the other; a polynomial of higher degree keeps its lowest part unfactored.
 const DEPTH: usize = 200;
 
@@ -79,7 +81,11 @@ impl Horner<'_> {
             Node::Sum(terms) if terms.len() > 1 && terms.len() <= MOST_TERMS => terms.clone(),
             _ => return id,
         };
-        let terms = terms.into_iter().map(|(term, c)| (self.monomial(term), c)).collect();
+        let monomials = terms.into_iter().map(|(term, c)| (self.monomial(term), c));
+        let terms: Vec<Term> = monomials.collect();
+        if terms.iter().map(|(monomial, _)| monomial.len()).sum::<usize>() > MOST_FACTORS {
+            return id;
+        }
         self.horner(terms, 0)
     }
 

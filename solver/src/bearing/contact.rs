@@ -181,7 +181,7 @@ pub(super) struct PlaneState {
     pub(super) bore: Vec<f64>,
     pub(super) bore_dot: Vec<f64>,
     inputs: Vec<f64>,
-    forces: Vec<f64>,
+    pub(super) forces: Vec<f64>,
     slopes: Vec<f64>,
     ring_force: [f64; 3],
     pub(super) bore_force: Vec<f64>,
@@ -462,11 +462,11 @@ impl ContactsState {
             (law.kind.tangent)(place.count, &state, &own.forces, &own.slopes, a1, out);
             out.ring_ring
         };
+        // B + a1 P is linear in a1. What `out` holds of the bore in the end is of a1 itself.
+        let step = if a1 > 0.0 { a1 } else { 1.0 };
+        let beyond = self.spin.as_ref().map(|spin| (spin, tangent(a1 + step)));
         let both = tangent(a1);
-        if let Some(spin) = &self.spin {
-            // B + a1 P is linear in a1.
-            let step = if a1 > 0.0 { a1 } else { 1.0 };
-            let more = tangent(a1 + step);
+        if let Some((spin, more)) = beyond {
             let rate = [0, 1, 2].map(|i| [0, 1, 2].map(|j| (more[i][j] - both[i][j]) / step));
             out.ring_ring = spin.tangent(&both, &rate);
         }

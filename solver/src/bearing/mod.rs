@@ -70,6 +70,8 @@ pub(crate) struct Plane {
 /// gives more.
 pub struct Springs {
     pub(crate) kernels: &'static Clearance,
+    /// Number of bearings and stops.
+    pub(crate) bearings: usize,
     pub(crate) contacts: Contacts,
     pub(crate) laws: Vec<(BoundLaw, Range<usize>)>,
     pub(crate) planes: Vec<Plane>,
@@ -177,6 +179,7 @@ impl Springs {
         let reach = on_theta.chain(on_shaft).chain(on_support).collect();
         Ok(Springs {
             kernels,
+            bearings: bearings.len(),
             contacts,
             laws: bound,
             planes,

@@ -198,6 +198,24 @@ impl SpringState {
         (largest, sum)
     }
 
+    /// A law that gave no number when the springs were last updated, and its bearing.
+    pub(crate) fn without_value(&self, springs: &Springs) -> Option<(String, usize)> {
+        let lost = |forces: &[f64]| forces.iter().any(|force| !force.is_finite());
+        for (law, range) in &springs.laws {
+            let planes = springs.planes.iter().filter(|plane| range.contains(&plane.springs.start));
+            for plane in planes.filter(|plane| lost(&self.forces[plane.springs.clone()])) {
+                return Some((law.law.name().to_owned(), plane.bearing));
+            }
+        }
+        for (law, planes) in &springs.contacts.laws {
+            for place in planes.clone().filter(|&place| lost(&self.contacts.planes[place].forces)) {
+                let bearing = springs.contacts.planes[place].bearing;
+                return Some((law.law.name().to_owned(), bearing));
+            }
+        }
+        None
+    }
+
     /// The derivatives of the generalised forces of one plane, B + a1 P; see [`RingTangent`].
     pub(crate) fn tangent(&self, springs: &Springs, plane: usize, a1: f64, out: &mut RingTangent) {
         let range = springs.planes[plane].springs.clone();

@@ -23,10 +23,6 @@ const END: f64 = 0.05;
 /// Work of springs along steps, in J.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct SpringWork {
-    /// Σ |½ (Q_n + Q_{n+1})·Δh − ∫ Q dh| over springs, or planes of other laws.
-    pub(crate) made: f64,
-    /// Σ |∫ Q dh|.
-    pub(crate) flowed: f64,
     /// Work done against the forces that the springs would have at rest.
     pub(crate) stored: f64,
     /// Work done against the rest of the forces.
@@ -34,20 +30,39 @@ pub(crate) struct SpringWork {
 }
 
 impl SpringWork {
-    /// Adds one spring: its work by the trapezoidal rule, along the way, and along the way at rest.
-    fn add(&mut self, trapezoid: f64, along: f64, at_rest: f64) {
-        self.made += (trapezoid - along).abs();
-        self.flowed += along.abs();
+    /// Adds one spring: its work along the way, and along the way at rest.
+    fn add(&mut self, along: f64, at_rest: f64) {
         self.stored -= at_rest;
         self.dissipated -= along - at_rest;
     }
 
     /// Adds the work of another step.
     pub(crate) fn add_step(&mut self, other: &SpringWork) {
-        self.made += other.made;
-        self.flowed += other.flowed;
         self.stored += other.stored;
         self.dissipated += other.dissipated;
+    }
+}
+
+/// Energy made and energy that flowed at a bearing (J).
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct Flow {
+    /// Σ |½ (Q_n + Q_{n+1})·Δh − ∫ Q dh| over its springs and the steps.
+    pub(crate) made: f64,
+    /// Σ |Σ ∫ Q dh|: the work on its springs together, without sign. What springs hold against each other
+    /// flows nowhere.
+    pub(crate) flowed: f64,
+}
+
+impl Flow {
+    /// Adds another step or part.
+    pub(crate) fn add(&mut self, other: &Flow) {
+        self.made += other.made;
+        self.flowed += other.flowed;
+    }
+
+    /// Made over flowed; 0 where nothing was made.
+    pub(crate) fn share(&self) -> f64 {
+        if self.made == 0.0 { 0.0 } else { self.made / self.flowed }
     }
 }
 
@@ -65,6 +80,8 @@ pub(crate) struct WorkAlong {
     planes: Vec<PlaneStart>,
     probe: ContactsState,
     plane_work: Vec<[f64; 2]>,
+    /// Energy made and the work on all springs of each bearing in the last step.
+    bearings: Vec<Flow>,
 }
 
 /// One plane of another law when the step began.
@@ -102,6 +119,7 @@ impl WorkAlong {
             planes: probe.planes.iter().map(plane).collect(),
             plane_work: vec![[0.0; 2]; probe.planes.len()],
             probe,
+            bearings: vec![Flow::default(); springs.bearings],
         };
         work.start(springs, state);
         work
@@ -130,11 +148,17 @@ impl WorkAlong {
         spins: [Option<[f64; 2]>; 2],
     ) -> SpringWork {
         let mut work = SpringWork::default();
+        self.bearings.fill(Flow::default());
         self.along_springs(springs, state);
-        for j in 0..springs.len() {
-            let moved = state.h[j] - self.h[j];
-            let trapezoid = 0.5 * (self.forces[j] + state.forces[j]) * moved;
-            work.add(trapezoid, self.along[j], self.at_rest[j]);
+        for plane in &springs.planes {
+            let own = &mut self.bearings[plane.bearing];
+            for j in plane.springs.clone() {
+                let moved = state.h[j] - self.h[j];
+                let trapezoid = 0.5 * (self.forces[j] + state.forces[j]) * moved;
+                own.made += (trapezoid - self.along[j]).abs();
+                own.flowed += self.along[j];
+                work.add(self.along[j], self.at_rest[j]);
+            }
         }
         if !self.planes.is_empty() {
             self.along_planes(springs, state, spins);
@@ -143,11 +167,20 @@ impl WorkAlong {
                 let force = state.contacts.plane_force(place);
                 let before = power(start, end, &start.force, &start.bore_force);
                 let after = power(start, end, &force, &end.bore_force);
-                work.add(0.5 * (before + after), *along, *at_rest);
+                let own = &mut self.bearings[springs.contacts.planes[place].bearing];
+                own.made += (0.5 * (before + after) - along).abs();
+                own.flowed += along;
+                work.add(*along, *at_rest);
             }
         }
+        self.bearings.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
         self.start(springs, state);
         work
+    }
+
+    /// Of the last step, one a bearing.
+    pub(crate) fn bearings(&self) -> &[Flow] {
+        &self.bearings
     }
 
     /// ∫ Q dh of the springs with laws Q(h, ḣ).

@@ -4,12 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::meters::MeterSums;
 use super::newmark::State;
+use super::newton::Kept;
 use super::steady::SteadyTest;
 use crate::bearing::Worst;
-
-/// Steps from one checkpoint to the next. Factors are made anew there in every march, so that one resumed from
-/// a checkpoint goes on with the same bits. A factorisation costs a few steps, of which this many make little.
-pub const CHECKPOINT_STEPS: usize = 1000;
 
 /// What a march has counted and summed up; all of it is in its checkpoints.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,7 +26,8 @@ pub struct Checkpoint {
     pub(super) time: f64,
     /// Which driving loads have stopped.
     pub(super) released: Vec<bool>,
-    pub(super) factorisations: usize,
+    /// Where the factors that are kept were made.
+    pub(super) newton: Kept,
     pub(super) meters: MeterSums,
     /// Of the measures by which the laws may be believed.
     pub(super) worst: Vec<Option<Worst>>,

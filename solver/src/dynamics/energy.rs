@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::newmark::State;
 use super::system::System;
+use super::windows::Windows;
 use crate::bearing::work::{SpringWork, WorkAlong};
 
 /// The energy balance of a march, in J: work in = kinetic + strain + stored + lost + dissipated + error, each
@@ -26,6 +27,9 @@ pub struct EnergyBalance {
     pub spring_dissipated: f64,
     /// Work done on the dampers of shaft and support.
     pub dissipated: f64,
+    /// Energy in play: kinetic and strain energy at the start, and what loads, dampers and springs moved since,
+    /// summed without sign.
+    pub turnover: f64,
 }
 
 impl EnergyBalance {
@@ -34,6 +38,12 @@ impl EnergyBalance {
         let springs = self.spring_stored + self.spring_dissipated;
         self.work_in - self.kinetic - self.strain - springs - self.dissipated
     }
+
+    /// The error as a share of the energy in play; 0 where it is 0.
+    pub fn error_share(&self) -> f64 {
+        let error = self.error().abs();
+        if error == 0.0 { 0.0 } else { error / self.turnover }
+    }
 }
 
 /// The sums of an energy balance, as they are carried from step to step.
@@ -41,7 +51,11 @@ impl EnergyBalance {
 pub(crate) struct EnergySums {
     work_in: f64,
     dissipated: f64,
-    pub(crate) springs: SpringWork,
+    turnover: f64,
+    /// What there was at the start, and what loads brought and took.
+    supplied: f64,
+    springs: SpringWork,
+    pub(crate) flows: Windows,
     start: (f64, f64),
 }
 
@@ -57,12 +71,16 @@ pub(crate) struct EnergyMeter {
 impl EnergyMeter {
     /// Starts at a state that was just evaluated.
     pub(crate) fn new(system: &mut System, state: &State) -> Self {
+        let start = (system.kinetic_energy(state), system.strain_energy(state));
         EnergyMeter {
             sums: EnergySums {
                 work_in: 0.0,
                 dissipated: 0.0,
                 springs: SpringWork::default(),
-                start: (system.kinetic_energy(state), system.strain_energy(state)),
+                flows: Windows::new(system.machine.springs.bearings),
+                turnover: start.0 + start.1,
+                supplied: start.0 + start.1,
+                start,
             },
             along: WorkAlong::new(&system.machine.springs, &system.springs),
             load: system.load.clone(),
@@ -77,8 +95,10 @@ impl EnergyMeter {
             let forces = before.iter().zip(after).map(|(a, b)| 0.5 * (a + b));
             forces.zip(start.q.iter().zip(&end.q)).map(|(force, (a, b))| force * (b - a)).sum()
         };
-        self.sums.work_in += moved(&self.load, &system.load);
-        self.sums.dissipated += moved(&self.damper, &system.damper);
+        let work_in = moved(&self.load, &system.load);
+        let dissipated = moved(&self.damper, &system.damper);
+        self.sums.work_in += work_in;
+        self.sums.dissipated += dissipated;
         self.load.copy_from_slice(&system.load);
         self.damper.copy_from_slice(&system.damper);
         let machine = system.machine;
@@ -86,19 +106,39 @@ impl EnergyMeter {
         self.time = system.time;
         let work = self.along.end(&machine.springs, &system.springs, spins);
         self.sums.springs.add_step(&work);
-        work.made
+        let bearings = self.along.bearings();
+        self.sums.flows.add(bearings);
+        let flowed: f64 = bearings.iter().map(|own| own.flowed).sum();
+        self.sums.supplied += work_in.abs();
+        self.sums.turnover += work_in.abs() + dissipated.abs() + flowed;
+        bearings.iter().map(|own| own.made).sum()
     }
 
     /// The balance at a state.
     pub(crate) fn balance(&self, system: &mut System, state: &State) -> EnergyBalance {
-        let EnergySums { work_in, dissipated, springs, start } = self.sums;
+        let EnergySums { work_in, dissipated, springs, start, .. } = &self.sums;
         EnergyBalance {
-            work_in,
+            work_in: *work_in,
             kinetic: system.kinetic_energy(state) - start.0,
             strain: system.strain_energy(state) - start.1,
             spring_stored: springs.stored,
             spring_dissipated: springs.dissipated,
-            dissipated,
+            dissipated: *dissipated,
+            turnover: self.sums.turnover,
         }
+    }
+
+    /// Energy below which it does not matter what is made of it (J): a thousandth of what was supplied.
+    pub(crate) fn negligible(&self) -> f64 {
+        1e-3 * self.sums.supplied
+    }
+
+    /// Goes on from sums of an earlier march at a state that was just evaluated.
+    pub(crate) fn go_on_from(&mut self, system: &System, sums: EnergySums) {
+        self.sums = sums;
+        self.along.start(&system.machine.springs, &system.springs);
+        self.load.copy_from_slice(&system.load);
+        self.damper.copy_from_slice(&system.damper);
+        self.time = system.time;
     }
 }

@@ -2,13 +2,13 @@
 
 use std::ops::ControlFlow;
 
-use super::checkpoint::{CHECKPOINT_STEPS, Checkpoint, Tally};
+use super::checkpoint::{Checkpoint, Tally};
 use super::energy::EnergyBalance;
 use super::meters::Meters;
 use super::newmark::{Coefficients, Newmark, State};
 use super::newton::{Ending, Newton, NewtonOptions, Report};
 use super::quality::Quality;
-use super::row::write_row;
+use super::row::{displacements, write_row};
 use super::steady::{SteadyState, SteadyTest};
 use super::system::System;
 use crate::bearing::Worst;
@@ -94,7 +94,7 @@ pub fn march(
 ) -> Result<Outcome, Box<Failure>> {
     let mut march = March::new(machine, options)?;
     let mut history = History::for_machine(machine);
-    history.reserve(options.steps.min(CHECKPOINT_STEPS));
+    history.reserve(options.steps.min(1000));
     while !march.is_done() {
         if let Err(error) = march.advance() {
             let outcome = Outcome { history, ..march.outcome() };
@@ -156,8 +156,8 @@ impl<'m> March<'m> {
                 return Err(Box::new(Failure { error, outcome }));
             }
         };
-        let springs = machine.springs.forces();
-        let steady = options.cycle.map(|cycle| SteadyTest::new(springs, cycle, options.time_step));
+        let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
+        let steady = options.cycle.map(|cycle| SteadyTest::new(signals, cycle, options.time_step));
         let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
         Ok(March::from_parts(options, system, state, meters, tally))
     }
@@ -166,21 +166,21 @@ impl<'m> March<'m> {
     /// steps that follow, and the outcome, have the same bits as those of a march that was never interrupted.
     ///
     /// # Errors
-    /// A mass matrix that is not positive definite.
+    /// A mass matrix that cannot be inverted.
     pub fn resume(
         machine: &'m Machine,
         options: &MarchOptions,
         from: Checkpoint,
     ) -> Result<Self, Error> {
-        let Checkpoint { state, time, released, factorisations, meters: sums, worst, tally } = from;
-        let mut system = System::new(machine);
+        let Checkpoint { state, time, released, newton, meters, worst, tally } = from;
+        let mut march = March::new(machine, options).map_err(|failure| failure.error)?;
+        let system = &mut march.system;
+        march.newton.go_on_from(system, options.newmark, newton);
         system.released = released;
         system.evaluate(time, &state);
-        let mut meters = Meters::new(&mut system, options.newmark, options.time_step, &state)?;
-        meters.go_on_from(sums);
-        let mut march = March::from_parts(options, system, state, meters, tally);
-        march.newton.factorisations = factorisations;
-        march.system.springs.resume(&worst);
+        system.springs.resume(&worst);
+        march.meters.go_on_from(system, meters);
+        (march.state, march.tally) = (state, tally);
         Ok(march)
     }
 
@@ -207,19 +207,17 @@ impl<'m> March<'m> {
         }
     }
 
-    /// What a march needs to go on after this step; at multiples of [`CHECKPOINT_STEPS`] only, as elsewhere
-    /// the factors that are kept would be missing.
-    pub fn checkpoint(&self) -> Option<Checkpoint> {
-        let here = self.tally.step > 0 && self.tally.step.is_multiple_of(CHECKPOINT_STEPS);
-        here.then(|| Checkpoint {
+    /// What a march needs to go on after the last step.
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
             state: self.state.clone(),
             time: self.system.time,
             released: self.system.released.clone(),
-            factorisations: self.newton.factorisations,
+            newton: self.newton.kept().clone(),
             meters: self.meters.sums(),
             worst: self.worst().to_vec(),
             tally: self.tally.clone(),
-        })
+        }
     }
 
     /// Takes one step; its row is in [`March::row`].
@@ -227,9 +225,6 @@ impl<'m> March<'m> {
     /// # Errors
     /// The step does not converge.
     pub fn advance(&mut self) -> Result<(), Error> {
-        if self.tally.step.is_multiple_of(CHECKPOINT_STEPS) {
-            self.newton.forget_factors();
-        }
         self.release_loads();
         let dt = self.options.time_step;
         let start = self.tally.step as f64 * dt;
@@ -238,10 +233,11 @@ impl<'m> March<'m> {
         self.tally.step += 1;
         self.tally.iterations += self.last_iterations;
         let time = self.time();
-        if let Some(test) = &mut self.tally.steady {
-            test.add(time, &self.system.springs.forces);
-        }
         write_row(&self.system, &self.state, time, self.last_iterations, &mut self.row);
+        if let Some(test) = &mut self.tally.steady {
+            let displacements = &self.row[displacements(self.machine.monitors.len())];
+            test.add(time, self.system.springs.forces.iter().chain(displacements));
+        }
         self.system.springs.observe(&self.machine.springs, time);
         Ok(())
     }
@@ -284,6 +280,10 @@ impl<'m> March<'m> {
     }
 
     fn diverged(&self, time: f64, dt: f64, report: &Report) -> Error {
+        if let Some((law, bearing)) = self.system.springs.without_value(&self.machine.springs) {
+            let step = self.tally.step + 1;
+            return Error::NoForce { step, time, law, bearing: bearing + 1 };
+        }
         let worst = self.newton.worst(&self.system.residual);
         Error::NewtonDiverged {
             step: self.tally.step + 1,
@@ -347,7 +347,7 @@ impl<'m> March<'m> {
             history: History::for_machine(self.machine),
             steady: self.tally.steady.and_then(|test| test.reached),
             iterations: self.tally.iterations,
-            factorisations: self.newton.factorisations,
+            factorisations: self.newton.kept().factorisations,
             halved_steps: self.tally.halved_steps,
         }
     }

@@ -56,10 +56,10 @@ impl Meters {
         MeterSums { energy: self.energy.sums.clone(), quality: self.quality.sums.clone() }
     }
 
-    /// Goes on from what was measured before.
-    pub(crate) fn go_on_from(&mut self, sums: MeterSums) {
-        let MeterSums { energy, quality } = sums;
-        (self.energy.sums, self.quality.sums) = (energy, quality);
+    /// Goes on from what was measured before, at a state that was just evaluated.
+    pub(crate) fn go_on_from(&mut self, system: &System, sums: MeterSums) {
+        self.energy.go_on_from(system, sums.energy);
+        self.quality.sums = sums.quality;
     }
 
     /// The energy balance at a state.
@@ -69,7 +69,6 @@ impl Meters {
 
     /// What the steps were worth; the system is evaluated elsewhere for it.
     pub(crate) fn quality(&self, system: &mut System) -> Quality {
-        let springs = self.energy.sums.springs;
-        self.quality.quality(system, springs.made, springs.flowed)
+        self.quality.quality(system, &self.energy.sums.flows, self.energy.negligible())
     }
 }

@@ -13,8 +13,9 @@ mod rows;
 mod steady;
 mod system;
 mod verdict;
+mod windows;
 
-pub use checkpoint::{CHECKPOINT_STEPS, Checkpoint};
+pub use checkpoint::Checkpoint;
 pub use energy::EnergyBalance;
 pub use march::{Failure, March, MarchOptions, Outcome, Progress, march};
 pub use newmark::{Coefficients, Newmark, State};
@@ -22,4 +23,4 @@ pub use newton::NewtonOptions;
 pub use quality::Quality;
 pub use steady::SteadyState;
 pub use system::System;
-pub use verdict::{ENERGY_MADE, Finding, LOCAL_ERROR, ROW_ERROR, findings};
+pub use verdict::{Finding, findings};

@@ -7,7 +7,9 @@
 //! φ only steers. A step counts as solved when every row of r is (`System::row_error`) and the forces of the
 //! springs have come to rest.
 
-use super::newmark::{Coefficients, State};
+use serde::{Deserialize, Serialize};
+
+use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
 use crate::linalg::Lu;
 
@@ -16,6 +18,9 @@ use crate::linalg::Lu;
 pub struct NewtonOptions {
     /// Largest change of a spring force in the last iteration, and largest force missing at a spring (N).
     pub force_tolerance: f64,
+    /// The same as a share of the largest spring force so far; the smaller of the two holds, so that a machine
+    /// of small forces is solved as well as a large one.
+    pub force_share: f64,
     /// Largest residual left in a row of the equations, as a share of the largest term of that row; see
     /// `System::row_error`.
     pub residual_tolerance: f64,
@@ -35,6 +40,7 @@ impl Default for NewtonOptions {
     fn default() -> Self {
         NewtonOptions {
             force_tolerance: 1e-3,
+            force_share: 1e-5,
             residual_tolerance: SOLVED,
             max_iterations: 40,
             keep_factors: true,
@@ -78,6 +84,21 @@ pub(crate) struct Report {
     pub(crate) row_error: f64,
 }
 
+/// What the iteration keeps over steps, but its factors: enough to make them again with the same bits.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Kept {
+    /// Time (s), state and released loads at which [AK] was factored.
+    time: f64,
+    state: State,
+    released: Vec<bool>,
+    /// Step length (s) for which it was; 0 where there are no factors.
+    dt: f64,
+    /// How often a matrix was factored.
+    pub(crate) factorisations: usize,
+    /// Largest spring force of all steps (N).
+    largest_force: f64,
+}
+
 /// Memory of the iteration, and the factors it keeps. Rows and columns are those of the unknowns: all
 /// coordinates from `first` on.
 pub(crate) struct Newton {
@@ -86,8 +107,7 @@ pub(crate) struct Newton {
     lu: Lu,
     /// [AK] of all coordinates, where not all are unknown.
     whole: Vec<f64>,
-    /// Step length for which the factors were made; none if 0.
-    factored_dt: f64,
+    kept: Kept,
     /// 1/s.
     weights: Vec<f64>,
     weights_dt: f64,
@@ -97,8 +117,6 @@ pub(crate) struct Newton {
     correction: Vec<f64>,
     trial: State,
     forces: Vec<f64>,
-    /// How often a matrix was factored.
-    pub(crate) factorisations: usize,
     /// √(2φ) after every iteration of the last step.
     pub(crate) residuals: Vec<f64>,
 }
@@ -113,7 +131,14 @@ impl Newton {
             first,
             lu: Lu::new(unknowns),
             whole: vec![0.0; if first > 0 { size * size } else { 0 }],
-            factored_dt: 0.0,
+            kept: Kept {
+                time: 0.0,
+                state: State::new(size),
+                released: vec![false; machine.loads.len()],
+                dt: 0.0,
+                factorisations: 0,
+                largest_force: 0.0,
+            },
             weights: vec![1.0; unknowns],
             weights_dt: 0.0,
             direction: vec![0.0; unknowns],
@@ -121,14 +146,24 @@ impl Newton {
             correction: vec![0.0; unknowns],
             trial: State::new(size),
             forces: vec![0.0; machine.springs.forces()],
-            factorisations: 0,
             residuals: Vec::with_capacity(options.max_iterations + 1),
         }
     }
 
-    /// Makes the factors anew in the next iteration.
-    pub(crate) fn forget_factors(&mut self) {
-        self.factored_dt = 0.0;
+    /// What is kept over steps.
+    pub(crate) fn kept(&self) -> &Kept {
+        &self.kept
+    }
+
+    /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
+    pub(crate) fn go_on_from(&mut self, system: &mut System, method: Newmark, kept: Kept) {
+        if kept.dt > 0.0 {
+            system.released.copy_from_slice(&kept.released);
+            system.evaluate(kept.time, &kept.state);
+            let step = Coefficients::new(method, kept.dt);
+            self.factor(system, kept.time, &kept.state, &step);
+        }
+        self.kept = kept;
     }
 
     /// Solves for the state at `t`, the end of `step`, from the prediction in `end`.
@@ -153,7 +188,7 @@ impl Newton {
             if !norm.is_finite() {
                 return self.failed(iteration, norm, force_change);
             }
-            let mut fresh = self.factored_dt != step.dt || !self.options.keep_factors;
+            let mut fresh = self.kept.dt != step.dt || !self.options.keep_factors;
             if fresh && !self.factor(system, t, end, step) {
                 return self.failed(iteration, norm, force_change);
             }
@@ -181,10 +216,15 @@ impl Newton {
             self.residuals.push(norm);
             let (change, largest) = self.force_change(system);
             force_change = change;
-            let at_rest = change <= self.options.force_tolerance + FORCE_ROUNDING * largest;
+            let most = f64::max(self.kept.largest_force, largest);
+            let share = self.options.force_share * most;
+            let force_tolerance = f64::min(self.options.force_tolerance, share);
+            let at_rest = change <= force_tolerance + FORCE_ROUNDING * largest;
             if length == 1.0 && at_rest {
-                let row_error = system.row_error(end, &self.predicted, &self.options);
+                let options = NewtonOptions { force_tolerance, ..self.options };
+                let row_error = system.row_error(end, &self.predicted, &options);
                 if row_error <= 1.0 {
+                    self.kept.largest_force = most;
                     let ending = Ending::Converged;
                     let iterations = iteration;
                     return Report { ending, iterations, residual: norm, force_change, row_error };
@@ -192,7 +232,7 @@ impl Newton {
             }
             let size = self.length();
             if length < 1.0 || size > CONTRACTION * last_length {
-                self.factored_dt = 0.0;
+                self.kept.dt = 0.0;
             }
             last_length = size;
         }
@@ -239,9 +279,9 @@ impl Newton {
     fn force_change(&self, system: &System) -> (f64, f64) {
         let pairs = self.forces.iter().zip(&system.springs.forces);
         pairs.fold((0.0, 0.0), |(change, largest), (before, after)| {
-            // A difference that is no number is the largest.
+            // A difference that is no number is the largest, and stays it.
             let own = (before - after).abs();
-            let change = if own <= change { change } else { own };
+            let change = if own <= change || change.is_nan() { change } else { own };
             (change, f64::max(largest, after.abs()))
         })
     }
@@ -263,9 +303,12 @@ impl Newton {
                 own.copy_from_slice(&whole[first..]);
             }
         }
-        self.factorisations += 1;
         let done = self.lu.factor_in_place().is_ok();
-        self.factored_dt = if done { step.dt } else { 0.0 };
+        let kept = &mut self.kept;
+        kept.factorisations += 1;
+        (kept.time, kept.dt) = (t, if done { step.dt } else { 0.0 });
+        kept.state.copy_from(at);
+        kept.released.copy_from_slice(&system.released);
         done
     }
 
@@ -299,7 +342,7 @@ impl Newton {
     }
 
     fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> Report {
-        self.factored_dt = 0.0;
+        self.kept.dt = 0.0;
         let row_error = f64::INFINITY;
         Report { ending: Ending::Failed, iterations, residual, force_change, row_error }
     }

@@ -4,57 +4,70 @@ use serde::{Deserialize, Serialize};
 
 use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
+use super::windows::Windows;
 use crate::error::Error;
 use crate::linalg::{Cholesky, Matrix, generalised_symmetric_eigen};
 
 /// What the steps of a march were worth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Quality {
-    /// Energy that steps made or destroyed at the springs, summed without sign (J).
+    /// Energy made at the springs of a bearing as a share of what flowed there, at the bearing and in the part of
+    /// the march where it is largest; see `Windows::share`.
+    pub energy_made_share: f64,
+    /// The bearing where it is largest, counted from 0; none where no energy was made.
+    pub bearing: Option<usize>,
+    /// Energy that steps made or destroyed at that bearing, summed without sign (J).
     pub energy_made: f64,
-    /// Energy that flowed into the springs and out of them (J).
+    /// Energy that flowed into that bearing and out of it, summed without sign (J).
     pub energy_flowed: f64,
     /// Local error of a step that 95 % of the steps stay below, as a share of the largest displacement, in
     /// the modes that the step resolves (ωΔt < 1), all in the norm of the mass matrix.
     pub local_error: f64,
     /// The largest local error.
     pub largest_local_error: f64,
+    /// Motion in a step, in modes that the step does not resolve (ωΔt ≥ 1), that 95 % of the steps stay below, as
+    /// a share of the largest displacement.
+    pub unresolved_motion: f64,
     /// Largest residual of a row over what it may have; see `System::row_error`.
     pub row_error: f64,
     /// A step that resolves the machine with the springs as they were when most energy was made (s):
     /// 0.3/√λ, λ the largest eigenvalue of M⁻¹K; none if no energy was made.
     pub resolving_step: Option<f64>,
-}
-
-impl Quality {
-    /// Energy made as a share of what flowed; 0 if none did.
-    pub fn energy_made_share(&self) -> f64 {
-        if self.energy_flowed > 0.0 { self.energy_made / self.energy_flowed } else { 0.0 }
-    }
+    /// A step that resolves all modes of the machine at the start: 0.3/ω of the fastest (s); none where all are
+    /// resolved.
+    pub mode_step: Option<f64>,
 }
 
 /// √λ Δt that counts as resolved, for [`Quality::resolving_step`].
 const RESOLVED: f64 = 0.3;
 
+/// Displacements, and motions in modes that are not resolved, are taken from the first thousand steps and one in so
+/// many of those after, in no order that a motion could keep to.
+const SAMPLED: u64 = 16;
+const ALL_SAMPLED: u64 = 1000;
+
 /// What is carried from step to step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct QualitySums {
+    steps: u64,
     errors: Histogram,
     largest_error: f64,
-    /// Largest displacement in resolved modes.
+    /// Largest displacement in resolved modes, and in the others.
     amplitude: f64,
+    unresolved_amplitude: f64,
+    /// Motion in a step in modes that are not resolved.
+    motions: Histogram,
     row_error: f64,
     /// Most energy made by a step, and the ends of that step.
     most_made: f64,
     worst: [(f64, State); 2],
-    /// Of the machine at the start.
-    modes: ResolvedModes,
 }
 
 /// Measures steps.
 pub(crate) struct QualityMeter {
     pub(crate) sums: QualitySums,
     beta: f64,
+    modes: Modes,
 }
 
 impl QualityMeter {
@@ -68,17 +81,19 @@ impl QualityMeter {
         dt: f64,
         state: &State,
     ) -> Result<Self, Error> {
-        let mut modes = ResolvedModes::new(system, dt, state)?;
+        let mut modes = Modes::new(system, dt, state)?;
         let sums = QualitySums {
+            steps: 0,
             errors: Histogram::new(),
             largest_error: 0.0,
-            amplitude: modes.norm(&state.q),
+            amplitude: modes.resolved.norm(&state.q),
+            unresolved_amplitude: modes.unresolved.norm(&state.q),
+            motions: Histogram::new(),
             row_error: 0.0,
             most_made: 0.0,
             worst: [(0.0, state.clone()), (0.0, state.clone())],
-            modes,
         };
-        Ok(QualityMeter { sums, beta: method.beta })
+        Ok(QualityMeter { sums, beta: method.beta, modes })
     }
 
     /// Adds a step of `dt` s from `start` at time `t` (s) to `end`.
@@ -90,14 +105,19 @@ impl QualityMeter {
         made: f64,
         row_error: f64,
     ) {
-        let sums = &mut self.sums;
+        let (sums, modes) = (&mut self.sums, &mut self.modes);
         // Zienkiewicz and Xie (1991): (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
         let factor = (self.beta - 1.0 / 6.0).abs() * dt * dt;
-        let error = factor * sums.modes.norm_of_change(&start.a, &end.a);
+        let error = factor * modes.resolved.norm_of_change(&start.a, &end.a);
         sums.errors.add(error);
         sums.largest_error = sums.largest_error.max(error);
-        let amplitude = sums.modes.norm(&end.q);
-        sums.amplitude = sums.amplitude.max(amplitude);
+        if sums.steps < ALL_SAMPLED || scattered(sums.steps).is_multiple_of(SAMPLED) {
+            sums.amplitude = sums.amplitude.max(modes.resolved.norm(&end.q));
+            let unresolved = &mut modes.unresolved;
+            sums.motions.add(unresolved.norm_of_motion(&start.q, &end.q));
+            sums.unresolved_amplitude = sums.unresolved_amplitude.max(unresolved.norm(&end.q));
+        }
+        sums.steps += 1;
         sums.row_error = sums.row_error.max(row_error);
         if made > sums.most_made {
             sums.most_made = made;
@@ -108,45 +128,58 @@ impl QualityMeter {
         }
     }
 
-    /// What the steps so far were worth.
-    pub(crate) fn quality(
-        &self,
-        system: &mut System,
-        energy_made: f64,
-        energy_flowed: f64,
-    ) -> Quality {
+    /// What the steps so far were worth; less energy than `negligible` (J) is held against that.
+    pub(crate) fn quality(&self, system: &mut System, flows: &Windows, negligible: f64) -> Quality {
         let sums = &self.sums;
-        let share = |error: f64| if error > 0.0 { error / sums.amplitude } else { 0.0 };
+        let share = |error: f64, amplitude: f64| if error == 0.0 { 0.0 } else { error / amplitude };
         let worst = sums.worst.iter().filter(|_| sums.most_made > 0.0);
         let eigenvalues = worst.filter_map(|(t, state)| {
             let value = largest_eigenvalue(system, *t, state);
             (value > 0.0).then_some(value)
         });
         let largest = eigenvalues.reduce(f64::max);
+        let bearings = 0..system.machine.springs.bearings;
+        let shares = bearings.map(|bearing| (bearing, flows.share(bearing, negligible).abs()));
+        // No number is larger than any.
+        let worst = shares.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, share)| *share != 0.0);
+        let flow = worst.map(|(bearing, _)| flows.whole(bearing)).unwrap_or_default();
+        let all = sums.amplitude.hypot(sums.unresolved_amplitude);
         Quality {
-            energy_made,
-            energy_flowed,
-            local_error: share(sums.errors.below(0.95)),
-            largest_local_error: share(sums.largest_error),
+            energy_made_share: worst.map_or(0.0, |(_, share)| share),
+            bearing: worst.map(|(bearing, _)| bearing),
+            energy_made: flow.made,
+            energy_flowed: flow.flowed,
+            // Classes round up.
+            local_error: share(sums.errors.below(0.95).min(sums.largest_error), sums.amplitude),
+            largest_local_error: share(sums.largest_error, sums.amplitude),
+            unresolved_motion: share(sums.motions.below(0.95), all),
             row_error: sums.row_error,
             resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
+            mode_step: self.modes.fastest.map(|omega| RESOLVED / omega),
         }
     }
 }
 
-/// The modes of the machine at rest that the step resolves, springs as they are at the start, as rows over the
-/// unknowns in the norm of M. θ takes part: it and the flexible shaft accelerate against each other. Motions of
-/// more than 6000 steps a period are left out, so that a shaft that turns is not measured by its angle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct ResolvedModes {
-    /// Place of the first unknown.
-    first: usize,
-    /// Unknowns × modes.
-    rows: Matrix,
-    change: Vec<f64>,
+/// A number for each step in which no order is to be seen (the finish of splitmix64).
+fn scattered(step: u64) -> u64 {
+    let mut hash = step.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    hash ^ (hash >> 31)
 }
 
-impl ResolvedModes {
+/// The modes of the machine at rest, springs as they are at the start. θ takes part: it and the flexible shaft
+/// accelerate against each other. Motions of more than 6000 steps a period are left out, so that a shaft that
+/// turns is not measured by its angle.
+struct Modes {
+    /// ωΔt < 1.
+    resolved: Projection,
+    unresolved: Projection,
+    /// ω of the fastest, if the step does not resolve it (rad/s).
+    fastest: Option<f64>,
+}
+
+impl Modes {
     /// At a state that was just evaluated.
     fn new(system: &mut System, dt: f64, state: &State) -> Result<Self, Error> {
         let machine = system.machine;
@@ -168,31 +201,69 @@ impl ResolvedModes {
             }
         });
         let eigen = generalised_symmetric_eigen(&stiffness, &mass)?;
-        let resolved = |square: f64| (1e-6..1.0).contains(&(square * dt * dt));
-        let modes: Vec<usize> = (0..size - first).filter(|&i| resolved(eigen.values[i])).collect();
         let all: Vec<usize> = (0..size - first).collect();
-        let rows = crate::linalg::multiply(mass.view(), eigen.vectors.select(&all, &modes).view());
-        Ok(ResolvedModes { first, rows, change: vec![0.0; size - first] })
+        let project = |within: &dyn Fn(f64) -> bool| {
+            let modes = all.iter().filter(|&&i| within(eigen.values[i] * dt * dt));
+            let modes: Vec<usize> = modes.copied().collect();
+            let vectors = eigen.vectors.select(&all, &modes);
+            let rows = crate::linalg::multiply(mass.view(), vectors.view());
+            Projection { first, rows, change: vec![0.0; size - first] }
+        };
+        let fastest = eigen.values.iter().copied().fold(0.0, f64::max);
+        Ok(Modes {
+            resolved: project(&|square| (1e-6..1.0).contains(&square)),
+            unresolved: project(&|square| square >= 1.0),
+            fastest: (fastest * dt * dt >= 1.0).then(|| fastest.sqrt()),
+        })
     }
+}
 
+/// The part of a motion in some modes, in the norm of M.
+struct Projection {
+    /// Place of the first unknown.
+    first: usize,
+    /// Unknowns × modes.
+    rows: Matrix,
+    change: Vec<f64>,
+}
+
+impl Projection {
     /// The norm of a displacement. An angle alone is none: it is orthogonal to all modes.
     fn norm(&mut self, x: &[f64]) -> f64 {
         self.change.copy_from_slice(&x[self.first..]);
+        self.norm_without_angle()
+    }
+
+    /// The norm of the difference of two displacements.
+    fn norm_of_motion(&mut self, before: &[f64], after: &[f64]) -> f64 {
+        self.subtract(before, after);
+        self.norm_without_angle()
+    }
+
+    fn norm_of_change(&mut self, before: &[f64], after: &[f64]) -> f64 {
+        self.subtract(before, after);
+        norm(&self.rows, &self.change)
+    }
+
+    fn subtract(&mut self, before: &[f64], after: &[f64]) {
+        let pairs = before[self.first..].iter().zip(&after[self.first..]);
+        self.change.iter_mut().zip(pairs).for_each(|(out, (a, b))| *out = b - a);
+    }
+
+    fn norm_without_angle(&mut self) -> f64 {
         if self.first == 0 {
             self.change[0] = 0.0;
         }
         norm(&self.rows, &self.change)
     }
-
-    fn norm_of_change(&mut self, before: &[f64], after: &[f64]) -> f64 {
-        let pairs = before[self.first..].iter().zip(&after[self.first..]);
-        self.change.iter_mut().zip(pairs).for_each(|(out, (a, b))| *out = b - a);
-        norm(&self.rows, &self.change)
-    }
 }
 
 fn norm(rows: &Matrix, x: &[f64]) -> f64 {
-    (0..rows.cols).map(|k| crate::linalg::dot(rows.col(k), x).powi(2)).sum::<f64>().sqrt()
+    let square = |k| {
+        let part = whirl_specs::vector::dot(rows.col(k), x);
+        part * part
+    };
+    (0..rows.cols).map(square).sum::<f64>().sqrt()
 }
 
 /// The largest eigenvalue of M⁻¹K of the unknowns at a state, K = −∂r/∂q with all its springs, by the power
@@ -252,11 +323,14 @@ impl Histogram {
         Histogram { zeros: 0, counts: vec![0; classes] }
     }
 
+    /// What is no number counts as the largest.
     fn add(&mut self, value: f64) {
         let class = (value.log10() + Self::DECADES) * Self::CLASSES;
-        match self.counts.get_mut(class as usize).filter(|_| class >= 0.0) {
-            Some(count) => *count += 1,
-            None => self.zeros += 1,
+        let last = self.counts.len() - 1;
+        match class {
+            _ if class.is_nan() || class >= last as f64 => self.counts[last] += 1,
+            _ if class < 0.0 => self.zeros += 1,
+            _ => self.counts[class as usize] += 1,
         }
     }
 

@@ -5,6 +5,11 @@ use super::system::System;
 use crate::linalg::dot;
 use crate::loads::Position;
 
+/// Places of the journals' displacements in a row of a machine with so many bearings.
+pub(super) fn displacements(bearings: usize) -> std::ops::Range<usize> {
+    3 + 2 * bearings..3 + 4 * bearings
+}
+
 /// Writes the row of the step that ends at `time` (s) at a state just evaluated, one value a column of
 /// [`History::for_machine`](crate::history::History::for_machine).
 pub(super) fn write_row(

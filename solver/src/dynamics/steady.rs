@@ -1,19 +1,20 @@
-//! The steady state: every spring force changes by less than 1 % over a cycle (paper, section 5.1).
+//! The steady state: every spring force changes by less than 1 % over a cycle (paper, section 5.1), and so does every
+//! displacement of a journal; and the cycles that follow are no larger or smaller than that.
 
 use serde::{Deserialize, Serialize};
 
-/// Largest change of a spring force over a cycle, as a share of the spring's peak in a cycle: a force that
-/// passes through zero is not judged by the little that it is there.
+/// Largest change of a signal over a cycle, as a share of its peak in a cycle: a force that passes through zero is
+/// not held against the little that it is there. Largest change of a peak after that, too.
 const CHANGE: f64 = 0.01;
-/// Springs whose peak is below this share of the largest one are judged by that share instead.
+/// Signals whose peak is below this share of the largest one of their kind are held against that share instead.
 const FLOOR: f64 = 0.01;
 
-/// Most rows of forces kept of a cycle; of a longer one every k-th step is compared.
+/// Most rows of signals kept of a cycle; of a longer one every k-th step is compared.
 const MOST_SAMPLES: usize = 4096;
-/// As many rows at least, however many springs there are: a sine is interpolated between them to (π/64)²/2.
+/// As many rows at least, however many signals there are: a sine is interpolated between them to (π/64)²/2.
 const LEAST_SAMPLES: usize = 64;
-/// Forces kept of a cycle where the springs are many, 8 MB.
-const MOST_FORCES: usize = 1 << 20;
+/// Numbers kept of a cycle where signals are many, 8 MB.
+const MOST_NUMBERS: usize = 1 << 20;
 
 /// When the steady state was reached, if it was.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -22,102 +23,136 @@ pub struct SteadyState {
     pub time: f64,
 }
 
-/// Compares spring forces with those of one cycle before, between samples where it is no whole number of
+/// Compares spring forces and displacements with those of one cycle before, between samples where it is no whole number of
 /// them. A sample is a step, or one of every few where a cycle has very many: memory is bounded.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct SteadyTest {
-    springs: usize,
+    /// Number of forces and of displacements, which follow them.
+    signals: [usize; 2],
     /// Steps from one sample to the next, and those since the last.
     every: usize,
     since: usize,
     /// Samples of a cycle, not whole.
     steps: f64,
-    /// Forces of the last samples, a ring of rows.
+    /// Signals of the last samples, a ring of rows.
     rows: Vec<f64>,
     capacity: usize,
     count: usize,
-    /// Largest |Q| of every spring in the last whole cycle, and in the one that runs.
+    /// Largest |signal| in the last whole cycle, and in the one that runs.
     peaks: [Vec<f64>; 2],
+    /// The peaks when the steady state was reached.
+    agreed: Vec<f64>,
     /// Samples in a row for which the test held.
     held: usize,
     pub(crate) reached: Option<SteadyState>,
 }
 
 impl SteadyTest {
-    /// A test for a cycle of `cycle` s in steps of `dt` s.
-    pub(crate) fn new(springs: usize, cycle: f64, dt: f64) -> Self {
-        let most = (MOST_FORCES / springs.max(1)).clamp(LEAST_SAMPLES, MOST_SAMPLES);
+    /// A test of so many forces and displacements for a cycle of `cycle` s in steps of `dt` s.
+    pub(crate) fn new(signals: [usize; 2], cycle: f64, dt: f64) -> Self {
+        let all = signals[0] + signals[1];
+        let most = (MOST_NUMBERS / all.max(1)).clamp(LEAST_SAMPLES, MOST_SAMPLES);
         let every = (cycle / dt / most as f64).ceil().max(1.0);
         let steps = cycle / dt / every;
         let capacity = steps.ceil() as usize + 2;
         SteadyTest {
-            springs,
+            signals,
             every: every as usize,
             since: 0,
             steps,
-            rows: vec![0.0; capacity * springs],
+            rows: vec![0.0; capacity * all],
             capacity,
             count: 0,
-            peaks: [vec![0.0; springs], vec![0.0; springs]],
+            peaks: [vec![0.0; all], vec![0.0; all]],
+            agreed: vec![0.0; all],
             held: 0,
             reached: None,
         }
     }
 
-    /// Adds the forces at the end of a step, at time `t`.
-    pub(crate) fn add(&mut self, t: f64, forces: &[f64]) {
+    /// Adds forces and displacements at the end of a step, at time `t`.
+    pub(crate) fn add<'a>(&mut self, t: f64, signals: impl Iterator<Item = &'a f64> + Clone) {
         self.since += 1;
         if self.since < self.every {
-            raise(&mut self.peaks[1], forces);
+            raise(&mut self.peaks[1], signals);
             return;
         }
         self.since = 0;
-        let place = self.count % self.capacity;
-        self.rows[place * self.springs..(place + 1) * self.springs].copy_from_slice(forces);
+        let all = self.signals[0] + self.signals[1];
+        let place = self.count % self.capacity * all;
+        let row = &mut self.rows[place..place + all];
+        row.iter_mut().zip(signals.clone()).for_each(|(kept, own)| *kept = *own);
         self.count += 1;
-        if self.reached.is_some() {
-            return;
-        }
         let back = self.steps.ceil() as usize;
-        self.raise_peaks(forces, back);
+        self.raise_peaks(signals, back);
         if self.count <= back {
             return;
         }
-        let share = back as f64 - self.steps;
-        let row = |steps: usize| {
-            let place = (self.count - 1 - steps) % self.capacity;
-            &self.rows[place * self.springs..(place + 1) * self.springs]
-        };
-        let [last, running] = &self.peaks;
-        let peaks = last.iter().zip(running).map(|(a, b)| a.max(*b));
-        let largest = peaks.clone().fold(0.0, f64::max);
-        let (older, newer) = (row(back), row(back - 1));
-        let changes = forces.iter().zip(older.iter().zip(newer)).map(|(force, (a, b))| {
-            let before = a + share * (b - a);
-            (force - before).abs()
-        });
-        let steady =
-            changes.zip(peaks).all(|(change, peak)| change <= CHANGE * peak.max(FLOOR * largest));
-        self.held = if steady { self.held + 1 } else { 0 };
-        if self.held >= back {
+        if !self.changes_little(back) || self.reached.is_some() && !self.agrees() {
+            (self.held, self.reached) = (0, None);
+            return;
+        }
+        self.held += 1;
+        if self.held == back {
             self.reached = Some(SteadyState { time: t });
+            let peaks = self.peaks[0].iter().zip(&self.peaks[1]).map(|(a, b)| a.max(*b));
+            self.agreed = peaks.collect();
         }
     }
 
-    /// Takes the forces of a sample into the peaks; a new cycle starts every `back` samples.
-    fn raise_peaks(&mut self, forces: &[f64], back: usize) {
+    /// Whether the last sample differs little from the one a cycle before.
+    fn changes_little(&self, back: usize) -> bool {
+        let all = self.signals[0] + self.signals[1];
+        let row = |steps: usize| {
+            let place = (self.count - 1 - steps) % self.capacity * all;
+            &self.rows[place..place + all]
+        };
+        let share = back as f64 - self.steps;
+        let (now, older, newer) = (row(0), row(back), row(back - 1));
+        let [last, running] = &self.peaks;
+        self.kinds().all(|kind| {
+            let peak = |i: usize| f64::max(last[i], running[i]);
+            let largest = kind.clone().map(peak).fold(0.0, f64::max);
+            kind.into_iter().all(|i| {
+                let before = older[i] + share * (newer[i] - older[i]);
+                (now[i] - before).abs() <= CHANGE * peak(i).max(FLOOR * largest)
+            })
+        })
+    }
+
+    /// Whether the peaks of the last whole cycle are those of the steady state; of the cycles that it was reached in
+    /// the peaks are still taken together.
+    fn agrees(&self) -> bool {
+        let (last, running, agreed) = (&self.peaks[0], &self.peaks[1], &self.agreed);
+        self.kinds().all(|kind| {
+            let largest = kind.clone().map(|i| agreed[i]).fold(0.0, f64::max);
+            kind.into_iter().all(|i| {
+                let peak = f64::max(last[i], running[i]);
+                (peak - agreed[i]).abs() <= CHANGE * agreed[i].max(FLOOR * largest)
+            })
+        })
+    }
+
+    /// Places of forces, and of displacements.
+    fn kinds(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
+        let [forces, displacements] = self.signals;
+        [0..forces, forces..forces + displacements].into_iter()
+    }
+
+    /// Takes a sample into the peaks; a new cycle starts every `back` samples.
+    fn raise_peaks<'a>(&mut self, signals: impl Iterator<Item = &'a f64>, back: usize) {
         let [last, running] = &mut self.peaks;
         if self.count.is_multiple_of(back) {
             std::mem::swap(last, running);
             running.fill(0.0);
         }
-        raise(running, forces);
+        raise(running, signals);
     }
 }
 
-fn raise(peaks: &mut [f64], forces: &[f64]) {
-    for (peak, force) in peaks.iter_mut().zip(forces) {
-        *peak = peak.max(force.abs());
+fn raise<'a>(peaks: &mut [f64], signals: impl Iterator<Item = &'a f64>) {
+    for (peak, signal) in peaks.iter_mut().zip(signals) {
+        *peak = peak.max(signal.abs());
     }
 }
 
@@ -130,18 +165,18 @@ mod tests {
     }
 
     fn reached_in_steps(dt: f64, force: impl Fn(f64) -> f64) -> Option<f64> {
-        let mut test = SteadyTest::new(2, 1.0, dt);
-        let room = test.rows.capacity();
+        let mut test = SteadyTest::new([2, 0], 1.0, dt);
+        let memory = test.rows.capacity();
         for step in 1..(26.0 / dt) as usize {
             let t = step as f64 * dt;
-            test.add(t, &[force(t), 100.0]);
+            test.add(t, [force(t), 100.0].iter());
         }
-        assert!(room <= 2 * (MOST_SAMPLES + 2) && test.rows.capacity() == room, "{room}");
+        assert!(memory <= 2 * (MOST_SAMPLES + 2) && test.rows.capacity() == memory, "{memory}");
         test.reached.map(|steady| steady.time)
     }
 
     #[test]
-    fn cycles_of_many_steps_are_judged_alike_in_bounded_memory() {
+    fn cycles_of_many_steps_are_tested_alike_in_bounded_memory() {
         let wave = |t: f64| 50.0 + 10.0 * (std::f64::consts::TAU * t).sin() + 20.0 * (-t).exp();
         let (step, steps) = (1e-3, 1e-5);
         let coarse = reached_in_steps(step, wave).expect("steady at last");
@@ -154,9 +189,9 @@ mod tests {
     #[test]
     fn no_cycle_is_too_long_for_the_memory() {
         for (springs, cycle) in [(1, 1e9), (10_000, 1e9), (50_000, 1.0), (3, f64::MAX)] {
-            let test = SteadyTest::new(springs, cycle, 1e-9);
+            let test = SteadyTest::new([springs, 0], cycle, 1e-9);
             assert!(test.capacity <= MOST_SAMPLES + 2, "{springs} {cycle}");
-            let most = MOST_FORCES.max(LEAST_SAMPLES * springs);
+            let most = MOST_NUMBERS.max(LEAST_SAMPLES * springs);
             assert!(test.capacity * springs <= most + 2 * springs, "{springs} {cycle}");
         }
     }
@@ -177,8 +212,38 @@ mod tests {
     }
 
     #[test]
-    fn forces_near_zero_are_judged_by_the_floor() {
+    fn forces_near_zero_are_held_against_the_floor() {
         assert!(reached(|t| 5e-3 * (40.0 * t).sin()).is_some());
         assert!(reached(|t| 5.0 * (40.0 * t).sin()).is_none());
+    }
+
+    /// When steady, and at the end; of a force of a constant 100 N and a displacement.
+    fn with_displacement(end: f64, displacement: impl Fn(f64) -> f64) -> Option<f64> {
+        let mut test = SteadyTest::new([1, 1], 1.0, 0.013);
+        for step in 1..(end / 0.013) as usize {
+            let t = step as f64 * 0.013;
+            test.add(t, [100.0, displacement(t)].iter());
+        }
+        test.reached.map(|steady| steady.time)
+    }
+
+    #[test]
+    fn displacements_are_steady_too_or_nothing_is() {
+        let wave = |t: f64| 1e-3 * (std::f64::consts::TAU * t).sin();
+        assert!(with_displacement(26.0, wave).is_some());
+        // A resonance without damping, and a journal that creeps.
+        assert_eq!(with_displacement(26.0, |t| t * wave(t)), None);
+        assert_eq!(with_displacement(26.0, |t| 1e-3 * t), None);
+    }
+
+    #[test]
+    fn what_changes_again_was_not_steady() {
+        let wave = |t: f64| 1e-3 * (std::f64::consts::TAU * t).sin();
+        let early = with_displacement(10.0, wave).expect("steady");
+        let late = with_displacement(26.0, |t| if t < 10.5 { wave(t) } else { 2.0 * wave(t) });
+        assert!(early < 3.0 && late.is_some_and(|late| late > 11.0), "{early} {late:?}");
+        // So slow a beat that no cycle differs by 1 % from the one before.
+        let beat = |t: f64| wave(t) * (1.0 + 0.3 * (0.02 * t).sin());
+        assert!(with_displacement(26.0, beat).is_none_or(|time| time > 20.0));
     }
 }

@@ -1,4 +1,4 @@
-//! Circles and sections measured from nodes.
+//! Circles, radii and sections measured from nodes.
 
 /// A circle through points of a plane, as near to them as can be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,6 +56,13 @@ pub fn section_radius(points: &[[f64; 2]]) -> Option<f64> {
     (area > 0.0 && central > 0.0).then(|| (2.0 * central / area).sqrt())
 }
 
+/// Mean distance of points of a plane from its origin (m): the radius of a bore whose nodes they are. NaN of no points.
+pub fn mean_radius(points: impl Iterator<Item = [f64; 2]>) -> f64 {
+    let (sum, count) =
+        points.fold((0.0, 0.0), |(sum, count), [x, y]| (sum + f64::hypot(x, y), count + 1.0));
+    sum / count
+}
+
 /// Corners of the convex hull, anticlockwise (Andrew, Inf. Process. Lett. 9 (1979) 216–219).
 fn convex_hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut sorted = points.to_vec();
@@ -104,6 +111,12 @@ mod tests {
             assert!((found - known).abs() < 1e-14, "{circle:?}");
         }
         assert!((circle.radius - 0.034).abs() < 1e-14 && circle.deviation < 1e-14);
+    }
+
+    #[test]
+    fn the_mean_radius_is_the_mean_distance_from_the_origin() {
+        assert_eq!(mean_radius([[3.0, -4.0], [0.0, 1.0], [0.0, 0.0]].into_iter()), 2.0);
+        assert!(mean_radius(std::iter::empty()).is_nan());
     }
 
     #[test]

@@ -12,6 +12,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use serde_json::Value;
+use whirl_tests::History;
 
 use crate::workbench::Workbench;
 
@@ -119,9 +120,7 @@ impl Results {
         }
         let outcome = bench.whirl(&["run", &format!("{case}.toml"), "--out", "out"]);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-        let read = |name: &str| fs::read_to_string(bench.path("out").join(name)).expect(name);
-        let history = History::parse(&read("history.csv"));
-        let summary = serde_json::from_str(&read("summary.json")).expect("JSON");
+        let (history, summary) = (bench.history("out"), bench.summary("out"));
         Results { history, summary, bench }
     }
 
@@ -149,9 +148,15 @@ impl Results {
                 let values = &values[values.len() - rows..];
                 let least = values.iter().copied().fold(f64::INFINITY, f64::min);
                 let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                let mean = values.iter().sum::<f64>() / values.len() as f64;
+                // Trapezoids between rows, and one from the last row to the first of the next cycle.
+                let times = &time[time.len() - rows..];
+                let covered = end - times[0];
+                let pairs = times.windows(2).zip(values.windows(2));
+                let areas = pairs.map(|(t, v)| 0.5 * (v[0] + v[1]) * (t[1] - t[0]));
+                let closing = 0.5 * (values[0] + values[rows - 1]) * (cycle - covered);
+                let mean = (areas.sum::<f64>() + closing) / cycle;
                 // The history has ten digits.
-                let rounding = 1e-9 * least.abs().max(most.abs());
+                let rounding = 1e-8 * least.abs().max(most.abs());
                 for (what, value) in [("min", least), ("mean", mean), ("max", most)] {
                     let said = support[name][what].as_f64().expect("a number");
                     let wrong = (said - value).abs();
@@ -159,30 +164,5 @@ impl Results {
                 }
             }
         }
-    }
-}
-
-/// Columns by name, in the units of their names.
-struct History {
-    names: Vec<String>,
-    columns: Vec<Vec<f64>>,
-}
-
-impl History {
-    fn parse(text: &str) -> History {
-        let mut lines = text.lines();
-        let names: Vec<String> =
-            lines.next().expect("names").split(',').map(str::to_owned).collect();
-        let mut columns = vec![Vec::new(); names.len()];
-        for line in lines {
-            let values = line.split(',').map(|cell| cell.parse::<f64>().expect("a number"));
-            columns.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
-        }
-        History { names, columns }
-    }
-
-    fn column(&self, name: &str) -> &[f64] {
-        let place = self.names.iter().position(|own| own == name);
-        &self.columns[place.unwrap_or_else(|| panic!("no column {name} in {:?}", self.names))]
     }
 }

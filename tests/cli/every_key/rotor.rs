@@ -138,11 +138,11 @@ impl SpringLaw for Cubic {
 
 /// Every column of the run is the one of the machine put together by hand.
 fn agrees(found: &History, expected: &history::History) {
-    assert_eq!(found.names, expected.names());
+    assert_eq!(found.names(), expected.names());
     let column = |name: &String| expected.column(name).expect("a column");
     for group in [&["t"][..], &["theta"], &["omega"], &["R"], &["X", "Y"], &["EX", "EY"], &["MZ"]] {
         let names: Vec<&String> = found
-            .names
+            .names()
             .iter()
             .filter(|name| {
                 group.iter().any(|letters| {

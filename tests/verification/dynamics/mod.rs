@@ -6,6 +6,7 @@ mod eccentricity;
 mod equations;
 mod films;
 mod free_shaft;
+mod friction;
 mod lumped;
 mod newton;
 mod quality;

@@ -10,7 +10,7 @@ use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 use whirl_specs::LAWS;
 
-use super::audit::{as_shipped, audit, pairs};
+use super::audit::{audit, pairs, strict};
 use super::contacts::{FILM, RING};
 use super::equations::{random_state, worst_column};
 use super::{boxed, force, options, parts, stops};
@@ -56,7 +56,7 @@ fn every_step_of_a_spinning_mass_is_solved() {
     for pair in pairs().iter().skip(4) {
         let spinning = Rotation::Spinning { speed: 60.0 };
         let parts = mass(Box::new(pair.law), spinning, [-30.0, 20.0, 0.0]);
-        let mut options = as_shipped(1e-4, 500);
+        let mut options = strict(1e-4, 500);
         options.initial_shaft = [vec![1e-5, 0.0], vec![0.1, -0.2]];
         audit(pair.law.name, parts, &[&pair.direct], &options);
     }
@@ -64,7 +64,8 @@ fn every_step_of_a_spinning_mass_is_solved() {
 
 /// A journal at 400 rad/s on the half film of a short bearing stands where the film carries the load: at the
 /// eccentricity ratio ε with W = μ ω R L³/(4 c²) · ε √(16 ε² + π² (1 − ε²))/(1 − ε²)², at the attitude angle
-/// tan φ = π √(1 − ε²)/(4 ε) (Ocvirk). Handed no speed, the film carries nothing, and the journal stood outside.
+/// tan φ = π √(1 − ε²)/(4 ε) (Ocvirk). A film that is not given the
+/// speed carries nothing.
 #[test]
 fn a_spinning_journal_is_carried_by_its_film() {
     let ocvirk = LAWS.iter().find(|law| law.origin.name == "ocvirk").expect("a shipped law");
@@ -101,7 +102,7 @@ fn a_spin_that_no_law_takes_changes_nothing() {
         let mut parts = mass(Box::new(pairs()[1].law), rotation, [-30.0, 20.0, 0.0]);
         parts.bearings[0].journal_radius = None;
         let machine = Machine::new(parts).expect("a machine");
-        let mut options = as_shipped(1e-4, 200);
+        let mut options = strict(1e-4, 200);
         options.initial_shaft[1] = vec![0.3, 0.1];
         let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));
         outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history

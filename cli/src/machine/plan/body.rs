@@ -1,4 +1,4 @@
-//! A body to be reduced: its mesh, with the dofs to retain, hold and watch.
+//! A body to be reduced: its mesh, with the dofs to retain and to hold, and the nodes whose motion is wanted.
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::assemble;
@@ -22,7 +22,7 @@ const MOST_KEPT: usize = 5_000;
 pub(crate) struct BodyPlan {
     /// Mesh with materials.
     pub(crate) mesh: Mesh,
-    /// How it is reduced; its nodes are those watched.
+    /// How it is reduced; its nodes are the output nodes, whose motion is wanted.
     pub(crate) spec: BodySpec,
     /// What holds it, as the case says it.
     held_by: Located,
@@ -212,13 +212,13 @@ impl BodyPlan {
         retained.len() - 1
     }
 
-    /// Watches a node; its place among the watched ones.
-    pub(super) fn watch(&mut self, node: usize) -> usize {
+    /// Asks for the motion of a node; its place among the output nodes.
+    pub(super) fn output_node(&mut self, node: usize) -> usize {
         self.spec.nodes.push(node);
         self.spec.nodes.len() - 1
     }
 
-    /// Notes more coordinates than dense matrices of them have room for.
+    /// Notes more coordinates than there is memory for dense matrices of.
     pub(super) fn bound(&self, errors: &mut Diagnostics) {
         let kept = self.spec.retained.len();
         if kept + self.spec.modes > MOST_KEPT {
@@ -248,7 +248,7 @@ impl BodyPlan {
 
     /// Nodes of a set, if there is one of this name.
     fn members(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
-        // A set that the case does not say is missing, which has been told.
+        // A set that the case does not say is missing, which has been noted.
         if set.text().is_empty() && !errors.is_empty() {
             return Vec::new();
         }
@@ -291,7 +291,7 @@ impl BodyPlan {
     }
 
     /// The ends of the driven section move alike along y, which ties the flexible shaft to the frame that
-    /// turns with it; their places among the watched nodes.
+    /// turns with it; their places among the output nodes.
     pub(super) fn tie(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> [usize; 2] {
         let nodes = [&drive.top, &drive.bottom].map(|set| self.node(set, errors));
         if nodes[0].is_some() && nodes[0] == nodes[1] {
@@ -304,7 +304,7 @@ impl BodyPlan {
         let ties = [self.retain(&drive.top, top, 1), self.retain(&drive.bottom, bottom, 1)];
         let name = format!("torsion ({} y = {} y)", drive.top.text(), drive.bottom.text());
         self.spec.constraints.equation(name, [(ties[0], 1.0), (ties[1], -1.0)]);
-        [top, bottom].map(|node| self.watch(node))
+        [top, bottom].map(|node| self.output_node(node))
     }
 }
 

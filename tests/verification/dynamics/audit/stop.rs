@@ -10,7 +10,7 @@ use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use super::super::{force, parts, stops};
-use super::{STIFF, as_shipped};
+use super::{STIFF, strict};
 
 pub(in super::super) const STIFFNESS: f64 = 1e9;
 pub(in super::super) const GAP: f64 = 0.05;
@@ -48,7 +48,7 @@ fn closed_form([x, v, a]: [f64; 3], dt: f64) -> [f64; 3] {
 fn a_mass_between_stiff_stops_follows_its_closed_form() {
     let machine = machine();
     for (time_step, steps) in [(1e-3, 500), (1e-4, 5000), (1e-5, 50_000)] {
-        let mut options = as_shipped(time_step, steps);
+        let mut options = strict(time_step, steps);
         options.initial_shaft = [vec![0.0; 2], vec![-1.0, 0.0]];
         let mut march = March::new(&machine, &options).expect("starts");
         let mut last = [0.0, -1.0, PUSH];

@@ -3,7 +3,7 @@
 use whirl_codegen::diagnostic::Located;
 use whirl_solver::bearing::spline_passes;
 use whirl_solver::mesh::Mesh;
-use whirl_solver::mesh::measure::section_radius;
+use whirl_solver::mesh::measure::{mean_radius, section_radius};
 
 use super::place::{nodes_of, single};
 
@@ -68,10 +68,9 @@ impl<'a> Bore<'a> {
 
     /// Mean and largest distance of the nodes from the axis.
     pub(super) fn radii(&self) -> [f64; 2] {
-        let all = self.rings.iter().flatten();
-        let distances: Vec<f64> = all.map(|position| position[0].hypot(position[1])).collect();
-        let mean = distances.iter().sum::<f64>() / distances.len() as f64;
-        [mean, distances.into_iter().fold(0.0, f64::max)]
+        let points = || self.rings.iter().flatten().map(|&[x, y, _]| [x, y]);
+        let largest = points().map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+        [mean_radius(points()), largest]
     }
 }
 

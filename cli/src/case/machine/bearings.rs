@@ -1,0 +1,150 @@
+//! Bearings: what `[springs]` says of all and `[[bearing]]` of one.
+
+use std::collections::BTreeMap;
+
+use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::rational::nearest;
+use whirl_codegen::units::Quantity;
+
+use super::super::law::{self, NamedLaw};
+use super::super::library::Shelf;
+use super::super::parameters::{self, BearingFacts, Keys, SetParameter};
+use super::super::reader::Reader;
+use super::super::rotor::Bearing;
+use super::super::schema::MOST_SPRINGS;
+
+/// What the bearings share stands in `[springs]`; a `[[bearing]]` may say otherwise.
+pub(super) fn bearings(shelf: Shelf, file: &Reader) -> Vec<([Vec<Located>; 2], Option<Bearing>)> {
+    let shared = file.table("springs");
+    let shared_springs = shared.as_ref().map(|table| springs(shelf, table)).unwrap_or_default();
+    let tables = file.tables("bearing");
+    if tables.is_empty() && !file.has("bearing") {
+        file.absent("bearing", "add a table `[[bearing]]` for each place where the shaft runs");
+    }
+    for key in ["number", "radial_clearance", "law"] {
+        if !shared.as_ref().is_some_and(|table| table.has(key)) {
+            demand_of_each(&tables, key);
+        }
+    }
+    if let (Some(table), Some(law)) = (&shared, &shared_springs.law) {
+        // Of the bearings' own values nothing is known here: only names and units are checked.
+        let set = &shared_springs.parameters;
+        parameters::check(table, law, set, KEYS, &mut BearingFacts::default());
+    }
+    let one = |table: &Reader| {
+        let sets = [table.names("journal"), table.names("bore")];
+        let stations = table.quantities("stations");
+        let own = springs(shelf, table);
+        let mut places = shared.as_ref().map(Reader::places).unwrap_or_default();
+        places.extend(table.places());
+        let bearing = bearing(table, &sets, stations, own.or(&shared_springs), places);
+        (sets, bearing.filter(|bearing| bounded(table, bearing)))
+    };
+    tables.iter().map(one).collect()
+}
+
+/// Notes the bearings that do not say `key`; once where none does.
+fn demand_of_each(tables: &[Reader], key: &'static str) {
+    let silent: Vec<&Reader> = tables.iter().filter(|table| !table.has(key)).collect();
+    let noted = if silent.len() == tables.len() { 1 } else { silent.len() };
+    for table in &silent[..noted.min(silent.len())] {
+        let example = table.example(key);
+        let help = format!("add `{key} = {example}` here, or to `[springs]` for all bearings");
+        table.absent(key, &help);
+    }
+}
+
+/// What `[springs]` and `[[bearing]]` both may say.
+#[derive(Default)]
+struct Springs {
+    law: Option<NamedLaw>,
+    number: Option<usize>,
+    radial_clearance: Option<Quantity>,
+    journal_radius: Option<Quantity>,
+    length: Option<Quantity>,
+    parameters: Vec<SetParameter>,
+}
+
+/// What messages call the values of a bearing.
+const KEYS: Keys = Keys { clearance: "radial_clearance" };
+
+fn springs(shelf: Shelf, table: &Reader) -> Springs {
+    Springs {
+        law: law::read(shelf, table),
+        number: table.count("number"),
+        radial_clearance: table.exact("radial_clearance"),
+        journal_radius: table.exact("journal_radius"),
+        length: table.exact("length"),
+        parameters: parameters::read(table),
+    }
+}
+
+impl Springs {
+    /// What these do not say, `shared` does.
+    fn or(self, shared: &Springs) -> Springs {
+        let or = |own: Option<Quantity>, shared: &Option<Quantity>| own.or_else(|| shared.clone());
+        // Parameters belong to the law beside them, if one is named there.
+        let name = |law: &NamedLaw| law.source.name();
+        let (own, other) = (self.law.as_ref().map(name), shared.law.as_ref().map(name));
+        let alike = own.is_none() || other.is_none() || own == other;
+        let parameters = if alike { shared.parameters.as_slice() } else { &[] };
+        Springs {
+            parameters: parameters::over(&self.parameters, parameters),
+            law: self.law.or_else(|| shared.law.clone()),
+            number: self.number.or(shared.number),
+            radial_clearance: or(self.radial_clearance, &shared.radial_clearance),
+            journal_radius: or(self.journal_radius, &shared.journal_radius),
+            length: or(self.length, &shared.length),
+        }
+    }
+}
+
+/// The bearing, if all that it must have is there.
+fn bearing(
+    table: &Reader,
+    sets: &[Vec<Located>; 2],
+    stations: Vec<f64>,
+    springs: Springs,
+    places: BTreeMap<String, Located>,
+) -> Option<Bearing> {
+    let [journal, bore] = sets.clone();
+    let exactly = |quantity: &Option<Quantity>| quantity.as_ref().map(parameters::exactly);
+    let mut facts = BearingFacts {
+        radial_clearance: exactly(&springs.radial_clearance),
+        journal_radius: exactly(&springs.journal_radius),
+        bore_radius: None,
+        length: exactly(&springs.length),
+        springs: None,
+    };
+    if let Some(law) = &springs.law {
+        parameters::check(table, law, &springs.parameters, KEYS, &mut facts);
+    }
+    let mut bearing = Bearing {
+        journal,
+        bore,
+        stations,
+        springs: springs.number?,
+        radial_clearance: springs.radial_clearance?.si(),
+        journal_radius: facts.journal_radius.as_ref().map(nearest),
+        law: springs.law?,
+        parameters: springs.parameters,
+        facts,
+        table: table.place().written(),
+        places,
+    };
+    bearing.facts.springs = Some(bearing.springs.saturating_mul(bearing.rings()));
+    Some(bearing)
+}
+
+/// Whether a bearing has no more springs than are allowed, which is noted otherwise.
+fn bounded(table: &Reader, bearing: &Bearing) -> bool {
+    let springs = bearing.springs.saturating_mul(bearing.stations.len().max(3));
+    if springs > MOST_SPRINGS {
+        let message = format!(
+            "this bearing has {springs} springs in all its rings, at most {MOST_SPRINGS} are allowed"
+        );
+        let help = Some("lower `number`, or list fewer `stations`".to_string());
+        table.note(table.place(), Code::BAD_VALUE, message, help);
+    }
+    springs <= MOST_SPRINGS
+}

@@ -1,0 +1,161 @@
+//! Shaft and support: their meshes, materials, and how they are reduced.
+
+use std::collections::BTreeMap;
+
+use whirl_codegen::diagnostic::Code;
+use whirl_solver::mesh::Material;
+use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
+use whirl_solver::mesh::support::{RingSupport, SupportCells};
+
+use super::super::library::{Shelf, resolve};
+use super::super::reader::Reader;
+use super::super::rotor::{GroundSpring, Made, Mesh, MeshFile, Shaft, Support};
+use super::materials::{Materials, material_of, regions};
+use super::{default_motion, motion};
+
+/// The table `[shaft]`.
+pub(super) fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
+    file.demand("shaft");
+    let table = file.table("shaft")?;
+    let material = material_of(&table, materials);
+    let regions = regions(&table, materials);
+    let mesh = mesh(shelf, &table, material.as_ref(), solid_shaft);
+    let motion = motion(&table);
+    let shaft = Shaft {
+        modes: table.count_or_one("modes"),
+        damping: table.quantity("damping").unwrap_or(0.0),
+        axial_restraint: table.text_or_none("axial_restraint"),
+        material,
+        regions,
+        motion: motion.or_else(default_motion)?,
+        mesh: mesh?,
+    };
+    Some(shaft)
+}
+
+/// The table `[support]`.
+pub(super) fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support> {
+    file.demand("support");
+    let table = file.table("support")?;
+    let material = material_of(&table, materials);
+    let regions = regions(&table, materials);
+    let mesh = mesh(shelf, &table, material.as_ref(), ring_support);
+    let ground_spring = |spring: Reader| GroundSpring {
+        set: spring.text_or_none("set"),
+        direction: match spring.word("direction") {
+            Some("z") => 2,
+            Some("y") => 1,
+            _ => 0,
+        },
+        stiffness: spring.quantity_or_one("stiffness"),
+    };
+    let support = Support {
+        modes: table.count_or_one("modes"),
+        damping: table.quantity("damping").unwrap_or(0.0),
+        mounts: table.text_or_none("mounts"),
+        ground_springs: table.tables("ground_spring").into_iter().map(ground_spring).collect(),
+        material,
+        regions,
+        mesh: mesh?,
+    };
+    Some(support)
+}
+
+/// A mesh by the file named as `mesh`, or made from the table `dimensions`.
+fn mesh<D>(
+    shelf: Shelf,
+    table: &Reader,
+    material: Option<&Material>,
+    make: impl Fn(&Reader, Material) -> D,
+) -> Option<Mesh<D>> {
+    let before = table.errors();
+    let dimensions = table.table("dimensions");
+    match (table.text("mesh"), dimensions) {
+        (Some(_), Some(dimensions)) => {
+            table.conflict("mesh", "dimensions");
+            // Read all the same, so that its keys are not unknown ones.
+            make(&dimensions, no_material());
+            None
+        }
+        (Some(name), None) => {
+            let path = resolve(name.source(), name.text());
+            if shelf == Shelf::Disk && !path.is_file() {
+                let message = format!("there is no file `{}`", path.display());
+                let error = name.error_here(Code::BAD_VALUE, message);
+                table.push(error.help("paths are relative to the file that names them"));
+                return None;
+            }
+            Some(Mesh::File(MeshFile { path, name }))
+        }
+        (None, Some(dimensions)) => {
+            if !table.has("material") {
+                table.absent("material", "a mesh made from dimensions needs `material = \"…\"`");
+            }
+            // Read without a material too, for the same reason.
+            let made = make(&dimensions, material.cloned().unwrap_or_else(no_material));
+            let (place, places) = (dimensions.place().text(""), dimensions.places());
+            drop(dimensions);
+            // Of dimensions that are wrong, nothing is made.
+            let right = table.errors() == before && material.is_some();
+            right.then_some(Mesh::Made(Made { dimensions: made, table: place, places }))
+        }
+        (None, None) => {
+            if !table.has("mesh") && !table.has("dimensions") {
+                let help = "add `mesh = \"body.inp\"`, or a table of `dimensions`";
+                table.absent("mesh", help);
+            }
+            None
+        }
+    }
+}
+
+fn no_material() -> Material {
+    Material { name: String::new(), properties: BTreeMap::new() }
+}
+
+fn solid_shaft(table: &Reader, material: Material) -> SolidShaft {
+    let usual = SectionCells::default();
+    let cells = table.table("cells");
+    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key)).unwrap_or(usual);
+    SolidShaft {
+        length: table.quantity_or_one("length"),
+        diameter: table.quantity_or_one("diameter"),
+        supports: table.quantities("supports"),
+        support_length: table.quantity_or_one("support_length"),
+        layers_in_support: table.count_or_one("layers_in_support"),
+        layers_between: table.count_or_one("layers_between"),
+        loads: table.quantities("loads"),
+        section: SectionCells {
+            sectors: count("sectors", usual.sectors),
+            rings: count("rings", usual.rings),
+        },
+        material,
+    }
+}
+
+fn ring_support(table: &Reader, material: Material) -> RingSupport {
+    let usual = SupportCells::default();
+    let cells = table.table("cells");
+    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key)).unwrap_or(usual);
+    RingSupport {
+        start: table.quantity_or_one("start"),
+        length: table.quantity_or_one("length"),
+        height: table.quantity_or_one("height"),
+        width: table.quantity_or_one("width"),
+        pedestal_height: table.quantity_or_one("pedestal_height"),
+        rings: table.quantities("rings"),
+        ring_length: table.quantity_or_one("ring_length"),
+        ring_thickness: table.quantity_or_one("ring_thickness"),
+        bore_radius: table.quantity_or_one("bore_radius"),
+        layers_in_ring: table.count_or_one("layers_in_ring"),
+        layers_between: table.count_or_one("layers_between"),
+        section: SupportCells {
+            height: count("height", usual.height),
+            width: count("width", usual.width),
+            pedestal: count("pedestal", usual.pedestal),
+            around: count("around", usual.around),
+            radial: count("radial", usual.radial),
+        },
+        material,
+    }
+}

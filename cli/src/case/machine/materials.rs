@@ -1,0 +1,74 @@
+//! The materials of a case, and what is made of each.
+
+use std::collections::BTreeMap;
+
+use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_solver::mesh::Material;
+
+use super::super::reader::Reader;
+use super::super::rotor::Region;
+
+/// The materials of a case.
+pub(super) struct Materials {
+    known: BTreeMap<String, Material>,
+    /// Whether these are all that the case describes.
+    all_read: bool,
+}
+
+impl Materials {
+    /// Reads the tables `[material.NAME]`.
+    pub(super) fn read(file: &Reader) -> Materials {
+        let before = file.errors();
+        let tables = file.named_tables("material");
+        // Of materials that are no tables, nothing more is said where they are named.
+        let all_read = file.errors() == before;
+        let read = |(name, table): (String, Reader)| (name.clone(), material(&name, &table));
+        Materials { known: tables.into_iter().map(read).collect(), all_read }
+    }
+}
+
+fn material(name: &str, table: &Reader) -> Material {
+    let before = table.errors();
+    let values = [
+        ("E", table.quantity_or_one("youngs_modulus")),
+        ("nu", table.number_or_middle("poissons_ratio")),
+        ("rho", table.quantity_or_one("density")),
+    ];
+    let properties = values.map(|(symbol, value)| (symbol.to_string(), value)).into();
+    let material = Material { name: name.to_string(), properties };
+    let keys = [("E", "youngs_modulus"), ("nu", "poissons_ratio"), ("rho", "density")];
+    let whole = keys.iter().all(|(_, key)| table.has(key)) && table.errors() == before;
+    for doubt in material.doubts().into_iter().filter(|_| whole) {
+        let key = keys.iter().find(|(symbol, _)| *symbol == doubt.symbol).map(|(_, key)| *key);
+        let place = key.and_then(|key| table.places().remove(key));
+        let place = place.unwrap_or_else(|| table.place().text(""));
+        table.push(place.error_here(Code::BAD_VALUE, doubt.what).help(doubt.help));
+    }
+    material
+}
+
+/// The material that a table names.
+pub(super) fn material_of(table: &Reader, materials: &Materials) -> Option<Material> {
+    called_material(table, &table.text("material")?, materials)
+}
+
+/// Materials of parts of the mesh.
+pub(super) fn regions(table: &Reader, materials: &Materials) -> Vec<Region> {
+    let named = table.named_texts("regions").into_iter();
+    let region = |(set, name): (Located, Located)| {
+        Some(Region { set, material: called_material(table, &name, materials)? })
+    };
+    named.filter_map(region).collect()
+}
+
+fn called_material(table: &Reader, name: &Located, materials: &Materials) -> Option<Material> {
+    let found = materials.known.get(name.text());
+    if found.is_none() && materials.all_read {
+        let known: Vec<&str> = materials.known.keys().map(String::as_str).collect();
+        let message = format!("there is no material `{}`", name.text());
+        let help = suggest(name.text(), &known)
+            .unwrap_or_else(|| format!("describe it in a table `[material.{}]`", name.text()));
+        table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    found.cloned()
+}

@@ -1,0 +1,167 @@
+//! Where a bearing stands along the axis: its planes from left to right, and its stations within them.
+
+use whirl_codegen::diagnostic::{Code, Diagnostic, Located};
+
+use super::super::place::{digits, list, mm};
+use super::super::sets::{Bore, Journal, PLANES, same};
+use super::Comparison;
+
+/// Springs stand beyond the ends of a bearing by at most this part of its length.
+const BEYOND: f64 = 1e-3;
+
+/// Where the planes of a bearing stand along the axis.
+pub(super) enum Length {
+    /// z of the left and the right end.
+    Planes([f64; 2]),
+    /// All in one, at this z, of a bore of this radius.
+    OnePlane(f64, f64),
+    /// Not in order, which has been noted.
+    Wrong,
+}
+
+impl Comparison<'_, '_> {
+    /// The planes of journal and bore: in order from left to right.
+    pub(super) fn length(&mut self, journal: Option<&Journal>, bore: Option<&Bore>) -> Length {
+        let [one_journal, one_bore] =
+            [journal.map(|own| same(own.mesh, own.sets)), bore.map(|own| same(own.mesh, own.sets))];
+        if let (Some(journal), Some(true)) = (journal, one_journal) {
+            let z = journal.planes()[1];
+            match (one_bore, self.whole.stations.len()) {
+                (Some(true) | None, 1) => {
+                    let radius = bore.map_or(f64::INFINITY, |bore| bore.radii()[0]);
+                    if let Some(bore) = bore {
+                        self.one_ring(bore, z, radius);
+                    }
+                    return Length::OnePlane(z, radius);
+                }
+                (Some(false), 1) => self.alike("bore", "journal", &bore.expect("a bore").sets[0]),
+                _ => self.one_set(&journal.sets[0], z),
+            }
+            return Length::Wrong;
+        }
+        if let (Some(bore), Some(true)) = (bore, one_bore) {
+            match journal {
+                Some(journal) => self.alike("journal", "bore", &journal.sets[0]),
+                None => self.one_set(&bore.sets[0], bore.planes()[1]),
+            }
+            return Length::Wrong;
+        }
+        let mut right = true;
+        if let Some(own) = journal {
+            right &= self.ordered("journal", own.sets, own.planes(), digits(own.mesh));
+        }
+        // Of rings that are none, the order is open.
+        let length = journal.filter(|_| right).map(|own| own.planes()[2] - own.planes()[0]);
+        if let Some(own) = bore {
+            let allowed = PLANES * length.unwrap_or(own.radii()[0]);
+            right &= self.around(own) && self.flat(own, allowed);
+            right = right && self.ordered("bore", own.sets, own.planes(), digits(own.mesh));
+        }
+        match (journal, right) {
+            (Some(journal), true) => {
+                let [left, _, right] = journal.planes();
+                Length::Planes([left, right])
+            }
+            _ => Length::Wrong,
+        }
+    }
+
+    fn one_set(&mut self, set: &Located, z: f64) {
+        let message = format!(
+            "`{}` stands for left, middle and right: three rings of springs would act in one plane",
+            set.text()
+        );
+        let help = format!(
+            "name the sets at the left end, in the middle and at the right end; a bearing in one plane says \
+             so by one set three times in both `journal` and `bore`, and `stations = [\"{}\"]`",
+            mm(z)
+        );
+        self.note(set, message, help);
+    }
+
+    fn alike(&mut self, key: &str, other: &str, set: &Located) {
+        let message = format!("the {other} of this bearing is in one plane, the {key} is in three");
+        let help = "name one set three times in both, or three different ones in both";
+        self.note(set, message, help.to_string());
+    }
+
+    /// Whether z rises from left to right.
+    fn ordered(&mut self, key: &str, sets: &[Located], z: [f64; 3], digits: f64) -> bool {
+        let names: Vec<&str> = sets.iter().map(Located::text).collect();
+        let rises = |a: f64, b: f64| b - a > digits;
+        let places =
+            |order: [usize; 3]| order.map(|i| format!("`{}` at z = {}", names[i], mm(z[i])));
+        if rises(z[0], z[1]) && rises(z[1], z[2]) {
+            return true;
+        }
+        if rises(z[1], z[0]) && rises(z[2], z[1]) {
+            let [left, _, right] = places([0, 1, 2]);
+            let message = format!("left and right of the {key} are swapped: {left}, {right}");
+            let help = format!("write `{key} = {}`", list(names.iter().rev().copied()));
+            self.note(&sets[0], message, help);
+            return false;
+        }
+        let mut order = [0, 1, 2];
+        order.sort_by(|&a, &b| z[a].total_cmp(&z[b]));
+        let [left, middle, right] = places([0, 1, 2]);
+        let distinct = rises(z[order[0]], z[order[1]]) && rises(z[order[1]], z[order[2]]);
+        let (message, help) = match distinct {
+            true => (
+                format!("the {key}'s middle is not between its ends: {left}, {middle}, {right}"),
+                format!("write `{key} = {}`", list(order.map(|i| names[i]))),
+            ),
+            false => (
+                format!("the {key} has fewer than three planes: {left}, {middle}, {right}"),
+                "name the sets at the left end, in the middle and at the right end".to_string(),
+            ),
+        };
+        self.note(&sets[1], message, help);
+        false
+    }
+
+    /// Rings of springs stand within the bearing, each at its own place.
+    pub(super) fn stations(&mut self, [left, right]: [f64; 2]) {
+        let length = right - left;
+        let stations = &self.whole.stations;
+        let mut found: Vec<Diagnostic> = Vec::new();
+        for (place, &z) in stations.iter().enumerate() {
+            let key = format!("stations[{place}]");
+            let at = self.said(&key);
+            let apart = (left - z).max(z - right);
+            if apart > BEYOND * length {
+                let message = format!(
+                    "the station at z = {} is {} outside the bearing, which goes from {} to {}",
+                    mm(z),
+                    mm(apart),
+                    mm(left),
+                    mm(right)
+                );
+                let help = "write a z between these ends, or correct the sets of the bearing";
+                found.push(at.error_here(Code::BAD_VALUE, message).help(help));
+            } else if stations[..place].iter().any(|other| (other - z).abs() <= BEYOND * length) {
+                let message = format!(
+                    "a ring of springs stands at z = {} already: it would act twice",
+                    mm(z)
+                );
+                let help = "take one of them out";
+                found.push(at.error_here(Code::BAD_VALUE, message).help(help));
+            }
+        }
+        found.into_iter().for_each(|error| self.errors.push(error));
+    }
+
+    /// The station of a bearing in one plane is in it.
+    pub(super) fn one_station(&mut self, z: f64, radius: f64) {
+        let station = self.whole.stations[0];
+        if !((station - z).abs() <= PLANES * radius) {
+            let message = format!(
+                "the station at z = {} is {} off the plane of the bearing at {}",
+                mm(station),
+                mm((station - z).abs()),
+                mm(z)
+            );
+            let help = format!("write `stations = [\"{}\"]`, or correct the sets", mm(z));
+            self.note(&self.said("stations[0]"), message, help);
+        }
+    }
+}
