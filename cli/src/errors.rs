@@ -90,7 +90,7 @@ impl Failure {
                 render(&all, colours)
             }
             Failure::Output { .. } => {
-                format!("error: {self}\n = help: choose another folder with `--out DIR`\n")
+                format!("error: {self}\n = help: make it writable, or choose another folder\n")
             }
             Failure::StandardOutput { .. } => format!(
                 "error: {self}\n = help: free space where it goes, or send it elsewhere; files are written all the \

@@ -173,6 +173,12 @@ impl<'a> Reader<'a> {
     pub(crate) fn text(&self, key: &'static str) -> Option<Located> {
         let (node, _) = self.get(key, Shape::is_text)?;
         match &node.value {
+            Value::Text(text) if text.chars().any(char::is_control) => {
+                let message = format!("`{key}` has a control character in it");
+                let help = "write it in one line, without escapes such as `\\n` and `\\u001b`";
+                self.note(&node.place, Code::BAD_VALUE, message, Some(help.to_string()));
+                None
+            }
             Value::Text(text) => Some(node.place.text(text)),
             _ => {
                 self.wrong(key, node, "text", &self.example(key));

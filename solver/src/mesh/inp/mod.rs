@@ -289,6 +289,10 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut Report) -> Vec<&'c Card<
         } else if in_step || SAYS_NOTHING.contains(&keyword) {
             continue;
         } else if READ.contains(&keyword) {
+            if let Some(input) = card.parameter("INPUT") {
+                let help = "write what that file has into this one";
+                report.error(input.place, "data in another file is not read", help);
+            }
             kept.push(card);
         } else if keyword.is_empty() {
             report.error(card.place, "data before the first keyword", "begin with *NODE");
