@@ -8,6 +8,8 @@ mod newmark;
 mod newton;
 mod quality;
 mod rows;
+#[cfg(test)]
+mod small;
 mod steady;
 mod system;
 mod verdict;

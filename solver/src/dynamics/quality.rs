@@ -280,7 +280,10 @@ impl Histogram {
 
 #[cfg(test)]
 mod tests {
+    use super::super::small::machine;
     use super::*;
+    use crate::bearing::Springs;
+    use crate::machine::Rotation;
 
     #[test]
     fn a_share_of_the_values_is_found_to_a_fiftieth_of_a_decade() {
@@ -296,6 +299,45 @@ mod tests {
             let found = histogram.below(share);
             let wide = 10.0_f64.powf(1.0 / Histogram::CLASSES);
             assert!(found >= exact && found <= exact * wide * wide, "{found} for {exact}");
+        }
+    }
+    #[test]
+    fn values_of_any_size_are_counted() {
+        for value in [1e-300, 1.0, 1e300_f64] {
+            let mut histogram = Histogram::new();
+            histogram.add(value);
+            let found = histogram.below(1.0);
+            assert!(found >= value && found <= value * 1.1, "{found} for {value}");
+        }
+    }
+
+    /// Whichever coordinate of a shaft or of its support is the stiff one: they move apart from each other.
+    #[test]
+    fn the_largest_eigenvalue_is_found_wherever_it_is() {
+        for rotation in [Rotation::Free, Rotation::Held] {
+            for stiff in 0..4 {
+                let mut machine = machine(rotation);
+                assert!(!machine.springs.is_empty());
+                machine.springs = Springs::new(
+                    machine.springs.kernels,
+                    Vec::new(),
+                    &[],
+                    &machine.shaft,
+                    &machine.support,
+                )
+                .expect("no springs");
+                assert!(machine.springs.is_empty());
+                let (shaft, support) = (&mut machine.shaft, &mut machine.support);
+                let value = |place: usize| if place == stiff { 3e4 } else { 2e3 };
+                shaft.mass = Matrix::from_diagonal(&[2.0, 3.0]);
+                shaft.stiffness = Matrix::from_diagonal(&[2.0 * value(0), 3.0 * value(1)]);
+                (shaft.g0, shaft.y0) = (vec![0.0; 2], vec![0.0; 2]);
+                support.stiffness = vec![value(2), value(3)];
+                machine.loads.clear();
+                let state = State::new(machine.size());
+                let found = largest_eigenvalue(&mut System::new(&machine), 0.0, &state);
+                assert!((found / 3e4 - 1.0).abs() < 1e-9, "{rotation:?} {stiff}: {found}");
+            }
         }
     }
 }
