@@ -74,3 +74,60 @@ fn shorter(step: f64) -> String {
     let text = format!("{:.1e}", (step / unit).floor() * unit);
     format!("set `time_step = \"{text} s\"` in [march], and as many more steps")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SOUND: Quality = Quality {
+        energy_made: 0.05,
+        energy_flowed: 1.0,
+        local_error: LOCAL_ERROR,
+        largest_local_error: 1.0,
+        row_error: ROW_ERROR,
+        resolving_step: Some(1e-9),
+    };
+
+    fn remedy(quality: Quality) -> String {
+        let found = findings(&quality, 2.36e-3);
+        assert_eq!(found.len(), 1, "{found:?}");
+        found[0].remedy.clone()
+    }
+
+    #[test]
+    fn what_is_at_its_limit_is_sound() {
+        assert_eq!(findings(&SOUND, 1e-3), []);
+        assert_eq!(findings(&Quality::default(), 1e-3), []);
+    }
+
+    #[test]
+    fn the_step_of_a_remedy_has_two_digits_and_is_not_longer_than_half() {
+        let set = |step: &str| {
+            format!("set `time_step = \"{step} s\"` in [march], and as many more steps")
+        };
+        // That which resolves the springs; half of the step where it is longer; a tenth where it is unknown.
+        for (resolving_step, step) in
+            [(Some(1.27e-4), "1.2e-4"), (Some(2e-3), "1.1e-3"), (None, "2.3e-4")]
+        {
+            assert_eq!(remedy(Quality { energy_made: 0.2, resolving_step, ..SOUND }), set(step));
+        }
+        // The third root of the error; from a tenth to half of the step.
+        for (times, step) in [(27.0, "7.8e-4"), (1.01, "1.1e-3"), (1e9, "2.3e-4")] {
+            let local_error = times * LOCAL_ERROR;
+            assert_eq!(remedy(Quality { local_error, ..SOUND }), set(step));
+        }
+        let rows = remedy(Quality { row_error: 1.01, ..SOUND });
+        assert_eq!(rows, "lower `residual_tolerance`");
+    }
+
+    #[test]
+    fn what_is_no_number_is_not_sound() {
+        let bad = f64::NAN;
+        let found = findings(
+            &Quality { energy_made: bad, local_error: bad, row_error: bad, ..SOUND },
+            1e-3,
+        );
+        assert_eq!(found.len(), 3);
+        assert!(found.iter().all(|own| own.value.is_nan()));
+    }
+}
