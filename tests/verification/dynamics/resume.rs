@@ -98,6 +98,7 @@ fn a_drive_is_released_and_films_act_in_the_march_that_is_resumed() {
 fn damaged_checkpoints_are_none() {
     let (machine, options) = (machine(target()), march_options());
     let mut march = March::new(&machine, &options).expect("starts");
+    assert_eq!(march.checkpoint(), None, "nothing is done yet");
     let checkpoint = loop {
         march.advance().expect("converges");
         if let Some(checkpoint) = march.checkpoint() {
