@@ -315,7 +315,7 @@ impl Newton {
 #[cfg(test)]
 mod tests {
     use super::super::newmark::Newmark;
-    use super::super::small::machine;
+    use super::super::small::{machine, state};
     use super::*;
     use crate::machine::Rotation;
 
@@ -352,6 +352,25 @@ mod tests {
                 assert!((newton.length() / length - 1.0).abs() < 1e-14, "{rotation:?} {dt}");
             }
         }
+    }
+
+    /// However much a row may have. The laws of the small machine hide their slopes: forces come to rest slowly.
+    #[test]
+    fn a_step_ends_when_its_forces_are_at_rest() {
+        let machine = machine(Rotation::Held);
+        let mut system = System::new(&machine);
+        let options = NewtonOptions {
+            force_tolerance: 1e-6,
+            residual_tolerance: 1e3,
+            ..NewtonOptions::default()
+        };
+        let mut newton = Newton::new(options, &system);
+        let step = Coefficients::new(Newmark::default(), 0.01);
+        let report = newton.solve(&mut system, 0.01, &step, &mut state(5));
+        assert_eq!(report.ending, Ending::Converged);
+        let largest = system.springs.forces.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
+        assert!(report.iterations > 2 && largest < 100.0, "{report:?}");
+        assert!(report.force_change <= 1e-6 + 1e-9 * largest, "{report:?}");
     }
 
     #[test]
