@@ -72,11 +72,14 @@ static YIELDING: Law = law("yielding", false, |n, h, out| {
 /// With effective stiffness s = 4m/Δt² = 10 MN/m, a hundredth of the springs', a prediction 10 µm out leads
 /// plain Newton to −90 µm, from there to 110 µm, and so on for ever.
 fn between_yielding_springs() -> Machine {
+    beside_yielding_springs(2.5, &[0.0, std::f64::consts::PI])
+}
+
+fn beside_yielding_springs(mass: f64, angles: &[f64]) -> Machine {
     let mut parts =
-        parts(Shaft::lumped(2.5, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
+        parts(Shaft::lumped(mass, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
     parts.laws = vec![boxed(&YIELDING)];
-    let angles = [0.0, std::f64::consts::PI];
-    parts.bearings = vec![stops("between springs", 1e-3, &angles, 0)];
+    parts.bearings = vec![stops("yielding", 1e-3, angles, 0)];
     Machine::new(parts).expect("a machine")
 }
 
@@ -108,6 +111,24 @@ fn plain_newton_cycles_where_ours_converges() {
     let x = outcome.history.column("X1_um").expect("a column")[0];
     assert!((x - 10.0 / 101.0).abs() < 1e-6, "{x}");
     assert_eq!(outcome.halved_steps, 0);
+}
+
+/// One spring leads the plain method from 10 µm to −90 µm and back, with 1000 N left at both ends. Between two
+/// beside a tenth of the mass, s = 1 MN/m, only steps below a hundredth lessen what is left.
+#[test]
+fn steps_that_bring_nothing_are_shortened_however_far() {
+    let facing = [0.0, std::f64::consts::PI];
+    for (mass, angles) in [(2.5, &facing[..1]), (0.25, &facing)] {
+        let machine = beside_yielding_springs(mass, angles);
+        let mut go_on = |_: &_| ControlFlow::Continue(());
+        let ours = NewtonOptions { max_halvings: 0, ..options(1e-3, 1).newton };
+        let plain = NewtonOptions { line_search: false, keep_factors: false, ..ours };
+        march(&machine, &thrown(plain), &mut go_on).expect_err("it cycles");
+        let outcome = march(&machine, &thrown(ours), &mut go_on).expect("ours converges");
+        let x = outcome.history.column("X1_um").expect("a column")[0];
+        let s = 4.0 * mass / 1e-6;
+        assert!((x - 10.0 * s / (s + 1e9)).abs() < 1e-9, "{x}");
+    }
 }
 
 #[test]
