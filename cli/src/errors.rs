@@ -90,7 +90,9 @@ impl Failure {
                 render(&all, colours)
             }
             Failure::Output { .. } => {
-                format!("error: {self}\n = help: make it writable, or choose another folder\n")
+                format!(
+                    "error: {self}\n = help: choose another place: `--out DIR`, for `new` `--dir DIR`, for `explain` `--plot FILE`\n"
+                )
             }
             Failure::StandardOutput { .. } => format!(
                 "error: {self}\n = help: free space where it goes, or send it elsewhere; files are written all the \

@@ -48,7 +48,7 @@ impl VerdictFacts {
     ) -> Self {
         let quality = &outcome.quality;
         let of_run = diverged.into_iter().map(FindingFacts::diverged);
-        let of_steps = findings(outcome, time_step).into_iter();
+        let of_steps = findings(quality, &outcome.energy, time_step).into_iter();
         let of_steps = of_steps.map(|finding| FindingFacts::of_steps(finding, places));
         let measures = machine.springs.measures().iter().zip(&outcome.worst);
         let of_laws = measures.filter_map(|(measure, worst)| {

@@ -160,3 +160,62 @@ pub(super) fn journal_radius(bearing: &Bearing, support: &Support) -> Option<f64
     let mean = nodes.iter().map(distance).sum::<f64>() / nodes.len() as f64;
     (!nodes.is_empty()).then_some(mean - bearing.clearance)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Nodes at `places` that move as one body by b_x, b_y and β, coordinates 0, 1 and 2, and turn about
+    /// themselves with the third to no effect.
+    fn rigid(places: &[[f64; 2]]) -> Vec<BodyNode> {
+        let node = |&[x, y]: &[f64; 2]| {
+            let data = vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0, -y, x, 9.0];
+            BodyNode { position: [x, y, 0.1], shapes: Matrix { rows: 3, cols: 3, data } }
+        };
+        places.iter().map(node).collect()
+    }
+
+    fn close(found: &[Vec<f64>; 3], exact: [[f64; 3]; 3]) {
+        for (found, exact) in found.iter().flatten().zip(exact.iter().flatten()) {
+            assert!((found - exact).abs() < 1e-14, "{found} for {exact}");
+        }
+    }
+
+    #[test]
+    fn a_ring_that_moves_as_one_body_moves_by_its_own_motion() {
+        // Unevenly around, with a centroid off the axis along both directions.
+        let nodes = rigid(&[[0.3, 0.1], [0.2, 0.25], [-0.1, 0.3], [0.28, -0.12]]);
+        let ring: Vec<&BodyNode> = nodes.iter().collect();
+        close(&rigid_fit(&ring, 3), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    }
+
+    #[test]
+    fn nodes_at_one_place_do_not_turn() {
+        let nodes = rigid(&[[0.3, 0.1]; 2]);
+        let ring: Vec<&BodyNode> = nodes.iter().collect();
+        // What turns them moves them, and nothing else.
+        close(&rigid_fit(&ring, 3), [[1.0, 0.0, -0.1], [0.0, 1.0, 0.3], [0.0; 3]]);
+        close(&rigid_fit(&[], 3), [[0.0; 3]; 3]);
+    }
+
+    #[test]
+    fn the_bore_stands_the_clearance_out_from_the_journal() {
+        let nodes = rigid(&[[0.3, 0.4], [-0.4, 0.3], [0.0, -0.7], [0.0, 0.3]]);
+        let support = Support { nodes, ..Support::rigid(&[]) };
+        let bearing = Bearing {
+            name: String::new(),
+            journal: [0; 3],
+            bore: [vec![0], vec![1, 2], vec![3]],
+            clearance: 0.1,
+            journal_radius: None,
+            stations: vec![0.5],
+            angles: Vec::new(),
+            law: 0,
+        };
+        let radius = journal_radius(&bearing, &support).expect("four nodes");
+        assert!((radius - 0.4).abs() < 1e-15, "{radius}");
+        assert!(
+            journal_radius(&Bearing { bore: Default::default(), ..bearing }, &support).is_none()
+        );
+    }
+}

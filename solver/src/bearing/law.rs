@@ -237,3 +237,18 @@ impl ContactLaw {
         self.variables().find(|own| own.radius).map(|own| own.name)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use whirl_specs::LAWS;
+
+    use super::*;
+
+    #[test]
+    fn a_compiled_law_is_named_and_told_by_its_spec() {
+        for law in LAWS {
+            let own: &dyn SpringLaw = &law;
+            assert_eq!((own.name(), own.hash()), (law.origin.name, law.origin.hash));
+        }
+    }
+}

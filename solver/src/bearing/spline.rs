@@ -137,6 +137,7 @@ mod tests {
     #[test]
     fn knots_that_coincide_are_refused() {
         assert!(periodic_spline(&[0.0, 1.0, std::f64::consts::TAU], &[0.5]).is_none());
+        assert!(periodic_spline(&[3.0, 0.5, 1.0, 3.0], &[0.5]).is_none());
         assert!(periodic_spline(&[0.0, 1.0], &[0.5]).is_none());
     }
 }

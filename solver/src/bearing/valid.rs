@@ -250,6 +250,15 @@ mod tests {
         // 18 is 2 beyond, 0 is 1 beyond.
         assert_eq!(extreme(&measure([1.0, 16.0]), &row), 18.0);
         assert_eq!(extreme(&measure([4.0, 16.0]), &row), 0.0);
+        // Wherever it stands: among those taken eight at a time, or in the rest.
+        for place in 0..19 {
+            for (limits, worst) in [([f64::NEG_INFINITY, 3.0], 40.0), ([5.0, f64::INFINITY], -40.0)]
+            {
+                let mut row = row.clone();
+                row[place] = worst;
+                assert_eq!(extreme(&measure(limits), &row), worst);
+            }
+        }
         // Within both, the nearest to one.
         assert_eq!(extreme(&measure([-5.0, 20.0]), &row), 18.0);
         for bad in [0, 9, 18] {

@@ -10,6 +10,8 @@ mod newton;
 mod quality;
 mod row;
 mod rows;
+#[cfg(test)]
+mod small;
 mod steady;
 mod system;
 mod verdict;

@@ -354,3 +354,78 @@ impl Newton {
         self.first + worst.map_or(0, |(place, _)| place)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::newmark::Newmark;
+    use super::super::small::{machine, state};
+    use super::*;
+    use crate::machine::Rotation;
+
+    /// a2 M + a1 C + K on the diagonal of the small machine.
+    fn diagonal(step: &Coefficients) -> [f64; 5] {
+        let (a1, a2) = (step.a1, step.a2);
+        [
+            a2 * 7.0,
+            a2 * 2.0 + a1 * 13.0 + 900.0,
+            a2 * 3.0 + a1 * 17.0 + 1700.0,
+            a2 + a1 * 5.0 + 125.0,
+            a2 + a1 * 7.0 + 200.0,
+        ]
+    }
+
+    #[test]
+    fn norms_weigh_rows_by_the_diagonal() {
+        for (rotation, first) in [(Rotation::Free, 0), (Rotation::Held, 1)] {
+            let machine = machine(rotation);
+            let mut system = System::new(&machine);
+            let mut newton = Newton::new(NewtonOptions::default(), &system);
+            let r = [3.0, -70.0, 20.0, 50.0, -11.0];
+            system.residual.copy_from_slice(&r);
+            // Anew for every step length.
+            for dt in [0.3, 0.1] {
+                let step = Coefficients::new(Newmark::default(), dt);
+                newton.weigh(&system, &step);
+                newton.direction.copy_from_slice(&r[first..]);
+                let s = &diagonal(&step)[first..];
+                let pairs = || r[first..].iter().zip(s);
+                let norm = pairs().map(|(r, s)| r * r / s).sum::<f64>().sqrt();
+                let length = pairs().map(|(x, s)| x * x * s).sum::<f64>().sqrt();
+                assert!((newton.norm(&system) / norm - 1.0).abs() < 1e-14, "{rotation:?} {dt}");
+                assert!((newton.length() / length - 1.0).abs() < 1e-14, "{rotation:?} {dt}");
+            }
+        }
+    }
+
+    /// However much a row may have. The laws of the small machine hide their slopes: forces come to rest slowly.
+    #[test]
+    fn a_step_ends_when_its_forces_are_at_rest() {
+        let machine = machine(Rotation::Held);
+        let mut system = System::new(&machine);
+        let options = NewtonOptions {
+            force_tolerance: 1e-6,
+            residual_tolerance: 1e3,
+            ..NewtonOptions::default()
+        };
+        let mut newton = Newton::new(options, &system);
+        let step = Coefficients::new(Newmark::default(), 0.01);
+        let report = newton.solve(&mut system, 0.01, &step, &mut state(5));
+        assert_eq!(report.ending, Ending::Converged);
+        let largest = system.springs.forces.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
+        assert!(report.iterations > 2 && largest < 100.0, "{report:?}");
+        assert!(report.force_change <= 1e-6 + 1e-9 * largest, "{report:?}");
+    }
+
+    #[test]
+    fn the_worst_coordinate_has_the_largest_share_in_the_merit() {
+        let machine = machine(Rotation::Held);
+        let system = System::new(&machine);
+        let mut newton = Newton::new(NewtonOptions::default(), &system);
+        // Without inertia 1/s is 1/900, 1/1700, 1/125 and 1/200.
+        newton.weigh(&system, &Coefficients { dt: 1.0, a1: 0.0, a2: 1e-9 });
+        assert_eq!(newton.worst(&[1e9, 1.0, 1.0, 1.0, 1.0]), 3);
+        // The largest row is not the worst, nor is that with the least s.
+        assert_eq!(newton.worst(&[0.0, -30.0, 40.0, 3.0, 1.0]), 1);
+        assert_eq!(newton.worst(&[0.0, -30.0, 40.0, 3.0, -20.0]), 4);
+    }
+}

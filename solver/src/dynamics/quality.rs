@@ -354,7 +354,10 @@ impl Histogram {
 
 #[cfg(test)]
 mod tests {
+    use super::super::small::machine;
     use super::*;
+    use crate::bearing::Springs;
+    use crate::machine::{Machine, Rotation};
 
     #[test]
     fn a_share_of_the_values_is_found_to_a_fiftieth_of_a_decade() {
@@ -370,6 +373,66 @@ mod tests {
             let found = histogram.below(share);
             let wide = 10.0_f64.powf(1.0 / Histogram::CLASSES);
             assert!(found >= exact && found <= exact * wide * wide, "{found} for {exact}");
+        }
+    }
+
+    #[test]
+    fn values_of_any_size_are_counted() {
+        for value in [1e-300, 1.0, 1e300_f64] {
+            let mut histogram = Histogram::new();
+            histogram.add(value);
+            let found = histogram.below(1.0);
+            assert!(found >= value && found <= value * 1.1, "{found} for {value}");
+        }
+    }
+
+    /// The small machine without springs and loads.
+    fn without_springs(rotation: Rotation) -> Machine {
+        let mut machine = machine(rotation);
+        assert!(!machine.springs.is_empty());
+        let (shaft, support) = (&machine.shaft, &machine.support);
+        let none = Springs::new(machine.springs.kernels, Vec::new(), &[], shaft, support);
+        machine.springs = none.expect("no springs");
+        assert!(machine.springs.is_empty());
+        machine.loads.clear();
+        machine
+    }
+
+    #[test]
+    fn the_step_that_makes_most_energy_is_kept_with_its_ends() {
+        let mut machine = without_springs(Rotation::Held);
+        (machine.shaft.stiffness, machine.support.stiffness) = (Matrix::zeros(2, 2), vec![0.0; 2]);
+        let mut system = System::new(&machine);
+        let states: Vec<State> =
+            [1.0, 2.0, 4.0, 8.0].map(|q| State { q: vec![q; 5], ..State::new(5) }).into();
+        let mut meter =
+            QualityMeter::new(&mut system, Newmark::default(), 0.5, &states[0]).unwrap();
+        for (place, made) in [(0, 3.0), (1, 7.0), (2, 5.0)] {
+            let t = 10.0 + place as f64;
+            meter.add((t, 0.5), &states[place], &states[place + 1], made, 0.0);
+        }
+        assert_eq!(meter.sums.worst, [(11.0, states[1].clone()), (11.5, states[2].clone())]);
+        // Nothing holds the machine, so that no step resolves it.
+        let flows = Windows::new(0);
+        assert_eq!(meter.quality(&mut system, &flows, 1.0).resolving_step, None);
+    }
+
+    /// Whichever coordinate of a shaft or of its support is the stiff one: they move apart from each other.
+    #[test]
+    fn the_largest_eigenvalue_is_found_wherever_it_is() {
+        for rotation in [Rotation::Free, Rotation::Held] {
+            for stiff in 0..4 {
+                let mut machine = without_springs(rotation);
+                let (shaft, support) = (&mut machine.shaft, &mut machine.support);
+                let value = |place: usize| if place == stiff { 3e4 } else { 2e3 };
+                shaft.mass = Matrix::from_diagonal(&[2.0, 3.0]);
+                shaft.stiffness = Matrix::from_diagonal(&[2.0 * value(0), 3.0 * value(1)]);
+                (shaft.g0, shaft.y0) = (vec![0.0; 2], vec![0.0; 2]);
+                support.stiffness = vec![value(2), value(3)];
+                let state = State::new(machine.size());
+                let found = largest_eigenvalue(&mut System::new(&machine), 0.0, &state);
+                assert!((found / 3e4 - 1.0).abs() < 1e-9, "{rotation:?} {stiff}: {found}");
+            }
         }
     }
 }

@@ -91,3 +91,121 @@ impl System<'_> {
         (largest, sum)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::small::{ANGLES, FORCE, RADIUS, machine, state};
+    use super::*;
+    use crate::machine::Rotation;
+
+    /// |force| projected on every coordinate, force by force, from the geometry of the small machine. Its node
+    /// moves by 5 and 13 for a unit of η, each in a direction of its own.
+    fn projected(system: &System, state: &State) -> [Vec<f64>; 5] {
+        let (eta, arms) = (&state.q[1..3], [5.0, 13.0]);
+        let moved = [3.0 * eta[0] + 5.0 * eta[1], 4.0 * eta[0] - 12.0 * eta[1]];
+        let offset = moved[0].hypot(moved[1]);
+        let forces = &system.springs.forces;
+        let (quick, normal) = (&forces[..3], &forces[3..6]);
+        let (friction, ring) = (&forces[6..9], &forces[9..12]);
+        let load = FORCE.iter().map(|f| f * f).sum::<f64>().sqrt();
+        let at_surface = normal.iter().chain(friction).chain(&ring[..2]);
+        let mut theta: Vec<f64> = quick.iter().map(|q| (q * offset).abs()).collect();
+        theta.extend(at_surface.clone().map(|f| (f * (RADIUS + offset)).abs()));
+        theta.push((ring[2] * RADIUS).abs());
+        theta.push(load * (0.3 + moved[0]).hypot(0.4 + moved[1]));
+        let on_shaft = arms.map(|arm| {
+            let forces = quick.iter().chain(at_surface.clone()).map(|f| (arm * f).abs());
+            forces.chain([arm * load]).collect()
+        });
+        // A unit of a coordinate of the support moves the bore by 1/√4.
+        let on_support = [0, 1].map(|axis| {
+            let along = |j: usize| [ANGLES[j].cos(), ANGLES[j].sin()][axis];
+            let across = |j: usize| [-ANGLES[j].sin(), ANGLES[j].cos()][axis];
+            let mut all: Vec<f64> = (0..3).map(|j| (0.5 * quick[j] * along(j)).abs()).collect();
+            all.extend((0..3).map(|j| (0.5 * normal[j] * along(j)).abs()));
+            all.extend((0..3).map(|j| (0.5 * friction[j] * across(j)).abs()));
+            all.push((0.5 * ring[axis]).abs());
+            all
+        });
+        let ([a, b], [c, d]) = (on_shaft, on_support);
+        [theta, a, b, c, d]
+    }
+
+    /// √Σ of the squares of how far a unit of each coordinate moves the seven places where forces act.
+    fn reach() -> [f64; 5] {
+        let on_support = [0, 1].map(|axis| {
+            let along = |psi: &f64| [psi.cos(), psi.sin()][axis].powi(2);
+            // Springs along the normal; those with friction along both directions; the ring.
+            (0.25 * (ANGLES.iter().map(along).sum::<f64>() + 3.0 + 1.0)).sqrt()
+        });
+        let all = 7.0_f64.sqrt();
+        [0.5 * all, 5.0 * all, 13.0 * all, on_support[0], on_support[1]]
+    }
+
+    /// Every product that stands in a row but those of forces.
+    fn products(system: &mut System, state: &State, predicted: &State) -> [f64; 5] {
+        let mut mass = vec![0.0; 9];
+        system.shaft_mass(state, &mut mass);
+        let shaft = &system.machine.shaft;
+        let on_shaft = [0, 1, 2].map(|i| {
+            let inertia =
+                (0..3).map(|j| mass[3 * j + i].abs() * (state.a[j].abs() + predicted.a[j].abs()));
+            let own = |j: usize| {
+                let bent = shaft.stiffness[(i - 1, j)] * state.q[1 + j];
+                bent.abs() + (shaft.damping[(i - 1, j)] * state.v[1 + j]).abs()
+            };
+            inertia.sum::<f64>() + if i > 0 { own(0) + own(1) } else { 0.0 }
+        });
+        let [theta, a, b] = on_shaft;
+        [theta, a, b, predicted.a[3].abs(), predicted.a[4].abs()]
+    }
+
+    /// Row by row, by each part of what a row may have and by all of them.
+    #[test]
+    fn a_row_may_have_what_its_terms_its_forces_and_rounding_explain() {
+        let machine = machine(Rotation::Free);
+        let (state, mut predicted) = (state(5), state(5));
+        predicted.a.iter_mut().for_each(|a| *a *= -1.3);
+        let mut system = System::new(&machine);
+        system.evaluate(0.0, &state);
+        let (projected, reach) = (projected(&system, &state), reach());
+        let products = products(&mut system, &state, &predicted);
+        for (residual_tolerance, force_tolerance) in
+            [(1e-2, 0.0), (0.0, 3.0), (0.0, 0.0), (1e-2, 3.0)]
+        {
+            let options =
+                NewtonOptions { residual_tolerance, force_tolerance, ..NewtonOptions::default() };
+            for i in 0..5 {
+                let terms = [
+                    &system.inertia,
+                    &system.damper,
+                    &system.elastic,
+                    &system.load,
+                    &system.spring,
+                ];
+                let terms = terms.map(|term| term[i].abs());
+                let (largest, sum) =
+                    (terms.into_iter().fold(0.0, f64::max), terms.iter().sum::<f64>());
+                let missing = 0.1 * force_tolerance * reach[i];
+                let seen = residual_tolerance * largest + missing + 16.0 * f64::EPSILON * sum;
+                let forces = projected[i].iter().copied();
+                let own = residual_tolerance
+                    * (largest + 1e-3 * forces.clone().fold(0.0, f64::max))
+                    + missing
+                    + 16.0 * f64::EPSILON * (sum + forces.sum::<f64>() + products[i]);
+                // Beyond what the terms alone explain, and within it.
+                for (r, exact) in [(7.0 * own, 7.0), (0.75 * seen, 0.75)] {
+                    system.residual.fill(0.0);
+                    system.residual[i] = -r;
+                    // Memory in which anything may stand.
+                    system.shaft_block.fill(f64::NAN);
+                    let found = system.row_error(&state, &predicted, &options);
+                    let name = (i, residual_tolerance, force_tolerance);
+                    assert!((found / exact - 1.0).abs() < 1e-12, "{name:?}: {found} for {exact}");
+                }
+            }
+        }
+        system.residual.fill(0.0);
+        assert_eq!(system.row_error(&state, &predicted, &NewtonOptions::default()), 0.0);
+    }
+}

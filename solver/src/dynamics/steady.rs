@@ -212,6 +212,13 @@ mod tests {
     }
 
     #[test]
+    fn forces_are_compared_between_steps() {
+        // 40.5 steps a cycle: interpolated to (2π/40.5)²/8 = 0.3 %, where half a step off is 8 %.
+        let wave = |t: f64| 50.0 * (std::f64::consts::TAU * t).sin();
+        assert!(reached_in_steps(1.0 / 40.5, wave).is_some());
+    }
+
+    #[test]
     fn forces_near_zero_are_held_against_the_floor() {
         assert!(reached(|t| 5e-3 * (40.0 * t).sin()).is_some());
         assert!(reached(|t| 5.0 * (40.0 * t).sin()).is_none());

@@ -1,6 +1,7 @@
 //! What the program itself believes of a run.
 
-use super::march::Outcome;
+use super::energy::EnergyBalance;
+use super::quality::Quality;
 
 /// Something that was measured and is beyond its limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,8 +33,7 @@ const UNRESOLVED_MOTION: f64 = 0.3;
 const ENERGY_ERROR: f64 = 0.05;
 
 /// What is beyond its limit in steps of `time_step` s; nothing where the run is sound.
-pub fn findings(outcome: &Outcome, time_step: f64) -> Vec<Finding> {
-    let quality = &outcome.quality;
+pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Vec<Finding> {
     // What the local error asks for: it grows with Δt³, and in motion that a step cannot follow less.
     let follow = |error: f64| {
         let factor = (LOCAL_ERROR / error).cbrt();
@@ -67,7 +67,7 @@ pub fn findings(outcome: &Outcome, time_step: f64) -> Vec<Finding> {
         (
             "error of the energy balance, as a share of the energy in play",
             None,
-            outcome.energy.error_share(),
+            energy.error_share(),
             ENERGY_ERROR,
             0.5 * time_step,
         ),
@@ -93,4 +93,74 @@ fn shorter(step: f64) -> String {
     let unit = 10.0_f64.powf(step.log10().floor() - 1.0);
     let text = format!("{:.1e}", (step / unit + 1e-6).floor() * unit);
     format!("set `time_step = \"{text} s\"` in [march], and as many more steps")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SOUND: Quality = Quality {
+        energy_made_share: ENERGY_MADE,
+        bearing: Some(1),
+        energy_made: 0.05,
+        energy_flowed: 1.0,
+        local_error: LOCAL_ERROR,
+        largest_local_error: 1.0,
+        unresolved_motion: UNRESOLVED_MOTION,
+        row_error: 1.0,
+        resolving_step: Some(1e-9),
+        mode_step: Some(1e-9),
+    };
+
+    /// Out of balance by a share of 100 J.
+    fn balance(share: f64) -> EnergyBalance {
+        EnergyBalance { work_in: 100.0 * share, turnover: 100.0, ..EnergyBalance::default() }
+    }
+
+    fn found(quality: Quality) -> Finding {
+        let mut found = findings(&quality, &balance(0.0), 2.36e-3);
+        assert_eq!(found.len(), 1, "{found:?}");
+        found.remove(0)
+    }
+
+    fn set(step: &str) -> String {
+        format!("set `time_step = \"{step} s\"` in [march], and as many more steps")
+    }
+
+    #[test]
+    fn what_is_at_its_limit_is_sound() {
+        assert_eq!(findings(&SOUND, &balance(ENERGY_ERROR), 1e-3), []);
+        assert_eq!(findings(&Quality::default(), &EnergyBalance::default(), 1e-3), []);
+    }
+
+    #[test]
+    fn the_step_of_a_remedy_has_two_digits_and_is_not_longer_than_half() {
+        // That which resolves the springs, or the modes; half of the step where it is longer; a tenth where it is
+        // unknown.
+        for (step, set_to) in [(Some(1.27e-4), "1.2e-4"), (Some(2e-3), "1.1e-3"), (None, "2.3e-4")]
+        {
+            let made = Quality { energy_made_share: 0.2, resolving_step: step, ..SOUND };
+            let made = found(made);
+            assert_eq!((made.remedy, made.bearing), (set(set_to), Some(1)));
+            let moved = Quality { unresolved_motion: 0.31, mode_step: step, ..SOUND };
+            assert_eq!(found(moved).remedy, set(set_to));
+        }
+        // The third root of the error; from a tenth to half of the step.
+        for (times, step) in [(27.0, "7.8e-4"), (1.01, "1.1e-3"), (1e9, "2.3e-4")] {
+            let local_error = times * LOCAL_ERROR;
+            assert_eq!(found(Quality { local_error, ..SOUND }).remedy, set(step));
+        }
+        let unbalanced = findings(&SOUND, &balance(-0.051), 2.36e-3);
+        assert_eq!((unbalanced.len(), &unbalanced[0].remedy), (1, &set("1.1e-3")));
+    }
+
+    #[test]
+    fn what_is_no_number_is_not_sound() {
+        let bad = f64::NAN;
+        let quality =
+            Quality { energy_made_share: bad, local_error: bad, unresolved_motion: bad, ..SOUND };
+        let found = findings(&quality, &balance(bad), 1e-3);
+        assert_eq!(found.len(), 4);
+        assert!(found.iter().all(|own| own.value.is_nan() && !own.remedy.contains("NaN")));
+    }
 }

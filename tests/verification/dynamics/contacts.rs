@@ -177,7 +177,7 @@ fn the_angular_momentum_changes_by_the_torque_of_the_law() {
 }
 
 /// A brake by a moment, and no force.
-static MOMENT: Formula = Formula {
+pub(super) static MOMENT: Formula = Formula {
     name: "moment",
     inputs: &["omega"],
     outputs: &["F_x", "F_y", "M_z"],
@@ -213,8 +213,9 @@ fn moments_are_measured_over_the_journals_radius() {
     let slope = INERTIA * 2.0 / dt + 0.04 * predicted;
     let solved = predicted + (moment(predicted) - moment(omega)) / slope;
     let expected = (moment(solved) - moment(predicted)).abs();
-    for radius in [RADIUS, 0.1 * RADIUS] {
-        let found = change(radius) * radius;
+    // Over a metre where there is no radius.
+    for (radius, arm) in [(RADIUS, RADIUS), (0.1 * RADIUS, 0.1 * RADIUS), (0.0, 1.0)] {
+        let found = change(radius) * arm;
         assert!((found / expected - 1.0).abs() < 1e-9, "{found} N·m, expected {expected} N·m");
     }
 }

@@ -7,7 +7,7 @@ use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 use whirl_specs::Motion;
 
-use super::{DISC, DISCS, FILM, bearing, bores, boxed, discs, force, motion, parts, wild};
+use super::{DISC, DISCS, FILM, INERTIA, bearing, bores, boxed, discs, force, motion, parts, wild};
 
 /// Every kind of load, rate-dependent springs, vibrating bores.
 fn busy(motion: &'static Motion) -> Machine {
@@ -179,6 +179,41 @@ fn free_whirl_has_the_frequencies_of_rest_forward_and_backward_at_any_speed() {
             let size = DISC * (omega + square.sqrt()).powi(2) + stiffness.norm_max();
             let worst = system.residual()[1..].iter().fold(0.0, |m: f64, r| m.max(r.abs()));
             assert!(worst < 1e-12 * size, "mode {mode}, sense {sense}: {worst}");
+        }
+    }
+}
+
+/// Kinetic energy by the energy itself and by the mass matrix, which both motions share, and strain energy: of the
+/// discs and of the oscillators under the bores, each on its own and all together.
+#[test]
+fn energies_are_those_of_the_parts() {
+    for name in ["consistent", "hu2003"] {
+        let machine = busy(motion(name));
+        let mut system = System::new(&machine);
+        let (n, size) = (2 * DISCS, machine.size());
+        for (on_shaft, on_support) in [(1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
+            let mut state = random_state(size, 7);
+            for x in [&mut state.q, &mut state.v] {
+                x[..=n].iter_mut().for_each(|x| *x *= on_shaft);
+                x[1 + n..].iter_mut().for_each(|x| *x *= on_support);
+            }
+            let (q, v) = (&state.q, &state.v);
+            // A disc at ε moves with ε̇ + θ̇ ẑ×ε.
+            let speed = |disc: usize| {
+                let [x, y] = [1 + 2 * disc, 2 + 2 * disc];
+                (v[x] - v[0] * q[y]).powi(2) + (v[y] + v[0] * q[x]).powi(2)
+            };
+            let kinetic = 0.5 * INERTIA * v[0] * v[0]
+                + 0.5 * DISC * (0..DISCS).map(speed).sum::<f64>()
+                + 0.5 * v[1 + n..].iter().map(|v| v * v).sum::<f64>();
+            let bends = |k: usize| (q[k - 2] - 2.0 * q[k] + q[k + 2]).powi(2);
+            let springs = q[1 + n..].iter().zip(&machine.support.stiffness);
+            let strain = 0.5 * 1e5 * (3..=n - 2).map(bends).sum::<f64>()
+                + 0.5 * springs.map(|(x, k)| k * x * x).sum::<f64>();
+            let found = [system.kinetic_energy(&state), system.strain_energy(&state)];
+            for (found, exact) in found.into_iter().zip([kinetic, strain]) {
+                assert!((found / exact - 1.0).abs() < 1e-12, "{name}: {found} J for {exact} J");
+            }
         }
     }
 }

@@ -12,6 +12,7 @@ mod newton;
 mod quality;
 mod resume;
 mod spinning;
+mod torques;
 mod validity;
 
 use whirl_solver::bearing::{Bearing, SpringLaw};

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use whirl_solver::dynamics::march;
+use num_dual::DualNum;
+use whirl_solver::dynamics::{March, march};
 use whirl_solver::loads::{Course, Frame};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::shaft::Shaft;
@@ -11,7 +12,7 @@ use whirl_solver::support::Support;
 use whirl_specs::LAWS;
 
 use super::audit::{audit, pairs, strict};
-use super::contacts::{FILM, RING};
+use super::contacts::{FILM, Formula, RING};
 use super::equations::{random_state, worst_column};
 use super::{boxed, force, options, parts, stops};
 use whirl_solver::bearing::{Bearing, SpringLaw};
@@ -110,5 +111,32 @@ fn a_spin_that_no_law_takes_changes_nothing() {
     let (spinning, held) = (run(Rotation::Spinning { speed: SPEED }), run(Rotation::Held));
     for name in ["X1_um", "Y1_um", "RX1_N", "RY1_N"] {
         assert_eq!(spinning.column(name), held.column(name), "{name}");
+    }
+}
+
+/// Along x by the angle, along y by the speed, which the journal would not have at rest.
+static TURNING: Formula = Formula {
+    name: "turning",
+    inputs: &["theta", "omega"],
+    outputs: &["F_x", "F_y"],
+    value: |z| vec![z[0].cos() * 3.0, z[1] * 0.01],
+};
+
+/// The spring holds what the push along x takes from the mass; the other is lost. With 50 steps a radian both are
+/// kinetic energy to (1/50)²/12.
+#[test]
+fn work_by_angle_is_stored_and_work_by_speed_is_not() {
+    let parts = mass(Box::new(&TURNING), Rotation::Spinning { speed: SPEED }, [0.0; 3]);
+    let machine = Machine::new(parts).expect("a machine");
+    let mut march = March::new(&machine, &strict(0.02 / SPEED, 0)).expect("starts");
+    let mut largest = 0.0;
+    for _ in 0..400 {
+        march.advance().unwrap_or_else(|error| panic!("{error}"));
+        let kinetic = [1, 2].map(|i| 0.5 * march.state().v[i].powi(2));
+        largest = f64::max(largest, kinetic[0]);
+        let energy = march.energy();
+        let [along_x, along_y] = [energy.spring_stored, energy.spring_dissipated];
+        assert!((along_x + kinetic[0]).abs() < 1e-3 * largest, "{along_x} {kinetic:?}");
+        assert!((along_y + kinetic[1]).abs() < 1e-9 * kinetic[1], "{along_y} {kinetic:?}");
     }
 }

@@ -20,15 +20,15 @@ fn the_worst_values_are_those_of_the_steps() {
     let shaft = Shaft::lumped(2.0, [1e5; 2], [20.0; 2], 0.0);
     let mut parts = parts(shaft, Support::rigid(&[]), Rotation::Held);
     parts.laws =
-        ["squeeze-film-damper", "hu2003-linear", "gap-linear"].map(|n| boxed(shipped(n))).into();
+        ["squeeze-film-damper", "gap-linear", "hu2003-linear"].map(|n| boxed(shipped(n))).into();
     let clearance = 1e-4;
     let film = Bearing { angles: Vec::new(), ..stops("film", clearance, &[], 0) };
     let sides = [0.0, std::f64::consts::PI];
     parts.bearings = vec![
-        stops("near", 5e-5, &sides, 1),
+        stops("near", 5e-5, &sides, 2),
         film,
-        stops("no limit", 9e-5, &sides, 2),
-        stops("far", 9e-5, &sides[..1], 1),
+        stops("no limit", 9e-5, &sides, 1),
+        stops("far", 9e-5, &sides[..1], 2),
     ];
     let sine = |frequency| Course::Sine { frequency, phase: 0.4 };
     parts.loads = vec![
