@@ -134,9 +134,9 @@ fn nothing_is_said_twice_of_one_place() {
 fn page() -> String {
     let mut text = "# Errors\n\n\
         Every error of a spec, a formula or a case has a code that stays the same, the place in the file, and\n\
-        mostly a line that says how to mend it. All errors of a file are told at once; what only follows from\n\
+        mostly a line that says how to fix it. All errors of a file are reported at once; what only follows from\n\
         another error is not. `codegen/tests/messages` holds a bad file and its messages for every code.\n\n\
-        | Code | What it means | How to mend it |\n|---|---|---|\n"
+        | Code | What it means | How to fix it |\n|---|---|---|\n"
         .to_owned();
     for known in Code::ALL {
         let cell = |text: &str| text.replace('|', "\\|");

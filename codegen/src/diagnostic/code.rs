@@ -1,4 +1,4 @@
-//! The codes of errors, each with what it means and how to mend it.
+//! The codes of errors, each with what it means and how to fix it.
 
 use std::fmt;
 
@@ -21,7 +21,7 @@ pub struct Explanation {
     pub code: Code,
     /// What it means.
     pub meaning: &'static str,
-    /// How to mend it.
+    /// How to fix it.
     pub remedy: &'static str,
 }
 
@@ -49,7 +49,7 @@ impl Code {
         /// Every code of specs and formulas, in the order of the codes.
         ALL;
         TOML "E001" "The file is not TOML."
-            "Mend the place shown; strings stand between quotes, and tables begin with `[name]`."
+            "Correct the place shown; strings stand between quotes, and tables begin with `[name]`."
         UNKNOWN_KEY "E002" "A key that nothing reads."
             "Correct its spelling to the name suggested, or take it out."
         MISSING_KEY "E003" "A key that must be there is not."

@@ -6,7 +6,7 @@ use whirl_specs::{Ring, RingTangent, SpringForce};
 
 use super::contact::ContactsState;
 use super::valid::Watch;
-use super::{BoundLaw, Input, Springs};
+use super::{BoundLaw, Input, SpringLaw, Springs};
 use crate::linalg::{Matrix, add_product};
 
 /// Position and velocity of the machine's coordinates, as the springs see them.
@@ -201,19 +201,19 @@ impl SpringState {
     /// A law that gave no number when the springs were last updated, and its bearing.
     pub(crate) fn without_value(&self, springs: &Springs) -> Option<(String, usize)> {
         let lost = |forces: &[f64]| forces.iter().any(|force| !force.is_finite());
-        for (law, range) in &springs.laws {
-            let planes = springs.planes.iter().filter(|plane| range.contains(&plane.springs.start));
-            for plane in planes.filter(|plane| lost(&self.forces[plane.springs.clone()])) {
-                return Some((law.law.name().to_owned(), plane.bearing));
-            }
-        }
-        for (law, planes) in &springs.contacts.laws {
-            for place in planes.clone().filter(|&place| lost(&self.contacts.planes[place].forces)) {
-                let bearing = springs.contacts.planes[place].bearing;
-                return Some((law.law.name().to_owned(), bearing));
-            }
-        }
-        None
+        let name = |law: &dyn SpringLaw| law.name().to_owned();
+        let own = springs.laws.iter().find_map(|(law, range)| {
+            let mut planes = springs.planes.iter().filter(|p| range.contains(&p.springs.start));
+            let plane = planes.find(|plane| lost(&self.forces[plane.springs.clone()]))?;
+            Some((name(law.law.as_ref()), plane.bearing))
+        });
+        own.or_else(|| {
+            springs.contacts.laws.iter().find_map(|(law, planes)| {
+                let place =
+                    planes.clone().find(|&place| lost(&self.contacts.planes[place].forces))?;
+                Some((name(law.law.as_ref()), springs.contacts.planes[place].bearing))
+            })
+        })
     }
 
     /// The derivatives of the generalised forces of one plane, B + a1 P; see [`RingTangent`].
