@@ -151,14 +151,15 @@ impl WorkAlong {
         self.bearings.fill(Flow::default());
         self.along_springs(springs, state);
         for plane in &springs.planes {
-            let own = &mut self.bearings[plane.bearing];
+            let mut flow = Flow::default();
             for j in plane.springs.clone() {
                 let moved = state.h[j] - self.h[j];
                 let trapezoid = 0.5 * (self.forces[j] + state.forces[j]) * moved;
-                own.made += (trapezoid - self.along[j]).abs();
-                own.flowed += self.along[j];
+                flow.made += (trapezoid - self.along[j]).abs();
+                flow.flowed += self.along[j];
                 work.add(self.along[j], self.at_rest[j]);
             }
+            self.bearings[plane.bearing].add(&flow);
         }
         if !self.planes.is_empty() {
             self.along_planes(springs, state, spins);

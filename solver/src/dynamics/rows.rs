@@ -3,6 +3,8 @@
 use super::newmark::State;
 use super::newton::NewtonOptions;
 use super::system::System;
+use crate::linalg::Matrix;
+use crate::shaft::Shaft;
 
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
 /// forces cancel, what is left of them is rounding of the state.
@@ -12,6 +14,44 @@ pub(super) const PROJECTED: f64 = 1e-3;
 const MISSING: f64 = 0.1;
 /// Multiples of eps · Σ |terms| that rounding may leave in a row.
 const ROUNDING: f64 = 16.0;
+
+/// Norms from which follows what forces and products can add to the bound of a row at most: a row beyond that is
+/// not solved, and needs none of them.
+#[derive(Clone, Copy)]
+struct Most {
+    /// Largest force of a spring or ring (N).
+    force: f64,
+    /// ‖q̈‖ + ‖predicted q̈‖, ‖q̇‖ and ‖q‖.
+    state: [f64; 3],
+}
+
+impl Most {
+    fn of(system: &System, state: &State, predicted: &State) -> Self {
+        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let largest = |force: f64, other: &f64| f64::max(force, other.abs());
+        Most {
+            force: system.springs.forces.iter().fold(0.0, largest),
+            state: [norm(&state.a) + norm(&predicted.a), norm(&state.v), norm(&state.q)],
+        }
+    }
+
+    /// Twice what they can add to the bound of row `i`; of the row of θ nothing is known.
+    fn allowed(&self, system: &System, state: &State, tolerance: f64, i: usize) -> f64 {
+        let products = match i.checked_sub(1) {
+            None => return f64::INFINITY,
+            Some(row) => match system.row_norms.get(row) {
+                Some(norms) => norms.iter().zip(&self.state).map(|(a, b)| a * b).sum(),
+                None => self.state[0],
+            },
+        };
+        let reach = system.machine.springs.reach[i];
+        let load: f64 = system.projected_loads(state, i).sum();
+        // Σ |share · force| of n springs is √n · reach · force at most.
+        let springs = (system.springs.forces.len() as f64).sqrt() * self.force * reach;
+        2.0 * (tolerance * PROJECTED * (self.force * reach + load)
+            + ROUNDING * f64::EPSILON * (products + springs + load))
+    }
+}
 
 impl System<'_> {
     /// The largest |r_i| of the unknowns' rows at the state that was last evaluated, over what a row may have:
@@ -32,6 +72,7 @@ impl System<'_> {
         let first = self.machine.first_unknown();
         let mut worst = 0.0;
         let mut mass_is_known = false;
+        let mut most = None;
         for i in first..self.residual.len() {
             let r = self.residual[i].abs();
             let terms = [&self.inertia, &self.damper, &self.elastic, &self.load, &self.spring];
@@ -43,6 +84,11 @@ impl System<'_> {
             if r <= bound {
                 worst = f64::max(worst, if r > 0.0 { r / bound } else { 0.0 });
                 continue;
+            }
+            let most = *most.get_or_insert_with(|| Most::of(self, state, predicted));
+            let above = bound + most.allowed(self, state, tolerance, i);
+            if r > above {
+                return r / above;
             }
             if !mass_is_known && i <= self.machine.shaft.size() {
                 let mut mass = std::mem::take(&mut self.shaft_block);
@@ -64,6 +110,25 @@ impl System<'_> {
         worst
     }
 
+    /// Norms of row `i` of M, C and K of the shaft.
+    pub(super) fn row_norms(shaft: &Shaft) -> Vec<[f64; 3]> {
+        let matrices = [&shaft.mass, &shaft.damping, &shaft.stiffness];
+        let norm = |matrix: &Matrix, i: usize| {
+            let squares = (0..shaft.size()).map(|j| matrix[(i, j)].powi(2));
+            squares.sum::<f64>().sqrt()
+        };
+        (0..shaft.size()).map(|i| matrices.map(|matrix| norm(matrix, i))).collect()
+    }
+
+    /// The loads projected on row `i`; none on the support.
+    fn projected_loads(&self, state: &State, i: usize) -> impl Iterator<Item = f64> {
+        let first = 1 + self.machine.shaft.size();
+        let loads = self.machine.loads.iter().zip(&self.released).filter(move |_| i < first);
+        loads.map(move |(load, released)| {
+            load.projected(load.factor(self.time, *released), &state.q[1..first], i)
+        })
+    }
+
     /// Of row `i` the largest single force projected on it, and the sum of all products that stand in it.
     /// The shaft's mass matrix must be in `shaft_block`.
     fn projected(&self, state: &State, predicted: &State, i: usize) -> (f64, f64) {
@@ -73,9 +138,7 @@ impl System<'_> {
         if i >= first {
             return (largest, sum + predicted.a[i].abs());
         }
-        for (load, released) in machine.loads.iter().zip(&self.released) {
-            let factor = load.factor(self.time, *released);
-            let force = load.projected(factor, &state.q[1..first], i);
+        for force in self.projected_loads(state, i) {
             largest = f64::max(largest, force);
             sum += force;
         }

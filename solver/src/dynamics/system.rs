@@ -30,6 +30,8 @@ pub struct System<'m> {
     /// For every load whether it has stopped driving.
     pub(crate) released: Vec<bool>,
     pub(crate) shaft_block: Vec<f64>,
+    /// Norms of the rows of M, C and K of the shaft.
+    pub(crate) row_norms: Vec<[f64; 3]>,
     tangents: Vec<RingTangent>,
     contacts: ContactTangents,
     active: Vec<f64>,
@@ -57,6 +59,7 @@ impl<'m> System<'m> {
             springs: SpringState::new(springs),
             released: vec![false; machine.loads.len()],
             shaft_block: vec![0.0; (1 + n_s) * (1 + n_s)],
+            row_norms: System::row_norms(&machine.shaft),
             tangents: springs.planes.iter().map(|p| RingTangent::new(p.springs.len())).collect(),
             contacts: ContactTangents::new(&springs.contacts, n_b),
             active: vec![0.0; n_b * springs.len()],
