@@ -6,7 +6,6 @@
 
 mod differentiate;
 mod display;
-mod function;
 mod graph;
 mod linear;
 mod node;

@@ -255,7 +255,7 @@ fn at(node: &Node, point: usize, points: &Points, of: &dyn Fn(Id) -> Value) -> V
         Node::Function(function, a) => {
             let a = scalar(*a);
             let value = function.value(a.value);
-            Value::Scalar(a.through(value, function.slope(a.value, value)))
+            Value::Scalar(a.through(value, function.slope(&a.value, &value)))
         }
         Node::Compare(relation, a, b) => {
             let (a, b) = (scalar(*a), scalar(*b));
