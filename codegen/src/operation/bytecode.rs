@@ -143,6 +143,12 @@ pub(crate) struct Bytecode {
 }
 
 impl Bytecode {
+    /// The outputs where the inputs have the given values.
+    pub(crate) fn values<N: Number>(&self, inputs: &[N]) -> Vec<N> {
+        let values = self.run(inputs);
+        self.outputs.iter().map(|output| read(*output, inputs, &values)).collect()
+    }
+
     /// The only output.
     pub(crate) fn value<N: Number>(&self, inputs: &[N]) -> N {
         read(self.outputs[0], inputs, &self.run(inputs))

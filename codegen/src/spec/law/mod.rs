@@ -39,6 +39,7 @@ mod look;
 mod points;
 mod poles;
 mod program;
+mod region;
 mod report;
 mod root;
 mod scan;
