@@ -7,9 +7,9 @@ use whirl_codegen::tape::Tape;
 
 use crate::workspace::{Workspace, text};
 
-/// Every function of formulas acts, on numbers above 1.
+/// The law with every function of one number in it.
 fn law() -> String {
-    let functions = Function::ALL.iter().map(|f| format!("{}(1.3 + (h/9)^2)", f.name()));
+    let functions = Function::ALL.iter().map(|f| format!("{}(0.3 + (h/d)^2)", f.name()));
     LAW.replace("FUNCTIONS", &functions.collect::<Vec<_>>().join(" + "))
 }
 
@@ -23,6 +23,10 @@ unit = "um"
 
 [inputs.h_dot]
 unit = "m/s"
+
+[parameters.d]
+value = 9
+unit = "um"
 
 [outputs.Q]
 unit = "N"
