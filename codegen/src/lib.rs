@@ -10,6 +10,7 @@ pub mod formula;
 #[cfg(feature = "emit")]
 pub mod generate;
 pub mod lagrange;
+pub mod operation;
 pub mod rational;
 pub mod schedule;
 pub mod simplify;

@@ -4,8 +4,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::expression::{Function, Relation};
-use crate::schedule::{Operand, Operation, Program};
+use crate::operation::{Function, Operand, Operation, Relation};
+use crate::schedule::Program;
 
 /// Springs that one instruction covers.
 pub const WIDTH: usize = 64;
@@ -18,28 +18,9 @@ type Register = [f64; WIDTH];
 pub struct Tape {
     constants: Vec<f64>,
     inputs: usize,
-    steps: Vec<Step>,
+    /// Between places of registers: constants, then inputs, then the results of the operations before.
+    operations: Vec<Operation<usize>>,
     outputs: Vec<usize>,
-}
-
-/// An instruction between registers; its result goes to the register behind those of the steps before.
-/// Operands are places of registers: constants, then inputs, then results.
-#[derive(Debug, Clone, Copy)]
-enum Step {
-    Add(usize, usize),
-    Sub(usize, usize),
-    Mul(usize, usize),
-    Div(usize, usize),
-    Neg(usize),
-    Sqrt(usize),
-    Function(Function, usize),
-    Power(usize, usize),
-    Less(usize, usize),
-    LessOrEqual(usize, usize),
-    And(usize, usize),
-    Or(usize, usize),
-    Not(usize),
-    Select(usize, usize, usize),
 }
 
 impl Tape {
@@ -61,9 +42,9 @@ impl Tape {
             Operand::Input(place) => constants.len() + place,
             Operand::Value(place) => constants.len() + program.inputs.len() + place,
         };
-        let steps = program.instructions.iter().map(|i| Step::new(i.operation, register)).collect();
+        let operations = program.instructions.iter().map(|i| i.operation.map(register)).collect();
         let outputs = program.outputs.iter().map(|output| register(output.operand)).collect();
-        Tape { inputs: program.inputs.len(), steps, outputs, constants }
+        Tape { inputs: program.inputs.len(), operations, outputs, constants }
     }
 
     /// Number of input rows.
@@ -78,7 +59,7 @@ impl Tape {
 
     /// Length of the workspace that [`Tape::evaluate`] needs, whatever the number of springs.
     pub fn workspace(&self) -> usize {
-        WIDTH * (self.constants.len() + self.inputs + self.steps.len())
+        WIDTH * (self.constants.len() + self.inputs + self.operations.len())
     }
 
     /// Evaluates all springs. `inputs`: one row of `springs` values an input; `outputs`: one row an output;
@@ -139,9 +120,9 @@ impl Tape {
                 // The rest of the last block computes on copies; what it gives is not used.
                 register[count..].fill(inputs[row]);
             }
-            for (place, step) in self.steps.iter().enumerate() {
+            for (place, operation) in self.operations.iter().enumerate() {
                 let (known, rest) = registers.split_at_mut(first_result + place);
-                step.run(known, &mut rest[0]);
+                run(*operation, known, &mut rest[0]);
             }
             for (place, register) in self.outputs.iter().enumerate() {
                 let row = springs * place + start;
@@ -151,48 +132,32 @@ impl Tape {
     }
 }
 
-impl Step {
-    fn new(operation: Operation, of: impl Fn(Operand) -> usize) -> Self {
-        match operation {
-            Operation::Add(a, b) => Step::Add(of(a), of(b)),
-            Operation::Sub(a, b) => Step::Sub(of(a), of(b)),
-            Operation::Mul(a, b) => Step::Mul(of(a), of(b)),
-            Operation::Div(a, b) => Step::Div(of(a), of(b)),
-            Operation::Neg(a) => Step::Neg(of(a)),
-            Operation::Sqrt(a) => Step::Sqrt(of(a)),
-            Operation::Function(function, a) => Step::Function(function, of(a)),
-            Operation::Power(a, b) => Step::Power(of(a), of(b)),
-            Operation::Compare(Relation::Less, a, b) => Step::Less(of(a), of(b)),
-            Operation::Compare(Relation::LessOrEqual, a, b) => Step::LessOrEqual(of(a), of(b)),
-            Operation::And(a, b) => Step::And(of(a), of(b)),
-            Operation::Or(a, b) => Step::Or(of(a), of(b)),
-            Operation::Not(a) => Step::Not(of(a)),
-            Operation::Select(mask, a, b) => Step::Select(of(mask), of(a), of(b)),
+/// [`Operation::value`] of every spring.
+#[inline(always)]
+fn run(operation: Operation<usize>, known: &[Register], out: &mut Register) {
+    match operation {
+        Operation::Add(a, b) => binary(&known[a], &known[b], out, |a, b| a + b),
+        Operation::Sub(a, b) => binary(&known[a], &known[b], out, |a, b| a - b),
+        Operation::Mul(a, b) => binary(&known[a], &known[b], out, |a, b| a * b),
+        Operation::Div(a, b) => binary(&known[a], &known[b], out, |a, b| a / b),
+        Operation::Neg(a) => unary(&known[a], out, |a| -a),
+        Operation::Sqrt(a) => unary(&known[a], out, f64::sqrt),
+        Operation::Function(Function::Abs, a) => unary(&known[a], out, f64::abs),
+        Operation::Function(function, a) => unary(&known[a], out, |a| function.value(a)),
+        Operation::Power(a, b) => binary(&known[a], &known[b], out, libm::pow),
+        Operation::Compare(Relation::Less, a, b) => {
+            binary(&known[a], &known[b], out, |a, b| truth(a < b))
         }
-    }
-
-    #[inline(always)]
-    fn run(self, known: &[Register], out: &mut Register) {
-        match self {
-            Step::Add(a, b) => binary(&known[a], &known[b], out, |a, b| a + b),
-            Step::Sub(a, b) => binary(&known[a], &known[b], out, |a, b| a - b),
-            Step::Mul(a, b) => binary(&known[a], &known[b], out, |a, b| a * b),
-            Step::Div(a, b) => binary(&known[a], &known[b], out, |a, b| a / b),
-            Step::Neg(a) => unary(&known[a], out, |a| -a),
-            Step::Sqrt(a) => unary(&known[a], out, f64::sqrt),
-            Step::Function(Function::Abs, a) => unary(&known[a], out, f64::abs),
-            Step::Function(function, a) => unary(&known[a], out, |a| function.value(a)),
-            Step::Power(a, b) => binary(&known[a], &known[b], out, libm::pow),
-            Step::Less(a, b) => binary(&known[a], &known[b], out, |a, b| truth(a < b)),
-            Step::LessOrEqual(a, b) => binary(&known[a], &known[b], out, |a, b| truth(a <= b)),
-            Step::And(a, b) => binary(&known[a], &known[b], out, |a, b| a * b),
-            Step::Or(a, b) => binary(&known[a], &known[b], out, |a, b| truth(a + b > 0.0)),
-            Step::Not(a) => unary(&known[a], out, |a| 1.0 - a),
-            Step::Select(mask, a, b) => {
-                let (mask, a, b) = (&known[mask], &known[a], &known[b]);
-                for i in 0..WIDTH {
-                    out[i] = if mask[i] != 0.0 { a[i] } else { b[i] };
-                }
+        Operation::Compare(Relation::LessOrEqual, a, b) => {
+            binary(&known[a], &known[b], out, |a, b| truth(a <= b))
+        }
+        Operation::And(a, b) => binary(&known[a], &known[b], out, |a, b| a * b),
+        Operation::Or(a, b) => binary(&known[a], &known[b], out, |a, b| truth(a + b > 0.0)),
+        Operation::Not(a) => unary(&known[a], out, |a| 1.0 - a),
+        Operation::Select(mask, a, b) => {
+            let (mask, a, b) = (&known[mask], &known[a], &known[b]);
+            for i in 0..WIDTH {
+                out[i] = if mask[i] != 0.0 { a[i] } else { b[i] };
             }
         }
     }

@@ -51,20 +51,54 @@ pub trait Lane:
     fn sqrt(self) -> Self;
     /// |a|.
     fn abs(self) -> Self;
+    /// A function of every lane, one value after the other. Those below come from one pinned implementation, so
+    /// that every lane type, the tape and every platform give the same bits.
+    fn each(self, function: fn(f64) -> f64) -> Self;
     /// eᵃ.
-    fn exp(self) -> Self;
+    #[inline(always)]
+    fn exp(self) -> Self {
+        self.each(libm::exp)
+    }
     /// ln a.
-    fn ln(self) -> Self;
+    #[inline(always)]
+    fn ln(self) -> Self {
+        self.each(libm::log)
+    }
     /// sin a.
-    fn sin(self) -> Self;
+    #[inline(always)]
+    fn sin(self) -> Self {
+        self.each(libm::sin)
+    }
     /// cos a.
-    fn cos(self) -> Self;
+    #[inline(always)]
+    fn cos(self) -> Self {
+        self.each(libm::cos)
+    }
     /// tan a.
-    fn tan(self) -> Self;
+    #[inline(always)]
+    fn tan(self) -> Self {
+        self.each(libm::tan)
+    }
     /// arctan a.
-    fn atan(self) -> Self;
+    #[inline(always)]
+    fn atan(self) -> Self {
+        self.each(libm::atan)
+    }
     /// tanh a.
-    fn tanh(self) -> Self;
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        self.each(libm::tanh)
+    }
+    /// arsinh a.
+    #[inline(always)]
+    fn asinh(self) -> Self {
+        self.each(libm::asinh)
+    }
+    /// erf a.
+    #[inline(always)]
+    fn erf(self) -> Self {
+        self.each(libm::erf)
+    }
     /// aᵇ for a real exponent b, a > 0.
     fn powf(self, exponent: Self) -> Self;
     /// a < b.
@@ -113,35 +147,9 @@ impl Lane for f64 {
     fn abs(self) -> Self {
         f64::abs(self)
     }
-    // Transcendental functions come from one pinned implementation, so that every lane type, the tape
-    // and every platform give the same bits.
     #[inline(always)]
-    fn exp(self) -> Self {
-        libm::exp(self)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        libm::log(self)
-    }
-    #[inline(always)]
-    fn sin(self) -> Self {
-        libm::sin(self)
-    }
-    #[inline(always)]
-    fn cos(self) -> Self {
-        libm::cos(self)
-    }
-    #[inline(always)]
-    fn tan(self) -> Self {
-        libm::tan(self)
-    }
-    #[inline(always)]
-    fn atan(self) -> Self {
-        libm::atan(self)
-    }
-    #[inline(always)]
-    fn tanh(self) -> Self {
-        libm::tanh(self)
+    fn each(self, function: fn(f64) -> f64) -> Self {
+        function(self)
     }
     #[inline(always)]
     fn powf(self, exponent: Self) -> Self {

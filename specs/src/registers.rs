@@ -258,7 +258,7 @@ mod tests {
     /// Every operation of a lane, over rows.
     struct Everything<'a>(&'a [f64], &'a [f64]);
 
-    const RESULTS: usize = 24;
+    const RESULTS: usize = 26;
 
     impl Task for Everything<'_> {
         type Output = Vec<[f64; RESULTS]>;
@@ -290,6 +290,8 @@ mod tests {
                     Lane::tan(a),
                     Lane::atan(a),
                     Lane::tanh(a),
+                    Lane::asinh(a),
+                    Lane::erf(a),
                     Lane::powf(a, b),
                     truth(L::and(less, L::lt(a, L::splat(0.5)))),
                     truth(L::or(less, L::lt(a, L::splat(0.5)))),

@@ -71,14 +71,6 @@ macro_rules! register {
                 self.store(&mut values);
                 values
             }
-
-            /// One value after the other: for functions that no instruction computes.
-            #[inline(always)]
-            fn each(self, function: fn(f64) -> f64) -> Self {
-                let mut values = self.to_array();
-                one_by_one(&mut values, function);
-                Self::from_array(values)
-            }
         }
 
         impl Lane for $name {
@@ -111,32 +103,10 @@ macro_rules! register {
                 $name(unsafe { $abs })
             }
             #[inline(always)]
-            fn exp(self) -> Self {
-                self.each(libm::exp)
-            }
-            #[inline(always)]
-            fn ln(self) -> Self {
-                self.each(libm::log)
-            }
-            #[inline(always)]
-            fn sin(self) -> Self {
-                self.each(libm::sin)
-            }
-            #[inline(always)]
-            fn cos(self) -> Self {
-                self.each(libm::cos)
-            }
-            #[inline(always)]
-            fn tan(self) -> Self {
-                self.each(libm::tan)
-            }
-            #[inline(always)]
-            fn atan(self) -> Self {
-                self.each(libm::atan)
-            }
-            #[inline(always)]
-            fn tanh(self) -> Self {
-                self.each(libm::tanh)
+            fn each(self, function: fn(f64) -> f64) -> Self {
+                let mut values = self.to_array();
+                one_by_one(&mut values, function);
+                Self::from_array(values)
             }
             #[inline(always)]
             fn powf(self, exponent: Self) -> Self {

@@ -1,10 +1,17 @@
 //! A law and an element dropped into a copy of the specs are listed and work, with no Rust changed.
 
 use whirl_codegen::diagnostic::Source;
+use whirl_codegen::operation::Function;
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
 
 use crate::workspace::{Workspace, text};
+
+/// The law with every function of one number in it.
+fn law() -> String {
+    let functions = Function::ALL.iter().map(|f| format!("{}(0.3 + (h/d)^2)", f.name()));
+    LAW.replace("FUNCTIONS", &functions.collect::<Vec<_>>().join(" + "))
+}
 
 const LAW: &str = r#"kind = "law"
 name = "dropped-hertz"
@@ -17,10 +24,14 @@ unit = "um"
 [inputs.h_dot]
 unit = "m/s"
 
+[parameters.d]
+value = 9
+unit = "um"
+
 [outputs.Q]
 unit = "N"
 pieces = [
-  { when = 'h < 5', value = '2*(5 - h)^(3/2)*(1 - 0.4*h_dot)' },
+  { when = 'h < 5', value = '2*(5 - h)^(3/2)*(1 - 0.4*h_dot)*(9 + FUNCTIONS)' },
   { value = '0' },
 ]
 "#;
@@ -59,7 +70,7 @@ fn points() -> Vec<f64> {
 fn workspace() -> Workspace {
     let folders = ["elements", "forms", "laws", "motion"];
     let workspace = Workspace::new("dropped", "\"specs\", \"probe\"", &folders);
-    workspace.write("specs/laws/dropped-hertz.toml", LAW);
+    workspace.write("specs/laws/dropped-hertz.toml", &law());
     let brick: String = text("specs/elements/hex8.toml")
         .lines()
         .map(|line| match line.split_once(" = ") {
@@ -82,7 +93,7 @@ fn workspace() -> Workspace {
 #[test]
 fn specs_dropped_into_the_folders_are_usable() {
     let output = workspace().cargo(&["run", "--package", "whirl-probe"]);
-    let law = LawSpec::read(&Source::new("laws/dropped-hertz.toml", LAW)).expect("a law");
+    let law = LawSpec::read(&Source::new("laws/dropped-hertz.toml", &law())).expect("a law");
     let tape = Tape::new(&law.program().expect("a program"));
     let (mut taped, mut workspace) = (vec![0.0; 150], vec![0.0; tape.workspace()]);
     tape.evaluate(50, &points(), &mut taped, &mut workspace);

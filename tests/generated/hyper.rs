@@ -56,6 +56,11 @@ impl Lane for Hyper {
     fn abs(self) -> Self {
         if self.0.re < 0.0 { -self } else { self }
     }
+    /// Of constants only: what varies has the derivatives of the functions below.
+    fn each(self, function: fn(f64) -> f64) -> Self {
+        assert_eq!(self.0, HyperDual64::from_re(self.0.re), "a function without derivatives");
+        Hyper::new(function(self.0.re), 0.0, 0.0)
+    }
     fn exp(self) -> Self {
         Hyper(self.0.exp())
     }

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use whirl_codegen::diagnostic::Located;
 use whirl_codegen::emit::{Numbers, operand, statements};
 use whirl_codegen::expression::{Graph, Id, Relation};
-use whirl_codegen::formula::{Formula, Rounded, Value, evaluate, lower, parse};
+use whirl_codegen::formula::{Formula, Value, evaluate, lower, parse};
+use whirl_codegen::operation::Rounded;
 use whirl_codegen::schedule::{Program, Request, schedule};
 use whirl_codegen::tape::Tape;
 

@@ -7,7 +7,8 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use whirl_codegen::diagnostic::Located;
 use whirl_codegen::expression::Graph;
-use whirl_codegen::formula::{Dual, Rounded, Value, evaluate, lower, parse};
+use whirl_codegen::formula::{Value, evaluate, lower, parse};
+use whirl_codegen::operation::{Dual, Rounded};
 use whirl_codegen::schedule::{Request, schedule};
 use whirl_codegen::tape::Tape;
 

@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use crate::expression::{Graph, Id, Node, Rational};
+use crate::expression::{Algebra, Folded, Graph, Id, Node, Rational};
+use crate::operation::Operation;
 
 /// Bits behind the point of an approximation: far more than 53, so that rounding to f64 is nearest.
 const BITS: u32 = 320;
@@ -133,7 +134,7 @@ impl Field {
     }
 
     /// a·b while reading: of bounded size, and in bounded time.
-    fn bounded(&mut self, a: &Algebraic, b: &Algebraic) -> Result<Algebraic, ReadError> {
+    fn bounded_product(&mut self, a: &Algebraic, b: &Algebraic) -> Result<Algebraic, ReadError> {
         let mut left = WORK.saturating_sub(self.work);
         let product = self.product(a, b, &mut left);
         self.work = WORK - left;
@@ -148,7 +149,7 @@ impl Field {
             _ => a.clone(),
         };
         let one = Algebraic::rational(Rational::one());
-        (0..exponent.unsigned_abs()).try_fold(one, |power, _| self.bounded(&power, &base))
+        (0..exponent.unsigned_abs()).try_fold(one, |power, _| self.bounded_product(&power, &base))
     }
 
     /// aⁿ; `None` of a negative power of zero.
@@ -164,9 +165,9 @@ impl Field {
             return Ok(Algebraic::rational(value.recip()));
         }
         let conjugate = conjugate(a);
-        let norm = self.bounded(a, &conjugate)?;
+        let norm = self.bounded_product(a, &conjugate)?;
         let inverse = self.reciprocal(&norm)?;
-        self.bounded(&conjugate, &inverse)
+        self.bounded_product(&conjugate, &inverse)
     }
 
     /// 1/a: with a = p + q·r, r the last root in it, it is (p − q·r)/(p² − q²r²). `None` of zero.
@@ -205,7 +206,7 @@ impl Field {
         root = root.times(&Rational::new(BigInt::one(), denominator));
         if a.as_rational().is_none() {
             let adjoined = self.adjoin(a.times(&content.recip()))?;
-            root = self.bounded(&root, &adjoined)?;
+            root = self.bounded_product(&root, &adjoined)?;
         }
         Ok(root)
     }
@@ -224,13 +225,13 @@ impl Field {
             if (&n % &p).is_zero() {
                 n /= &p;
                 let factor = self.adjoin(whole(p))?;
-                root = self.bounded(&root, &factor)?;
+                root = self.bounded_product(&root, &factor)?;
             }
             prime += 1;
         }
         let exact = n.sqrt();
         let rest = if &exact * &exact == n { whole(exact) } else { self.adjoin(whole(n))? };
-        self.bounded(&root, &rest)
+        self.bounded_product(&root, &rest)
     }
 
     /// The root of this square, which is in the field already or is added to it.
@@ -254,33 +255,7 @@ impl Field {
     /// # Errors
     /// If it is none, not made by square roots, or too large.
     pub fn read(&mut self, graph: &Graph, id: Id) -> Result<Algebraic, ReadError> {
-        let mut known: BTreeMap<Id, Algebraic> = BTreeMap::new();
-        for next in graph.reachable(&[id]) {
-            let number = match graph.node(next) {
-                Node::Number(value) => Algebraic::rational(value.clone()),
-                Node::Sum(terms) => {
-                    let mut sum = Algebraic::default();
-                    for (term, coefficient) in terms {
-                        sum.add(&known[term], coefficient);
-                    }
-                    sum
-                }
-                Node::Product(factors) => {
-                    let mut product = Algebraic::rational(Rational::one());
-                    for (base, exponent) in factors {
-                        let power = self.power_of(&known[base], exponent)?;
-                        product = self.bounded(&product, &power)?;
-                    }
-                    product
-                }
-                _ => return Err(ReadError::Roots),
-            };
-            if !number.is_moderate() {
-                return Err(ReadError::Size);
-            }
-            known.insert(next, number);
-        }
-        known.remove(&id).ok_or(ReadError::Roots)
+        graph.fold(id, self)
     }
 
     /// A power whose exponent is whole or half.
@@ -324,6 +299,42 @@ impl Field {
             Some(value) if value.denom().bits() + value.numer().bits() < 40 => value.to_string(),
             _ => format!("{:.6}", self.to_f64(a)),
         }
+    }
+}
+
+impl Algebra for Field {
+    type Value = Algebraic;
+    type Error = ReadError;
+
+    fn number(&mut self, value: &Rational) -> Algebraic {
+        Algebraic::rational(value.clone())
+    }
+
+    fn leaf(&mut self, _: Id, _: &Node) -> Folded<Self> {
+        Err(ReadError::Roots)
+    }
+
+    fn add(&mut self, mut sum: Algebraic, term: &Algebraic, factor: &Rational) -> Folded<Self> {
+        sum.add(term, factor);
+        Ok(sum)
+    }
+
+    fn multiply(
+        &mut self,
+        product: Algebraic,
+        base: &Algebraic,
+        exponent: &Rational,
+    ) -> Folded<Self> {
+        let power = self.power_of(base, exponent)?;
+        self.bounded_product(&product, &power)
+    }
+
+    fn operation(&mut self, _: Operation<&Algebraic>) -> Folded<Self> {
+        Err(ReadError::Roots)
+    }
+
+    fn bounded(&mut self, value: Algebraic) -> Folded<Self> {
+        if value.is_moderate() { Ok(value) } else { Err(ReadError::Size) }
     }
 }
 

@@ -4,8 +4,7 @@
 use std::array::from_fn;
 use std::collections::BTreeMap;
 
-use crate::expression::{Graph, Id, Node, Relation};
-use crate::rational::nearest;
+use crate::expression::Id;
 use crate::spec::element::{ElementSpec, ModeJacobian};
 use crate::spec::form::{Form, FormSpec};
 
@@ -84,8 +83,8 @@ fn points(element: &ElementSpec, form: &str, nodes: &[[f64; 3]]) -> (Vec<AtPoint
             basis.push([*value, x, y, z]);
         }
         if let Some(enhanced) = element.enhanced_in(form) {
-            let by = BTreeMap::from([(enhanced.det, det), (enhanced.det0, det0)]);
-            let scale = number(&element.graph, enhanced.scale, &by);
+            let dets = [enhanced.det, enhanced.det0];
+            let scale = element.graph.bytecode(&dets, &[enhanced.scale]).value(&[det, det0]);
             let inverse = match enhanced.jacobian {
                 ModeJacobian::Centre => &inverse0,
                 ModeJacobian::Point => &inverse,
@@ -125,58 +124,15 @@ fn condense(entries: &mut [f64], total: usize, size: usize) {
 }
 
 fn coefficients(spec: &FormSpec, form: &Form, material: &BTreeMap<String, f64>) -> Vec<f64> {
-    let mut values = BTreeMap::new();
+    let (mut symbols, mut values) = (Vec::new(), Vec::new());
     for property in &spec.material {
-        let value = material.get(&property.name).copied().unwrap_or(f64::NAN);
-        values.insert(property.symbol, value);
+        symbols.push(property.symbol);
+        values.push(material.get(&property.name).copied().unwrap_or(f64::NAN));
     }
     for coefficient in &spec.coefficients {
-        let value = number(&spec.graph, coefficient.value, &values);
-        values.insert(coefficient.symbol, value);
+        values.push(spec.graph.bytecode(&symbols, &[coefficient.value]).value(&values));
+        symbols.push(coefficient.symbol);
     }
-    form.bilinear.values().map(|id| number(&spec.graph, *id, &values)).collect()
-}
-
-/// The value of an expression of scalars where symbols have the given values; NaN of anything else. Every
-/// node is evaluated once: a formula can use what it repeats 2⁴⁰ times.
-fn number(graph: &Graph, id: Id, values: &BTreeMap<Id, f64>) -> f64 {
-    let mut known: BTreeMap<Id, f64> = BTreeMap::new();
-    for next in graph.reachable(&[id]) {
-        let value = match values.get(&next) {
-            Some(value) => *value,
-            None => node(graph.node(next), &known),
-        };
-        known.insert(next, value);
-    }
-    known[&id]
-}
-
-/// The value of a node from those of its operands; truth is 1 and 0.
-fn node(node: &Node, of: &BTreeMap<Id, f64>) -> f64 {
-    let truth = |value: bool| f64::from(u8::from(value));
-    let holds = |id: &Id| of[id] == 1.0;
-    match node {
-        Node::Number(value) => nearest(value),
-        Node::Sum(terms) => terms.iter().map(|(term, c)| nearest(c) * of[term]).sum(),
-        Node::Product(factors) => {
-            factors.iter().map(|(base, e)| libm::pow(of[base], nearest(e))).product()
-        }
-        Node::Function(function, a) => function.value(of[a]),
-        Node::Compare(Relation::Less, a, b) => truth(of[a] < of[b]),
-        Node::Compare(Relation::LessOrEqual, a, b) => truth(of[a] <= of[b]),
-        Node::Truth(value) => truth(*value),
-        Node::And(a, b) => truth(holds(a) && holds(b)),
-        Node::Or(a, b) => truth(holds(a) || holds(b)),
-        Node::Not(a) => truth(!holds(a)),
-        Node::Select(mask, a, b) => of[if holds(mask) { a } else { b }],
-        // A symbol without a value, and what is no scalar.
-        Node::Symbol(_)
-        | Node::Zero(_)
-        | Node::Identity
-        | Node::Scale(..)
-        | Node::Dot(..)
-        | Node::Apply(..)
-        | Node::Transpose(_)
-        | Node::Outer(..) => f64::NAN,
-    }
+    let all: Vec<Id> = form.bilinear.values().copied().collect();
+    spec.graph.bytecode(&symbols, &all).values(&values)
 }

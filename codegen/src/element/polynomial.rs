@@ -6,7 +6,8 @@ use std::fmt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::cell::Cell;
-use crate::expression::{Graph, Id, Node, Rational};
+use crate::expression::{Algebra, Folded, Graph, Id, Node, Rational};
+use crate::operation::Operation;
 
 /// Exponents of ξ, η and the cell's third variable: ζ, or ω = 1 − ζ over a pyramid, where they may be negative.
 pub type Exponents = [i32; 3];
@@ -64,39 +65,7 @@ impl Polynomial {
     /// An expression over the coordinates, multiplied out; `None` if it is no polynomial with rational
     /// coefficients (over a pyramid divided by powers of 1 − ζ), or a very large one.
     pub fn read(graph: &Graph, id: Id, coordinates: &[Id; 3], cell: Cell) -> Option<Self> {
-        let mut known: BTreeMap<Id, Self> = BTreeMap::new();
-        for next in graph.reachable(&[id]) {
-            let axis = coordinates.iter().position(|coordinate| *coordinate == next);
-            let polynomial = match axis {
-                Some(axis) => Self::coordinate(cell, axis),
-                None => Self::of_node(graph.node(next), &known, cell)?,
-            };
-            known.insert(next, polynomial);
-        }
-        known.remove(&id)
-    }
-
-    /// A node whose operands are `known`.
-    fn of_node(node: &Node, known: &BTreeMap<Id, Self>, cell: Cell) -> Option<Self> {
-        match node {
-            Node::Number(value) => Some(Self::constant(value.clone())),
-            Node::Sum(terms) => {
-                let mut sum = Polynomial::default();
-                for (term, coefficient) in terms {
-                    sum.add(&known[term], coefficient);
-                }
-                sum.bounded()
-            }
-            Node::Product(factors) => {
-                let mut product = Self::constant(Rational::one());
-                for (base, exponent) in factors {
-                    let exponent = exponent.is_integer().then(|| exponent.to_i32())??;
-                    product = product.multiply(&known[base].power(exponent, cell)?)?;
-                }
-                Some(product)
-            }
-            _ => None,
-        }
+        graph.fold(id, &mut Over { coordinates, cell }).ok()
     }
 
     /// Adds scale · other.
@@ -204,6 +173,53 @@ impl Polynomial {
     /// As a formula in the cell's variables.
     pub fn display(&self, cell: Cell) -> impl fmt::Display + '_ {
         Displayed { polynomial: self, cell }
+    }
+}
+
+/// Polynomials over the coordinates of a cell.
+struct Over<'c> {
+    coordinates: &'c [Id; 3],
+    cell: Cell,
+}
+
+/// An expression is no polynomial, or a very large one.
+struct Refused;
+
+impl Algebra for Over<'_> {
+    type Value = Polynomial;
+    type Error = Refused;
+
+    fn number(&mut self, value: &Rational) -> Polynomial {
+        Polynomial::constant(value.clone())
+    }
+
+    fn leaf(&mut self, id: Id, _: &Node) -> Folded<Self> {
+        let axis = self.coordinates.iter().position(|coordinate| *coordinate == id);
+        Ok(Polynomial::coordinate(self.cell, axis.ok_or(Refused)?))
+    }
+
+    fn add(&mut self, mut sum: Polynomial, term: &Polynomial, factor: &Rational) -> Folded<Self> {
+        sum.add(term, factor);
+        Ok(sum)
+    }
+
+    fn multiply(
+        &mut self,
+        product: Polynomial,
+        base: &Polynomial,
+        exponent: &Rational,
+    ) -> Folded<Self> {
+        let exponent = exponent.to_i32().filter(|_| exponent.is_integer()).ok_or(Refused)?;
+        let power = base.power(exponent, self.cell).ok_or(Refused)?;
+        product.multiply(&power).ok_or(Refused)
+    }
+
+    fn operation(&mut self, _: Operation<&Polynomial>) -> Folded<Self> {
+        Err(Refused)
+    }
+
+    fn bounded(&mut self, value: Polynomial) -> Folded<Self> {
+        value.bounded().ok_or(Refused)
     }
 }
 

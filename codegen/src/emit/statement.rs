@@ -5,8 +5,8 @@ use proc_macro2::{Literal, Punct, Spacing, TokenStream};
 use quote::{ToTokens, TokenStreamExt, quote};
 
 use super::identifier::identifier;
-use crate::expression::{Function, Relation};
-use crate::schedule::{Operand, Operation, Program};
+use crate::operation::{Operand, Operation, Relation};
+use crate::schedule::Program;
 
 /// The number type of generated code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -214,7 +214,7 @@ impl<'a> Writer<'a> {
             }
             Operation::Sqrt(a) => (self.call(quote!(sqrt), a), Binding::Atom),
             Operation::Function(function, a) => {
-                let method = identifier(name(function));
+                let method = identifier(function.lane());
                 (self.call(quote!(#method), a), Binding::Atom)
             }
             Operation::Power(a, b) => {
@@ -252,20 +252,6 @@ impl<'a> Writer<'a> {
                 (choice, Binding::Atom)
             }
         }
-    }
-}
-
-/// Method of the lane type that computes a function.
-fn name(function: Function) -> &'static str {
-    match function {
-        Function::Exp => "exp",
-        Function::Ln => "ln",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Atan => "atan",
-        Function::Tanh => "tanh",
-        Function::Abs => "abs",
     }
 }
 
@@ -309,7 +295,7 @@ fn in_place(program: &Program) -> Vec<bool> {
 mod tests {
     use super::*;
     use crate::emit::formatted;
-    use crate::expression::{Graph, Rational};
+    use crate::expression::{Function, Graph, Rational};
     use crate::schedule::{Request, schedule};
 
     fn ratio(numer: i64, denom: i64) -> Rational {

@@ -1,11 +1,13 @@
 //! Symbolic derivatives.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use num_traits::One;
 
 use super::graph::Graph;
-use super::node::{Function, Id, Node, Rational, Shape};
+use super::node::{Function, Id, Node, Rational, Relation, Shape};
+use crate::operation::Arithmetic;
 
 /// Why a derivative has no form that the graph can hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -191,36 +193,55 @@ impl Graph {
         })
     }
 
-    /// f′(a), with `value` = f(a) reused where it serves.
+    /// f′(a), where f(a) is `value`.
     fn slope(&mut self, function: Function, a: Id, value: Id) -> Id {
-        let one = self.integer(1);
-        match function {
-            Function::Exp => value,
-            Function::Ln => self.power(a, -Rational::one()),
-            Function::Sin => self.function(Function::Cos, a),
-            Function::Cos => {
-                let sine = self.function(Function::Sin, a);
-                self.neg(sine)
-            }
-            Function::Tan => {
-                let square = self.power(value, Rational::from(2));
-                self.add(one, square)
-            }
-            Function::Atan => {
-                let square = self.power(a, Rational::from(2));
-                let denominator = self.add(one, square);
-                self.power(denominator, -Rational::one())
-            }
-            Function::Tanh => {
-                let square = self.power(value, Rational::from(2));
-                self.sub(one, square)
-            }
-            Function::Abs => {
-                let zero = self.integer(0);
-                let minus = self.integer(-1);
-                let below = self.compare(super::Relation::Less, a, zero);
-                self.select(below, minus, one)
-            }
-        }
+        let graph = &RefCell::new(self);
+        function.slope(&Term { graph, id: a }, &Term { graph, id: value }).id
+    }
+}
+
+/// A scalar of a graph that slopes are written to.
+#[derive(Clone)]
+struct Term<'g> {
+    graph: &'g RefCell<&'g mut Graph>,
+    id: Id,
+}
+
+impl Term<'_> {
+    fn with(&self, make: impl FnOnce(&mut Graph, Id) -> Id) -> Self {
+        let id = make(&mut self.graph.borrow_mut(), self.id);
+        Term { graph: self.graph, id }
+    }
+}
+
+impl Arithmetic for Term<'_> {
+    fn number(&self, value: f64) -> Self {
+        let value = Rational::from_float(value).expect("a finite number");
+        self.with(|graph, _| graph.number(value))
+    }
+    fn plus(&self, other: &Self) -> Self {
+        self.with(|graph, id| graph.add(id, other.id))
+    }
+    fn minus(&self, other: &Self) -> Self {
+        self.with(|graph, id| graph.sub(id, other.id))
+    }
+    fn times(&self, other: &Self) -> Self {
+        self.with(|graph, id| graph.mul(id, other.id))
+    }
+    fn over(&self, other: &Self) -> Self {
+        self.with(|graph, id| graph.div(id, other.id))
+    }
+    fn root(&self) -> Self {
+        self.with(Graph::sqrt)
+    }
+    fn sign(&self) -> Self {
+        self.with(|graph, id| {
+            let [one, zero, minus] = [1, 0, -1].map(|value| graph.integer(value));
+            let below = graph.compare(Relation::Less, id, zero);
+            graph.select(below, minus, one)
+        })
+    }
+    fn through(&self, function: Function) -> Self {
+        self.with(|graph, id| graph.function(function, id))
     }
 }

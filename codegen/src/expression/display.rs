@@ -5,7 +5,7 @@ use std::cell::Cell;
 use num_traits::{One, Signed};
 
 use super::graph::Graph;
-use super::node::{Function, Id, Node, Rational, Relation};
+use super::node::{Id, Node, Rational, Relation};
 
 /// How tightly the outermost operation of a text binds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -95,7 +95,7 @@ impl<'g> Printer<'g> {
             Node::Truth(value) => (value.to_string(), Binding::Atom),
             Node::Sum(terms) => self.sum(terms),
             Node::Product(factors) => self.product(factors, None),
-            Node::Function(function, a) => call(name(*function), &[*a]),
+            Node::Function(function, a) => call(function.name(), &[*a]),
             Node::Compare(relation, a, b) => {
                 let sign = match relation {
                     Relation::Less => "<",
@@ -230,27 +230,13 @@ fn rounded(value: f64) -> String {
     }
 }
 
-/// Name of a function in the formula language.
-fn name(function: Function) -> &'static str {
-    match function {
-        Function::Exp => "exp",
-        Function::Ln => "log",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Atan => "atan",
-        Function::Tanh => "tanh",
-        Function::Abs => "abs",
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeMap;
 
     use super::*;
     use crate::diagnostic::Located;
-    use crate::expression::Symmetry;
+    use crate::expression::{Function, Symmetry};
     use crate::formula;
 
     fn names(graph: &mut Graph) -> BTreeMap<String, Id> {

@@ -233,7 +233,7 @@ impl Graph {
         }
         self.operands += operands;
         let id = Id(self.nodes.len() as u32);
-        self.signatures.push(&node, |operand| self.shapes[operand.index()]);
+        self.signatures.push(&node, shape, |operand| self.shapes[operand.index()]);
         self.shapes.push(shape);
         self.nodes.push(node);
         self.index.insert(hash, id);

@@ -4,9 +4,10 @@
 //! Equal expressions have equal [`Id`]s as far as the rules of the constructors reach; [`normal`]
 //! decides equality of polynomials in dot products and matrix–vector products exactly.
 
+mod bytecode;
 mod differentiate;
 mod display;
-mod function;
+mod fold;
 mod graph;
 mod linear;
 mod node;
@@ -19,6 +20,7 @@ mod tests;
 
 pub use differentiate::DifferentiateError;
 pub use display::{display, display_rounded};
+pub(crate) use fold::{Algebra, Folded};
 pub use graph::Graph;
 pub use node::{Function, Id, Node, Rational, Relation, Shape, Symbol, Symmetry};
 pub use signature::Points;

@@ -1,5 +1,6 @@
 //! What a node of the graph can be.
 
+pub use crate::operation::{Function, Relation};
 pub use crate::rational::Rational;
 
 /// A node of a [`super::Graph`]. Operands always have smaller ids than the node that uses them.
@@ -46,36 +47,6 @@ pub struct Symbol {
     pub shape: Shape,
     /// Symmetry; [`Symmetry::None`] unless a matrix.
     pub symmetry: Symmetry,
-}
-
-/// Functions of one scalar.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Function {
-    /// eˣ
-    Exp,
-    /// ln x
-    Ln,
-    /// sin x
-    Sin,
-    /// cos x
-    Cos,
-    /// tan x
-    Tan,
-    /// arctan x
-    Atan,
-    /// tanh x
-    Tanh,
-    /// |x|
-    Abs,
-}
-
-/// Order relations; the others follow by swapping or negating.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Relation {
-    /// a < b
-    Less,
-    /// a ≤ b
-    LessOrEqual,
 }
 
 /// A node. The constructors of [`super::Graph`] keep these in canonical form, as said at each variant.

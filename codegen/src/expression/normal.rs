@@ -35,11 +35,6 @@ pub fn expand(graph: &mut Graph, id: Id) -> Id {
 
 fn step(graph: &mut Graph, id: Id, of: &BTreeMap<Id, Id>) -> Id {
     match graph.node(id).clone() {
-        Node::Number(_) | Node::Zero(_) | Node::Identity | Node::Symbol(_) | Node::Truth(_) => id,
-        Node::Sum(terms) => {
-            let parts: Vec<_> = terms.into_iter().map(|(term, c)| (of[&term], c)).collect();
-            graph.sum(&parts)
-        }
         Node::Product(factors) => {
             let mut product = graph.integer(1);
             for (base, exponent) in factors {
@@ -47,17 +42,11 @@ fn step(graph: &mut Graph, id: Id, of: &BTreeMap<Id, Id>) -> Id {
             }
             product
         }
-        Node::Function(function, a) => graph.function(function, of[&a]),
-        Node::Compare(relation, a, b) => graph.compare(relation, of[&a], of[&b]),
-        Node::And(a, b) => graph.and(of[&a], of[&b]),
-        Node::Or(a, b) => graph.or(of[&a], of[&b]),
-        Node::Not(a) => graph.not(of[&a]),
-        Node::Select(mask, a, b) => graph.select(of[&mask], of[&a], of[&b]),
         Node::Scale(scalar, x) => pairs(graph, of[&scalar], of[&x], Graph::scale),
         Node::Dot(a, b) => pairs(graph, of[&a], of[&b], dot_of_words),
         Node::Apply(matrix, x) => pairs(graph, of[&matrix], of[&x], Graph::apply),
-        Node::Transpose(matrix) => graph.transpose(of[&matrix]),
         Node::Outer(a, b) => pairs(graph, of[&a], of[&b], Graph::outer),
+        _ => graph.rebuild(id, &|operand| of[&operand]),
     }
 }
 

@@ -4,6 +4,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::graph::{Graph, NUMBER_BITS};
 use super::node::{Function, Id, Node, Rational, Relation, Shape};
+use crate::operation::Parity;
 
 impl Graph {
     /// Σ coefficient·term; the terms have one shape and there is at least one.
@@ -213,22 +214,11 @@ impl Graph {
     /// A function of a scalar.
     pub fn function(&mut self, function: Function, a: Id) -> Id {
         if let Some(value) = self.as_number(a).cloned() {
-            match function {
-                Function::Abs => return self.number(value.abs()),
-                Function::Exp | Function::Cos if value.is_zero() => return self.integer(1),
-                Function::Sin | Function::Tan | Function::Atan | Function::Tanh
-                    if value.is_zero() =>
-                {
-                    return self.integer(0);
-                }
-                Function::Ln if value.is_one() => return self.integer(0),
-                Function::Exp
-                | Function::Ln
-                | Function::Sin
-                | Function::Cos
-                | Function::Tan
-                | Function::Atan
-                | Function::Tanh => {}
+            let (at, exact) = function.exact();
+            if function == Function::Abs {
+                return self.number(value.abs());
+            } else if value == Rational::from(at) {
+                return self.integer(exact);
             }
         }
         let negative = match self.node(a) {
@@ -236,34 +226,18 @@ impl Graph {
             Node::Sum(terms) => terms.len() == 1 && terms[0].1.is_negative(),
             _ => false,
         };
-        match function {
-            Function::Sin | Function::Tan | Function::Atan | Function::Tanh if negative => {
-                let positive = self.neg(a);
-                let value = self.intern(Node::Function(function, positive));
-                self.neg(value)
-            }
-            Function::Cos | Function::Abs if negative => {
-                let positive = self.neg(a);
-                self.intern(Node::Function(function, positive))
-            }
-            Function::Exp
-            | Function::Ln
-            | Function::Sin
-            | Function::Cos
-            | Function::Tan
-            | Function::Atan
-            | Function::Tanh
-            | Function::Abs => self.intern(Node::Function(function, a)),
+        if !negative || function.parity() == Parity::None {
+            return self.intern(Node::Function(function, a));
         }
+        let positive = self.neg(a);
+        let value = self.intern(Node::Function(function, positive));
+        if function.parity() == Parity::Odd { self.neg(value) } else { value }
     }
 
     /// A comparison of scalars.
     pub fn compare(&mut self, relation: Relation, a: Id, b: Id) -> Id {
         let known = match (self.as_number(a), self.as_number(b)) {
-            (Some(a), Some(b)) => Some(match relation {
-                Relation::Less => a < b,
-                Relation::LessOrEqual => a <= b,
-            }),
+            (Some(a), Some(b)) => Some(relation.holds(a, b)),
             _ if a == b => Some(relation == Relation::LessOrEqual),
             _ => None,
         };

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use num_traits::{Signed, ToPrimitive};
 
-use super::node::{Id, Node, Rational, Relation, Shape, Symmetry};
+use super::node::{Id, Node, Rational, Shape, Symmetry};
 use crate::rational::nearest;
 
 /// Number of points where none are given.
@@ -48,16 +48,6 @@ impl Points {
     }
 }
 
-/// Value of a node at one point, with n = 3, and bounds of the error of each of its numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Value {
-    Scalar(Near),
-    Vector([Near; N]),
-    Matrix([[Near; N]; N]),
-    /// Nothing where rounding decides.
-    Truth(Option<bool>),
-}
-
 /// A number that is wrong by at most `error`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Near {
@@ -65,30 +55,27 @@ struct Near {
     error: f64,
 }
 
-/// The values of all nodes.
+/// The values of all nodes, with n = 3. Truth is 1 and 0, and nothing where rounding decides.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Signatures {
     points: Points,
     /// Where the numbers of a node begin.
     starts: Vec<usize>,
-    /// Of every node, point by point: values and bounds.
+    /// Of every node, point by point and entry by entry, rows first: values and bounds.
     numbers: Vec<Near>,
 }
 
 impl Signatures {
-    /// Adds a node whose operands are there.
-    pub(super) fn push(&mut self, node: &Node, shape_of: impl Fn(Id) -> Shape) {
+    /// Adds a node of this shape whose operands are there.
+    pub(super) fn push(&mut self, node: &Node, shape: Shape, shape_of: impl Fn(Id) -> Shape) {
         self.starts.push(self.numbers.len());
         for point in 0..self.points.count {
-            let of = |id: Id| self.value(id, shape_of(id), point);
-            match at(node, point, &self.points, &of) {
-                Value::Scalar(value) => self.numbers.push(value),
-                Value::Vector(values) => self.numbers.extend(values),
-                Value::Matrix(rows) => self.numbers.extend(rows.as_flattened()),
-                Value::Truth(truth) => {
-                    let value = truth.map_or(f64::NAN, |truth| f64::from(u8::from(truth)));
-                    self.numbers.push(Near { value, error: 0.0 });
-                }
+            for entry in 0..size(shape) {
+                let of = |id: Id, entry: usize| {
+                    let first = self.starts[id.index()] + size(shape_of(id)) * point;
+                    self.numbers[first + entry]
+                };
+                self.numbers.push(at(node, entry, point, &self.points, &of));
             }
         }
     }
@@ -96,30 +83,14 @@ impl Signatures {
     /// The same nodes at other points.
     pub(super) fn move_to(&mut self, points: Points, nodes: &[Node], shapes: &[Shape]) {
         *self = Signatures { points, ..Signatures::default() };
-        nodes.iter().for_each(|node| self.push(node, |id| shapes[id.index()]));
+        for (node, shape) in nodes.iter().zip(shapes) {
+            self.push(node, *shape, |id| shapes[id.index()]);
+        }
     }
 
     /// Number of points.
     pub(super) fn points(&self) -> usize {
         self.points.count
-    }
-
-    fn value(&self, id: Id, shape: Shape, point: usize) -> Value {
-        let size = match shape {
-            Shape::Scalar | Shape::Truth => 1,
-            Shape::Vector => N,
-            Shape::Matrix => N * N,
-        };
-        let numbers = &self.numbers[self.starts[id.index()] + size * point..][..size];
-        match shape {
-            Shape::Scalar => Value::Scalar(numbers[0]),
-            Shape::Truth if numbers[0].value.is_nan() => Value::Truth(None),
-            Shape::Truth => Value::Truth(Some(numbers[0].value == 1.0)),
-            Shape::Vector => Value::Vector(std::array::from_fn(|i| numbers[i])),
-            Shape::Matrix => {
-                Value::Matrix(std::array::from_fn(|i| std::array::from_fn(|j| numbers[N * i + j])))
-            }
-        }
     }
 
     fn of(&self, id: Id) -> &[Near] {
@@ -201,134 +172,87 @@ impl Near {
     }
 }
 
-/// Value of a node from the values of its operands.
-fn at(node: &Node, point: usize, points: &Points, of: &dyn Fn(Id) -> Value) -> Value {
-    let scalar = |id: Id| match of(id) {
-        Value::Scalar(v) => v,
-        Value::Vector(_) | Value::Matrix(_) | Value::Truth(_) => Near::NOTHING,
+fn size(shape: Shape) -> usize {
+    match shape {
+        Shape::Scalar | Shape::Truth => 1,
+        Shape::Vector => N,
+        Shape::Matrix => N * N,
+    }
+}
+
+/// An entry of a node from those of its operands.
+fn at(
+    node: &Node,
+    entry: usize,
+    point: usize,
+    points: &Points,
+    of: &dyn Fn(Id, usize) -> Near,
+) -> Near {
+    let scalar = |id: Id| of(id, 0);
+    let truth = |id: Id| Some(of(id, 0).value).filter(|v| !v.is_nan()).map(|v| v == 1.0);
+    let decided = |truth: Option<bool>| match truth {
+        Some(truth) => Near::exactly(f64::from(u8::from(truth))),
+        None => Near::NOTHING,
     };
-    let vector = |id: Id| match of(id) {
-        Value::Vector(v) => v,
-        Value::Scalar(_) | Value::Matrix(_) | Value::Truth(_) => [Near::NOTHING; N],
-    };
-    let matrix = |id: Id| match of(id) {
-        Value::Matrix(m) => m,
-        Value::Scalar(_) | Value::Vector(_) | Value::Truth(_) => [[Near::NOTHING; N]; N],
-    };
-    let truth = |id: Id| match of(id) {
-        Value::Truth(truth) => truth,
-        Value::Scalar(_) | Value::Vector(_) | Value::Matrix(_) => None,
-    };
-    let zero = Near::exactly(0.0);
+    let sum = |term: &dyn Fn(usize) -> Near| (0..N).map(term).reduce(Near::plus).expect("entries");
+    let (i, j) = (entry / N, entry % N);
     match node {
-        Node::Number(value) => Value::Scalar(number(value)),
-        Node::Zero(Shape::Matrix) => Value::Matrix([[zero; N]; N]),
-        Node::Zero(_) => Value::Vector([zero; N]),
-        Node::Identity => Value::Matrix(std::array::from_fn(|i| {
-            std::array::from_fn(|j| Near::exactly(f64::from(u8::from(i == j))))
-        })),
-        Node::Symbol(symbol) => {
-            let random = |entry: usize| Near::exactly(uniform(&symbol.name, point, entry));
-            match symbol.shape {
-                Shape::Scalar | Shape::Truth => {
-                    Value::Scalar(Near::exactly(points.scalar(&symbol.name, point)))
-                }
-                Shape::Vector => Value::Vector(std::array::from_fn(random)),
-                Shape::Matrix => Value::Matrix(std::array::from_fn(|i| {
-                    std::array::from_fn(|j| match symbol.symmetry {
-                        Symmetry::None => random(N * i + j),
-                        Symmetry::Symmetric => random(N * i.min(j) + i.max(j)),
-                        Symmetry::Skew if i == j => zero,
-                        Symmetry::Skew if i < j => random(N * i + j),
-                        Symmetry::Skew => Near::exactly(-uniform(&symbol.name, point, N * j + i)),
-                    })
-                })),
+        Node::Number(value) => number(value),
+        Node::Zero(_) => Near::exactly(0.0),
+        Node::Identity => Near::exactly(f64::from(u8::from(i == j))),
+        Node::Symbol(symbol) => Near::exactly(match (symbol.shape, symbol.symmetry) {
+            (Shape::Scalar | Shape::Truth, _) => points.scalar(&symbol.name, point),
+            (Shape::Matrix, Symmetry::Symmetric) => {
+                uniform(&symbol.name, point, N * i.min(j) + i.max(j))
             }
-        }
+            (Shape::Matrix, Symmetry::Skew) if i == j => 0.0,
+            (Shape::Matrix, Symmetry::Skew) if i > j => -uniform(&symbol.name, point, N * j + i),
+            (Shape::Matrix | Shape::Vector, _) => uniform(&symbol.name, point, entry),
+        }),
         Node::Sum(terms) => {
-            terms.iter().map(|(id, c)| scaled(number(c), of(*id))).reduce(added).expect("a term")
+            let terms = terms.iter().map(|(id, c)| number(c).times(of(*id, entry)));
+            terms.reduce(Near::plus).expect("a term")
         }
         Node::Product(factors) => {
             let powers = factors.iter().map(|(id, exponent)| scalar(*id).power(exponent));
-            Value::Scalar(powers.reduce(Near::times).expect("a factor"))
+            powers.reduce(Near::times).expect("a factor")
         }
         Node::Function(function, a) => {
             let a = scalar(*a);
             let value = function.value(a.value);
-            Value::Scalar(a.through(value, function.slope(a.value, value)))
+            a.through(value, function.slope(&a.value, &value))
         }
         Node::Compare(relation, a, b) => {
             let (a, b) = (scalar(*a), scalar(*b));
             let close = (a.value - b.value).abs() <= BOUNDS * (a.error + b.error);
             let exact = a.error == 0.0 && b.error == 0.0;
             let known = a.value.is_finite() && b.value.is_finite() && (exact || !close);
-            Value::Truth(known.then_some(match relation {
-                Relation::Less => a.value < b.value,
-                Relation::LessOrEqual => a.value <= b.value,
-            }))
+            decided(known.then_some(relation.holds(a.value, b.value)))
         }
-        Node::Truth(value) => Value::Truth(Some(*value)),
-        Node::And(a, b) => Value::Truth(match (truth(*a), truth(*b)) {
+        Node::Truth(value) => decided(Some(*value)),
+        Node::And(a, b) => decided(match (truth(*a), truth(*b)) {
             (Some(false), _) | (_, Some(false)) => Some(false),
-            (Some(true), Some(true)) => Some(true),
-            (None, _) | (_, None) => None,
+            (a, b) => a.and(b),
         }),
-        Node::Or(a, b) => Value::Truth(match (truth(*a), truth(*b)) {
+        Node::Or(a, b) => decided(match (truth(*a), truth(*b)) {
             (Some(true), _) | (_, Some(true)) => Some(true),
-            (Some(false), Some(false)) => Some(false),
-            (None, _) | (_, None) => None,
+            (a, b) => a.and(b),
         }),
-        Node::Not(a) => Value::Truth(truth(*a).map(|truth| !truth)),
+        Node::Not(a) => decided(truth(*a).map(|truth| !truth)),
         Node::Select(mask, a, b) => match truth(*mask) {
-            Some(true) => of(*a),
-            Some(false) => of(*b),
-            None => scaled(Near::NOTHING, of(*a)),
+            Some(mask) => of(if mask { *a } else { *b }, entry),
+            None => Near::NOTHING,
         },
-        Node::Scale(s, x) => scaled(scalar(*s), of(*x)),
-        Node::Dot(a, b) => Value::Scalar(dot(&vector(*a), &vector(*b))),
-        Node::Apply(m, v) => {
-            let v = vector(*v);
-            Value::Vector(matrix(*m).map(|row| dot(&row, &v)))
-        }
-        Node::Transpose(m) => {
-            let m = matrix(*m);
-            Value::Matrix(std::array::from_fn(|i| std::array::from_fn(|j| m[j][i])))
-        }
-        Node::Outer(a, b) => {
-            let (a, b) = (vector(*a), vector(*b));
-            Value::Matrix(a.map(|x| b.map(|y| x.times(y))))
-        }
+        Node::Scale(s, x) => scalar(*s).times(of(*x, entry)),
+        Node::Dot(a, b) => sum(&|k| of(*a, k).times(of(*b, k))),
+        Node::Apply(m, v) => sum(&|k| of(*m, N * entry + k).times(of(*v, k))),
+        Node::Transpose(m) => of(*m, N * j + i),
+        Node::Outer(a, b) => of(*a, i).times(of(*b, j)),
     }
 }
 
 fn number(value: &Rational) -> Near {
     Near::rounded(nearest(value))
-}
-
-fn dot(a: &[Near; N], b: &[Near; N]) -> Near {
-    a.iter().zip(b).map(|(x, y)| x.times(*y)).reduce(Near::plus).expect("entries")
-}
-
-fn scaled(factor: Near, value: Value) -> Value {
-    match value {
-        Value::Scalar(v) => Value::Scalar(factor.times(v)),
-        Value::Vector(v) => Value::Vector(v.map(|x| factor.times(x))),
-        Value::Matrix(m) => Value::Matrix(m.map(|row| row.map(|x| factor.times(x)))),
-        Value::Truth(truth) => Value::Truth(truth.filter(|_| factor.value.is_finite())),
-    }
-}
-
-fn added(a: Value, b: Value) -> Value {
-    match (a, b) {
-        (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a.plus(b)),
-        (Value::Vector(a), Value::Vector(b)) => {
-            Value::Vector(std::array::from_fn(|i| a[i].plus(b[i])))
-        }
-        (Value::Matrix(a), Value::Matrix(b)) => {
-            Value::Matrix(std::array::from_fn(|i| std::array::from_fn(|j| a[i][j].plus(b[i][j]))))
-        }
-        (a, _) => scaled(Near::NOTHING, a),
-    }
 }
 
 /// A number in [0.5, 1.5), fixed by name, point and entry (FNV-1a, then a splitmix finish): positive, so

@@ -24,15 +24,16 @@ impl Graph {
             self.node(next).operands(|operand| changed |= of[operand.index()] != operand);
             of[next.index()] = match by.get(&next) {
                 Some(replacement) => *replacement,
-                None if changed => self.rebuild(next, &of),
+                None if changed => self.rebuild(next, &|operand| of[operand.index()]),
                 None => next,
             };
         }
         roots.iter().map(|root| of[root.index()]).collect()
     }
 
-    fn rebuild(&mut self, id: Id, of: &[Id]) -> Id {
-        let of = |id: &Id| of[id.index()];
+    /// A node by the constructors, from what its operands became.
+    pub(crate) fn rebuild(&mut self, id: Id, of: &dyn Fn(Id) -> Id) -> Id {
+        let of = |id: &Id| of(*id);
         match self.node(id).clone() {
             Node::Number(_) | Node::Zero(_) | Node::Identity | Node::Symbol(_) | Node::Truth(_) => {
                 id

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::*;
 use crate::diagnostic::Located;
-use crate::formula;
+use crate::formula::{self, Value};
+use crate::operation::Dual;
 
 struct Bench {
     graph: Graph,
@@ -111,6 +112,33 @@ fn derivatives_of_scalars_agree_with_central_differences() {
         let mut bench = Bench::new();
         let id = bench.read(text);
         bench.check(id, "a", text);
+    }
+}
+
+#[test]
+fn every_function_has_the_derivative_of_its_differences_and_duals() {
+    for function in Function::ALL {
+        let text = format!("{}(a)", function.name());
+        let formula = formula::parse(&Located::alone("f", &text)).expect("a formula");
+        let mut bench = Bench::new();
+        let points = BTreeMap::from([("a".to_owned(), function.points().to_vec())]);
+        bench.graph.look_at(Points::of(points));
+        let id = bench.read(&text);
+        bench.check(id, "a", &text);
+        let derivative = bench.graph.differentiate(id, bench.names["a"]).expect("a derivative");
+        let found = values(&bench.graph, derivative);
+        for ((x, value), slope) in function.points().iter().zip(values(&bench.graph, id)).zip(found)
+        {
+            let names = BTreeMap::from([("a".to_owned(), Value::Scalar(Dual::variable(*x)))]);
+            let dual = formula::evaluate(&formula, &names).expect("a value").scalar();
+            let dual = dual.expect("a number");
+            assert_eq!(dual.value, value, "{text} at {x}");
+            let scale = slope.abs().max(1.0);
+            assert!((dual.slope - slope).abs() <= 4.0 * f64::EPSILON * scale, "{text} at {x}");
+        }
+        let nested = format!("{}(0.3 + a*b/9)*b", function.name());
+        let id = bench.read(&nested);
+        bench.check(id, "b", &nested);
     }
 }
 

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::function::{ELSEWHERE, FUNCTIONS};
-use super::{Builtin, Formula, Kind, PI, SUM, Side, Term};
+use super::function::{Builtin, ELSEWHERE, names};
+use super::{Formula, Kind, PI, Side, Term};
 use crate::diagnostic::{Code, Diagnostics, suggest};
 use crate::expression::Shape;
 
@@ -266,15 +266,13 @@ impl<'f> Checker<'f> {
         name: &Range<usize>,
         arguments: &'f [Term],
     ) -> Option<Shape> {
-        let Some((_, builtin, least, most)) = FUNCTIONS.iter().find(|(f, ..)| *f == function)
-        else {
+        let Some((builtin, [least, most])) = Builtin::named(function) else {
             let help = if self.scope.names.contains_key(function) {
                 Some(format!("`{function}` is a quantity: write `{function}*(…)` for a product"))
             } else if let Some((_, help)) = ELSEWHERE.iter().find(|(f, _)| *f == function) {
                 Some((*help).to_owned())
             } else {
-                let known = FUNCTIONS.iter().map(|(f, ..)| *f).chain([SUM]);
-                suggest(function, &known.collect::<Vec<&str>>())
+                suggest(function, &names().collect::<Vec<&str>>())
             };
             self.error(Code::BAD_CALL, name, format!("unknown function `{function}`"), help);
             arguments.iter().for_each(|argument| {
@@ -282,8 +280,8 @@ impl<'f> Checker<'f> {
             });
             return None;
         };
-        if arguments.len() < *least || arguments.len() > *most {
-            let count = match (*least, *most) {
+        if arguments.len() < least || arguments.len() > most {
+            let count = match (least, most) {
                 (1, 1) => "one argument".to_owned(),
                 (least, most) if least == most => format!("{least} arguments"),
                 (least, most) => format!("{least} to {most} arguments"),
@@ -292,25 +290,7 @@ impl<'f> Checker<'f> {
             self.error(Code::BAD_CALL, &term.span, message, None);
             return None;
         }
-        let (wanted, result) = match builtin {
-            Builtin::Dot => (Shape::Vector, Shape::Scalar),
-            Builtin::Outer => (Shape::Vector, Shape::Matrix),
-            Builtin::Transpose => (Shape::Matrix, Shape::Matrix),
-            Builtin::Sqrt
-            | Builtin::Exp
-            | Builtin::Log
-            | Builtin::Sin
-            | Builtin::Cos
-            | Builtin::Tan
-            | Builtin::Atan
-            | Builtin::Atan2
-            | Builtin::Sinh
-            | Builtin::Cosh
-            | Builtin::Tanh
-            | Builtin::Abs
-            | Builtin::Min
-            | Builtin::Max => (Shape::Scalar, Shape::Scalar),
-        };
+        let (wanted, result) = builtin.shapes();
         let fine: Vec<_> = arguments.iter().map(|a| self.exactly(a, wanted)).collect();
         fine.iter().all(Option::is_some).then_some(result)
     }

@@ -1,19 +1,16 @@
-//! Direct evaluation of terms over any [`Number`]: no graph, no rewriting. Everything that the generator
-//! makes of a formula is compared with this.
+//! Direct evaluation of terms over any [`Number`]: no graph, no bytecode, no rewriting. Tests compare with this
+//! whatever the generator makes of a formula.
 
 #[cfg(test)]
 mod tests;
 
-use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::rational::Rational;
-use num_traits::Zero;
-
-use super::series::{self, Budget};
-use super::{Builtin, Formula, Kind, Number, PI, Side, Term};
-use crate::diagnostic::{Code, Diagnostic};
+use super::function::Builtin;
+use super::series::{Budget, whole_f64};
+use super::{Formula, Kind, Side, Term};
+use crate::operation::{Function, Number};
 
 /// The value of a term.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,70 +35,44 @@ impl<N> Value<N> {
     }
 }
 
-/// The value of a formula where names have the given values.
-///
-/// # Errors
-/// A name without a value, or values whose shapes do not fit (see [`super::check`] for better words).
+/// The value of a formula where names have the given values. `None` where a name has none, or where shapes do
+/// not fit or a sum has too many terms, which [`super::lower`] explains.
 pub fn evaluate<N: Number>(
     formula: &Formula,
     names: &BTreeMap<String, Value<N>>,
-) -> Result<Value<N>, Diagnostic> {
-    let (counters, budget) = (RefCell::default(), Budget::new());
-    let evaluation = Evaluation { formula, names, counters, budget };
-    evaluation.term(&formula.root).map_err(|error| *error)
+) -> Option<Value<N>> {
+    let mut evaluation = Evaluation { names, counters: Vec::new(), budget: Budget::new() };
+    evaluation.term(&formula.root)
 }
 
 struct Evaluation<'f, N> {
-    formula: &'f Formula,
     names: &'f BTreeMap<String, Value<N>>,
     /// Counters of the sums around the term, with their values.
-    counters: RefCell<Vec<(&'f str, i64)>>,
+    counters: Vec<(&'f str, i64)>,
     budget: Budget,
 }
 
-type Evaluated<N> = Result<Value<N>, Box<Diagnostic>>;
-
 impl<'f, N: Number> Evaluation<'f, N> {
-    fn misfit(&self, term: &Term) -> Box<Diagnostic> {
-        let message = "the shapes of these values do not fit";
-        Box::new(self.formula.text.error(Code::SHAPE, term.span.clone(), message))
+    fn scalar(&mut self, term: &'f Term) -> Option<N> {
+        self.term(term)?.scalar()
     }
 
-    fn scalar(&self, term: &'f Term) -> Result<N, Box<Diagnostic>> {
-        self.term(term)?.scalar().ok_or_else(|| self.misfit(term))
+    fn truths(&mut self, parts: &'f [Term]) -> Option<Vec<bool>> {
+        let truth = |part| match self.term(part)? {
+            Value::Truth(truth) => Some(truth),
+            _ => None,
+        };
+        parts.iter().map(truth).collect()
     }
 
-    /// The value of a counter.
-    fn count(&self, name: &str) -> Option<i64> {
-        let counters = self.counters.borrow();
-        counters.iter().find(|(counter, _)| *counter == name).map(|(_, count)| *count)
-    }
-
-    fn truth(&self, term: &'f Term) -> Result<bool, Box<Diagnostic>> {
-        match self.term(term)? {
-            Value::Truth(truth) => Ok(truth),
-            _ => Err(self.misfit(term)),
-        }
-    }
-
-    fn vector(&self, term: &'f Term) -> Result<Vec<N>, Box<Diagnostic>> {
-        match self.term(term)? {
-            Value::Vector(entries) => Ok(entries),
-            _ => Err(self.misfit(term)),
-        }
-    }
-
-    fn term(&self, term: &'f Term) -> Evaluated<N> {
-        Ok(match &term.kind {
+    fn term(&mut self, term: &'f Term) -> Option<Value<N>> {
+        Some(match &term.kind {
             Kind::Number(value) => Value::Scalar(N::exact(value)),
             Kind::Name(name) => match self.names.get(name) {
                 Some(value) => value.clone(),
-                None => self.counter_or_pi(term, name)?,
+                None => Value::Scalar(self.counter_or_pi(name)?),
             },
-            Kind::Negate(inner) => {
-                let zero = N::exact(&Rational::zero());
-                map(self.term(inner)?, &|x| zero.sub(x)).ok_or_else(|| self.misfit(inner))?
-            }
+            Kind::Negate(inner) => map(self.term(inner)?, &|x| N::near(0.0).sub(x))?,
             Kind::Sum(parts) => {
                 let mut sum = self.term(&parts[0].1)?;
                 for (side, part) in &parts[1..] {
@@ -109,212 +80,134 @@ impl<'f, N: Number> Evaluation<'f, N> {
                         Side::With => N::add,
                         Side::Against => N::sub,
                     };
-                    sum = zip(sum, self.term(part)?, operation).ok_or_else(|| self.misfit(part))?;
+                    sum = zip(sum, self.term(part)?, operation)?;
                 }
                 sum
             }
-            Kind::Product(parts) => self.product(term, parts)?,
+            Kind::Product(parts) => self.product(parts)?,
             Kind::Power(base, exponent) => {
                 Value::Scalar(self.scalar(base)?.power(&self.scalar(exponent)?))
             }
-            Kind::Call { function, arguments, .. } => self.call(term, function, arguments)?,
+            Kind::Call { function, arguments, .. } => {
+                let arguments: Option<Vec<_>> = arguments.iter().map(|a| self.term(a)).collect();
+                call(Builtin::named(function)?.0, &arguments?)?
+            }
             Kind::Series { counter, ends, body, .. } => {
                 let [first, last] = [self.scalar(&ends[0])?, self.scalar(&ends[1])?];
-                let ends = [first, last].map(|end| series::whole_f64(end.value()));
-                let counts = self.budget.counter(ends).map_err(|message| {
-                    Box::new(self.formula.text.error(Code::LIMIT, term.span.clone(), message))
-                })?;
+                let counts = self.budget.counter([first, last].map(|end| whole_f64(end.value())));
                 let mut sum: Option<N> = None;
-                for count in counts {
-                    self.counters.borrow_mut().push((counter, count));
-                    let part = self.scalar(body);
-                    self.counters.borrow_mut().pop();
-                    sum = Some(match sum {
-                        Some(sum) => sum.add(&part?),
-                        None => part?,
-                    });
+                for count in counts.ok()? {
+                    self.counters.push((counter, count));
+                    let part = self.scalar(body)?;
+                    self.counters.pop();
+                    sum = Some(sum.map_or_else(|| part.clone(), |sum| sum.add(&part)));
                 }
-                Value::Scalar(sum.ok_or_else(|| self.misfit(term))?)
+                Value::Scalar(sum?)
             }
             Kind::Compare(first, rest) => {
                 let mut left = self.scalar(first)?.value();
                 let mut holds = true;
                 for (comparison, part) in rest {
                     let right = self.scalar(part)?.value();
-                    holds &= comparison.holds(left, right);
+                    let (relation, low, high) = comparison.of(left, right);
+                    holds &= relation.holds(low, high);
                     left = right;
                 }
                 Value::Truth(holds)
             }
-            Kind::And(parts) => {
-                let parts: Result<Vec<bool>, _> = parts.iter().map(|p| self.truth(p)).collect();
-                Value::Truth(parts?.into_iter().all(|truth| truth))
-            }
-            Kind::Or(parts) => {
-                let parts: Result<Vec<bool>, _> = parts.iter().map(|p| self.truth(p)).collect();
-                Value::Truth(parts?.into_iter().any(|truth| truth))
-            }
-            Kind::Not(inner) => Value::Truth(!self.truth(inner)?),
+            Kind::And(parts) => Value::Truth(!self.truths(parts)?.contains(&false)),
+            Kind::Or(parts) => Value::Truth(self.truths(parts)?.contains(&true)),
+            Kind::Not(inner) => Value::Truth(!self.truths(std::slice::from_ref(inner))?[0]),
         })
     }
 
-    fn counter_or_pi(&self, term: &'f Term, name: &str) -> Evaluated<N> {
-        if let Some(count) = self.count(name) {
-            return Ok(Value::Scalar(N::exact(&series::exact(count))));
+    fn counter_or_pi(&self, name: &str) -> Option<N> {
+        match self.counters.iter().find(|(counter, _)| *counter == name) {
+            Some((_, count)) => Some(N::near(*count as f64)),
+            None => (name == super::PI).then(|| N::near(PI)),
         }
-        if name == PI {
-            return Ok(Value::Scalar(N::near(std::f64::consts::PI)));
-        }
-        let message = format!("`{name}` has no value");
-        Err(Box::new(self.formula.text.error(Code::UNKNOWN_NAME, term.span.clone(), message)))
     }
 
     /// Numbers from the left; vectors and matrices from the right, so that A*B*x is A(Bx).
-    fn product(&self, term: &'f Term, parts: &'f [(Side, Term)]) -> Evaluated<N> {
+    fn product(&mut self, parts: &'f [(Side, Term)]) -> Option<Value<N>> {
         let mut scale: Option<N> = None;
         let mut tensors = Vec::new();
         for (side, part) in parts {
             match (self.term(part)?, side) {
-                (Value::Scalar(factor), side) => {
-                    scale = Some(match (scale, side) {
-                        (None, Side::With) => factor,
-                        (Some(so_far), Side::With) => so_far.mul(&factor),
-                        (so_far, Side::Against) => {
-                            so_far.unwrap_or_else(|| N::exact(&one())).div(&factor)
-                        }
-                    });
+                (Value::Scalar(factor), Side::With) => {
+                    scale = Some(scale.map_or_else(|| factor.clone(), |scale| scale.mul(&factor)));
+                }
+                (Value::Scalar(divisor), Side::Against) => {
+                    scale = Some(scale.unwrap_or_else(|| N::near(1.0)).div(&divisor));
                 }
                 (tensor, Side::With) => tensors.push(tensor),
-                _ => return Err(self.misfit(part)),
+                _ => return None,
             }
         }
-        let Some(mut value) = tensors.pop() else {
-            return scale.map(Value::Scalar).ok_or_else(|| self.misfit(term));
-        };
+        let Some(mut value) = tensors.pop() else { return scale.map(Value::Scalar) };
         while let Some(left) = tensors.pop() {
-            value = match (left, value) {
-                (Value::Matrix(rows), Value::Vector(x)) => {
-                    let entries: Option<Vec<N>> = rows.iter().map(|row| dot(row, &x)).collect();
-                    Value::Vector(entries.ok_or_else(|| self.misfit(term))?)
-                }
-                _ => return Err(self.misfit(term)),
-            };
+            let (Value::Matrix(rows), Value::Vector(x)) = (left, value) else { return None };
+            value = Value::Vector(rows.iter().map(|row| dot(row, &x)).collect::<Option<_>>()?);
         }
         match scale {
-            Some(scale) => map(value, &|x| scale.mul(x)).ok_or_else(|| self.misfit(term)),
-            None => Ok(value),
+            Some(scale) => map(value, &|x| scale.mul(x)),
+            None => Some(value),
         }
-    }
-
-    fn call(&self, term: &'f Term, name: &str, arguments: &'f [Term]) -> Evaluated<N> {
-        let builtin = Builtin::named(name).ok_or_else(|| self.misfit(term))?;
-        let argument = |i: usize| arguments.get(i).ok_or_else(|| self.misfit(term));
-        let choose = |better: fn(f64, f64) -> bool| {
-            let all: Vec<N> = arguments.iter().map(|a| self.scalar(a)).collect::<Result<_, _>>()?;
-            chosen(&all, better).map(Value::Scalar).ok_or_else(|| self.misfit(term))
-        };
-        match builtin {
-            Builtin::Min => return choose(|a, b| a < b),
-            Builtin::Max => return choose(|a, b| a > b),
-            Builtin::Atan2 => {
-                let (y, x) = (self.scalar(argument(0)?)?, self.scalar(argument(1)?)?);
-                return Ok(Value::Scalar(angle(&y, &x)));
-            }
-            Builtin::Dot => {
-                let (a, b) = (self.vector(argument(0)?)?, self.vector(argument(1)?)?);
-                return dot(&a, &b).map(Value::Scalar).ok_or_else(|| self.misfit(term));
-            }
-            Builtin::Outer => {
-                let (a, b) = (self.vector(argument(0)?)?, self.vector(argument(1)?)?);
-                let row = |x: &N| b.iter().map(|y| x.mul(y)).collect();
-                return Ok(Value::Matrix(a.iter().map(row).collect()));
-            }
-            Builtin::Transpose => {
-                let Value::Matrix(rows) = self.term(argument(0)?)? else {
-                    return Err(self.misfit(term));
-                };
-                let column = |j: usize| rows.iter().map(|row| row[j].clone()).collect();
-                let columns = rows.first().map_or(0, Vec::len);
-                return Ok(Value::Matrix((0..columns).map(column).collect()));
-            }
-            Builtin::Sqrt
-            | Builtin::Exp
-            | Builtin::Log
-            | Builtin::Sin
-            | Builtin::Cos
-            | Builtin::Tan
-            | Builtin::Atan
-            | Builtin::Sinh
-            | Builtin::Cosh
-            | Builtin::Tanh
-            | Builtin::Abs => {}
-        }
-        let x = self.scalar(argument(0)?)?;
-        Ok(Value::Scalar(function(builtin, &x)))
     }
 }
 
-/// A function of one number; no number of any other.
-pub(super) fn function<N: Number>(builtin: Builtin, x: &N) -> N {
-    let half = || N::exact(&Rational::half());
-    let inverse = || N::exact(&one()).div(&x.exp());
-    match builtin {
-        Builtin::Sqrt => x.sqrt(),
-        Builtin::Exp => x.exp(),
-        Builtin::Log => x.ln(),
-        Builtin::Sin => x.sin(),
-        Builtin::Cos => x.cos(),
-        Builtin::Tan => x.tan(),
-        Builtin::Atan => x.atan(),
-        Builtin::Tanh => x.tanh(),
-        Builtin::Sinh => x.exp().sub(&inverse()).mul(&half()),
-        Builtin::Cosh => x.exp().add(&inverse()).mul(&half()),
-        Builtin::Abs => x.abs(),
-        Builtin::Atan2
-        | Builtin::Min
-        | Builtin::Max
-        | Builtin::Dot
-        | Builtin::Outer
-        | Builtin::Transpose => N::near(f64::NAN),
-    }
+fn call<N: Number>(builtin: Builtin, arguments: &[Value<N>]) -> Option<Value<N>> {
+    Some(Value::Scalar(match (builtin, arguments) {
+        (Builtin::Function(function), [Value::Scalar(x)]) => x.function(function),
+        (Builtin::Sqrt, [Value::Scalar(x)]) => x.sqrt(),
+        (Builtin::Sinh, [Value::Scalar(x)]) => hyperbolic(x, N::sub),
+        (Builtin::Cosh, [Value::Scalar(x)]) => hyperbolic(x, N::add),
+        (Builtin::Min, all) => best(all, |a, b| a < b)?,
+        (Builtin::Max, all) => best(all, |a, b| a > b)?,
+        (Builtin::Atan2, [Value::Scalar(y), Value::Scalar(x)]) => angle(y, x),
+        (Builtin::Dot, [Value::Vector(a), Value::Vector(b)]) => dot(a, b)?,
+        (Builtin::Outer, [Value::Vector(a), Value::Vector(b)]) => {
+            let row = |x: &N| b.iter().map(|y| x.mul(y)).collect();
+            return Some(Value::Matrix(a.iter().map(row).collect()));
+        }
+        (Builtin::Transpose, [Value::Matrix(rows)]) => {
+            let column = |j: usize| rows.iter().map(|row| row[j].clone()).collect();
+            return Some(Value::Matrix((0..rows.first()?.len()).map(column).collect()));
+        }
+        _ => return None,
+    }))
 }
 
-/// The first that is better than all before it; none of none.
-pub(super) fn chosen<N: Number>(all: &[N], better: fn(f64, f64) -> bool) -> Option<N> {
-    let mut best = all.first()?;
-    for other in &all[1..] {
-        if better(other.value(), best.value()) {
-            best = other;
-        }
-    }
-    Some(best.chosen(all))
+/// ½(eˣ ∓ e⁻ˣ)
+fn hyperbolic<N: Number>(x: &N, join: fn(&N, &N) -> N) -> N {
+    let grows = x.function(Function::Exp);
+    join(&grows, &N::near(1.0).div(&grows)).mul(&N::near(0.5))
+}
+
+/// The first that is better than all before it.
+fn best<N: Number>(all: &[Value<N>], better: fn(f64, f64) -> bool) -> Option<N> {
+    let mut all = all.iter().map(|value| value.clone().scalar());
+    let first = all.next()??;
+    all.try_fold(first, |best, other| {
+        let other = other?;
+        Some(N::chosen(better(other.value(), best.value()), other, best))
+    })
 }
 
 /// The angle of (x, y) from the axis x, by the arctangent of the smaller over the larger of the two.
-pub(super) fn angle<N: Number>(y: &N, x: &N) -> N {
-    let turn = |quarters: i64| N::exact(&(pi() * Rational::new(quarters, 2)));
+fn angle<N: Number>(y: &N, x: &N) -> N {
+    let turn = |quarters: f64| N::near(quarters * FRAC_PI_2);
     if y.value().abs() <= x.value().abs() {
-        let angle = y.div(x).atan();
+        let angle = y.div(x).function(Function::Atan);
         match (x.value() > 0.0, y.value() >= 0.0) {
             (true, _) => angle,
-            (false, true) => angle.add(&turn(2)),
-            (false, false) => angle.sub(&turn(2)),
+            (false, true) => angle.add(&turn(2.0)),
+            (false, false) => angle.sub(&turn(2.0)),
         }
     } else {
-        let angle = x.div(y).atan();
-        turn(if y.value() > 0.0 { 1 } else { -1 }).sub(&angle)
+        let angle = x.div(y).function(Function::Atan);
+        turn(if y.value() > 0.0 { 1.0 } else { -1.0 }).sub(&angle)
     }
-}
-
-fn one() -> Rational {
-    Rational::from(1)
-}
-
-/// The f64 nearest to π, as an exact number.
-pub(crate) fn pi() -> Rational {
-    static PI: LazyLock<Rational> =
-        LazyLock::new(|| Rational::from_float(std::f64::consts::PI).unwrap_or_else(one));
-    PI.clone()
 }
 
 fn map<N>(value: Value<N>, f: &impl Fn(&N) -> N) -> Option<Value<N>> {
@@ -344,6 +237,6 @@ fn zip<N>(a: Value<N>, b: Value<N>, f: fn(&N, &N) -> N) -> Option<Value<N>> {
 }
 
 fn dot<N: Number>(a: &[N], b: &[N]) -> Option<N> {
-    let zero = N::exact(&Rational::zero());
+    let zero = N::near(0.0);
     (a.len() == b.len()).then(|| a.iter().zip(b).fold(zero, |sum, (x, y)| sum.add(&x.mul(y))))
 }

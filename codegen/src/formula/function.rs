@@ -1,32 +1,22 @@
-//! The functions of the formula language, as a table.
+//! What can be called in formulas: the functions of one number, and what takes more or other arguments.
 
-/// A function of the language.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Builtin {
+use super::SUM;
+use crate::expression::Shape;
+use crate::operation::Function;
+
+/// Something that can be called in a formula.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Builtin {
+    /// A function of one number.
+    Function(Function),
     /// √a
     Sqrt,
-    /// eᵃ
-    Exp,
-    /// ln a
-    Log,
-    /// sin a, a in rad
-    Sin,
-    /// cos a, a in rad
-    Cos,
-    /// tan a, a in rad
-    Tan,
-    /// arctan a, in rad
-    Atan,
     /// The angle of the point (x, y) from the axis x, in (−π, π]: atan2(y, x); nothing at the origin.
     Atan2,
     /// sinh a
     Sinh,
     /// cosh a
     Cosh,
-    /// tanh a
-    Tanh,
-    /// |a|
-    Abs,
     /// The least of two to [`MOST_COMPARED`].
     Min,
     /// The greatest of two to [`MOST_COMPARED`].
@@ -40,27 +30,19 @@ pub enum Builtin {
 }
 
 /// Most arguments of `min` and `max`: every one of them is compared with what the others leave.
-pub const MOST_COMPARED: usize = 32;
+const MOST_COMPARED: usize = 32;
 
-/// Name, function, and the least and largest number of arguments.
-pub const FUNCTIONS: &[(&str, Builtin, usize, usize)] = &[
-    ("sqrt", Builtin::Sqrt, 1, 1),
-    ("exp", Builtin::Exp, 1, 1),
-    ("log", Builtin::Log, 1, 1),
-    ("sin", Builtin::Sin, 1, 1),
-    ("cos", Builtin::Cos, 1, 1),
-    ("tan", Builtin::Tan, 1, 1),
-    ("atan", Builtin::Atan, 1, 1),
-    ("atan2", Builtin::Atan2, 2, 2),
-    ("sinh", Builtin::Sinh, 1, 1),
-    ("cosh", Builtin::Cosh, 1, 1),
-    ("tanh", Builtin::Tanh, 1, 1),
-    ("abs", Builtin::Abs, 1, 1),
-    ("min", Builtin::Min, 2, MOST_COMPARED),
-    ("max", Builtin::Max, 2, MOST_COMPARED),
-    ("dot", Builtin::Dot, 2, 2),
-    ("outer", Builtin::Outer, 2, 2),
-    ("transpose", Builtin::Transpose, 1, 1),
+/// All but the functions of one number: name, and the least and largest number of arguments.
+const OTHERS: &[(&str, Builtin, [usize; 2])] = &[
+    ("sqrt", Builtin::Sqrt, [1, 1]),
+    ("atan2", Builtin::Atan2, [2, 2]),
+    ("sinh", Builtin::Sinh, [1, 1]),
+    ("cosh", Builtin::Cosh, [1, 1]),
+    ("min", Builtin::Min, [2, MOST_COMPARED]),
+    ("max", Builtin::Max, [2, MOST_COMPARED]),
+    ("dot", Builtin::Dot, [2, 2]),
+    ("outer", Builtin::Outer, [2, 2]),
+    ("transpose", Builtin::Transpose, [1, 1]),
 ];
 
 /// Names from other languages, and what to write instead.
@@ -69,13 +51,32 @@ pub(super) const ELSEWHERE: &[(&str, &str)] = &[
     ("log10", "write `log(…)/log(10)`"),
     ("pow", "write `a^b`"),
     ("arctan", "write `atan(…)`"),
+    ("arsinh", "write `asinh(…)`"),
     ("fabs", "write `abs(…)`"),
     ("if", "write pieces with `when`"),
 ];
 
+/// Every name that can be called.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    let functions = Function::ALL.iter().map(|function| function.name());
+    functions.chain(OTHERS.iter().map(|(name, ..)| *name)).chain([SUM])
+}
+
 impl Builtin {
-    /// The function called `name`.
-    pub fn named(name: &str) -> Option<Builtin> {
-        FUNCTIONS.iter().find(|(known, ..)| *known == name).map(|(_, builtin, ..)| *builtin)
+    /// What is called `name`, with the least and largest number of its arguments.
+    pub(super) fn named(name: &str) -> Option<(Builtin, [usize; 2])> {
+        let other = OTHERS.iter().find(|(known, ..)| *known == name);
+        let other = other.map(|(_, builtin, count)| (*builtin, *count));
+        other.or_else(|| Some((Builtin::Function(Function::named(name)?), [1, 1])))
+    }
+
+    /// The shapes of its arguments and of its value.
+    pub(super) fn shapes(self) -> (Shape, Shape) {
+        match self {
+            Builtin::Dot => (Shape::Vector, Shape::Scalar),
+            Builtin::Outer => (Shape::Vector, Shape::Matrix),
+            Builtin::Transpose => (Shape::Matrix, Shape::Matrix),
+            _ => (Shape::Scalar, Shape::Scalar),
+        }
     }
 }

@@ -6,9 +6,9 @@ use std::ops::Range;
 use crate::rational::Rational;
 use num_traits::{One, Signed};
 
-use super::evaluate::pi;
+use super::function::Builtin;
 use super::series::{self, Budget};
-use super::{Builtin, Comparison, Formula, Kind, LIMITS, PI, Scope, Side, Term, check};
+use super::{Formula, Kind, LIMITS, PI, Scope, Side, Term, check};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::expression::{Function, Graph, Id, Node, Relation, Shape};
 
@@ -44,6 +44,11 @@ pub fn lower(
         );
     }
     errors.into_result(root)
+}
+
+/// The f64 nearest to π, as an exact number.
+pub(crate) fn pi() -> Rational {
+    Rational::from_float(std::f64::consts::PI).expect("a finite number")
 }
 
 struct Lowering<'f> {
@@ -104,16 +109,8 @@ impl<'f> Lowering<'f> {
                 let mut all = None;
                 for (comparison, part) in rest {
                     let right = self.term(part);
-                    let holds = match comparison {
-                        Comparison::Less => self.graph.compare(Relation::Less, left, right),
-                        Comparison::LessOrEqual => {
-                            self.graph.compare(Relation::LessOrEqual, left, right)
-                        }
-                        Comparison::Greater => self.graph.compare(Relation::Less, right, left),
-                        Comparison::GreaterOrEqual => {
-                            self.graph.compare(Relation::LessOrEqual, right, left)
-                        }
-                    };
+                    let (relation, low, high) = comparison.of(left, right);
+                    let holds = self.graph.compare(relation, low, high);
                     all = Some(match all {
                         Some(before) => self.graph.and(before, holds),
                         None => holds,
@@ -236,7 +233,7 @@ impl<'f> Lowering<'f> {
     }
 
     fn call(&mut self, term: &'f Term, function: &str, arguments: &'f [Term]) -> Id {
-        let Some(builtin) = Builtin::named(function) else {
+        let Some((builtin, _)) = Builtin::named(function) else {
             // Only what passed the check comes here.
             self.error(Code::BAD_CALL, &term.span, format!("unknown function `{function}`"));
             return self.graph.integer(0);
@@ -244,37 +241,30 @@ impl<'f> Lowering<'f> {
         let ids = self.terms(arguments);
         let a = ids[0];
         let constant = self.graph.as_number(a).cloned();
-        let simple = match builtin {
+        match builtin {
             Builtin::Sqrt => {
                 if constant.is_some_and(|value| value.is_negative()) {
                     self.error(Code::UNDEFINED, &term.span, "the root of a negative number");
                 }
-                return self.graph.sqrt(a);
+                self.graph.sqrt(a)
             }
-            Builtin::Log => {
-                if constant.is_some_and(|value| !value.is_positive()) {
+            Builtin::Function(function) => {
+                let positive = constant.is_none_or(|value| value.is_positive());
+                if function == Function::Ln && !positive {
                     let message = "the logarithm of a number that is not positive";
                     self.error(Code::UNDEFINED, &term.span, message);
                 }
-                Function::Ln
+                self.graph.function(function, a)
             }
-            Builtin::Exp => Function::Exp,
-            Builtin::Sin => Function::Sin,
-            Builtin::Cos => Function::Cos,
-            Builtin::Tan => Function::Tan,
-            Builtin::Atan => Function::Atan,
-            Builtin::Tanh => Function::Tanh,
-            Builtin::Abs => Function::Abs,
-            Builtin::Sinh => return self.hyperbolic(a, -Rational::one()),
-            Builtin::Cosh => return self.hyperbolic(a, Rational::one()),
-            Builtin::Min => return self.best(&ids, |best, other| (other, best)),
-            Builtin::Max => return self.best(&ids, |best, other| (best, other)),
-            Builtin::Atan2 => return self.angle(a, ids[1]),
-            Builtin::Dot => return self.graph.dot(a, ids[1]),
-            Builtin::Outer => return self.graph.outer(a, ids[1]),
-            Builtin::Transpose => return self.graph.transpose(a),
-        };
-        self.graph.function(simple, a)
+            Builtin::Sinh => self.hyperbolic(a, -Rational::one()),
+            Builtin::Cosh => self.hyperbolic(a, Rational::one()),
+            Builtin::Min => self.best(&ids, |best, other| (other, best)),
+            Builtin::Max => self.best(&ids, |best, other| (best, other)),
+            Builtin::Atan2 => self.angle(a, ids[1]),
+            Builtin::Dot => self.graph.dot(a, ids[1]),
+            Builtin::Outer => self.graph.outer(a, ids[1]),
+            Builtin::Transpose => self.graph.transpose(a),
+        }
     }
 
     /// The first of all; another where the first of its pair with the best so far is less than the second.

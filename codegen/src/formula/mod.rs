@@ -15,33 +15,29 @@
 //! Names are ASCII; Greek letters, a dot above and subscript digits stand for their ASCII spelling
 //! (θ̇ is `theta_dot`, c₀ is `c0`).
 
+mod bytecode;
 mod check;
 mod evaluate;
 mod function;
 mod lower;
-mod number;
 mod parse;
-mod rounding;
 mod series;
-mod steps;
 mod token;
 mod unit;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use crate::operation::Relation;
 use crate::rational::Rational;
 
+pub(crate) use bytecode::bytecode;
 pub use check::{Scope, check};
-pub(crate) use evaluate::pi;
 pub use evaluate::{Value, evaluate};
-pub use function::{Builtin, FUNCTIONS, MOST_COMPARED};
 pub use lower::lower;
-pub use number::{Dual, Number};
+pub(crate) use lower::pi;
 pub use parse::parse;
-pub use rounding::Rounded;
 pub(crate) use series::whole;
-pub(crate) use steps::{Known, Steps};
 pub use unit::{Meaning, dimension};
 
 use crate::diagnostic::Located;
@@ -113,12 +109,13 @@ pub enum Comparison {
 }
 
 impl Comparison {
-    fn holds(self, left: f64, right: f64) -> bool {
+    /// The same as a relation of its sides or of the exchanged ones.
+    fn of<T>(self, left: T, right: T) -> (Relation, T, T) {
         match self {
-            Comparison::Less => left < right,
-            Comparison::LessOrEqual => left <= right,
-            Comparison::Greater => left > right,
-            Comparison::GreaterOrEqual => left >= right,
+            Comparison::Less => (Relation::Less, left, right),
+            Comparison::LessOrEqual => (Relation::LessOrEqual, left, right),
+            Comparison::Greater => (Relation::Less, right, left),
+            Comparison::GreaterOrEqual => (Relation::LessOrEqual, right, left),
         }
     }
 }

@@ -51,8 +51,3 @@ pub(crate) fn whole(value: &Rational) -> Option<i64> {
 pub(super) fn whole_f64(value: f64) -> Option<i64> {
     (value.fract() == 0.0 && value.abs() <= f64::from(i32::MAX)).then_some(value as i64)
 }
-
-/// A value of a counter as an exact number.
-pub(super) fn exact(count: i64) -> Rational {
-    Rational::from(count)
-}

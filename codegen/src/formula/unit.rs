@@ -7,8 +7,10 @@ use std::ops::Range;
 use crate::rational::Rational;
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::{Builtin, FUNCTIONS, Formula, Kind, Side, Term};
+use super::function::Builtin;
+use super::{Formula, Kind, Side, Term};
 use crate::diagnostic::{Code, Diagnostics};
+use crate::operation::Function;
 use crate::units::{Dimension, Exponent};
 
 /// What is known of a name: its dimension, and its value if it is a constant (for exponents).
@@ -204,8 +206,8 @@ impl Checker<'_> {
     }
 
     fn call(&mut self, term: &Term, function: &str, arguments: &[Term]) -> Option<Dimension> {
-        let (_, builtin, least, most) = FUNCTIONS.iter().find(|(known, ..)| *known == function)?;
-        if !(*least..=*most).contains(&arguments.len()) {
+        let (builtin, [least, most]) = Builtin::named(function)?;
+        if !(least..=most).contains(&arguments.len()) {
             // The check of shapes says so.
             return None;
         }
@@ -214,7 +216,7 @@ impl Checker<'_> {
                 let dimension = self.term(&arguments[0])?;
                 self.sane(term, dimension.checked_power(Exponent::new(1, 2)))
             }
-            Builtin::Abs | Builtin::Transpose => self.term(&arguments[0]),
+            Builtin::Function(Function::Abs) | Builtin::Transpose => self.term(&arguments[0]),
             Builtin::Min | Builtin::Max => self.alike(arguments.iter(), "compared with"),
             Builtin::Atan2 => {
                 self.alike(arguments.iter(), "compared with");
@@ -224,15 +226,7 @@ impl Checker<'_> {
                 let (a, b) = (self.term(&arguments[0]), self.term(&arguments[1]));
                 self.sane(term, a?.checked_times(&b?))
             }
-            Builtin::Exp
-            | Builtin::Log
-            | Builtin::Sin
-            | Builtin::Cos
-            | Builtin::Tan
-            | Builtin::Atan
-            | Builtin::Sinh
-            | Builtin::Cosh
-            | Builtin::Tanh => {
+            Builtin::Function(_) | Builtin::Sinh | Builtin::Cosh => {
                 self.pure(&arguments[0], &format!("the argument of `{function}`"));
                 Some(Dimension::NUMBER)
             }

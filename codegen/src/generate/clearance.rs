@@ -278,17 +278,8 @@ fn describe(graph: &Graph, id: Id) -> Option<String> {
         Node::Symbol(Symbol { name, .. }) => Some(name.clone()),
         Node::Function(function, argument) => {
             let Node::Symbol(Symbol { name, .. }) = graph.node(*argument) else { return None };
-            let function = match function {
-                Function::Sin => "sin",
-                Function::Cos => "cos",
-                Function::Exp
-                | Function::Ln
-                | Function::Tan
-                | Function::Atan
-                | Function::Tanh
-                | Function::Abs => return None,
-            };
-            Some(format!("{function}_{name}"))
+            let turns = matches!(function, Function::Sin | Function::Cos);
+            turns.then(|| format!("{}_{name}", function.lane()))
         }
         _ => None,
     };

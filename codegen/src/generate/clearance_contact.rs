@@ -9,7 +9,8 @@ use quote::{format_ident, quote};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::expression::Id;
-use crate::schedule::{Input, Operand, Output, Program, Request, ScheduleError, Stage, schedule};
+use crate::operation::Operand;
+use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule};
 use crate::spec::clearance::{BoreMotion, ClearanceSpec, Contact, DerivedContact, RING};
 
 use super::clearance_kernels::prepare;

@@ -8,7 +8,8 @@ use super::clearance::{
     ring_ring, ring_spring, spring_ring,
 };
 use crate::emit::{Numbers, documented, identifier, operand, statements};
-use crate::schedule::{Operand, Program};
+use crate::operation::Operand;
+use crate::schedule::Program;
 use crate::spec::clearance::{ClearanceSpec, RING};
 
 pub(super) struct Kernels<'a> {

@@ -8,7 +8,8 @@ use super::Kernel;
 use super::facts::{About, unscheduled, variable};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{Numbers, documented, identifier, operand, statements};
-use crate::schedule::{Operand, Program};
+use crate::operation::Operand;
+use crate::schedule::Program;
 use crate::spec::law::{Condition, LawSpec, Validity};
 
 pub(super) fn kernel(law: &LawSpec) -> Result<Kernel, Diagnostics> {

@@ -2,8 +2,8 @@
 
 use rustc_hash::FxHashMap;
 
-use super::program::{Operand, Operation, Stage};
-use crate::expression::{Function, Relation};
+use super::program::Stage;
+use crate::operation::{Operand, Operation};
 
 /// ±operand. Constants carry their own sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,9 +51,10 @@ pub(super) fn covers(stages: &[Stage]) -> Vec<Needs> {
 pub(super) struct Builder {
     covers: Vec<Needs>,
     inputs: Vec<Needs>,
-    pub(super) operations: Vec<Operation>,
+    pub(super) operations: Vec<Operation<Operand>>,
     needs: Vec<Needs>,
-    shared: FxHashMap<Key, Operand>,
+    /// Operations on operands that compare by their bits: equal ones have equal bits of their values.
+    shared: FxHashMap<Operation<Atom>, Operand>,
 }
 
 impl Builder {
@@ -85,11 +86,11 @@ impl Builder {
     }
 
     /// The value of an operation: folded, shared with an equal one, or a new instruction.
-    pub(super) fn emit(&mut self, operation: Operation) -> Operand {
+    pub(super) fn emit(&mut self, operation: Operation<Operand>) -> Operand {
         if let Some(known) = folded(operation) {
             return known;
         }
-        let key = Key::of(operation);
+        let key = key(operation);
         if let Some(operand) = self.shared.get(&key) {
             return *operand;
         }
@@ -165,20 +166,17 @@ impl Builder {
 }
 
 /// The result where all operands are constants, or where a constant makes the operation trivial.
-fn folded(operation: Operation) -> Option<Operand> {
+fn folded(operation: Operation<Operand>) -> Option<Operand> {
     use Operand::Constant;
-    let truth = |value: bool| Some(Constant(f64::from(value)));
+    let constant = |operand| match operand {
+        Constant(value) => Some(value),
+        _ => None,
+    };
+    if operation.operands().all(|operand| constant(operand).is_some()) {
+        let values = operation.map(|operand| constant(operand).unwrap_or(f64::NAN));
+        return Some(Constant(values.value()));
+    }
     match operation {
-        Operation::Add(Constant(a), Constant(b)) => Some(Constant(a + b)),
-        Operation::Sub(Constant(a), Constant(b)) => Some(Constant(a - b)),
-        Operation::Mul(Constant(a), Constant(b)) => Some(Constant(a * b)),
-        Operation::Div(Constant(a), Constant(b)) => Some(Constant(a / b)),
-        Operation::Neg(Constant(a)) => Some(Constant(-a)),
-        Operation::Sqrt(Constant(a)) => Some(Constant(a.sqrt())),
-        Operation::Function(function, Constant(a)) => Some(Constant(function.value(a))),
-        Operation::Power(Constant(a), Constant(b)) => Some(Constant(libm::pow(a, b))),
-        Operation::Compare(Relation::Less, Constant(a), Constant(b)) => truth(a < b),
-        Operation::Compare(Relation::LessOrEqual, Constant(a), Constant(b)) => truth(a <= b),
         Operation::Mul(Constant(1.0), other) | Operation::Mul(other, Constant(1.0)) => Some(other),
         Operation::Div(other, Constant(1.0)) => Some(other),
         Operation::And(Constant(a), other) | Operation::And(other, Constant(a)) => {
@@ -187,7 +185,6 @@ fn folded(operation: Operation) -> Option<Operand> {
         Operation::Or(Constant(a), other) | Operation::Or(other, Constant(a)) => {
             Some(if a == 0.0 { other } else { Constant(1.0) })
         }
-        Operation::Not(Constant(a)) => truth(a == 0.0),
         Operation::Select(Constant(mask), a, b) => Some(if mask == 0.0 { b } else { a }),
         Operation::Select(_, a, b) if atom(a) == atom(b) => Some(a),
         _ => None,
@@ -209,47 +206,11 @@ fn atom(operand: Operand) -> Atom {
     }
 }
 
-/// Equal keys: equal bits of the result. Addition and multiplication commute.
-#[derive(Debug, PartialEq, Eq, Hash)]
-enum Key {
-    Add(Atom, Atom),
-    Sub(Atom, Atom),
-    Mul(Atom, Atom),
-    Div(Atom, Atom),
-    Neg(Atom),
-    Sqrt(Atom),
-    Function(Function, Atom),
-    Power(Atom, Atom),
-    Compare(Relation, Atom, Atom),
-    And(Atom, Atom),
-    Or(Atom, Atom),
-    Not(Atom),
-    Select(Atom, Atom, Atom),
-}
-
-impl Key {
-    fn of(operation: Operation) -> Self {
-        let ordered = |a: Operand, b: Operand| (atom(a).min(atom(b)), atom(a).max(atom(b)));
-        match operation {
-            Operation::Add(a, b) => {
-                let (a, b) = ordered(a, b);
-                Key::Add(a, b)
-            }
-            Operation::Mul(a, b) => {
-                let (a, b) = ordered(a, b);
-                Key::Mul(a, b)
-            }
-            Operation::Sub(a, b) => Key::Sub(atom(a), atom(b)),
-            Operation::Div(a, b) => Key::Div(atom(a), atom(b)),
-            Operation::Neg(a) => Key::Neg(atom(a)),
-            Operation::Sqrt(a) => Key::Sqrt(atom(a)),
-            Operation::Function(function, a) => Key::Function(function, atom(a)),
-            Operation::Power(a, b) => Key::Power(atom(a), atom(b)),
-            Operation::Compare(relation, a, b) => Key::Compare(relation, atom(a), atom(b)),
-            Operation::And(a, b) => Key::And(atom(a), atom(b)),
-            Operation::Or(a, b) => Key::Or(atom(a), atom(b)),
-            Operation::Not(a) => Key::Not(atom(a)),
-            Operation::Select(mask, a, b) => Key::Select(atom(mask), atom(a), atom(b)),
-        }
+/// Addition and multiplication commute.
+fn key(operation: Operation<Operand>) -> Operation<Atom> {
+    match operation.map(atom) {
+        Operation::Add(a, b) => Operation::Add(a.min(b), a.max(b)),
+        Operation::Mul(a, b) => Operation::Mul(a.min(b), a.max(b)),
+        other => other,
     }
 }

@@ -46,34 +46,8 @@ struct Horner<'a> {
 
 impl Horner<'_> {
     fn rewrite(&mut self, id: Id, of: &BTreeMap<Id, Id>) -> Id {
-        let node = self.graph.node(id).clone();
-        let graph = &mut *self.graph;
-        match node {
-            Node::Sum(terms) => {
-                let terms: Vec<_> = terms.into_iter().map(|(term, c)| (of[&term], c)).collect();
-                let flat = graph.sum(&terms);
-                self.sum(flat)
-            }
-            Node::Product(factors) => {
-                let factors: Vec<_> = factors.into_iter().map(|(b, e)| (of[&b], e)).collect();
-                graph.product(&factors)
-            }
-            Node::Function(function, a) => graph.function(function, of[&a]),
-            Node::Compare(relation, a, b) => graph.compare(relation, of[&a], of[&b]),
-            Node::And(a, b) => graph.and(of[&a], of[&b]),
-            Node::Or(a, b) => graph.or(of[&a], of[&b]),
-            Node::Not(a) => graph.not(of[&a]),
-            Node::Select(mask, a, b) => graph.select(of[&mask], of[&a], of[&b]),
-            Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => id,
-            // Only scalars are scheduled.
-            Node::Zero(_)
-            | Node::Identity
-            | Node::Scale(..)
-            | Node::Dot(..)
-            | Node::Apply(..)
-            | Node::Transpose(_)
-            | Node::Outer(..) => id,
-        }
+        let flat = self.graph.rebuild(id, &|operand| of[&operand]);
+        if matches!(self.graph.node(id), Node::Sum(_)) { self.sum(flat) } else { flat }
     }
 
     fn sum(&mut self, id: Id) -> Id {

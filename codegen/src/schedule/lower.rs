@@ -7,14 +7,14 @@ use num_traits::{One, Signed as _, ToPrimitive};
 use rustc_hash::FxHashMap;
 
 use super::build::{Builder, Signed};
-use super::program::{Operand, Operation};
 use super::request::{Request, ScheduleError};
 use crate::expression::{Function, Graph, Id, Node, Rational, Relation};
+use crate::operation::{Operand, Operation, Parity};
 use crate::rational::nearest;
 
 /// Instructions in the order of the graph, with the operand of every output and of every named node.
 pub(super) struct Lowered<'n> {
-    pub(super) operations: Vec<Operation>,
+    pub(super) operations: Vec<Operation<Operand>>,
     pub(super) stages: Vec<usize>,
     pub(super) outputs: Vec<Operand>,
     pub(super) names: Vec<(Operand, &'n str)>,
@@ -330,12 +330,10 @@ impl Lowering<'_> {
     }
 
     fn function(&mut self, function: Function, a: Signed) -> Signed {
-        let (operand, negative) = match function {
-            Function::Sin | Function::Tan | Function::Atan | Function::Tanh => {
-                (a.operand, a.negative)
-            }
-            Function::Cos | Function::Abs => (a.operand, false),
-            Function::Exp | Function::Ln => (self.builder.plain(a), false),
+        let (operand, negative) = match function.parity() {
+            Parity::Odd => (a.operand, a.negative),
+            Parity::Even => (a.operand, false),
+            Parity::None => (self.builder.plain(a), false),
         };
         Signed::plus(self.builder.emit(Operation::Function(function, operand))).negated_if(negative)
     }

@@ -12,13 +12,12 @@ mod sum;
 mod tests;
 
 use crate::expression::{Graph, Id, Shape, normal};
+use crate::operation::{Operand, Operation};
 use crate::simplify::simplify;
 
 use lower::Lowered;
 use program::cost;
-pub use program::{
-    Counts, Instruction, Operand, Operation, Program, ProgramInput, ProgramOutput, Stage,
-};
+pub use program::{Counts, Instruction, Program, ProgramInput, ProgramOutput, Stage};
 pub use request::{Input, Output, Request, ScheduleError};
 pub use sum::take_out;
 
@@ -182,7 +181,7 @@ fn assemble(request: &Request, Candidate { lowered, order, .. }: Candidate) -> P
         Operand::Value(place) => Operand::Value(places[place]),
         other => other,
     };
-    let operations: Vec<Operation> =
+    let operations: Vec<Operation<Operand>> =
         order.iter().map(|old| lowered.operations[*old].map(moved)).collect();
 
     let outputs: Vec<ProgramOutput> = request

@@ -3,8 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::program::{Operand, Operation};
-use crate::expression::Function;
+use crate::operation::{Operand, Operation};
 
 /// Longest name made from operands.
 const LONGEST: usize = 22;
@@ -12,7 +11,7 @@ const LONGEST: usize = 22;
 /// A name for every operation. `given`: names that the spec gives, the first for a value counts;
 /// `inputs`: names that are taken.
 pub(super) fn names(
-    operations: &[Operation],
+    operations: &[Operation<Operand>],
     inputs: &[&str],
     given: &[(Operand, String)],
 ) -> Vec<String> {
@@ -48,7 +47,7 @@ pub(super) fn names(
 }
 
 /// The named value that each value serves: that of its last user, or the user itself if it has a name.
-fn owners(operations: &[Operation], names: &[String]) -> Vec<Option<usize>> {
+fn owners(operations: &[Operation<Operand>], names: &[String]) -> Vec<Option<usize>> {
     let mut owners: Vec<Option<usize>> = vec![None; operations.len()];
     for place in (0..operations.len()).rev() {
         let owner = if names[place].is_empty() { owners[place] } else { Some(place) };
@@ -90,7 +89,7 @@ impl Naming<'_> {
     }
 
     /// The name that says what the operation does, if it is short enough.
-    fn own(&mut self, place: usize, operation: Operation) -> Option<String> {
+    fn own(&mut self, place: usize, operation: Operation<Operand>) -> Option<String> {
         let name = match operation {
             Operation::Mul(a, b) => {
                 let ((base, m), (other, n)) = (self.power_of(a), self.power_of(b));
@@ -104,7 +103,7 @@ impl Naming<'_> {
             Operation::Div(Operand::Constant(1.0), b) => format!("inverse_{}", self.of(b)?),
             Operation::Div(a, b) => self.joined(place, a, b, "_per_")?,
             Operation::Sqrt(a) => format!("sqrt_{}", self.of(a)?),
-            Operation::Function(function, a) => format!("{}_{}", short(function), self.of(a)?),
+            Operation::Function(function, a) => format!("{}_{}", function.lane(), self.of(a)?),
             Operation::Compare(_, a, b) => match (self.of(a), self.of(b)) {
                 (Some(a), Some(b)) => format!("{a}_below_{b}"),
                 (Some(a), None) => format!("{a}_below"),
@@ -144,18 +143,5 @@ impl Naming<'_> {
                 return free;
             }
         }
-    }
-}
-
-fn short(function: Function) -> &'static str {
-    match function {
-        Function::Exp => "exp",
-        Function::Ln => "ln",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Atan => "atan",
-        Function::Tanh => "tanh",
-        Function::Abs => "abs",
     }
 }

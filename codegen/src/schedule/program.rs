@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::expression::{Function, Relation};
+use crate::operation::{Function, Operand, Operation};
 
 /// A group of instructions that run equally often, such as once a ring or once a spring.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,97 +40,6 @@ pub struct ProgramOutput {
     pub operand: Operand,
 }
 
-/// What an instruction works on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Operand {
-    /// The f64 nearest to an exact number, or one folded from such numbers.
-    Constant(f64),
-    /// An input, by its place in [`Program::inputs`].
-    Input(usize),
-    /// The value of an instruction, by its place in [`Program::instructions`].
-    Value(usize),
-}
-
-/// What an instruction does. No operation is fused.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Operation {
-    /// a + b
-    Add(Operand, Operand),
-    /// a − b
-    Sub(Operand, Operand),
-    /// a · b
-    Mul(Operand, Operand),
-    /// a / b
-    Div(Operand, Operand),
-    /// −a
-    Neg(Operand),
-    /// √a
-    Sqrt(Operand),
-    /// A function of one scalar.
-    Function(Function, Operand),
-    /// aᵇ for an exponent that is neither whole nor half.
-    Power(Operand, Operand),
-    /// A comparison; the value is a truth.
-    Compare(Relation, Operand, Operand),
-    /// Both.
-    And(Operand, Operand),
-    /// Either.
-    Or(Operand, Operand),
-    /// Not.
-    Not(Operand),
-    /// The second where the first holds, else the third. Both are computed in any case.
-    Select(Operand, Operand, Operand),
-}
-
-impl Operation {
-    /// The operands, in order.
-    pub fn operands(&self) -> impl DoubleEndedIterator<Item = Operand> {
-        let operands = match *self {
-            Operation::Neg(a)
-            | Operation::Sqrt(a)
-            | Operation::Function(_, a)
-            | Operation::Not(a) => [Some(a), None, None],
-            Operation::Add(a, b)
-            | Operation::Sub(a, b)
-            | Operation::Mul(a, b)
-            | Operation::Div(a, b)
-            | Operation::Power(a, b)
-            | Operation::Compare(_, a, b)
-            | Operation::And(a, b)
-            | Operation::Or(a, b) => [Some(a), Some(b), None],
-            Operation::Select(mask, a, b) => [Some(mask), Some(a), Some(b)],
-        };
-        operands.into_iter().flatten()
-    }
-
-    /// The same operation on other operands.
-    pub fn map(self, mut of: impl FnMut(Operand) -> Operand) -> Self {
-        match self {
-            Operation::Add(a, b) => Operation::Add(of(a), of(b)),
-            Operation::Sub(a, b) => Operation::Sub(of(a), of(b)),
-            Operation::Mul(a, b) => Operation::Mul(of(a), of(b)),
-            Operation::Div(a, b) => Operation::Div(of(a), of(b)),
-            Operation::Neg(a) => Operation::Neg(of(a)),
-            Operation::Sqrt(a) => Operation::Sqrt(of(a)),
-            Operation::Function(function, a) => Operation::Function(function, of(a)),
-            Operation::Power(a, b) => Operation::Power(of(a), of(b)),
-            Operation::Compare(relation, a, b) => Operation::Compare(relation, of(a), of(b)),
-            Operation::And(a, b) => Operation::And(of(a), of(b)),
-            Operation::Or(a, b) => Operation::Or(of(a), of(b)),
-            Operation::Not(a) => Operation::Not(of(a)),
-            Operation::Select(mask, a, b) => Operation::Select(of(mask), of(a), of(b)),
-        }
-    }
-
-    /// Whether the value is a truth.
-    pub fn is_truth(&self) -> bool {
-        matches!(
-            self,
-            Operation::Compare(..) | Operation::And(..) | Operation::Or(..) | Operation::Not(_)
-        )
-    }
-}
-
 /// One instruction: `name` = operation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instruction {
@@ -140,8 +49,8 @@ pub struct Instruction {
     pub given: bool,
     /// Stage in which it runs.
     pub stage: usize,
-    /// What it does.
-    pub operation: Operation,
+    /// What it does with constants, inputs of the program and values of its instructions.
+    pub operation: Operation<Operand>,
 }
 
 /// Straight-line code. Instructions ascend in stage; an instruction uses only values before it.
@@ -295,7 +204,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    pub(super) fn of(operations: impl Iterator<Item = Operation>) -> Self {
+    pub(super) fn of(operations: impl Iterator<Item = Operation<Operand>>) -> Self {
         let mut counts = Counts::default();
         for operation in operations {
             match operation {

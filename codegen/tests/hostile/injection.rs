@@ -8,10 +8,11 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use whirl_codegen::emit::identifier;
 use whirl_codegen::formula;
 use whirl_codegen::generate::{GeneratedFile, SpecFile, folders, generate};
+use whirl_codegen::operation::Function;
 
 use crate::corpus;
 
-/// Words of the names that schedules make.
+/// Words of the names that schedules make, besides those of functions.
 const MADE: &[&str] = &[
     "part",
     "value",
@@ -22,14 +23,6 @@ const MADE: &[&str] = &[
     "not",
     "minus",
     "sqrt",
-    "exp",
-    "ln",
-    "sin",
-    "cos",
-    "tan",
-    "atan",
-    "tanh",
-    "abs",
     "dot",
     "row",
     "wide",
@@ -47,9 +40,9 @@ const MADE: &[&str] = &[
 /// Macros that kernels call.
 const MACROS: &[&str] = &["include", "concat", "env", "wide"];
 
-/// Words of kernels that no spec of this repository leads to: functions of lanes, and choices of numbers.
-const UNUSED: &[&str] =
-    &["tan", "atan", "tanh", "powf", "lt", "le", "and", "or", "not", "select", "if", "else"];
+/// Words of kernels that no spec of this repository leads to, besides the functions of lanes: operations of lanes,
+/// and choices of numbers.
+const UNUSED: &[&str] = &["powf", "lt", "le", "and", "or", "not", "select", "if", "else"];
 
 /// Identifiers of the text that is generated from the specs of this repository.
 pub(crate) struct Vocabulary {
@@ -79,6 +72,7 @@ impl Vocabulary {
             collect(&tokens(file), &mut words);
         }
         words.extend(UNUSED.iter().map(|word| (*word).to_owned()));
+        words.extend(Function::ALL.iter().map(|function| function.lane().to_owned()));
         let mut parts: BTreeSet<String> = words.iter().flat_map(|word| parts(word)).collect();
         parts.extend(MADE.iter().map(|part| (*part).to_owned()));
         Vocabulary { words, parts }

@@ -1,9 +1,11 @@
 //! Inputs that are nearly right: texts of the corpus cut, spliced, repeated and sown with words of the
 //! language and of others.
 
+use whirl_codegen::operation::Function;
+
 use crate::random::Random;
 
-/// Words of formulas, of spec files, and of neither.
+/// Words of formulas, besides functions of one number, of spec files, and of neither.
 const WORDS: &[&str] = &[
     "h",
     "h_dot",
@@ -207,6 +209,15 @@ const WORDS: &[&str] = &[
     "point",
 ];
 
+/// One of [`WORDS`], or a function of one number.
+fn word(random: &mut Random) -> String {
+    let place = random.below(WORDS.len() + Function::ALL.len());
+    match WORDS.get(place) {
+        Some(word) => (*word).to_owned(),
+        None => format!("{}(", Function::ALL[place - WORDS.len()].name()),
+    }
+}
+
 /// Longest input; limits of the readers are below it.
 const LONGEST: usize = 40_000;
 
@@ -283,11 +294,11 @@ fn changed(text: &str, corpus: &[&str], random: &mut Random) -> String {
         }
         3 | 4 => {
             let at = place(&out, random);
-            out.insert_str(at, random.pick(WORDS));
+            out.insert_str(at, &word(random));
         }
         5 | 6 => {
             let (start, end) = token(&out, random);
-            out.replace_range(start..end, random.pick(WORDS));
+            out.replace_range(start..end, &word(random));
         }
         7 => {
             let other = random.pick(corpus);

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::{Diagnostics, Located, Source};
 use whirl_codegen::expression::{Graph, Id, Shape, Symmetry, display, normal};
-use whirl_codegen::formula::{Dual, Rounded, Value, dimension, evaluate, lower, parse};
+use whirl_codegen::formula::{Value, dimension, evaluate, lower, parse};
 use whirl_codegen::generate::{GeneratedFile, SpecFile, generate};
+use whirl_codegen::operation::{Dual, Rounded};
 use whirl_codegen::rational::Rational;
 use whirl_codegen::schedule::{Request, schedule};
 use whirl_codegen::spec::law::LawSpec;
@@ -89,7 +90,7 @@ pub(crate) fn formula(text: &str) -> bool {
     }
 }
 
-fn run_directly<N: whirl_codegen::formula::Number>(
+fn run_directly<N: whirl_codegen::operation::Number>(
     formula: &whirl_codegen::formula::Formula,
     number: impl Fn(f64) -> N,
 ) {

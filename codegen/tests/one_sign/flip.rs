@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use whirl_codegen::expression::Relation;
-use whirl_codegen::schedule::{Operand, Operation, Program};
+use whirl_codegen::operation::{Operand, Operation};
+use whirl_codegen::schedule::Program;
 
 /// One operand of one instruction, whose sign is flipped where it is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,28 +21,13 @@ pub(crate) fn run(program: &Program, inputs: &[f64], flip: Option<Flip>) -> Vec<
         Operand::Value(place) => values[place],
     };
     for (place, instruction) in program.instructions.iter().enumerate() {
-        let mut of = [0.0; 3];
-        for (operand, from) in instruction.operation.operands().enumerate() {
-            let value = read(&values, from);
-            of[operand] = if flip == Some(Flip { place, operand }) { -value } else { value };
-        }
-        let truth = |value: bool| f64::from(u8::from(value));
-        values.push(match instruction.operation {
-            Operation::Add(..) => of[0] + of[1],
-            Operation::Sub(..) => of[0] - of[1],
-            Operation::Mul(..) => of[0] * of[1],
-            Operation::Div(..) => of[0] / of[1],
-            Operation::Neg(_) => -of[0],
-            Operation::Sqrt(_) => of[0].sqrt(),
-            Operation::Function(function, _) => function.value(of[0]),
-            Operation::Power(..) => libm::pow(of[0], of[1]),
-            Operation::Compare(Relation::Less, ..) => truth(of[0] < of[1]),
-            Operation::Compare(Relation::LessOrEqual, ..) => truth(of[0] <= of[1]),
-            Operation::And(..) => truth(of[0] != 0.0 && of[1] != 0.0),
-            Operation::Or(..) => truth(of[0] != 0.0 || of[1] != 0.0),
-            Operation::Not(_) => truth(of[0] == 0.0),
-            Operation::Select(..) => of[if of[0] != 0.0 { 1 } else { 2 }],
+        let mut operand = 0..;
+        let operation = instruction.operation.map(|from| {
+            let (value, operand) = (read(&values, from), operand.next());
+            let flipped = flip.filter(|f| f.place == place && Some(f.operand) == operand);
+            if flipped.is_some() { -value } else { value }
         });
+        values.push(operation.value());
     }
     program.outputs.iter().map(|output| read(&values, output.operand)).collect()
 }

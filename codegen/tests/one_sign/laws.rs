@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::formula::{Dual, Rounded};
+use whirl_codegen::operation::{Dual, Rounded};
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::units::Unit;
 

@@ -9,7 +9,7 @@ use whirl_codegen::diagnostic::{Located, Source};
 use whirl_codegen::emit::motion::{Form, Group, Kind, Planned, planned};
 use whirl_codegen::expression::{Id, Node, Shape, Symbol, Symmetry};
 use whirl_codegen::formula::{Formula, Value, evaluate, parse};
-use whirl_codegen::schedule::Operand;
+use whirl_codegen::operation::Operand;
 use whirl_codegen::spec::motion::MotionSpec;
 
 use crate::flip::{self, flips_of};

@@ -2,7 +2,7 @@
 //! file's formulas over it differentiates them without any symbolic rule.
 
 use whirl_codegen::expression::Function;
-use whirl_codegen::formula::{Number, Rounded};
+use whirl_codegen::operation::{Number, Rounded};
 
 /// f and df.
 #[derive(Debug, Clone, Copy)]
@@ -36,10 +36,6 @@ fn one() -> Rounded {
     EXACTLY_ONE
 }
 
-fn squared(a: &Rounded) -> Rounded {
-    a.mul(a)
-}
-
 impl Number for Slope {
     fn near(value: f64) -> Self {
         Slope { value: Rounded::near(value), slope: EXACTLY_ZERO }
@@ -66,7 +62,8 @@ impl Number for Slope {
         let value = self.value.power(&exponent.value);
         let along_base = self
             .chain(value, || exponent.value.mul(&self.value.power(&exponent.value.sub(&one()))));
-        let along_exponent = exponent.chain(value, || value.mul(&self.value.ln()));
+        let along_exponent =
+            exponent.chain(value, || value.mul(&self.value.function(Function::Ln)));
         Slope { value, slope: along_base.slope.add(&along_exponent.slope) }
     }
     fn sqrt(&self) -> Self {
@@ -74,19 +71,7 @@ impl Number for Slope {
         self.chain(root, || one().div(&root.add(&root)))
     }
     fn function(&self, function: Function) -> Self {
-        let (x, value) = (&self.value, self.value.function(function));
-        match function {
-            Function::Exp => self.chain(value, || value),
-            Function::Ln => self.chain(value, || one().div(x)),
-            Function::Sin => self.chain(value, || x.cos()),
-            Function::Cos => self.chain(value, || EXACTLY_ZERO.sub(&x.sin())),
-            Function::Tan => self.chain(value, || one().add(&squared(&value))),
-            Function::Atan => self.chain(value, || one().div(&one().add(&squared(x)))),
-            Function::Tanh => self.chain(value, || one().sub(&squared(&value))),
-            Function::Abs if x.value < 0.0 => {
-                Slope { value: EXACTLY_ZERO.sub(x), slope: EXACTLY_ZERO.sub(&self.slope) }
-            }
-            Function::Abs => *self,
-        }
+        let value = self.value.function(function);
+        self.chain(value, || function.slope(&self.value, &value))
     }
 }

@@ -6,7 +6,8 @@ use quote::quote;
 
 use super::form::Group;
 use crate::emit::{Numbers, identifier, number, operand};
-use crate::schedule::{Operand, Program};
+use crate::operation::Operand;
+use crate::schedule::Program;
 
 /// A text and whether its value is a lane.
 #[derive(Debug, Clone)]

@@ -11,7 +11,7 @@ use super::form::{Form, Group};
 use super::plan::{AFTER, BEFORE, Plan, Word};
 use crate::emit::{Numbers, identifier, operand, statements};
 use crate::expression::{Graph, Id, Node, Shape};
-use crate::schedule::Operand;
+use crate::operation::Operand;
 use crate::spec::motion::MotionSpec;
 
 /// What the outputs of a kernel are.

@@ -7,7 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::form::{Form, form, without_choices};
 use super::word::{self, Split};
 use crate::expression::{Graph, Id, Node, Shape, Symbol, normal};
-use crate::schedule::{Input, Operand, Output, Program, Request, ScheduleError, Stage, schedule};
+use crate::operation::Operand;
+use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule};
 
 /// Stage of scalars that need no dot product.
 pub const BEFORE: usize = 0;

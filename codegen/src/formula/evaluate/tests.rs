@@ -1,6 +1,7 @@
 use super::*;
 use crate::diagnostic::Located;
-use crate::formula::{Dual, parse};
+use crate::formula::parse;
+use crate::operation::Dual;
 
 fn value(text: &str) -> f64 {
     let formula = parse(&Located::alone("f", text)).unwrap();

@@ -8,7 +8,7 @@ use super::draft::Output;
 use super::{Condition, LawInput, LawOutput, Named, Piece};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::expression::{Graph, Id, Relation};
-use crate::formula::Number;
+use crate::operation::Number;
 use crate::units::Unit;
 
 /// Gives every break of an output the length of its `smooth`, if there is one.

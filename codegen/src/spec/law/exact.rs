@@ -7,9 +7,10 @@ use crate::rational::Rational;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
+use super::region::{Chosen, Neither, Within};
 use super::root::Polynomial;
 use super::{Condition, LawOutput, LawSpec};
-use crate::expression::{Function, Graph, Id, Node, Relation};
+use crate::expression::{Function, Graph, Id, Node};
 use crate::formula::{Kind, PI, Side, Term};
 use crate::rational::nearest;
 
@@ -210,7 +211,7 @@ fn regions(graph: &Graph, value: Id, x: Id, low: Rational, high: Rational) -> Op
                 let mut roots = Vec::new();
                 for ends in breaks.windows(2) {
                     let middle = (&ends[0] + &ends[1]) / &two;
-                    let mut choice = Choice { graph, x, middle, known: BTreeMap::new() };
+                    let mut choice = Choice::new(graph, x, &middle);
                     let mut side = |id: Option<Id>| match id {
                         Some(id) => choice.polynomial(id),
                         None => Some(zero.clone()),
@@ -232,7 +233,7 @@ fn regions(graph: &Graph, value: Id, x: Id, low: Rational, high: Rational) -> Op
         .windows(2)
         .map(|ends| {
             let middle = (&ends[0] + &ends[1]) / &two;
-            let mut choice = Choice { graph, x, middle, known: BTreeMap::new() };
+            let mut choice = Choice::new(graph, x, &middle);
             let polynomial = choice.polynomial(value)?;
             Some(Region { low: ends[0].clone(), high: ends[1].clone(), polynomial })
         })
@@ -242,20 +243,15 @@ fn regions(graph: &Graph, value: Id, x: Id, low: Rational, high: Rational) -> Op
 /// The polynomial that applies in a region. What the choices there leave out need not be a polynomial.
 struct Choice<'g> {
     graph: &'g Graph,
-    x: Id,
-    middle: Rational,
-    known: BTreeMap<Id, Chosen>,
+    region: Within<'g>,
+    known: BTreeMap<Id, Result<Chosen, Neither>>,
 }
 
-/// What a node is in a region.
-#[derive(Clone)]
-enum Chosen {
-    Polynomial(Polynomial),
-    Truth(bool),
-    Neither,
-}
+impl<'g> Choice<'g> {
+    fn new(graph: &'g Graph, x: Id, middle: &'g Rational) -> Self {
+        Choice { graph, region: Within { x, middle: Some(middle) }, known: BTreeMap::new() }
+    }
 
-impl Choice<'_> {
     fn polynomial(&mut self, id: Id) -> Option<Polynomial> {
         // Without recursion, and every node once: definitions can be long chains.
         let mut open = vec![id];
@@ -271,82 +267,27 @@ impl Choice<'_> {
                 open.pop();
             }
         }
-        self.polynomial_of(id).cloned()
-    }
-
-    fn polynomial_of(&self, id: Id) -> Option<&Polynomial> {
         match self.known.get(&id) {
-            Some(Chosen::Polynomial(polynomial)) => Some(polynomial),
+            Some(Ok(Chosen::Polynomial(polynomial))) => Some(polynomial.clone()),
             _ => None,
         }
     }
 
     /// What a node is; operands that are not known yet come to `open`, and what is found then is nothing.
-    fn chosen(&self, id: Id, open: &mut Vec<Id>) -> Chosen {
-        let graph = self.graph;
-        let mut need = |ids: &[Id]| {
-            let before = open.len();
-            open.extend(ids.iter().filter(|id| !self.known.contains_key(*id)));
-            open.len() == before
-        };
-        let truth = |id: &Id| match self.known.get(id) {
-            Some(Chosen::Truth(truth)) => Some(*truth),
-            _ => None,
-        };
-        let found = match graph.node(id) {
-            _ if id == self.x => Polynomial::of(graph, id, self.x).map(Chosen::Polynomial),
-            Node::Number(value) => Some(Chosen::Polynomial(Polynomial::constant(value))),
-            Node::Truth(value) => Some(Chosen::Truth(*value)),
-            Node::Select(mask, a, b) => need(&[*mask])
-                .then(|| truth(mask))
-                .flatten()
-                .map(|mask| if mask { *a } else { *b })
-                .filter(|chosen| need(&[*chosen]))
-                .and_then(|chosen| self.known.get(&chosen).cloned()),
-            node => {
-                let mut operands = Vec::new();
-                node.operands(|operand| operands.push(operand));
-                need(&operands).then(|| self.of_node(node, &truth)).flatten()
-            }
-        };
-        found.unwrap_or(Chosen::Neither)
-    }
-
-    /// A node whose operands are known.
-    fn of_node(&self, node: &Node, truth: &dyn Fn(&Id) -> Option<bool>) -> Option<Chosen> {
-        Some(match node {
-            Node::Sum(terms) => {
-                let mut sum = Polynomial::constant(&Rational::zero());
-                for (term, coefficient) in terms {
-                    let term = self.polynomial_of(*term)?;
-                    sum = sum.plus(&term.times(&Polynomial::constant(coefficient))?);
-                }
-                Chosen::Polynomial(sum)
-            }
-            Node::Product(factors) => {
-                let mut product = Polynomial::constant(&Rational::one());
-                for (base, exponent) in factors {
-                    product = product.times(&self.polynomial_of(*base)?.power(exponent)?)?;
-                }
-                Chosen::Polynomial(product)
-            }
-            Node::Function(Function::Abs, a) => {
-                let a = self.polynomial_of(*a)?;
-                let sign = if a.at(&self.middle).is_negative() { -1 } else { 1 };
-                Chosen::Polynomial(a.times(&Polynomial::constant(&Rational::from(sign)))?)
-            }
-            Node::Compare(relation, a, b) => {
-                let (a, b) = (self.polynomial_of(*a)?, self.polynomial_of(*b)?);
-                let difference = a.minus(b).at(&self.middle);
-                Chosen::Truth(match relation {
-                    Relation::Less => difference.is_negative(),
-                    Relation::LessOrEqual => !difference.is_positive(),
-                })
-            }
-            Node::And(a, b) => Chosen::Truth(truth(a)? && truth(b)?),
-            Node::Or(a, b) => Chosen::Truth(truth(a)? || truth(b)?),
-            Node::Not(a) => Chosen::Truth(!truth(a)?),
-            _ => return None,
-        })
+    fn chosen(&mut self, id: Id, open: &mut Vec<Id>) -> Result<Chosen, Neither> {
+        let (known, before) = (&self.known, open.len());
+        let of = |id: Id| known.get(&id).ok_or(Neither)?.as_ref().map_err(|neither| *neither);
+        let mut need = |id: Id| open.extend(Some(id).filter(|id| !known.contains_key(id)));
+        if let Node::Select(mask, a, b) = *self.graph.node(id) {
+            need(mask);
+            let chosen = if of(mask)?.truth()? { a } else { b };
+            need(chosen);
+            return of(chosen).cloned();
+        }
+        self.graph.node(id).operands(need);
+        if open.len() > before {
+            return Err(Neither);
+        }
+        self.graph.step(id, &mut self.region, &of)
     }
 }

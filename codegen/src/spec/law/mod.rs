@@ -39,6 +39,7 @@ mod look;
 mod points;
 mod poles;
 mod program;
+mod region;
 mod report;
 mod root;
 mod scan;
@@ -60,7 +61,8 @@ pub use valid::Validity;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
-use crate::formula::{Formula, Number, Steps};
+use crate::formula::Formula;
+use crate::operation::{Bytecode, Number};
 use crate::units::Unit;
 
 /// Finds the file of the given name beside a law; says why not if there is none.
@@ -106,8 +108,8 @@ type Named<N> = Vec<N>;
 #[derive(Debug, Clone)]
 enum Made {
     /// Place of the table, and what it is looked up by.
-    Table(usize, Steps),
-    Definition(Steps),
+    Table(usize, Bytecode),
+    Definition(Bytecode),
 }
 
 /// An input of a law.
@@ -179,16 +181,16 @@ pub struct LawOutput {
     pub value: Id,
     /// Its derivatives by [`LawSpec::inputs`], SI.
     pub derivatives: Vec<Id>,
-    /// Those of the pieces.
-    steps: Vec<PieceSteps>,
+    /// What evaluates the pieces.
+    code: Vec<PieceCode>,
 }
 
 /// A piece for evaluation.
 #[derive(Debug, Clone)]
-struct PieceSteps {
+struct PieceCode {
     /// The condition, if it is a formula.
-    when: Option<Steps>,
-    value: Steps,
+    when: Option<Bytecode>,
+    value: Bytecode,
 }
 
 /// A piece of an output.
@@ -311,7 +313,7 @@ impl LawSpec {
         for made in &self.made {
             names.push(match made {
                 Made::Table(place, input) => self.tables[*place].value(&input.value(&names)),
-                Made::Definition(steps) => steps.value(&names),
+                Made::Definition(code) => code.value(&names),
             });
         }
         names
@@ -341,13 +343,13 @@ impl LawOutput {
                 let strictly = if *below { x < at } else { x > at };
                 strictly || *inclusive && x == at
             }
-            _ => self.steps[place].when.as_ref().is_none_or(|when| when.holds(names)),
+            _ => self.code[place].when.as_ref().is_none_or(|when| when.holds(names)),
         }
     }
 
     /// Value of a piece, SI, whether it applies or not.
     fn value_of<N: Number>(&self, piece: usize, names: &Named<N>) -> N {
-        self.steps[piece].value.value(names).mul(&N::exact(&in_si(&self.unit)))
+        self.code[piece].value.value(names).mul(&N::exact(&in_si(&self.unit)))
     }
 }
 

@@ -1,7 +1,6 @@
 //! Poles, found by the signs of everything that a formula divides by.
 
-use crate::expression::Function;
-use crate::formula::Number;
+use crate::operation::{Function, Number};
 
 /// A value, the signs of its own factors, and those of all factors of divisors met on the way to it: two points
 /// between which the latter change have a pole between them.
@@ -91,27 +90,17 @@ impl Number for Signed {
     }
     fn function(&self, function: Function) -> Self {
         let value = function.value(self.value);
-        match function {
-            // tan a = sin a/cos a
-            Function::Tan => {
-                let divisor = Signs::of(Function::Cos.value(self.value));
-                Signed::from(value, self.signs.then(divisor))
-            }
+        match (function, function.divisor(self.value)) {
             // It is zero where its argument is.
-            Function::Abs => Signed { value, ..*self },
-            Function::Exp
-            | Function::Ln
-            | Function::Sin
-            | Function::Cos
-            | Function::Atan
-            | Function::Tanh => Signed::from(value, self.signs),
+            (Function::Abs, _) => Signed { value, ..*self },
+            (_, Some(divisor)) => Signed::from(value, self.signs.then(Signs::of(divisor))),
+            (_, None) => Signed::from(value, self.signs),
         }
     }
-    /// With the divisors of all, whichever is chosen: a choice between values with and without a divisor is
+    /// With the divisors of both, whichever is chosen: a choice between values with and without a divisor is
     /// no pole.
-    fn chosen(&self, all: &[Self]) -> Self {
-        let signs = all.iter().fold(Signs::NONE, |signs, value| signs.then(value.signs));
-        Signed::from(self.value, signs)
+    fn chosen(first: bool, a: Self, b: Self) -> Self {
+        Signed::from(if first { a.value } else { b.value }, a.signs.then(b.signs))
     }
 }
 

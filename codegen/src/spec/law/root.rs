@@ -2,13 +2,12 @@
 
 mod sturm;
 
-use std::collections::BTreeMap;
-
 use crate::rational::Rational;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use crate::expression::{Graph, Id, Node};
+use super::region::{Chosen, Within};
+use crate::expression::{Graph, Id};
 
 /// Highest degree whose roots are looked for, and most bits of a coefficient, for low degrees and for
 /// others: the numbers of Sturm's chain grow with both.
@@ -33,31 +32,15 @@ impl Polynomial {
     /// The expression as a polynomial in `x`, if it is one of a degree and with coefficients within the
     /// limits, and is built from such.
     pub(super) fn of(graph: &Graph, expression: Id, x: Id) -> Option<Self> {
-        let mut known: BTreeMap<Id, Polynomial> = BTreeMap::new();
-        for id in graph.reachable(&[expression]) {
-            let constant = Polynomial::constant;
-            let polynomial = match graph.node(id) {
-                _ if id == x => Polynomial::new(vec![Rational::zero(), Rational::one()]),
-                Node::Number(value) => constant(value),
-                Node::Sum(terms) => {
-                    let mut sum = Polynomial::new(Vec::new());
-                    for (term, coefficient) in terms {
-                        sum = sum.plus(&known.get(term)?.times(&constant(coefficient))?);
-                    }
-                    sum
-                }
-                Node::Product(factors) => {
-                    let mut product = constant(&Rational::one());
-                    for (base, exponent) in factors {
-                        product = product.times(&known.get(base)?.power(exponent)?)?;
-                    }
-                    product
-                }
-                _ => return None,
-            };
-            known.insert(id, polynomial);
+        match graph.fold(expression, &mut Within { x, middle: None }) {
+            Ok(Chosen::Polynomial(polynomial)) => Some(polynomial),
+            _ => None,
         }
-        known.remove(&expression)
+    }
+
+    /// x
+    pub(super) fn variable() -> Self {
+        Polynomial::new(vec![Rational::zero(), Rational::one()])
     }
 
     pub(super) fn constant(value: &Rational) -> Self {

@@ -8,7 +8,7 @@ use super::poles::Signed;
 use super::{Condition, LawSpec, Named, Piece};
 use crate::diagnostic::Located;
 use crate::expression::Node;
-use crate::formula::{Number, Rounded};
+use crate::operation::{Number, Rounded};
 use crate::rational::nearest;
 
 /// Most points along a line, and values of each other input, where an input varies alone.

@@ -1,9 +1,9 @@
 //! Draft → law: names and dimensions checked, formulas lowered in SI, breaks moved, derivatives taken.
 
+mod bytecode;
 mod engage;
 mod names;
 mod output;
-mod steps;
 
 pub(super) use engage::engaged;
 
@@ -132,7 +132,7 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         report: LawReport::default(),
         made: Vec::new(),
     })?;
-    steps::write(&mut law)?;
+    bytecode::write(&mut law)?;
     differentiate(&mut law)?;
     Ok(law)
 }

@@ -86,7 +86,7 @@ pub(super) fn lower(
         pieces,
         value,
         derivatives: Vec::new(),
-        steps: Vec::new(),
+        code: Vec::new(),
     })
 }
 

@@ -5,7 +5,7 @@ use super::super::report::Break;
 use super::super::scan::{self, Line};
 use super::{Between, Look, NEAR, in_file};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::formula::{Dual, Rounded};
+use crate::operation::{Dual, Rounded};
 use crate::rational::nearest;
 
 /// Breaks along one line beyond which a law is refused.

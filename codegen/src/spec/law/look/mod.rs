@@ -12,7 +12,7 @@ use super::report::{Break, OutputReport, Trend};
 use super::scan::{self, Line, Lined, Point};
 use super::{Condition, LawOutput, LawSpec};
 use crate::diagnostic::Diagnostic;
-use crate::formula::Rounded;
+use crate::operation::Rounded;
 use crate::rational::nearest;
 use crate::units::Unit;
 

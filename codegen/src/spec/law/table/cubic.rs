@@ -5,7 +5,7 @@
 //! (the square region of Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246). Where the limit does
 //! not bind, values are of third order.
 
-use crate::formula::Number;
+use crate::operation::Number;
 use crate::rational::{Rational, nearest};
 use num_traits::{Signed, Zero};
 

@@ -15,7 +15,8 @@ pub(super) use draft::{TableDraft, read};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::expression::{Function, Graph, Id, Relation};
-use crate::formula::{Formula, Number, pi};
+use crate::formula::{Formula, pi};
+use crate::operation::Number;
 use crate::units::Unit;
 use cubic::Cubic;
 
@@ -169,7 +170,7 @@ impl LawTable {
             input = input.sub(&N::exact(&shift));
         }
         if self.is_outside(input.value()) {
-            return N::exact(&-Rational::one()).ln();
+            return N::exact(&-Rational::one()).function(Function::Ln);
         }
         let place = self.splits.partition_point(|at| nearest(at) <= input.value());
         self.pieces[place].value(&input)

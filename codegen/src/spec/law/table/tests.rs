@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::diagnostic::Diagnostics;
-use crate::formula::Dual;
+use crate::operation::Dual;
 use crate::spec::law::LawSpec;
 use crate::tape::Tape;
 

@@ -6,7 +6,7 @@ mod values;
 
 use super::*;
 use crate::diagnostic::Source;
-use crate::formula::Dual;
+use crate::operation::Dual;
 use crate::spec::law::report::Trend;
 
 const HEAD: &str = "\

@@ -1,12 +1,11 @@
 //! Sections `[valid.NAME]` checked and lowered; and the ends of tables.
 
-use std::collections::BTreeMap;
-
 use super::draft::Limit;
 use super::{Validity, ValidityDraft};
 use crate::diagnostic::{Code, Diagnostics, Located};
 use crate::expression::{Graph, Shape};
-use crate::formula::{Formula, Known, Steps, Value, dimension, evaluate};
+use crate::formula::{Formula, bytecode, check, dimension};
+use crate::operation::{Bytecode, Operand};
 use crate::rational::{Rational, nearest};
 use crate::spec::law::build::Names;
 use crate::spec::law::system::System;
@@ -73,7 +72,7 @@ impl Scope<'_> {
             text: draft.value.text.text().to_owned(),
             limits,
             value: graph.times(in_si.clone(), id),
-            steps: self.steps(&draft.value)?,
+            code: self.code(&draft.value)?,
             in_si,
         })
     }
@@ -93,12 +92,11 @@ impl Scope<'_> {
             }
         }
         fits(formula, dimension(formula, &self.names.meanings)?, wanted, &draft.key)?;
-        let values = self.parameters.iter();
-        let values = values.map(|own| (own.name.clone(), Value::Scalar(nearest(&own.value))));
-        let values: BTreeMap<String, Value<f64>> = values.collect();
-        let limit = match evaluate(formula, &values)?.scalar() {
-            Some(value) => value * nearest(&self.system.in_si(wanted)),
-            None => f64::NAN,
+        let code = self.code(formula)?;
+        let scope = self.parameters.iter().map(|own| (own.name.as_str(), Shape::Scalar)).collect();
+        let limit = match check(formula, &scope)? {
+            Shape::Scalar => code.value::<f64>(&[]) * nearest(&self.system.in_si(wanted)),
+            _ => f64::NAN,
         };
         if !limit.is_finite() {
             let error =
@@ -128,20 +126,20 @@ impl Scope<'_> {
             text: text.to_owned(),
             limits: [si(first, f64::NEG_INFINITY), si(last, f64::INFINITY)],
             value: graph.times(in_si.clone(), id),
-            steps: self.steps(&table.input)?,
+            code: self.code(&table.input)?,
             in_si,
         }))
     }
 
-    fn steps(&self, formula: &Formula) -> Result<Steps, Diagnostics> {
+    fn code(&self, formula: &Formula) -> Result<Bytecode, Diagnostics> {
         let places = self.inputs.iter().map(|input| input.name.as_str());
         let places: Vec<&str> = places.chain(self.made.iter().copied()).collect();
         let constant = |name: &str| {
             let parameter = self.parameters.iter().find(|parameter| parameter.name == name)?;
-            Some(Known::Constant(nearest(&parameter.value)))
+            Some(Operand::Constant(nearest(&parameter.value)))
         };
-        let place = |name: &str| places.iter().position(|own| *own == name).map(Known::Place);
-        Ok(Steps::of(formula, &|name| place(name).or_else(|| constant(name)))?)
+        let place = |name: &str| places.iter().position(|own| *own == name).map(Operand::Input);
+        Ok(bytecode(formula, &|name| place(name).or_else(|| constant(name)))?)
     }
 }
 

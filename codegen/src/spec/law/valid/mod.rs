@@ -5,7 +5,7 @@ mod build;
 mod draft;
 
 use crate::expression::Id;
-use crate::formula::{Number, Steps};
+use crate::operation::{Bytecode, Number};
 use crate::rational::Rational;
 use crate::units::Unit;
 
@@ -31,7 +31,7 @@ pub struct Validity {
     pub limits: [f64; 2],
     /// The measure in the graph, SI.
     pub value: Id,
-    steps: Steps,
+    code: Bytecode,
     /// One of the units of the formulas in SI.
     in_si: Rational,
 }
@@ -41,7 +41,7 @@ impl LawSpec {
     /// the file's formulas.
     pub fn measures<N: Number>(&self, inputs: &[N]) -> Vec<N> {
         let names = self.names(inputs);
-        let measure = |own: &Validity| own.steps.value(&names).mul(&N::exact(&own.in_si));
+        let measure = |own: &Validity| own.code.value(&names).mul(&N::exact(&own.in_si));
         self.valid.iter().map(measure).collect()
     }
 }

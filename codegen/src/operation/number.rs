@@ -1,7 +1,54 @@
 //! The numbers over which a formula can be evaluated directly.
 
-use crate::expression::Function;
+use super::Function;
 use crate::rational::{Rational, nearest};
+
+/// What slopes of functions are made of: numbers, or the nodes of a graph.
+pub trait Arithmetic: Clone {
+    /// A number of this kind.
+    fn number(&self, value: f64) -> Self;
+    /// a + b
+    fn plus(&self, other: &Self) -> Self;
+    /// a − b
+    fn minus(&self, other: &Self) -> Self;
+    /// a·b
+    fn times(&self, other: &Self) -> Self;
+    /// a/b
+    fn over(&self, other: &Self) -> Self;
+    /// √a
+    fn root(&self) -> Self;
+    /// −1 below zero, else 1.
+    fn sign(&self) -> Self;
+    /// f(a)
+    fn through(&self, function: Function) -> Self;
+}
+
+impl<N: Number> Arithmetic for N {
+    fn number(&self, value: f64) -> Self {
+        N::near(value)
+    }
+    fn plus(&self, other: &Self) -> Self {
+        self.add(other)
+    }
+    fn minus(&self, other: &Self) -> Self {
+        self.sub(other)
+    }
+    fn times(&self, other: &Self) -> Self {
+        self.mul(other)
+    }
+    fn over(&self, other: &Self) -> Self {
+        self.div(other)
+    }
+    fn root(&self) -> Self {
+        self.sqrt()
+    }
+    fn sign(&self) -> Self {
+        N::near(if self.value() < 0.0 { -1.0 } else { 1.0 })
+    }
+    fn through(&self, function: Function) -> Self {
+        self.function(function)
+    }
+}
 
 /// A field with the functions of the formula language.
 pub trait Number: Clone {
@@ -27,42 +74,9 @@ pub trait Number: Clone {
     fn sqrt(&self) -> Self;
     /// A function of one number.
     fn function(&self, function: Function) -> Self;
-    /// eᵃ
-    fn exp(&self) -> Self {
-        self.function(Function::Exp)
-    }
-    /// ln a
-    fn ln(&self) -> Self {
-        self.function(Function::Ln)
-    }
-    /// sin a
-    fn sin(&self) -> Self {
-        self.function(Function::Sin)
-    }
-    /// cos a
-    fn cos(&self) -> Self {
-        self.function(Function::Cos)
-    }
-    /// tan a
-    fn tan(&self) -> Self {
-        self.function(Function::Tan)
-    }
-    /// arctan a
-    fn atan(&self) -> Self {
-        self.function(Function::Atan)
-    }
-    /// tanh a
-    fn tanh(&self) -> Self {
-        self.function(Function::Tanh)
-    }
-    /// |a|
-    fn abs(&self) -> Self {
-        self.function(Function::Abs)
-    }
-    /// This one, chosen among `all` by its value.
-    fn chosen(&self, all: &[Self]) -> Self {
-        let _ = all;
-        self.clone()
+    /// The first or the second.
+    fn chosen(first: bool, a: Self, b: Self) -> Self {
+        if first { a } else { b }
     }
 }
 
@@ -160,6 +174,6 @@ impl Number for Dual {
     }
     fn function(&self, function: Function) -> Self {
         let value = function.value(self.value);
-        self.chain(value, function.slope(self.value, value))
+        self.chain(value, function.slope(&self.value, &value))
     }
 }

@@ -1,7 +1,6 @@
 //! Numbers that carry a bound of their rounding error, to tell a jump from rounding.
 
-use super::Number;
-use crate::expression::Function;
+use super::{Function, Number};
 
 /// A value and a first-order bound of its error, when inputs and every operation are rounded to f64.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,13 +70,7 @@ impl Number for Rounded {
         match function {
             // Exact.
             Function::Abs => Rounded { value, error: self.error },
-            Function::Exp
-            | Function::Ln
-            | Function::Sin
-            | Function::Cos
-            | Function::Tan
-            | Function::Atan
-            | Function::Tanh => self.chain(value, function.slope(self.value, value)),
+            _ => self.chain(value, function.slope(&self.value, &value)),
         }
     }
 }

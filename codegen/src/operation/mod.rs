@@ -1,0 +1,12 @@
+//! What is done to scalars: operations, functions, and the numbers over which they have values.
+
+mod bytecode;
+mod function;
+mod number;
+mod rounding;
+
+pub(crate) use bytecode::Bytecode;
+pub use bytecode::{Operand, Operation, Relation};
+pub use function::{Function, Parity};
+pub use number::{Arithmetic, Dual, Number};
+pub use rounding::Rounded;
