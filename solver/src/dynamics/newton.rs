@@ -53,7 +53,7 @@ impl Default for NewtonOptions {
 /// Residual of a row, as a share of its largest term, at which it counts as solved.
 const SOLVED: f64 = 5e-7;
 /// Worst contraction for which factors are kept.
-const CONTRACTION: f64 = 0.2;
+pub(super) const CONTRACTION: f64 = 0.2;
 /// Share of the decrease promised by the slope of φ that a step must bring.
 const SUFFICIENT: f64 = 1e-4;
 /// Shortest step tried.

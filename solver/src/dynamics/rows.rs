@@ -1,7 +1,7 @@
 //! How far the rows of the equations are from solved, each judged by what stands in it.
 
 use super::newmark::State;
-use super::newton::NewtonOptions;
+use super::newton::{CONTRACTION, NewtonOptions};
 use super::system::System;
 use crate::linalg::Matrix;
 use crate::shaft::Shaft;
@@ -9,9 +9,9 @@ use crate::shaft::Shaft;
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
 /// forces cancel, what is left of them is rounding of the state.
 pub(super) const PROJECTED: f64 = 1e-3;
-/// Share of the tolerance of forces that may be missing at each spring: forces at rest to it are nearer to their
-/// limit, as far as the iteration contracts.
-const MISSING: f64 = 0.1;
+/// Share of the tolerance of forces that may be missing at each spring: what is left of a change that was the last,
+/// where kept factors contract as badly as they may.
+const MISSING: f64 = CONTRACTION / (1.0 - CONTRACTION);
 /// Multiples of eps · Σ |terms| that rounding may leave in a row.
 const ROUNDING: f64 = 16.0;
 
@@ -55,7 +55,7 @@ impl Most {
 
 impl System<'_> {
     /// The largest |r_i| of the unknowns' rows at the state that was last evaluated, over what a row may have:
-    /// `residual_tolerance` · (largest term + 1e-3 · largest force projected on it) + a tenth of
+    /// `residual_tolerance` · (largest term + 1e-3 · largest force projected on it) + a quarter of
     /// `force_tolerance` missing at each spring + 16 ε Σ |terms|. At most 1: solved; otherwise that of the first
     /// row that is not.
     ///
@@ -252,7 +252,7 @@ mod tests {
                 let terms = terms.map(|term| term[i].abs());
                 let (largest, sum) =
                     (terms.into_iter().fold(0.0, f64::max), terms.iter().sum::<f64>());
-                let missing = 0.1 * force_tolerance * reach[i];
+                let missing = 0.25 * force_tolerance * reach[i];
                 let seen = residual_tolerance * largest + missing + 16.0 * f64::EPSILON * sum;
                 let forces = projected[i].iter().copied();
                 let own = residual_tolerance
