@@ -89,13 +89,16 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
     line(text, format_args!("motion: {}", rotor.shaft.motion.origin.title));
     for load in &rotor.loads {
         let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
-        let course = match load.frequency {
+        let time_function = match load.frequency {
             Some(frequency) => format!("sine of {frequency} Hz"),
             None => "constant".to_string(),
         };
         let direction = ["x", "y"][load.direction];
         let at = sets.join(", ");
-        line(text, format_args!("load: {} N along {direction} at {at}, {course}", load.force));
+        line(
+            text,
+            format_args!("load: {} N along {direction} at {at}, {time_function}", load.force),
+        );
     }
     for (k, bearing) in rotor.bearings.iter().enumerate() {
         line(

@@ -139,8 +139,8 @@ pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>),
     if path.is_file() {
         let text = fs::read_to_string(path)
             .map_err(|error| unfound(name, format!("cannot read `{name}`: {error}"), None))?;
-        let twin = built_in().find(|origin| origin.text == text);
-        return Ok((Source::new(path, text), twin));
+        let built_in_file = built_in().find(|origin| origin.text == text);
+        return Ok((Source::new(path, text), built_in_file));
     }
     let wanted = name.strip_prefix("specs/").unwrap_or(name);
     let called: Vec<&Origin> =

@@ -18,7 +18,7 @@ use crate::support::Support;
 
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Kind {
+pub enum BodyKind {
     /// One that turns: it has a [`Spin`].
     Shaft,
     /// One that stands.
@@ -80,15 +80,15 @@ impl Reduced {
     ///
     /// # Errors
     /// As [`BodySpec::reduce`].
-    pub fn new(kind: Kind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
+    pub fn new(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
         let whole = spec.reduce(mesh)?;
         let spin = match kind {
-            Kind::Shaft => {
+            BodyKind::Shaft => {
                 let (inertia, coupling) =
                     (assemble(mesh, "spin_inertia")?, assemble(mesh, "spin_coupling")?);
                 Some(Spin::new(&whole, &inertia, &coupling, mesh.nodes()))
             }
-            Kind::Support => None,
+            BodyKind::Support => None,
         };
         let nodes = watchable(mesh, spec);
         let row = |i: usize| 3 * nodes[i / 3] + i % 3;
@@ -100,7 +100,7 @@ impl Reduced {
 
     /// The key of [`Reduced::new`]: the same for whatever gives the same bits, another for everything else, another
     /// program included.
-    pub fn key(kind: Kind, mesh: &Mesh, spec: &BodySpec) -> Key {
+    pub fn key(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Key {
         let retained: Vec<usize> = spec.retained.iter().map(|retained| retained.dof).collect();
         let springs: Vec<(usize, f64)> =
             spec.springs.iter().map(|spring| (spring.dof, spring.stiffness)).collect();
@@ -121,7 +121,7 @@ impl Reduced {
     /// Constraints that contradict each other.
     ///
     /// # Panics
-    /// If this is no [`Kind::Shaft`], or the spec watches a node that this has no shapes of.
+    /// If this is no [`BodyKind::Shaft`], or the spec watches a node that this has no shapes of.
     pub fn shaft(&self, spec: &BodySpec) -> Result<Shaft, Error> {
         let spin = self.spin.as_ref().expect("a shaft is reduced with its spin");
         let active = spec.active(&self.reduction)?;

@@ -3,7 +3,7 @@
 use whirl_codegen::spec::form::FormSpec;
 use whirl_specs::{Origin, generated};
 
-use super::made::{self, SHOWN_ON};
+use super::generated_code::{self, SHOWN_ON};
 use super::page::Page;
 use crate::spec_file::Spec;
 
@@ -12,7 +12,7 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
     page.heading("Generated Rust");
     let name = spec.about()[0];
     let Some(module) = origin.and_then(|origin| generated::module(origin.spec)) else {
-        explain_made(page, spec);
+        explain_generated(page, spec);
         return;
     };
     let generated::Module { kind, name: own, file, line, .. } = module;
@@ -29,8 +29,8 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
 }
 
 /// The same of a spec that is not built in.
-fn explain_made(page: &mut Page, spec: &Spec) {
-    let made = match made::module(spec) {
+fn explain_generated(page: &mut Page, spec: &Spec) {
+    let made = match generated_code::module(spec) {
         Ok(module) => functions(&module),
         Err(errors) => {
             page.item("none can be made from it, so that a build would refuse it:");
@@ -47,7 +47,10 @@ fn explain_made(page: &mut Page, spec: &Spec) {
             "none is needed: the law is evaluated without a compiler, to the same bits".into()
         }
         _ => {
-            format!("compiled at the next build if the file lies in `specs/{}`", made::folder(spec))
+            format!(
+                "compiled at the next build if the file lies in `specs/{}`",
+                generated_code::folder(spec)
+            )
         }
     });
     say(page, if let Spec::Form(form) = spec { of_forms(form, made) } else { made });

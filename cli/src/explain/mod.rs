@@ -4,9 +4,9 @@ mod clearance;
 mod element;
 mod equations;
 mod form;
+mod generated_code;
 mod kernels;
 mod law;
-mod made;
 mod motion;
 mod page;
 mod plot;
@@ -45,7 +45,7 @@ pub(crate) fn check(name: &str) -> Result<String, Failure> {
     let (source, origin) = spec_file::find(name)?;
     let spec = Spec::read(&source)?;
     if origin.is_none() {
-        made::module(&spec)?;
+        generated_code::module(&spec)?;
     }
     let mut page = head(&spec);
     match &spec {
@@ -82,7 +82,7 @@ fn page(spec: &Spec, origin: Option<&Origin>) -> String {
 fn rust(spec: &Spec, origin: Option<&Origin>) -> Result<String, Failure> {
     match origin.and_then(|origin| generated::module(origin.spec)) {
         Some(module) => Ok(module.text.to_string()),
-        None => Ok(made::module(spec)?),
+        None => Ok(generated_code::module(spec)?),
     }
 }
 

@@ -40,7 +40,7 @@ fn body<D>(
 ) -> Result<Mesh, Failure> {
     match mesh {
         case::Mesh::File(file) => read(file, material, regions),
-        case::Mesh::Made(made) => {
+        case::Mesh::Generated(made) => {
             let mesh = make(&made.dimensions, &elements());
             in_regions(mesh.map_err(|error| impossible(made, error))?, regions)
         }
@@ -52,7 +52,7 @@ fn elements() -> Vec<&'static Element> {
 }
 
 /// An error about a dimension, where the case says it.
-fn impossible<D>(made: &case::Made<D>, error: Error) -> Failure {
+fn impossible<D>(made: &case::GeneratedMesh<D>, error: Error) -> Failure {
     let Error::Dimension { dimension, value, what, help } = &error else {
         return error.into();
     };

@@ -5,7 +5,7 @@ use std::ops::Range;
 use whirl_specs::{Ring, RingTangent, SpringForce};
 
 use super::contact::ContactsState;
-use super::valid::Watch;
+use super::valid::ValidityMonitor;
 use super::{BoundLaw, Input, SpringLaw, Springs};
 use crate::linalg::{Matrix, add_product};
 
@@ -48,7 +48,7 @@ pub struct SpringState {
     pub(super) law_workspace: Vec<f64>,
     rates: bool,
     /// Whether the laws are used where they may be believed.
-    pub(super) watch: Watch,
+    pub(super) monitor: ValidityMonitor,
 }
 
 impl SpringState {
@@ -76,7 +76,7 @@ impl SpringState {
             law_outputs: vec![0.0; most(|law| law.output_rows)],
             law_workspace: vec![0.0; workspace.unwrap_or(0)],
             rates: springs.needs_rates(),
-            watch: Watch::new(&springs.measures),
+            monitor: ValidityMonitor::new(&springs.measures),
         }
     }
 

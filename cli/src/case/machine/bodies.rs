@@ -9,7 +9,7 @@ use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
 use super::super::library::{Shelf, resolve};
 use super::super::reader::Reader;
-use super::super::rotor::{GroundSpring, Made, Mesh, MeshFile, Shaft, Support};
+use super::super::rotor::{GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, Support};
 use super::materials::{Materials, material_of, regions};
 use super::{default_motion, motion};
 
@@ -97,7 +97,11 @@ fn mesh<D>(
             drop(dimensions);
             // Of dimensions that are wrong, nothing is made.
             let right = table.errors() == before && material.is_some();
-            right.then_some(Mesh::Made(Made { dimensions: made, table: place, places }))
+            right.then_some(Mesh::Generated(GeneratedMesh {
+                dimensions: made,
+                table: place,
+                places,
+            }))
         }
         (None, None) => {
             if !table.has("mesh") && !table.has("dimensions") {
