@@ -206,7 +206,7 @@ fn say_march(text: &mut String, case: &Case) {
         ),
     );
     if march.steady_cycle().is_none() {
-        line(text, format_args!("shorter than two cycles: no steady state is looked for"));
+        line(text, format_args!("shorter than two cycles: not checked for a steady state"));
     }
     if march.output_every > 1 {
         line(text, format_args!("a row of the history every {} steps", march.output_every));

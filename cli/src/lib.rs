@@ -53,7 +53,7 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
     }
 }
 
-/// Looks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does
+/// Checks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does
 /// first. `case`: a path or the name of a built-in case.
 ///
 /// # Errors

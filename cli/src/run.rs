@@ -40,9 +40,9 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             }
         });
     }
-    let interruption = Interruption::watch().map_err(|error| Failure::Output {
+    let interruption = Interruption::install().map_err(|error| Failure::Output {
         path: results.folder().to_path_buf(),
-        reason: format!("signals cannot be watched: {error}"),
+        reason: format!("signal handlers cannot be installed: {error}"),
     })?;
     let marched = march((&case, &built), (&mut results, identity), from, &interruption, show)?;
     report(arguments, (&case, &built), &results, (marched, &interruption), (start, show))

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::linalg::LinearAlgebraError;
 use crate::reduction::ReductionError;
 
-/// One thing wrong in a file: where, what, and how to mend it.
+/// One thing wrong in a file: where, what, and how to fix it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InputError {
     /// Path of the file as the user gave it.
@@ -16,7 +16,7 @@ pub struct InputError {
     pub column: usize,
     /// What is wrong, in the names of the file.
     pub what: String,
-    /// How to mend it.
+    /// How to fix it.
     pub help: String,
 }
 
@@ -161,7 +161,7 @@ pub enum Error {
         bearing: Option<usize>,
         /// What does not fit.
         what: String,
-        /// How to mend it.
+        /// How to fix it.
         help: String,
     },
     /// A ring of a bore that cannot carry springs: no spline goes through its nodes.

@@ -31,7 +31,7 @@ pub enum TimeFunction {
         /// φ (rad).
         phase: f64,
     },
-    /// Constant until a step starts with θ̇ at the target or beyond it, seen from rest; nothing from then on.
+    /// Constant until a step starts with θ̇ at the target or beyond it, as seen from rest; zero from then on.
     UntilSpeed {
         /// Target of θ̇ (rad/s); negative where the shaft is driven that way.
         target: f64,

@@ -238,7 +238,7 @@ fn an_error_in_a_mesh_file_has_its_line() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_told_before_the_work() {
+fn a_folder_that_cannot_be_written_is_reported_before_the_work() {
     let bench = Workbench::new().file("case.toml", &case("")).file("taken", "");
     let before = bench.listing();
     for folder in ["taken", "taken/inside"] {

@@ -214,7 +214,7 @@ fn made_functions(module: &str) -> Vec<String> {
 
 /// What only a build would refuse is reported at its place by `check` and `explain --rust`.
 #[test]
-fn what_a_build_would_refuse_is_told() {
+fn what_a_build_would_refuse_is_reported() {
     let path = specs().join("elements/hex8i.toml");
     let text = fs::read_to_string(path).expect("a text");
     let wrong = text.replace("\"stiffness\"", "\"stifness\"");
@@ -234,7 +234,7 @@ fn what_a_build_would_refuse_is_told() {
 
 /// A file that is not built in has the functions, with the operations, that the same built-in file has.
 #[test]
-fn what_a_build_would_make_is_told_with_its_operations() {
+fn what_a_build_would_generate_is_listed_with_its_operations() {
     for (path, kind, name) in &enough() {
         let text = fs::read_to_string(path).expect("a text");
         let other = text.replacen(&format!("name = \"{name}\""), "name = \"other\"", 1);
@@ -310,7 +310,7 @@ fn a_law_of_ones_own_is_explained_and_drawn() {
 }
 
 #[test]
-fn what_cannot_be_explained_is_told() {
+fn what_cannot_be_explained_is_reported() {
     let bench = Workbench::new()
         .file("case.toml", "title = \"a case\"\n")
         .file("broken.toml", &MINE.replace("-k*h", "-k*hh"));

@@ -113,7 +113,7 @@ fn property<'b>(body: &'b mut Body, name: &str) -> &'b mut f64 {
     body.mesh.materials[0].properties.get_mut(name).expect("a property of steel")
 }
 
-/// Damping, names, constraints, and which of the nodes with shapes are watched do not touch the reduction: applied to
+/// Damping, names, constraints, and which of the nodes with shapes are output do not touch the reduction: applied to
 /// one that is found they give the body that a reduction of its own gives.
 #[test]
 fn what_is_applied_afterwards_reduces_nothing_again() {

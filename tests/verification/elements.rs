@@ -254,7 +254,7 @@ fn a_rigid_turn_has_the_polar_moment_of_inertia() {
 }
 
 #[test]
-fn an_inverted_cell_is_told_by_its_determinant() {
+fn an_inverted_cell_is_reported_by_its_determinant() {
     for element in ELEMENTS {
         let mirrored: Vec<[f64; 3]> =
             element.reference_nodes.iter().map(|[x, y, z]| [-x, *y, *z]).collect();
@@ -271,7 +271,7 @@ fn an_inverted_cell_is_told_by_its_determinant() {
 
 /// One corner pushed through the opposite face: det J changes its sign within the cell.
 #[test]
-fn a_partly_inverted_cell_is_told_too() {
+fn a_partly_inverted_cell_is_reported_too() {
     let element = element("hex8i");
     let mut nodes = element.reference_nodes.to_vec();
     nodes[6] = [-1.5, -1.5, -1.5];

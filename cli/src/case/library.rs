@@ -40,7 +40,7 @@ pub fn embedded_cases() -> impl Iterator<Item = &'static str> {
         .filter(|name| !name.contains('.'))
 }
 
-/// Whether files are looked up on the disk or among the built-in ones.
+/// Whether files are read from the disk or among the built-in ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shelf {
     /// Files of the user.

@@ -28,7 +28,7 @@ pub struct Rotor {
     pub loads: Vec<Load>,
 }
 
-/// A machine as far as a case says it: with what is there, sets can be looked for.
+/// A machine as far as a case says it: enough of it to find sets.
 pub(crate) struct RotorDraft {
     /// None if there is no mesh to make or to read.
     pub(crate) shaft: Option<Shaft>,

@@ -148,7 +148,7 @@ impl Bound {
     }
 }
 
-/// What is wrong with a law, and how to mend it.
+/// What is wrong with a law, and how to fix it.
 #[derive(Debug)]
 pub(crate) struct WrongLaw {
     pub(crate) what: String,
@@ -245,7 +245,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_compiled_law_is_named_and_told_by_its_spec() {
+    fn a_compiled_law_has_the_name_and_text_of_its_spec() {
         for law in LAWS {
             let own: &dyn SpringLaw = &law;
             assert_eq!((own.name(), own.hash()), (law.origin.name, law.origin.hash));

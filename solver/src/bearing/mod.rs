@@ -202,7 +202,7 @@ impl Springs {
         self.len() == 0
     }
 
-    /// Number of forces by which a step is judged: Q of every such spring, and whatever other laws give.
+    /// Number of forces tested for convergence: Q of every such spring, and whatever other laws give.
     pub(crate) fn forces(&self) -> usize {
         self.len() + self.contacts.forces()
     }

@@ -31,7 +31,7 @@ pub struct SpringState {
     pub h: Vec<f64>,
     /// ḣ (m/s).
     pub h_dot: Vec<f64>,
-    /// Forces by which a step is judged (N): Q of every spring with a law Q(h, ḣ), then what other laws
+    /// Forces tested for convergence (N): Q of every spring with a law Q(h, ḣ), then what other laws
     /// give, moments over the journal's radius.
     pub forces: Vec<f64>,
     dq_dh: Vec<f64>,
@@ -117,8 +117,8 @@ impl SpringState {
                 &mut self.spring_force[range],
             );
         }
-        let judged = &mut self.forces[springs.len()..];
-        self.contacts.update(&springs.contacts, motion, judged);
+        let tested = &mut self.forces[springs.len()..];
+        self.contacts.update(&springs.contacts, motion, tested);
     }
 
     fn evaluate_laws(&mut self, springs: &Springs) {
@@ -171,7 +171,7 @@ impl SpringState {
     }
 
     /// Of coordinate `place` of q (θ is 0, η_j is 1 + j) the largest single force projected on it, and the sum
-    /// of |force| over all that act on it: forces by which a step is judged, times how far a unit of the
+    /// of |force| over all that act on it: forces tested for convergence, times how far a unit of the
     /// coordinate moves where they act.
     pub(crate) fn projected(&self, springs: &Springs, place: usize) -> (f64, f64) {
         let (mut largest, mut sum) = (0.0, 0.0);

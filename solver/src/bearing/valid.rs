@@ -119,7 +119,7 @@ impl Measures {
     }
 }
 
-/// The worst values so far, and room for those of an instant.
+/// The worst values so far, and memory for those of an instant.
 pub(super) struct ValidityMonitor {
     worst: Vec<Option<Worst>>,
     values: Vec<f64>,

@@ -115,7 +115,7 @@ pub struct March<'m> {
     system: System<'m>,
     newton: Newton,
     state: State,
-    /// State at the start of the step, and room for the ends of its parts, one a halving.
+    /// State at the start of the step, and memory for the ends of its parts, one a halving.
     starts: Vec<State>,
     last_iterations: usize,
     tally: Tally,

@@ -1,4 +1,4 @@
-//! How far the rows of the equations are from solved, each judged by what stands in it.
+//! How far the rows of the equations are from solved, each compared with its own terms.
 
 use super::newmark::State;
 use super::newton::NewtonOptions;

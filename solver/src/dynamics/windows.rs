@@ -8,7 +8,7 @@ use crate::bearing::work::Flow;
 const SHORTEST: u64 = 64;
 /// Windows that are kept at most; then two and two become one.
 const MOST: usize = 256;
-/// Windows that are taken together: one of them is an eighth of the part of a march that is judged.
+/// Windows that are taken together: one of them is an eighth of the part of a march that is checked.
 const TOGETHER: usize = 8;
 
 /// Sums of [`Flow`] over windows of equal numbers of steps.

@@ -28,7 +28,7 @@ impl Stop {
         kinetic + 0.5 * self.spring * x * x + 0.5 * self.stiffness * depth * depth - self.force * x
     }
 
-    /// Marches, and looks at the energy that every step makes, by the potentials themselves.
+    /// Marches, and checks the energy that every step makes, by the potentials themselves.
     fn run(&self, machine: &Machine, options: &MarchOptions) -> History {
         let mut march = March::new(machine, options).unwrap_or_else(|bad| panic!("{}", bad.error));
         let at = |march: &March| [march.state().q[1], march.state().v[1]];

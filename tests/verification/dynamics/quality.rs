@@ -220,7 +220,7 @@ pub(super) static MOUNT: Formula = Formula {
 
 /// What a spring holds and what its dashpot turned into heat, as two numbers; by both kinds of law.
 #[test]
-fn stored_and_dissipated_energy_are_told_apart() {
+fn stored_and_dissipated_energy_are_distinguished() {
     for (law, around) in [(&DASHPOT, false), (&MOUNT, true)] {
         let shaft = Shaft::lumped(2.0, [0.0; 2], [0.0; 2], 0.0);
         let mut parts = parts(shaft, Support::rigid(&[]), Rotation::Held);

@@ -42,7 +42,7 @@ pub struct Read {
 /// Reads a mesh; `path` is used in messages only, `elements` are those that a cell may have.
 ///
 /// # Errors
-/// All that is wrong, each with line, column, and how to mend it.
+/// All that is wrong, each with line, column, and how to fix it.
 pub fn read(text: &str, path: &str, elements: &[&'static Element]) -> Result<Read, InputErrors> {
     read_open(text, path, elements, false)
 }

@@ -41,7 +41,7 @@ pub(super) fn audit(
     let mut before = rows(&machine, &pairs, 0.0, march.state());
     for step in 1..=options.steps {
         if let Err(error) = march.advance() {
-            // A step that cannot be solved is told, not accepted.
+            // A step that cannot be solved is reported, not accepted.
             panic!("{name}: {error}");
         }
         let t = step as f64 * options.time_step;
