@@ -36,7 +36,10 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         show.note(&match &from {
             Some(point) => format!("going on after step {}", point.march.step()),
             None => {
-                format!("nothing to go on from in {}: from the start", results.folder().display())
+                format!(
+                    "no checkpoint in {}: starting from the beginning",
+                    results.folder().display()
+                )
             }
         });
     }

@@ -33,9 +33,10 @@ impl Spec {
     pub(crate) fn read(source: &Arc<Source>) -> Result<Spec, Diagnostics> {
         let document = Document::parse(source);
         if document.is_toml() && !document.has_kind() {
-            let message = format!("`{}` is no spec: it has no `kind`", source.path.display());
+            let message =
+                format!("`{}` is not a spec file: it has no `kind`", source.path.display());
             let error = Diagnostic::new(source, Code::MISSING_KEY, None, message);
-            let help = "a spec says `kind = \"law\"`, `element`, `form`, `motion` or `clearance`; \
+            let help = "a spec file has `kind = \"law\"`, `element`, `form`, `motion` or `clearance`; \
                         for a case there is `whirl check`";
             return Err(error.help(help).into());
         }
@@ -159,7 +160,7 @@ pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>),
         several => {
             let paths: Vec<String> =
                 several.iter().map(|origin| format!("`{}`", origin.spec)).collect();
-            let help = format!("say which: {}", paths.join(" or "));
+            let help = format!("give its path: {}", paths.join(" or "));
             Err(unfound(name, format!("several specs are called `{name}`"), Some(help)))
         }
     }

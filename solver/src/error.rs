@@ -205,7 +205,7 @@ pub enum Error {
     #[error(
         "step {step} (t = {time:.6e} s) does not converge, even in parts of {time_step:.2e} s: after \
          {iterations} iterations the residual is {residual:.2e} and the largest change of a spring force \
-         {force_change:.2e} N; the largest share is that of {worst_dof}. A shorter time step or a law \
+         {force_change:.2e} N; the largest contribution is that of {worst_dof}. A shorter time step or a law \
          without jumps and steep slopes may help"
     )]
     NewtonDiverged {
@@ -221,7 +221,7 @@ pub enum Error {
         residual: f64,
         /// Largest change of a spring force in the last iteration (N).
         force_change: f64,
-        /// The coordinate with the largest share of the residual.
+        /// The coordinate that contributes most to the residual.
         worst_dof: String,
     },
     /// Linear algebra failed.

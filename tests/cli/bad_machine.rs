@@ -94,7 +94,7 @@ fn sets_are_looked_for_in_a_case_that_lacks_tables() {
         ("[shaft", "the table `[shaft]` is missing", &[bore]),
         ("[[support.", "", &[journal, bore]),
         ("[support", "the table `[support]` is missing", &[journal]),
-        ("[springs]", "`[bearing]` does not say `law`", &[journal, bore]),
+        ("[springs]", "`law` is missing in `[bearing]`", &[journal, bore]),
     ] {
         let kept = tables(&machine).into_iter().filter(|table| !table.starts_with(head));
         let kept: String =

@@ -135,7 +135,7 @@ impl LawSource {
         };
         let values = parameters::listed(&given);
         let named = |mut error: Diagnostic| {
-            error.message = format!("{} (with {values}, as the case says)", error.message);
+            error.message = format!("{} (with {values}, as set in the case)", error.message);
             error
         };
         let joined = |mut all: Diagnostics, error| {

@@ -151,7 +151,7 @@ fn around(table: &Reader, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rati
     };
     let (message, help) = if !law.source.parameters().iter().any(of) {
         let message = "a stop around the mass has no `gap` of its own: it is in its law";
-        let help = "leave `gap` out; or say in the law which of its parameters is the gap: \
+        let help = "leave `gap` out; or mark in the law which of its parameters is the gap: \
                     `bearing = \"radial_clearance\"`";
         (message, help)
     } else if gap.si() <= 0.0 {
@@ -186,9 +186,9 @@ fn fits(stop: &Reader, side: Side, law: &NamedLaw) {
             format!("`{}` is {}, not {}", law.name.text(), acts.called(), wanted.called());
         let help = match side {
             Side::Around => {
-                "say `side = \"above\"` or `\"below\"`, or name a law that gives F_x and F_y"
+                "write `side = \"above\"` or `\"below\"`, or name a law that gives F_x and F_y"
             }
-            _ => "say `side = \"around\"`, or name a law that gives Q",
+            _ => "write `side = \"around\"`, or name a law that gives Q",
         };
         stop.push(law.name.error_here(Code::BAD_VALUE, message).help(help));
     }

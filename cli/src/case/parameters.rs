@@ -259,7 +259,7 @@ pub(super) fn lacking(
         }
         let (name, key) = (&parameter.name, Keys { clearance: "radial_clearance" }.of(of));
         let message = format!(
-            "the law `{}` takes `{name}` from its bearing, whose {} nothing gives",
+            "the law `{}` takes `{name}` from its bearing, but nothing gives the {} of the bearing",
             law.name.text(),
             of.word().replace('_', " ")
         );

@@ -119,7 +119,7 @@ impl<'a> Reader<'a> {
 
     /// Notes that `key` is missing, and how to fix that.
     pub(crate) fn absent(&self, key: &'static str, help: &str) {
-        let message = format!("{} does not say `{key}`", self.called("the case"));
+        let message = format!("`{key}` is missing in {}", self.called("the case"));
         let error = self.place.error(Code::MISSING_KEY, message).help(help);
         self.missing.borrow_mut().push((key, error));
     }

@@ -101,7 +101,7 @@ impl FindingFacts {
             limit: asked as f64,
             unit: "steps".to_owned(),
             remedy:
-                "see `error`: a shorter `time_step` may pass, a law that gives no number never does"
+                "see `error`: a shorter `time_step` may pass, a law without a value there never will"
                     .to_owned(),
         }
     }

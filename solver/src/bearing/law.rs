@@ -176,7 +176,7 @@ fn kind(law: &dyn SpringLaw, kinds: &'static [Contact]) -> Result<&'static Conta
     };
     for name in &outputs {
         if !kinds.iter().any(|kind| has(kind.forces, name)) {
-            let what = format!("gives {name}, which is no force of a spring or of a ring");
+            let what = format!("gives {name}, which is not a force of a spring or of a ring");
             return Err(WrongLaw { what, help: known(name, all(|kind| kind.forces)) });
         }
     }

@@ -39,7 +39,7 @@ impl EnergyBalance {
         self.work_in - self.kinetic - self.strain - springs - self.dissipated
     }
 
-    /// The error as a share of the energy in play; 0 where it is 0.
+    /// The error as a fraction of the energy in play; 0 where it is 0.
     pub fn error_share(&self) -> f64 {
         let error = self.error().abs();
         if error == 0.0 { 0.0 } else { error / self.turnover }

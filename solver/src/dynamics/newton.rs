@@ -18,10 +18,10 @@ use crate::linalg::Lu;
 pub struct NewtonOptions {
     /// Largest change of a spring force in the last iteration, and largest force missing at a spring (N).
     pub force_tolerance: f64,
-    /// The same as a share of the largest spring force so far; the smaller of the two holds, so that a machine
+    /// The same as a fraction of the largest spring force so far; the smaller of the two holds, so that a machine
     /// of small forces is solved as well as a large one.
     pub force_share: f64,
-    /// Largest residual left in a row of the equations, as a share of the largest term of that row; see
+    /// Largest residual left in a row of the equations, as a fraction of the largest term of that row; see
     /// `System::row_error`.
     pub residual_tolerance: f64,
     /// Iterations after which a step counts as failed.
@@ -50,7 +50,7 @@ impl Default for NewtonOptions {
     }
 }
 
-/// Residual of a row, as a share of its largest term, at which it counts as solved.
+/// Residual of a row, as a fraction of its largest term, at which it counts as solved.
 const SOLVED: f64 = 5e-7;
 /// Worst contraction for which factors are kept.
 const CONTRACTION: f64 = 0.2;

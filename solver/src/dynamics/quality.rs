@@ -11,7 +11,7 @@ use crate::linalg::{Cholesky, Matrix, generalised_symmetric_eigen};
 /// What the steps of a march were worth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Quality {
-    /// Energy made at the springs of a bearing as a share of what flowed there, at the bearing and in the part of
+    /// Energy made at the springs of a bearing as a fraction of what flowed there, at the bearing and in the part of
     /// the march where it is largest; see `Windows::share`.
     pub energy_made_share: f64,
     /// The bearing where it is largest, counted from 0; none where no energy was made.
@@ -20,7 +20,7 @@ pub struct Quality {
     pub energy_made: f64,
     /// Energy that flowed into that bearing and out of it, summed without sign (J).
     pub energy_flowed: f64,
-    /// Local error of a step that 95 % of the steps stay below, as a share of the largest displacement, in
+    /// Local error of a step that 95 % of the steps stay below, as a fraction of the largest displacement, in
     /// the modes that the step resolves (ωΔt < 1), all in the norm of the mass matrix.
     pub local_error: f64,
     /// The largest local error: of the first 128 steps and of one in 32 after.

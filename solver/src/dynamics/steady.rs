@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Largest change of a signal over a cycle, as a share of its peak in a cycle: a force that passes through zero is
+/// Largest change of a signal over a cycle, as a fraction of its peak in a cycle: a force that passes through zero is
 /// not held against the little that it is there. Largest change of a peak after that, too.
 const CHANGE: f64 = 0.01;
 /// Signals whose peak is below this share of the largest one of their kind are held against that share instead.

@@ -153,7 +153,7 @@ impl BodyPlan {
             cells.filter(|(nodes, _)| inside(nodes[0], part)).map(|(_, &label)| label).collect();
         labels.sort_unstable();
         if labels.len() == mesh.cell_count() {
-            return format!("the cells around node {label} strain nothing when they move");
+            return format!("the cells around node {label} can move without strain");
         }
         let of_cell = |cell: &Cell| mesh.blocks()[cell.block].cells().nth(cell.cell).map(|n| n[0]);
         let node_sets = mesh
