@@ -42,7 +42,8 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
-    let _spinner = progress::spinner(progress::Show::on_terminal(), "reducing shaft and support");
+    let _spinner =
+        progress::spinner(progress::ProgressMode::on_terminal(), "reducing shaft and support");
     machine::build(&case, plan.as_ref(), arguments.cache.open().as_ref())?;
     Ok(text)
 }

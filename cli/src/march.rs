@@ -12,7 +12,7 @@ use crate::checkpoint::{self, Identity, Point};
 use crate::errors::Failure;
 use crate::history::{self, HistoryWriter, NotWritten};
 use crate::machine::Built;
-use crate::progress::{self, Show};
+use crate::progress::{self, ProgressMode};
 use crate::results::{CHECKPOINT, Results};
 use crate::signals::Interruption;
 use crate::streams;
@@ -65,7 +65,7 @@ pub(crate) fn march(
     (results, identity): (&mut Results, Identity),
     from: Option<Point>,
     interruption: &Interruption,
-    show: Show,
+    show: ProgressMode,
 ) -> Result<Marched, Failure> {
     let options = options(case, built);
     let names = History::for_machine(&built.machine).names().to_vec();

@@ -62,7 +62,7 @@ impl HistoryWriter {
     /// # Errors
     /// The file cannot be made or written.
     pub(crate) fn create(path: &Path, names: &[String]) -> io::Result<HistoryWriter> {
-        let mut lines = Lines::new(File::create(path)?, 0);
+        let mut lines = CsvLines::new(File::create(path)?, 0);
         lines.text.extend(text::head(names).into_bytes());
         lines.write()?;
         Ok(HistoryWriter::start(lines, names.len()))
@@ -76,10 +76,10 @@ impl HistoryWriter {
         let mut file = File::options().write(true).open(path)?;
         file.set_len(length)?;
         file.seek(SeekFrom::End(0))?;
-        Ok(HistoryWriter::start(Lines::new(file, length), columns))
+        Ok(HistoryWriter::start(CsvLines::new(file, length), columns))
     }
 
-    fn start(mut lines: Lines, columns: usize) -> HistoryWriter {
+    fn start(mut lines: CsvLines, columns: usize) -> HistoryWriter {
         let shared = Arc::<Shared>::default();
         let own = shared.clone();
         let thread = std::thread::spawn(move || {
@@ -143,16 +143,16 @@ impl Drop for HistoryWriter {
 }
 
 /// The file, and the lines that are to be written next.
-struct Lines {
+struct CsvLines {
     file: File,
     /// Bytes of whole lines in the file.
     length: u64,
     text: Vec<u8>,
 }
 
-impl Lines {
-    fn new(file: File, length: u64) -> Lines {
-        Lines { file, length, text: Vec::new() }
+impl CsvLines {
+    fn new(file: File, length: u64) -> CsvLines {
+        CsvLines { file, length, text: Vec::new() }
     }
 
     fn serve(&mut self, shared: &Shared, columns: usize) {
@@ -291,7 +291,7 @@ mod tests {
     #[test]
     fn a_full_disk_stops_the_march() {
         let file = File::options().write(true).open("/dev/full").unwrap();
-        let mut writer = HistoryWriter::start(Lines::new(file, 0), 2);
+        let mut writer = HistoryWriter::start(CsvLines::new(file, 0), 2);
         let patience = std::time::Instant::now();
         let error = loop {
             assert!(patience.elapsed() < Duration::from_secs(20), "the error is noticed");

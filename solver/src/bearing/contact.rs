@@ -381,14 +381,17 @@ impl ContactsState {
             let ring_force = self.plane_force(place);
             *theta += ring_force[0];
             for (row, value) in plane.eccentricity.iter().zip(&ring_force[1..]) {
-                row.iter().for_each(|&(j, share)| eta[j] += share * value);
+                row.iter().for_each(|&(j, coefficient)| eta[j] += coefficient * value);
             }
             for (row, forces) in plane.motions.iter().zip(own.bore_force.chunks(plane.count.max(1)))
             {
                 let Some(row) = *row else { continue };
                 for (j, &force) in forces.iter().enumerate().filter(|(_, force)| **force != 0.0) {
                     let column = contacts.bore_transposed.col(row + j);
-                    support.iter_mut().zip(column).for_each(|(sum, share)| *sum += share * force);
+                    support
+                        .iter_mut()
+                        .zip(column)
+                        .for_each(|(sum, coefficient)| *sum += coefficient * force);
                 }
             }
         }

@@ -163,7 +163,7 @@ impl SpringState {
         for (plane, force) in springs.planes.iter().zip(&self.plane_force) {
             *theta += force[0];
             for (row, value) in plane.eccentricity.iter().zip(&force[1..]) {
-                row.iter().for_each(|&(j, share)| eta[j] += share * value);
+                row.iter().for_each(|&(j, coefficient)| eta[j] += coefficient * value);
             }
         }
         add_product(support, &springs.bore_transposed, &self.spring_force);
@@ -183,7 +183,10 @@ impl SpringState {
         let first = 1 + springs.shaft_size;
         if place >= first {
             let column = springs.bore.col(place - first);
-            column.iter().zip(quick).for_each(|(share, force)| add((share * force).abs()));
+            column
+                .iter()
+                .zip(quick)
+                .for_each(|(coefficient, force)| add((coefficient * force).abs()));
             self.contacts.projected_on_support(&springs.contacts, place - first, &mut add);
             return (largest, sum);
         }
@@ -239,7 +242,7 @@ impl SpringState {
 
 /// Σ coefficient · x.
 pub(crate) fn along(row: &[(usize, f64)], x: &[f64]) -> f64 {
-    row.iter().map(|&(j, share)| share * x[j]).sum()
+    row.iter().map(|&(j, coefficient)| coefficient * x[j]).sum()
 }
 
 /// y = A x.

@@ -40,7 +40,7 @@ impl EnergyBalance {
     }
 
     /// The error as a fraction of the energy in play; 0 where it is 0.
-    pub fn error_share(&self) -> f64 {
+    pub fn error_fraction(&self) -> f64 {
         let error = self.error().abs();
         if error == 0.0 { 0.0 } else { error / self.turnover }
     }

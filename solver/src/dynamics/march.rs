@@ -6,7 +6,7 @@ use super::checkpoint::{Checkpoint, Tally};
 use super::energy::EnergyBalance;
 use super::meters::Meters;
 use super::newmark::{Coefficients, Newmark, State};
-use super::newton::{Ending, Newton, NewtonOptions, Report};
+use super::newton::{Ending, Newton, NewtonOptions, StepReport};
 use super::quality::Quality;
 use super::row::{displacements, write_row};
 use super::steady::{SteadyState, SteadyTest};
@@ -279,7 +279,7 @@ impl<'m> March<'m> {
         solved
     }
 
-    fn diverged(&self, time: f64, dt: f64, report: &Report) -> Error {
+    fn diverged(&self, time: f64, dt: f64, report: &StepReport) -> Error {
         if let Some((law, bearing)) = self.system.springs.without_value(&self.machine.springs) {
             let step = self.tally.step + 1;
             return Error::NoForce { step, time, law, bearing: bearing + 1 };

@@ -20,7 +20,7 @@ pub struct NewtonOptions {
     pub force_tolerance: f64,
     /// The same as a fraction of the largest spring force so far; the smaller of the two holds, so that a machine
     /// of small forces is solved as well as a large one.
-    pub force_share: f64,
+    pub relative_force_tolerance: f64,
     /// Largest residual left in a row of the equations, as a fraction of the largest term of that row; see
     /// `System::row_error`.
     pub residual_tolerance: f64,
@@ -40,7 +40,7 @@ impl Default for NewtonOptions {
     fn default() -> Self {
         NewtonOptions {
             force_tolerance: 1e-3,
-            force_share: 1e-5,
+            relative_force_tolerance: 1e-5,
             residual_tolerance: SOLVED,
             max_iterations: 40,
             keep_factors: true,
@@ -73,7 +73,7 @@ pub(crate) enum Ending {
 
 /// What happened in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Report {
+pub(crate) struct StepReport {
     pub(crate) ending: Ending,
     pub(crate) iterations: usize,
     /// √(2φ) at the end.
@@ -86,7 +86,7 @@ pub(crate) struct Report {
 
 /// What the iteration keeps over steps, but its factors: enough to make them again with the same bits.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Kept {
+pub(crate) struct NewtonState {
     /// Time (s), state and released loads at which [AK] was factored.
     time: f64,
     state: State,
@@ -107,7 +107,7 @@ pub(crate) struct Newton {
     lu: Lu,
     /// [AK] of all coordinates, where not all are unknown.
     whole: Vec<f64>,
-    kept: Kept,
+    kept: NewtonState,
     /// 1/s.
     weights: Vec<f64>,
     weights_dt: f64,
@@ -131,7 +131,7 @@ impl Newton {
             first,
             lu: Lu::new(unknowns),
             whole: vec![0.0; if first > 0 { size * size } else { 0 }],
-            kept: Kept {
+            kept: NewtonState {
                 time: 0.0,
                 state: State::new(size),
                 released: vec![false; machine.loads.len()],
@@ -151,12 +151,12 @@ impl Newton {
     }
 
     /// What is kept over steps.
-    pub(crate) fn kept(&self) -> &Kept {
+    pub(crate) fn kept(&self) -> &NewtonState {
         &self.kept
     }
 
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
-    pub(crate) fn go_on_from(&mut self, system: &mut System, method: Newmark, kept: Kept) {
+    pub(crate) fn go_on_from(&mut self, system: &mut System, method: Newmark, kept: NewtonState) {
         if kept.dt > 0.0 {
             system.released.copy_from_slice(&kept.released);
             system.evaluate(kept.time, &kept.state);
@@ -173,7 +173,7 @@ impl Newton {
         t: f64,
         step: &Coefficients,
         end: &mut State,
-    ) -> Report {
+    ) -> StepReport {
         self.weigh(system, step);
         self.predicted.copy_from(end);
         self.trial.copy_from(end);
@@ -217,8 +217,8 @@ impl Newton {
             let (change, largest) = self.force_change(system);
             force_change = change;
             let most = f64::max(self.kept.largest_force, largest);
-            let share = self.options.force_share * most;
-            let force_tolerance = f64::min(self.options.force_tolerance, share);
+            let relative = self.options.relative_force_tolerance * most;
+            let force_tolerance = f64::min(self.options.force_tolerance, relative);
             let at_rest = change <= force_tolerance + FORCE_ROUNDING * largest;
             if length == 1.0 && at_rest {
                 let options = NewtonOptions { force_tolerance, ..self.options };
@@ -227,7 +227,13 @@ impl Newton {
                     self.kept.largest_force = most;
                     let ending = Ending::Converged;
                     let iterations = iteration;
-                    return Report { ending, iterations, residual: norm, force_change, row_error };
+                    return StepReport {
+                        ending,
+                        iterations,
+                        residual: norm,
+                        force_change,
+                        row_error,
+                    };
                 }
             }
             let size = self.length();
@@ -341,16 +347,16 @@ impl Newton {
         parts.map(|(x, w)| x * x / w).sum::<f64>().sqrt()
     }
 
-    fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> Report {
+    fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> StepReport {
         self.kept.dt = 0.0;
         let row_error = f64::INFINITY;
-        Report { ending: Ending::Failed, iterations, residual, force_change, row_error }
+        StepReport { ending: Ending::Failed, iterations, residual, force_change, row_error }
     }
 
-    /// The coordinate with the largest share in φ.
+    /// The coordinate that contributes most to φ.
     pub(crate) fn worst(&self, residual: &[f64]) -> usize {
-        let shares = residual[self.first..].iter().zip(&self.weights).map(|(x, w)| x * x * w);
-        let worst = shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        let terms = residual[self.first..].iter().zip(&self.weights).map(|(x, w)| x * x * w);
+        let worst = terms.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         self.first + worst.map_or(0, |(place, _)| place)
     }
 }
@@ -417,7 +423,7 @@ mod tests {
     }
 
     #[test]
-    fn the_worst_coordinate_has_the_largest_share_in_the_merit() {
+    fn the_worst_coordinate_has_the_largest_part_of_the_merit() {
         let machine = machine(Rotation::Held);
         let system = System::new(&machine);
         let mut newton = Newton::new(NewtonOptions::default(), &system);

@@ -14,7 +14,7 @@ pub struct Finding {
     pub value: f64,
     /// How much it may be.
     pub limit: f64,
-    /// Unit of value and limit; `1` for a share.
+    /// Unit of value and limit; `1` for a fraction.
     pub unit: String,
     /// What to do about it.
     pub remedy: String,
@@ -27,7 +27,7 @@ const ENERGY_MADE: f64 = 0.05;
 /// is wrong by (ωΔt)²/12: 1 % at this limit.
 const LOCAL_ERROR: f64 = 3.5e-3;
 /// Motion in a step in modes with ωΔt ≥ 1, as a fraction of the largest displacement. A mode that rings with the
-/// share s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
+/// fraction s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
 const UNRESOLVED_MOTION: f64 = 0.3;
 /// What does not balance, as a fraction of the energy in play: the limit of what steps may make at the bearings.
 const ENERGY_ERROR: f64 = 0.05;
@@ -67,7 +67,7 @@ pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Ve
         (
             "error of the energy balance, as a fraction of the energy in play",
             None,
-            energy.error_share(),
+            energy.error_fraction(),
             ENERGY_ERROR,
             0.5 * time_step,
         ),
@@ -112,9 +112,9 @@ mod tests {
         mode_step: Some(1e-9),
     };
 
-    /// Out of balance by a share of 100 J.
-    fn balance(share: f64) -> EnergyBalance {
-        EnergyBalance { work_in: 100.0 * share, turnover: 100.0, ..EnergyBalance::default() }
+    /// Out of balance by a fraction of 100 J.
+    fn balance(fraction: f64) -> EnergyBalance {
+        EnergyBalance { work_in: 100.0 * fraction, turnover: 100.0, ..EnergyBalance::default() }
     }
 
     fn found(quality: Quality) -> Finding {

@@ -224,7 +224,7 @@ fn factors_that_contract_badly_are_made_anew() {
 fn a_shortened_iteration_does_not_end_a_step() {
     let wide = NewtonOptions {
         force_tolerance: 1e4,
-        force_share: f64::INFINITY,
+        relative_force_tolerance: f64::INFINITY,
         residual_tolerance: 4.0,
         max_halvings: 0,
         ..NewtonOptions::default()
