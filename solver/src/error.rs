@@ -115,7 +115,7 @@ pub enum Error {
         /// How many in all.
         count: usize,
     },
-    /// A dimension of a made mesh cannot be.
+    /// A dimension of a generated mesh cannot be.
     #[error("{dimension} = {value} {what}: {help}")]
     Dimension {
         /// Name of the dimension, such as `bore_radius`.

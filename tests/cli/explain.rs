@@ -166,10 +166,10 @@ fn tables_of(path: &Path) -> Workbench {
     })
 }
 
-/// The Rust of a file that is not built in is what a build would make of it: that of the same built-in file, but for the
+/// The Rust of a file that is not built in is what a build would generate from it: that of the same built-in file, but for the
 /// file's text and the hash.
 #[test]
-fn the_rust_of_ones_own_spec_is_what_a_build_would_make() {
+fn the_rust_of_ones_own_spec_is_what_a_build_would_generate() {
     let mut seen = BTreeSet::new();
     for (path, kind, name) in &enough() {
         let file = path.file_name().expect("a name").to_string_lossy().into_owned();
@@ -181,15 +181,15 @@ fn the_rust_of_ones_own_spec_is_what_a_build_would_make() {
         if kind == "form" || kind == "element" {
             // Each function as it stands in its own module or in that of an element that has it, too.
             let element = bench.whirl(&["explain", "hex8", "--rust"]).stdout;
-            let made = made_functions(&outcome.stdout);
+            let made = public_functions(&outcome.stdout);
             assert!(!made.is_empty(), "{name}");
             match kind.as_str() {
                 // Those of these forms alone.
                 "form" => {
-                    let of_element = made_functions(&element);
+                    let of_element = public_functions(&element);
                     assert!(!of_element.iter().all(|own| made.contains(own)), "{name}");
                 }
-                _ => assert_eq!(made.len(), made_functions(&original.stdout).len(), "{name}"),
+                _ => assert_eq!(made.len(), public_functions(&original.stdout).len(), "{name}"),
             }
             let known = |made: &String| original.stdout.contains(made) || element.contains(made);
             let differ: Vec<&String> = made.iter().filter(|made| !known(made)).collect();
@@ -207,7 +207,7 @@ fn the_rust_of_ones_own_spec_is_what_a_build_would_make() {
 }
 
 /// The texts of the public functions, from `pub fn` to the brace at their margin.
-fn made_functions(module: &str) -> Vec<String> {
+fn public_functions(module: &str) -> Vec<String> {
     let starts = module.match_indices("\n    pub fn ").map(|(start, _)| &module[start..]);
     starts.filter_map(|text| Some(text[..text.find("\n    }\n")?].to_string())).collect()
 }

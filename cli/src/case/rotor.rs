@@ -65,7 +65,7 @@ impl<D> Mesh<D> {
     pub fn place(&self) -> Located {
         match self {
             Mesh::File(file) => file.name.clone(),
-            Mesh::Generated(made) => made.table.clone(),
+            Mesh::Generated(generated) => generated.table.clone(),
         }
     }
 }

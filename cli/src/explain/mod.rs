@@ -1,4 +1,4 @@
-//! `whirl explain`: what a spec says, what follows from it, and where the code made from it lies.
+//! `whirl explain`: what a spec says, what follows from it, and where its generated code lies.
 
 mod clearance;
 mod element;
@@ -23,7 +23,7 @@ use crate::figures;
 use crate::output::Output;
 use crate::spec_file::{self, Spec};
 
-/// The page of a spec, or the Rust made from it; writes its figure where one is asked for.
+/// The page of a spec, or the Rust generated from it; writes its figure where one is asked for.
 ///
 /// # Errors
 /// Nothing is called so; whatever is wrong with the spec; a figure of something that is no law, or that

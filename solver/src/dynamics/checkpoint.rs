@@ -26,7 +26,7 @@ pub struct Checkpoint {
     pub(super) time: f64,
     /// Which driving loads have stopped.
     pub(super) released: Vec<bool>,
-    /// Where the factors that are kept were made.
+    /// Where the factors that are kept were computed.
     pub(super) newton: NewtonState,
     pub(super) meters: MeterSums,
     /// Of the measures by which the laws may be believed.

@@ -175,11 +175,11 @@ impl<'m> March<'m> {
         let Checkpoint { state, time, released, newton, meters, worst, tally } = from;
         let mut march = March::new(machine, options).map_err(|failure| failure.error)?;
         let system = &mut march.system;
-        march.newton.go_on_from(system, options.newmark, newton);
+        march.newton.resume_from(system, options.newmark, newton);
         system.released = released;
         system.evaluate(time, &state);
         system.springs.resume(&worst);
-        march.meters.go_on_from(system, meters);
+        march.meters.resume_from(system, meters);
         (march.state, march.tally) = (state, tally);
         Ok(march)
     }

@@ -26,7 +26,7 @@ pub struct NewtonOptions {
     pub residual_tolerance: f64,
     /// Iterations after which a step counts as failed.
     pub max_iterations: usize,
-    /// Whether factors are kept while they contract, or made anew in every iteration. Kept ones take more
+    /// Whether factors are kept while they contract, or recomputed in every iteration. Kept ones take more
     /// iterations (in oil films 9 a step where new ones take 3), each much cheaper than factoring.
     pub keep_factors: bool,
     /// Whether steps that do not lessen φ are shortened. Without it this is the plain method, which can
@@ -84,7 +84,7 @@ pub(crate) struct StepReport {
     pub(crate) row_error: f64,
 }
 
-/// What the iteration keeps over steps, but its factors: enough to make them again with the same bits.
+/// What the iteration keeps over steps, but its factors: enough to compute them again with the same bits.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct NewtonState {
     /// Time (s), state and released loads at which [AK] was factored.
@@ -156,7 +156,7 @@ impl Newton {
     }
 
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
-    pub(crate) fn go_on_from(&mut self, system: &mut System, method: Newmark, kept: NewtonState) {
+    pub(crate) fn resume_from(&mut self, system: &mut System, method: Newmark, kept: NewtonState) {
         if kept.dt > 0.0 {
             system.released.copy_from_slice(&kept.released);
             system.evaluate(kept.time, &kept.state);
@@ -198,7 +198,7 @@ impl Newton {
                 match self.search(system, t, step, norm, fresh) {
                     Some(found) => break found,
                     None if !fresh => {
-                        // Kept factors promise nothing: make them at this state and try again.
+                        // Kept factors promise nothing: compute them at this state and try again.
                         system.evaluate(t, end);
                         if !self.factor(system, t, end, step) {
                             return self.failed(iteration, norm, force_change);

@@ -128,7 +128,7 @@ impl QualityMeter {
         }
     }
 
-    /// What the steps so far were worth; less energy than `negligible` (J) is held against that.
+    /// What the steps so far were worth; an energy below `negligible` (J) counts as that.
     pub(crate) fn quality(&self, system: &mut System, flows: &Windows, negligible: f64) -> Quality {
         let sums = &self.sums;
         let fraction =

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// Largest change of a signal over a cycle, as a fraction of its peak in a cycle: a force that passes through zero is
 /// not held against the little that it is there. Largest change of a peak after that, too.
 const CHANGE: f64 = 0.01;
-/// Signals whose peak is below this fraction of the largest one of their kind are held against that fraction instead.
+/// Signals whose peak is below this fraction of the largest one of their kind are compared with that fraction instead.
 const FLOOR: f64 = 0.01;
 
 /// Once the steady state is reached, one sample in so many is compared.

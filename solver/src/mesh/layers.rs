@@ -1,4 +1,4 @@
-//! What made meshes share: checked dimensions, and planes along z refined at supports.
+//! What generated meshes share: checked dimensions, and planes along z refined at supports.
 
 use whirl_specs::Element;
 
@@ -29,7 +29,7 @@ pub(super) fn length(metres: f64) -> String {
     format!("{rounded} mm")
 }
 
-/// Most cells of a made mesh: far more than a march has use for, and less than a gigabyte.
+/// Most cells of a generated mesh: far more than a march has use for, and less than a gigabyte.
 const MOST_CELLS: usize = 1_000_000;
 
 /// Every length positive and finite.

@@ -205,7 +205,7 @@ fn softening() -> Machine {
 /// Factors of [AK] with a spring that has yielded since contract by 15/(15 + 10) = 0.6 an iteration: too
 /// little to be kept. Made anew they solve the step, for the residual is linear from there on.
 #[test]
-fn factors_that_contract_badly_are_made_anew() {
+fn factors_that_contract_badly_are_recomputed() {
     let machine = softening();
     let mut options = options(1e-3, 20);
     options.newton = NewtonOptions::default();

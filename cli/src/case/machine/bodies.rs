@@ -92,13 +92,13 @@ fn mesh<D>(
                 table.absent("material", "a mesh made from dimensions needs `material = \"…\"`");
             }
             // Read without a material too, for the same reason.
-            let made = make(&dimensions, material.cloned().unwrap_or_else(no_material));
+            let generated = make(&dimensions, material.cloned().unwrap_or_else(no_material));
             let (place, places) = (dimensions.place().text(""), dimensions.places());
             drop(dimensions);
             // Of dimensions that are wrong, nothing is made.
             let right = table.errors() == before && material.is_some();
             right.then_some(Mesh::Generated(GeneratedMesh {
-                dimensions: made,
+                dimensions: generated,
                 table: place,
                 places,
             }))

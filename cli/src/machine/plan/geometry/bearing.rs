@@ -14,7 +14,7 @@ use crate::case;
 
 /// The axes of journal and bore are apart by at most this part of the clearance, which knows nothing of it.
 const AXES: f64 = 0.01;
-/// To this part the radius of a made shaft's section is known: see `mesh::shaft`.
+/// To this part the radius of a generated shaft's section is known: see `mesh::shaft`.
 const SECTION_DIGITS: f64 = 2e-4;
 
 /// Notes whatever in a bearing does not fit together.
