@@ -182,12 +182,12 @@ fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {
 
 /// Each law once, in the order in which the case first names them.
 fn say_laws(text: &mut String, laws: &[LawSource]) {
-    let mut said: Vec<String> = Vec::new();
+    let mut listed: Vec<String> = Vec::new();
     for law in laws {
-        if said.contains(&law.name()) {
+        if listed.contains(&law.name()) {
             continue;
         }
-        said.push(law.name());
+        listed.push(law.name());
         let spec = law.spec();
         line(text, format_args!("\nlaw {}: {}", law.name(), spec.title));
         text.push_str(&spec.report.to_string());

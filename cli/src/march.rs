@@ -195,8 +195,8 @@ impl<'r> Recorder<'r> {
     /// Writes what is left. A march without a first step leaves the names of its columns.
     fn finish(mut self) -> Result<(), NotWritten> {
         self.writer()?;
-        let unkept = self.writer.take().map_or(Ok(None), HistoryWriter::finish)?;
-        if let Some(reason) = unkept {
+        let checkpoint_error = self.writer.take().map_or(Ok(None), HistoryWriter::finish)?;
+        if let Some(reason) = checkpoint_error {
             streams::warn(format_args!("cannot write `{}`: {reason}", self.path.display()));
         }
         Ok(())

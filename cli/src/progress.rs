@@ -222,8 +222,8 @@ mod tests {
 
     #[test]
     fn lines_say_how_far_and_how_long() {
-        let said = line((3_000, 12_000, 1_000), 0.25, Duration::from_secs(20));
-        assert_eq!(said, "step 3000 of 12000 (25.0 %), t = 0.250000 s, about 1 min 30 s left");
+        let text = line((3_000, 12_000, 1_000), 0.25, Duration::from_secs(20));
+        assert_eq!(text, "step 3000 of 12000 (25.0 %), t = 0.250000 s, about 1 min 30 s left");
         let none = line((1_000, 12_000, 1_000), 0.0, Duration::from_secs(20));
         assert_eq!(none, "step 1000 of 12000 (8.3 %), t = 0.000000 s");
         assert_eq!(words(Duration::from_secs(7300)), "2 h 1 min");

@@ -96,7 +96,7 @@ fn report(
             closing_words = match show {
                 ProgressMode::Nothing if summary.verdict.sound => None,
                 ProgressMode::Nothing => {
-                    streams::complain(&summary.verdict.words());
+                    streams::print_error(&summary.verdict.words());
                     None
                 }
                 _ => Some(closing(case, &summary, time, results.folder())),
@@ -108,8 +108,8 @@ fn report(
     if over {
         results.forget_checkpoint();
     }
-    let said = closing_words.map_or(Ok(()), |words| streams::say(&words));
-    let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return said };
+    let printed = closing_words.map_or(Ok(()), |words| streams::say(&words));
+    let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return printed };
     problems.iter().filter(|problem| **problem != reason).for_each(streams::warn);
     let goes_on = results.path(CHECKPOINT).exists();
     Err(Failure::Unfinished {

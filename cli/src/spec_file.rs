@@ -139,7 +139,7 @@ pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>),
     let path = Path::new(name);
     if path.is_file() {
         let text = fs::read_to_string(path)
-            .map_err(|error| unfound(name, format!("cannot read `{name}`: {error}"), None))?;
+            .map_err(|error| not_found(name, format!("cannot read `{name}`: {error}"), None))?;
         let built_in_file = built_in().find(|origin| origin.text == text);
         return Ok((Source::new(path, text), built_in_file));
     }
@@ -155,18 +155,18 @@ pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>),
                 format!("there is no file `{name}` and no built-in spec of this name")
             };
             let names: Vec<&str> = built_in().map(|origin| origin.name).collect();
-            Err(unfound(name, message, suggest(name, &names)))
+            Err(not_found(name, message, suggest(name, &names)))
         }
         several => {
             let paths: Vec<String> =
                 several.iter().map(|origin| format!("`{}`", origin.spec)).collect();
             let help = format!("give its path: {}", paths.join(" or "));
-            Err(unfound(name, format!("several specs are called `{name}`"), Some(help)))
+            Err(not_found(name, format!("several specs are called `{name}`"), Some(help)))
         }
     }
 }
 
-fn unfound(name: &str, message: String, help: Option<String>) -> Diagnostics {
+fn not_found(name: &str, message: String, help: Option<String>) -> Diagnostics {
     let source = Source::new(name, "");
     Diagnostic::new(&source, Code::BAD_VALUE, None, message).maybe_help(help).into()
 }

@@ -1,4 +1,4 @@
-//! EX and EY of the reference machine are what laws see, on made and on read meshes: a law F = −k e knows
+//! EX and EY of the reference machine are what laws see, on generated and on read meshes: a law F = −k e knows
 //! the answer.
 
 use std::fs;

@@ -47,7 +47,7 @@ struct Queue {
     done: bool,
     failed: Option<NotWritten>,
     /// The first error of a resumable point; rows are worth more than it.
-    unkept: Option<String>,
+    checkpoint_error: Option<String>,
 }
 
 impl Shared {
@@ -124,7 +124,7 @@ impl HistoryWriter {
     pub(crate) fn finish(mut self) -> Result<Option<String>, NotWritten> {
         self.end();
         let mut queue = self.shared.queue();
-        queue.failed.take().map_or(Ok(queue.unkept.take()), Err)
+        queue.failed.take().map_or(Ok(queue.checkpoint_error.take()), Err)
     }
 
     fn end(&mut self) {
@@ -169,9 +169,9 @@ impl CsvLines {
             let before = resumable.as_ref().map_or(0, |(before, _)| *before);
             let mut written = self.rows(&values[..before], columns);
             if let (Ok(()), Some((_, make))) = (&written, resumable) {
-                let unkept = self.make_point(make).err().map(|error| error.to_string());
+                let checkpoint_error = self.make_point(make).err().map(|error| error.to_string());
                 let mut queue = shared.queue();
-                queue.unkept = queue.unkept.take().or(unkept);
+                queue.checkpoint_error = queue.checkpoint_error.take().or(checkpoint_error);
             }
             written = written.and_then(|()| self.rows(&values[before..], columns));
             values.clear();

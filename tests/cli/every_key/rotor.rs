@@ -253,7 +253,7 @@ fn a_generated_rotor_is_what_its_case_says() {
     agrees(&results.history, &machine.march());
     results.sums_up(1.0 / 450.0);
     let facts = &results.summary["case"];
-    assert_eq!(facts["title"], "every key of a made rotor");
+    assert_eq!(facts["title"], "every key of a generated rotor");
     assert_eq!(facts["source"], "a test");
     for (figure, number) in
         [("laws", 71), ("reactions", 72), ("eccentricity", 73), ("rotation", 74)]

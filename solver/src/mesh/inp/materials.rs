@@ -127,7 +127,7 @@ fn check(material: &RawMaterial, report: &mut MeshReport) {
             report.error(material.place, format!("material {name} has no *{keyword}"), help);
         }
     }
-    for doubt in material.material().doubts() {
+    for doubt in material.material().implausible_properties() {
         if let Some(&(_, place)) = material.values.get(doubt.symbol) {
             report.error(place, doubt.what, doubt.help);
         }

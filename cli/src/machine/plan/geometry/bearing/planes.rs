@@ -126,7 +126,7 @@ impl Comparison<'_, '_> {
         let mut found: Vec<Diagnostic> = Vec::new();
         for (place, &z) in stations.iter().enumerate() {
             let key = format!("stations[{place}]");
-            let at = self.said(&key);
+            let at = self.place_of(&key);
             let apart = (left - z).max(z - right);
             if apart > BEYOND * length {
                 let message = format!(
@@ -161,7 +161,7 @@ impl Comparison<'_, '_> {
                 mm(z)
             );
             let help = format!("write `stations = [\"{}\"]`, or correct the sets", mm(z));
-            self.note(&self.said("stations[0]"), message, help);
+            self.note(&self.place_of("stations[0]"), message, help);
         }
     }
 }
