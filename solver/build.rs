@@ -1,4 +1,4 @@
-//! Tells the cache which program it is: a hash of the sources from which bodies are reduced.
+//! Identifies the program to the cache: a hash of the sources from which bodies are reduced.
 
 include!("sources.rs");
 

@@ -19,9 +19,9 @@ pub struct Arguments {
 pub enum Command {
     /// March a case in time and write its history, summary and figures
     Run(RunArguments),
-    /// Say what a case would run, or what is known of a spec, and whether anything is wrong with it
+    /// Check a case or spec file: report what it would run, or what is known of it, and every error
     Check(CheckArguments),
-    /// Say what a spec says and what follows from it: equations, shapes, costs, report, plot, code
+    /// Show what a spec defines and what follows from it: equations, shapes, costs, report, plot, code
     Explain(ExplainArguments),
     /// Write a commented file to start from: a law, an element or a case
     New(NewArguments),
@@ -42,10 +42,10 @@ pub struct RunArguments {
     /// Write no figures
     #[arg(long)]
     pub no_figures: bool,
-    /// Go on from where a run into the same folder was interrupted
+    /// Resume an interrupted run in the same folder
     #[arg(long)]
     pub resume: bool,
-    /// Say nothing but warnings and errors
+    /// Print only warnings and errors
     #[arg(long)]
     pub quiet: bool,
     /// Where reduced machines are kept

@@ -42,7 +42,8 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
-    let _spinner = progress::spinner(progress::Show::on_terminal(), "reducing shaft and support");
+    let _spinner =
+        progress::spinner(progress::ProgressMode::on_terminal(), "reducing shaft and support");
     machine::build(&case, plan.as_ref(), arguments.cache.open().as_ref())?;
     Ok(text)
 }
@@ -89,13 +90,16 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
     line(text, format_args!("motion: {}", rotor.shaft.motion.origin.title));
     for load in &rotor.loads {
         let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
-        let course = match load.frequency {
+        let time_function = match load.frequency {
             Some(frequency) => format!("sine of {frequency} Hz"),
             None => "constant".to_string(),
         };
         let direction = ["x", "y"][load.direction];
         let at = sets.join(", ");
-        line(text, format_args!("load: {} N along {direction} at {at}, {course}", load.force));
+        line(
+            text,
+            format_args!("load: {} N along {direction} at {at}, {time_function}", load.force),
+        );
     }
     for (k, bearing) in rotor.bearings.iter().enumerate() {
         line(
@@ -178,12 +182,12 @@ fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {
 
 /// Each law once, in the order in which the case first names them.
 fn say_laws(text: &mut String, laws: &[LawSource]) {
-    let mut said: Vec<String> = Vec::new();
+    let mut listed: Vec<String> = Vec::new();
     for law in laws {
-        if said.contains(&law.name()) {
+        if listed.contains(&law.name()) {
             continue;
         }
-        said.push(law.name());
+        listed.push(law.name());
         let spec = law.spec();
         line(text, format_args!("\nlaw {}: {}", law.name(), spec.title));
         text.push_str(&spec.report.to_string());
@@ -203,7 +207,7 @@ fn say_march(text: &mut String, case: &Case) {
         ),
     );
     if march.steady_cycle().is_none() {
-        line(text, format_args!("shorter than two cycles: no steady state is looked for"));
+        line(text, format_args!("shorter than two cycles: not checked for a steady state"));
     }
     if march.output_every > 1 {
         line(text, format_args!("a row of the history every {} steps", march.output_every));

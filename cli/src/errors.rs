@@ -45,7 +45,7 @@ pub enum Failure {
         /// What differs.
         differs: Vec<String>,
     },
-    /// A run that is to be resumed and has left nothing to go on from.
+    /// A run that is to be resumed and has left no checkpoint.
     #[error("the run in `{}` cannot be resumed: {reason}", folder.display())]
     NothingToResume {
         /// Its folder.
@@ -72,7 +72,7 @@ impl From<Diagnostics> for Failure {
 }
 
 impl Failure {
-    /// Exit status: 1 for a run that could not be finished and for words that nobody got, 2 for bad input.
+    /// Exit status: 1 for a run that could not be finished and for output that could not be written, 2 for bad input.
     pub fn status(&self) -> ExitCode {
         match self {
             Failure::Unfinished { .. } | Failure::StandardOutput { .. } => ExitCode::from(1),

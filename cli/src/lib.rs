@@ -31,7 +31,7 @@ use whirl_solver::machine::MachineParts;
 
 use arguments::{Arguments, Command};
 use errors::Failure;
-use streams::{complain, say};
+use streams::{print_error, say};
 
 /// Does what the command line asks for, and says which exit status that gives: 0 done, 1 begun and not finished or
 /// not written to standard output, 2 bad input.
@@ -47,13 +47,13 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            complain(&failure.report());
+            print_error(&failure.report());
             failure.status()
         }
     }
 }
 
-/// Looks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does
+/// Checks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does
 /// first. `case`: a path or the name of a built-in case.
 ///
 /// # Errors

@@ -12,7 +12,7 @@ use crate::checkpoint::{self, Identity, Point};
 use crate::errors::Failure;
 use crate::history::{self, HistoryWriter, NotWritten};
 use crate::machine::Built;
-use crate::progress::{self, Show};
+use crate::progress::{self, ProgressMode};
 use crate::results::{CHECKPOINT, Results};
 use crate::signals::Interruption;
 use crate::streams;
@@ -65,7 +65,7 @@ pub(crate) fn march(
     (results, identity): (&mut Results, Identity),
     from: Option<Point>,
     interruption: &Interruption,
-    show: Show,
+    show: ProgressMode,
 ) -> Result<Marched, Failure> {
     let options = options(case, built);
     let names = History::for_machine(&built.machine).names().to_vec();
@@ -195,8 +195,8 @@ impl<'r> Recorder<'r> {
     /// Writes what is left. A march without a first step leaves the names of its columns.
     fn finish(mut self) -> Result<(), NotWritten> {
         self.writer()?;
-        let unkept = self.writer.take().map_or(Ok(None), HistoryWriter::finish)?;
-        if let Some(reason) = unkept {
+        let checkpoint_error = self.writer.take().map_or(Ok(None), HistoryWriter::finish)?;
+        if let Some(reason) = checkpoint_error {
             streams::warn(format_args!("cannot write `{}`: {reason}", self.path.display()));
         }
         Ok(())

@@ -11,8 +11,8 @@ use crate::errors::Failure;
 #[derive(Debug)]
 pub(crate) struct Output {
     folder: PathBuf,
-    /// Folders made by [`Output::open`], the outermost first; removed again if nothing is kept.
-    made: Vec<PathBuf>,
+    /// Folders created by [`Output::open`], the outermost first; removed again if nothing is kept.
+    created: Vec<PathBuf>,
     files: Vec<(String, Vec<u8>)>,
 }
 
@@ -23,10 +23,10 @@ impl Output {
     /// [`Failure::Output`]; nothing is left behind then.
     pub(crate) fn open(folder: &Path) -> Result<Output, Failure> {
         let missing = |path: &&Path| !path.as_os_str().is_empty() && !path.exists();
-        let mut made: Vec<PathBuf> =
+        let mut created: Vec<PathBuf> =
             folder.ancestors().take_while(missing).map(Path::to_path_buf).collect();
-        made.reverse();
-        let output = Output { folder: folder.to_path_buf(), made, files: Vec::new() };
+        created.reverse();
+        let output = Output { folder: folder.to_path_buf(), created, files: Vec::new() };
         output.prepare().map_err(|error| output.failure(&output.folder, &error))?;
         Ok(output)
     }
@@ -56,7 +56,7 @@ impl Output {
         for (path, rename) in written {
             rename().map_err(|error| self.failure(&path, &error))?;
         }
-        self.made.clear();
+        self.created.clear();
         Ok(())
     }
 
@@ -65,10 +65,10 @@ impl Output {
     }
 }
 
-/// Takes away the folders that were made for results which did not come.
+/// Takes away the folders that were created for results which did not come.
 impl Drop for Output {
     fn drop(&mut self) {
-        for folder in self.made.iter().rev() {
+        for folder in self.created.iter().rev() {
             let _ = fs::remove_dir(folder);
         }
     }

@@ -14,7 +14,7 @@ use crate::streams::note;
 
 /// How progress is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Show {
+pub(crate) enum ProgressMode {
     /// A bar that moves.
     Bar,
     /// A line now and then.
@@ -23,27 +23,27 @@ pub(crate) enum Show {
     Nothing,
 }
 
-impl Show {
+impl ProgressMode {
     /// As fits what stderr is.
-    pub(crate) fn fitting(quiet: bool) -> Show {
+    pub(crate) fn fitting(quiet: bool) -> ProgressMode {
         match (quiet, std::io::stderr().is_terminal()) {
-            (true, _) => Show::Nothing,
-            (false, true) => Show::Bar,
-            (false, false) => Show::Lines,
+            (true, _) => ProgressMode::Nothing,
+            (false, true) => ProgressMode::Bar,
+            (false, false) => ProgressMode::Lines,
         }
     }
 
     /// On a terminal only, for what is short.
-    pub(crate) fn on_terminal() -> Show {
-        match Show::fitting(false) {
-            Show::Bar => Show::Bar,
-            _ => Show::Nothing,
+    pub(crate) fn on_terminal() -> ProgressMode {
+        match ProgressMode::fitting(false) {
+            ProgressMode::Bar => ProgressMode::Bar,
+            _ => ProgressMode::Nothing,
         }
     }
 
     /// A note on its own line.
     pub(crate) fn note(self, words: &str) {
-        if self != Show::Nothing {
+        if self != ProgressMode::Nothing {
             note(words);
         }
     }
@@ -52,18 +52,18 @@ impl Show {
 /// A line that says what is being done, until it is dropped.
 pub(crate) struct Spinner {
     bar: Option<ProgressBar>,
-    _lines: Option<Lines>,
+    _lines: Option<ProgressLines>,
 }
 
 /// Says `what` is being done.
-pub(crate) fn spinner(show: Show, what: &'static str) -> Spinner {
-    let bar = (show == Show::Bar).then(|| {
+pub(crate) fn spinner(show: ProgressMode, what: &'static str) -> Spinner {
+    let bar = (show == ProgressMode::Bar).then(|| {
         let bar = ProgressBar::new_spinner().with_message(what);
         bar.enable_steady_tick(Duration::from_millis(100));
         bar
     });
     let say = move |elapsed: Duration| format!("{what}: {}", words(elapsed));
-    Spinner { bar, _lines: (show == Show::Lines).then(|| Lines::start(say)) }
+    Spinner { bar, _lines: (show == ProgressMode::Lines).then(|| ProgressLines::start(say)) }
 }
 
 impl Drop for Spinner {
@@ -76,25 +76,25 @@ impl Drop for Spinner {
 pub(crate) struct Steps {
     bar: Option<ProgressBar>,
     /// Kept while lines are shown.
-    _lines: Option<Lines>,
-    now: Arc<Now>,
+    _lines: Option<ProgressLines>,
+    now: Arc<CurrentStep>,
     /// When the bar moves next.
-    due: RefCell<Due>,
+    due: RefCell<RateLimit>,
 }
 
 /// Something that happens at most ten times a second: a step may take less time than formatting the words beside a
 /// bar, or a minute.
 #[derive(Default)]
-struct Due {
+struct RateLimit {
     last: Option<Instant>,
 }
 
-impl Due {
+impl RateLimit {
     const PAUSE: Duration = Duration::from_millis(100);
 
     /// Whether it is time again at `now`.
     fn at(&mut self, now: Instant) -> bool {
-        let due = self.last.is_none_or(|last| now.duration_since(last) >= Due::PAUSE);
+        let due = self.last.is_none_or(|last| now.duration_since(last) >= RateLimit::PAUSE);
         if due {
             self.last = Some(now);
         }
@@ -104,16 +104,16 @@ impl Due {
 
 /// Where a march is, for the thread that shows it.
 #[derive(Default)]
-struct Now {
+struct CurrentStep {
     step: AtomicUsize,
     /// Bits of the time (s).
     time: AtomicU64,
 }
 
 /// Progress of `steps` time steps, of which `first` are done.
-pub(crate) fn steps(show: Show, steps: usize, first: usize) -> Steps {
-    let now = Arc::<Now>::default();
-    let bar = (show == Show::Bar).then(|| {
+pub(crate) fn steps(show: ProgressMode, steps: usize, first: usize) -> Steps {
+    let now = Arc::<CurrentStep>::default();
+    let bar = (show == ProgressMode::Bar).then(|| {
         let bar = ProgressBar::new(steps as u64).with_position(first as u64);
         let words = "{wide_bar} {pos}/{len} steps, {per_sec}, {eta} left; {msg}";
         match ProgressStyle::with_template(words) {
@@ -121,9 +121,9 @@ pub(crate) fn steps(show: Show, steps: usize, first: usize) -> Steps {
             Err(_) => bar,
         }
     });
-    let lines = (show == Show::Lines).then(|| {
+    let lines = (show == ProgressMode::Lines).then(|| {
         let now = now.clone();
-        Lines::start(move |elapsed| {
+        ProgressLines::start(move |elapsed| {
             let step = now.step.load(Ordering::Relaxed);
             let time = f64::from_bits(now.time.load(Ordering::Relaxed));
             line((step, steps, first), time, elapsed)
@@ -175,13 +175,13 @@ fn words(duration: Duration) -> String {
 
 /// Lines on stderr from a thread of their own, until they are dropped: the first after a second, then after ever
 /// longer pauses, up to a minute.
-struct Lines {
+struct ProgressLines {
     stop: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
-impl Lines {
-    fn start(say: impl Fn(Duration) -> String + Send + 'static) -> Lines {
+impl ProgressLines {
+    fn start(say: impl Fn(Duration) -> String + Send + 'static) -> ProgressLines {
         let (stop, stopped) = channel();
         let start = Instant::now();
         let thread = std::thread::spawn(move || {
@@ -191,11 +191,11 @@ impl Lines {
                 pause = (start.elapsed() / 2).clamp(pause, Duration::from_secs(60));
             }
         });
-        Lines { stop: Some(stop), thread: Some(thread) }
+        ProgressLines { stop: Some(stop), thread: Some(thread) }
     }
 }
 
-impl Drop for Lines {
+impl Drop for ProgressLines {
     fn drop(&mut self) {
         self.stop = None;
         if let Some(thread) = self.thread.take() {
@@ -213,7 +213,7 @@ mod tests {
     fn a_bar_moves_by_the_clock_and_not_by_the_number_of_steps() {
         let start = Instant::now();
         let shown = |steps: u32, each: Duration| {
-            let mut due = Due::default();
+            let mut due = RateLimit::default();
             (0..steps).filter(|step| due.at(start + *step * each)).count()
         };
         assert_eq!(shown(60, Duration::from_secs(1)), 60);
@@ -222,8 +222,8 @@ mod tests {
 
     #[test]
     fn lines_say_how_far_and_how_long() {
-        let said = line((3_000, 12_000, 1_000), 0.25, Duration::from_secs(20));
-        assert_eq!(said, "step 3000 of 12000 (25.0 %), t = 0.250000 s, about 1 min 30 s left");
+        let text = line((3_000, 12_000, 1_000), 0.25, Duration::from_secs(20));
+        assert_eq!(text, "step 3000 of 12000 (25.0 %), t = 0.250000 s, about 1 min 30 s left");
         let none = line((1_000, 12_000, 1_000), 0.0, Duration::from_secs(20));
         assert_eq!(none, "step 1000 of 12000 (8.3 %), t = 0.000000 s");
         assert_eq!(words(Duration::from_secs(7300)), "2 h 1 min");

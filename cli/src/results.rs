@@ -23,8 +23,8 @@ pub(crate) const CHECKPOINT: &str = "checkpoint.bin";
 #[derive(Debug)]
 pub(crate) struct Results {
     folder: PathBuf,
-    /// Folders made by [`Results::open`], the outermost first; removed again if nothing is kept.
-    made: Vec<PathBuf>,
+    /// Folders created by [`Results::open`], the outermost first; removed again if nothing is kept.
+    created: Vec<PathBuf>,
     lock: Option<Lock>,
 }
 
@@ -36,10 +36,10 @@ impl Results {
     /// then.
     pub(crate) fn open(folder: &Path) -> Result<Results, Failure> {
         let missing = |path: &&Path| !path.as_os_str().is_empty() && !path.exists();
-        let mut made: Vec<PathBuf> =
+        let mut created: Vec<PathBuf> =
             folder.ancestors().take_while(missing).map(Path::to_path_buf).collect();
-        made.reverse();
-        let mut results = Results { folder: folder.to_path_buf(), made, lock: None };
+        created.reverse();
+        let mut results = Results { folder: folder.to_path_buf(), created, lock: None };
         fs::create_dir_all(folder).map_err(|error| results.failure(folder, &error.to_string()))?;
         if let Some(name) = names().find(|name| results.path(name).is_dir()) {
             let reason = "a folder has the name of a result: move it or remove it";
@@ -48,7 +48,7 @@ impl Results {
         results.lock = match Lock::take(folder) {
             Ok(Locked::InUse(by)) => {
                 let folder = folder.to_path_buf();
-                results.made.clear();
+                results.created.clear();
                 return Err(Failure::InUse { folder, by });
             }
             Ok(locked) => held(locked, folder, &mut |words| warn(words)),
@@ -74,7 +74,7 @@ impl Results {
     /// # Errors
     /// A file cannot be removed.
     pub(crate) fn begin(&mut self, except: &[&str]) -> io::Result<()> {
-        self.made.clear();
+        self.created.clear();
         for name in names().filter(|name| !except.contains(&name.as_str())) {
             match fs::remove_file(self.path(&name)) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
@@ -106,11 +106,11 @@ impl Results {
     }
 }
 
-/// Takes away the folders that were made for results which did not come.
+/// Takes away the folders that were created for results which did not come.
 impl Drop for Results {
     fn drop(&mut self) {
         self.lock = None;
-        for folder in self.made.iter().rev() {
+        for folder in self.created.iter().rev() {
             let _ = fs::remove_dir(folder);
         }
     }

@@ -10,7 +10,7 @@ use crate::errors::Failure;
 use crate::history::HistoryFile;
 use crate::machine::{self, Built};
 use crate::march::{End, Marched, march};
-use crate::progress::{self, Show};
+use crate::progress::{self, ProgressMode};
 use crate::report::{Summary, Times, stops, supports};
 use crate::results::{CHECKPOINT, Results, SUMMARY};
 use crate::signals::Interruption;
@@ -23,7 +23,7 @@ use crate::{figures, history, streams};
 /// Bad input, a folder that cannot be written, or a run that does not come to its end.
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let start = Instant::now();
-    let show = Show::fitting(arguments.quiet);
+    let show = ProgressMode::fitting(arguments.quiet);
     let case = machine::read(&arguments.case)?;
     let mut results = Results::open(&folder(arguments, &case))?;
     let built = build(&case, &arguments.cache, show)?;
@@ -36,13 +36,16 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         show.note(&match &from {
             Some(point) => format!("going on after step {}", point.march.step()),
             None => {
-                format!("nothing to go on from in {}: from the start", results.folder().display())
+                format!(
+                    "no checkpoint in {}: starting from the beginning",
+                    results.folder().display()
+                )
             }
         });
     }
-    let interruption = Interruption::watch().map_err(|error| Failure::Output {
+    let interruption = Interruption::install().map_err(|error| Failure::Output {
         path: results.folder().to_path_buf(),
-        reason: format!("signals cannot be watched: {error}"),
+        reason: format!("signal handlers cannot be installed: {error}"),
     })?;
     let marched = march((&case, &built), (&mut results, identity), from, &interruption, show)?;
     report(arguments, (&case, &built), &results, (marched, &interruption), (start, show))
@@ -53,7 +56,7 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
     arguments.out.clone().unwrap_or_else(usual)
 }
 
-fn build(case: &Case, arguments: &CacheArguments, show: Show) -> Result<Built, Failure> {
+fn build(case: &Case, arguments: &CacheArguments, show: ProgressMode) -> Result<Built, Failure> {
     let cache = arguments.open();
     let _spinner = progress::spinner(show, "reducing shaft and support");
     machine::build(case, None, cache.as_ref())
@@ -65,7 +68,7 @@ fn report(
     (case, built): (&Case, &Built),
     results: &Results,
     (marched, interruption): (Marched, &Interruption),
-    (start, show): (Instant, Show),
+    (start, show): (Instant, ProgressMode),
 ) -> Result<(), Failure> {
     let mut problems = Vec::new();
     let mut closing_words = None;
@@ -91,9 +94,9 @@ fn report(
                 problems.extend(figures::draw(marked, built, &history, &write, &stop));
             }
             closing_words = match show {
-                Show::Nothing if summary.verdict.sound => None,
-                Show::Nothing => {
-                    streams::complain(&summary.verdict.words());
+                ProgressMode::Nothing if summary.verdict.sound => None,
+                ProgressMode::Nothing => {
+                    streams::print_error(&summary.verdict.words());
                     None
                 }
                 _ => Some(closing(case, &summary, time, results.folder())),
@@ -105,8 +108,8 @@ fn report(
     if over {
         results.forget_checkpoint();
     }
-    let said = closing_words.map_or(Ok(()), |words| streams::say(&words));
-    let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return said };
+    let printed = closing_words.map_or(Ok(()), |words| streams::say(&words));
+    let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return printed };
     problems.iter().filter(|problem| **problem != reason).for_each(streams::warn);
     let goes_on = results.path(CHECKPOINT).exists();
     Err(Failure::Unfinished {

@@ -13,11 +13,11 @@ pub(crate) struct Interruption {
 }
 
 impl Interruption {
-    /// Watches from now on.
+    /// Installs the handlers.
     ///
     /// # Errors
     /// The operating system refuses.
-    pub(crate) fn watch() -> io::Result<Interruption> {
+    pub(crate) fn install() -> io::Result<Interruption> {
         let asked = Arc::<AtomicBool>::default();
         for signal in [SIGINT, SIGTERM] {
             // In this order: the first signal finds the flag unset.

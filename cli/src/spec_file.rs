@@ -33,9 +33,10 @@ impl Spec {
     pub(crate) fn read(source: &Arc<Source>) -> Result<Spec, Diagnostics> {
         let document = Document::parse(source);
         if document.is_toml() && !document.has_kind() {
-            let message = format!("`{}` is no spec: it has no `kind`", source.path.display());
+            let message =
+                format!("`{}` is not a spec file: it has no `kind`", source.path.display());
             let error = Diagnostic::new(source, Code::MISSING_KEY, None, message);
-            let help = "a spec says `kind = \"law\"`, `element`, `form`, `motion` or `clearance`; \
+            let help = "a spec file has `kind = \"law\"`, `element`, `form`, `motion` or `clearance`; \
                         for a case there is `whirl check`";
             return Err(error.help(help).into());
         }
@@ -138,9 +139,9 @@ pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>),
     let path = Path::new(name);
     if path.is_file() {
         let text = fs::read_to_string(path)
-            .map_err(|error| unfound(name, format!("cannot read `{name}`: {error}"), None))?;
-        let twin = built_in().find(|origin| origin.text == text);
-        return Ok((Source::new(path, text), twin));
+            .map_err(|error| not_found(name, format!("cannot read `{name}`: {error}"), None))?;
+        let built_in_file = built_in().find(|origin| origin.text == text);
+        return Ok((Source::new(path, text), built_in_file));
     }
     let wanted = name.strip_prefix("specs/").unwrap_or(name);
     let called: Vec<&Origin> =
@@ -154,18 +155,18 @@ pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>),
                 format!("there is no file `{name}` and no built-in spec of this name")
             };
             let names: Vec<&str> = built_in().map(|origin| origin.name).collect();
-            Err(unfound(name, message, suggest(name, &names)))
+            Err(not_found(name, message, suggest(name, &names)))
         }
         several => {
             let paths: Vec<String> =
                 several.iter().map(|origin| format!("`{}`", origin.spec)).collect();
-            let help = format!("say which: {}", paths.join(" or "));
-            Err(unfound(name, format!("several specs are called `{name}`"), Some(help)))
+            let help = format!("give its path: {}", paths.join(" or "));
+            Err(not_found(name, format!("several specs are called `{name}`"), Some(help)))
         }
     }
 }
 
-fn unfound(name: &str, message: String, help: Option<String>) -> Diagnostics {
+fn not_found(name: &str, message: String, help: Option<String>) -> Diagnostics {
     let source = Source::new(name, "");
     Diagnostic::new(&source, Code::BAD_VALUE, None, message).maybe_help(help).into()
 }

@@ -22,11 +22,11 @@ pub(crate) fn warn(what: impl Display) {
 
 /// Writes a line to standard error, as far as that can be written.
 pub(crate) fn note(line: impl Display) {
-    complain(&format!("{line}\n"));
+    print_error(&format!("{line}\n"));
 }
 
 /// Writes `text` to standard error, as far as that can be written: there is no other place to report why not.
-pub(crate) fn complain(text: &str) {
+pub(crate) fn print_error(text: &str) {
     let _ = write(&mut io::stderr().lock(), text);
 }
 

@@ -72,7 +72,7 @@ impl Constraints {
     /// that already follows from others, which are named.
     pub fn eliminate(&self, size: usize) -> Result<Elimination, Error> {
         // Each row is solved for its pivot: u_pivot = Σ row[i] uᵢ over coordinates without a row.
-        let mut solved: BTreeMap<usize, Row> = BTreeMap::new();
+        let mut solved: BTreeMap<usize, EquationRow> = BTreeMap::new();
         for (index, equation) in self.equations.iter().enumerate() {
             let mut row = equation.row(size)?;
             let scale = row.values().fold(0.0, |scale: f64, c| scale.max(c.abs()));
@@ -96,7 +96,7 @@ impl Constraints {
             };
             row.remove(&pivot);
             row.values_mut().for_each(|c| *c /= -leading);
-            let new = Row { terms: row, origins };
+            let new = EquationRow { terms: row, origins };
             for other in solved.values_mut() {
                 other.substitute(pivot, &new);
             }
@@ -142,20 +142,20 @@ impl Equation {
         }
         row.retain(|_, c| *c != 0.0);
         match row.is_empty() {
-            true => Err(wrong("has no terms: it says nothing".to_owned())),
+            true => Err(wrong("has no terms".to_owned())),
             false => Ok(row),
         }
     }
 }
 
 /// An equation solved for its pivot, and the equations that went into it.
-struct Row {
+struct EquationRow {
     terms: BTreeMap<usize, f64>,
     origins: BTreeSet<usize>,
 }
 
-impl Row {
-    fn substitute(&mut self, pivot: usize, new: &Row) {
+impl EquationRow {
+    fn substitute(&mut self, pivot: usize, new: &EquationRow) {
         let Some(factor) = self.terms.remove(&pivot) else { return };
         for (&i, c) in &new.terms {
             *self.terms.entry(i).or_insert(0.0) += factor * c;
@@ -321,7 +321,7 @@ mod tests {
         let mut constraints = Constraints::new();
         constraints.equation("nothing", [(0, 1.0), (0, -1.0)]);
         let error = constraints.eliminate(4).unwrap_err().to_string();
-        assert_eq!(error, "nothing has no terms: it says nothing");
+        assert_eq!(error, "nothing has no terms");
         let mut constraints = Constraints::new();
         constraints.fix("far", 9);
         let error = constraints.eliminate(4).unwrap_err().to_string();

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::linalg::LinearAlgebraError;
 use crate::reduction::ReductionError;
 
-/// One thing wrong in a file: where, what, and how to mend it.
+/// One thing wrong in a file: where, what, and how to fix it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InputError {
     /// Path of the file as the user gave it.
@@ -16,7 +16,7 @@ pub struct InputError {
     pub column: usize,
     /// What is wrong, in the names of the file.
     pub what: String,
-    /// How to mend it.
+    /// How to fix it.
     pub help: String,
 }
 
@@ -115,7 +115,7 @@ pub enum Error {
         /// How many in all.
         count: usize,
     },
-    /// A dimension of a made mesh cannot be.
+    /// A dimension of a generated mesh cannot be.
     #[error("{dimension} = {value} {what}: {help}")]
     Dimension {
         /// Name of the dimension, such as `bore_radius`.
@@ -161,7 +161,7 @@ pub enum Error {
         bearing: Option<usize>,
         /// What does not fit.
         what: String,
-        /// How to mend it.
+        /// How to fix it.
         help: String,
     },
     /// A ring of a bore that cannot carry springs: no spline goes through its nodes.
@@ -205,7 +205,7 @@ pub enum Error {
     #[error(
         "step {step} (t = {time:.6e} s) does not converge, even in parts of {time_step:.2e} s: after \
          {iterations} iterations the residual is {residual:.2e} and the largest change of a spring force \
-         {force_change:.2e} N; the largest share is that of {worst_dof}. A shorter time step or a law \
+         {force_change:.2e} N; the largest contribution is that of {worst_dof}. A shorter time step or a law \
          without jumps and steep slopes may help"
     )]
     NewtonDiverged {
@@ -221,7 +221,7 @@ pub enum Error {
         residual: f64,
         /// Largest change of a spring force in the last iteration (N).
         force_change: f64,
-        /// The coordinate with the largest share of the residual.
+        /// The coordinate that contributes most to the residual.
         worst_dof: String,
     },
     /// Linear algebra failed.

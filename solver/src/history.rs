@@ -40,7 +40,7 @@ impl History {
         History::new(names)
     }
 
-    /// Room for that many more rows.
+    /// Reserves memory for that many more rows.
     pub fn reserve(&mut self, rows: usize) {
         self.values.reserve(rows * self.names.len());
     }

@@ -14,14 +14,14 @@ pub struct Load {
     /// Amplitude (N) along x, y, z.
     pub force: [f64; 3],
     /// How it varies.
-    pub course: Course,
+    pub time_function: TimeFunction,
     /// In which frame its direction is constant.
     pub frame: Frame,
 }
 
 /// How a load varies in time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Course {
+pub enum TimeFunction {
     /// Constant from t = 0.
     Constant,
     /// sin(2π f t + φ).
@@ -31,7 +31,7 @@ pub enum Course {
         /// φ (rad).
         phase: f64,
     },
-    /// Constant until a step starts with θ̇ at the target or beyond it, seen from rest; nothing from then on.
+    /// Constant until a step starts with θ̇ at the target or beyond it, as seen from rest; zero from then on.
     UntilSpeed {
         /// Target of θ̇ (rad/s); negative where the shaft is driven that way.
         target: f64,
@@ -50,20 +50,20 @@ pub enum Frame {
 impl Load {
     /// The factor on the amplitude at time `t` (s); `released` once the target speed was reached.
     pub fn factor(&self, t: f64, released: bool) -> f64 {
-        match self.course {
-            Course::Constant => 1.0,
-            Course::Sine { frequency, phase } => {
+        match self.time_function {
+            TimeFunction::Constant => 1.0,
+            TimeFunction::Sine { frequency, phase } => {
                 (std::f64::consts::TAU * frequency * t + phase).sin()
             }
-            Course::UntilSpeed { .. } => f64::from(!released),
+            TimeFunction::UntilSpeed { .. } => f64::from(!released),
         }
     }
 
     /// Whether a step that starts with θ̇ = `speed` (rad/s) finds the load's target reached.
     pub(crate) fn reaches(&self, speed: f64) -> bool {
-        match self.course {
-            Course::UntilSpeed { target } => speed * target.signum() >= target.abs(),
-            Course::Constant | Course::Sine { .. } => false,
+        match self.time_function {
+            TimeFunction::UntilSpeed { target } => speed * target.signum() >= target.abs(),
+            TimeFunction::Constant | TimeFunction::Sine { .. } => false,
         }
     }
 

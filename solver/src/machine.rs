@@ -58,11 +58,11 @@ pub struct Machine {
     pub springs: Springs,
     /// External loads.
     pub loads: Vec<Load>,
-    /// What is watched at each bearing.
+    /// The outputs of each bearing.
     pub(crate) monitors: Vec<Monitor>,
 }
 
-/// What is watched at a bearing.
+/// How the outputs of a bearing are computed.
 pub(crate) struct Monitor {
     /// Its planes of springs.
     pub(crate) planes: Vec<usize>,

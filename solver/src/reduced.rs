@@ -1,5 +1,5 @@
 //! A body as its reduction leaves it, before anything that costs nothing: constraints, names, damping, and which of its
-//! nodes are watched. This is what a cache keeps, under a key of all that it depends on.
+//! nodes are output. This is what a cache keeps, under a key of all that it depends on.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ use crate::support::Support;
 
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Kind {
+pub enum BodyKind {
     /// One that turns: it has a [`Spin`].
     Shaft,
     /// One that stands.
@@ -76,21 +76,21 @@ pub struct Reduced {
 
 impl Reduced {
     /// Reduces a mesh. Of the spec it takes the retained dofs, the modes, the springs and the nodes: those, and the
-    /// nodes of all sets of the mesh, can be watched.
+    /// nodes of all sets of the mesh, can be output.
     ///
     /// # Errors
     /// As [`BodySpec::reduce`].
-    pub fn new(kind: Kind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
+    pub fn new(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
         let whole = spec.reduce(mesh)?;
         let spin = match kind {
-            Kind::Shaft => {
+            BodyKind::Shaft => {
                 let (inertia, coupling) =
                     (assemble(mesh, "spin_inertia")?, assemble(mesh, "spin_coupling")?);
                 Some(Spin::new(&whole, &inertia, &coupling, mesh.nodes()))
             }
-            Kind::Support => None,
+            BodyKind::Support => None,
         };
-        let nodes = watchable(mesh, spec);
+        let nodes = output_nodes(mesh, spec);
         let row = |i: usize| 3 * nodes[i / 3] + i % 3;
         let shapes =
             Matrix::from_fn(3 * nodes.len(), whole.shapes.cols, |i, j| whole.shapes[(row(i), j)]);
@@ -100,7 +100,7 @@ impl Reduced {
 
     /// The key of [`Reduced::new`]: the same for whatever gives the same bits, another for everything else, another
     /// program included.
-    pub fn key(kind: Kind, mesh: &Mesh, spec: &BodySpec) -> Key {
+    pub fn key(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Key {
         let retained: Vec<usize> = spec.retained.iter().map(|retained| retained.dof).collect();
         let springs: Vec<(usize, f64)> =
             spec.springs.iter().map(|spring| (spring.dof, spring.stiffness)).collect();
@@ -112,7 +112,7 @@ impl Reduced {
             mesh.materials().iter().map(|material| material.properties.clone()).collect();
         let program = (PROGRAM, instruction_set());
         let body = (mesh.nodes(), blocks, materials);
-        Key::of(&(program, kind, body, retained, spec.modes, springs, watchable(mesh, spec)))
+        Key::of(&(program, kind, body, retained, spec.modes, springs, output_nodes(mesh, spec)))
     }
 
     /// The shaft, with the constraints, names, damping and nodes of the spec.
@@ -121,7 +121,7 @@ impl Reduced {
     /// Constraints that contradict each other.
     ///
     /// # Panics
-    /// If this is no [`Kind::Shaft`], or the spec watches a node that this has no shapes of.
+    /// If this is no [`BodyKind::Shaft`], or the spec outputs a node that this has no shapes of.
     pub fn shaft(&self, spec: &BodySpec) -> Result<Shaft, Error> {
         let spin = self.spin.as_ref().expect("a shaft is reduced with its spin");
         let active = spec.active(&self.reduction)?;
@@ -135,7 +135,7 @@ impl Reduced {
     /// Constraints that contradict each other; a mass that is not positive definite.
     ///
     /// # Panics
-    /// If the spec watches a node that this has no shapes of.
+    /// If the spec outputs a node that this has no shapes of.
     pub fn support(&self, spec: &BodySpec) -> Result<Support, Error> {
         let active = spec.active(&self.reduction)?;
         let nodes: Vec<usize> = self.places(spec).collect();
@@ -146,7 +146,7 @@ impl Reduced {
         BodyNode::new(&self.reduction, active, &self.positions, place)
     }
 
-    /// Places of the watched nodes among those with shapes.
+    /// Places of the output nodes among those with shapes.
     fn places(&self, spec: &BodySpec) -> impl Iterator<Item = usize> {
         let place = |node| self.nodes.binary_search(node).expect("its shapes are kept");
         spec.nodes.iter().map(place)
@@ -154,7 +154,7 @@ impl Reduced {
 }
 
 /// Nodes whose shapes are kept, ascending.
-fn watchable(mesh: &Mesh, spec: &BodySpec) -> Vec<usize> {
+fn output_nodes(mesh: &Mesh, spec: &BodySpec) -> Vec<usize> {
     // A set of all nodes, such as many a mesher writes, says nothing of any of them.
     let sets = mesh.node_sets().values().filter(|nodes| nodes.len() < mesh.nodes().len());
     let all: BTreeSet<usize> = sets.flatten().chain(&spec.nodes).copied().collect();

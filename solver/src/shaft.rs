@@ -6,7 +6,7 @@ use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh};
 use crate::error::Error;
 use crate::linalg::{Matrix, congruence};
 use crate::mesh::Mesh;
-use crate::reduced::{Kind, Reduced, Spin};
+use crate::reduced::{BodyKind, Reduced, Spin};
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
 
@@ -64,7 +64,7 @@ impl Shaft {
     /// # Errors
     /// As [`Reduced::new`] and [`Reduced::shaft`].
     pub fn from_mesh(mesh: &Mesh, spec: &BodySpec) -> Result<Shaft, Error> {
-        Reduced::new(Kind::Shaft, mesh, spec)?.shaft(spec)
+        Reduced::new(BodyKind::Shaft, mesh, spec)?.shaft(spec)
     }
 
     /// The shaft of a reduction, in active coordinates.

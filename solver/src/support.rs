@@ -8,7 +8,7 @@ use crate::linalg::{
     LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply,
 };
 use crate::mesh::Mesh;
-use crate::reduced::{Kind, Reduced};
+use crate::reduced::{BodyKind, Reduced};
 use crate::reduction::{CraigBampton, hertz};
 
 /// A flexible support in the fixed frame as n oscillators that nothing but their forces couples:
@@ -33,7 +33,7 @@ impl Support {
     /// # Errors
     /// As [`Reduced::new`] and [`Reduced::support`].
     pub fn from_mesh(mesh: &Mesh, spec: &BodySpec) -> Result<Support, Error> {
-        Reduced::new(Kind::Support, mesh, spec)?.support(spec)
+        Reduced::new(BodyKind::Support, mesh, spec)?.support(spec)
     }
 
     /// The support of a reduction. Where retained dofs stay free after elimination, its modes are

@@ -1,4 +1,4 @@
-//! Every bad input is an error with file, line, what and how to mend it, exit status 2, nothing written.
+//! Every bad input is an error with file, line, what and how to fix it, exit status 2, nothing written.
 
 use crate::workbench::Workbench;
 
@@ -75,7 +75,7 @@ fn a_time_step_must_be_positive() {
 }
 
 #[test]
-fn all_errors_are_told_at_once() {
+fn all_errors_are_reported_at_once() {
     refused_case(
         &case("[shaft]\nmodes = -1\nmdoes = 3\n[springs]\nlaw = \"hu2003-nonlinaer\""),
         &["case.toml:4:9", "case.toml:5:1", "did you mean `modes`?", "`hu2003-nonlinear`?"],

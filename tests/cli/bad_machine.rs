@@ -94,7 +94,7 @@ fn sets_are_looked_for_in_a_case_that_lacks_tables() {
         ("[shaft", "the table `[shaft]` is missing", &[bore]),
         ("[[support.", "", &[journal, bore]),
         ("[support", "the table `[support]` is missing", &[journal]),
-        ("[springs]", "`[bearing]` does not say `law`", &[journal, bore]),
+        ("[springs]", "`law` is missing in `[bearing]`", &[journal, bore]),
     ] {
         let kept = tables(&machine).into_iter().filter(|table| !table.starts_with(head));
         let kept: String =
@@ -238,7 +238,7 @@ fn an_error_in_a_mesh_file_has_its_line() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_told_before_the_work() {
+fn a_folder_that_cannot_be_written_is_reported_before_the_work() {
     let bench = Workbench::new().file("case.toml", &case("")).file("taken", "");
     let before = bench.listing();
     for folder in ["taken", "taken/inside"] {

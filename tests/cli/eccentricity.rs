@@ -1,4 +1,4 @@
-//! EX and EY of the reference machine are what laws see, on made and on read meshes: a law F = −k e knows
+//! EX and EY of the reference machine are what laws see, on generated and on read meshes: a law F = −k e knows
 //! the answer.
 
 use std::fs;
@@ -41,7 +41,7 @@ target_speed = \"4500 rpm\"
 ";
 
 /// The same with meshes made from dimensions.
-const MADE: &str = "include = \"hu2003.machine.toml\"\nshaft.modes = 20\nsupport.modes = 30\n";
+const GENERATED: &str = "include = \"hu2003.machine.toml\"\nshaft.modes = 20\nsupport.modes = 30\n";
 
 /// One ring a bearing, in its middle, where EX and EY are taken.
 fn case(machine: &str, direction: &str) -> String {
@@ -76,7 +76,7 @@ fn the_eccentricity_is_the_one_that_laws_see() {
     for name in ["shaft", "support"] {
         bench = bench.file(&format!("{name}.inp"), &mesh(name));
     }
-    for (meshes, machine) in [("made", MADE), ("read", READ)] {
+    for (meshes, machine) in [("generated", GENERATED), ("read", READ)] {
         for direction in ["x", "y"] {
             let name = format!("{meshes}-{direction}");
             bench = bench.file(&format!("{name}.toml"), &case(machine, direction));

@@ -166,10 +166,10 @@ fn tables_of(path: &Path) -> Workbench {
     })
 }
 
-/// The Rust of a file that is not built in is what a build would make of it: that of its twin, but for the
+/// The Rust of a file that is not built in is what a build would generate from it: that of the same built-in file, but for the
 /// file's text and the hash.
 #[test]
-fn the_rust_of_ones_own_spec_is_what_a_build_would_make() {
+fn the_rust_of_ones_own_spec_is_what_a_build_would_generate() {
     let mut seen = BTreeSet::new();
     for (path, kind, name) in &enough() {
         let file = path.file_name().expect("a name").to_string_lossy().into_owned();
@@ -177,29 +177,29 @@ fn the_rust_of_ones_own_spec_is_what_a_build_would_make() {
         let bench = tables_of(path).file(&file, &text);
         let outcome = bench.whirl(&["explain", &file, "--rust"]);
         fine(&outcome);
-        let twin = bench.whirl(&["explain", name, "--rust"]);
+        let original = bench.whirl(&["explain", name, "--rust"]);
         if kind == "form" || kind == "element" {
             // Each function as it stands in its own module or in that of an element that has it, too.
             let element = bench.whirl(&["explain", "hex8", "--rust"]).stdout;
-            let made = made_functions(&outcome.stdout);
+            let made = public_functions(&outcome.stdout);
             assert!(!made.is_empty(), "{name}");
             match kind.as_str() {
                 // Those of these forms alone.
                 "form" => {
-                    let of_element = made_functions(&element);
+                    let of_element = public_functions(&element);
                     assert!(!of_element.iter().all(|own| made.contains(own)), "{name}");
                 }
-                _ => assert_eq!(made.len(), made_functions(&twin.stdout).len(), "{name}"),
+                _ => assert_eq!(made.len(), public_functions(&original.stdout).len(), "{name}"),
             }
-            let known = |made: &String| twin.stdout.contains(made) || element.contains(made);
+            let known = |made: &String| original.stdout.contains(made) || element.contains(made);
             let differ: Vec<&String> = made.iter().filter(|made| !known(made)).collect();
             assert!(differ.is_empty(), "{name}: {differ:?}");
         } else {
             let own = |line: &&str| !["text:", "hash:"].iter().any(|s| line.trim().starts_with(s));
             let body =
                 |text: &str| text.lines().filter(own).map(str::to_string).collect::<Vec<_>>();
-            assert_ne!(outcome.stdout, twin.stdout, "{name}");
-            assert_eq!(body(&outcome.stdout), body(&twin.stdout), "{name}");
+            assert_ne!(outcome.stdout, original.stdout, "{name}");
+            assert_eq!(body(&outcome.stdout), body(&original.stdout), "{name}");
         }
         seen.insert(kind.clone());
     }
@@ -207,14 +207,14 @@ fn the_rust_of_ones_own_spec_is_what_a_build_would_make() {
 }
 
 /// The texts of the public functions, from `pub fn` to the brace at their margin.
-fn made_functions(module: &str) -> Vec<String> {
+fn public_functions(module: &str) -> Vec<String> {
     let starts = module.match_indices("\n    pub fn ").map(|(start, _)| &module[start..]);
     starts.filter_map(|text| Some(text[..text.find("\n    }\n")?].to_string())).collect()
 }
 
 /// What only a build would refuse is reported at its place by `check` and `explain --rust`.
 #[test]
-fn what_a_build_would_refuse_is_told() {
+fn what_a_build_would_refuse_is_reported() {
     let path = specs().join("elements/hex8i.toml");
     let text = fs::read_to_string(path).expect("a text");
     let wrong = text.replace("\"stiffness\"", "\"stifness\"");
@@ -232,9 +232,9 @@ fn what_a_build_would_refuse_is_told() {
     says(&page, &["a build would refuse it:", "mine.toml:", "there is no form `stifness`"]);
 }
 
-/// A file that is not built in has the functions, with the operations, that its twin has.
+/// A file that is not built in has the functions, with the operations, that the same built-in file has.
 #[test]
-fn what_a_build_would_make_is_told_with_its_operations() {
+fn what_a_build_would_generate_is_listed_with_its_operations() {
     for (path, kind, name) in &enough() {
         let text = fs::read_to_string(path).expect("a text");
         let other = text.replacen(&format!("name = \"{name}\""), "name = \"other\"", 1);
@@ -243,10 +243,10 @@ fn what_a_build_would_make_is_told_with_its_operations() {
         let page = bench.whirl(&["explain", "other.toml"]);
         fine(&page);
         let built_in = if kind == "form" { "hex8" } else { name };
-        let twin = functions(&bench.whirl(&["explain", built_in]).stdout);
-        assert!(twin.contains("operations") || twin.contains(" mul"), "{name}: {twin}");
+        let original = functions(&bench.whirl(&["explain", built_in]).stdout);
+        assert!(original.contains("operations") || original.contains(" mul"), "{name}: {original}");
         if kind != "form" {
-            assert_eq!(functions(&page.stdout), twin, "{name}");
+            assert_eq!(functions(&page.stdout), original, "{name}");
             continue;
         }
         let (_, code) = page.stdout.split_once("\nGenerated Rust\n").expect("the heading");
@@ -256,7 +256,7 @@ fn what_a_build_would_make_is_told_with_its_operations() {
             // Words are broken into lines elsewhere, since paths differ.
             let words: Vec<&str> = about.split_whitespace().collect();
             let operations = words.windows(3).find(|w| w[0] == "Together").expect("a count");
-            assert!(twin.contains(&operations.join(" ")), "{name}: {operations:?}");
+            assert!(original.contains(&operations.join(" ")), "{name}: {operations:?}");
         }
     }
 }
@@ -310,7 +310,7 @@ fn a_law_of_ones_own_is_explained_and_drawn() {
 }
 
 #[test]
-fn what_cannot_be_explained_is_told() {
+fn what_cannot_be_explained_is_reported() {
     let bench = Workbench::new()
         .file("case.toml", "title = \"a case\"\n")
         .file("broken.toml", &MINE.replace("-k*h", "-k*hh"));

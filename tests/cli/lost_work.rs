@@ -177,7 +177,7 @@ fn another_run_is_not_resumed_and_loses_nothing() {
     let bench = bench.file("case.toml", &case(1500, ""));
     let outcome = bench.whirl(&["run", "case.toml", "--out", "new", "--resume", "--no-figures"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert!(outcome.stderr.contains("nothing to go on from in new"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("no checkpoint in new"), "{}", outcome.stderr);
     assert_eq!(read(bench.path("new/history.csv")).lines().count(), 1501);
 }
 

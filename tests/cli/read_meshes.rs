@@ -70,7 +70,7 @@ fn bench_of(shaft: &str, support: &str) -> Workbench {
 }
 
 #[test]
-fn axes_that_are_apart_are_told_of() {
+fn axes_that_are_apart_are_reported() {
     let (shaft, support) = (reference("shaft"), reference("support"));
     refused(
         &bench_of(&moved(&shaft, [0.0, 4e-6]), &support),
@@ -91,7 +91,7 @@ fn axes_that_are_apart_are_told_of() {
 }
 
 #[test]
-fn sets_without_nodes_are_told_of() {
+fn sets_without_nodes_are_reported() {
     let shaft = reference("shaft") + "*NSET, NSET=NOTHING\n";
     let support = reference("support") + "*NSET, NSET=NOWHERE\n";
     let lines = "mounts = \"NOWHERE\"\n[[support.ground_spring]]\nset = \"NOWHERE\"\n\
@@ -206,7 +206,7 @@ fn with_a_cube(shaft: &str) -> String {
     )
 }
 
-/// Whatever the number of modes, also with none, where no mode is looked for.
+/// Whatever the number of modes, also with none, where no mode is wanted.
 #[test]
 fn a_loose_part_is_named_for_any_number_of_modes() {
     let shaft = with_a_cube(&reference("shaft"));
@@ -225,7 +225,7 @@ fn a_loose_part_is_named_for_any_number_of_modes() {
 }
 
 #[test]
-fn what_would_hide_the_body_from_rounding_is_told_of_at_once() {
+fn what_would_hide_the_body_from_rounding_is_reported_at_once() {
     let lines = "[[support.ground_spring]]\nset = \"GROUND_SPRINGS\"\ndirection = \"y\"\n\
                  stiffness = \"1e20 N/m\"\n";
     refused(

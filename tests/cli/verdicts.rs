@@ -59,7 +59,7 @@ fn a_stop_that_the_step_does_not_resolve_is_reported_with_a_remedy_that_serves()
     assert!(!svg.contains("NOT SOUND"));
 }
 
-/// A cycle that never ends twice, by its own frequency or by the shortness of the steps, is not looked for: of its
+/// A cycle that never ends twice, by its own frequency or by the shortness of the steps, is not searched for: of its
 /// forces, which would take terabytes, none are kept.
 #[test]
 fn a_run_shorter_than_two_cycles_is_not_checked_for_a_steady_state() {

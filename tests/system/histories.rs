@@ -4,7 +4,7 @@ use whirl_tests::History;
 
 use crate::run::{reference, shipped};
 
-/// Largest difference from the reference as a share of the peak. Both programs solve the same equations of the
+/// Largest difference from the reference as a fraction of the peak. Both programs solve the same equations of the
 /// same time integration, each step to 1e-6 of its forces or better, and the reference is written in eight
 /// digits; the differences of three analyses were measured as 1.5e-6 and less.
 const SHARE: f64 = 2e-5;

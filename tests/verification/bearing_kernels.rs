@@ -1,4 +1,4 @@
-//! Generated laws, clearances and motions against twins written by hand, and against differences of the
+//! Generated laws, clearances and motions against kernels written by hand, and against differences of the
 //! formulas themselves.
 
 use proptest::prelude::*;
@@ -20,13 +20,14 @@ fn largest(values: &[f64]) -> f64 {
 }
 
 #[test]
-fn laws_agree_with_their_twins_on_both_sides_of_the_root() {
-    for twin in [&hand::law::LINEAR, &hand::law::NONLINEAR] {
-        let law = LAWS.iter().find(|law| law.origin.name == twin.origin.name).expect("is shipped");
+fn laws_agree_with_the_hand_written_ones_on_both_sides_of_the_root() {
+    for reference in [&hand::law::LINEAR, &hand::law::NONLINEAR] {
+        let law =
+            LAWS.iter().find(|law| law.origin.name == reference.origin.name).expect("is shipped");
         let h: Vec<f64> = (0..1000).map(|i| 0.08e-3 * f64::from(i) / 999.0).collect();
         let (mut ours, mut theirs) = (vec![0.0; 2 * h.len()], vec![0.0; 2 * h.len()]);
         (law.evaluate)(h.len(), &h, &mut ours);
-        (twin.evaluate)(h.len(), &h, &mut theirs);
+        (reference.evaluate)(h.len(), &h, &mut theirs);
         for i in 0..h.len() {
             assert!(close(ours[i], theirs[i], 400.0), "{} at {}", law.origin.name, h[i]);
             let slope = h.len() + i;
@@ -52,8 +53,8 @@ fn springs() -> impl Strategy<Value = Springs> {
 }
 
 #[test]
-fn clearances_agree_with_their_twin() {
-    let (twin, own) = (&hand::clearance::CLEARANCE, &CLEARANCES[0]);
+fn clearances_agree_with_the_hand_written_one() {
+    let (reference, own) = (&hand::clearance::CLEARANCE, &CLEARANCES[0]);
     let check = |case: Springs| {
         let [psi, delta, delta_dot, q, dq_dh, dq_dh_dot] = &case.rows;
         let n = psi.len();
@@ -76,7 +77,7 @@ fn clearances_agree_with_their_twin() {
             all.extend((kernels.axial)(psi[0]));
             all
         };
-        let (ours, theirs) = (evaluate(own), evaluate(twin));
+        let (ours, theirs) = (evaluate(own), evaluate(reference));
         for (place, (a, b)) in ours.iter().zip(&theirs).enumerate() {
             prop_assert!(close(*a, *b, 1e3), "value {}: {} and {}", place, a, b);
         }
@@ -149,11 +150,11 @@ impl Shaft {
 }
 
 #[test]
-fn the_consistent_motion_agrees_with_its_twin() {
-    let twin = &hand::motion::MOTION;
+fn the_consistent_motion_agrees_with_the_hand_written_one() {
+    let reference = &hand::motion::MOTION;
     let own = MOTIONS.iter().find(|motion| motion.origin.name == "consistent").expect("shipped");
     let check = |shaft: Shaft| {
-        let (ours, theirs) = (shaft.evaluate(own), shaft.evaluate(twin));
+        let (ours, theirs) = (shaft.evaluate(own), shaft.evaluate(reference));
         prop_assert_eq!(ours.len(), theirs.len());
         for (kernel, (a, b)) in ours.iter().zip(&theirs).enumerate() {
             let scale = 1.0 + largest(b);

@@ -6,7 +6,7 @@ use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::cache::Key;
 use whirl_solver::constraints::{Constraints, GroundSpring};
 use whirl_solver::mesh::{Material, Mesh, MeshParts};
-use whirl_solver::reduced::{Kind, Reduced};
+use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
@@ -15,7 +15,7 @@ use crate::small_shaft;
 /// What a key is made of, free to be altered.
 #[derive(Clone)]
 struct Body {
-    kind: Kind,
+    kind: BodyKind,
     mesh: MeshParts,
     spec: BodySpec,
 }
@@ -58,7 +58,7 @@ fn body() -> Body {
         node_sets: mesh.node_sets().clone(),
         element_sets: mesh.element_sets().clone(),
     };
-    Body { kind: Kind::Shaft, mesh, spec }
+    Body { kind: BodyKind::Shaft, mesh, spec }
 }
 
 type Change = (&'static str, fn(&mut Body));
@@ -66,7 +66,7 @@ type Change = (&'static str, fn(&mut Body));
 #[test]
 fn every_ingredient_of_a_body_is_in_its_key() {
     let changes: [Change; 17] = [
-        ("the kind of body", |b| b.kind = Kind::Support),
+        ("the kind of body", |b| b.kind = BodyKind::Support),
         ("a node along x, by a rounding", |b| b.mesh.nodes[7][0] = b.mesh.nodes[7][0].next_up()),
         ("a node along z", |b| b.mesh.nodes[7][2] = b.mesh.nodes[7][2].next_up()),
         ("the order of a cell's nodes", |b| b.mesh.blocks[0].connectivity.swap(0, 1)),
@@ -113,12 +113,12 @@ fn property<'b>(body: &'b mut Body, name: &str) -> &'b mut f64 {
     body.mesh.materials[0].properties.get_mut(name).expect("a property of steel")
 }
 
-/// Damping, names, constraints, and which of the nodes with shapes are watched do not touch the reduction: applied to
+/// Damping, names, constraints, and which of the nodes with shapes are output do not touch the reduction: applied to
 /// one that is found they give the body that a reduction of its own gives.
 #[test]
 fn what_is_applied_afterwards_reduces_nothing_again() {
     let own = body();
-    for kind in [Kind::Shaft, Kind::Support] {
+    for kind in [BodyKind::Shaft, BodyKind::Support] {
         let known = Reduced::new(kind, &own.mesh(), &own.spec).expect("reduces");
         let mut other = Body { kind, ..own.clone() };
         other.mesh.origin = "elsewhere".to_owned();
@@ -136,12 +136,12 @@ fn what_is_applied_afterwards_reduces_nothing_again() {
         assert_eq!(other.key(), Body { kind, ..own.clone() }.key());
         let (mesh, spec) = (other.mesh(), &other.spec);
         match kind {
-            Kind::Shaft => {
+            BodyKind::Shaft => {
                 let fresh = Shaft::from_mesh(&mesh, spec).expect("reduces");
                 assert_eq!(known.shaft(spec).expect("a shaft"), fresh);
                 assert_ne!(known.shaft(&own.spec).expect("a shaft"), fresh);
             }
-            Kind::Support => {
+            BodyKind::Support => {
                 let fresh = Support::from_mesh(&mesh, spec).expect("reduces");
                 assert_eq!(known.support(spec).expect("a support"), fresh);
                 assert_ne!(known.support(&own.spec).expect("a support"), fresh);

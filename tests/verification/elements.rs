@@ -20,7 +20,7 @@ use whirl_codegen::spec::element::ElementSpec;
 use whirl_codegen::spec::form::FormSpec;
 use whirl_specs::{ELEMENTS, Element, Structure};
 
-use crate::twins;
+use crate::reference_kernels;
 
 const FORMS: [&str; 2] = [
     include_str!("../../specs/forms/elasticity.toml"),
@@ -45,7 +45,7 @@ fn element(name: &str) -> &'static Element {
 fn generated(element: &Element, form: &str, nodes: &[[f64; 3]]) -> (DMatrix<f64>, f64) {
     let kernel = element.form(form).unwrap();
     let material: Vec<f64> = kernel.material.iter().map(|m| property(m.name)).collect();
-    let (matrix, det) = twins::kernel(element, form, &material, nodes.as_flattened());
+    let (matrix, det) = reference_kernels::kernel(element, form, &material, nodes.as_flattened());
     let full = match kernel.structure {
         Structure::Kronecker { pattern } => {
             let pattern = DMatrix::from_fn(3, 3, |i, j| pattern[i][j]);
@@ -98,29 +98,29 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
     #[test]
-    fn kernels_equal_textbook_integrals_and_hand_written_twins(
+    fn kernels_equal_textbook_integrals_and_hand_written_ones(
         shifts in prop::array::uniform24(-0.15..0.15_f64),
     ) {
-        let twins: [(&str, &Element, twins::Shapes, bool); 3] = [
-            ("hex8", &hand::elements::HEX8, twins::hexahedron, false),
-            ("hex8i", &hand::elements::HEX8I, twins::hexahedron, true),
-            ("wedge6", &hand::elements::WEDGE6, twins::wedge, false),
+        let references: [(&str, &Element, reference_kernels::Shapes, bool); 3] = [
+            ("hex8", &hand::elements::HEX8, reference_kernels::hexahedron, false),
+            ("hex8i", &hand::elements::HEX8I, reference_kernels::hexahedron, true),
+            ("wedge6", &hand::elements::WEDGE6, reference_kernels::wedge, false),
         ];
-        for (name, twin, shapes, modes) in twins {
+        for (name, reference, shapes, modes) in references {
             let element = element(name);
             let nodes = displaced(element, &shifts);
             let x = nodes.as_flattened();
             let (k, det) = generated(element, "stiffness", &nodes);
-            let textbook = twins::stiffness(twin, shapes, modes, x);
-            let (by_hand, det_by_hand) = generated(twin, "stiffness", &nodes);
+            let textbook = reference_kernels::stiffness(reference, shapes, modes, x);
+            let (by_hand, det_by_hand) = generated(reference, "stiffness", &nodes);
             // A few hundred terms, and the condensation, at rounding level.
             prop_assert!((&k - &textbook).amax() < 1e-12 * textbook.amax(), "{name}");
             prop_assert!((&k - &by_hand).amax() < 1e-12 * textbook.amax(), "{name}");
             prop_assert!((det / det_by_hand - 1.0).abs() < 1e-12, "{name}");
-            let scalar = twins::mass(twin, shapes, x);
+            let scalar = reference_kernels::mass(reference, shapes, x);
             for form in ["mass", "spin_inertia", "spin_coupling"] {
                 let (m, _) = generated(element, form, &nodes);
-                let (by_hand, _) = generated(twin, form, &nodes);
+                let (by_hand, _) = generated(reference, form, &nodes);
                 prop_assert!((&m - &by_hand).amax() < 1e-13 * scalar.amax(), "{name} {form}");
             }
         }
@@ -170,18 +170,18 @@ proptest! {
 }
 
 #[test]
-fn the_registry_says_what_the_twins_say() {
-    for twin in hand::elements::ELEMENTS {
+fn the_registry_says_what_the_hand_written_elements_say() {
+    for reference in hand::elements::ELEMENTS {
         let element = ELEMENTS
             .iter()
-            .find(|element| element.abaqus == twin.abaqus)
+            .find(|element| element.abaqus == reference.abaqus)
             .expect("an element for every Abaqus type");
-        assert_eq!(element.nodes, twin.nodes);
-        assert_eq!(element.reference_nodes, twin.reference_nodes);
-        assert_eq!(element.abaqus_order, twin.abaqus_order);
-        assert_eq!(element.vtk, twin.vtk);
-        assert_eq!(element.vtk_order, twin.vtk_order);
-        for kernel in twin.forms {
+        assert_eq!(element.nodes, reference.nodes);
+        assert_eq!(element.reference_nodes, reference.reference_nodes);
+        assert_eq!(element.abaqus_order, reference.abaqus_order);
+        assert_eq!(element.vtk, reference.vtk);
+        assert_eq!(element.vtk_order, reference.vtk_order);
+        for kernel in reference.forms {
             let made = element.form(kernel.form).expect("the same forms");
             assert_eq!(made.structure, kernel.structure, "{}", kernel.form);
             let names = |k: &whirl_specs::FormKernel| -> Vec<_> {
@@ -254,7 +254,7 @@ fn a_rigid_turn_has_the_polar_moment_of_inertia() {
 }
 
 #[test]
-fn an_inverted_cell_is_told_by_its_determinant() {
+fn an_inverted_cell_is_reported_by_its_determinant() {
     for element in ELEMENTS {
         let mirrored: Vec<[f64; 3]> =
             element.reference_nodes.iter().map(|[x, y, z]| [-x, *y, *z]).collect();
@@ -271,7 +271,7 @@ fn an_inverted_cell_is_told_by_its_determinant() {
 
 /// One corner pushed through the opposite face: det J changes its sign within the cell.
 #[test]
-fn a_partly_inverted_cell_is_told_too() {
+fn a_partly_inverted_cell_is_reported_too() {
     let element = element("hex8i");
     let mut nodes = element.reference_nodes.to_vec();
     nodes[6] = [-1.5, -1.5, -1.5];

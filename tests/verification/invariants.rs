@@ -1,5 +1,5 @@
 //! What a spinning shaft keeps: balance under rigid displacement, energy and angular momentum, and its
-//! frequencies but for the turning of the frame. On a made mesh, so that assembly, reduction and constraints
+//! frequencies but for the turning of the frame. On a generated mesh, so that assembly, reduction and constraints
 //! take part.
 
 use std::f64::consts::TAU;

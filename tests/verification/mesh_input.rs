@@ -5,7 +5,7 @@ mod errors;
 use proptest::prelude::*;
 use whirl_benches::hand::elements::ELEMENTS;
 use whirl_solver::error::InputErrors;
-use whirl_solver::mesh::inp::{self, Read};
+use whirl_solver::mesh::inp::{self, ReadMesh};
 use whirl_solver::mesh::{Cell, Material, Mesh};
 
 use crate::bodies::reference;
@@ -53,7 +53,7 @@ CUBE, 102
 *END STEP
 ";
 
-fn read(text: &str) -> Result<Read, InputErrors> {
+fn read(text: &str) -> Result<ReadMesh, InputErrors> {
     inp::read(text, "cube.inp", &ELEMENTS)
 }
 
@@ -63,7 +63,7 @@ fn labels(mesh: &Mesh, set: &str) -> Vec<u64> {
 
 #[test]
 fn a_good_file_gives_its_mesh() {
-    let Read { mesh, warnings } = read(GOOD).unwrap_or_else(|errors| panic!("{errors}"));
+    let ReadMesh { mesh, warnings } = read(GOOD).unwrap_or_else(|errors| panic!("{errors}"));
     assert_eq!((mesh.nodes().len(), mesh.cell_count(), mesh.origin()), (10, 2, "cube.inp"));
     assert_eq!(mesh.nodes()[2], [1.0, 1.0, 0.0]);
     let names: Vec<&str> = mesh.blocks().iter().map(|b| b.element.origin.name).collect();
@@ -112,7 +112,7 @@ fn what_is_odd_but_readable_is_a_warning() {
     let text = GOOD
         .replace("10, 2, 0, 1\n", "10, 2, 0, 1\n11, 900, 0, 0\n")
         .replace("*STEP", "*NSTE, NSET=A\n*STEP");
-    let Read { mesh, warnings } = read(&text).unwrap();
+    let ReadMesh { mesh, warnings } = read(&text).unwrap();
     assert_eq!(mesh.nodes().len(), 10);
     assert_eq!(labels(&mesh, "ALL").len(), 10);
     let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();

@@ -7,7 +7,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, 
 use whirl_codegen::spec::law::{Acts, Given, LawSpec, Parameter};
 use whirl_specs::{LAWS, Law, TABLES};
 
-use super::library::Shelf;
+use super::library::FileStore;
 use super::parameters::{self, BearingFacts, SetParameter};
 use super::reader::Reader;
 
@@ -135,7 +135,7 @@ impl LawSource {
         };
         let values = parameters::listed(&given);
         let named = |mut error: Diagnostic| {
-            error.message = format!("{} (with {values}, as the case says)", error.message);
+            error.message = format!("{} (with {values}, as set in the case)", error.message);
             error
         };
         let joined = |mut all: Diagnostics, error| {
@@ -162,15 +162,15 @@ fn built_in_table(law: &Law, name: &str) -> Result<Arc<Source>, String> {
 }
 
 /// The law that `law` of a table names, and where it does, if the key is there.
-pub(super) fn read(shelf: Shelf, table: &Reader) -> Option<NamedLaw> {
+pub(super) fn read(store: FileStore, table: &Reader) -> Option<NamedLaw> {
     let name = table.text("law")?;
-    find(shelf, table, &name).map(|source| NamedLaw { source, name })
+    find(store, table, &name).map(|source| NamedLaw { source, name })
 }
 
 /// The law called `name`; what is wrong with it is noted in `table`.
-pub(super) fn find(shelf: Shelf, table: &Reader, name: &Located) -> Option<LawSource> {
+pub(super) fn find(store: FileStore, table: &Reader, name: &Located) -> Option<LawSource> {
     if name.text().ends_with(".toml") {
-        return read_file(shelf, table, name);
+        return read_file(store, table, name);
     }
     let law = LAWS.iter().find(|law| law.origin.name == name.text());
     if law.is_none() {
@@ -182,8 +182,8 @@ pub(super) fn find(shelf: Shelf, table: &Reader, name: &Located) -> Option<LawSo
     law.map(LawSource::BuiltIn)
 }
 
-fn read_file(shelf: Shelf, table: &Reader, name: &Located) -> Option<LawSource> {
-    let source = match shelf.read_beside(name.source(), name.text()) {
+fn read_file(store: FileStore, table: &Reader, name: &Located) -> Option<LawSource> {
+    let source = match store.read_beside(name.source(), name.text()) {
         Ok(source) => source,
         Err(message) => {
             let error = name.error_here(Code::BAD_VALUE, message);
@@ -191,7 +191,7 @@ fn read_file(shelf: Shelf, table: &Reader, name: &Located) -> Option<LawSource> 
             return None;
         }
     };
-    match LawSpec::read_with(&source, &|name| shelf.read_beside(&source, name)) {
+    match LawSpec::read_with(&source, &|name| store.read_beside(&source, name)) {
         Ok(spec) => Some(LawSource::File(Arc::new(spec))),
         Err(errors) => {
             errors.into_iter().for_each(|error| table.push(error));

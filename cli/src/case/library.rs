@@ -40,27 +40,30 @@ pub fn embedded_cases() -> impl Iterator<Item = &'static str> {
         .filter(|name| !name.contains('.'))
 }
 
-/// Whether files are looked up on the disk or among the built-in ones.
+/// Whether files are read from the disk or among the built-in ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shelf {
+pub(crate) enum FileStore {
     /// Files of the user.
     Disk,
     /// Files built into the program.
     Embedded,
 }
 
-impl Shelf {
-    /// The shelf and the path of the case that the user called `case`: a path, or a built-in name.
+impl FileStore {
+    /// The store and the path of the case that the user called `case`: a path, or a built-in name.
     ///
     /// # Errors
     /// Neither a file nor a built-in case is called so.
-    pub(crate) fn find(case: &str) -> Result<(Shelf, PathBuf), Diagnostics> {
+    pub(crate) fn find(case: &str) -> Result<(FileStore, PathBuf), Diagnostics> {
         let path = Path::new(case);
         if path.is_file() {
-            return Ok((Shelf::Disk, path.to_path_buf()));
+            return Ok((FileStore::Disk, path.to_path_buf()));
         }
         if embedded_cases().any(|name| name == case) {
-            return Ok((Shelf::Embedded, Path::new(EMBEDDED_FOLDER).join(format!("{case}.toml"))));
+            return Ok((
+                FileStore::Embedded,
+                Path::new(EMBEDDED_FOLDER).join(format!("{case}.toml")),
+            ));
         }
         let names: Vec<&str> = embedded_cases().collect();
         let message = if path.is_dir() {
@@ -80,7 +83,7 @@ impl Shelf {
     /// Why it cannot be read, for people.
     pub(crate) fn read(self, path: &Path) -> Result<Arc<Source>, String> {
         match self {
-            Shelf::Disk => {
+            FileStore::Disk => {
                 // What is no file, such as a device, may never end.
                 if path.exists() && !path.is_file() {
                     return Err(format!("`{}` is not a file", path.display()));
@@ -90,7 +93,7 @@ impl Shelf {
                     Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
                 }
             }
-            Shelf::Embedded => embedded_file(path)
+            FileStore::Embedded => embedded_file(path)
                 .ok_or_else(|| format!("there is no built-in file `{}`", path.display())),
         }
     }
@@ -103,7 +106,7 @@ impl Shelf {
         let path = resolve(beside, name);
         let built_in = || embedded_file(&Path::new(EMBEDDED_FOLDER).join(name));
         match self {
-            Shelf::Disk if !path.exists() => match built_in() {
+            FileStore::Disk if !path.exists() => match built_in() {
                 Some(source) => Ok(source),
                 None => self.read(&path),
             },
@@ -133,18 +136,21 @@ const MOST_FILES: usize = 64;
 ///
 /// # Errors
 /// Every file that cannot be read or is not TOML.
-pub(crate) fn load(shelf: Shelf, path: &Path) -> Result<(Table, Vec<Arc<Source>>), Diagnostics> {
-    let source = shelf.read(path).map_err(|message| {
+pub(crate) fn load(
+    store: FileStore,
+    path: &Path,
+) -> Result<(Table, Vec<Arc<Source>>), Diagnostics> {
+    let source = store.read(path).map_err(|message| {
         Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
     })?;
     let mut sources = vec![source.clone()];
     let mut errors = Diagnostics::new();
-    let table = load_source(shelf, &source, 0, &mut sources, &mut errors);
+    let table = load_source(store, &source, 0, &mut sources, &mut errors);
     errors.into_result((table, sources))
 }
 
 fn load_source(
-    shelf: Shelf,
+    store: FileStore,
     source: &Arc<Source>,
     depth: usize,
     sources: &mut Vec<Arc<Source>>,
@@ -176,10 +182,10 @@ fn load_source(
             );
             break;
         }
-        match shelf.read_beside(source, &name) {
+        match store.read_beside(source, &name) {
             Ok(included) => {
                 sources.push(included.clone());
-                let included = load_source(shelf, &included, depth + 1, sources, errors);
+                let included = load_source(store, &included, depth + 1, sources, errors);
                 table.merge(included);
             }
             Err(message) => errors.push(

@@ -31,7 +31,7 @@ impl Load {
 pub(super) fn read(file: &Reader) -> Vec<Load> {
     let each = |load: Reader| {
         if load.has("phase") && !load.has("frequency") {
-            let message = "a load without `frequency` is constant: its `phase` means nothing";
+            let message = "a load without `frequency` is constant: its `phase` has no effect";
             let place = load.places().remove("phase").unwrap_or_else(|| load.place().text(""));
             let help = "add `frequency = \"37.5 Hz\"`, or leave `phase` out";
             load.push(place.error_here(Code::BAD_VALUE, message).help(help));

@@ -7,7 +7,7 @@ use whirl_codegen::units::Quantity;
 use whirl_specs::Motion;
 
 use super::law::{self, LawSource, NamedLaw};
-use super::library::Shelf;
+use super::library::FileStore;
 use super::machine;
 use super::parameters::{self, BearingFacts, Keys};
 use super::reader::Reader;
@@ -72,8 +72,8 @@ pub enum Side {
     Around,
 }
 
-pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
-    let stops = file.tables("stop").into_iter().filter_map(|table| stop(shelf, &table)).collect();
+pub(super) fn read(store: FileStore, file: &Reader) -> Option<Lumped> {
+    let stops = file.tables("stop").into_iter().filter_map(|table| stop(store, &table)).collect();
     let mass = file.table("mass")?;
     let or_zero = |key| mass.quantity(key).unwrap_or(0.0);
     Some(Lumped {
@@ -95,13 +95,13 @@ pub(super) fn read(shelf: Shelf, file: &Reader) -> Option<Lumped> {
 /// What messages call the values of a stop.
 const KEYS: Keys = Keys { clearance: "gap" };
 
-fn stop(shelf: Shelf, table: &Reader) -> Option<Stop> {
+fn stop(store: FileStore, table: &Reader) -> Option<Stop> {
     let side = match table.word("side") {
         Some("around") => Side::Around,
         Some("below") => Side::Below,
         _ => Side::Above,
     };
-    let law = law::read(shelf, table);
+    let law = law::read(store, table);
     let set = parameters::read(table);
     let exactly = |key| table.exact(key).as_ref().map(parameters::exactly);
     let mut facts = BearingFacts {
@@ -151,7 +151,7 @@ fn around(table: &Reader, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rati
     };
     let (message, help) = if !law.source.parameters().iter().any(of) {
         let message = "a stop around the mass has no `gap` of its own: it is in its law";
-        let help = "leave `gap` out; or say in the law which of its parameters is the gap: \
+        let help = "leave `gap` out; or mark in the law which of its parameters is the gap: \
                     `bearing = \"radial_clearance\"`";
         (message, help)
     } else if gap.si() <= 0.0 {
@@ -186,9 +186,9 @@ fn fits(stop: &Reader, side: Side, law: &NamedLaw) {
             format!("`{}` is {}, not {}", law.name.text(), acts.called(), wanted.called());
         let help = match side {
             Side::Around => {
-                "say `side = \"above\"` or `\"below\"`, or name a law that gives F_x and F_y"
+                "write `side = \"above\"` or `\"below\"`, or name a law that gives F_x and F_y"
             }
-            _ => "say `side = \"around\"`, or name a law that gives Q",
+            _ => "write `side = \"around\"`, or name a law that gives Q",
         };
         stop.push(law.name.error_here(Code::BAD_VALUE, message).help(help));
     }

@@ -9,7 +9,7 @@ use whirl_codegen::diagnostic::{Code, suggest};
 use whirl_specs::{MOTIONS, Motion};
 
 use self::materials::Materials;
-use super::library::Shelf;
+use super::library::FileStore;
 use super::loads;
 use super::reader::Reader;
 use super::rotor::RotorDraft;
@@ -17,12 +17,12 @@ use super::rotor::RotorDraft;
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
 
-pub(super) fn read(shelf: Shelf, file: &Reader) -> RotorDraft {
+pub(super) fn read(store: FileStore, file: &Reader) -> RotorDraft {
     let materials = Materials::read(file);
     RotorDraft {
-        shaft: bodies::shaft(shelf, file, &materials),
-        support: bodies::support(shelf, file, &materials),
-        bearings: bearings::bearings(shelf, file),
+        shaft: bodies::shaft(store, file, &materials),
+        support: bodies::support(store, file, &materials),
+        bearings: bearings::bearings(store, file),
         drive: drive::drive(file),
         loads: loads::read(file),
     }

@@ -47,8 +47,8 @@ const FORCE_TOLERANCE: f64 = 1e-3;
 
 pub(super) fn read(file: &Reader, system: &SystemDraft) -> Option<March> {
     let march = file.table("march")?;
-    let said = march.quantity("time_step");
-    let time_step = said.unwrap_or(1.0);
+    let given = march.quantity("time_step");
+    let time_step = given.unwrap_or(1.0);
     let steps = steps(&march, time_step);
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
     let frequency = march.quantity("cycle_frequency");
@@ -56,14 +56,14 @@ pub(super) fn read(file: &Reader, system: &SystemDraft) -> Option<March> {
         Some(frequency) => Some((1.0 / frequency, "cycle_frequency", "a cycle")),
         None => natural_cycle(system).map(|(cycle, called)| (cycle, "time_step", called)),
     };
-    if let Some(time_step) = said {
+    if let Some(time_step) = given {
         let cycle = cycle.filter(|(_, key, _)| *key == "cycle_frequency");
         cycle.into_iter().chain(shortest(system)).for_each(|own| shown(&march, time_step, own));
     }
     let cycle_of_rows = cycle;
     let cycle = cycle.map_or(time_step * steps as f64, |(cycle, ..)| cycle);
     let output_every = output_every(&march, time_step, steps);
-    if let (Some(_), Some((cycle, ..))) = (said, cycle_of_rows) {
+    if let (Some(_), Some((cycle, ..))) = (given, cycle_of_rows) {
         shown_by_rows(&march, output_every as f64 * time_step, cycle);
     }
     Some(March { time_step, steps, force_tolerance, output_every, cycle })
@@ -204,11 +204,11 @@ fn output_every(march: &Reader, time_step: f64, steps: usize) -> usize {
     if (exact / whole - 1.0).abs() <= 1e-9 {
         return whole as usize;
     }
-    let said = match exact > most {
+    let what = match exact > most {
         true => "is longer than the run".to_string(),
         false => format!("is {} steps of `time_step`, no whole number of them", plain(exact)),
     };
-    let message = format!("`output_step` {said}: a row is written at the end of a step");
+    let message = format!("`output_step` {what}: a row is written at the end of a step");
     let help = format!("write `output_step = \"{} s\"`", plain(whole * time_step));
     let place = march.places().remove("output_step");
     let place = place.unwrap_or_else(|| march.place().text(""));

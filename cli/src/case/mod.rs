@@ -28,7 +28,7 @@ pub use read::read;
 pub(crate) use read::{SystemDraft, draft};
 pub(crate) use rotor::RotorDraft;
 pub use rotor::{
-    Bearing, Drive, GroundSpring, Made, Mesh, MeshFile, Region, Rotor, Shaft, Support,
+    Bearing, Drive, GeneratedMesh, GroundSpring, Mesh, MeshFile, Region, Rotor, Shaft, Support,
 };
 
 /// One case, ready to be built.

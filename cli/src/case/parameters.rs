@@ -61,8 +61,8 @@ pub(super) fn read(table: &Reader) -> Vec<SetParameter> {
 
 /// Both, of which the first hold where both say the same parameter.
 pub(super) fn over(own: &[SetParameter], shared: &[SetParameter]) -> Vec<SetParameter> {
-    let unsaid = |other: &&SetParameter| own.iter().all(|set| set.name != other.name);
-    own.iter().chain(shared.iter().filter(unsaid)).cloned().collect()
+    let not_set = |other: &&SetParameter| own.iter().all(|set| set.name != other.name);
+    own.iter().chain(shared.iter().filter(not_set)).cloned().collect()
 }
 
 /// Notes in `table` parameters that the law does not have, of another dimension, or that contradict the
@@ -87,8 +87,8 @@ pub(super) fn check(
         if let Some(of) = parameter.bearing {
             let value = exactly(&own.value);
             match facts.value(of) {
-                Some(said) if !alike(of, &said, &value) => {
-                    table.push(contradicts(own, of, &said, keys));
+                Some(given) if !alike(of, &given, &value) => {
+                    table.push(contradicts(own, of, &given, keys));
                 }
                 Some(_) => {}
                 None => facts.take(of, value),
@@ -125,15 +125,15 @@ fn wrong_unit(law: &NamedLaw, own: &SetParameter, parameter: &Parameter) -> Diag
     own.place.error_here(Code::WRONG_UNIT, message).help(help)
 }
 
-fn contradicts(own: &SetParameter, of: BearingValue, said: &Rational, keys: Keys) -> Diagnostic {
+fn contradicts(own: &SetParameter, of: BearingValue, given: &Rational, keys: Keys) -> Diagnostic {
     let name = &own.name;
     let key = keys.of(of);
     let unit = own.value.unit();
-    let said = unit.rational().map_or_else(|| said.clone(), |factor| said / factor);
+    let given = unit.rational().map_or_else(|| given.clone(), |factor| given / factor);
     let message = format!(
         "`{name}` is the {} of the bearing, {} {unit} by its `{key}`, not {}",
         of.word().replace('_', " "),
-        written(&said),
+        written(&given),
         own.place.text()
     );
     let help = format!("leave `{name}` out: the law takes it from the bearing; or change `{key}`");
@@ -259,7 +259,7 @@ pub(super) fn lacking(
         }
         let (name, key) = (&parameter.name, Keys { clearance: "radial_clearance" }.of(of));
         let message = format!(
-            "the law `{}` takes `{name}` from its bearing, whose {} nothing gives",
+            "the law `{}` takes `{name}` from its bearing, but nothing gives the {} of the bearing",
             law.name.text(),
             of.word().replace('_', " ")
         );

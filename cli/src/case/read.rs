@@ -7,7 +7,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use whirl_codegen::spec::schema::Described;
 
-use super::library::{Shelf, load};
+use super::library::{FileStore, load};
 use super::reader::Reader;
 use super::{Case, Figures, Lumped, March, RotorDraft, System, law, lumped, machine, march};
 
@@ -75,21 +75,21 @@ impl Draft {
 /// # Errors
 /// Files that cannot be read or are no TOML.
 pub(crate) fn draft(name: &str) -> Result<Draft, Diagnostics> {
-    let (shelf, path) = Shelf::find(name)?;
-    let (table, sources) = load(shelf, &path)?;
+    let (store, path) = FileStore::find(name)?;
+    let (table, sources) = load(store, &path)?;
     let errors = RefCell::new(Diagnostics::new());
     let draft = {
         let file = Reader::file(&sources[0], &table, Case::SHAPE, &errors);
-        assemble(shelf, &path, &sources, &file)
+        assemble(store, &path, &sources, &file)
     };
     Ok(Draft { errors: errors.into_inner(), ..draft })
 }
 
-fn assemble(shelf: Shelf, path: &Path, sources: &[Arc<Source>], file: &Reader) -> Draft {
+fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Reader) -> Draft {
     let title = file.text_or_none("title");
     let origin = file.text("source");
-    let figures = figures(shelf, file);
-    let system = system(shelf, file);
+    let figures = figures(store, file);
+    let system = system(store, file);
     let march = march::read(file, &system);
     Draft {
         name: case_name(path),
@@ -111,25 +111,25 @@ fn case_name(path: &Path) -> String {
 const OF_A_MACHINE: [&str; 7] =
     ["material", "shaft", "support", "springs", "bearing", "drive", "load"];
 
-fn system(shelf: Shelf, file: &Reader) -> SystemDraft {
+fn system(store: FileStore, file: &Reader) -> SystemDraft {
     if !file.has("mass") {
-        return SystemDraft::Rotor(Box::new(machine::read(shelf, file)));
+        return SystemDraft::Rotor(Box::new(machine::read(store, file)));
     }
     if file.has("shaft") {
         file.conflict("mass", "shaft");
         // Which of both is meant, is open: neither is read as if it were.
         OF_A_MACHINE.iter().for_each(|key| file.pass_over(key));
     }
-    SystemDraft::Lumped(lumped::read(shelf, file))
+    SystemDraft::Lumped(lumped::read(store, file))
 }
 
-fn figures(shelf: Shelf, file: &Reader) -> Figures {
+fn figures(store: FileStore, file: &Reader) -> Figures {
     let Some(figures) = file.table("figures") else {
         return Figures::default();
     };
     let names = figures.names("laws");
     Figures {
-        laws: names.iter().filter_map(|name| law::find(shelf, &figures, name)).collect(),
+        laws: names.iter().filter_map(|name| law::find(store, &figures, name)).collect(),
         law: figures.count("law"),
         reactions: figures.count("reactions"),
         eccentricity: figures.count("eccentricity"),

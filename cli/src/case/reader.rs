@@ -117,9 +117,9 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Notes that `key` is missing, and how to mend that.
+    /// Notes that `key` is missing, and how to fix that.
     pub(crate) fn absent(&self, key: &'static str, help: &str) {
-        let message = format!("{} does not say `{key}`", self.called("the case"));
+        let message = format!("`{key}` is missing in {}", self.called("the case"));
         let error = self.place.error(Code::MISSING_KEY, message).help(help);
         self.missing.borrow_mut().push((key, error));
     }
@@ -236,7 +236,7 @@ impl<'a> Reader<'a> {
                 Some(format!("such as `{key} = {}`", self.example(key))),
             );
         }
-        // Which of the names are meant is open: none is looked for.
+        // The names are not known: none is checked.
         Vec::new()
     }
 

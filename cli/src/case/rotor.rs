@@ -28,7 +28,7 @@ pub struct Rotor {
     pub loads: Vec<Load>,
 }
 
-/// A machine as far as a case says it: with what is there, sets can be looked for.
+/// A machine as far as a case says it: enough of it to find sets.
 pub(crate) struct RotorDraft {
     /// None if there is no mesh to make or to read.
     pub(crate) shaft: Option<Shaft>,
@@ -57,7 +57,7 @@ pub enum Mesh<D> {
     /// An Abaqus or CalculiX input file.
     File(MeshFile),
     /// Made from a few dimensions.
-    Made(Made<D>),
+    Generated(GeneratedMesh<D>),
 }
 
 impl<D> Mesh<D> {
@@ -65,14 +65,14 @@ impl<D> Mesh<D> {
     pub fn place(&self) -> Located {
         match self {
             Mesh::File(file) => file.name.clone(),
-            Mesh::Made(made) => made.table.clone(),
+            Mesh::Generated(generated) => generated.table.clone(),
         }
     }
 }
 
 /// A mesh made from dimensions, and where the case says them.
 #[derive(Debug, Clone)]
-pub struct Made<D> {
+pub struct GeneratedMesh<D> {
     /// The dimensions with the material.
     pub dimensions: D,
     /// The table of the dimensions.

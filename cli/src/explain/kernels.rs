@@ -1,9 +1,9 @@
-//! The code made from a spec: where it lies, and what each of its functions computes at what cost.
+//! The code generated from a spec: where it is, and what each of its functions computes at what cost.
 
 use whirl_codegen::spec::form::FormSpec;
 use whirl_specs::{Origin, generated};
 
-use super::made::{self, SHOWN_ON};
+use super::generated_code::{self, SHOWN_ON};
 use super::page::Page;
 use crate::spec_file::Spec;
 
@@ -12,7 +12,7 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
     page.heading("Generated Rust");
     let name = spec.about()[0];
     let Some(module) = origin.and_then(|origin| generated::module(origin.spec)) else {
-        explain_made(page, spec);
+        explain_generated(page, spec);
         return;
     };
     let generated::Module { kind, name: own, file, line, .. } = module;
@@ -29,11 +29,11 @@ pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
 }
 
 /// The same of a spec that is not built in.
-fn explain_made(page: &mut Page, spec: &Spec) {
-    let made = match made::module(spec) {
+fn explain_generated(page: &mut Page, spec: &Spec) {
+    let generated = match generated_code::module(spec) {
         Ok(module) => functions(&module),
         Err(errors) => {
-            page.item("none can be made from it, so that a build would refuse it:");
+            page.item("none can be generated, so that a build would refuse it:");
             for error in errors.iter() {
                 page.paragraph(6, &error.to_string());
             }
@@ -41,26 +41,29 @@ fn explain_made(page: &mut Page, spec: &Spec) {
         }
     };
     let path = spec.file().path.display();
-    page.item(&format!("as a build would make it, printed by `whirl explain {path} --rust`"));
+    page.item(&format!("as a build would generate it, printed by `whirl explain {path} --rust`"));
     page.item(&match spec {
         Spec::Law(_) => {
             "none is needed: the law is evaluated without a compiler, to the same bits".into()
         }
         _ => {
-            format!("compiled at the next build if the file lies in `specs/{}`", made::folder(spec))
+            format!(
+                "compiled at the next build if the file lies in `specs/{}`",
+                generated_code::folder(spec)
+            )
         }
     });
-    say(page, if let Spec::Form(form) = spec { of_forms(form, made) } else { made });
+    say(page, if let Spec::Form(form) = spec { of_forms(form, generated) } else { generated });
 }
 
 /// The functions of these forms: their own, and those of the element on which they are shown.
-fn of_forms(spec: &FormSpec, mut made: Vec<(String, String)>) -> Vec<(String, String)> {
+fn of_forms(spec: &FormSpec, mut generated: Vec<(String, String)>) -> Vec<(String, String)> {
     let is_form = |name: &str| spec.forms.iter().any(|form| form.name == name);
-    made.retain(|(name, _)| is_form(name) || name.strip_suffix("_pairs").is_some_and(is_form));
-    for (name, _) in made.iter_mut().filter(|(name, _)| is_form(name)) {
+    generated.retain(|(name, _)| is_form(name) || name.strip_suffix("_pairs").is_some_and(is_form));
+    for (name, _) in generated.iter_mut().filter(|(name, _)| is_form(name)) {
         name.push_str(&format!(", on the element {SHOWN_ON}"));
     }
-    made
+    generated
 }
 
 fn say(page: &mut Page, functions: Vec<(String, String)>) {

@@ -1,12 +1,12 @@
-//! `whirl explain`: what a spec says, what follows from it, and where the code made from it lies.
+//! `whirl explain`: what a spec says, what follows from it, and where its generated code lies.
 
 mod clearance;
 mod element;
 mod equations;
 mod form;
+mod generated_code;
 mod kernels;
 mod law;
-mod made;
 mod motion;
 mod page;
 mod plot;
@@ -23,7 +23,7 @@ use crate::figures;
 use crate::output::Output;
 use crate::spec_file::{self, Spec};
 
-/// The page of a spec, or the Rust made from it; writes its figure where one is asked for.
+/// The page of a spec, or the Rust generated from it; writes its figure where one is asked for.
 ///
 /// # Errors
 /// Nothing is called so; whatever is wrong with the spec; a figure of something that is no law, or that
@@ -45,7 +45,7 @@ pub(crate) fn check(name: &str) -> Result<String, Failure> {
     let (source, origin) = spec_file::find(name)?;
     let spec = Spec::read(&source)?;
     if origin.is_none() {
-        made::module(&spec)?;
+        generated_code::module(&spec)?;
     }
     let mut page = head(&spec);
     match &spec {
@@ -82,7 +82,7 @@ fn page(spec: &Spec, origin: Option<&Origin>) -> String {
 fn rust(spec: &Spec, origin: Option<&Origin>) -> Result<String, Failure> {
     match origin.and_then(|origin| generated::module(origin.spec)) {
         Some(module) => Ok(module.text.to_string()),
-        None => Ok(made::module(spec)?),
+        None => Ok(generated_code::module(spec)?),
     }
 }
 

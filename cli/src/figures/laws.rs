@@ -73,7 +73,7 @@ fn at_rest(law: &LawSpec) -> Vec<f64> {
 fn held(law: &LawSpec, output: usize, input: usize) -> Option<Vec<f64>> {
     /// Shares of a range at which inputs are held.
     const SHARES: [f64; 4] = [0.25, 0.75, 0.05, 0.95];
-    /// Points at which a curve is held against a constant.
+    /// Points at which a curve is compared with a constant.
     const PROBES: usize = 24;
     let [least, most] = law.report.outputs[output].extent;
     // Rounding is no change.

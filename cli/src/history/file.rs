@@ -166,7 +166,7 @@ impl HistoryFile {
 }
 
 fn invalid(path: &Path, what: &str) -> io::Error {
-    let message = format!("`{}` is no history: {}", path.display(), what.trim_end());
+    let message = format!("`{}` is not a history file: {}", path.display(), what.trim_end());
     io::Error::new(io::ErrorKind::InvalidData, message)
 }
 
@@ -223,7 +223,7 @@ mod tests {
         let (_folder, history) = file("t_s,x\n1,2\n1\n");
         let history = history.unwrap();
         let error = history.scan(history.start(), &["x"], &mut |_| {}).unwrap_err();
-        assert!(error.to_string().contains("is no history"), "{error}");
+        assert!(error.to_string().contains("is not a history file"), "{error}");
         let (_folder, history) = file("t_s,x\n");
         let history = history.unwrap();
         assert_eq!(history.last_time().unwrap(), None);

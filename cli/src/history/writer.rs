@@ -47,7 +47,7 @@ struct Queue {
     done: bool,
     failed: Option<NotWritten>,
     /// The first error of a resumable point; rows are worth more than it.
-    unkept: Option<String>,
+    checkpoint_error: Option<String>,
 }
 
 impl Shared {
@@ -62,7 +62,7 @@ impl HistoryWriter {
     /// # Errors
     /// The file cannot be made or written.
     pub(crate) fn create(path: &Path, names: &[String]) -> io::Result<HistoryWriter> {
-        let mut lines = Lines::new(File::create(path)?, 0);
+        let mut lines = CsvLines::new(File::create(path)?, 0);
         lines.text.extend(text::head(names).into_bytes());
         lines.write()?;
         Ok(HistoryWriter::start(lines, names.len()))
@@ -76,10 +76,10 @@ impl HistoryWriter {
         let mut file = File::options().write(true).open(path)?;
         file.set_len(length)?;
         file.seek(SeekFrom::End(0))?;
-        Ok(HistoryWriter::start(Lines::new(file, length), columns))
+        Ok(HistoryWriter::start(CsvLines::new(file, length), columns))
     }
 
-    fn start(mut lines: Lines, columns: usize) -> HistoryWriter {
+    fn start(mut lines: CsvLines, columns: usize) -> HistoryWriter {
         let shared = Arc::<Shared>::default();
         let own = shared.clone();
         let thread = std::thread::spawn(move || {
@@ -124,7 +124,7 @@ impl HistoryWriter {
     pub(crate) fn finish(mut self) -> Result<Option<String>, NotWritten> {
         self.end();
         let mut queue = self.shared.queue();
-        queue.failed.take().map_or(Ok(queue.unkept.take()), Err)
+        queue.failed.take().map_or(Ok(queue.checkpoint_error.take()), Err)
     }
 
     fn end(&mut self) {
@@ -143,16 +143,16 @@ impl Drop for HistoryWriter {
 }
 
 /// The file, and the lines that are to be written next.
-struct Lines {
+struct CsvLines {
     file: File,
     /// Bytes of whole lines in the file.
     length: u64,
     text: Vec<u8>,
 }
 
-impl Lines {
-    fn new(file: File, length: u64) -> Lines {
-        Lines { file, length, text: Vec::new() }
+impl CsvLines {
+    fn new(file: File, length: u64) -> CsvLines {
+        CsvLines { file, length, text: Vec::new() }
     }
 
     fn serve(&mut self, shared: &Shared, columns: usize) {
@@ -169,9 +169,9 @@ impl Lines {
             let before = resumable.as_ref().map_or(0, |(before, _)| *before);
             let mut written = self.rows(&values[..before], columns);
             if let (Ok(()), Some((_, make))) = (&written, resumable) {
-                let unkept = self.make_point(make).err().map(|error| error.to_string());
+                let checkpoint_error = self.make_point(make).err().map(|error| error.to_string());
                 let mut queue = shared.queue();
-                queue.unkept = queue.unkept.take().or(unkept);
+                queue.checkpoint_error = queue.checkpoint_error.take().or(checkpoint_error);
             }
             written = written.and_then(|()| self.rows(&values[before..], columns));
             values.clear();
@@ -291,7 +291,7 @@ mod tests {
     #[test]
     fn a_full_disk_stops_the_march() {
         let file = File::options().write(true).open("/dev/full").unwrap();
-        let mut writer = HistoryWriter::start(Lines::new(file, 0), 2);
+        let mut writer = HistoryWriter::start(CsvLines::new(file, 0), 2);
         let patience = std::time::Instant::now();
         let error = loop {
             assert!(patience.elapsed() < Duration::from_secs(20), "the error is noticed");

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use whirl_codegen::diagnostic::Diagnostics;
 use whirl_solver::cache::{Cache, Key};
-use whirl_solver::reduced::{Kind, Reduced};
+use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
@@ -33,8 +33,8 @@ pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<Bodies, Failu
     let start = Instant::now();
     // The bodies know nothing of each other.
     let (shaft, support) = std::thread::scope(|scope| {
-        let support = scope.spawn(|| reduced(Kind::Support, &plan.support, cache));
-        let shaft = reduced(Kind::Shaft, &plan.shaft, cache);
+        let support = scope.spawn(|| reduced(BodyKind::Support, &plan.support, cache));
+        let shaft = reduced(BodyKind::Shaft, &plan.shaft, cache);
         (shaft, support.join().expect("a reduction does not panic"))
     });
     let explained = |error| plan.shaft.explain(error);
@@ -58,7 +58,7 @@ pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<Bodies, Failu
 
 /// A body, a hash of its content, and whether it comes from the cache.
 fn reduced(
-    kind: Kind,
+    kind: BodyKind,
     plan: &BodyPlan,
     cache: Option<&Cache>,
 ) -> Result<(Reduced, Key, bool), Failure> {

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use whirl_solver::bearing::Bearing;
-use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -35,19 +35,19 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
             law: laws.place(&stop.law)?,
         });
     }
-    let load = |force: [f64; 2], course: Course| Load {
+    let load = |force: [f64; 2], time_function: TimeFunction| Load {
         node: shaft.nodes[0].clone(),
         force: [force[0], force[1], 0.0],
-        course,
+        time_function,
         frame: Frame::Space,
     };
     let mut loads = Vec::new();
     if lumped.force != 0.0 {
-        loads.push(load([lumped.force, 0.0], Course::Constant));
+        loads.push(load([lumped.force, 0.0], TimeFunction::Constant));
     }
     if let Some(Unbalance { eccentricity, speed }) = lumped.unbalance {
         let force = lumped.mass * eccentricity * speed * speed;
-        let turning = |phase: f64| Course::Sine { frequency: speed / TAU, phase };
+        let turning = |phase: f64| TimeFunction::Sine { frequency: speed / TAU, phase };
         loads.push(load([force, 0.0], turning(0.5 * PI)));
         loads.push(load([0.0, force], turning(0.0)));
     }

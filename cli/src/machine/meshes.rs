@@ -40,9 +40,9 @@ fn body<D>(
 ) -> Result<Mesh, Failure> {
     match mesh {
         case::Mesh::File(file) => read(file, material, regions),
-        case::Mesh::Made(made) => {
-            let mesh = make(&made.dimensions, &elements());
-            in_regions(mesh.map_err(|error| impossible(made, error))?, regions)
+        case::Mesh::Generated(generated) => {
+            let mesh = make(&generated.dimensions, &elements());
+            in_regions(mesh.map_err(|error| impossible(generated, error))?, regions)
         }
     }
 }
@@ -52,11 +52,11 @@ fn elements() -> Vec<&'static Element> {
 }
 
 /// An error about a dimension, where the case says it.
-fn impossible<D>(made: &case::Made<D>, error: Error) -> Failure {
+fn impossible<D>(generated: &case::GeneratedMesh<D>, error: Error) -> Failure {
     let Error::Dimension { dimension, value, what, help } = &error else {
         return error.into();
     };
-    let place = made.places.get(dimension).unwrap_or(&made.table);
+    let place = generated.places.get(dimension).unwrap_or(&generated.table);
     let message = format!("`{dimension} = {value}` {what}");
     Diagnostics::from(place.error_here(Code::BAD_VALUE, message).help(help)).into()
 }
@@ -154,7 +154,7 @@ fn placed(path: &Path, text: &str, errors: &InputErrors) -> Diagnostics {
     diagnostics
 }
 
-/// Cells turned inside out, at their lines in the mesh's file; a made mesh has no lines.
+/// Cells turned inside out, at their lines in the mesh's file; a generated mesh has no lines.
 pub(super) fn inverted(error: &Error) -> Failure {
     let Error::InvertedCells { origin, cells, .. } = error else {
         return error.clone().into();

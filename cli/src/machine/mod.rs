@@ -70,7 +70,7 @@ pub(crate) struct Counts {
     pub(crate) craig_bampton_dofs: usize,
 }
 
-/// Reads the case that the user called `name`, and looks for what its meshes and sets have wrong even where
+/// Reads the case that the user called `name`, and checks its meshes and sets even where
 /// the case has errors, so that all are reported at once.
 ///
 /// # Errors
@@ -83,7 +83,7 @@ pub(crate) fn read(name: &str) -> Result<Case, Failure> {
     Ok(draft.finish()?)
 }
 
-/// Looks for what is wrong with the meshes and sets of a case.
+/// Checks the meshes and sets of a case.
 ///
 /// # Errors
 /// Everything that is wrong with them.

@@ -160,7 +160,7 @@ impl Plan {
         Ok(Some(Plan { shaft, support, journals, bores, drive, loads, laws: Vec::new() }))
     }
 
-    /// Looks for what would keep the bodies from being reduced, without reducing them.
+    /// Checks for what would keep the bodies from being reduced, without reducing them.
     ///
     /// # Errors
     /// Cells turned inside out, motions that nothing stops.

@@ -2,7 +2,7 @@
 
 use whirl_solver::bearing::Bearing;
 use whirl_solver::cache::Cache;
-use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 
@@ -108,16 +108,16 @@ fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
 fn loads(rotor: &Rotor, plan: &Plan, shaft: &Shaft) -> Vec<Load> {
     let mut loads = Vec::new();
     for (load, places) in rotor.loads.iter().zip(&plan.loads) {
-        let course = match load.frequency {
-            Some(frequency) => Course::Sine { frequency, phase: load.phase },
-            None => Course::Constant,
+        let time_function = match load.frequency {
+            Some(frequency) => TimeFunction::Sine { frequency, phase: load.phase },
+            None => TimeFunction::Constant,
         };
         let mut force = [0.0; 3];
         force[load.direction] = load.force;
         let at = |&place: &usize| Load {
             node: shaft.nodes[place].clone(),
             force,
-            course,
+            time_function,
             frame: Frame::Space,
         };
         loads.extend(places.iter().map(at));
@@ -133,11 +133,11 @@ fn couple(rotor: &Rotor, plan: &Plan, shaft: &Shaft) -> Vec<Load> {
     }
     let [top, bottom] = plan.drive.map(|place| &shaft.nodes[place]);
     let force = rotor.drive.torque / (top.position[0] - bottom.position[0]);
-    let course = Course::UntilSpeed { target: rotor.drive.target_speed };
+    let time_function = TimeFunction::UntilSpeed { target: rotor.drive.target_speed };
     let half = |node: &whirl_solver::body::BodyNode, force| Load {
         node: node.clone(),
         force: [0.0, force, 0.0],
-        course,
+        time_function,
         frame: Frame::Shaft,
     };
     vec![half(top, force), half(bottom, -force)]

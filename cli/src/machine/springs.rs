@@ -11,7 +11,7 @@ use crate::case::LawSource;
 use crate::errors::Failure;
 use crate::law_file::LawFile;
 
-/// How to mend a ring of a bore whose nodes springs cannot stand between.
+/// How to fix a ring of a bore whose nodes springs cannot stand between.
 pub(super) const NAME_A_RING: &str = "name a set of nodes all around the bore, in one plane";
 
 /// Laws in the order in which they are first named, each once.

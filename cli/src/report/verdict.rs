@@ -62,7 +62,7 @@ impl VerdictFacts {
             findings,
             measures: Measures {
                 energy_made_share: quality.energy_made_share,
-                energy_error_share: outcome.energy.error_share(),
+                energy_error_share: outcome.energy.error_fraction(),
                 local_error: quality.local_error,
                 largest_local_error: quality.largest_local_error,
                 unresolved_motion: quality.unresolved_motion,
@@ -101,7 +101,7 @@ impl FindingFacts {
             limit: asked as f64,
             unit: "steps".to_owned(),
             remedy:
-                "see `error`: a shorter `time_step` may pass, a law that gives no number never does"
+                "see `error`: a shorter `time_step` may pass, a law without a value there never will"
                     .to_owned(),
         }
     }

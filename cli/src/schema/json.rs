@@ -70,7 +70,7 @@ fn table(declared: &Shape) -> Value {
     table
 }
 
-/// What a key says; of a quantity with what it measures, which text alone does not tell.
+/// What a key says; of a quantity with what it measures, which text alone does not show.
 fn about(key: &Key) -> String {
     let measure = match &key.shape {
         Shape::Quantity(measure) => measure,

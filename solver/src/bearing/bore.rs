@@ -92,9 +92,10 @@ fn add_spline(
         let [along_x, along_y] =
             if motion == BoreMotion::Radial { [cos, sin] } else { [-sin, cos] };
         for (knot, node) in ring.iter().enumerate() {
-            let share = weight * spline[(place, knot)];
+            let coefficient = weight * spline[(place, knot)];
             for (j, value) in row.iter_mut().enumerate() {
-                *value += share * (along_x * node.shapes[(0, j)] + along_y * node.shapes[(1, j)]);
+                *value +=
+                    coefficient * (along_x * node.shapes[(0, j)] + along_y * node.shapes[(1, j)]);
             }
         }
     }

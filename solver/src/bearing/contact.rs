@@ -28,7 +28,7 @@ pub(crate) struct ContactPlane {
     clearance: f64,
     /// Radius of the journal (m); of no effect where no law needs it and none is known.
     radius: f64,
-    /// What moments are divided by to be judged beside forces (m).
+    /// What moments are divided by to compare them with forces (m).
     arm: f64,
     table: Vec<f64>,
 }
@@ -228,13 +228,13 @@ impl ContactsState {
         }
     }
 
-    /// Computes everything but the tangent from the motion, and the forces by which a step is judged (N):
+    /// Computes everything but the tangent from the motion, and the forces tested for convergence (N):
     /// law after law, force after force, plane after plane; moments over the journal's radius.
-    pub(crate) fn update(&mut self, contacts: &Contacts, motion: Motion, judged: &mut [f64]) {
+    pub(crate) fn update(&mut self, contacts: &Contacts, motion: Motion, tested: &mut [f64]) {
         multiply(&contacts.bore, motion.support, &mut self.bore);
         multiply(&contacts.bore, motion.support_dot, &mut self.bore_dot);
         self.spin = motion.spin.map(Spin::new);
-        let mut judged = judged.iter_mut();
+        let mut tested = tested.iter_mut();
         for (law, range) in &contacts.laws {
             for place in range.clone() {
                 self.move_plane(contacts, place, motion);
@@ -246,7 +246,7 @@ impl ContactsState {
                     let plane = &contacts.planes[place];
                     let scale = if is_moment { 1.0 / plane.arm } else { 1.0 };
                     let row = &self.planes[place].forces[force * plane.count..][..plane.count];
-                    row.iter().zip(&mut judged).for_each(|(value, out)| *out = scale * value);
+                    row.iter().zip(&mut tested).for_each(|(value, out)| *out = scale * value);
                 }
             }
         }
@@ -381,29 +381,32 @@ impl ContactsState {
             let ring_force = self.plane_force(place);
             *theta += ring_force[0];
             for (row, value) in plane.eccentricity.iter().zip(&ring_force[1..]) {
-                row.iter().for_each(|&(j, share)| eta[j] += share * value);
+                row.iter().for_each(|&(j, coefficient)| eta[j] += coefficient * value);
             }
             for (row, forces) in plane.motions.iter().zip(own.bore_force.chunks(plane.count.max(1)))
             {
                 let Some(row) = *row else { continue };
                 for (j, &force) in forces.iter().enumerate().filter(|(_, force)| **force != 0.0) {
                     let column = contacts.bore_transposed.col(row + j);
-                    support.iter_mut().zip(column).for_each(|(sum, share)| *sum += share * force);
+                    support
+                        .iter_mut()
+                        .zip(column)
+                        .for_each(|(sum, coefficient)| *sum += coefficient * force);
                 }
             }
         }
     }
 
     /// Hands |force| projected on a coordinate of the shaft (θ is 0, η_j is 1 + j) to `add`, force by force;
-    /// `judged` as [`ContactsState::update`] leaves it.
+    /// `tested` as [`ContactsState::update`] leaves it.
     pub(crate) fn projected_on_shaft(
         &self,
         contacts: &Contacts,
         place: usize,
-        judged: &[f64],
+        tested: &[f64],
         add: &mut impl FnMut(f64),
     ) {
-        let mut judged = judged.iter();
+        let mut tested = tested.iter();
         for (law, planes) in &contacts.laws {
             for &force in &law.forces {
                 let is_moment = law.kind.forces[force].unit != "N";
@@ -416,7 +419,7 @@ impl ContactsState {
                         Some(_) if is_moment => 0.0,
                         Some(j) => contacts.arms[(number, j)],
                     };
-                    let forces = judged.by_ref().take(plane.count);
+                    let forces = tested.by_ref().take(plane.count);
                     forces.for_each(|force| add(arm * force.abs()));
                 }
             }

@@ -148,7 +148,7 @@ impl Bound {
     }
 }
 
-/// What is wrong with a law, and how to mend it.
+/// What is wrong with a law, and how to fix it.
 #[derive(Debug)]
 pub(crate) struct WrongLaw {
     pub(crate) what: String,
@@ -176,7 +176,7 @@ fn kind(law: &dyn SpringLaw, kinds: &'static [Contact]) -> Result<&'static Conta
     };
     for name in &outputs {
         if !kinds.iter().any(|kind| has(kind.forces, name)) {
-            let what = format!("gives {name}, which is no force of a spring or of a ring");
+            let what = format!("gives {name}, which is not a force of a spring or of a ring");
             return Err(WrongLaw { what, help: known(name, all(|kind| kind.forces)) });
         }
     }
@@ -245,7 +245,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_compiled_law_is_named_and_told_by_its_spec() {
+    fn a_compiled_law_has_the_name_and_text_of_its_spec() {
         for law in LAWS {
             let own: &dyn SpringLaw = &law;
             assert_eq!((own.name(), own.hash()), (law.origin.name, law.origin.hash));

@@ -164,7 +164,7 @@ impl Springs {
         let measures = Measures::new(bearings, normal, &planes, &ranges, &contacts);
         let squares = |matrix: &Matrix, j: usize, springs: &dyn Fn(usize) -> usize| -> f64 {
             let column = matrix.col(j).iter().enumerate();
-            column.map(|(row, share)| springs(row) as f64 * share * share).sum()
+            column.map(|(row, coefficient)| springs(row) as f64 * coefficient * coefficient).sum()
         };
         let on_shaft = (0..shaft_size).map(|j| {
             let own = squares(&arms, j, &|plane| planes[plane].springs.len());
@@ -202,7 +202,7 @@ impl Springs {
         self.len() == 0
     }
 
-    /// Number of forces by which a step is judged: Q of every such spring, and whatever other laws give.
+    /// Number of forces tested for convergence: Q of every such spring, and whatever other laws give.
     pub(crate) fn forces(&self) -> usize {
         self.len() + self.contacts.forces()
     }
@@ -241,7 +241,9 @@ fn arms_of<'a>(
     let rows: Vec<Vec<f64>> = planes
         .map(|rows| {
             let mut arms = vec![0.0_f64; shaft_size];
-            rows.iter().flatten().for_each(|&(j, share)| arms[j] = arms[j].hypot(share));
+            rows.iter()
+                .flatten()
+                .for_each(|&(j, coefficient)| arms[j] = arms[j].hypot(coefficient));
             arms
         })
         .collect();

@@ -5,7 +5,7 @@ use std::ops::Range;
 use whirl_specs::{Ring, RingTangent, SpringForce};
 
 use super::contact::ContactsState;
-use super::valid::Watch;
+use super::valid::ValidityMonitor;
 use super::{BoundLaw, Input, SpringLaw, Springs};
 use crate::linalg::{Matrix, add_product};
 
@@ -31,7 +31,7 @@ pub struct SpringState {
     pub h: Vec<f64>,
     /// ḣ (m/s).
     pub h_dot: Vec<f64>,
-    /// Forces by which a step is judged (N): Q of every spring with a law Q(h, ḣ), then what other laws
+    /// Forces tested for convergence (N): Q of every spring with a law Q(h, ḣ), then what other laws
     /// give, moments over the journal's radius.
     pub forces: Vec<f64>,
     dq_dh: Vec<f64>,
@@ -48,7 +48,7 @@ pub struct SpringState {
     pub(super) law_workspace: Vec<f64>,
     rates: bool,
     /// Whether the laws are used where they may be believed.
-    pub(super) watch: Watch,
+    pub(super) monitor: ValidityMonitor,
 }
 
 impl SpringState {
@@ -76,7 +76,7 @@ impl SpringState {
             law_outputs: vec![0.0; most(|law| law.output_rows)],
             law_workspace: vec![0.0; workspace.unwrap_or(0)],
             rates: springs.needs_rates(),
-            watch: Watch::new(&springs.measures),
+            monitor: ValidityMonitor::new(&springs.measures),
         }
     }
 
@@ -117,8 +117,8 @@ impl SpringState {
                 &mut self.spring_force[range],
             );
         }
-        let judged = &mut self.forces[springs.len()..];
-        self.contacts.update(&springs.contacts, motion, judged);
+        let tested = &mut self.forces[springs.len()..];
+        self.contacts.update(&springs.contacts, motion, tested);
     }
 
     fn evaluate_laws(&mut self, springs: &Springs) {
@@ -163,7 +163,7 @@ impl SpringState {
         for (plane, force) in springs.planes.iter().zip(&self.plane_force) {
             *theta += force[0];
             for (row, value) in plane.eccentricity.iter().zip(&force[1..]) {
-                row.iter().for_each(|&(j, share)| eta[j] += share * value);
+                row.iter().for_each(|&(j, coefficient)| eta[j] += coefficient * value);
             }
         }
         add_product(support, &springs.bore_transposed, &self.spring_force);
@@ -171,7 +171,7 @@ impl SpringState {
     }
 
     /// Of coordinate `place` of q (θ is 0, η_j is 1 + j) the largest single force projected on it, and the sum
-    /// of |force| over all that act on it: forces by which a step is judged, times how far a unit of the
+    /// of |force| over all that act on it: forces tested for convergence, times how far a unit of the
     /// coordinate moves where they act.
     pub(crate) fn projected(&self, springs: &Springs, place: usize) -> (f64, f64) {
         let (mut largest, mut sum) = (0.0, 0.0);
@@ -183,7 +183,10 @@ impl SpringState {
         let first = 1 + springs.shaft_size;
         if place >= first {
             let column = springs.bore.col(place - first);
-            column.iter().zip(quick).for_each(|(share, force)| add((share * force).abs()));
+            column
+                .iter()
+                .zip(quick)
+                .for_each(|(coefficient, force)| add((coefficient * force).abs()));
             self.contacts.projected_on_support(&springs.contacts, place - first, &mut add);
             return (largest, sum);
         }
@@ -239,7 +242,7 @@ impl SpringState {
 
 /// Σ coefficient · x.
 pub(crate) fn along(row: &[(usize, f64)], x: &[f64]) -> f64 {
-    row.iter().map(|&(j, share)| share * x[j]).sum()
+    row.iter().map(|&(j, coefficient)| coefficient * x[j]).sum()
 }
 
 /// y = A x.

@@ -119,15 +119,15 @@ impl Measures {
     }
 }
 
-/// The worst values so far, and room for those of an instant.
-pub(super) struct Watch {
+/// The worst values so far, and memory for those of an instant.
+pub(super) struct ValidityMonitor {
     worst: Vec<Option<Worst>>,
     values: Vec<f64>,
 }
 
-impl Watch {
+impl ValidityMonitor {
     pub(super) fn new(measures: &Measures) -> Self {
-        Watch { worst: vec![None; measures.all.len()], values: vec![0.0; measures.most] }
+        ValidityMonitor { worst: vec![None; measures.all.len()], values: vec![0.0; measures.most] }
     }
 
     /// Takes the measures of a law at `time`, which stand in `values`.
@@ -191,26 +191,26 @@ impl SpringState {
             let (law, range) = &springs.laws[observed.law];
             self.gather(law, range.clone());
             let inputs = &self.law_inputs[..law.inputs.len() * observed.springs];
-            let values = &mut self.watch.values[..observed.count * observed.springs];
+            let values = &mut self.monitor.values[..observed.count * observed.springs];
             law.law.measure(observed.springs, inputs, values, &mut self.law_workspace);
-            self.watch.take(&measures.all, observed, time);
+            self.monitor.take(&measures.all, observed, time);
         }
         for observed in &measures.contacts {
-            let values = &mut self.watch.values[..observed.count * observed.springs];
+            let values = &mut self.monitor.values[..observed.count * observed.springs];
             self.contacts.measure(&springs.contacts, observed.law, values);
-            self.watch.take(&measures.all, observed, time);
+            self.monitor.take(&measures.all, observed, time);
         }
     }
 
     /// The worst values so far, in the order of [`Springs::measures`]; none before the first step.
     pub fn worst(&self) -> &[Option<Worst>] {
-        &self.watch.worst
+        &self.monitor.worst
     }
 
     /// Goes on from worst values that were kept; those of another machine are left alone.
     pub fn resume(&mut self, worst: &[Option<Worst>]) {
-        if worst.len() == self.watch.worst.len() {
-            self.watch.worst.copy_from_slice(worst);
+        if worst.len() == self.monitor.worst.len() {
+            self.monitor.worst.copy_from_slice(worst);
         }
     }
 }
@@ -274,20 +274,21 @@ mod tests {
         let all = [measure([f64::NEG_INFINITY, 1.0]), measure([0.0, f64::INFINITY])];
         let planes = vec![(0..2, 0), (2..3, 0)];
         let observed = Observed { law: 0, count: 2, springs: 3, planes };
-        let mut watch = Watch { worst: vec![None; 2], values: vec![0.1, 0.2, 0.3, 0.3, 0.2, 0.1] };
-        watch.take(&all, &observed, 1.0);
+        let mut monitor =
+            ValidityMonitor { worst: vec![None; 2], values: vec![0.1, 0.2, 0.3, 0.3, 0.2, 0.1] };
+        monitor.take(&all, &observed, 1.0);
         let worst = |value, time| Some(Worst { value, time });
-        assert_eq!(watch.worst, [worst(0.3, 1.0), worst(0.1, 1.0)]);
-        watch.values = vec![0.1, 1.5, 0.2, 0.4, 0.4, 0.4];
-        watch.take(&all, &observed, 2.0);
-        assert_eq!(watch.worst, [worst(1.5, 2.0), worst(0.1, 1.0)]);
-        watch.values = vec![1.5, 1.5, 1.5, -0.1, f64::NAN, 0.0];
-        watch.take(&all, &observed, 3.0);
-        assert_eq!(watch.worst[0], worst(1.5, 2.0));
-        let last = watch.worst[1].unwrap();
+        assert_eq!(monitor.worst, [worst(0.3, 1.0), worst(0.1, 1.0)]);
+        monitor.values = vec![0.1, 1.5, 0.2, 0.4, 0.4, 0.4];
+        monitor.take(&all, &observed, 2.0);
+        assert_eq!(monitor.worst, [worst(1.5, 2.0), worst(0.1, 1.0)]);
+        monitor.values = vec![1.5, 1.5, 1.5, -0.1, f64::NAN, 0.0];
+        monitor.take(&all, &observed, 3.0);
+        assert_eq!(monitor.worst[0], worst(1.5, 2.0));
+        let last = monitor.worst[1].unwrap();
         assert!(last.value.is_nan() && last.time == 3.0);
-        watch.values = vec![0.0, 0.0, 0.0, -1.0, -1.0, -1.0];
-        watch.take(&all, &observed, 4.0);
-        assert_eq!(watch.worst[1].unwrap().time, 3.0);
+        monitor.values = vec![0.0, 0.0, 0.0, -1.0, -1.0, -1.0];
+        monitor.take(&all, &observed, 4.0);
+        assert_eq!(monitor.worst[1].unwrap().time, 3.0);
     }
 }

@@ -61,7 +61,7 @@ impl Flow {
     }
 
     /// Made over flowed; 0 where nothing was made.
-    pub(crate) fn share(&self) -> f64 {
+    pub(crate) fn fraction(&self) -> f64 {
         if self.made == 0.0 { 0.0 } else { self.made / self.flowed }
     }
 }

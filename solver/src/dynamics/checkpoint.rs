@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::meters::MeterSums;
 use super::newmark::State;
-use super::newton::Kept;
+use super::newton::NewtonState;
 use super::steady::SteadyTest;
 use crate::bearing::Worst;
 
@@ -26,8 +26,8 @@ pub struct Checkpoint {
     pub(super) time: f64,
     /// Which driving loads have stopped.
     pub(super) released: Vec<bool>,
-    /// Where the factors that are kept were made.
-    pub(super) newton: Kept,
+    /// Where the factors that are kept were computed.
+    pub(super) newton: NewtonState,
     pub(super) meters: MeterSums,
     /// Of the measures by which the laws may be believed.
     pub(super) worst: Vec<Option<Worst>>,

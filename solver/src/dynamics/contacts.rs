@@ -6,7 +6,7 @@ use crate::bearing::Contacts;
 use crate::bearing::contact::{ContactPlane, ContactsState};
 use crate::linalg::{Columns, multiply_transpose_add};
 
-/// Coefficients of θ, ε_x and ε_y over (θ, η): a place and a share each.
+/// Coefficients of θ, ε_x and ε_y over (θ, η): a place and a coefficient each.
 pub(super) type RingRows<'a> = [&'a [(usize, f64)]; 3];
 
 /// Rows of the coordinates of a ring.
@@ -109,17 +109,17 @@ impl ContactTangents {
         for (i, ring) in rows.into_iter().enumerate() {
             let by_bore = |b: usize| &tangent.ring_bore[(i * motions + b) * n..][..n];
             combine(contacts, plane, by_bore, &mut self.cross);
-            for &(row, share) in ring {
+            for &(row, coefficient) in ring {
                 for (b, value) in self.cross.iter().enumerate() {
-                    out[(first + b) * size + place(i, row)] -= share * value;
+                    out[(first + b) * size + place(i, row)] -= coefficient * value;
                 }
             }
             let by_ring = |b: usize| &tangent.bore_ring[(3 * b + i) * n..][..n];
             combine(contacts, plane, by_ring, &mut self.cross);
-            for &(column, share) in ring {
+            for &(column, coefficient) in ring {
                 let start = place(i, column) * size + first;
                 let column = &mut out[start..start + self.cross.len()];
-                column.iter_mut().zip(&self.cross).for_each(|(sum, v)| *sum -= share * v);
+                column.iter_mut().zip(&self.cross).for_each(|(sum, v)| *sum -= coefficient * v);
             }
         }
     }
@@ -149,7 +149,10 @@ impl ContactTangents {
                     if !std::mem::replace(&mut acts, true) {
                         weighted.fill(0.0);
                     }
-                    weighted.iter_mut().zip(other).for_each(|(sum, share)| *sum += weight * share);
+                    weighted
+                        .iter_mut()
+                        .zip(other)
+                        .for_each(|(sum, coefficient)| *sum += weight * coefficient);
                 }
                 if acts {
                     let own = contacts.bore_transposed.col(row + j);
@@ -188,7 +191,7 @@ fn combine<'w>(
         let Some(row) = *row else { continue };
         for (j, &weight) in weights(b).iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
             let own = contacts.bore_transposed.col(row + j);
-            out.iter_mut().zip(own).for_each(|(sum, share)| *sum += weight * share);
+            out.iter_mut().zip(own).for_each(|(sum, coefficient)| *sum += weight * coefficient);
         }
     }
 }

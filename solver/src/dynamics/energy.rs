@@ -39,8 +39,8 @@ impl EnergyBalance {
         self.work_in - self.kinetic - self.strain - springs - self.dissipated
     }
 
-    /// The error as a share of the energy in play; 0 where it is 0.
-    pub fn error_share(&self) -> f64 {
+    /// The error as a fraction of the energy in play; 0 where it is 0.
+    pub fn error_fraction(&self) -> f64 {
         let error = self.error().abs();
         if error == 0.0 { 0.0 } else { error / self.turnover }
     }
@@ -134,7 +134,7 @@ impl EnergyMeter {
     }
 
     /// Goes on from sums of an earlier march at a state that was just evaluated.
-    pub(crate) fn go_on_from(&mut self, system: &System, sums: EnergySums) {
+    pub(crate) fn resume_from(&mut self, system: &System, sums: EnergySums) {
         self.sums = sums;
         self.along.start(&system.machine.springs, &system.springs);
         self.load.copy_from_slice(&system.load);

@@ -6,7 +6,7 @@ use super::checkpoint::{Checkpoint, Tally};
 use super::energy::EnergyBalance;
 use super::meters::Meters;
 use super::newmark::{Coefficients, Newmark, State};
-use super::newton::{Ending, Newton, NewtonOptions, Report};
+use super::newton::{Ending, Newton, NewtonOptions, StepReport};
 use super::quality::Quality;
 use super::row::{displacements, write_row};
 use super::steady::{SteadyState, SteadyTest};
@@ -115,7 +115,7 @@ pub struct March<'m> {
     system: System<'m>,
     newton: Newton,
     state: State,
-    /// State at the start of the step, and room for the ends of its parts, one a halving.
+    /// State at the start of the step, and memory for the ends of its parts, one a halving.
     starts: Vec<State>,
     last_iterations: usize,
     tally: Tally,
@@ -175,11 +175,11 @@ impl<'m> March<'m> {
         let Checkpoint { state, time, released, newton, meters, worst, tally } = from;
         let mut march = March::new(machine, options).map_err(|failure| failure.error)?;
         let system = &mut march.system;
-        march.newton.go_on_from(system, options.newmark, newton);
+        march.newton.resume_from(system, options.newmark, newton);
         system.released = released;
         system.evaluate(time, &state);
         system.springs.resume(&worst);
-        march.meters.go_on_from(system, meters);
+        march.meters.resume_from(system, meters);
         (march.state, march.tally) = (state, tally);
         Ok(march)
     }
@@ -279,7 +279,7 @@ impl<'m> March<'m> {
         solved
     }
 
-    fn diverged(&self, time: f64, dt: f64, report: &Report) -> Error {
+    fn diverged(&self, time: f64, dt: f64, report: &StepReport) -> Error {
         if let Some((law, bearing)) = self.system.springs.without_value(&self.machine.springs) {
             let step = self.tally.step + 1;
             return Error::NoForce { step, time, law, bearing: bearing + 1 };

@@ -57,8 +57,8 @@ impl Meters {
     }
 
     /// Goes on from what was measured before, at a state that was just evaluated.
-    pub(crate) fn go_on_from(&mut self, system: &System, sums: MeterSums) {
-        self.energy.go_on_from(system, sums.energy);
+    pub(crate) fn resume_from(&mut self, system: &System, sums: MeterSums) {
+        self.energy.resume_from(system, sums.energy);
         self.quality.sums = sums.quality;
     }
 

@@ -18,15 +18,15 @@ use crate::linalg::Lu;
 pub struct NewtonOptions {
     /// Largest change of a spring force in the last iteration, and largest force missing at a spring (N).
     pub force_tolerance: f64,
-    /// The same as a share of the largest spring force so far; the smaller of the two holds, so that a machine
+    /// The same as a fraction of the largest spring force so far; the smaller of the two holds, so that a machine
     /// of small forces is solved as well as a large one.
-    pub force_share: f64,
-    /// Largest residual left in a row of the equations, as a share of the largest term of that row; see
+    pub relative_force_tolerance: f64,
+    /// Largest residual left in a row of the equations, as a fraction of the largest term of that row; see
     /// `System::row_error`.
     pub residual_tolerance: f64,
     /// Iterations after which a step counts as failed.
     pub max_iterations: usize,
-    /// Whether factors are kept while they contract, or made anew in every iteration. Kept ones take more
+    /// Whether factors are kept while they contract, or recomputed in every iteration. Kept ones take more
     /// iterations (in oil films 9 a step where new ones take 3), each much cheaper than factoring.
     pub keep_factors: bool,
     /// Whether steps that do not lessen φ are shortened. Without it this is the plain method, which can
@@ -40,7 +40,7 @@ impl Default for NewtonOptions {
     fn default() -> Self {
         NewtonOptions {
             force_tolerance: 1e-3,
-            force_share: 1e-5,
+            relative_force_tolerance: 1e-5,
             residual_tolerance: SOLVED,
             max_iterations: 40,
             keep_factors: true,
@@ -50,7 +50,7 @@ impl Default for NewtonOptions {
     }
 }
 
-/// Residual of a row, as a share of its largest term, at which it counts as solved.
+/// Residual of a row, as a fraction of its largest term, at which it counts as solved.
 const SOLVED: f64 = 5e-7;
 /// Worst contraction for which factors are kept.
 pub(super) const CONTRACTION: f64 = 0.2;
@@ -73,7 +73,7 @@ pub(crate) enum Ending {
 
 /// What happened in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Report {
+pub(crate) struct StepReport {
     pub(crate) ending: Ending,
     pub(crate) iterations: usize,
     /// √(2φ) at the end.
@@ -84,9 +84,9 @@ pub(crate) struct Report {
     pub(crate) row_error: f64,
 }
 
-/// What the iteration keeps over steps, but its factors: enough to make them again with the same bits.
+/// What the iteration keeps over steps, but its factors: enough to compute them again with the same bits.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Kept {
+pub(crate) struct NewtonState {
     /// Time (s), state and released loads at which [AK] was factored.
     time: f64,
     state: State,
@@ -107,7 +107,7 @@ pub(crate) struct Newton {
     lu: Lu,
     /// [AK] of all coordinates, where not all are unknown.
     whole: Vec<f64>,
-    kept: Kept,
+    kept: NewtonState,
     /// 1/s.
     weights: Vec<f64>,
     weights_dt: f64,
@@ -131,7 +131,7 @@ impl Newton {
             first,
             lu: Lu::new(unknowns),
             whole: vec![0.0; if first > 0 { size * size } else { 0 }],
-            kept: Kept {
+            kept: NewtonState {
                 time: 0.0,
                 state: State::new(size),
                 released: vec![false; machine.loads.len()],
@@ -151,12 +151,12 @@ impl Newton {
     }
 
     /// What is kept over steps.
-    pub(crate) fn kept(&self) -> &Kept {
+    pub(crate) fn kept(&self) -> &NewtonState {
         &self.kept
     }
 
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
-    pub(crate) fn go_on_from(&mut self, system: &mut System, method: Newmark, kept: Kept) {
+    pub(crate) fn resume_from(&mut self, system: &mut System, method: Newmark, kept: NewtonState) {
         if kept.dt > 0.0 {
             system.released.copy_from_slice(&kept.released);
             system.evaluate(kept.time, &kept.state);
@@ -173,7 +173,7 @@ impl Newton {
         t: f64,
         step: &Coefficients,
         end: &mut State,
-    ) -> Report {
+    ) -> StepReport {
         self.weigh(system, step);
         self.predicted.copy_from(end);
         self.trial.copy_from(end);
@@ -198,7 +198,7 @@ impl Newton {
                 match self.search(system, t, step, norm, fresh) {
                     Some(found) => break found,
                     None if !fresh => {
-                        // Kept factors promise nothing: make them at this state and try again.
+                        // Kept factors promise nothing: compute them at this state and try again.
                         system.evaluate(t, end);
                         if !self.factor(system, t, end, step) {
                             return self.failed(iteration, norm, force_change);
@@ -217,8 +217,8 @@ impl Newton {
             let (change, largest) = self.force_change(system);
             force_change = change;
             let most = f64::max(self.kept.largest_force, largest);
-            let share = self.options.force_share * most;
-            let force_tolerance = f64::min(self.options.force_tolerance, share);
+            let relative = self.options.relative_force_tolerance * most;
+            let force_tolerance = f64::min(self.options.force_tolerance, relative);
             let at_rest = change <= force_tolerance + FORCE_ROUNDING * largest;
             if length == 1.0 && at_rest {
                 let options = NewtonOptions { force_tolerance, ..self.options };
@@ -227,7 +227,13 @@ impl Newton {
                     self.kept.largest_force = most;
                     let ending = Ending::Converged;
                     let iterations = iteration;
-                    return Report { ending, iterations, residual: norm, force_change, row_error };
+                    return StepReport {
+                        ending,
+                        iterations,
+                        residual: norm,
+                        force_change,
+                        row_error,
+                    };
                 }
             }
             let size = self.length();
@@ -341,16 +347,16 @@ impl Newton {
         parts.map(|(x, w)| x * x / w).sum::<f64>().sqrt()
     }
 
-    fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> Report {
+    fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> StepReport {
         self.kept.dt = 0.0;
         let row_error = f64::INFINITY;
-        Report { ending: Ending::Failed, iterations, residual, force_change, row_error }
+        StepReport { ending: Ending::Failed, iterations, residual, force_change, row_error }
     }
 
-    /// The coordinate with the largest share in φ.
+    /// The coordinate that contributes most to φ.
     pub(crate) fn worst(&self, residual: &[f64]) -> usize {
-        let shares = residual[self.first..].iter().zip(&self.weights).map(|(x, w)| x * x * w);
-        let worst = shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        let terms = residual[self.first..].iter().zip(&self.weights).map(|(x, w)| x * x * w);
+        let worst = terms.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         self.first + worst.map_or(0, |(place, _)| place)
     }
 }
@@ -417,7 +423,7 @@ mod tests {
     }
 
     #[test]
-    fn the_worst_coordinate_has_the_largest_share_in_the_merit() {
+    fn the_worst_coordinate_has_the_largest_part_of_the_merit() {
         let machine = machine(Rotation::Held);
         let system = System::new(&machine);
         let mut newton = Newton::new(NewtonOptions::default(), &system);

@@ -11,8 +11,8 @@ use crate::linalg::{Cholesky, Matrix, generalised_symmetric_eigen};
 /// What the steps of a march were worth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Quality {
-    /// Energy made at the springs of a bearing as a share of what flowed there, at the bearing and in the part of
-    /// the march where it is largest; see `Windows::share`.
+    /// Energy made at the springs of a bearing as a fraction of what flowed there, at the bearing and in the part of
+    /// the march where it is largest; see `Windows::fraction`.
     pub energy_made_share: f64,
     /// The bearing where it is largest, counted from 0; none where no energy was made.
     pub bearing: Option<usize>,
@@ -20,13 +20,13 @@ pub struct Quality {
     pub energy_made: f64,
     /// Energy that flowed into that bearing and out of it, summed without sign (J).
     pub energy_flowed: f64,
-    /// Local error of a step that 95 % of the steps stay below, as a share of the largest displacement, in
+    /// Local error of a step that 95 % of the steps stay below, as a fraction of the largest displacement, in
     /// the modes that the step resolves (ωΔt < 1), all in the norm of the mass matrix.
     pub local_error: f64,
     /// The largest local error: of the first 128 steps and of one in 32 after.
     pub largest_local_error: f64,
     /// Motion in a step, in modes that the step does not resolve (ωΔt ≥ 1), that 95 % of the steps stay below, as
-    /// a share of the largest displacement.
+    /// a fraction of the largest displacement.
     pub unresolved_motion: f64,
     /// Largest residual of a row over what it may have; see `System::row_error`.
     pub row_error: f64,
@@ -67,7 +67,7 @@ pub(crate) struct QualitySums {
 pub(crate) struct QualityMeter {
     pub(crate) sums: QualitySums,
     beta: f64,
-    modes: Modes,
+    modes: MachineModes,
 }
 
 impl QualityMeter {
@@ -81,7 +81,7 @@ impl QualityMeter {
         dt: f64,
         state: &State,
     ) -> Result<Self, Error> {
-        let mut modes = Modes::new(system, dt, state)?;
+        let mut modes = MachineModes::new(system, dt, state)?;
         let sums = QualitySums {
             steps: 0,
             errors: Histogram::new(),
@@ -128,10 +128,11 @@ impl QualityMeter {
         }
     }
 
-    /// What the steps so far were worth; less energy than `negligible` (J) is held against that.
+    /// What the steps so far were worth; an energy below `negligible` (J) counts as that.
     pub(crate) fn quality(&self, system: &mut System, flows: &Windows, negligible: f64) -> Quality {
         let sums = &self.sums;
-        let share = |error: f64, amplitude: f64| if error == 0.0 { 0.0 } else { error / amplitude };
+        let fraction =
+            |error: f64, amplitude: f64| if error == 0.0 { 0.0 } else { error / amplitude };
         let worst = sums.worst.iter().filter(|_| sums.most_made > 0.0);
         let eigenvalues = worst.filter_map(|(t, state)| {
             let value = largest_eigenvalue(system, *t, state);
@@ -139,20 +140,22 @@ impl QualityMeter {
         });
         let largest = eigenvalues.reduce(f64::max);
         let bearings = 0..system.machine.springs.bearings;
-        let shares = bearings.map(|bearing| (bearing, flows.share(bearing, negligible).abs()));
+        let fractions =
+            bearings.map(|bearing| (bearing, flows.fraction(bearing, negligible).abs()));
         // No number is larger than any.
-        let worst = shares.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, share)| *share != 0.0);
+        let worst =
+            fractions.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, fraction)| *fraction != 0.0);
         let flow = worst.map(|(bearing, _)| flows.whole(bearing)).unwrap_or_default();
         let all = sums.amplitude.hypot(sums.unresolved_amplitude);
         Quality {
-            energy_made_share: worst.map_or(0.0, |(_, share)| share),
+            energy_made_share: worst.map_or(0.0, |(_, fraction)| fraction),
             bearing: worst.map(|(bearing, _)| bearing),
             energy_made: flow.made,
             energy_flowed: flow.flowed,
             // Classes round up.
-            local_error: share(sums.errors.below(0.95).min(sums.largest_error), sums.amplitude),
-            largest_local_error: share(sums.largest_error, sums.amplitude),
-            unresolved_motion: share(sums.motions.below(0.95), all),
+            local_error: fraction(sums.errors.below(0.95).min(sums.largest_error), sums.amplitude),
+            largest_local_error: fraction(sums.largest_error, sums.amplitude),
+            unresolved_motion: fraction(sums.motions.below(0.95), all),
             row_error: sums.row_error,
             resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
             mode_step: self.modes.fastest.map(|omega| RESOLVED / omega),
@@ -171,7 +174,7 @@ fn scattered(step: u64) -> u64 {
 /// The modes of the machine at rest, springs as they are at the start. θ takes part: it and the flexible shaft
 /// accelerate against each other. Motions of more than 6000 steps a period are left out, so that a shaft that
 /// turns is not measured by its angle.
-struct Modes {
+struct MachineModes {
     /// ωΔt < 1.
     resolved: Projection,
     unresolved: Projection,
@@ -179,7 +182,7 @@ struct Modes {
     fastest: Option<f64>,
 }
 
-impl Modes {
+impl MachineModes {
     /// At a state that was just evaluated.
     fn new(system: &mut System, dt: f64, state: &State) -> Result<Self, Error> {
         let machine = system.machine;
@@ -210,7 +213,7 @@ impl Modes {
             Projection { first, rows, change: vec![0.0; size - first] }
         };
         let fastest = eigen.values.iter().copied().fold(0.0, f64::max);
-        Ok(Modes {
+        Ok(MachineModes {
             resolved: project(&|square| (1e-6..1.0).contains(&square)),
             unresolved: project(&|square| square >= 1.0),
             fastest: (fastest * dt * dt >= 1.0).then(|| fastest.sqrt()),
@@ -334,10 +337,10 @@ impl Histogram {
         }
     }
 
-    /// What a share of the values stays below, to 1/50 decade.
-    fn below(&self, share: f64) -> f64 {
+    /// What a fraction of the values stays below, to 1/50 decade.
+    fn below(&self, fraction: f64) -> f64 {
         let total = self.zeros + self.counts.iter().sum::<u64>();
-        let mut left = (share * total as f64).ceil() as u64;
+        let mut left = (fraction * total as f64).ceil() as u64;
         if left <= self.zeros {
             return 0.0;
         }
@@ -360,17 +363,17 @@ mod tests {
     use crate::machine::{Machine, Rotation};
 
     #[test]
-    fn a_share_of_the_values_is_found_to_a_fiftieth_of_a_decade() {
+    fn a_fraction_of_the_values_is_found_to_a_fiftieth_of_a_decade() {
         let mut histogram = Histogram::new();
         // In an order that makes classes at both ends, and with zeros.
         for i in 0..1000_u32 {
             let place = (i * 617) % 1000;
             histogram.add(if place < 100 { 0.0 } else { 1e-12 * f64::from(place) });
         }
-        for share in [0.05, 0.5, 0.95, 1.0] {
-            let exact: f64 = 1e-12 * (1000.0 * share - 1.0);
-            let exact = if share < 0.1 { 0.0 } else { exact };
-            let found = histogram.below(share);
+        for fraction in [0.05, 0.5, 0.95, 1.0] {
+            let exact: f64 = 1e-12 * (1000.0 * fraction - 1.0);
+            let exact = if fraction < 0.1 { 0.0 } else { exact };
+            let found = histogram.below(fraction);
             let wide = 10.0_f64.powf(1.0 / Histogram::CLASSES);
             assert!(found >= exact && found <= exact * wide * wide, "{found} for {exact}");
         }

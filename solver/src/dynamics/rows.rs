@@ -1,4 +1,4 @@
-//! How far the rows of the equations are from solved, each judged by what stands in it.
+//! How far the rows of the equations are from solved, each compared with its own terms.
 
 use super::newmark::State;
 use super::newton::{CONTRACTION, NewtonOptions};
@@ -18,18 +18,18 @@ const ROUNDING: f64 = 16.0;
 /// Norms from which follows what forces and products can add to the bound of a row at most: a row beyond that is
 /// not solved, and needs none of them.
 #[derive(Clone, Copy)]
-struct Most {
+struct RowBounds {
     /// Largest force of a spring or ring (N).
     force: f64,
     /// ‖q̈‖ + ‖predicted q̈‖, ‖q̇‖ and ‖q‖.
     state: [f64; 3],
 }
 
-impl Most {
+impl RowBounds {
     fn of(system: &System, state: &State, predicted: &State) -> Self {
         let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
         let largest = |force: f64, other: &f64| f64::max(force, other.abs());
-        Most {
+        RowBounds {
             force: system.springs.forces.iter().fold(0.0, largest),
             state: [norm(&state.a) + norm(&predicted.a), norm(&state.v), norm(&state.q)],
         }
@@ -46,7 +46,7 @@ impl Most {
         };
         let reach = system.machine.springs.reach[i];
         let load: f64 = system.projected_loads(state, i).sum();
-        // Σ |share · force| of n springs is √n · reach · force at most.
+        // Σ |coefficient · force| of n springs is √n · reach · force at most.
         let springs = (system.springs.forces.len() as f64).sqrt() * self.force * reach;
         2.0 * (tolerance * PROJECTED * (self.force * reach + load)
             + ROUNDING * f64::EPSILON * (products + springs + load))
@@ -88,7 +88,7 @@ impl System<'_> {
                 }
                 continue;
             }
-            let most = *most.get_or_insert_with(|| Most::of(self, state, predicted));
+            let most = *most.get_or_insert_with(|| RowBounds::of(self, state, predicted));
             let above = bound + most.allowed(self, state, tolerance, i);
             if r > above {
                 return r / above;

@@ -6,7 +6,7 @@ use super::newmark::State;
 use crate::bearing::{Bearing, SpringLaw};
 use crate::body::BodyNode;
 use crate::linalg::Matrix;
-use crate::loads::{Course, Frame, Load};
+use crate::loads::{Frame, Load, TimeFunction};
 use crate::machine::{Machine, MachineParts, Rotation};
 use crate::shaft::Shaft;
 use crate::support::Support;
@@ -102,7 +102,12 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
             }),
         ],
         bearings: (0..3).map(bearing).collect(),
-        loads: vec![Load { node, force: FORCE, course: Course::Constant, frame: Frame::Shaft }],
+        loads: vec![Load {
+            node,
+            force: FORCE,
+            time_function: TimeFunction::Constant,
+            frame: Frame::Shaft,
+        }],
     };
     Machine::new(parts).expect("a machine")
 }

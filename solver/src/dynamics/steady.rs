@@ -3,10 +3,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Largest change of a signal over a cycle, as a share of its peak in a cycle: a force that passes through zero is
+/// Largest change of a signal over a cycle, as a fraction of its peak in a cycle: a force that passes through zero is
 /// not held against the little that it is there. Largest change of a peak after that, too.
 const CHANGE: f64 = 0.01;
-/// Signals whose peak is below this share of the largest one of their kind are held against that share instead.
+/// Signals whose peak is below this fraction of the largest one of their kind are compared with that fraction instead.
 const FLOOR: f64 = 0.01;
 
 /// Once the steady state is reached, one sample in so many is compared.
@@ -113,14 +113,14 @@ impl SteadyTest {
             let place = (self.count - 1 - steps) % self.capacity * all;
             &self.rows[place..place + all]
         };
-        let share = back as f64 - self.steps;
+        let fraction = back as f64 - self.steps;
         let (now, older, newer) = (row(0), row(back), row(back - 1));
         let [last, running] = &self.peaks;
         self.kinds().all(|kind| {
             let peak = |i: usize| f64::max(last[i], running[i]);
             let largest = kind.clone().map(peak).fold(0.0, f64::max);
             kind.into_iter().all(|i| {
-                let before = older[i] + share * (newer[i] - older[i]);
+                let before = older[i] + fraction * (newer[i] - older[i]);
                 (now[i] - before).abs() <= CHANGE * peak(i).max(FLOOR * largest)
             })
         })

@@ -184,16 +184,16 @@ impl<'m> System<'m> {
             let range = springs.planes[plane].springs.clone();
             for i in 0..3 {
                 combine(springs, &range, &tangent.ring_spring[i], &mut self.cross[..n_b]);
-                for &(row, share) in rows[i] {
+                for &(row, coefficient) in rows[i] {
                     for (b, value) in self.cross.iter().enumerate() {
-                        out[(first + b) * size + place(i, row)] -= share * value;
+                        out[(first + b) * size + place(i, row)] -= coefficient * value;
                     }
                 }
                 combine(springs, &range, &tangent.spring_ring[i], &mut self.cross[..n_b]);
-                for &(column, share) in rows[i] {
+                for &(column, coefficient) in rows[i] {
                     let start = place(i, column) * size + first;
                     let column = &mut out[start..start + n_b];
-                    column.iter_mut().zip(&self.cross).for_each(|(sum, v)| *sum -= share * v);
+                    column.iter_mut().zip(&self.cross).for_each(|(sum, v)| *sum -= coefficient * v);
                 }
             }
         }
@@ -211,7 +211,7 @@ impl<'m> System<'m> {
             let row = springs.bore_transposed.col(j);
             self.active[count * n_b..(count + 1) * n_b].copy_from_slice(row);
             let weighted = &mut self.weighted[count * n_b..(count + 1) * n_b];
-            weighted.iter_mut().zip(row).for_each(|(w, share)| *w = value * share);
+            weighted.iter_mut().zip(row).for_each(|(w, coefficient)| *w = value * coefficient);
             count += 1;
         }
         if count == 0 || n_b == 0 {

@@ -14,22 +14,22 @@ pub struct Finding {
     pub value: f64,
     /// How much it may be.
     pub limit: f64,
-    /// Unit of value and limit; `1` for a share.
+    /// Unit of value and limit; `1` for a fraction.
     pub unit: String,
     /// What to do about it.
     pub remedy: String,
 }
 
-/// Energy made by steps, as a share of what flowed. A linear contact of frequency ω that is met in the middle
+/// Energy made by steps, as a fraction of what flowed. A linear contact of frequency ω that is met in the middle
 /// of a step makes (ωΔt)²/6 of the energy that it takes: at 5 % it lasts six steps.
 const ENERGY_MADE: f64 = 0.05;
-/// Local error of a step as a share of the largest displacement. In motion at ω it is (ωΔt)³/12, and the period
+/// Local error of a step as a fraction of the largest displacement. In motion at ω it is (ωΔt)³/12, and the period
 /// is wrong by (ωΔt)²/12: 1 % at this limit.
 const LOCAL_ERROR: f64 = 3.5e-3;
-/// Motion in a step in modes with ωΔt ≥ 1, as a share of the largest displacement. A mode that rings with the
-/// share s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
+/// Motion in a step in modes with ωΔt ≥ 1, as a fraction of the largest displacement. A mode that rings with the
+/// fraction s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
 const UNRESOLVED_MOTION: f64 = 0.3;
-/// What does not balance, as a share of the energy in play: the limit of what steps may make at the bearings.
+/// What does not balance, as a fraction of the energy in play: the limit of what steps may make at the bearings.
 const ENERGY_ERROR: f64 = 0.05;
 
 /// What is beyond its limit in steps of `time_step` s; nothing where the run is sound.
@@ -43,21 +43,21 @@ pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Ve
     let resolved = quality.mode_step.map_or(0.1 * time_step, |step| step.min(0.5 * time_step));
     let measured = [
         (
-            "energy made or lost by the steps, as a share of what flowed",
+            "energy made or lost by the steps, as a fraction of what flowed",
             quality.bearing,
             quality.energy_made_share,
             ENERGY_MADE,
             made,
         ),
         (
-            "local error that one step in twenty exceeds, as a share of the largest displacement",
+            "local error that one step in twenty exceeds, as a fraction of the largest displacement",
             None,
             quality.local_error,
             LOCAL_ERROR,
             follow(quality.local_error),
         ),
         (
-            "motion in one step, in modes faster than the step, that one step in twenty exceeds, as a share of \
+            "motion in one step, in modes faster than the step, that one step in twenty exceeds, as a fraction of \
              the largest displacement",
             None,
             quality.unresolved_motion,
@@ -65,9 +65,9 @@ pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Ve
             resolved,
         ),
         (
-            "error of the energy balance, as a share of the energy in play",
+            "error of the energy balance, as a fraction of the energy in play",
             None,
-            energy.error_share(),
+            energy.error_fraction(),
             ENERGY_ERROR,
             0.5 * time_step,
         ),
@@ -112,9 +112,9 @@ mod tests {
         mode_step: Some(1e-9),
     };
 
-    /// Out of balance by a share of 100 J.
-    fn balance(share: f64) -> EnergyBalance {
-        EnergyBalance { work_in: 100.0 * share, turnover: 100.0, ..EnergyBalance::default() }
+    /// Out of balance by a fraction of 100 J.
+    fn balance(fraction: f64) -> EnergyBalance {
+        EnergyBalance { work_in: 100.0 * fraction, turnover: 100.0, ..EnergyBalance::default() }
     }
 
     fn found(quality: Quality) -> Finding {

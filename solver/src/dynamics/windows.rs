@@ -8,7 +8,7 @@ use crate::bearing::work::Flow;
 const SHORTEST: u64 = 64;
 /// Windows that are kept at most; then two and two become one.
 const MOST: usize = 256;
-/// Windows that are taken together: one of them is an eighth of the part of a march that is judged.
+/// Windows that are taken together: one of them is an eighth of the part of a march that is checked.
 const TOGETHER: usize = 8;
 
 /// Sums of [`Flow`] over windows of equal numbers of steps.
@@ -65,24 +65,24 @@ impl Windows {
         sum(self.of(bearing))
     }
 
-    /// The largest share of energy made at a bearing: over the whole march, or over eight windows of it, so that
+    /// The largest fraction of energy made at a bearing: over the whole march, or over eight windows of it, so that
     /// a long quiet time hides no bad impact. What flowed in eight windows includes that in the windows beside
     /// them, which a contact may reach into, and is never less than it is on average, nor than `least` (J).
-    pub(crate) fn share(&self, bearing: usize, least: f64) -> f64 {
+    pub(crate) fn fraction(&self, bearing: usize, least: f64) -> f64 {
         let flows: Vec<&Flow> = self.of(bearing).collect();
         let whole = self.whole(bearing);
         let average = whole.flowed * TOGETHER as f64 / flows.len().max(TOGETHER) as f64;
-        let share = |made: f64, flowed: f64| Flow { made, flowed: flowed.max(least) }.share();
+        let fraction = |made: f64, flowed: f64| Flow { made, flowed: flowed.max(least) }.fraction();
         let parts = (0..flows.len().saturating_sub(TOGETHER - 1)).map(|start| {
             let end = start + TOGETHER;
             let beside = start.saturating_sub(1)..(end + 1).min(flows.len());
             let made = sum(flows[start..end].iter().copied()).made;
             let flowed = sum(flows[beside].iter().copied()).flowed;
-            share(made, f64::max(flowed, average))
+            fraction(made, f64::max(flowed, average))
         });
-        parts.fold(share(whole.made, whole.flowed), |worst, share| {
-            // A share that is no number is the worst, and stays it.
-            if share <= worst || worst.is_nan() { worst } else { share }
+        parts.fold(fraction(whole.made, whole.flowed), |worst, fraction| {
+            // A fraction that is no number is the worst, and stays it.
+            if fraction <= worst || worst.is_nan() { worst } else { fraction }
         })
     }
 
@@ -114,7 +114,7 @@ mod tests {
         let whole = f64::from(steps) * f64::from(steps - 1) / 2.0;
         assert_eq!(windows.whole(0), Flow { made: whole, flowed: f64::from(steps) });
         assert_eq!(windows.whole(1), Flow { made: 0.0, flowed: f64::from(steps) });
-        assert_eq!(windows.share(1, 0.0), 0.0);
+        assert_eq!(windows.fraction(1, 0.0), 0.0);
     }
 
     #[test]
@@ -127,19 +127,19 @@ mod tests {
                 let flowed = if (at..at + 30).contains(&step) { 1.0 } else { 1e-3 };
                 windows.add(&[Flow { made, flowed }]);
             }
-            assert!(windows.whole(0).share() < 0.04);
-            let share = windows.share(0, 0.0);
-            assert!((0.1..=0.13).contains(&share), "{share} where it begins in step {at}");
-            let share = windows.share(0, 390.0);
-            assert!((share - 0.01).abs() < 1e-12, "{share} of 390 J, 3.9 J made");
+            assert!(windows.whole(0).fraction() < 0.04);
+            let fraction = windows.fraction(0, 0.0);
+            assert!((0.1..=0.13).contains(&fraction), "{fraction} where it begins in step {at}");
+            let fraction = windows.fraction(0, 390.0);
+            assert!((fraction - 0.01).abs() < 1e-12, "{fraction} of 390 J, 3.9 J made");
         }
     }
 
     #[test]
     fn energy_made_where_none_flowed_is_beyond_every_limit() {
-        let share = |made, flowed| Flow { made, flowed }.share();
-        assert_eq!(share(0.0, 0.0), 0.0);
-        assert_eq!(share(1e-9, 0.0), f64::INFINITY);
-        assert!(share(f64::NAN, f64::NAN).is_nan());
+        let fraction = |made, flowed| Flow { made, flowed }.fraction();
+        assert_eq!(fraction(0.0, 0.0), 0.0);
+        assert_eq!(fraction(1e-9, 0.0), f64::INFINITY);
+        assert!(fraction(f64::NAN, f64::NAN).is_nan());
     }
 }

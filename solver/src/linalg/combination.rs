@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn a_column_without_a_share_is_not_read() {
+    fn a_column_without_a_coefficient_is_not_read() {
         let matrix = Matrix { rows: 1, cols: 2, data: vec![f64::NAN, 2.0] };
         let mut y = [1.0];
         add_product(&mut y, &matrix, &[0.0, 3.0]);

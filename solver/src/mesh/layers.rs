@@ -1,4 +1,4 @@
-//! What made meshes share: checked dimensions, and planes along z refined at supports.
+//! What generated meshes share: checked dimensions, and planes along z refined at supports.
 
 use whirl_specs::Element;
 
@@ -29,7 +29,7 @@ pub(super) fn length(metres: f64) -> String {
     format!("{rounded} mm")
 }
 
-/// Most cells of a made mesh: far more than a march has use for, and less than a gigabyte.
+/// Most cells of a generated mesh: far more than a march has use for, and less than a gigabyte.
 const MOST_CELLS: usize = 1_000_000;
 
 /// Every length positive and finite.
@@ -55,7 +55,7 @@ pub(super) fn element(
 }
 
 /// A body along z with supports in it, by the names of its dimensions.
-pub(super) struct Plan<'a> {
+pub(super) struct LayerPlan<'a> {
     pub(super) start: f64,
     pub(super) length: f64,
     /// z of the middles of the supports, ascending, with the dimension's name.
@@ -77,7 +77,7 @@ pub(super) struct Layers {
     pub(super) support_starts: Vec<usize>,
 }
 
-impl Plan<'_> {
+impl LayerPlan<'_> {
     /// Equal layers in each support and in each span; at the ends, layers no longer than the longest of
     /// a span.
     pub(super) fn layers(&self) -> Result<Layers, Error> {

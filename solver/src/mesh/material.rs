@@ -14,7 +14,7 @@ const MODULI: f64 = 1e6;
 
 /// A property that cannot be meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Doubt {
+pub struct ImplausibleProperty {
     /// Symbol of the property, such as `nu`.
     pub symbol: &'static str,
     /// What is wrong.
@@ -61,10 +61,10 @@ impl Material {
     }
 
     /// What of E, ν and ρ cannot be meant, as far as they are there.
-    pub fn doubts(&self) -> Vec<Doubt> {
+    pub fn implausible_properties(&self) -> Vec<ImplausibleProperty> {
         let name = &self.name;
         let value = |symbol: &str| self.properties.get(symbol).copied();
-        let mut doubts = Vec::new();
+        let mut implausible_properties = Vec::new();
         if let (Some(e), Some(rho)) = (value("E"), value("rho")) {
             let sound = (e / rho).sqrt();
             if !SOUND.contains(&sound) {
@@ -72,7 +72,7 @@ impl Material {
                     "in material {name} (E = {e} Pa, ρ = {rho} kg/m³) sound would travel at {sound:.3e} m/s"
                 );
                 let help = "units are m, Pa and kg/m³: steel is 200e9 and 7860";
-                doubts.push(Doubt { symbol: "E", what, help });
+                implausible_properties.push(ImplausibleProperty { symbol: "E", what, help });
             }
         }
         if let Some(nu) = value("nu") {
@@ -83,16 +83,24 @@ impl Material {
                     "material {name} is nearly incompressible: with ν = {nu} it is {moduli:.1e} times as stiff \
                      against change of volume as against shear"
                 );
-                doubts.push(Doubt { symbol: "nu", what, help: "write 0.4999 or less" });
+                implausible_properties.push(ImplausibleProperty {
+                    symbol: "nu",
+                    what,
+                    help: "write 0.4999 or less",
+                });
             } else if moduli < 1.0 / MODULI {
                 let what = format!(
                     "material {name} hardly shears: with ν = {nu} it is {:.1e} times as stiff against shear as \
                      against change of volume",
                     1.0 / moduli
                 );
-                doubts.push(Doubt { symbol: "nu", what, help: "write -0.9999 or more" });
+                implausible_properties.push(ImplausibleProperty {
+                    symbol: "nu",
+                    what,
+                    help: "write -0.9999 or more",
+                });
             }
         }
-        doubts
+        implausible_properties
     }
 }

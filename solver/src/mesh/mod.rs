@@ -11,7 +11,7 @@ mod regions;
 pub mod shaft;
 pub mod support;
 
-pub use material::{Doubt, Material};
+pub use material::{ImplausibleProperty, Material};
 pub(crate) use regions::connected;
 
 use std::collections::BTreeMap;

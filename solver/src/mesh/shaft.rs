@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use whirl_specs::Element;
 
-use super::layers::{Plan, element, length, positive, wrong};
+use super::layers::{LayerPlan, element, length, positive, wrong};
 use super::{Block, Cell, Material, Mesh, MeshParts};
 use crate::error::Error;
 
@@ -171,8 +171,8 @@ impl SolidShaft {
         Ok(())
     }
 
-    fn plan(&self) -> Plan<'_> {
-        Plan {
+    fn plan(&self) -> LayerPlan<'_> {
+        LayerPlan {
             start: 0.0,
             length: self.length,
             supports: ("supports", &self.supports),

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use whirl_specs::Element;
 
-use super::layers::{Layers, Plan, element, length, positive, wrong};
+use super::layers::{LayerPlan, Layers, element, length, positive, wrong};
 use super::shaft::from_abaqus;
 use super::{Cell, Material, Mesh, MeshParts};
 use crate::error::Error;
@@ -70,7 +70,7 @@ impl Default for SupportCells {
 
 /// A node by its place in one of the parts; k counts planes, in a ring and its pedestal from its start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Place {
+enum GridPlace {
     Beam { up: usize, across: usize, plane: usize },
     Ring { ring: usize, out: usize, around: usize, plane: usize },
     Pedestal { ring: usize, up: usize, across: usize, plane: usize },
@@ -85,8 +85,8 @@ impl RingSupport {
         let hexahedron = element(elements, "C3D8I", ORIGIN)?;
         self.check()?;
         let layers = self.plan().layers()?;
-        let maker = Maker::new(self, &layers);
-        let mut nodes = Nodes { maker: &maker, index: BTreeMap::new(), positions: Vec::new() };
+        let maker = MeshBuilder::new(self, &layers);
+        let mut nodes = NodeGrid { maker: &maker, index: BTreeMap::new(), positions: Vec::new() };
         let mut cells = Vec::new();
         for corners in maker.beam().chain(maker.pedestals()).chain(maker.rings()) {
             cells.extend(corners.map(|place| nodes.index(place)));
@@ -160,8 +160,8 @@ impl RingSupport {
         Ok(())
     }
 
-    fn plan(&self) -> Plan<'_> {
-        Plan {
+    fn plan(&self) -> LayerPlan<'_> {
+        LayerPlan {
             start: self.start,
             length: self.length,
             supports: ("rings", &self.rings),
@@ -180,14 +180,14 @@ impl RingSupport {
 }
 
 /// Nodes numbered as they are first met; each stands in one place of the parts.
-struct Nodes<'a> {
-    maker: &'a Maker<'a>,
-    index: BTreeMap<Place, usize>,
+struct NodeGrid<'a> {
+    maker: &'a MeshBuilder<'a>,
+    index: BTreeMap<GridPlace, usize>,
     positions: Vec<[f64; 3]>,
 }
 
-impl Nodes<'_> {
-    fn index(&mut self, place: Place) -> usize {
+impl NodeGrid<'_> {
+    fn index(&mut self, place: GridPlace) -> usize {
         let place = self.maker.shared(place);
         *self.index.entry(place).or_insert_with(|| {
             self.positions.push(self.maker.position(place));
@@ -196,7 +196,7 @@ impl Nodes<'_> {
     }
 }
 
-struct Maker<'a> {
+struct MeshBuilder<'a> {
     support: &'a RingSupport,
     layers: &'a Layers,
     /// Angles of the nodes around a ring; the first width + 1 carry the pedestal.
@@ -204,12 +204,12 @@ struct Maker<'a> {
 }
 
 /// Corners of a cell in the order of Abaqus from those of its face at a plane.
-fn between_planes(face: impl Fn(usize) -> [Place; 4]) -> [Place; 8] {
+fn between_planes(face: impl Fn(usize) -> [GridPlace; 4]) -> [GridPlace; 8] {
     let ([a, b, c, d], [e, f, g, h]) = (face(0), face(1));
     [a, b, c, d, e, f, g, h]
 }
 
-impl<'a> Maker<'a> {
+impl<'a> MeshBuilder<'a> {
     fn new(support: &'a RingSupport, layers: &'a Layers) -> Self {
         let cells = support.section;
         let half = 0.5 * support.width;
@@ -220,27 +220,27 @@ impl<'a> Maker<'a> {
         let beside = cells.around - cells.width;
         let step = (TAU - 2.0 * edge) / beside as f64;
         angles.extend((1..beside).map(|i| edge + step * i as f64));
-        Maker { support, layers, angles }
+        MeshBuilder { support, layers, angles }
     }
 
     /// The ring's top is the pedestal's foot, the pedestal's head is part of the beam's underside.
-    fn shared(&self, place: Place) -> Place {
+    fn shared(&self, place: GridPlace) -> GridPlace {
         let cells = self.support.section;
         match place {
-            Place::Ring { ring, out, around, plane } => {
-                Place::Ring { ring, out, around: around % cells.around, plane }
+            GridPlace::Ring { ring, out, around, plane } => {
+                GridPlace::Ring { ring, out, around: around % cells.around, plane }
             }
-            Place::Pedestal { ring, up: 0, across, plane } => {
-                Place::Ring { ring, out: cells.radial, around: across, plane }
+            GridPlace::Pedestal { ring, up: 0, across, plane } => {
+                GridPlace::Ring { ring, out: cells.radial, around: across, plane }
             }
-            Place::Pedestal { ring, up, across, plane } if up == cells.pedestal => {
-                Place::Beam { up: 0, across, plane: self.layers.support_starts[ring] + plane }
+            GridPlace::Pedestal { ring, up, across, plane } if up == cells.pedestal => {
+                GridPlace::Beam { up: 0, across, plane: self.layers.support_starts[ring] + plane }
             }
             place => place,
         }
     }
 
-    fn position(&self, place: Place) -> [f64; 3] {
+    fn position(&self, place: GridPlace) -> [f64; 3] {
         let support = self.support;
         let cells = support.section;
         let part = |i: usize, of: usize| i as f64 / of as f64;
@@ -250,17 +250,17 @@ impl<'a> Maker<'a> {
             self.layers.planes[self.layers.support_starts[ring] + plane]
         };
         match place {
-            Place::Beam { up, across, plane } => [
+            GridPlace::Beam { up, across, plane } => [
                 underside + support.height * part(up, cells.height),
                 y(across),
                 self.layers.planes[plane],
             ],
-            Place::Ring { ring, out, around, plane } => {
+            GridPlace::Ring { ring, out, around, plane } => {
                 let radius = support.bore_radius + support.ring_thickness * part(out, cells.radial);
                 let angle = self.angles[around];
                 [radius * angle.cos(), radius * angle.sin(), plane_of(ring, plane)]
             }
-            Place::Pedestal { ring, up, across, plane } => {
+            GridPlace::Pedestal { ring, up, across, plane } => {
                 let foot = support.outer_radius() * self.angles[across].cos();
                 let x = foot + (underside - foot) * part(up, cells.pedestal);
                 [x, y(across), plane_of(ring, plane)]
@@ -268,11 +268,11 @@ impl<'a> Maker<'a> {
         }
     }
 
-    fn beam(&self) -> impl Iterator<Item = [Place; 8]> {
+    fn beam(&self) -> impl Iterator<Item = [GridPlace; 8]> {
         let cells = self.support.section;
         grid(cells.height, cells.width, self.layers.planes.len() - 1).map(|[up, across, k]| {
             between_planes(|end| {
-                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| Place::Beam {
+                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| GridPlace::Beam {
                     up: up + i,
                     across: across + j,
                     plane: k + end,
@@ -281,13 +281,13 @@ impl<'a> Maker<'a> {
         })
     }
 
-    fn pedestals(&self) -> impl Iterator<Item = [Place; 8]> {
+    fn pedestals(&self) -> impl Iterator<Item = [GridPlace; 8]> {
         let cells = self.support.section;
         (0..self.support.rings.len()).flat_map(move |ring| {
             grid(cells.pedestal, cells.width, self.support.layers_in_ring).map(
                 move |[up, across, k]| {
                     between_planes(|end| {
-                        [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| Place::Pedestal {
+                        [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| GridPlace::Pedestal {
                             ring,
                             up: up + i,
                             across: across + j,
@@ -299,13 +299,13 @@ impl<'a> Maker<'a> {
         })
     }
 
-    fn rings(&self) -> impl Iterator<Item = [Place; 8]> {
+    fn rings(&self) -> impl Iterator<Item = [GridPlace; 8]> {
         let cells = self.support.section;
         (0..self.support.rings.len()).flat_map(move |ring| {
             grid(cells.radial, cells.around, self.support.layers_in_ring).map(
                 move |[out, around, k]| {
                     between_planes(|end| {
-                        [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| Place::Ring {
+                        [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| GridPlace::Ring {
                             ring,
                             out: out + i,
                             around: around + j,
@@ -317,13 +317,13 @@ impl<'a> Maker<'a> {
         })
     }
 
-    fn node_sets(&self, nodes: &mut Nodes) -> BTreeMap<String, Vec<usize>> {
+    fn node_sets(&self, nodes: &mut NodeGrid) -> BTreeMap<String, Vec<usize>> {
         let cells = self.support.section;
         let mut sets = BTreeMap::new();
         for ring in 0..self.support.rings.len() {
             let half = self.support.layers_in_ring / 2;
             for (name, plane) in [("LEFT", 0), ("MIDDLE", half), ("RIGHT", 2 * half)] {
-                let place = |around: usize| Place::Ring { ring, out: 0, around, plane };
+                let place = |around: usize| GridPlace::Ring { ring, out: 0, around, plane };
                 let bore = (0..cells.around).map(|around| nodes.index(place(around))).collect();
                 sets.insert(format!("BORE{}_{name}", ring + 1), bore);
             }
@@ -332,7 +332,7 @@ impl<'a> Maker<'a> {
         let stations = [0, middle, self.layers.planes.len() - 1];
         for (name, up) in [("MOUNTS", cells.height), ("GROUND_SPRINGS", 0)] {
             let across = cells.width / 2;
-            let set = stations.map(|plane| nodes.index(Place::Beam { up, across, plane }));
+            let set = stations.map(|plane| nodes.index(GridPlace::Beam { up, across, plane }));
             sets.insert(name.to_owned(), set.to_vec());
         }
         sets.insert("Nall".to_owned(), (0..nodes.positions.len()).collect());

@@ -18,7 +18,7 @@ use super::ReductionError;
 /// Vectors of a block. One pass over the factor serves them all, and a multiple eigenvalue shows up to
 /// this many of its vectors at once.
 const BLOCK: usize = 8;
-/// Blocks between two looks at the Ritz values.
+/// Blocks between two checks of the Ritz values.
 const STRIDE: usize = 4;
 /// A Ritz pair has converged when its residual is below this part of θ: the eigenvalue is then right to
 /// the square of this part over the relative gap, the vector to this part over the relative gap.
@@ -128,8 +128,8 @@ impl<'a> Lanczos<'a> {
         for block in 1.. {
             self.step()?;
             let full = self.size + BLOCK > capacity;
-            let look = self.size >= self.wanted + BLOCK && block % STRIDE == 0;
-            if full || look {
+            let check = self.size >= self.wanted + BLOCK && block % STRIDE == 0;
+            if full || check {
                 let ritz = self.ritz()?;
                 if full || ritz.converged >= self.wanted {
                     return Ok(ritz);

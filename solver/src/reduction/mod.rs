@@ -74,7 +74,7 @@ pub enum ReductionError {
         component: usize,
         /// √(K_ii/M_ii)/2π of this dof (Hz).
         stiffest: f64,
-        /// The highest of the modes looked for (Hz).
+        /// The highest of the modes wanted (Hz).
         modes: f64,
     },
     /// The block Lanczos iteration stopped before all modes had converged.

@@ -9,7 +9,7 @@ use super::{ReductionError, convention, sturm};
 
 /// Modes found beyond those asked for, so that there is a gap to cut in after the last one.
 const GUARD: usize = 4;
-/// A multiple eigenvalue that reaches beyond the guard is looked for among this many times the modes.
+/// A multiple eigenvalue that reaches beyond the guard is searched for among this many times the modes.
 const WIDEST: usize = 8;
 /// Dofs up to which all modes are found at once where the iteration finds no gap to count in.
 const DENSE: usize = 2_000;
@@ -160,7 +160,7 @@ impl Pencil<'_> {
             let eigenvalues: Vec<f64> = theta.iter().map(|theta| 1.0 / theta - shift).collect();
             let modes = Modes { eigenvalues, vectors };
             let Some((below, cut, counted)) = self.count(&modes.eigenvalues, count)? else {
-                // A multiple eigenvalue reaches beyond the guard: look further up.
+                // A multiple eigenvalue reaches beyond the guard: search further up.
                 wanted *= 2;
                 let widest = wanted > WIDEST * (count + GUARD);
                 let hopeless = widest || self.hides(&modes.eigenvalues);
@@ -276,7 +276,7 @@ mod tests {
 
     /// A chain one mass of which is tied to the ground by a spring that swamps all digits of the others.
     #[test]
-    fn modes_hidden_by_rounding_are_told_of_at_once() {
+    fn modes_hidden_by_rounding_are_reported_at_once() {
         let n = 2 * DENSE;
         let own = |j: usize| if j == 1234 { 1e18 } else { 2.0 };
         let stiffness = LowerTriangle::from_columns(n, |j| {

@@ -169,7 +169,7 @@ impl RigidMotions {
 pub(crate) type Row = Vec<(usize, f64)>;
 
 /// The rigid motions of a body that make every one of `rows` zero and strain nothing. Of a mesh in several
-/// parts each is looked at alone, too: one that nothing holds is told of as a part, but for the largest.
+/// parts each is checked alone, too: one that nothing holds is reported as a part, but for the largest.
 pub(crate) fn free_motions(
     coordinates: &[[f64; 3]],
     stiffness: &LowerTriangle,
@@ -205,7 +205,7 @@ pub(crate) fn free_motions(
     Ok(free)
 }
 
-/// Loose parts that are told of.
+/// Loose parts that are reported.
 const MOST_PARTS: usize = 8;
 
 /// The eigenvectors, as columns, of the eigenvalues of `gram` that are at most `limit`.
@@ -249,7 +249,7 @@ mod tests {
     /// Two triangles without stiffness; the first is held, and what the other one does depends on whether it is
     /// held as well.
     #[test]
-    fn a_part_that_nothing_holds_is_told_of() {
+    fn a_part_that_nothing_holds_is_reported() {
         let triangle = |x: f64| [[x, 0.0, 0.0], [x, 1.0, 0.0], [x + 1.0, 0.0, 0.0]];
         let coordinates = [triangle(0.0), triangle(5.0)].concat();
         let joined = LowerTriangle::from_columns(18, |dof| {

@@ -8,7 +8,7 @@ use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring};
 use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, march};
 use whirl_solver::history::History;
-use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 use whirl_solver::mesh::Mesh;
 use whirl_solver::shaft::Shaft;
@@ -213,14 +213,14 @@ impl ByHand {
         let mut nodes = shaft.nodes[drive + 2..].iter();
         let mut placed = Vec::new();
         for own in &self.loads {
-            let course = match own.sine {
-                Some((frequency, phase)) => Course::Sine { frequency, phase },
-                None => Course::Constant,
+            let time_function = match own.sine {
+                Some((frequency, phase)) => TimeFunction::Sine { frequency, phase },
+                None => TimeFunction::Constant,
             };
             let [x, y] = own.force;
             for _ in own.sets.iter().flat_map(|set| self.shaft.node_set(set).expect("a set")) {
                 let node = nodes.next().expect("a node a load").clone();
-                placed.push(Load { node, force: [x, y, 0.0], course, frame: Frame::Space });
+                placed.push(Load { node, force: [x, y, 0.0], time_function, frame: Frame::Space });
             }
         }
         if let Some((torque, target)) = self.drive {
@@ -228,8 +228,13 @@ impl ByHand {
             // ±F along y, as far apart along x as the nodes: a couple about +z.
             let force = torque / (top.position[0] - bottom.position[0]);
             for (node, force) in [(top, force), (bottom, -force)] {
-                let course = Course::UntilSpeed { target };
-                placed.push(Load { node, force: [0.0, force, 0.0], course, frame: Frame::Shaft });
+                let time_function = TimeFunction::UntilSpeed { target };
+                placed.push(Load {
+                    node,
+                    force: [0.0, force, 0.0],
+                    time_function,
+                    frame: Frame::Shaft,
+                });
             }
         }
         placed

@@ -18,7 +18,7 @@ use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
 const FILES: [(&str, &str); 9] = [
-    ("made.toml", include_str!("made.toml")),
+    ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
     ("mass.toml", include_str!("mass.toml")),
@@ -30,7 +30,7 @@ const FILES: [(&str, &str); 9] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 4] = ["made.toml", "base.toml", "read.toml", "mass.toml"];
+const CASES: [&str; 4] = ["generated.toml", "base.toml", "read.toml", "mass.toml"];
 
 #[test]
 fn no_key_is_left_out() {

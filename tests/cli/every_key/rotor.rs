@@ -173,7 +173,7 @@ fn count(results: &Results, body: &str, key: &str) -> u64 {
 }
 
 #[test]
-fn a_made_rotor_is_what_its_case_says() {
+fn a_generated_rotor_is_what_its_case_says() {
     let shaft = SolidShaft {
         length: 0.310,
         diameter: 0.041,
@@ -244,7 +244,7 @@ fn a_made_rotor_is_what_its_case_says() {
         steps: 260,
         force_tolerance: 2e-3,
     };
-    let results = Results::of("made", &[]);
+    let results = Results::of("generated", &[]);
     for (body, mesh, modes) in [("shaft", &machine.shaft, 5), ("support", &machine.support, 7)] {
         assert_eq!(count(&results, body, "nodes"), mesh.nodes().len() as u64);
         assert_eq!(count(&results, body, "elements"), mesh.cell_count() as u64);
@@ -253,7 +253,7 @@ fn a_made_rotor_is_what_its_case_says() {
     agrees(&results.history, &machine.march());
     results.sums_up(1.0 / 450.0);
     let facts = &results.summary["case"];
-    assert_eq!(facts["title"], "every key of a made rotor");
+    assert_eq!(facts["title"], "every key of a generated rotor");
     assert_eq!(facts["source"], "a test");
     for (figure, number) in
         [("laws", 71), ("reactions", 72), ("eccentricity", 73), ("rotation", 74)]

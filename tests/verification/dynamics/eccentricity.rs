@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::dynamics::march;
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 
 use super::{bearing, bores, discs, force, options, parts};
@@ -54,7 +54,7 @@ fn the_eccentricity_of_a_history_is_the_one_that_laws_see() {
     let mut parts = parts(discs(1e5), bores(), Rotation::Free);
     parts.laws = vec![Box::new(Linear)];
     parts.bearings = vec![Bearing { stations: vec![0.5], ..bearing(0) }];
-    let sine = Course::Sine { frequency: 60.0, phase: 0.4 };
+    let sine = TimeFunction::Sine { frequency: 60.0, phase: 0.4 };
     parts.loads = vec![force(&parts.shaft.nodes[2], [200.0, -300.0, 0.0], sine, Frame::Space)];
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(2e-4, 300);

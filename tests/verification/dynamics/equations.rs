@@ -2,7 +2,7 @@
 
 use whirl_solver::dynamics::{Coefficients, Newmark, State, System};
 use whirl_solver::linalg::generalised_symmetric_eigen;
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 use whirl_specs::Motion;
@@ -15,13 +15,13 @@ fn busy(motion: &'static Motion) -> Machine {
     parts.motion = motion;
     parts.laws = vec![boxed(&FILM)];
     parts.bearings = vec![bearing(0)];
-    let sine = Course::Sine { frequency: 30.0, phase: 0.4 };
+    let sine = TimeFunction::Sine { frequency: 30.0, phase: 0.4 };
     let mut driven = parts.shaft.nodes[0].clone();
     driven.position[0] = 0.03;
     parts.loads = vec![
         force(&parts.shaft.nodes[2], [100.0, -40.0, 7.0], sine, Frame::Space),
-        force(&parts.shaft.nodes[4], [10.0, 30.0, 0.0], Course::Constant, Frame::Space),
-        force(&driven, [0.0, 60.0, 0.0], Course::UntilSpeed { target: 1e9 }, Frame::Shaft),
+        force(&parts.shaft.nodes[4], [10.0, 30.0, 0.0], TimeFunction::Constant, Frame::Space),
+        force(&driven, [0.0, 60.0, 0.0], TimeFunction::UntilSpeed { target: 1e9 }, Frame::Shaft),
     ];
     Machine::new(parts).expect("a machine")
 }

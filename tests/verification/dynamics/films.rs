@@ -2,7 +2,7 @@
 
 use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::March;
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 use whirl_specs::LAWS;
@@ -29,9 +29,14 @@ fn full_newton_converges_quadratically_in_oil_films() {
             let mut parts = parts(discs(1e6), support, Rotation::Free);
             parts.laws = vec![boxed(law)];
             parts.bearings = vec![Bearing { bore, clearance: 5e-5, ..bearing(0) }];
-            let sine = Course::Sine { frequency: 80.0, phase: 0.3 };
+            let sine = TimeFunction::Sine { frequency: 80.0, phase: 0.3 };
             parts.loads = vec![
-                force(&parts.shaft.nodes[2], [600.0, 200.0, 0.0], Course::Constant, Frame::Space),
+                force(
+                    &parts.shaft.nodes[2],
+                    [600.0, 200.0, 0.0],
+                    TimeFunction::Constant,
+                    Frame::Space,
+                ),
                 force(&parts.shaft.nodes[1], [0.0, 300.0, 0.0], sine, Frame::Space),
             ];
             let machine = Machine::new(parts).expect("a machine");

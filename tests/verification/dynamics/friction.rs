@@ -4,7 +4,7 @@ use num_dual::{Dual64, DualNum};
 use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::{March, State, System, march};
 use whirl_solver::history::History;
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 use whirl_solver::support::Support;
 
@@ -63,10 +63,10 @@ fn a_ring_does_what_its_springs_do_together() {
         let mut parts = parts(discs(1e5), support, Rotation::Free);
         parts.laws = laws(&[law]);
         parts.bearings = vec![Bearing { journal_radius: Some(RADIUS), ..bearing(0) }];
-        let sine = Course::Sine { frequency: 40.0, phase: 0.3 };
+        let sine = TimeFunction::Sine { frequency: 40.0, phase: 0.3 };
         parts.loads = vec![
             force(&parts.shaft.nodes[2], [80.0, -30.0, 0.0], sine, Frame::Space),
-            force(&parts.shaft.nodes[0], [0.0, 20.0, 0.0], Course::Constant, Frame::Shaft),
+            force(&parts.shaft.nodes[0], [0.0, 20.0, 0.0], TimeFunction::Constant, Frame::Shaft),
         ];
         run(parts, 2e-4, 300, 60.0)
     };

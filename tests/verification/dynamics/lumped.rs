@@ -3,7 +3,7 @@
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::dynamics::{March, MarchOptions, march};
 use whirl_solver::history::History;
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -28,7 +28,7 @@ impl Stop {
         kinetic + 0.5 * self.spring * x * x + 0.5 * self.stiffness * depth * depth - self.force * x
     }
 
-    /// Marches, and looks at the energy that every step makes, by the potentials themselves.
+    /// Marches, and checks the energy that every step makes, by the potentials themselves.
     fn run(&self, machine: &Machine, options: &MarchOptions) -> History {
         let mut march = March::new(machine, options).unwrap_or_else(|bad| panic!("{}", bad.error));
         let at = |march: &March| [march.state().q[1], march.state().v[1]];
@@ -132,7 +132,8 @@ fn a_mass_on_a_spring_strikes_a_stop() {
 fn a_thrown_mass_bounces_on_a_stop() {
     let mut parts =
         parts(Shaft::lumped(1.0, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
-    let weight = force(&parts.shaft.nodes[0], [10.0, 0.0, 0.0], Course::Constant, Frame::Space);
+    let weight =
+        force(&parts.shaft.nodes[0], [10.0, 0.0, 0.0], TimeFunction::Constant, Frame::Space);
     parts.laws = vec![boxed(shipped("gap-linear-1e2"))];
     parts.bearings = vec![stops("floor", 2.0, &[0.0], 0)];
     parts.loads = vec![weight];
@@ -194,8 +195,8 @@ impl Jeffcott {
         );
         let frequency = speed / std::f64::consts::TAU;
         let turning = |phase: f64, direction: [f64; 3]| {
-            let course = Course::Sine { frequency, phase };
-            force(&parts.shaft.nodes[0], direction, course, Frame::Space)
+            let time_function = TimeFunction::Sine { frequency, phase };
+            force(&parts.shaft.nodes[0], direction, time_function, Frame::Space)
         };
         parts.loads = vec![
             turning(0.5 * std::f64::consts::PI, [unbalance, 0.0, 0.0]),

@@ -19,7 +19,7 @@ use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::body::BodyNode;
 use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions};
 use whirl_solver::linalg::Matrix;
-use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -178,8 +178,13 @@ pub(crate) fn parts(shaft: Shaft, support: Support, rotation: Rotation) -> Machi
 }
 
 /// A force on a node.
-pub(crate) fn force(node: &BodyNode, force: [f64; 3], course: Course, frame: Frame) -> Load {
-    Load { node: node.clone(), force, course, frame }
+pub(crate) fn force(
+    node: &BodyNode,
+    force: [f64; 3],
+    time_function: TimeFunction,
+    frame: Frame,
+) -> Load {
+    Load { node: node.clone(), force, time_function, frame }
 }
 
 /// A march from rest, accurate to rounding.

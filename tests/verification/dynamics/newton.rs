@@ -11,7 +11,7 @@ use whirl_solver::support::Support;
 use whirl_specs::Law;
 
 use super::{bearing, bores, boxed, discs, force, law, options, parts, stops};
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 
 /// Q = 100 MN/m^1.5 · (2 mm − h)^1.5: Hertz-like, in contact all around so that nothing switches.
 static HERTZ: Law = law("hertz", false, |n, h, out| {
@@ -30,7 +30,7 @@ pub(super) fn converges_quadratically(law: Box<dyn SpringLaw>, journal_radius: O
     parts.laws = vec![law];
     parts.bearings = vec![Bearing { bore: Default::default(), journal_radius, ..bearing(0) }];
     parts.loads =
-        vec![force(&parts.shaft.nodes[2], [3e4, 1e4, 0.0], Course::Constant, Frame::Space)];
+        vec![force(&parts.shaft.nodes[2], [3e4, 1e4, 0.0], TimeFunction::Constant, Frame::Space)];
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(5e-3, 3);
     options.initial_speed = 100.0;
@@ -155,7 +155,7 @@ fn the_halves_of_a_step_are_steps_of_their_own() {
         parts(Shaft::lumped(20.0, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
     parts.laws = vec![boxed(&YIELDING)];
     parts.bearings = vec![stops("between springs", 1e-3, &[0.0, std::f64::consts::PI], 0)];
-    let sine = Course::Sine { frequency: 400.0, phase: 0.9 };
+    let sine = TimeFunction::Sine { frequency: 400.0, phase: 0.9 };
     parts.loads = vec![force(&parts.shaft.nodes[0], [40.0, 25.0, 0.0], sine, Frame::Space)];
     let machine = Machine::new(parts).expect("a machine");
     let newton =
@@ -197,7 +197,7 @@ fn softening() -> Machine {
     parts.laws = vec![boxed(&SOFTENING)];
     parts.bearings = vec![stops("softening", 1e-3, &[0.0], 0)];
     // Slow beside the steps: yields within some of them, and not to and fro.
-    let sine = Course::Sine { frequency: 10.0, phase: 0.0 };
+    let sine = TimeFunction::Sine { frequency: 10.0, phase: 0.0 };
     parts.loads = vec![force(&parts.shaft.nodes[0], [1000.0, 0.0, 0.0], sine, Frame::Space)];
     Machine::new(parts).expect("a machine")
 }
@@ -205,7 +205,7 @@ fn softening() -> Machine {
 /// Factors of [AK] with a spring that has yielded since contract by 15/(15 + 10) = 0.6 an iteration: too
 /// little to be kept. Made anew they solve the step, for the residual is linear from there on.
 #[test]
-fn factors_that_contract_badly_are_made_anew() {
+fn factors_that_contract_badly_are_recomputed() {
     let machine = softening();
     let mut options = options(1e-3, 20);
     options.newton = NewtonOptions::default();
@@ -224,7 +224,7 @@ fn factors_that_contract_badly_are_made_anew() {
 fn a_shortened_iteration_does_not_end_a_step() {
     let wide = NewtonOptions {
         force_tolerance: 1e4,
-        force_share: f64::INFINITY,
+        relative_force_tolerance: f64::INFINITY,
         residual_tolerance: 4.0,
         max_halvings: 0,
         ..NewtonOptions::default()

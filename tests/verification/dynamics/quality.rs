@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use num_dual::DualNum;
 use whirl_solver::dynamics::{Finding, March, NewtonOptions, Outcome, findings, march};
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -108,7 +108,7 @@ fn what_rings_faster_than_the_step_is_not_sound() {
         // 0.3/ω.
         assert!(found[0].remedy.contains("1.5e-3 s"), "{found:?}");
         let mut mass = parts(shaft(), Support::rigid(&[]), Rotation::Held);
-        let slow = Course::Sine { frequency: 0.01 / time_step, phase: 0.0 };
+        let slow = TimeFunction::Sine { frequency: 0.01 / time_step, phase: 0.0 };
         mass.loads = vec![force(&mass.shaft.nodes[0], [1e3, 0.0, 0.0], slow, Frame::Space)];
         let outcome = run(&Machine::new(mass).expect("a machine"), time_step, 3000, [0.0; 2]);
         assert_eq!(verdict(&outcome, time_step), [], "{:?}", outcome.quality);
@@ -156,7 +156,8 @@ fn the_scale_of_forces_changes_no_motion() {
         parts.laws = vec![Box::new(law)];
         parts.bearings = vec![stops("above", 5e-4, &[0.0], 0), stops("below", 5e-4, &[PI], 0)];
         let node = &parts.shaft.nodes[0];
-        parts.loads = vec![force(node, [-0.1 * mass, 0.0, 0.0], Course::Constant, Frame::Space)];
+        parts.loads =
+            vec![force(node, [-0.1 * mass, 0.0, 0.0], TimeFunction::Constant, Frame::Space)];
         let machine = Machine::new(parts).expect("a machine");
         let mut options = strict(9.4e-6, 20_000);
         options.newton = NewtonOptions { force_tolerance, ..NewtonOptions::default() };
@@ -219,7 +220,7 @@ pub(super) static MOUNT: Formula = Formula {
 
 /// What a spring holds and what its dashpot turned into heat, as two numbers; by both kinds of law.
 #[test]
-fn stored_and_dissipated_energy_are_told_apart() {
+fn stored_and_dissipated_energy_are_distinguished() {
     for (law, around) in [(&DASHPOT, false), (&MOUNT, true)] {
         let shaft = Shaft::lumped(2.0, [0.0; 2], [0.0; 2], 0.0);
         let mut parts = parts(shaft, Support::rigid(&[]), Rotation::Held);

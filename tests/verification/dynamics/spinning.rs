@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use num_dual::DualNum;
 use whirl_solver::dynamics::{March, march};
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -29,7 +29,7 @@ fn mass(law: Box<dyn SpringLaw>, rotation: Rotation, load: [f64; 3]) -> MachineP
     let around = stops("around", 5e-5, &angles, 0);
     parts.bearings = vec![Bearing { journal_radius: Some(0.025), ..around }];
     let node = &parts.shaft.nodes[0];
-    parts.loads = vec![force(node, load, Course::Constant, Frame::Space)];
+    parts.loads = vec![force(node, load, TimeFunction::Constant, Frame::Space)];
     parts
 }
 

@@ -2,7 +2,7 @@
 
 use whirl_solver::bearing::{Bearing, Worst};
 use whirl_solver::dynamics::March;
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -30,7 +30,7 @@ fn the_worst_values_are_those_of_the_steps() {
         stops("no limit", 9e-5, &sides, 1),
         stops("far", 9e-5, &sides[..1], 2),
     ];
-    let sine = |frequency| Course::Sine { frequency, phase: 0.4 };
+    let sine = |frequency| TimeFunction::Sine { frequency, phase: 0.4 };
     parts.loads = vec![
         force(&parts.shaft.nodes[0], [300.0, 0.0, 0.0], sine(40.0), Frame::Space),
         force(&parts.shaft.nodes[0], [0.0, 200.0, 0.0], sine(55.0), Frame::Space),
@@ -104,7 +104,7 @@ fn every_spring_of_a_bearing_counts() {
     parts.loads = vec![force(
         &parts.shaft.nodes[2],
         [3.0, 1.0, 0.0],
-        Course::Sine { frequency: 60.0, phase: 0.0 },
+        TimeFunction::Sine { frequency: 60.0, phase: 0.0 },
         Frame::Space,
     )];
     let machine = Machine::new(parts).expect("a machine");

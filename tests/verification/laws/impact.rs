@@ -130,7 +130,7 @@ fn lankarani_and_nikravesh_lose_the_energy_of_the_coefficient_given() {
         let found = strike(Body { mass: MASS, speed }, force, 4.0 * STEP).rebound / speed;
         let exact = exact_restitution(0.75 * (1.0 - wanted * wanted));
         assert!((found - exact).abs() < 1e-6, "{found} {exact}");
-        // Energy lost, as a share of what the coefficient means: right to first order in 1 − e, the
+        // Energy lost, as a fraction of what the coefficient means: right to first order in 1 − e, the
         // authors' assumption of a coefficient near 1.
         errors.push((1.0 - found * found) / (1.0 - wanted * wanted) - 1.0);
         assert!(errors[errors.len() - 1].abs() < 2.0 * loss, "{errors:?}");

@@ -44,7 +44,7 @@ fn laws() -> Vec<LawSpec> {
         .collect()
 }
 
-/// The range over which a law was looked at, input after input, SI.
+/// The range over which a law was analysed, input after input, SI.
 fn ranges(law: &LawSpec) -> Vec<[f64; 2]> {
     let units = law.inputs.iter().map(|input| input.unit.factor().to_f64());
     law.report.ranges.iter().zip(units).map(|((.., range), unit)| range.map(|x| x * unit)).collect()

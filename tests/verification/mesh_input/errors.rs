@@ -12,7 +12,7 @@ fn errors(passage: &str, by: &str) -> String {
 }
 
 #[test]
-fn every_error_says_where_what_and_how_to_mend_it() {
+fn every_error_says_where_what_and_how_to_fix_it() {
     let cases = [
         // Nodes.
         (

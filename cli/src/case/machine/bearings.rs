@@ -7,16 +7,19 @@ use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Quantity;
 
 use super::super::law::{self, NamedLaw};
-use super::super::library::Shelf;
+use super::super::library::FileStore;
 use super::super::parameters::{self, BearingFacts, Keys, SetParameter};
 use super::super::reader::Reader;
 use super::super::rotor::Bearing;
 use super::super::schema::MOST_SPRINGS;
 
 /// What the bearings share stands in `[springs]`; a `[[bearing]]` may say otherwise.
-pub(super) fn bearings(shelf: Shelf, file: &Reader) -> Vec<([Vec<Located>; 2], Option<Bearing>)> {
+pub(super) fn bearings(
+    store: FileStore,
+    file: &Reader,
+) -> Vec<([Vec<Located>; 2], Option<Bearing>)> {
     let shared = file.table("springs");
-    let shared_springs = shared.as_ref().map(|table| springs(shelf, table)).unwrap_or_default();
+    let shared_springs = shared.as_ref().map(|table| springs(store, table)).unwrap_or_default();
     let tables = file.tables("bearing");
     if tables.is_empty() && !file.has("bearing") {
         file.absent("bearing", "add a table `[[bearing]]` for each place where the shaft runs");
@@ -34,7 +37,7 @@ pub(super) fn bearings(shelf: Shelf, file: &Reader) -> Vec<([Vec<Located>; 2], O
     let one = |table: &Reader| {
         let sets = [table.names("journal"), table.names("bore")];
         let stations = table.quantities("stations");
-        let own = springs(shelf, table);
+        let own = springs(store, table);
         let mut places = shared.as_ref().map(Reader::places).unwrap_or_default();
         places.extend(table.places());
         let bearing = bearing(table, &sets, stations, own.or(&shared_springs), places);
@@ -56,7 +59,7 @@ fn demand_of_each(tables: &[Reader], key: &'static str) {
 
 /// What `[springs]` and `[[bearing]]` both may say.
 #[derive(Default)]
-struct Springs {
+struct SpringKeys {
     law: Option<NamedLaw>,
     number: Option<usize>,
     radial_clearance: Option<Quantity>,
@@ -68,9 +71,9 @@ struct Springs {
 /// What messages call the values of a bearing.
 const KEYS: Keys = Keys { clearance: "radial_clearance" };
 
-fn springs(shelf: Shelf, table: &Reader) -> Springs {
-    Springs {
-        law: law::read(shelf, table),
+fn springs(store: FileStore, table: &Reader) -> SpringKeys {
+    SpringKeys {
+        law: law::read(store, table),
         number: table.count("number"),
         radial_clearance: table.exact("radial_clearance"),
         journal_radius: table.exact("journal_radius"),
@@ -79,16 +82,16 @@ fn springs(shelf: Shelf, table: &Reader) -> Springs {
     }
 }
 
-impl Springs {
+impl SpringKeys {
     /// What these do not say, `shared` does.
-    fn or(self, shared: &Springs) -> Springs {
+    fn or(self, shared: &SpringKeys) -> SpringKeys {
         let or = |own: Option<Quantity>, shared: &Option<Quantity>| own.or_else(|| shared.clone());
         // Parameters belong to the law beside them, if one is named there.
         let name = |law: &NamedLaw| law.source.name();
         let (own, other) = (self.law.as_ref().map(name), shared.law.as_ref().map(name));
         let alike = own.is_none() || other.is_none() || own == other;
         let parameters = if alike { shared.parameters.as_slice() } else { &[] };
-        Springs {
+        SpringKeys {
             parameters: parameters::over(&self.parameters, parameters),
             law: self.law.or_else(|| shared.law.clone()),
             number: self.number.or(shared.number),
@@ -104,7 +107,7 @@ fn bearing(
     table: &Reader,
     sets: &[Vec<Located>; 2],
     stations: Vec<f64>,
-    springs: Springs,
+    springs: SpringKeys,
     places: BTreeMap<String, Located>,
 ) -> Option<Bearing> {
     let [journal, bore] = sets.clone();

@@ -7,19 +7,19 @@ use whirl_solver::mesh::Material;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
-use super::super::library::{Shelf, resolve};
+use super::super::library::{FileStore, resolve};
 use super::super::reader::Reader;
-use super::super::rotor::{GroundSpring, Made, Mesh, MeshFile, Shaft, Support};
+use super::super::rotor::{GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, Support};
 use super::materials::{Materials, material_of, regions};
 use super::{default_motion, motion};
 
 /// The table `[shaft]`.
-pub(super) fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Shaft> {
+pub(super) fn shaft(store: FileStore, file: &Reader, materials: &Materials) -> Option<Shaft> {
     file.demand("shaft");
     let table = file.table("shaft")?;
     let material = material_of(&table, materials);
     let regions = regions(&table, materials);
-    let mesh = mesh(shelf, &table, material.as_ref(), solid_shaft);
+    let mesh = mesh(store, &table, material.as_ref(), solid_shaft);
     let motion = motion(&table);
     let shaft = Shaft {
         modes: table.count_or_one("modes"),
@@ -34,12 +34,12 @@ pub(super) fn shaft(shelf: Shelf, file: &Reader, materials: &Materials) -> Optio
 }
 
 /// The table `[support]`.
-pub(super) fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Option<Support> {
+pub(super) fn support(store: FileStore, file: &Reader, materials: &Materials) -> Option<Support> {
     file.demand("support");
     let table = file.table("support")?;
     let material = material_of(&table, materials);
     let regions = regions(&table, materials);
-    let mesh = mesh(shelf, &table, material.as_ref(), ring_support);
+    let mesh = mesh(store, &table, material.as_ref(), ring_support);
     let ground_spring = |spring: Reader| GroundSpring {
         set: spring.text_or_none("set"),
         direction: match spring.word("direction") {
@@ -63,7 +63,7 @@ pub(super) fn support(shelf: Shelf, file: &Reader, materials: &Materials) -> Opt
 
 /// A mesh by the file named as `mesh`, or made from the table `dimensions`.
 fn mesh<D>(
-    shelf: Shelf,
+    store: FileStore,
     table: &Reader,
     material: Option<&Material>,
     make: impl Fn(&Reader, Material) -> D,
@@ -79,7 +79,7 @@ fn mesh<D>(
         }
         (Some(name), None) => {
             let path = resolve(name.source(), name.text());
-            if shelf == Shelf::Disk && !path.is_file() {
+            if store == FileStore::Disk && !path.is_file() {
                 let message = format!("there is no file `{}`", path.display());
                 let error = name.error_here(Code::BAD_VALUE, message);
                 table.push(error.help("paths are relative to the file that names them"));
@@ -92,12 +92,16 @@ fn mesh<D>(
                 table.absent("material", "a mesh made from dimensions needs `material = \"…\"`");
             }
             // Read without a material too, for the same reason.
-            let made = make(&dimensions, material.cloned().unwrap_or_else(no_material));
+            let generated = make(&dimensions, material.cloned().unwrap_or_else(no_material));
             let (place, places) = (dimensions.place().text(""), dimensions.places());
             drop(dimensions);
             // Of dimensions that are wrong, nothing is made.
             let right = table.errors() == before && material.is_some();
-            right.then_some(Mesh::Made(Made { dimensions: made, table: place, places }))
+            right.then_some(Mesh::Generated(GeneratedMesh {
+                dimensions: generated,
+                table: place,
+                places,
+            }))
         }
         (None, None) => {
             if !table.has("mesh") && !table.has("dimensions") {

@@ -41,10 +41,10 @@ fn leads_to_its_target(table: &Reader) {
     };
     let (place, message, help) = if target == 0.0 {
         let message = "a shaft that starts at rest is at this `target_speed` at once".to_owned();
-        (&target_text, message, "name the speed to reach, or say `acts = false`".to_owned())
+        (&target_text, message, "name the speed to reach, or write `acts = false`".to_owned())
     } else if torque == 0.0 {
         let message = "a `torque` of zero turns nothing".to_owned();
-        (&torque_text, message, "name a couple, or say `acts = false`".to_owned())
+        (&torque_text, message, "name a couple, or write `acts = false`".to_owned())
     } else {
         let message = format!(
             "a couple of {} leads away from a `target_speed` of {}",

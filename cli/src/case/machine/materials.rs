@@ -38,7 +38,7 @@ fn material(name: &str, table: &Reader) -> Material {
     let material = Material { name: name.to_string(), properties };
     let keys = [("E", "youngs_modulus"), ("nu", "poissons_ratio"), ("rho", "density")];
     let whole = keys.iter().all(|(_, key)| table.has(key)) && table.errors() == before;
-    for doubt in material.doubts().into_iter().filter(|_| whole) {
+    for doubt in material.implausible_properties().into_iter().filter(|_| whole) {
         let key = keys.iter().find(|(symbol, _)| *symbol == doubt.symbol).map(|(_, key)| *key);
         let place = key.and_then(|key| table.places().remove(key));
         let place = place.unwrap_or_else(|| table.place().text(""));

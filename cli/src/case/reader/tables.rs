@@ -26,7 +26,7 @@ impl<'a> Reader<'a> {
             &node.place,
             Code::BAD_VALUE,
             format!("`{key}` takes {wanted}, not {}", node.value.kind()),
-            Some(format!("write what it says below a heading `{heading}`")),
+            Some(format!("write its keys below a heading `{heading}`")),
         );
     }
 

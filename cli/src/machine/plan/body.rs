@@ -94,7 +94,7 @@ impl BodyPlan {
                 let materials = self.mesh.materials().iter();
                 let softest = materials.min_by(|a, b| modulus(a).total_cmp(&modulus(b)));
                 let made = softest.map_or(String::new(), |softest| {
-                    format!(", or look at E = {:e} Pa of `{}`", modulus(softest), softest.name)
+                    format!(", or check E = {:e} Pa of `{}`", modulus(softest), softest.name)
                 });
                 let help = format!(
                     "write a stiffness of {most:.0e} N/m at most, name the set in `mounts` if it is to be held{made}"
@@ -153,7 +153,7 @@ impl BodyPlan {
             cells.filter(|(nodes, _)| inside(nodes[0], part)).map(|(_, &label)| label).collect();
         labels.sort_unstable();
         if labels.len() == mesh.cell_count() {
-            return format!("the cells around node {label} strain nothing when they move");
+            return format!("the cells around node {label} can move without strain");
         }
         let of_cell = |cell: &Cell| mesh.blocks()[cell.block].cells().nth(cell.cell).map(|n| n[0]);
         let node_sets = mesh
@@ -186,7 +186,7 @@ impl BodyPlan {
         self.sprung.push(set.clone());
     }
 
-    /// Looks for cells turned inside out and for motions that nothing stops.
+    /// Checks for cells turned inside out and for motions that nothing stops.
     pub(super) fn verify(&self) -> Result<(), Error> {
         let elastic = assemble(&self.mesh, "stiffness")?;
         let stiffness = add_ground_springs(&elastic, &self.spec.springs)?;

@@ -1,4 +1,4 @@
-//! What a case joins is held against where it stands: bearings, driven nodes, loads. The solver takes sets
+//! What a case joins is compared with where it stands: bearings, driven nodes, loads. The solver takes sets
 //! at their word, so that a bore beside its journal would carry it all the same.
 
 mod bearing;

@@ -7,8 +7,8 @@ use whirl_specs::Element;
 
 use super::cards::{Card, Token};
 use super::materials::RawMaterial;
-use super::sets::{Named, did_you_mean};
-use super::{Nodes, Place, Report, count, list};
+use super::sets::{Labelled, did_you_mean};
+use super::{LinePosition, MeshReport, NodeTable, count, list};
 
 /// A cell as written.
 #[derive(Debug, Clone)]
@@ -23,12 +23,12 @@ pub(super) struct RawCell {
 /// Cells in the order of the file.
 pub(super) struct Cells {
     pub(super) list: Vec<RawCell>,
-    pub(super) named: Named,
+    pub(super) named: Labelled,
 }
 
 impl Cells {
     /// Notes cells that have the nodes of others, and would give them their stiffness and mass again.
-    pub(super) fn stand_once(&self, report: &mut Report) {
+    pub(super) fn stand_once(&self, report: &mut MeshReport) {
         let mut first: HashMap<Vec<u64>, usize> = HashMap::new();
         let mut again = Vec::new();
         for (place, cell) in self.list.iter().enumerate().filter(|(_, cell)| !cell.nodes.is_empty())
@@ -62,8 +62,8 @@ impl Cells {
     }
 }
 
-pub(super) fn read_nodes(cards: &[&Card], report: &mut Report) -> Nodes {
-    let mut nodes = Nodes { positions: Vec::new(), named: Named::new("node") };
+pub(super) fn read_nodes(cards: &[&Card], report: &mut MeshReport) -> NodeTable {
+    let mut nodes = NodeTable { positions: Vec::new(), named: Labelled::new("node") };
     for card in cards.iter().filter(|card| card.keyword == "NODE") {
         if let Some(system) = card.parameter("SYSTEM") {
             report.error(system.place, "only rectangular coordinates are read", "write x, y, z");
@@ -96,10 +96,10 @@ pub(super) fn read_nodes(cards: &[&Card], report: &mut Report) -> Nodes {
 pub(super) fn read_elements(
     cards: &[&Card],
     elements: &[&'static Element],
-    nodes: &Nodes,
-    report: &mut Report,
+    nodes: &NodeTable,
+    report: &mut MeshReport,
 ) -> Cells {
-    let mut cells = Cells { list: Vec::new(), named: Named::new("cell") };
+    let mut cells = Cells { list: Vec::new(), named: Labelled::new("cell") };
     for card in cards.iter().filter(|card| card.keyword == "ELEMENT") {
         let element = element(card, elements, report);
         let mut members = Vec::new();
@@ -125,7 +125,7 @@ pub(super) fn read_elements(
 fn element(
     card: &Card,
     elements: &[&'static Element],
-    report: &mut Report,
+    report: &mut MeshReport,
 ) -> Option<&'static Element> {
     let name = report.required(card, "TYPE", "*ELEMENT, TYPE=C3D8I, ELSET=NAME")?;
     let is_named = |element: &&&Element| {
@@ -188,8 +188,8 @@ fn cell_nodes(
     label: u64,
     tokens: &[Token],
     element: &Element,
-    nodes: &Nodes,
-    report: &mut Report,
+    nodes: &NodeTable,
+    report: &mut MeshReport,
 ) -> Vec<u64> {
     if tokens.len() != element.nodes + 1 {
         let what = format!(
@@ -223,9 +223,9 @@ pub(super) fn assign_sections(
     cells: &Cells,
     materials: &[RawMaterial],
     open: bool,
-    report: &mut Report,
+    report: &mut MeshReport,
 ) -> Vec<usize> {
-    let mut material_of: Vec<Option<(usize, Place)>> = vec![None; cells.list.len()];
+    let mut material_of: Vec<Option<(usize, LinePosition)>> = vec![None; cells.list.len()];
     let mut all_found = cells.named.complete;
     for card in cards.iter().filter(|card| card.keyword == "SOLID SECTION") {
         let example = "*SOLID SECTION, ELSET=NAME, MATERIAL=NAME";

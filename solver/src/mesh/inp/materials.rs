@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 
 use super::cards::{Card, Token};
-use super::{Material, Place, Report, count};
+use super::{LinePosition, Material, MeshReport, count};
 
 /// A material as written.
 #[derive(Debug)]
 pub(super) struct RawMaterial {
     pub(super) name: String,
-    place: Place,
+    place: LinePosition,
     /// Values by symbol, with their places.
-    pub(super) values: BTreeMap<&'static str, (f64, Place)>,
+    pub(super) values: BTreeMap<&'static str, (f64, LinePosition)>,
     /// Whether something in it was refused, so that what is missing is no further error.
     broken: bool,
 }
@@ -27,7 +27,7 @@ impl RawMaterial {
     }
 }
 
-pub(super) fn read_materials(cards: &[&Card], report: &mut Report) -> Vec<RawMaterial> {
+pub(super) fn read_materials(cards: &[&Card], report: &mut MeshReport) -> Vec<RawMaterial> {
     let mut materials: Vec<RawMaterial> = Vec::new();
     let mut open = false;
     for card in cards {
@@ -65,7 +65,7 @@ pub(super) fn read_materials(cards: &[&Card], report: &mut Report) -> Vec<RawMat
     materials
 }
 
-fn property(card: &Card, material: &mut RawMaterial, report: &mut Report) {
+fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
     let before = report.errors.len();
     let name = material.name.as_str();
     let kind = card.parameter("TYPE").and_then(|parameter| parameter.value);
@@ -116,7 +116,7 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut Report) {
     material.broken |= report.errors.len() > before;
 }
 
-fn check(material: &RawMaterial, report: &mut Report) {
+fn check(material: &RawMaterial, report: &mut MeshReport) {
     let name = &material.name;
     if material.broken {
         return;
@@ -127,7 +127,7 @@ fn check(material: &RawMaterial, report: &mut Report) {
             report.error(material.place, format!("material {name} has no *{keyword}"), help);
         }
     }
-    for doubt in material.material().doubts() {
+    for doubt in material.material().implausible_properties() {
         if let Some(&(_, place)) = material.values.get(doubt.symbol) {
             report.error(place, doubt.what, doubt.help);
         }

@@ -17,7 +17,7 @@ use whirl_specs::Element;
 use self::cards::{Card, Token, cards};
 use self::cells::{RawCell, assign_sections, read_elements, read_nodes};
 use self::materials::{RawMaterial, read_materials};
-use self::sets::{Named, Sets};
+use self::sets::{Labelled, Sets};
 use super::{Block, Cell, Material, Mesh, MeshParts};
 use crate::error::{InputError, InputErrors, nearest};
 
@@ -32,7 +32,7 @@ pub fn decode(bytes: Vec<u8>) -> String {
 
 /// A mesh with what was left out of the file.
 #[derive(Debug, Clone)]
-pub struct Read {
+pub struct ReadMesh {
     /// The mesh.
     pub mesh: Mesh,
     /// What was skipped or looks odd, in the order of the lines.
@@ -42,8 +42,12 @@ pub struct Read {
 /// Reads a mesh; `path` is used in messages only, `elements` are those that a cell may have.
 ///
 /// # Errors
-/// All that is wrong, each with line, column, and how to mend it.
-pub fn read(text: &str, path: &str, elements: &[&'static Element]) -> Result<Read, InputErrors> {
+/// All that is wrong, each with line, column, and how to fix it.
+pub fn read(
+    text: &str,
+    path: &str,
+    elements: &[&'static Element],
+) -> Result<ReadMesh, InputErrors> {
     read_open(text, path, elements, false)
 }
 
@@ -57,9 +61,9 @@ pub fn read_open(
     path: &str,
     elements: &[&'static Element],
     open: bool,
-) -> Result<Read, InputErrors> {
+) -> Result<ReadMesh, InputErrors> {
     let cards = cards(text);
-    let mut report = Report { path, errors: Vec::new(), warnings: Vec::new() };
+    let mut report = MeshReport { path, errors: Vec::new(), warnings: Vec::new() };
     let cards = readable(&cards, &mut report);
     let mut nodes = read_nodes(&cards, &mut report);
     let mut cells = read_elements(&cards, elements, &nodes, &mut report);
@@ -81,7 +85,7 @@ pub fn read_open(
     match build(path, nodes, cells.list, cells.named.sets, &materials, &sections) {
         Ok(mesh) => {
             warnings.sort_by_key(|warning| (warning.line, warning.column));
-            Ok(Read { mesh, warnings })
+            Ok(ReadMesh { mesh, warnings })
         }
         Err(error) => {
             report.error_in_file(&error.to_string(), "");
@@ -91,14 +95,14 @@ pub fn read_open(
 }
 
 /// Nodes in the order of the file.
-struct Nodes {
+struct NodeTable {
     positions: Vec<[f64; 3]>,
-    named: Named,
+    named: Labelled,
 }
 
-impl Nodes {
+impl NodeTable {
     /// Leaves out nodes that belong to no cell, with a warning.
-    fn drop_unused(&mut self, cells: &[RawCell], report: &mut Report) {
+    fn drop_unused(&mut self, cells: &[RawCell], report: &mut MeshReport) {
         let used: BTreeSet<u64> =
             cells.iter().flat_map(|cell| cell.nodes.iter().copied()).collect();
         let labels = &self.named.labels;
@@ -126,7 +130,7 @@ impl Nodes {
 /// Blocks by element and material, in the order in which they first appear.
 fn build(
     path: &str,
-    nodes: Nodes,
+    nodes: NodeTable,
     cells: Vec<RawCell>,
     element_sets: Sets,
     materials: &[RawMaterial],
@@ -167,14 +171,14 @@ fn build(
 }
 
 /// Errors and warnings as they are found.
-struct Report<'a> {
+struct MeshReport<'a> {
     path: &'a str,
     errors: Vec<InputError>,
     warnings: Vec<InputError>,
 }
 
-impl Report<'_> {
-    fn entry(&self, place: Place, what: String, help: String) -> InputError {
+impl MeshReport<'_> {
+    fn entry(&self, place: LinePosition, what: String, help: String) -> InputError {
         InputError {
             file: self.path.to_owned(),
             line: place.line,
@@ -184,16 +188,26 @@ impl Report<'_> {
         }
     }
 
-    fn error(&mut self, at: impl Into<Place>, what: impl Into<String>, help: impl Into<String>) {
+    fn error(
+        &mut self,
+        at: impl Into<LinePosition>,
+        what: impl Into<String>,
+        help: impl Into<String>,
+    ) {
         let error = self.entry(at.into(), what.into(), help.into());
         self.errors.push(error);
     }
 
     fn error_in_file(&mut self, what: &str, help: &str) {
-        self.error(Place { line: 0, column: 0 }, what, help);
+        self.error(LinePosition { line: 0, column: 0 }, what, help);
     }
 
-    fn warn(&mut self, at: impl Into<Place>, what: impl Into<String>, help: impl Into<String>) {
+    fn warn(
+        &mut self,
+        at: impl Into<LinePosition>,
+        what: impl Into<String>,
+        help: impl Into<String>,
+    ) {
         let warning = self.entry(at.into(), what.into(), help.into());
         self.warnings.push(warning);
     }
@@ -249,21 +263,21 @@ impl Report<'_> {
         if extent > LARGE {
             let what = format!("the mesh is {extent} m long");
             let help = "coordinates are read in m; if they are in mm, divide them by 1000";
-            self.warn(Place { line: 0, column: 0 }, what, help);
+            self.warn(LinePosition { line: 0, column: 0 }, what, help);
         }
     }
 }
 
 /// Line and column of an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Place {
+struct LinePosition {
     line: usize,
     column: usize,
 }
 
-impl From<Token<'_>> for Place {
-    fn from(token: Token) -> Place {
-        Place { line: token.line, column: token.column }
+impl From<Token<'_>> for LinePosition {
+    fn from(token: Token) -> LinePosition {
+        LinePosition { line: token.line, column: token.column }
     }
 }
 
@@ -278,7 +292,7 @@ const CHANGES_THE_MESH: [&str; 9] =
     ["INCLUDE", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "ORIENTATION"];
 
 /// The cards that this reader knows; warns of the others.
-fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut Report) -> Vec<&'c Card<'a>> {
+fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c Card<'a>> {
     let mut kept = Vec::new();
     let mut in_step = false;
     let mut skipped: BTreeSet<&str> = BTreeSet::new();

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::cards::{Card, Token};
-use super::{Place, Report};
+use super::{LinePosition, MeshReport};
 use crate::error::nearest;
 
 /// Sets by name; names are compared in capitals and kept as first written.
@@ -42,20 +42,20 @@ impl Sets {
 
 /// Things with labels, in the order of the file, and sets of them.
 #[derive(Debug)]
-pub(super) struct Named {
+pub(super) struct Labelled {
     /// `node` or `cell`.
     pub(super) noun: &'static str,
     pub(super) labels: Vec<u64>,
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<LinePosition>,
     pub(super) index: HashMap<u64, usize>,
     pub(super) sets: Sets,
     /// Whether every member of every set was found.
     pub(super) complete: bool,
 }
 
-impl Named {
-    pub(super) fn new(noun: &'static str) -> Named {
-        Named {
+impl Labelled {
+    pub(super) fn new(noun: &'static str) -> Labelled {
+        Labelled {
             noun,
             labels: Vec::new(),
             places: Vec::new(),
@@ -66,7 +66,12 @@ impl Named {
     }
 
     /// Adds a label; a label that is taken is an error and gives `None`.
-    pub(super) fn add(&mut self, label: u64, token: &Token, report: &mut Report) -> Option<usize> {
+    pub(super) fn add(
+        &mut self,
+        label: u64,
+        token: &Token,
+        report: &mut MeshReport,
+    ) -> Option<usize> {
         let index = self.labels.len();
         if let Some(&first) = self.index.get(&label) {
             let what = format!("{} {label} is defined twice", self.noun);
@@ -97,7 +102,7 @@ impl Named {
 }
 
 /// Reads `*NSET` or `*ELSET`: labels, names of sets above, or ranges (`GENERATE`).
-pub(super) fn read(cards: &[&Card], keyword: &str, named: &mut Named, report: &mut Report) {
+pub(super) fn read(cards: &[&Card], keyword: &str, named: &mut Labelled, report: &mut MeshReport) {
     let before = report.errors.len();
     for card in cards.iter().filter(|card| card.keyword == keyword) {
         let example = format!("*{keyword}, {keyword}=NAME");
@@ -116,7 +121,7 @@ pub(super) fn read(cards: &[&Card], keyword: &str, named: &mut Named, report: &m
     named.complete = report.errors.len() == before;
 }
 
-fn member(token: &Token, named: &Named, members: &mut Vec<usize>, report: &mut Report) {
+fn member(token: &Token, named: &Labelled, members: &mut Vec<usize>, report: &mut MeshReport) {
     let noun = named.noun;
     if token.text.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+') {
         let Some(label) = report.label(token, &format!("label of a {noun}")) else { return };
@@ -140,7 +145,7 @@ fn member(token: &Token, named: &Named, members: &mut Vec<usize>, report: &mut R
 }
 
 /// first, last, step: labels in the range that are not defined are an error.
-fn generate(line: &[Token], named: &Named, members: &mut Vec<usize>, report: &mut Report) {
+fn generate(line: &[Token], named: &Labelled, members: &mut Vec<usize>, report: &mut MeshReport) {
     let noun = named.noun;
     let filled: Vec<&Token> = line.iter().filter(|token| !token.text.is_empty()).collect();
     let (first, last, step) = match filled[..] {

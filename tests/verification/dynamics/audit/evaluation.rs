@@ -4,12 +4,12 @@
 use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::State;
 use whirl_solver::linalg::Matrix;
-use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 
 /// What a law takes at one place, in the fixed frame.
 #[derive(Default)]
-pub(in super::super) struct Seen {
+pub(in super::super) struct LawInputs {
     pub(super) h: f64,
     pub(super) h_dot: f64,
     pub(super) slip: f64,
@@ -21,9 +21,9 @@ pub(in super::super) struct Seen {
 /// A law in closed form.
 pub(in super::super) enum Direct {
     /// Normal and tangential force of one spring.
-    Spring(fn(&Seen) -> [f64; 2]),
+    Spring(fn(&LawInputs) -> [f64; 2]),
     /// F_x, F_y and M_z of a ring.
-    Ring(fn(&Seen) -> [f64; 3]),
+    Ring(fn(&LawInputs) -> [f64; 3]),
 }
 
 /// One row: r, its terms, the largest force projected on it, and the sum of everything in it.
@@ -182,19 +182,20 @@ pub(super) fn rows(
                     for psi in &bearing.angles {
                         let (normal, tangent) = ([psi.cos(), psi.sin()], [-psi.sin(), psi.cos()]);
                         let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
-                        let [q, t] = law(&Seen {
+                        let [q, t] = law(&LawInputs {
                             h: bearing.clearance - dot(normal, e),
                             h_dot: -dot(normal, e_dot),
                             slip: radius * turns + dot(tangent, e_dot),
                             omega: turns,
-                            ..Seen::default()
+                            ..LawInputs::default()
                         });
                         let force = [0, 1].map(|k| t * tangent[k] - q * normal[k]);
                         push(force, radius * t);
                     }
                 }
                 Direct::Ring(law) => {
-                    let [x, y, moment] = law(&Seen { e, e_dot, omega: turns, ..Seen::default() });
+                    let [x, y, moment] =
+                        law(&LawInputs { e, e_dot, omega: turns, ..LawInputs::default() });
                     push([x, y], moment);
                 }
             }
@@ -208,10 +209,12 @@ pub(super) fn rows(
 
 /// A load in the frame of the shaft (N).
 fn load_in_shaft(load: &Load, t: f64, [sin, cos]: [f64; 2]) -> [f64; 3] {
-    let factor = match load.course {
-        Course::Constant => 1.0,
-        Course::Sine { frequency, phase } => (std::f64::consts::TAU * frequency * t + phase).sin(),
-        Course::UntilSpeed { .. } => panic!("no drive in an audit"),
+    let factor = match load.time_function {
+        TimeFunction::Constant => 1.0,
+        TimeFunction::Sine { frequency, phase } => {
+            (std::f64::consts::TAU * frequency * t + phase).sin()
+        }
+        TimeFunction::UntilSpeed { .. } => panic!("no drive in an audit"),
     };
     let [x, y, z] = load.force.map(|part| factor * part);
     match load.frame {

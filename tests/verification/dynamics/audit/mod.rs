@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 use num_dual::{Dual64, DualNum};
 use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::{March, MarchOptions, NewtonOptions};
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -18,7 +18,7 @@ use super::contacts::Formula;
 use super::{bearing, bores, discs, force, options, parts, stops, wild};
 use crate::small_shaft;
 pub(super) use evaluation::Direct;
-use evaluation::{Seen, rows, worst_row};
+use evaluation::{LawInputs, rows, worst_row};
 
 /// Steps in which no force may be missing at a spring.
 pub(super) fn strict(time_step: f64, steps: usize) -> MarchOptions {
@@ -41,7 +41,7 @@ pub(super) fn audit(
     let mut before = rows(&machine, &pairs, 0.0, march.state());
     for step in 1..=options.steps {
         if let Err(error) = march.advance() {
-            // A step that cannot be solved is told, not accepted.
+            // A step that cannot be solved is reported, not accepted.
             panic!("{name}: {error}");
         }
         let t = step as f64 * options.time_step;
@@ -116,38 +116,38 @@ static RING: Formula = Formula {
     },
 };
 
-fn linear(seen: &Seen, stiffness: f64) -> [f64; 2] {
-    [if seen.h < 0.0 { -stiffness * seen.h } else { 0.0 }, 0.0]
+fn linear(inputs: &LawInputs, stiffness: f64) -> [f64; 2] {
+    [if inputs.h < 0.0 { -stiffness * inputs.h } else { 0.0 }, 0.0]
 }
 
 static PAIRS: [Pair; 6] = [
-    Pair { law: &SOFT, direct: Direct::Spring(|seen| linear(seen, 1e3)) },
-    Pair { law: &MIDDLE, direct: Direct::Spring(|seen| linear(seen, 1e6)) },
-    Pair { law: &STIFF, direct: Direct::Spring(|seen| linear(seen, 1e9)) },
+    Pair { law: &SOFT, direct: Direct::Spring(|inputs| linear(inputs, 1e3)) },
+    Pair { law: &MIDDLE, direct: Direct::Spring(|inputs| linear(inputs, 1e6)) },
+    Pair { law: &STIFF, direct: Direct::Spring(|inputs| linear(inputs, 1e9)) },
     Pair {
         law: &HERTZ,
-        direct: Direct::Spring(|seen| {
-            let depth = f64::max(-seen.h, 0.0);
-            [1e8 * depth * depth.sqrt() * (1.0 - 0.3 * seen.h_dot), 0.0]
+        direct: Direct::Spring(|inputs| {
+            let depth = f64::max(-inputs.h, 0.0);
+            [1e8 * depth * depth.sqrt() * (1.0 - 0.3 * inputs.h_dot), 0.0]
         }),
     },
     Pair {
         law: &RUB,
-        direct: Direct::Spring(|seen| {
-            let q = 2e6 * f64::max(-seen.h, 0.0);
-            [q, -0.3 * q * (seen.slip / 0.05).tanh()]
+        direct: Direct::Spring(|inputs| {
+            let q = 2e6 * f64::max(-inputs.h, 0.0);
+            [q, -0.3 * q * (inputs.slip / 0.05).tanh()]
         }),
     },
     Pair {
         law: &RING,
-        direct: Direct::Ring(|seen| {
-            let ([x, y], [x_dot, y_dot]) = (seen.e, seen.e_dot);
+        direct: Direct::Ring(|inputs| {
+            let ([x, y], [x_dot, y_dot]) = (inputs.e, inputs.e_dot);
             let stiff = 2e5 + 2e11 * (x * x + y * y);
-            let cross = 30.0 * seen.omega;
+            let cross = 30.0 * inputs.omega;
             [
                 -stiff * x - cross * y - 40.0 * x_dot,
                 -stiff * y + cross * x - 40.0 * y_dot,
-                -1e-2 * seen.omega,
+                -1e-2 * inputs.omega,
             ]
         }),
     },
@@ -182,9 +182,9 @@ fn every_step_of_a_mass_between_stops_is_solved() {
         let speed = gap / time_step * 10.0_f64.powf(2.0 * unit() - 1.5);
         let weight = mass * speed / time_step * 1e-2 * unit();
         let node = &parts.shaft.nodes[0];
-        let shake = Course::Sine { frequency: 0.02 / time_step, phase: unit() };
+        let shake = TimeFunction::Sine { frequency: 0.02 / time_step, phase: unit() };
         parts.loads = vec![
-            force(node, [-weight, 0.0, 0.0], Course::Constant, Frame::Space),
+            force(node, [-weight, 0.0, 0.0], TimeFunction::Constant, Frame::Space),
             force(node, [weight * unit(), weight, 0.0], shake, Frame::Space),
         ];
         let mut options = strict(time_step, 400);
@@ -214,12 +214,12 @@ fn every_step_of_discs_in_a_moving_bore_is_solved() {
             let radius = Some(0.03);
             parts.bearings =
                 vec![Bearing { clearance: 1e-4, journal_radius: radius, ..bearing(0) }];
-            let sine = Course::Sine { frequency: 40.0 + 100.0 * unit(), phase: unit() };
+            let sine = TimeFunction::Sine { frequency: 40.0 + 100.0 * unit(), phase: unit() };
             let node = |k: usize| &parts.shaft.nodes[k];
             parts.loads = vec![
                 force(node(2), [300.0 * unit(), -130.0, 0.0], sine, Frame::Space),
-                force(node(0), [5.0, 20.0 * unit(), 0.0], Course::Constant, Frame::Shaft),
-                force(node(3), [-200.0, 0.0, 0.0], Course::Constant, Frame::Space),
+                force(node(0), [5.0, 20.0 * unit(), 0.0], TimeFunction::Constant, Frame::Shaft),
+                force(node(3), [-200.0, 0.0, 0.0], TimeFunction::Constant, Frame::Space),
             ];
             let mut options = strict(10.0_f64.powf(-3.0 - 1.5 * unit()), 300);
             options.initial_speed = 300.0 * unit();
@@ -237,11 +237,11 @@ fn every_step_of_a_meshed_shaft_is_solved() {
         let pair = &PAIRS[place];
         let shaft = shaft.clone();
         let node = |k: usize| shaft.nodes[k].clone();
-        let pulse = Course::Sine { frequency: 120.0, phase: 0.2 };
+        let pulse = TimeFunction::Sine { frequency: 120.0, phase: 0.2 };
         let loads = vec![
             force(&node(1), [2e3, -3e2, 0.0], pulse, Frame::Space),
-            force(&node(4), [-1e3, 0.0, 0.0], Course::Constant, Frame::Space),
-            force(&node(2), [0.0, 40.0, 0.0], Course::Constant, Frame::Shaft),
+            force(&node(4), [-1e3, 0.0, 0.0], TimeFunction::Constant, Frame::Space),
+            force(&node(2), [0.0, 40.0, 0.0], TimeFunction::Constant, Frame::Shaft),
         ];
         let free = small_shaft::free(shaft, small_shaft::motion("consistent"));
         let rigid = [const { [Vec::new(), Vec::new(), Vec::new()] }; 2];

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use whirl_solver::dynamics::March;
-use whirl_solver::loads::{Course, Frame};
+use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -22,7 +22,7 @@ pub(in super::super) fn machine() -> Machine {
     parts.laws = vec![Box::new(&STIFF)];
     parts.bearings = vec![stops("above", GAP, &[0.0], 0), stops("below", GAP, &[PI], 0)];
     let node = &parts.shaft.nodes[0];
-    parts.loads = vec![force(node, [PUSH, 0.0, 0.0], Course::Constant, Frame::Space)];
+    parts.loads = vec![force(node, [PUSH, 0.0, 0.0], TimeFunction::Constant, Frame::Space)];
     Machine::new(parts).expect("a machine")
 }
 

@@ -14,7 +14,7 @@ use crate::case;
 
 /// The axes of journal and bore are apart by at most this part of the clearance, which knows nothing of it.
 const AXES: f64 = 0.01;
-/// To this part the radius of a made shaft's section is known: see `mesh::shaft`.
+/// To this part the radius of a generated shaft's section is known: see `mesh::shaft`.
 const SECTION_DIGITS: f64 = 2e-4;
 
 /// Notes whatever in a bearing does not fit together.
@@ -61,7 +61,7 @@ impl Comparison<'_, '_> {
     }
 
     /// Where the case says `key`, or the bearing.
-    fn said(&self, key: &str) -> Located {
+    fn place_of(&self, key: &str) -> Located {
         self.whole.places.get(key).unwrap_or(&self.whole.table).clone()
     }
 
@@ -102,7 +102,7 @@ impl Comparison<'_, '_> {
                 mm(mean)
             );
             let help = "write the gap between journal and bore, such as \"35 um\"";
-            self.note(&self.said("radial_clearance"), message, help.to_string());
+            self.note(&self.place_of("radial_clearance"), message, help.to_string());
         }
         let digits = digits(bore.mesh);
         if let Some(radius) = self.whole.journal_radius.filter(|radius| *radius > largest + digits)
@@ -113,7 +113,7 @@ impl Comparison<'_, '_> {
                 mm(largest)
             );
             let help = format!("write {} or less, or leave it out", mm(mean - c));
-            self.note(&self.said("journal_radius"), message, help);
+            self.note(&self.place_of("journal_radius"), message, help);
         }
         let Some(shaft) = journal.and_then(Journal::radius) else { return };
         if shaft * (1.0 - SECTION_DIGITS) > largest + digits {
@@ -137,7 +137,7 @@ impl Comparison<'_, '_> {
                 mm(largest)
             );
             let help = "write the gap between journal and bore, such as \"35 um\"";
-            self.note(&self.said("radial_clearance"), message, help.to_string());
+            self.note(&self.place_of("radial_clearance"), message, help.to_string());
         }
     }
 }

@@ -68,12 +68,12 @@ impl Comparison<'_, '_> {
 
     fn one_set(&mut self, set: &Located, z: f64) {
         let message = format!(
-            "`{}` stands for left, middle and right: three rings of springs would act in one plane",
+            "`{}` is named for left, middle and right: three rings of springs would act in one plane",
             set.text()
         );
         let help = format!(
-            "name the sets at the left end, in the middle and at the right end; a bearing in one plane says \
-             so by one set three times in both `journal` and `bore`, and `stations = [\"{}\"]`",
+            "name the sets at the left end, in the middle and at the right end; for a bearing in one plane, \
+             name one set three times in both `journal` and `bore`, and `stations = [\"{}\"]`",
             mm(z)
         );
         self.note(set, message, help);
@@ -126,7 +126,7 @@ impl Comparison<'_, '_> {
         let mut found: Vec<Diagnostic> = Vec::new();
         for (place, &z) in stations.iter().enumerate() {
             let key = format!("stations[{place}]");
-            let at = self.said(&key);
+            let at = self.place_of(&key);
             let apart = (left - z).max(z - right);
             if apart > BEYOND * length {
                 let message = format!(
@@ -161,7 +161,7 @@ impl Comparison<'_, '_> {
                 mm(z)
             );
             let help = format!("write `stations = [\"{}\"]`, or correct the sets", mm(z));
-            self.note(&self.said("stations[0]"), message, help);
+            self.note(&self.place_of("stations[0]"), message, help);
         }
     }
 }

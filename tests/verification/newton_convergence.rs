@@ -8,7 +8,7 @@ use whirl_solver::Error;
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::body::BodyNode;
 use whirl_solver::dynamics::{Failure, March, MarchOptions, NewtonOptions, Outcome, march};
-use whirl_solver::loads::{Course, Frame, Load};
+use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -42,17 +42,17 @@ fn on_hertz_springs(shaft: Shaft, share: f64) -> Machine {
     };
     let bore = [0, 1].map(|bearing| [0, 1, 2].map(|place| ring(bearing, place)));
     let shell: Vec<f64> = [-60.0, -30.0, 0.0, 30.0, 60.0].map(f64::to_radians).to_vec();
-    let load = |node: usize, force: [f64; 3], course: Course| {
+    let load = |node: usize, force: [f64; 3], time_function: TimeFunction| {
         let node: BodyNode = shaft.nodes[node].clone();
-        Load { node, force, course, frame: Frame::Space }
+        Load { node, force, time_function, frame: Frame::Space }
     };
     // At rest each ring pushes with Σ Q cos ψ, which a constant load balances.
     let push = 1e8 * 1e-4_f64.powf(1.5) * shell.iter().map(|psi| psi.cos()).sum::<f64>();
     let mut loads: Vec<Load> = (0..2)
         .flat_map(journal)
-        .map(|node| load(node, [push, 0.0, 0.0], Course::Constant))
+        .map(|node| load(node, [push, 0.0, 0.0], TimeFunction::Constant))
         .collect();
-    let pulse = Course::Sine { frequency: 250.0, phase: 0.0 };
+    let pulse = TimeFunction::Sine { frequency: 250.0, phase: 0.0 };
     loads.extend([
         load(1, [4e4 * share, 5e3 * share, 0.0], pulse),
         load(4, [3e4 * share, -5e3 * share, 0.0], pulse),

@@ -1,4 +1,4 @@
-//! What a build would make from a spec that is not built in.
+//! What a build would generate from a spec that is not built in.
 
 use std::path::Path;
 
@@ -21,7 +21,7 @@ pub(super) fn folder(spec: &Spec) -> &'static str {
     }
 }
 
-/// The module that a build would make if the file lay in its folder: an element's with the built-in forms; forms'
+/// The module that a build would generate if the file lay in its folder: an element's with the built-in forms; forms'
 /// with that of the element [`SHOWN_ON`] behind it, which has them alone.
 ///
 /// # Errors
@@ -46,7 +46,7 @@ pub(super) fn module(spec: &Spec) -> Result<String, Diagnostics> {
         }
         Spec::Motion(_) | Spec::Clearance(_) => {}
     }
-    let made = generate(&files).map_err(|errors| at_home(errors, spec, &files[0].path))?;
+    let generated = generate(&files).map_err(|errors| at_home(errors, spec, &files[0].path))?;
     let kinds: &[&str] = match spec {
         Spec::Law(_) => &["laws.rs"],
         Spec::Element(_) => &["elements.rs"],
@@ -54,7 +54,7 @@ pub(super) fn module(spec: &Spec) -> Result<String, Diagnostics> {
         Spec::Motion(_) => &["motions.rs"],
         Spec::Clearance(_) => &["clearances.rs"],
     };
-    let texts = made.iter().filter(|file| kinds.contains(&file.name.as_str()));
+    let texts = generated.iter().filter(|file| kinds.contains(&file.name.as_str()));
     Ok(texts.map(|file| file.text.as_str()).collect())
 }
 
