@@ -1,11 +1,11 @@
-//! Generated kernels against hand-written twins, in one run: read each group as a ratio.
+//! Generated kernels against hand-written kernels, in one run: read each group as a ratio.
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use whirl_benches::hand;
 use whirl_specs::{
-    CLEARANCES, Clearance, ELEMENTS, Eight, Element, LAWS, Law, MOTIONS, Motion, MotionState, Ring,
+    Batch, CLEARANCES, Clearance, ELEMENTS, Element, LAWS, Law, MOTIONS, Motion, MotionState, Ring,
     RingTangent, SpringForce, TensorShape,
 };
 
@@ -24,8 +24,8 @@ fn values(count: usize) -> Vec<f64> {
 }
 
 fn laws(c: &mut Criterion) {
-    for twin in [&hand::law::LINEAR, &hand::law::NONLINEAR] {
-        let name = twin.origin.name;
+    for reference in [&hand::law::LINEAR, &hand::law::NONLINEAR] {
+        let name = reference.origin.name;
         let ours = LAWS.iter().find(|law| law.origin.name == name).expect("a shipped law");
         let mut group = c.benchmark_group(format!("law {name}, {SPRINGS} springs"));
         group.throughput(Throughput::Elements(SPRINGS as u64));
@@ -40,7 +40,7 @@ fn laws(c: &mut Criterion) {
             }
         };
         group.bench_function("generated", run(ours));
-        group.bench_function("by hand", run(twin));
+        group.bench_function("by hand", run(reference));
     }
 }
 
@@ -142,11 +142,12 @@ fn tensors<'t>(
 fn elements(c: &mut Criterion) {
     for (name, form) in [("hex8", "stiffness"), ("hex8i", "stiffness"), ("hex8", "mass")] {
         let ours = ELEMENTS.iter().find(|element| element.origin.name == name).expect("shipped");
-        let twin = hand::elements::ELEMENTS.iter().find(|e| e.origin.name == name).expect("twin");
+        let reference =
+            hand::elements::ELEMENTS.iter().find(|e| e.origin.name == name).expect("a reference");
         let mut group = c.benchmark_group(format!("{name} {form}, {CELLS} cells"));
         group.throughput(Throughput::Elements(CELLS as u64));
         let cells = bricks(ours);
-        for (who, element) in [("generated", ours), ("by hand", twin)] {
+        for (who, element) in [("generated", ours), ("by hand", reference)] {
             let kernel = element.form(form).expect("a shipped form");
             let material: Vec<f64> = kernel
                 .material
@@ -157,7 +158,7 @@ fn elements(c: &mut Criterion) {
                     _ => 7860.0,
                 })
                 .collect();
-            let mut matrices = Eight::room(CELLS, kernel.structure.len(element.nodes));
+            let mut matrices = Batch::storage(CELLS, kernel.structure.len(element.nodes));
             let mut jacobians = vec![0.0; CELLS];
             group.bench_function(BenchmarkId::from_parameter(who), |b| {
                 b.iter(|| {

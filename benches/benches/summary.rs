@@ -1,4 +1,4 @@
-//! Generated kernels against what the core can do at most, against twins written by hand and against plain matrix
+//! Generated kernels against what the core can do at most, against kernels written by hand and against plain matrix
 //! code: one table of ratios from one run.
 
 use std::cell::RefCell;
@@ -9,7 +9,7 @@ use whirl_benches::{hand, textbook};
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
-use whirl_specs::{ELEMENTS, Eight, Element, FormKernel, LAWS, Law, Registers};
+use whirl_specs::{Batch, ELEMENTS, Element, FormKernel, LAWS, Law, Registers};
 
 /// Cells of a batch: their matrices do not fit into the first cache, as in an assembly.
 const CELLS: usize = 64;
@@ -35,8 +35,8 @@ fn main() {
         cells(registers, name, form);
     }
     println!();
-    for twin in [&hand::law::LINEAR, &hand::law::NONLINEAR] {
-        law(twin);
+    for reference in [&hand::law::LINEAR, &hand::law::NONLINEAR] {
+        law(reference);
     }
 }
 
@@ -46,8 +46,8 @@ fn values(count: usize) -> impl Iterator<Item = f64> {
 }
 
 /// Where kernels write: the same memory for all that are compared, since its place counts.
-struct Room {
-    matrices: Vec<Eight>,
+struct Buffers {
+    matrices: Vec<Batch>,
     jacobians: Vec<f64>,
 }
 
@@ -66,21 +66,21 @@ type Named<'a> = (&'static str, Box<dyn FnMut() + 'a>);
 fn cells(registers: Registers, name: &str, form: &str) {
     let named = |element: &&'static Element| element.origin.name == name;
     let element = ELEMENTS.iter().find(named).expect("an element that is shipped");
-    let twin = hand::elements::ELEMENTS.into_iter().find(named).expect("a twin");
+    let reference = hand::elements::ELEMENTS.into_iter().find(named).expect("a reference");
     let [ours, by_hand] =
-        [element, twin].map(|element| element.form(form).expect("a form that is shipped"));
+        [element, reference].map(|element| element.form(form).expect("a form that is shipped"));
     let nodes = (0..CELLS).flat_map(|_| element.reference_nodes.iter().flatten());
     let cells: Vec<f64> = nodes
         .zip(values(CELLS * element.nodes * 3))
         .map(|(x, bump)| 5e-3 * (x + 0.1 * bump))
         .collect();
-    let room = RefCell::new(Room {
-        matrices: Eight::room(CELLS, ours.structure.len(element.nodes)),
+    let buffers = RefCell::new(Buffers {
+        matrices: Batch::storage(CELLS, ours.structure.len(element.nodes)),
         jacobians: vec![0.0; CELLS],
     });
     let material = material(ours);
     let run = |kernel: &FormKernel| {
-        let Room { matrices, jacobians } = &mut *room.borrow_mut();
+        let Buffers { matrices, jacobians } = &mut *buffers.borrow_mut();
         (kernel.evaluate)(black_box(&cells), &material, matrices, jacobians);
     };
     let plainly = |stiffness: fn(&Element, &[f64], f64, f64) -> textbook::Stiffness| {
@@ -98,9 +98,9 @@ fn cells(registers: Registers, name: &str, form: &str) {
         let added = textbook::accumulated_stiffness;
         others.push(("nalgebra, K.gemm(Bᵀ, DB)", Box::new(move || plainly(added))));
     }
-    let (mut most, mut generated, mut twin) =
+    let (mut most, mut generated, mut reference) =
         (|| peak_task(registers), || run(ours), || run(by_hand));
-    let mut tasks: Vec<&mut dyn FnMut()> = vec![&mut most, &mut generated, &mut twin];
+    let mut tasks: Vec<&mut dyn FnMut()> = vec![&mut most, &mut generated, &mut reference];
     tasks.extend(others.iter_mut().map(|(_, task)| &mut **task as &mut dyn FnMut()));
     let times = Times::measure(&mut tasks);
     let peak = peak_operations(registers) / times.fastest(0);
@@ -117,7 +117,7 @@ fn cells(registers: Registers, name: &str, form: &str) {
     let share = |flops: usize, task: usize| 100.0 * flops as f64 / a_cell(task) / peak;
     println!(
         "  of the peak of {:.1} Gflop/s: generated {:.0} % by its own count of {} operations a cell, \
-         {:.0} % by the {} of the twin, by hand {:.0} %",
+         {:.0} % by the {} of the hand-written kernel, by hand {:.0} %",
         1e-9 * peak,
         share(ours.flops, 1),
         ours.flops,
@@ -127,15 +127,15 @@ fn cells(registers: Registers, name: &str, form: &str) {
     );
 }
 
-/// How a task compares with its twin.
-fn beside(times: &Times, task: usize, twin: usize) -> String {
-    let [low, _, high] = times.ratios(task, twin);
-    let ratio = times.ratio(task, twin);
+/// How a task compares with its reference.
+fn beside(times: &Times, task: usize, reference: usize) -> String {
+    let [low, _, high] = times.ratios(task, reference);
+    let ratio = times.ratio(task, reference);
     format!("; generated / by hand {ratio:.2} [{low:.2} to {high:.2}]")
 }
 
-fn law(twin: &'static Law) {
-    let name = twin.origin.name;
+fn law(reference: &'static Law) {
+    let name = reference.origin.name;
     let ours = LAWS.iter().find(|law| law.origin.name == name).expect("a law that is shipped");
     let spec = LawSpec::read(&Source::new(ours.origin.spec, ours.origin.text))
         .unwrap_or_else(|errors| panic!("{errors}"));
@@ -153,7 +153,7 @@ fn law(twin: &'static Law) {
         let outputs = &mut outputs.borrow_mut();
         tape.evaluate(SPRINGS, black_box(&inputs), black_box(outputs), &mut workspace);
     };
-    let (mut generated, mut by_hand) = (|| run(ours, &inputs), || run(twin, &inputs));
+    let (mut generated, mut by_hand) = (|| run(ours, &inputs), || run(reference, &inputs));
     let times = Times::measure(&mut [&mut generated, &mut by_hand, &mut by_tape]);
     let a_spring = |task: usize| 1e9 * times.fastest(task) / SPRINGS as f64;
     let [generated, by_hand, taped] = [0, 1, 2].map(a_spring);

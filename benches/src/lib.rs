@@ -1,4 +1,4 @@
-//! Benchmarks: generated kernels against hand-written twins.
+//! Benchmarks: generated kernels against hand-written kernels.
 
 pub mod hand;
 pub mod measure;

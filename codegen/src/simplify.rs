@@ -47,9 +47,9 @@ pub fn simplify(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
 fn simplify_by(rules: &[(&str, Rule)], graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     let mut roots = roots.to_vec();
     let mut best = cost(graph, &roots);
-    let mut room = TRIED;
+    let mut budget = TRIED;
     // Every round that goes on has a lower cost than the one before.
-    while let Some((better, cost)) = improved(rules, graph, &roots, best, &mut room) {
+    while let Some((better, cost)) = improved(rules, graph, &roots, best, &mut budget) {
         roots = better;
         best = cost;
     }
@@ -61,14 +61,14 @@ fn improved(
     graph: &mut Graph,
     roots: &[Id],
     best: u64,
-    room: &mut usize,
+    budget: &mut usize,
 ) -> Option<(Vec<Id>, u64)> {
     let nodes = graph.reachable(roots);
     for id in nodes.iter().copied() {
         for (_, rule) in rules {
             let Some(other) = rule(graph, id).filter(|other| *other != id) else { continue };
-            // Roots may share nothing, and the cost looks at all nodes again.
-            *room = room.checked_sub(nodes.len() * (roots.len() + 1))?;
+            // Roots may share nothing, and the cost visits all nodes again.
+            *budget = budget.checked_sub(nodes.len() * (roots.len() + 1))?;
             graph.keep(id, other);
             let by = BTreeMap::from([(id, other)]);
             let changed = graph.substitute_all(roots, &by);

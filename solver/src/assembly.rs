@@ -1,6 +1,6 @@
 //! From a mesh and a form to a sparse matrix: kernels evaluated block by block, then scattered.
 
-use whirl_specs::{CellMatrix, Eight, FormKernel, Structure};
+use whirl_specs::{Batch, CellMatrix, FormKernel, Structure};
 
 use crate::error::{Error, InvertedCell};
 use crate::linalg::LowerTriangle;
@@ -117,7 +117,7 @@ fn evaluate(
         let nodes = block.block.element.nodes;
         let stored = block.kernel.structure.len(nodes);
         let mut coordinates = Vec::with_capacity(BATCH * nodes * 3);
-        let mut matrices = Eight::room(BATCH, stored);
+        let mut matrices = Batch::storage(BATCH, stored);
         let mut jacobians = vec![0.0; BATCH];
         let batches = block.block.connectivity.chunks(BATCH * nodes);
         for (connectivity, labels) in batches.zip(block.block.labels.chunks(BATCH)) {

@@ -1,6 +1,6 @@
 //! What a kernel of cells takes and gives.
 
-use crate::matrices::{CellMatrix, Eight};
+use crate::matrices::{Batch, CellMatrix};
 use crate::registry::Variable;
 
 /// How the matrix of one cell is stored; found by the generator from the form.
@@ -39,7 +39,7 @@ impl Structure {
 /// smallest det J over the cell's quadrature points, so that the caller can name an inverted cell (det J ≤ 0; its
 /// matrix is then meaningless, not an error of the kernel).
 pub type CellKernel =
-    fn(coordinates: &[f64], material: &[f64], matrices: &mut [Eight], jacobians: &mut [f64]);
+    fn(coordinates: &[f64], material: &[f64], matrices: &mut [Batch], jacobians: &mut [f64]);
 
 /// One bilinear form on one element.
 #[derive(Debug, Clone, Copy)]
@@ -64,7 +64,7 @@ impl FormKernel {
     /// If there are fewer coordinates or properties than the kernel takes.
     pub fn of_cell(&self, coordinates: &[f64], material: &[f64]) -> (Vec<f64>, f64) {
         let stored = self.structure.len(coordinates.len() / 3);
-        let (mut matrices, mut jacobians) = (Eight::room(1, stored), [0.0]);
+        let (mut matrices, mut jacobians) = (Batch::storage(1, stored), [0.0]);
         (self.evaluate)(coordinates, material, &mut matrices, &mut jacobians);
         (CellMatrix::new(&matrices, stored, 0).values().collect(), jacobians[0])
     }

@@ -6,7 +6,7 @@ use std::marker::PhantomData;
 use crate::Shared;
 pub use crate::condensation::*;
 pub use crate::jacobian::*;
-use crate::matrices::{Eight, Matrix};
+use crate::matrices::{Batch, Matrix};
 pub use crate::pairs::*;
 use crate::registers::{Register, Registers, Task, Zeros};
 
@@ -20,14 +20,14 @@ pub fn looped(count: usize) -> usize {
 /// The matrix of a form on one lane of cells with NODES nodes: MATERIAL properties, LEN stored values.
 ///
 /// # Safety
-/// The room is memory that kernels share, seen as [`CellLanes::Room`]: before a kernel, and after one of another
+/// The workspace is memory that kernels share, typed as [`CellLanes::Workspace`]: before a kernel, and after one of another
 /// type, its bytes are any numbers. So an implementation
-/// * writes what it reads of the room first (else its results depend on the kernels before it), and
-/// * leaves all of the room initialised: it writes fields and entries of them, never a value with padding over
+/// * writes what it reads of the workspace first (else its results depend on the kernels before it), and
+/// * leaves all of the workspace initialised: it writes fields and entries of them, never a value with padding over
 ///   the whole, and moves nothing out of it.
 pub unsafe trait CellLanes<const NODES: usize, const MATERIAL: usize, const LEN: usize> {
-    /// Room for values between the steps, not cleared.
-    type Room<L: Register>: Zeros;
+    /// Memory for intermediate values, not cleared.
+    type Workspace<L: Register>: Zeros;
     /// Whether the values of a cell keep to registers: then the way into lanes is part of the kernel, while all others
     /// share it.
     const IN_REGISTERS: bool;
@@ -36,15 +36,15 @@ pub unsafe trait CellLanes<const NODES: usize, const MATERIAL: usize, const LEN:
     fn cell<L: Register>(
         x: &[[L; 3]; NODES],
         material: [L; MATERIAL],
-        room: &mut Self::Room<L>,
+        workspace: &mut Self::Workspace<L>,
         matrix: Matrix<L>,
     ) -> L;
 }
 
-/// What a kernel keeps of a cell: the map at the points, values of all basis functions there, and what there is
+/// The workspace of a kernel for one cell: the map at the points, values of all basis functions there, and what there is
 /// before condensation.
 #[derive(Debug, Clone)]
-pub struct Room<
+pub struct Workspace<
     L,
     const FUNCTIONS: usize,
     const POINTS: usize,
@@ -66,7 +66,7 @@ pub struct Room<
 
 // SAFETY: nothing but its parts.
 unsafe impl<L: Zeros, const F: usize, const P: usize, const A: usize, const R: usize, W: Zeros>
-    Zeros for Room<L, F, P, A, R, W>
+    Zeros for Workspace<L, F, P, A, R, W>
 {
 }
 
@@ -85,16 +85,16 @@ pub struct Scalars<L, const POINTS: usize, const ROWS: usize> {
 unsafe impl<L: Zeros, const P: usize, const R: usize> Zeros for Scalars<L, P, R> {}
 
 thread_local! {
-    /// For the rooms of kernels, one after the other: clearing one for every call takes as long as some cells.
-    static MEMORY: Cell<Vec<Eight>> = const { Cell::new(Vec::new()) };
+    /// For the workspaces of kernels, one after the other: clearing one for every call takes as long as some cells.
+    static MEMORY: Cell<Vec<Batch>> = const { Cell::new(Vec::new()) };
 }
 
 /// A value in memory, with whatever the memory held before. To be written field by field: padding between them must stay the
 /// numbers that it is.
 #[inline(always)]
-fn place<T: Zeros>(memory: &mut Vec<Eight>) -> &mut T {
-    const { assert!(align_of::<T>() <= align_of::<Eight>()) };
-    let needed = size_of::<T>().div_ceil(size_of::<Eight>());
+fn place<T: Zeros>(memory: &mut Vec<Batch>) -> &mut T {
+    const { assert!(align_of::<T>() <= align_of::<Batch>()) };
+    let needed = size_of::<T>().div_ceil(size_of::<Batch>());
     if memory.len() < needed {
         grow(memory, needed);
     }
@@ -104,8 +104,8 @@ fn place<T: Zeros>(memory: &mut Vec<Eight>) -> &mut T {
 }
 
 #[inline(never)]
-fn grow(memory: &mut Vec<Eight>, needed: usize) {
-    memory.resize(needed, Eight::default());
+fn grow(memory: &mut Vec<Batch>, needed: usize) {
+    memory.resize(needed, Batch::default());
 }
 
 /// Evaluates a kernel for all cells, several side by side where the processor can. Arguments as of
@@ -114,7 +114,7 @@ fn grow(memory: &mut Vec<Eight>, needed: usize) {
 pub fn each_cell<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize>(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [Eight],
+    matrices: &mut [Batch],
     jacobians: &mut [f64],
 ) {
     let mut properties = [0.0; M];
@@ -137,9 +137,9 @@ pub fn each_cell<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const 
 struct EachCell<'a, K, const N: usize, const M: usize, const LEN: usize> {
     coordinates: &'a [f64],
     properties: [f64; M],
-    matrices: &'a mut [Eight],
+    matrices: &'a mut [Batch],
     jacobians: &'a mut [f64],
-    memory: &'a mut Vec<Eight>,
+    memory: &'a mut Vec<Batch>,
     kernel: PhantomData<K>,
 }
 
@@ -151,7 +151,7 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
     #[inline(always)]
     fn run<L: Register>(self) {
         let mut x = <[[L; 3]; N]>::zeros();
-        let room = place::<K::Room<L>>(self.memory);
+        let workspace = place::<K::Workspace<L>>(self.memory);
         let mut material = [L::splat(0.0); M];
         for (lane, property) in material.iter_mut().zip(&self.properties) {
             *lane = L::splat(*property);
@@ -165,9 +165,9 @@ impl<K: CellLanes<N, M, LEN>, const N: usize, const M: usize, const LEN: usize> 
             } else {
                 L::shared(Gather { rows: self.coordinates, cell, values: nodes });
             }
-            let entries = &mut self.matrices[cell / Eight::CELLS * LEN..][..LEN];
-            let matrix = Matrix::new(entries, cell % Eight::CELLS);
-            let det = K::cell(&x, material, room, matrix);
+            let entries = &mut self.matrices[cell / Batch::CELLS * LEN..][..LEN];
+            let matrix = Matrix::new(entries, cell % Batch::CELLS);
+            let det = K::cell(&x, material, workspace, matrix);
             L::scatter(&[det], &mut self.jacobians[cell..]);
             cell += L::WIDTH;
         }
@@ -250,7 +250,7 @@ mod tests {
 
     #[test]
     fn blocks_land_in_the_upper_triangle() {
-        let mut memory = Eight::room(1, 21);
+        let mut memory = Batch::storage(1, 21);
         let mut matrix = Matrix::<f64>::new(&mut memory, 0);
         let block = |start: f64| from_fn(|i| from_fn(|j| start + (3 * i + j) as f64));
         let rows = [upper_rows(6, 0), upper_rows(6, 1)];
@@ -267,7 +267,7 @@ mod tests {
         ];
         let found: Vec<f64> = (0..21).map(|entry| matrix.get(entry)).collect();
         assert_eq!(found, rows.concat());
-        let mut memory = Eight::room(1, 36);
+        let mut memory = Batch::storage(1, 36);
         let mut full = Matrix::<f64>::new(&mut memory, 0);
         store_block(&mut full, full_rows(6, 1), 0, block(1.0));
         assert_eq!([18, 19, 20].map(|entry| full.get(entry)), [1.0, 2.0, 3.0]);

@@ -204,10 +204,10 @@ pub fn store_own<L: Lane, const M: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matrices::{CellMatrix, Eight};
+    use crate::matrices::{Batch, CellMatrix};
 
     fn condensed<const N: usize, const M: usize>(whole: &[f64], stored: usize) -> Vec<f64> {
-        let [mut from, mut to] = [whole.len(), stored].map(|stored| Eight::room(1, stored));
+        let [mut from, mut to] = [whole.len(), stored].map(|stored| Batch::storage(1, stored));
         let mut matrix = Matrix::new(&mut from, 0);
         matrix.set(0, whole);
         condense::<f64, N, M>(&matrix, Matrix::new(&mut to, 0));

@@ -284,7 +284,7 @@ pub fn values_and_gradients<L: Lane>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matrices::{CellMatrix, Eight};
+    use crate::matrices::{Batch, CellMatrix};
 
     #[test]
     fn the_jacobian_of_a_box() {
@@ -317,7 +317,7 @@ mod tests {
         let least = determinants(&tangents, &columns, &[1.0, 2.0], 10.0, &mut det);
         assert_eq!((least, det), (3.0, [240.0, 60.0]));
         // Two functions at the two points.
-        let (mut weighted, mut memory) = ([0.0; 2], Eight::room(1, 3));
+        let (mut weighted, mut memory) = ([0.0; 2], Batch::storage(1, 3));
         products(&det, &[1.0, 0.5, -1.0, 2.0], &mut weighted, Matrix::new(&mut memory, 0));
         let matrix: Vec<f64> = CellMatrix::new(&memory, 3, 0).values().collect();
         assert_eq!(matrix, [240.0 + 15.0, -240.0 + 60.0, 240.0 + 240.0]);

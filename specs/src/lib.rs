@@ -23,7 +23,7 @@ mod x86;
 
 pub use cell_kernel::{CellKernel, FormKernel, Structure};
 pub use lane::{Lane, Shared};
-pub use matrices::{CellMatrix, Eight, Matrix};
+pub use matrices::{Batch, CellMatrix, Matrix};
 pub use registers::{Register, Registers};
 pub use registry::*;
 pub use rows::{SpringKernel, each_spring, rows, rows_mut};

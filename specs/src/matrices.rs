@@ -1,24 +1,24 @@
-//! Matrices of cells in memory: eight cells side by side, entry after entry, as kernels make them.
+//! Matrices of cells in memory: batches of eight cells side by side, entry after entry, as kernels write them.
 
 use std::marker::PhantomData;
 
 use crate::registers::{Register, Zeros};
 
-/// One value of eight cells side by side: a cache line, which every register fills or divides.
+/// One value of each cell of a batch of eight, side by side: a cache line, which every register fills or divides.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C, align(64))]
-pub struct Eight(pub [f64; Eight::CELLS]);
+pub struct Batch(pub [f64; Batch::CELLS]);
 
 // SAFETY: numbers.
-unsafe impl Zeros for Eight {}
+unsafe impl Zeros for Batch {}
 
-impl Eight {
+impl Batch {
     /// Cells side by side.
     pub const CELLS: usize = 8;
 
-    /// Room for matrices of `stored` values each.
-    pub fn room(cells: usize, stored: usize) -> Vec<Eight> {
-        vec![Eight::default(); cells.div_ceil(Eight::CELLS) * stored]
+    /// Memory for the matrices of `cells` cells, of `stored` values each.
+    pub fn storage(cells: usize, stored: usize) -> Vec<Batch> {
+        vec![Batch::default(); cells.div_ceil(Batch::CELLS) * stored]
     }
 }
 
@@ -26,7 +26,7 @@ impl Eight {
 #[derive(Debug, Clone, Copy)]
 pub struct CellMatrix<'a> {
     /// The cell and those beside it.
-    entries: &'a [Eight],
+    entries: &'a [Batch],
     /// Which of them.
     place: usize,
 }
@@ -35,10 +35,10 @@ impl<'a> CellMatrix<'a> {
     /// The matrix of a cell, of `stored` values.
     ///
     /// # Panics
-    /// If there are fewer eights than it takes to hold the cell.
-    pub fn new(matrices: &'a [Eight], stored: usize, cell: usize) -> Self {
-        let entries = &matrices[cell / Eight::CELLS * stored..][..stored];
-        CellMatrix { entries, place: cell % Eight::CELLS }
+    /// If there are fewer batches than it takes to hold the cell.
+    pub fn new(matrices: &'a [Batch], stored: usize, cell: usize) -> Self {
+        let entries = &matrices[cell / Batch::CELLS * stored..][..stored];
+        CellMatrix { entries, place: cell % Batch::CELLS }
     }
 
     /// The stored value `entry`.
@@ -56,34 +56,34 @@ impl<'a> CellMatrix<'a> {
     }
 }
 
-/// The matrices of one lane of cells, in a part of eight.
+/// The matrices of one lane of cells, in a part of a batch.
 #[derive(Debug)]
 pub struct Matrix<'a, L> {
-    entries: &'a mut [Eight],
-    /// Place of the first of the cells; with the others it ends within the eight.
+    entries: &'a mut [Batch],
+    /// Place of the first of the cells; with the others it ends within the batch.
     first: usize,
     lane: PhantomData<L>,
 }
 
 impl<'a, L: Register> Matrix<'a, L> {
-    /// The cells `first`, `first + 1`, … of eight.
+    /// The cells `first`, `first + 1`, … of a batch.
     ///
     /// # Panics
-    /// If eight does not hold as many.
+    /// If a batch does not hold as many.
     #[inline(always)]
-    pub fn new(entries: &'a mut [Eight], first: usize) -> Self {
+    pub fn new(entries: &'a mut [Batch], first: usize) -> Self {
         const {
-            assert!(L::WIDTH <= Eight::CELLS);
+            assert!(L::WIDTH <= Batch::CELLS);
             assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>());
             assert!(align_of::<L::Chunk>() == align_of::<f64>());
         }
-        assert!(first <= Eight::CELLS - L::WIDTH);
+        assert!(first <= Batch::CELLS - L::WIDTH);
         Matrix { entries, first, lane: PhantomData }
     }
 
     /// The same cells of other entries.
     #[inline(always)]
-    pub fn beside<'b>(&self, entries: &'b mut [Eight]) -> Matrix<'b, L> {
+    pub fn beside<'b>(&self, entries: &'b mut [Batch]) -> Matrix<'b, L> {
         Matrix { entries, first: self.first, lane: PhantomData }
     }
 
@@ -99,9 +99,9 @@ impl<'a, L: Register> Matrix<'a, L> {
     /// If there are fewer, as below.
     #[inline(always)]
     pub fn get(&self, entry: usize) -> L {
-        let eight = &self.entries[entry];
+        let batch = &self.entries[entry];
         // SAFETY: a chunk is as large as WIDTH values and any bits are one; as many values begin at `first`.
-        L::load(unsafe { &*eight.0.as_ptr().add(self.first).cast() })
+        L::load(unsafe { &*batch.0.as_ptr().add(self.first).cast() })
     }
 
     /// Three entries from `start` on.
@@ -114,9 +114,9 @@ impl<'a, L: Register> Matrix<'a, L> {
     #[inline(always)]
     pub fn set(&mut self, start: usize, values: &[L]) {
         let entries = &mut self.entries[start..start + values.len()];
-        for (eight, value) in entries.iter_mut().zip(values) {
+        for (batch, value) in entries.iter_mut().zip(values) {
             // SAFETY: as above.
-            value.store(unsafe { &mut *eight.0.as_mut_ptr().add(self.first).cast() });
+            value.store(unsafe { &mut *batch.0.as_mut_ptr().add(self.first).cast() });
         }
     }
 }
@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn a_cell_is_found_among_many() {
-        let mut matrices = Eight::room(11, 3);
+        let mut matrices = Batch::storage(11, 3);
         assert_eq!(matrices.len(), 6);
         Matrix::<f64>::new(&mut matrices[3..], 2).set(1, &[7.0, 8.0]);
         let cell = CellMatrix::new(&matrices, 3, 10);
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn entries_are_written_and_read() {
-        let mut matrices = Eight::room(1, 3);
+        let mut matrices = Batch::storage(1, 3);
         let mut matrix = Matrix::<f64>::new(&mut matrices, 7);
         matrix.set(0, &[1.0, 2.0, 3.0]);
         matrix.again().set(1, &[1.5]);
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "first <= Eight::CELLS")]
+    #[should_panic(expected = "first <= Batch::CELLS")]
     fn a_ninth_cell_is_refused() {
         Matrix::<f64>::new(&mut [], 8);
     }

@@ -18,7 +18,7 @@ const WORDS: &str = "abstract as async auto await become box break const continu
     Default Iterator IntoIterator Extend Into From AsRef AsMut Eq Ord PartialEq PartialOrd Debug Hash ToOwned \
     TryFrom TryInto FromIterator DoubleEndedIterator ExactSizeIterator Future IntoFuture \
     size_of size_of_val align_of align_of_val bool char str i8 i32 i64 u8 u64 usize isize f32 f64 \
-    std core alloc main assert panic vec include concat env matches println test derive ENTRY Eight Kernel";
+    std core alloc main assert panic vec include concat env matches println test derive ENTRY Batch Kernel";
 
 /// Names for which the language of specs has a meaning, so that it refuses them.
 const MEANT: [&str; 10] =

@@ -1,6 +1,6 @@
 //! Kernels of cells on every kind of register that this processor has.
 
-use whirl_specs::{CellMatrix, ELEMENTS, Eight, Element, FormKernel, Registers};
+use whirl_specs::{Batch, CellMatrix, ELEMENTS, Element, FormKernel, Registers};
 
 /// Not a whole number of registers of any width.
 const CELLS: usize = 11;
@@ -20,8 +20,8 @@ fn evaluate(kernel: &FormKernel, nodes: usize, cells: &[f64]) -> (Vec<f64>, Vec<
     let material: Vec<f64> = kernel.material.iter().map(|m| value(m.name)).collect();
     let count = cells.len() / (3 * nodes);
     let stored = kernel.structure.len(nodes);
-    let mut matrices = Eight::room(count, stored);
-    matrices.fill(Eight([f64::NAN; Eight::CELLS]));
+    let mut matrices = Batch::storage(count, stored);
+    matrices.fill(Batch([f64::NAN; Batch::CELLS]));
     let mut jacobians = vec![f64::NAN; count];
     (kernel.evaluate)(cells, &material, &mut matrices, &mut jacobians);
     let cells = (0..count).flat_map(|cell| CellMatrix::new(&matrices, stored, cell).values());

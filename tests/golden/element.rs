@@ -6,7 +6,7 @@
 /// `stiffness` is integrated with tetrahedron(1).
 pub mod tet4 {
     use crate::{
-        cells, forms, Eight, Matrix, Register, Element, FormKernel, Origin, Structure,
+        cells, forms, Batch, Matrix, Register, Element, FormKernel, Origin, Structure,
         Variable,
     };
     /// The rows of ∂x/∂ξ, ∂x/∂η and ∂x/∂ζ at every point.
@@ -41,18 +41,18 @@ pub mod tet4 {
     pub fn stiffness(
         coordinates: &[f64],
         material: &[f64],
-        matrices: &mut [Eight],
+        matrices: &mut [Batch],
         jacobians: &mut [f64],
     ) {
         enum Cells {}
         unsafe impl cells::CellLanes<4, 2, 78> for Cells {
-            type Room<L: Register> = cells::Room<L, 4, 1, 3, 3, ()>;
+            type Workspace<L: Register> = cells::Workspace<L, 4, 1, 3, 3, ()>;
             const IN_REGISTERS: bool = false;
             #[inline(always)]
             fn cell<L: Register>(
                 x: &[[L; 3]; 4],
                 material: [L; 2],
-                room: &mut Self::Room<L>,
+                workspace: &mut Self::Workspace<L>,
                 matrix: Matrix<L>,
             ) -> L {
                 let once = forms::elasticity::stiffness_once_(material);
@@ -60,24 +60,24 @@ pub mod tet4 {
                     let part_0 = x[1][i] - x[0][i];
                     let part_1 = x[2][i] - x[0][i];
                     let part_2 = x[3][i] - x[0][i];
-                    room.tangents[0][i] = part_0;
-                    room.tangents[1][i] = part_1;
-                    room.tangents[2][i] = part_2;
+                    workspace.tangents[0][i] = part_0;
+                    workspace.tangents[1][i] = part_1;
+                    workspace.tangents[2][i] = part_2;
                 }
                 let least_det = cells::maps(
-                    &room.tangents,
+                    &workspace.tangents,
                     &COLUMNS_STIFFNESS_,
                     &WEIGHTS_STIFFNESS_,
-                    &mut room.maps,
-                    &mut room.roots,
+                    &mut workspace.maps,
+                    &mut workspace.roots,
                 );
                 cells::gradients(
-                    &room.maps,
+                    &workspace.maps,
                     SLOPES_STIFFNESS_.as_flattened(),
-                    room.basis[..4].as_flattened_mut(),
+                    workspace.basis[..4].as_flattened_mut(),
                 );
                 forms::elasticity::stiffness_pairs_(
-                    room.basis.as_flattened(),
+                    workspace.basis.as_flattened(),
                     1,
                     once,
                     matrix,
@@ -95,18 +95,18 @@ pub mod tet4 {
     pub fn mass(
         coordinates: &[f64],
         material: &[f64],
-        matrices: &mut [Eight],
+        matrices: &mut [Batch],
         jacobians: &mut [f64],
     ) {
         enum Cells {}
         unsafe impl cells::CellLanes<4, 1, 10> for Cells {
-            type Room<L: Register> = cells::Scalars<L, 4, 3>;
+            type Workspace<L: Register> = cells::Scalars<L, 4, 3>;
             const IN_REGISTERS: bool = false;
             #[inline(always)]
             fn cell<L: Register>(
                 x: &[[L; 3]; 4],
                 material: [L; 1],
-                room: &mut Self::Room<L>,
+                workspace: &mut Self::Workspace<L>,
                 matrix: Matrix<L>,
             ) -> L {
                 let factor = {
@@ -119,21 +119,21 @@ pub mod tet4 {
                     let part_0 = x[1][i] - x[0][i];
                     let part_1 = x[2][i] - x[0][i];
                     let part_2 = x[3][i] - x[0][i];
-                    room.tangents[0][i] = part_0;
-                    room.tangents[1][i] = part_1;
-                    room.tangents[2][i] = part_2;
+                    workspace.tangents[0][i] = part_0;
+                    workspace.tangents[1][i] = part_1;
+                    workspace.tangents[2][i] = part_2;
                 }
                 let least_det = cells::determinants(
-                    &room.tangents,
+                    &workspace.tangents,
                     &COLUMNS_,
                     &WEIGHTS_,
                     factor,
-                    &mut room.det,
+                    &mut workspace.det,
                 );
                 cells::products(
-                    &room.det,
+                    &workspace.det,
                     SHAPES_.as_flattened(),
-                    &mut room.weighted,
+                    &mut workspace.weighted,
                     matrix,
                 );
                 least_det
@@ -149,7 +149,7 @@ pub mod tet4 {
     pub fn spin_inertia(
         coordinates: &[f64],
         material: &[f64],
-        matrices: &mut [Eight],
+        matrices: &mut [Batch],
         jacobians: &mut [f64],
     ) {
         mass(coordinates, material, matrices, jacobians);
@@ -162,7 +162,7 @@ pub mod tet4 {
     pub fn spin_coupling(
         coordinates: &[f64],
         material: &[f64],
-        matrices: &mut [Eight],
+        matrices: &mut [Batch],
         jacobians: &mut [f64],
     ) {
         mass(coordinates, material, matrices, jacobians);

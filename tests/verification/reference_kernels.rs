@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 use proptest::prelude::*;
 use whirl_benches::hand::elements::{HEX8, HEX8I, WEDGE6};
-use whirl_specs::{CellMatrix, Eight, Element, Structure};
+use whirl_specs::{Batch, CellMatrix, Element, Structure};
 
 /// Value and reference gradient of every shape function at a point.
 pub(crate) type Shapes = fn(Vector3<f64>) -> Vec<(f64, Vector3<f64>)>;
@@ -130,8 +130,8 @@ pub(crate) fn kernel(
     };
     // Two cells, so that the second is found where it should be.
     let stored = kernel.structure.len(element.nodes);
-    let mut values = Eight::room(2, stored);
-    values.fill(Eight([f64::NAN; Eight::CELLS]));
+    let mut values = Batch::storage(2, stored);
+    values.fill(Batch([f64::NAN; Batch::CELLS]));
     let mut jacobians = [f64::NAN; 2];
     let both = [x, x].concat();
     (kernel.evaluate)(&both, material, &mut values, &mut jacobians);

@@ -1,4 +1,4 @@
-//! Hand-written twins of generated kernels.
+//! Hand-written references of generated kernels.
 
 pub mod clearance;
 pub mod elements;

@@ -39,9 +39,9 @@ fn tuple(at: &[Rational; 3]) -> String {
 
 fn nodes_belong_to_the_cell(element: &ElementSpec, errors: &mut Diagnostics) {
     for (place, node) in element.nodes.iter().enumerate() {
-        let twin = element.nodes[..place].iter().position(|other| other.at == node.at);
-        let message = match twin {
-            Some(twin) => format!("node {} is where node {} is", place + 1, twin + 1),
+        let other = element.nodes[..place].iter().position(|before| before.at == node.at);
+        let message = match other {
+            Some(other) => format!("node {} is where node {} is", place + 1, other + 1),
             None if element.cell.contains(&node.at) => continue,
             None => {
                 let (at, cell) = (tuple(&node.at), element.cell);

@@ -18,7 +18,7 @@ const KEYWORDS: [&str; 48] = [
 /// Words of paths, which cannot be escaped, and what a pattern names instead of binding it: the prelude's
 /// variants, and constants and structures that stand beside kernels.
 const NEVER_VARIABLES: [&str; 10] =
-    ["self", "Self", "super", "crate", "None", "Some", "Ok", "Err", "ENTRY", "Eight"];
+    ["self", "Self", "super", "crate", "None", "Some", "Ok", "Err", "ENTRY", "Batch"];
 
 /// The identifier of a spec's name. Other characters than ASCII letters, digits and underscores become
 /// their code point, keywords are escaped, and a word that cannot be a variable ends in `_`.

@@ -52,14 +52,14 @@ struct Printer<'g> {
     /// Operations around what is being written.
     depth: Cell<usize>,
     /// Characters that may still be written.
-    room: Cell<usize>,
+    left: Cell<usize>,
     /// Whether numbers are written exactly.
     exact: bool,
 }
 
 impl<'g> Printer<'g> {
     fn new(graph: &'g Graph, exact: bool) -> Self {
-        Printer { graph, depth: Cell::new(0), room: Cell::new(LONGEST), exact }
+        Printer { graph, depth: Cell::new(0), left: Cell::new(LONGEST), exact }
     }
 
     fn at_least(&self, id: Id, least: Binding) -> String {
@@ -68,13 +68,13 @@ impl<'g> Printer<'g> {
     }
 
     fn text(&self, id: Id) -> (String, Binding) {
-        if self.room.get() == 0 || self.depth.get() == DEEPEST {
+        if self.left.get() == 0 || self.depth.get() == DEEPEST {
             return ("…".to_owned(), Binding::Atom);
         }
         self.depth.set(self.depth.get() + 1);
         let (text, binding) = self.node(id);
         self.depth.set(self.depth.get() - 1);
-        self.room.set(self.room.get().saturating_sub(text.len()));
+        self.left.set(self.left.get().saturating_sub(text.len()));
         (text, binding)
     }
 

@@ -44,7 +44,7 @@ impl Graph {
         Ok(values.pop().expect("a value a root"))
     }
 
-    /// What several roots become; every node below them is looked at once.
+    /// What several roots become; every node below them is visited once.
     pub(crate) fn fold_all<A: Algebra>(
         &self,
         roots: &[Id],

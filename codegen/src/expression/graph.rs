@@ -90,12 +90,12 @@ impl Graph {
         self.signatures.agree(a, b)
     }
 
-    /// Looks at all nodes, those to come too, at other points.
-    pub fn look_at(&mut self, points: Points) {
+    /// Evaluates all nodes, those to come too, at other points.
+    pub fn evaluate_at(&mut self, points: Points) {
         self.signatures.move_to(points, &self.nodes, &self.shapes);
     }
 
-    /// Number of points at which nodes are looked at.
+    /// Number of points at which nodes are evaluated.
     pub fn points(&self) -> usize {
         self.signatures.points()
     }

@@ -14,12 +14,12 @@ const POINTS: usize = 2;
 const N: usize = 3;
 /// Bounds are of first order; two values differ if they are further apart than so many times their bounds.
 const BOUNDS: f64 = 8.0;
-/// Where even that says nothing: a change of the argument by more than this share of it.
-const SHARE: f64 = 1e-3;
+/// Where even that says nothing: a change of the argument by more than this fraction of it.
+const FRACTION: f64 = 1e-3;
 /// Below it numbers lose digits.
 const TINY: f64 = 1e-290;
 
-/// Where expressions are looked at: values of scalar symbols by their names. All others have numbers in
+/// Where expressions are evaluated: values of scalar symbols by their names. All others have numbers in
 /// [0.5, 1.5) that are fixed by their names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Points {
@@ -158,7 +158,7 @@ impl Near {
         let whole = exponent.is_integer().then(|| exponent.abs().to_i32()).flatten().is_some();
         let value = if whole { self.value.powi(e as i32) } else { libm::pow(self.value, e) };
         // Near a pole, or a root, no first order holds.
-        if self.error > SHARE * self.value.abs() && !(whole && e > 0.0) {
+        if self.error > FRACTION * self.value.abs() && !(whole && e > 0.0) {
             return Near::NOTHING;
         }
         // ε(1 + |e|·|ln b|) of a power whose exponent is rounded.

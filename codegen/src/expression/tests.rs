@@ -122,7 +122,7 @@ fn every_function_has_the_derivative_of_its_differences_and_duals() {
         let formula = formula::parse(&Located::alone("f", &text)).expect("a formula");
         let mut bench = Bench::new();
         let points = BTreeMap::from([("a".to_owned(), function.points().to_vec())]);
-        bench.graph.look_at(Points::of(points));
+        bench.graph.evaluate_at(Points::of(points));
         let id = bench.read(&text);
         bench.check(id, "a", &text);
         let derivative = bench.graph.differentiate(id, bench.names["a"]).expect("a derivative");

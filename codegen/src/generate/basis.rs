@@ -52,7 +52,7 @@ impl CellForm<'_> {
             quote!([#(#rows),*]),
         );
         let (slopes_text, rows) =
-            (quote!(#slopes_name.as_flattened()), quote!(room.basis[..#nodes_count]));
+            (quote!(#slopes_name.as_flattened()), quote!(workspace.basis[..#nodes_count]));
         let node = if with_values {
             let values = tables.named("VALUES", form);
             let rows_of = table.values.iter().map(|values| row(values));
@@ -64,11 +64,11 @@ impl CellForm<'_> {
             );
             quote! {
                 cells::values_and_gradients(
-                    &room.maps, #slopes_text, &room.roots, #values.as_flattened(), #rows.as_flattened_mut()
+                    &workspace.maps, #slopes_text, &workspace.roots, #values.as_flattened(), #rows.as_flattened_mut()
                 );
             }
         } else {
-            quote!(cells::gradients(&room.maps, #slopes_text, #rows.as_flattened_mut());)
+            quote!(cells::gradients(&workspace.maps, #slopes_text, #rows.as_flattened_mut());)
         };
         let points = table.weights.len();
         let (tangents, tangent_flops) = self.tangents(tables, table);
@@ -117,7 +117,7 @@ impl CellForm<'_> {
                 keep_mode_map = quote!(mode_maps[q] = #map.map(#mode););
                 let (slopes_text, rows) = (
                     quote!(#mode_slopes.as_flattened()),
-                    quote!(room.basis[#nodes_count..].as_flattened_mut()),
+                    quote!(workspace.basis[#nodes_count..].as_flattened_mut()),
                 );
                 mode_loop = if with_values {
                     quote! {
@@ -135,13 +135,13 @@ impl CellForm<'_> {
                 let columns = tables.named("COLUMNS", form);
                 quote! {
                     let least_det = cells::maps(
-                        &room.tangents, &#columns, &#weights, &mut room.maps, &mut room.roots
+                        &workspace.tangents, &#columns, &#weights, &mut workspace.maps, &mut workspace.roots
                     );
                 }
             }
             Some(_) => {
-                let jacobian = self.jacobian(tables, &quote!(room.tangents));
-                let keep_root = with_values.then(|| quote!(room.roots[q] = #root;));
+                let jacobian = self.jacobian(tables, &quote!(workspace.tangents));
+                let keep_root = with_values.then(|| quote!(workspace.roots[q] = #root;));
                 quote! {
                     let mut least_det = L::splat(f64::INFINITY);
                     #mode_maps
@@ -150,7 +150,7 @@ impl CellForm<'_> {
                         let (det, weight) = (at.det, L::splat(#weights[q]));
                         least_det = cells::least(least_det, det);
                         #(#scales)*
-                        room.maps[q] = at.map(#nodal);
+                        workspace.maps[q] = at.map(#nodal);
                         #keep_root
                         #keep_mode_map
                     }

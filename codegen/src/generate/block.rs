@@ -118,7 +118,7 @@ fn bound(statements: &TokenStream) -> Vec<Ident> {
 impl Pairs {
     /// The sums of a function with itself that differ: s_yx = s_xy there.
     pub(super) fn different(&self) -> usize {
-        let twin = |(i, j): &&(usize, usize)| i > j && self.moments.contains(&(*j, *i));
-        self.moments.len() - self.moments.iter().filter(twin).count()
+        let mirrored = |(i, j): &&(usize, usize)| i > j && self.moments.contains(&(*j, *i));
+        self.moments.len() - self.moments.iter().filter(mirrored).count()
     }
 }

@@ -24,7 +24,7 @@ pub(super) struct CellForm<'a> {
     pub(super) form: &'a Form,
     pub(super) pairs: &'a Pairs,
     /// An element with the same functions at the same points, whose kernel this form calls.
-    pub(super) twin: Option<&'a ElementSpec>,
+    pub(super) same_kernel: Option<&'a ElementSpec>,
 }
 
 impl CellForm<'_> {
@@ -36,8 +36,8 @@ impl CellForm<'_> {
         known: &mut Vec<Known>,
     ) -> Result<(TokenStream, usize), Diagnostics> {
         let pairs = self.pairs;
-        tables.elsewhere = self.twin.is_some();
-        let Body { room, matrix, text, about, flops } = match by_values(self.form, pairs) {
+        tables.elsewhere = self.same_kernel.is_some();
+        let Body { workspace, matrix, text, about, flops } = match by_values(self.form, pairs) {
             true => self.values_only(pairs, tables)?,
             false => self.general(pairs, tables)?,
         };
@@ -46,14 +46,14 @@ impl CellForm<'_> {
         let properties = count(pairs.material.len());
         let function = identifier(&self.form.name);
         let about = documented(&self.header(&about, flops));
-        let in_registers = room.is_none();
-        let (room, own_room) = match room {
-            Some(room) => (room, quote!(room)),
-            None => (quote!(()), quote!(_room)),
+        let in_registers = workspace.is_none();
+        let (workspace, own_workspace) = match workspace {
+            Some(workspace) => (workspace, quote!(workspace)),
+            None => (quote!(()), quote!(_workspace)),
         };
-        let work = format!("{room} {} {text}", pairs.material.join(" "));
-        if let Some(twin) = self.twin {
-            let element = identifier(&twin.name);
+        let work = format!("{workspace} {} {text}", pairs.material.join(" "));
+        if let Some(same_kernel) = self.same_kernel {
+            let element = identifier(&same_kernel.name);
             known.push(Known { work: work.clone(), function: quote!(super::#element::#function) });
         }
         let text = match known.iter().find(|other| other.work == work) {
@@ -64,16 +64,16 @@ impl CellForm<'_> {
                 known.push(Known { work, function: quote!(#function) });
                 quote! {
                     enum Cells {}
-                    // SAFETY: it writes the entries of the room before it reads them, and only those.
+                    // SAFETY: it writes the entries of the workspace before it reads them, and only those.
                     unsafe impl cells::CellLanes<#nodes, #properties, #len> for Cells {
-                        type Room<L: Register> = #room;
+                        type Workspace<L: Register> = #workspace;
                         const IN_REGISTERS: bool = #in_registers;
 
                         #[inline(always)]
                         fn cell<L: Register>(
                             x: &[[L; 3]; #nodes],
                             material: [L; #properties],
-                            #own_room: &mut Self::Room<L>,
+                            #own_workspace: &mut Self::Workspace<L>,
                             #matrix: Matrix<L>,
                         ) -> L {
                             #text
@@ -90,7 +90,7 @@ impl CellForm<'_> {
             pub fn #function(
                 coordinates: &[f64],
                 material: &[f64],
-                matrices: &mut [Eight],
+                matrices: &mut [Batch],
                 jacobians: &mut [f64],
             ) {
                 #text
@@ -167,17 +167,17 @@ impl CellForm<'_> {
         table
     }
 
-    /// Fills `room.tangents`, and the operations that it takes.
+    /// Fills `workspace.tangents`, and the operations that it takes.
     pub(super) fn tangents(&self, tables: &Tables, table: &Table) -> (TokenStream, usize) {
         let rows = Tangents::new(&table.slopes).rows;
         match Linear::new(&rows) {
             None => {
                 let name = tables.named("TANGENTS", &self.form.name);
-                let text = quote!(cells::tangents(x, &#name, &mut room.tangents););
+                let text = quote!(cells::tangents(x, &#name, &mut workspace.tangents););
                 (text, 6 * self.element.nodes.len() * rows.len())
             }
             Some(linear) => {
-                let steps = self.linear_tangents(&linear, &quote!(room.tangents));
+                let steps = self.linear_tangents(&linear, &quote!(workspace.tangents));
                 (quote!(for i in 0..cells::looped(3) { #steps }), 3 * linear.flops())
             }
         }
@@ -233,20 +233,22 @@ impl CellForm<'_> {
         let target = match (&aligned, modes) {
             (Some(_), _) => quote!(matrix.again()),
             (None, 0) => quote!(matrix),
-            (None, _) => quote!(matrix.beside(&mut room.whole)),
+            (None, _) => quote!(matrix.beside(&mut workspace.whole)),
         };
         let (module, sum) = (identifier(&self.spec.name), pairs_name(self.form));
         let (once_name, block) = (once_name(self.form), block_name(self.form));
         let sums = quote! {
-            forms::#module::#sum(room.basis.as_flattened(), #points_count, once, #target);
+            forms::#module::#sum(workspace.basis.as_flattened(), #points_count, once, #target);
         };
         let (whole, after) = match &aligned {
-            Some(aligned) => (aligned.room(), aligned.condense(&quote!(forms::#module::#block))),
+            Some(aligned) => {
+                (aligned.workspace(), aligned.condense(&quote!(forms::#module::#block)))
+            }
             None if modes > 0 => {
                 let modes_size = count(3 * modes);
-                let condense = quote!(cells::condense::<L, #nodes_size, #modes_size>(&matrix.beside(&mut room.whole), matrix););
+                let condense = quote!(cells::condense::<L, #nodes_size, #modes_size>(&matrix.beside(&mut workspace.whole), matrix););
                 let whole = count(3 * total * (3 * total + 1) / 2);
-                (quote!([Eight; #whole]), condense)
+                (quote!([Batch; #whole]), condense)
             }
             None => (quote!(()), TokenStream::new()),
         };
@@ -259,7 +261,8 @@ impl CellForm<'_> {
         };
         let parts = count(parts.len());
         let rows = count(Tangents::new(&table.slopes).rows.len());
-        let room = quote!(cells::Room<L, #total_count, #points_count, #parts, #rows, #whole>);
+        let workspace =
+            quote!(cells::Workspace<L, #total_count, #points_count, #parts, #rows, #whole>);
         let below = total * (total - 1) / 2;
         let (pair_count, summed) = match self.form.structure {
             Structure::Full => (total * total, total * total * pairs.moments.len()),
@@ -283,7 +286,7 @@ impl CellForm<'_> {
         let (cell, pair) = (pairs.once_counts(), pairs.pair_counts());
         about += &format!(" Once a cell: {cell}; once a pair: {pair}.");
         let matrix = if aligned.is_some() { quote!(mut matrix) } else { quote!(matrix) };
-        Ok(Body { room: Some(room), matrix, text, about, flops })
+        Ok(Body { workspace: Some(workspace), matrix, text, about, flops })
     }
 }
 
@@ -297,8 +300,8 @@ pub(super) struct Known {
 
 /// The text of a kernel.
 pub(super) struct Body {
-    /// Type of the room that it needs; none if all that it computes stays in registers.
-    pub(super) room: Option<TokenStream>,
+    /// Type of the workspace that it needs; none if all that it computes stays in registers.
+    pub(super) workspace: Option<TokenStream>,
     /// Pattern of the matrix that it fills.
     pub(super) matrix: TokenStream,
     pub(super) text: TokenStream,

@@ -31,8 +31,8 @@ pub(super) fn kernel(
     let (mut entries, mut known) = (Vec::new(), Vec::new());
     for forms in all {
         for (form, pairs) in forms.spec.forms.iter().zip(&forms.pairs) {
-            let twin = others.iter().find(|other| other.integrates_as(element, &form.name));
-            let cell = CellForm { element, spec: forms.spec, form, pairs, twin };
+            let same_kernel = others.iter().find(|other| other.integrates_as(element, &form.name));
+            let cell = CellForm { element, spec: forms.spec, form, pairs, same_kernel };
             let (text, flops) = cell.functions(&mut tables, &mut known)?;
             functions.extend(text);
             entries.push(entry(&cell, flops));
@@ -55,7 +55,7 @@ pub(super) fn kernel(
     let name = identifier(&element.name);
     // An element may do nothing that another does not.
     let used = names(&functions);
-    let called = ["cells", "forms", "Eight", "Lane", "Matrix", "Register"];
+    let called = ["cells", "forms", "Batch", "Lane", "Matrix", "Register"];
     let called = called.iter().filter(|name| used.contains(**name));
     let called = called.map(|name| format_ident!("{name}"));
     let module = quote! {

@@ -53,8 +53,8 @@ impl Aligned {
         self.directions.len()
     }
 
-    /// The room that the coupling with the nodes takes.
-    pub(super) fn room(&self) -> TokenStream {
+    /// The memory that the coupling with the nodes takes.
+    pub(super) fn workspace(&self) -> TokenStream {
         let (size, parameters) = (count(3 * self.nodes), count(3 * self.modes()));
         quote!([[L; #parameters]; #size])
     }
@@ -104,9 +104,9 @@ impl Aligned {
         let modes = count(self.modes());
         let (nodes, parameters) = (count(self.nodes), count(3 * self.modes()));
         quote! {
-            let coupling = &mut room.whole;
+            let coupling = &mut workspace.whole;
             for a in 0..cells::looped(#nodes) {
-                let sums = cells::along_modes(&room.basis[a], &factors);
+                let sums = cells::along_modes(&workspace.basis[a], &factors);
                 for m in 0..cells::looped(#modes) {
                     let products = cells::outer(sums[m], directions[m]);
                     cells::store_coupling(coupling, a, m, #block(products, once));

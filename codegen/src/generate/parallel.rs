@@ -5,7 +5,7 @@ use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, Builder};
 
-/// Room for the recursion of parsers, as the main thread has it.
+/// Stack for the recursion of parsers, as the main thread has it.
 const STACK: usize = 8 << 20;
 
 /// `work` on every item, in the order of the items; they are taken up in the order of `size`, largest first,

@@ -103,7 +103,7 @@ impl CellForm<'_> {
             + pairs.flops()
             + usize::from(volume.is_some())
             + sums.flops();
-        Body { room: None, matrix: quote!(mut matrix), text, about, flops }
+        Body { workspace: None, matrix: quote!(mut matrix), text, about, flops }
     }
 
     /// A loop over the pairs of nodes and one over the points.
@@ -138,9 +138,9 @@ impl CellForm<'_> {
             let factor = #made;
             #tangents
             let least_det = cells::determinants(
-                &room.tangents, &#columns, &#weights, factor, &mut room.det
+                &workspace.tangents, &#columns, &#weights, factor, &mut workspace.det
             );
-            cells::products(&room.det, #shapes.as_flattened(), &mut room.weighted, matrix);
+            cells::products(&workspace.det, #shapes.as_flattened(), &mut workspace.weighted, matrix);
             least_det
         };
         let pairs_of_nodes = nodes * (nodes + 1) / 2;
@@ -155,8 +155,8 @@ impl CellForm<'_> {
             + nodes * points
             + 2 * pairs_of_nodes * points;
         let rows = count(Tangents::new(&table.slopes).rows.len());
-        let room = Some(quote!(cells::Scalars<L, #point_count, #rows>));
-        Body { room, matrix: quote!(matrix), text, about, flops }
+        let workspace = Some(quote!(cells::Scalars<L, #point_count, #rows>));
+        Body { workspace, matrix: quote!(matrix), text, about, flops }
     }
 }
 

@@ -58,7 +58,7 @@ pub trait Number: Clone {
     fn exact(value: &Rational) -> Self {
         Self::near(nearest(value))
     }
-    /// The value that comparisons look at.
+    /// The value that comparisons compare.
     fn value(&self) -> f64;
     /// a + b
     fn add(&self, other: &Self) -> Self;

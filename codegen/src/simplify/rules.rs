@@ -1,4 +1,4 @@
-//! What each rule does. A rule looks at one node only, and at what is right below it.
+//! What each rule does. A rule considers one node only, and what is right below it.
 
 use num_traits::{One, Signed, Zero};
 
@@ -258,13 +258,13 @@ pub(super) fn product_of_choices(graph: &mut Graph, id: Id) -> Option<Id> {
 
 /// The condition of two or more of the choices.
 fn common_mask(graph: &Graph, ids: impl Iterator<Item = Id>) -> Option<Id> {
-    let mut seen = Vec::new();
+    let mut masks = Vec::new();
     for id in ids {
         if let Some((mask, ..)) = choice(graph, id) {
-            if seen.contains(&mask) {
+            if masks.contains(&mask) {
                 return Some(mask);
             }
-            seen.push(mask);
+            masks.push(mask);
         }
     }
     None

@@ -231,19 +231,19 @@ fn what_costs_the_same_is_left_alone() {
 }
 
 #[test]
-fn trying_ends_where_there_is_no_room() {
-    // One rule applies, once: at the root. Three nodes are looked at again for it, once for each root and for the cost.
+fn trying_ends_where_the_budget_is_spent() {
+    // One rule applies, once: at the root. Three nodes are visited again for it, once for each root and for the cost.
     let mut r = Reader::new();
     let root = r.read("log(exp(a))");
     let best = cost(&r.graph, &[root]);
-    let mut room = 5;
-    assert_eq!(improved(RULES, &mut r.graph, &[root], best, &mut room), None);
-    room = 7;
+    let mut budget = 5;
+    assert_eq!(improved(RULES, &mut r.graph, &[root], best, &mut budget), None);
+    budget = 7;
     assert_eq!(
-        improved(RULES, &mut r.graph, &[root], best, &mut room),
+        improved(RULES, &mut r.graph, &[root], best, &mut budget),
         Some((vec![r.names["a"]], 0))
     );
-    assert_eq!(room, 1);
+    assert_eq!(budget, 1);
 }
 
 #[test]

@@ -123,7 +123,7 @@ fn names_of_a_spec_stay_names() {
         "material",
         "matrix",
         "ENTRY",
-        "Eight",
+        "Batch",
         "WEIGHTS",
     ];
     for name in keywords.iter().chain(&others) {

@@ -73,10 +73,10 @@ fn points(law: &LawSpec) -> Vec<Vec<f64>> {
     for found in law.report.outputs.iter().flat_map(|output| &output.breaks) {
         let input = law.inputs.iter().position(|input| input.name == found.input);
         let input = input.expect("an input of the law");
-        for share in [-0.1, -0.01, 0.01, 0.1] {
+        for fraction in [-0.1, -0.01, 0.01, 0.1] {
             let mut point: Vec<f64> = ranges.iter().map(|range| uniform(*range)).collect();
             let width = ranges[input][1] - ranges[input][0];
-            point[input] = found.at * unit(&found.unit) + share * width;
+            point[input] = found.at * unit(&found.unit) + fraction * width;
             points.push(point);
         }
     }
@@ -121,7 +121,7 @@ fn mutate(law: &LawSpec) -> Tally {
         for input in 0..inputs {
             let place = o * (1 + inputs) + 1 + input;
             let name = format!("{}: {}", law.name, program.outputs[place].name);
-            let steps = [1e-5].map(|share| share * width(input));
+            let steps = [1e-5].map(|fraction| fraction * width(input));
             let yardsticks: Vec<Yardstick> = (points.iter())
                 .map(|at| {
                     let by = steps.iter().filter_map(|h| difference(law, o, input, at, *h));

@@ -7,7 +7,7 @@ use whirl_specs::{MotionState, motions};
 use super::sample::{LENGTHS, Random, Shaft, State, error, motion};
 use crate::hyper::Hyper;
 
-/// Rounding of sums over 77 terms of size 1, with room for cancellation: n² eps.
+/// Rounding of sums over 77 terms of size 1, with a margin for cancellation: n² eps.
 const ROUNDING: f64 = 1e-12;
 
 type Primal = fn(&[&[f64]], &MotionState<Hyper>, &mut [Hyper], &mut [Hyper]);

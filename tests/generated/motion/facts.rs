@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::sample::{LENGTHS, Shaft, State, error, motion};
 
-/// Rounding of sums over 77 terms of size 1, with room for cancellation: n² eps.
+/// Rounding of sums over 77 terms of size 1, with a margin for cancellation: n² eps.
 const ROUNDING: f64 = 1e-12;
 
 /// Q_v by eq. (27) over dense matrices; `extra` times its last term.

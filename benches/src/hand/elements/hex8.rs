@@ -7,7 +7,7 @@
 )]
 
 use whirl_specs::registers::{Register, Registers, Task, Zeros};
-use whirl_specs::{Eight, Lane};
+use whirl_specs::{Batch, Lane};
 
 use super::isotropic::{Isotropic, fill_flops};
 use super::modes::{self, Modes};
@@ -229,7 +229,7 @@ fn stiffnesses<L: Register>(mut cells: Cells, mut modes: Option<&mut Modes<L>>) 
 pub(super) fn stiffness(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [Eight],
+    matrices: &mut [Batch],
     jacobians: &mut [f64],
 ) {
     let cells = Cells { coordinates, material, matrices, jacobians };
@@ -239,7 +239,7 @@ pub(super) fn stiffness(
 pub(super) fn incompatible_stiffness(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [Eight],
+    matrices: &mut [Batch],
     jacobians: &mut [f64],
 ) {
     let cells = Cells { coordinates, material, matrices, jacobians };
@@ -344,7 +344,7 @@ impl Task for Mass<'_> {
 pub(super) fn mass(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [Eight],
+    matrices: &mut [Batch],
     jacobians: &mut [f64],
 ) {
     Registers::current().run(Mass(Cells { coordinates, material, matrices, jacobians }));

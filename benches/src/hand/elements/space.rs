@@ -1,6 +1,6 @@
 //! Vectors in space, one a lane of cells.
 
-use whirl_specs::{Eight, Lane, Matrix, Register};
+use whirl_specs::{Batch, Lane, Matrix, Register};
 
 /// A constant vector.
 pub(super) type Vector = [f64; 3];
@@ -47,7 +47,7 @@ pub(super) fn trips(count: usize) -> usize {
 pub(super) struct Cells<'a> {
     pub(super) coordinates: &'a [f64],
     pub(super) material: &'a [f64],
-    pub(super) matrices: &'a mut [Eight],
+    pub(super) matrices: &'a mut [Batch],
     pub(super) jacobians: &'a mut [f64],
 }
 
@@ -55,7 +55,7 @@ impl Cells<'_> {
     /// The matrices of `stored` values of the lane that begins with a cell.
     #[inline(always)]
     pub(super) fn matrix<L: Register>(&mut self, cell: usize, stored: usize) -> Matrix<'_, L> {
-        let entries = &mut self.matrices[cell / Eight::CELLS * stored..][..stored];
-        Matrix::new(entries, cell % Eight::CELLS)
+        let entries = &mut self.matrices[cell / Batch::CELLS * stored..][..stored];
+        Matrix::new(entries, cell % Batch::CELLS)
     }
 }

@@ -10,7 +10,7 @@
 )]
 
 use whirl_specs::registers::{Register, Registers, Task, Zeros};
-use whirl_specs::{Eight, Lane};
+use whirl_specs::{Batch, Lane};
 
 use super::hex8::along;
 use super::isotropic::{Isotropic, fill_flops};
@@ -153,7 +153,7 @@ impl Task for Stiffness<'_> {
 pub(super) fn stiffness(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [Eight],
+    matrices: &mut [Batch],
     jacobians: &mut [f64],
 ) {
     Registers::current().run(Stiffness(Cells { coordinates, material, matrices, jacobians }));
@@ -220,7 +220,7 @@ impl Task for Mass<'_> {
 pub(super) fn mass(
     coordinates: &[f64],
     material: &[f64],
-    matrices: &mut [Eight],
+    matrices: &mut [Batch],
     jacobians: &mut [f64],
 ) {
     Registers::current().run(Mass(Cells { coordinates, material, matrices, jacobians }));

@@ -27,6 +27,7 @@
 //! is converted to the system of the inputs' and outputs' units. Kernels work in SI.
 
 mod acts;
+mod analysis;
 mod bearing;
 mod blend;
 mod branch;
@@ -34,8 +35,7 @@ mod build;
 mod describe;
 mod draft;
 mod exact;
-mod judge;
-mod look;
+mod lint;
 mod points;
 mod poles;
 mod program;
@@ -98,7 +98,7 @@ pub struct LawSpec {
     /// What was found about the law.
     pub report: LawReport,
     /// What tables are looked up by, and definitions, in the order in which their values become known.
-    made: Vec<Made>,
+    code: Vec<NameCode>,
 }
 
 /// Values of the names of a law in the units of its file: inputs, then tables and definitions.
@@ -106,7 +106,7 @@ type Named<N> = Vec<N>;
 
 /// A name that gets its value after the inputs.
 #[derive(Debug, Clone)]
-enum Made {
+enum NameCode {
     /// Place of the table, and what it is looked up by.
     Table(usize, Bytecode),
     Definition(Bytecode),
@@ -260,7 +260,7 @@ impl LawSpec {
         draft.give(given)?;
         let mut law = build::build(draft)?;
         law.report = report::report(&law)?;
-        law.graph.look_at(points::of(&law));
+        law.graph.evaluate_at(points::of(&law));
         Ok(law)
     }
 
@@ -277,7 +277,7 @@ impl LawSpec {
         Self::read_given(&self.file, &beside, given)
     }
 
-    /// The parameters of a law file, of which nothing else is looked at than how it is written.
+    /// The parameters of a law file, of which only the syntax is checked.
     ///
     /// # Errors
     /// Everything that is wrong with keys, names, units and the grammar of formulas.
@@ -306,14 +306,14 @@ impl LawSpec {
 
     /// Values of all names but parameters, in the units of the file.
     fn names<N: Number>(&self, inputs: &[N]) -> Named<N> {
-        let mut names = Vec::with_capacity(self.inputs.len() + self.made.len());
+        let mut names = Vec::with_capacity(self.inputs.len() + self.code.len());
         for (input, value) in self.inputs.iter().zip(inputs) {
             names.push(value.mul(&N::exact(&in_si(&input.unit).recip())));
         }
-        for made in &self.made {
-            names.push(match made {
-                Made::Table(place, input) => self.tables[*place].value(&input.value(&names)),
-                Made::Definition(code) => code.value(&names),
+        for code in &self.code {
+            names.push(match code {
+                NameCode::Table(place, input) => self.tables[*place].value(&input.value(&names)),
+                NameCode::Definition(code) => code.value(&names),
             });
         }
         names
@@ -321,8 +321,8 @@ impl LawSpec {
 
     /// What a table is looked up by.
     fn input_of<N: Number>(&self, table: usize, names: &Named<N>) -> Option<N> {
-        self.made.iter().find_map(|made| match made {
-            Made::Table(place, input) if *place == table => Some(input.value(names)),
+        self.code.iter().find_map(|code| match code {
+            NameCode::Table(place, input) if *place == table => Some(input.value(names)),
             _ => None,
         })
     }

@@ -1,4 +1,4 @@
-//! Points at which a law's expressions are looked at while they are rewritten: within the ranges of its inputs,
+//! Points at which a law's expressions are evaluated while they are rewritten: within the ranges of its inputs,
 //! and on both sides of every break.
 
 use std::collections::BTreeMap;
@@ -10,8 +10,8 @@ use crate::expression::Points;
 const WITHIN: usize = 4;
 /// Most points; and most values of nodes at points, of a law that is very long.
 const MOST: usize = 32;
-const LOOKS: usize = 400_000;
-/// Distance from a break, as a share of the range.
+const EVALUATIONS: usize = 400_000;
+/// Distance from a break, as a fraction of the range.
 const BESIDE: f64 = 1e-4;
 /// Multiples of powers of this, modulo 1, spread evenly: the inverse of the plastic number.
 const PLASTIC: f64 = 0.754_877_666_246_692_8;
@@ -20,17 +20,17 @@ const PLASTIC: f64 = 0.754_877_666_246_692_8;
 pub(super) fn of(law: &LawSpec) -> Points {
     let ranges = scan::ranges(law);
     let inside = |place: usize| -> Vec<f64> {
-        let mut share = 1.0;
+        let mut fraction = 1.0;
         let at = |[low, high]: &[f64; 2]| {
-            share *= PLASTIC;
-            low + (high - low) * (0.37 + place as f64 * share).fract()
+            fraction *= PLASTIC;
+            low + (high - low) * (0.37 + place as f64 * fraction).fract()
         };
         ranges.iter().map(at).collect()
     };
     let mut points: Vec<Vec<f64>> = (0..WITHIN).map(inside).collect();
     let breaks: Vec<_> = law.report.outputs.iter().flat_map(|output| &output.breaks).collect();
     // A point on each side of a break.
-    let most = (LOOKS / law.graph.len().max(1)).clamp(WITHIN + 2, MOST);
+    let most = (EVALUATIONS / law.graph.len().max(1)).clamp(WITHIN + 2, MOST);
     let step = breaks.len().div_ceil((most - WITHIN) / 2).max(1);
     for found in breaks.into_iter().step_by(step) {
         let place_of = |name: &str| law.inputs.iter().position(|input| input.name == *name);

@@ -112,8 +112,8 @@ mod tests {
     use crate::diagnostic::Located;
     use crate::formula::{Value, evaluate, parse};
 
-    /// Whether a pole is seen between two values of h.
-    fn seen(text: &str, [low, high]: [f64; 2]) -> bool {
+    /// Whether a pole is found between two values of h.
+    fn crosses_pole(text: &str, [low, high]: [f64; 2]) -> bool {
         let formula = parse(&Located::alone("f", text)).expect("a formula");
         let signs = |h: f64| {
             let names = BTreeMap::from([("h".to_owned(), Value::Scalar(Signed::new(h)))]);
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn poles_of_any_order_are_seen() {
+    fn poles_of_any_order_are_found() {
         for text in [
             "1/(h - 1)",
             "1/(h - 1)^2",
@@ -137,7 +137,7 @@ mod tests {
             "max(h, 1/(h - 1)^2)",
             "tan(h*pi/2)",
         ] {
-            assert!(seen(text, [0.5, 1.5]), "{text}");
+            assert!(crosses_pole(text, [0.5, 1.5]), "{text}");
         }
     }
 
@@ -154,7 +154,7 @@ mod tests {
             "max(h - 1, 1/(h + 1))",
             "tan(h - 1)",
         ] {
-            assert!(!seen(text, [0.5, 1.5]), "{text}");
+            assert!(!crosses_pole(text, [0.5, 1.5]), "{text}");
         }
     }
 }

@@ -1,13 +1,13 @@
 //! What can be said of a law before it is used: values and slopes at its breaks, sign, monotonicity,
-//! poles, and where all this was looked at. Exactly for piecewise polynomials of one input; for all others
+//! poles, and where all this was evaluated. Exactly for piecewise polynomials of one input; for all others
 //! on lines through the ranges of the inputs, by direct evaluation of the file's formulas.
 
 use std::cell::OnceCell;
 
+use super::analysis::{Analysis, in_file};
 use super::describe::{per, short};
 use super::exact;
-use super::judge;
-use super::look::{Look, in_file};
+use super::lint;
 use super::scan::{self, Lined};
 use super::table::Extend;
 use super::{LawSpec, LawTable};
@@ -16,7 +16,7 @@ use crate::diagnostic::Diagnostics;
 /// What was found about a law.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LawReport {
-    /// Name, unit and range of every input over which the law was looked at, in the file's units.
+    /// Name, unit and range of every input over which the law was analysed, in the file's units.
     pub ranges: Vec<(String, String, [f64; 2])>,
     /// One for every table.
     pub tables: Vec<TableReport>,
@@ -64,7 +64,7 @@ pub struct OutputReport {
     pub undefined: Option<Vec<f64>>,
 }
 
-/// How an output changes with an input, at the points looked at.
+/// How an output changes with an input, at the points evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// Not at all.
@@ -138,13 +138,13 @@ impl Break {
     }
 }
 
-/// Looks at a law; a jump that is not accepted, and a point in a declared range without a finite value,
+/// Analyses a law. A jump that is not accepted, and a point in a declared range without a finite value,
 /// are errors.
 pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
     let ranges = scan::ranges(law);
     let lines = scan::lines(&ranges, scan::terms(law));
     let mut errors = Diagnostics::new();
-    judge::tables(law, &lines, &mut errors);
+    lint::tables(law, &lines, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -152,16 +152,16 @@ pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
     // Names have the same values for all outputs.
     let lined: OnceCell<Vec<Lined<'_>>> = OnceCell::new();
     for output in &law.outputs {
-        let look = Look::new(law, output);
-        let looked = match exact::facts(law, output, ranges[0]) {
-            Some(facts) => Ok(look.exactly(facts)),
-            None => look.over(
+        let analysis = Analysis::new(law, output);
+        let analysed = match exact::facts(law, output, ranges[0]) {
+            Some(facts) => Ok(analysis.exactly(facts)),
+            None => analysis.over(
                 lined.get_or_init(|| lines.iter().map(|line| Lined::new(law, line)).collect()),
             ),
         };
-        match looked {
+        match analysed {
             Ok(found) => {
-                judge::output(law, output, &found, &mut errors);
+                lint::output(law, output, &found, &mut errors);
                 outputs.push(found.report);
             }
             Err(error) => errors.push(error),

@@ -9,7 +9,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::region::{Chosen, Within};
 use crate::expression::{Graph, Id};
 
-/// Highest degree whose roots are looked for, and most bits of a coefficient, for low degrees and for
+/// Highest degree whose roots are searched for, and most bits of a coefficient, for low degrees and for
 /// others: the numbers of Sturm's chain grow with both.
 const HIGHEST_DEGREE: usize = 12;
 const LOW_DEGREE: usize = 4;
@@ -117,10 +117,10 @@ impl Polynomial {
         self.coefficients.iter().rev().fold(Rational::zero(), |sum, c| sum * &x + c.abs())
     }
 
-    /// p(x), or zero where it is no more than a share of the size of its terms.
-    pub(super) fn rounded_at(&self, x: &Rational, share: &Rational) -> Rational {
+    /// p(x), or zero where it is no more than a fraction of the size of its terms.
+    pub(super) fn rounded_at(&self, x: &Rational, fraction: &Rational) -> Rational {
         let value = self.at(x);
-        if value.abs() <= self.size_at(x) * share { Rational::zero() } else { value }
+        if value.abs() <= self.size_at(x) * fraction { Rational::zero() } else { value }
     }
 
     /// The different roots in the open interval, ascending, to 2⁻¹²⁰ of its width (exactly, for degree 1).

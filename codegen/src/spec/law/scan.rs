@@ -1,4 +1,4 @@
-//! The points at which a law is looked at.
+//! The points at which a law is evaluated.
 
 use std::cell::OnceCell;
 
@@ -151,7 +151,7 @@ pub(super) fn lines(ranges: &[[f64; 2]], terms: usize) -> Vec<Line> {
         let points: Vec<f64> = (0..count).map(|i| low + (high - low) * step(i)).collect();
         for line in 0..combinations {
             let mut digits = line;
-            let mut share = 1.0;
+            let mut fraction = 1.0;
             let rest = (ranges.iter().enumerate())
                 .map(|(other, [low, high])| {
                     if other == input {
@@ -159,10 +159,10 @@ pub(super) fn lines(ranges: &[[f64; 2]], terms: usize) -> Vec<Line> {
                     }
                     let level = digits % LEVELS;
                     digits /= LEVELS;
-                    share *= PLASTIC;
+                    fraction *= PLASTIC;
                     let place = match all > LINES {
                         // A Kronecker sequence.
-                        true => (0.5 + line as f64 * share).fract(),
+                        true => (0.5 + line as f64 * fraction).fract(),
                         false => level as f64 / (LEVELS - 1) as f64,
                     };
                     low + (high - low) * place

@@ -35,7 +35,7 @@ const LAW: &[Key] = &[
 const VARIABLE: &[Key] = &[
     needed("unit", Text, "unit in which formulas take or give it, such as \"mm\""),
     key("title", Text, "one line for people"),
-    key("range", Tuple(&Number, 2), "where the law is plotted and looked at"),
+    key("range", Tuple(&Number, 2), "where the law is plotted and analysed"),
 ];
 
 const OUTPUT: &[Key] = &[

@@ -1,6 +1,6 @@
 //! The formulas of a law as bytecode.
 
-use super::super::{LawSpec, Made, PieceCode};
+use super::super::{LawSpec, NameCode, PieceCode};
 use crate::diagnostic::Diagnostic;
 use crate::formula::{Formula, bytecode};
 use crate::operation::Operand;
@@ -18,14 +18,14 @@ pub(super) fn write(law: &mut LawSpec) -> Result<(), Diagnostic> {
         let place = |name: &str| known.iter().position(|known| *known == name).map(Operand::Input);
         bytecode(formula, &|name| place(name).or_else(|| constant(name)))
     };
-    let mut made = Vec::new();
+    let mut name_codes = Vec::new();
     for place in 0..=law.definitions.len() {
         for (table, spec) in law.tables.iter().enumerate().filter(|(_, spec)| spec.after == place) {
-            made.push(Made::Table(table, code(&spec.input, &known)?));
+            name_codes.push(NameCode::Table(table, code(&spec.input, &known)?));
             known.push(&spec.name);
         }
         if let Some(definition) = law.definitions.get(place) {
-            made.push(Made::Definition(code(&definition.formula, &known)?));
+            name_codes.push(NameCode::Definition(code(&definition.formula, &known)?));
             known.push(&definition.name);
         }
     }
@@ -40,7 +40,7 @@ pub(super) fn write(law: &mut LawSpec) -> Result<(), Diagnostic> {
         });
         outputs.push(pieces.collect::<Result<Vec<_>, Diagnostic>>()?);
     }
-    law.made = made;
+    law.code = name_codes;
     law.outputs.iter_mut().zip(outputs).for_each(|(output, code)| output.code = code);
     Ok(())
 }

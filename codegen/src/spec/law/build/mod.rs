@@ -101,13 +101,13 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         errors.append(unused);
     }
     let after = |place: usize| tables.iter().filter(move |table: &&LawTable| table.after == place);
-    let mut made: Vec<&str> = Vec::new();
+    let mut derived: Vec<&str> = Vec::new();
     for place in 0..=definitions.len() {
-        made.extend(after(place).map(|table| table.name.as_str()));
-        made.extend(definitions.get(place).map(|definition| definition.name.as_str()));
+        derived.extend(after(place).map(|table| table.name.as_str()));
+        derived.extend(definitions.get(place).map(|definition| definition.name.as_str()));
     }
     let scope =
-        Scope { names: &names, system: &system, inputs: &inputs, parameters: &parameters, made };
+        Scope { names: &names, system: &system, inputs: &inputs, parameters: &parameters, derived };
     let valid = if errors.is_empty() {
         valid::build(&draft.valid, &tables, &scope, &mut graph).unwrap_or_else(|found| {
             errors.append(found);
@@ -130,7 +130,7 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         valid,
         graph,
         report: LawReport::default(),
-        made: Vec::new(),
+        code: Vec::new(),
     })?;
     bytecode::write(&mut law)?;
     differentiate(&mut law)?;

@@ -69,7 +69,7 @@ pub enum Extend {
     Refuse,
 }
 
-/// Inputs beyond the end by less than this share of the whole are at the end, so that rounding of a unit
+/// Inputs beyond the end by less than this fraction of the whole are at the end, so that rounding of a unit
 /// does not refuse the end itself.
 fn margin(width: &Rational) -> Rational {
     width / Rational::from(1_i64 << 30)

@@ -229,7 +229,7 @@ fn friction_is_reported_against_the_motion() {
 }
 
 #[test]
-fn a_jump_of_several_inputs_says_where_it_was_seen() {
+fn a_jump_of_several_inputs_says_where_it_was_found() {
     let body = "[inputs.h]
 unit = \"mm\"
 range = [-1, 1]
@@ -247,10 +247,10 @@ pieces = [
 ";
     // Where it is largest: at an end of the range of h_dot.
     let found = messages(body);
-    let told = |end: &str, jump: &str| {
+    let says = |end: &str, jump: &str| {
         found[0].starts_with(&format!(
             "law.toml:16:13: `Q` jumps by 6 N at h = 0 mm, h_dot = {end} mm/s: {jump} N with slope 0 N/mm below, 0 N"
         ))
     };
-    assert!(found.len() == 1 && (told("-2", "6") || told("2", "-6")), "{found:?}");
+    assert!(found.len() == 1 && (says("-2", "6") || says("2", "-6")), "{found:?}");
 }

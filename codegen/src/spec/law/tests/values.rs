@@ -103,7 +103,7 @@ value = '-K*sum(j, 0, Z - 1, max(e_x*cos(turned + 2*pi*j/Z) + e_y*sin(turned + 2
                 };
                 // Where a ball loses contact the second derivative is infinite: the error there falls with
                 // the root of the step only, so that the order is asked of the others.
-                let steps = [4e-5, 2e-5].map(|share| share * scales[input]);
+                let steps = [4e-5, 2e-5].map(|fraction| fraction * scales[input]);
                 let errors = steps.map(|step| (central(step) - dual[output].slope).abs());
                 assert!(errors[0] < 0.05 * steep, "{i} {input}: {errors:?}");
                 if errors[0] < 1e-4 * steep {

@@ -19,7 +19,7 @@ pub(in crate::spec::law) struct Scope<'s> {
     pub(in crate::spec::law) inputs: &'s [LawInput],
     pub(in crate::spec::law) parameters: &'s [Parameter],
     /// What is known after the inputs, in the order in which it becomes known.
-    pub(in crate::spec::law) made: Vec<&'s str>,
+    pub(in crate::spec::law) derived: Vec<&'s str>,
 }
 
 /// The measures of the sections, then those of tables that end.
@@ -85,7 +85,7 @@ impl Scope<'_> {
         wanted: &Dimension,
     ) -> Result<f64, Diagnostics> {
         for (name, span) in formula.names() {
-            if self.inputs.iter().any(|input| input.name == *name) || self.made.contains(&name) {
+            if self.inputs.iter().any(|input| input.name == *name) || self.derived.contains(&name) {
                 let message = format!("a limit is made of numbers and parameters, not of `{name}`");
                 let error = formula.text.error(Code::BAD_VALUE, span, message);
                 return Err(error.help("measure the quotient, and limit it by a number").into());
@@ -133,7 +133,7 @@ impl Scope<'_> {
 
     fn code(&self, formula: &Formula) -> Result<Bytecode, Diagnostics> {
         let places = self.inputs.iter().map(|input| input.name.as_str());
-        let places: Vec<&str> = places.chain(self.made.iter().copied()).collect();
+        let places: Vec<&str> = places.chain(self.derived.iter().copied()).collect();
         let constant = |name: &str| {
             let parameter = self.parameters.iter().find(|parameter| parameter.name == name)?;
             Some(Operand::Constant(nearest(&parameter.value)))

@@ -3,17 +3,17 @@
 use super::super::Condition;
 use super::super::report::Break;
 use super::super::scan::{self, Line};
-use super::{Between, Look, NEAR, in_file};
+use super::{Analysis, Between, NEAR, in_file};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::operation::{Dual, Rounded};
 use crate::rational::nearest;
 
 /// Breaks along one line beyond which a law is refused.
 const MOST_BREAKS: usize = 256;
-/// How often a comparison inside a formula of several inputs is looked at along one of them: where its break
+/// How often a comparison inside a formula of several inputs is followed along one of them: where its break
 /// lies changes from line to line.
-const MOST_LOOKS: usize = 4;
-/// Slopes that differ by less than this share of them are the same: at neighbouring numbers, those of a power
+const MOST_VISITS: usize = 4;
+/// Slopes that differ by less than this fraction of them are the same: at neighbouring numbers, those of a power
 /// such as 3/2 differ by the root of rounding, which differences of large terms enlarge.
 const SAME_SLOPE: f64 = 1e-4;
 
@@ -25,7 +25,7 @@ struct OnSide {
     slope: f64,
 }
 
-impl Look<'_> {
+impl Analysis<'_> {
     /// Finds every break between two points by bisection.
     pub(super) fn breaks(
         &mut self,
@@ -69,9 +69,9 @@ impl Look<'_> {
         while sides != last && *count < MOST_BREAKS {
             *count += 1;
             let first = sides.iter().zip(last).position(|(a, b)| a != b);
-            let looks = self.looks.entry((line.input, first)).or_insert(0);
-            *looks += 1;
-            if self.law.inputs.len() > 1 && *looks > MOST_LOOKS {
+            let visits = self.visits.entry((line.input, first)).or_insert(0);
+            *visits += 1;
+            if self.law.inputs.len() > 1 && *visits > MOST_VISITS {
                 return;
             }
             let (a, b) = scan::bisect(low, high, |x| self.branches.sides(&line.at(x)) == sides);

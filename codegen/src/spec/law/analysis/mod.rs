@@ -1,4 +1,4 @@
-//! One output being looked at, and what is seen of it.
+//! Analysis of one output of a law along lines through the ranges of its inputs.
 
 mod breaks;
 mod poles;
@@ -16,11 +16,11 @@ use crate::operation::Rounded;
 use crate::rational::nearest;
 use crate::units::Unit;
 
-/// Share of the distance between two points that counts as the same place.
+/// Fraction of the distance between two points that counts as the same place.
 const NEAR: f64 = 1e-9;
 
-/// What was seen of an output, and between which pieces each of its breaks lies.
-pub(super) struct Seen {
+/// What was found about an output, and between which pieces each of its breaks lies.
+pub(super) struct Findings {
     pub(super) report: OutputReport,
     pub(super) between: Vec<Between>,
 }
@@ -35,17 +35,17 @@ pub(super) struct Between {
 /// Forces of friction, with the motions that they should oppose.
 const OPPOSED: [(&str, &str); 2] = [("T", "v_t"), ("M_z", "omega")];
 
-/// One output being looked at.
-pub(super) struct Look<'l> {
+/// The analysis of one output.
+pub(super) struct Analysis<'l> {
     law: &'l LawSpec,
     output: &'l LawOutput,
-    seen: Seen,
+    findings: Findings,
     branches: Branches,
-    /// How often comparisons were looked at, by input and comparison.
-    looks: BTreeMap<(usize, Option<usize>), usize>,
+    /// How often comparisons were met, by input and comparison.
+    visits: BTreeMap<(usize, Option<usize>), usize>,
     /// Place of the input that the output should oppose.
     motion: Option<usize>,
-    /// Signs of the divisors at the point looked at last, if the piece was the same.
+    /// Signs of the divisors at the last point, if the piece was the same.
     signs_at_last: Option<Signs>,
 }
 
@@ -53,7 +53,7 @@ pub(super) fn in_file(si: f64, unit: &Unit) -> f64 {
     si / unit.factor().to_f64()
 }
 
-impl<'l> Look<'l> {
+impl<'l> Analysis<'l> {
     pub(super) fn new(law: &'l LawSpec, output: &'l LawOutput) -> Self {
         let report = OutputReport {
             name: output.name.clone(),
@@ -66,30 +66,38 @@ impl<'l> Look<'l> {
             poles: Vec::new(),
             undefined: None,
         };
-        let seen = Seen { report, between: Vec::new() };
+        let findings = Findings { report, between: Vec::new() };
         let motion = OPPOSED.iter().find(|(force, _)| *force == output.name);
         let motion = motion
             .and_then(|(_, motion)| law.inputs.iter().position(|input| input.name == *motion));
         let branches = Branches::of(law, output);
-        Look { law, output, seen, branches, looks: BTreeMap::new(), motion, signs_at_last: None }
+        Analysis {
+            law,
+            output,
+            findings,
+            branches,
+            visits: BTreeMap::new(),
+            motion,
+            signs_at_last: None,
+        }
     }
 
-    pub(super) fn over(mut self, lines: &[Lined<'_>]) -> Result<Seen, Diagnostic> {
+    pub(super) fn over(mut self, lines: &[Lined<'_>]) -> Result<Findings, Diagnostic> {
         for input in 0..self.law.inputs.len() {
             let (mut rises, mut falls) = (false, false);
             for Lined { line, points } in lines.iter().filter(|lined| lined.line.input == input) {
                 self.along(line, points, &mut rises, &mut falls)?;
             }
             let trend = Trend::of(rises, falls);
-            self.seen.report.trends.push((self.law.inputs[input].name.clone(), trend));
+            self.findings.report.trends.push((self.law.inputs[input].name.clone(), trend));
         }
-        Ok(self.seen)
+        Ok(self.findings)
     }
 
     /// The report of a piecewise polynomial of one input.
-    pub(super) fn exactly(mut self, facts: exact::Facts) -> Seen {
+    pub(super) fn exactly(mut self, facts: exact::Facts) -> Findings {
         let (input, unit) = (&self.law.inputs[0], &self.output.unit);
-        let report = &mut self.seen.report;
+        let report = &mut self.findings.report;
         report.extent = facts.extent.map(|value| in_file(value, unit));
         report.trends = vec![(input.name.clone(), Trend::of(facts.rises, facts.falls))];
         report.opposes = None;
@@ -108,7 +116,7 @@ impl<'l> Look<'l> {
             };
             let moved_from = moved_from.filter(|_| meeting.piece.is_some());
             let per = input.unit.factor().to_f64();
-            self.seen.report.breaks.push(Break {
+            self.findings.report.breaks.push(Break {
                 input: input.name.clone(),
                 unit: input.unit.to_string(),
                 at: in_file(at, &input.unit),
@@ -120,7 +128,7 @@ impl<'l> Look<'l> {
                 slopes: meeting.slopes.map(|slope| in_file(slope, unit) * per),
             });
             let pieces = [piece, piece + usize::from(meeting.piece.is_some())];
-            self.seen.between.push(Between { pieces, comparison: None });
+            self.findings.between.push(Between { pieces, comparison: None });
         }
         // Nothing jumps at a blended break, but it is one.
         let range = scan::ranges(self.law)[0];
@@ -135,7 +143,7 @@ impl<'l> Look<'l> {
                 self.meet(&Line::alone(at), at, at, [place, place + 1]);
             }
         }
-        self.seen
+        self.findings
     }
 
     fn along(
@@ -179,7 +187,7 @@ impl<'l> Look<'l> {
     }
 
     fn record(&mut self, line: &Line, x: f64, si: f64) {
-        let report = &mut self.seen.report;
+        let report = &mut self.findings.report;
         report.points += 1;
         let value = in_file(si, &self.output.unit);
         if let Some(motion) = self.motion {
@@ -204,11 +212,11 @@ impl<'l> Look<'l> {
     /// Lists a break; of those between the same formulas along different lines, the one that jumps most.
     fn keep(&mut self, found: Break, between: Between) {
         let size = |b: &Break| if b.jumps() { (b.values[1] - b.values[0]).abs() } else { 0.0 };
-        let (breaks, seen) = (&mut self.seen.report.breaks, &mut self.seen.between);
+        let (breaks, known) = (&mut self.findings.report.breaks, &mut self.findings.between);
         let several = self.law.inputs.len() > 1;
         let same = (0..breaks.len()).find(|&i| {
             breaks[i].input == found.input
-                && seen[i] == between
+                && known[i] == between
                 && (several || breaks[i].at == found.at)
         });
         match same {
@@ -216,7 +224,7 @@ impl<'l> Look<'l> {
             Some(i) => breaks[i] = found,
             None => {
                 breaks.push(found);
-                seen.push(between);
+                known.push(between);
             }
         }
     }

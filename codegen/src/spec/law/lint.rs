@@ -1,8 +1,8 @@
-//! What is wrong with a law that was looked at: jumps that are not accepted, places without a value, tables
+//! Errors that the analysis of a law shows: jumps that are not accepted, places without a value, tables
 //! that end too early.
 
+use super::analysis::{Findings, in_file};
 use super::describe::short;
-use super::look::{Seen, in_file};
 use super::report::Break;
 use super::scan::{self, Line};
 use super::{Condition, Extend, LawOutput, LawSpec, LawTable};
@@ -50,8 +50,13 @@ pub(super) fn tables(law: &LawSpec, lines: &[Line], errors: &mut Diagnostics) {
 }
 
 /// Adds the errors of an output.
-pub(super) fn output(law: &LawSpec, output: &LawOutput, seen: &Seen, errors: &mut Diagnostics) {
-    for (found, between) in seen.report.breaks.iter().zip(&seen.between) {
+pub(super) fn output(
+    law: &LawSpec,
+    output: &LawOutput,
+    findings: &Findings,
+    errors: &mut Diagnostics,
+) {
+    for (found, between) in findings.report.breaks.iter().zip(&findings.between) {
         if output.accepts_jumps || !found.jumps() {
             continue;
         }
@@ -62,7 +67,7 @@ pub(super) fn output(law: &LawSpec, output: &LawOutput, seen: &Seen, errors: &mu
         errors.push(error.help(remedies(law, output, piece, found)));
     }
     let declared = law.inputs.iter().all(|input| input.range.is_some());
-    if let (Some(point), true) = (&seen.report.undefined, declared) {
+    if let (Some(point), true) = (&findings.report.undefined, declared) {
         let point: Vec<String> = (law.inputs.iter().zip(point))
             .map(|(input, x)| format!("{} = {} {}", input.name, short(*x), input.unit))
             .collect();
