@@ -67,10 +67,10 @@ pub trait Task {
 
 /// Registers that this processor has. A value of this type is the proof that it has them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Registers(Kind);
+pub struct Registers(Width);
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Kind {
+enum Width {
     Single,
     #[cfg(target_arch = "x86_64")]
     Avx2,
@@ -84,7 +84,7 @@ thread_local! {
 
 impl Registers {
     /// One value at a time.
-    pub const SINGLE: Registers = Registers(Kind::Single);
+    pub const SINGLE: Registers = Registers(Width::Single);
 
     /// All that this processor has, narrow to wide.
     pub fn all() -> Vec<Registers> {
@@ -109,10 +109,10 @@ impl Registers {
         #[cfg(target_arch = "x86_64")]
         {
             if has_avx512() {
-                return Registers(Kind::Avx512);
+                return Registers(Width::Avx512);
             }
             if has_avx2() {
-                return Registers(Kind::Avx2);
+                return Registers(Width::Avx2);
             }
         }
         Registers::SINGLE
@@ -135,11 +135,11 @@ impl Registers {
     /// Values side by side.
     pub fn width(self) -> usize {
         match self.0 {
-            Kind::Single => 1,
+            Width::Single => 1,
             #[cfg(target_arch = "x86_64")]
-            Kind::Avx2 => 4,
+            Width::Avx2 => 4,
             #[cfg(target_arch = "x86_64")]
-            Kind::Avx512 => 8,
+            Width::Avx512 => 8,
         }
     }
 
@@ -152,37 +152,37 @@ impl Registers {
     #[inline(always)]
     pub fn run<T: Task>(self, task: T) -> T::Output {
         match self.0 {
-            Kind::Single => task.run::<f64>(),
+            Width::Single => task.run::<f64>(),
             // SAFETY: a value of this kind is made only where the processor has the instructions.
             #[cfg(target_arch = "x86_64")]
-            Kind::Avx2 => unsafe { avx2(task) },
+            Width::Avx2 => unsafe { avx2(task) },
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Kind::Avx512 => unsafe { avx512(task) },
+            Width::Avx512 => unsafe { avx512(task) },
         }
     }
 }
 
-impl Kind {
+impl Width {
     fn name(self) -> &'static str {
         match self {
-            Kind::Single => "one value at a time",
+            Width::Single => "one value at a time",
             #[cfg(target_arch = "x86_64")]
-            Kind::Avx2 => "AVX2 with FMA",
+            Width::Avx2 => "AVX2 with FMA",
             #[cfg(target_arch = "x86_64")]
-            Kind::Avx512 => "AVX-512",
+            Width::Avx512 => "AVX-512",
         }
     }
 }
 
 /// Registers wider than one value, and whether this processor has them, narrow to wide.
 #[cfg(target_arch = "x86_64")]
-fn wide() -> [(Kind, bool); 2] {
-    [(Kind::Avx2, has_avx2()), (Kind::Avx512, has_avx512())]
+fn wide() -> [(Width, bool); 2] {
+    [(Width::Avx2, has_avx2()), (Width::Avx512, has_avx512())]
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-fn wide() -> [(Kind, bool); 0] {
+fn wide() -> [(Width, bool); 0] {
     []
 }
 

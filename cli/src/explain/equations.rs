@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_traits::{One, ToPrimitive};
 use whirl_codegen::diagnostic::Diagnostics;
 use whirl_codegen::expression::{Graph, Id, Rational, display_rounded};
-use whirl_codegen::formula::{Formula, Kind, PI, lower};
+use whirl_codegen::formula::{Formula, PI, TermKind, lower};
 use whirl_codegen::spec::law::{Condition, LawSpec, short};
 
 /// An equation of a law.
@@ -221,9 +221,9 @@ fn names_in_exponents(law: &LawSpec) -> BTreeSet<String> {
     let values = law.outputs.iter().flat_map(|output| &output.pieces).map(|piece| &piece.value);
     for formula in values.chain(law.definitions.iter().map(|definition| &definition.formula)) {
         formula.root.visit(&mut |term| {
-            if let Kind::Power(_, exponent) = &term.kind {
+            if let TermKind::Power(_, exponent) = &term.kind {
                 exponent.visit(&mut |part| {
-                    if let Kind::Name(name) = &part.kind {
+                    if let TermKind::Name(name) = &part.kind {
                         names.insert(name.clone());
                     }
                 });

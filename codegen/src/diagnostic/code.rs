@@ -14,7 +14,7 @@ impl fmt::Display for Code {
     }
 }
 
-/// What a code means, and how errors of this code are mended.
+/// What a code means, and how errors of this code are fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Explanation {
     /// The code.

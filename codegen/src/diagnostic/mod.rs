@@ -1,4 +1,4 @@
-//! What is wrong with a file: where, what, and how to mend it.
+//! What is wrong with a file: where, what, and how to fix it.
 //!
 //! A reader of files collects every error into [`Diagnostics`] and goes on; nothing is printed here.
 
@@ -28,7 +28,7 @@ pub struct Diagnostic {
     pub message: String,
     /// A few words shown beside the caret; may be empty.
     pub label: String,
-    /// How to mend it.
+    /// How to fix it.
     pub help: Option<String>,
     /// Stable code.
     pub code: Option<Code>,
@@ -52,13 +52,13 @@ impl Diagnostic {
         }
     }
 
-    /// Adds how to mend it.
+    /// Adds how to fix it.
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// Adds how to mend it, if there is anything to say.
+    /// Adds how to fix it, if there is anything to say.
     pub fn maybe_help(mut self, help: Option<String>) -> Self {
         self.help = help.or(self.help);
         self
@@ -130,7 +130,7 @@ impl Diagnostics {
     }
 
     /// `Ok(value)` if nothing is wrong, else the errors sorted by file and place, each once: a file that is
-    /// read twice is told of once.
+    /// read twice is reported once.
     pub fn into_result<T>(mut self, value: T) -> Result<T, Diagnostics> {
         if self.is_empty() {
             return Ok(value);
@@ -221,7 +221,7 @@ error[E010]: unexpected `×`
     }
 
     #[test]
-    fn equal_errors_are_told_once() {
+    fn equal_errors_are_reported_once() {
         let read = || Source::new("x", "abcdef");
         let mut all = Diagnostics::new();
         for message in ["one", "two", "one", "two"] {
@@ -229,9 +229,9 @@ error[E010]: unexpected `×`
         }
         all.push(Diagnostic::new(&read(), Code::TOML, 2..3, "one"));
         all.push(Diagnostic::new(&Source::new("y", "abcdef"), Code::TOML, 1..2, "one"));
-        let told = all.into_result(()).unwrap_err();
-        let told: Vec<String> = told.iter().map(ToString::to_string).collect();
-        assert_eq!(told, ["x:1:2: one", "x:1:2: two", "x:1:3: one", "y:1:2: one"]);
+        let reported = all.into_result(()).unwrap_err();
+        let reported: Vec<String> = reported.iter().map(ToString::to_string).collect();
+        assert_eq!(reported, ["x:1:2: one", "x:1:2: two", "x:1:3: one", "y:1:2: one"]);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::spec::element::ElementSpec;
 
 /// Which part of a basis function occurs in a product.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Part {
+pub enum BasisPart {
     /// N.
     Value,
     /// ∇N.
@@ -35,7 +35,7 @@ type Powers = BTreeMap<Exponents, String>;
 /// The first integral that fails, with the nodes it comes from.
 pub fn prove<'f>(
     element: &ElementSpec,
-    forms: impl IntoIterator<Item = (&'f str, BTreeSet<(Part, Part)>)>,
+    forms: impl IntoIterator<Item = (&'f str, BTreeSet<(BasisPart, BasisPart)>)>,
 ) -> Result<(), Diagnostics> {
     // Forms with one rule ask for many of the same integrals.
     let mut integrals: Vec<(&Quadrature, Integrals)> = Vec::new();
@@ -51,7 +51,7 @@ pub fn prove<'f>(
         if !rule.reduced {
             demand.products(&products, integrals)?;
         }
-        if products.contains(&(Part::Gradient, Part::Gradient)) {
+        if products.contains(&(BasisPart::Gradient, BasisPart::Gradient)) {
             demand.patch_test(integrals)?;
         }
     }
@@ -79,7 +79,7 @@ impl Demand<'_> {
 
     fn products(
         &self,
-        products: &BTreeSet<(Part, Part)>,
+        products: &BTreeSet<(BasisPart, BasisPart)>,
         integrals: &mut Integrals,
     ) -> Result<(), Diagnostics> {
         let shape = &self.element.shape;
@@ -92,9 +92,9 @@ impl Demand<'_> {
                 }
             }
         }
-        let of = |part: Part| match part {
-            Part::Value => (&values, "function"),
-            Part::Gradient => (&gradients, "gradient"),
+        let of = |part: BasisPart| match part {
+            BasisPart::Value => (&values, "function"),
+            BasisPart::Gradient => (&gradients, "gradient"),
         };
         for (test, trial) in products {
             let ((left, first), (right, second)) = (of(*test), of(*trial));

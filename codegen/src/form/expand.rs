@@ -9,7 +9,7 @@ use num_traits::{One, ToPrimitive};
 
 use crate::diagnostic::{Code, Diagnostic, suggest};
 use crate::expression::{Graph, Id, Node, Rational, normal};
-use crate::formula::{Formula, Kind, Side, Term};
+use crate::formula::{Formula, Side, Term, TermKind};
 
 /// Component i of the test function, j of the trial function; which of (N, ∂x, ∂y, ∂z) of either.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,7 +42,7 @@ const FUNCTIONS: [(&str, usize); 7] =
 
 /// A part of a form with its degrees in u and in v.
 #[derive(Debug, Clone)]
-struct Part {
+struct Subterm {
     value: Value,
     degrees: [u32; 2],
 }
@@ -90,10 +90,10 @@ pub fn expand(
     let mut bilinear = Bilinear::new();
     for i in 0..3 {
         for j in 0..3 {
-            let v = Part { value: field(graph, &test, i), degrees: [0, 1] };
-            let u = Part { value: field(graph, &trial, j), degrees: [1, 0] };
+            let v = Subterm { value: field(graph, &test, i), degrees: [0, 1] };
+            let u = Subterm { value: field(graph, &trial, j), degrees: [1, 0] };
             let mut expansion = Expansion { formula, graph, names, u, v, test, trial };
-            let Part { value, degrees } = expansion.term(&formula.root)?;
+            let Subterm { value, degrees } = expansion.term(&formula.root)?;
             let Value::Scalar(value) = value else {
                 let message = format!("a form is a number, this is {}", value.called());
                 return Err(Box::new(formula.text.error_here(Code::SHAPE, message)));
@@ -118,16 +118,16 @@ struct Expansion<'f> {
     formula: &'f Formula,
     graph: &'f mut Graph,
     names: &'f Names,
-    u: Part,
-    v: Part,
+    u: Subterm,
+    v: Subterm,
     test: [Id; 4],
     trial: [Id; 4],
 }
 
-/// How to mend a form that is not linear in both.
+/// How to fix a form that is not linear in both.
 const LINEAR: &str = "every term holds u once and v once";
 
-type Expanded = Result<Part, Box<Diagnostic>>;
+type Expanded = Result<Subterm, Box<Diagnostic>>;
 
 impl Expansion<'_> {
     fn error<T>(
@@ -137,7 +137,7 @@ impl Expansion<'_> {
         message: impl Into<String>,
     ) -> Result<T, Box<Diagnostic>> {
         let error = self.formula.text.error(code, span.clone(), message);
-        // Terms that are not linear all are mended alike.
+        // Terms that are not linear all are fixed alike.
         let help = (code == Code::FORM).then(|| LINEAR.to_owned());
         Err(Box::new(error.maybe_help(help)))
     }
@@ -150,24 +150,26 @@ impl Expansion<'_> {
     }
 
     fn term(&mut self, term: &Term) -> Expanded {
-        let constant = |value| Ok(Part { value, degrees: [0, 0] });
+        let constant = |value| Ok(Subterm { value, degrees: [0, 0] });
         match &term.kind {
-            Kind::Number(value) => constant(Value::Scalar(self.graph.number(value.clone()))),
-            Kind::Name(name) => match name.as_str() {
+            TermKind::Number(value) => constant(Value::Scalar(self.graph.number(value.clone()))),
+            TermKind::Name(name) => match name.as_str() {
                 "u" => Ok(self.u.clone()),
                 "v" => Ok(self.v.clone()),
                 _ => constant(self.name(name, &term.span)?),
             },
-            Kind::Negate(inner) => {
-                let Part { value, degrees } = self.term(inner)?;
-                Ok(Part { value: value.map(|id| self.graph.neg(id)), degrees })
+            TermKind::Negate(inner) => {
+                let Subterm { value, degrees } = self.term(inner)?;
+                Ok(Subterm { value: value.map(|id| self.graph.neg(id)), degrees })
             }
-            Kind::Sum(parts) => self.sum(parts),
-            Kind::Product(parts) => self.product(parts),
-            Kind::Power(base, exponent) => constant(self.power(base, exponent)?),
-            Kind::Call { function, name, arguments } => self.call(term, function, name, arguments),
-            Kind::Series { .. } => self.error(Code::SYNTAX, &term.span, "a form has no `sum`"),
-            Kind::Compare(..) | Kind::And(_) | Kind::Or(_) | Kind::Not(_) => {
+            TermKind::Sum(parts) => self.sum(parts),
+            TermKind::Product(parts) => self.product(parts),
+            TermKind::Power(base, exponent) => constant(self.power(base, exponent)?),
+            TermKind::Call { function, name, arguments } => {
+                self.call(term, function, name, arguments)
+            }
+            TermKind::Series { .. } => self.error(Code::SYNTAX, &term.span, "a form has no `sum`"),
+            TermKind::Compare(..) | TermKind::And(_) | TermKind::Or(_) | TermKind::Not(_) => {
                 self.error(Code::SYNTAX, &term.span, "a form has no conditions")
             }
         }
@@ -193,15 +195,15 @@ impl Expansion<'_> {
     }
 
     fn sum(&mut self, parts: &[(Side, Term)]) -> Expanded {
-        let mut total: Option<Part> = None;
+        let mut total: Option<Subterm> = None;
         for (side, term) in parts {
-            let Part { value, degrees } = self.term(term)?;
+            let Subterm { value, degrees } = self.term(term)?;
             let value = match side {
                 Side::With => value,
                 Side::Against => value.map(|id| self.graph.neg(id)),
             };
             let Some(before) = total else {
-                total = Some(Part { value, degrees });
+                total = Some(Subterm { value, degrees });
                 continue;
             };
             if before.degrees != degrees {
@@ -221,13 +223,13 @@ impl Expansion<'_> {
                     return self.error(Code::SHAPE, &term.span, message);
                 }
             };
-            total = Some(Part { value, degrees });
+            total = Some(Subterm { value, degrees });
         }
         Ok(total.expect("a sum has parts"))
     }
 
     fn product(&mut self, parts: &[(Side, Term)]) -> Expanded {
-        let mut total = Part { value: Value::Scalar(self.graph.integer(1)), degrees: [0, 0] };
+        let mut total = Subterm { value: Value::Scalar(self.graph.integer(1)), degrees: [0, 0] };
         // From the right, so that A*B*u is A*(B*u).
         for (side, term) in parts.iter().rev() {
             let part = self.term(term)?;
@@ -275,7 +277,7 @@ impl Expansion<'_> {
                     return Err(Box::new(error.help(help)));
                 }
             };
-            total = Part { value, degrees };
+            total = Subterm { value, degrees };
         }
         Ok(total)
     }
@@ -364,7 +366,7 @@ impl Expansion<'_> {
                 return self.error(Code::SHAPE, &term.span, message);
             }
         };
-        Ok(Part { value, degrees })
+        Ok(Subterm { value, degrees })
     }
 
     /// Sorts the terms of a component by the basis functions' parts in them: one of each, as the degrees

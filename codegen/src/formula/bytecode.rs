@@ -3,7 +3,7 @@
 
 use super::function::Builtin;
 use super::series::{Budget, whole_f64};
-use super::{Formula, Kind, PI, Side, Term};
+use super::{Formula, PI, Side, Term, TermKind};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::operation::{Bytecode, Function, Operand, Operation, Relation};
 use crate::rational::nearest;
@@ -50,10 +50,10 @@ impl<'f> Writer<'f> {
 
     fn term(&mut self, term: &'f Term) -> Written {
         let operation = match &term.kind {
-            Kind::Number(value) => return Ok(Operand::Constant(nearest(value))),
-            Kind::Name(name) => return self.name(term, name),
-            Kind::Negate(inner) => Operation::Sub(Operand::Constant(0.0), self.term(inner)?),
-            Kind::Sum(parts) => {
+            TermKind::Number(value) => return Ok(Operand::Constant(nearest(value))),
+            TermKind::Name(name) => return self.name(term, name),
+            TermKind::Negate(inner) => Operation::Sub(Operand::Constant(0.0), self.term(inner)?),
+            TermKind::Sum(parts) => {
                 let mut sum = self.term(&parts[0].1)?;
                 for (side, part) in &parts[1..] {
                     let part = self.term(part)?;
@@ -64,13 +64,17 @@ impl<'f> Writer<'f> {
                 }
                 return Ok(sum);
             }
-            Kind::Product(parts) => return self.product(term, parts),
-            Kind::Power(base, exponent) => Operation::Power(self.term(base)?, self.term(exponent)?),
-            Kind::Call { function, arguments, .. } => return self.call(term, function, arguments),
-            Kind::Series { counter, ends, body, .. } => {
+            TermKind::Product(parts) => return self.product(term, parts),
+            TermKind::Power(base, exponent) => {
+                Operation::Power(self.term(base)?, self.term(exponent)?)
+            }
+            TermKind::Call { function, arguments, .. } => {
+                return self.call(term, function, arguments);
+            }
+            TermKind::Series { counter, ends, body, .. } => {
                 return self.series(term, counter, ends, body);
             }
-            Kind::Compare(first, rest) => {
+            TermKind::Compare(first, rest) => {
                 let mut left = self.term(first)?;
                 let mut all = None;
                 for (comparison, part) in rest {
@@ -85,9 +89,9 @@ impl<'f> Writer<'f> {
                 }
                 return Ok(all.unwrap_or(left));
             }
-            Kind::And(parts) => return self.chain(parts, Operation::And),
-            Kind::Or(parts) => return self.chain(parts, Operation::Or),
-            Kind::Not(inner) => Operation::Not(self.term(inner)?),
+            TermKind::And(parts) => return self.chain(parts, Operation::And),
+            TermKind::Or(parts) => return self.chain(parts, Operation::Or),
+            TermKind::Not(inner) => Operation::Not(self.term(inner)?),
         };
         Ok(self.push(operation))
     }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::function::{Builtin, ELSEWHERE, names};
-use super::{Formula, Kind, PI, Side, Term};
+use super::{Formula, PI, Side, Term, TermKind};
 use crate::diagnostic::{Code, Diagnostics, suggest};
 use crate::expression::Shape;
 
@@ -83,9 +83,9 @@ impl<'f> Checker<'f> {
     /// The shape of a term; `None` if something inside it is wrong and was reported.
     fn shape(&mut self, term: &'f Term) -> Option<Shape> {
         match &term.kind {
-            Kind::Number(_) => Some(Shape::Scalar),
-            Kind::Name(name) => self.name(name, &term.span),
-            Kind::Negate(inner) => {
+            TermKind::Number(_) => Some(Shape::Scalar),
+            TermKind::Name(name) => self.name(name, &term.span),
+            TermKind::Negate(inner) => {
                 let shape = self.shape(inner)?;
                 if shape == Shape::Truth {
                     self.wanted(inner, "a number", shape);
@@ -93,14 +93,16 @@ impl<'f> Checker<'f> {
                 }
                 Some(shape)
             }
-            Kind::Sum(parts) => self.sum(parts),
-            Kind::Product(parts) => self.product(parts),
-            Kind::Power(base, exponent) => {
+            TermKind::Sum(parts) => self.sum(parts),
+            TermKind::Product(parts) => self.product(parts),
+            TermKind::Power(base, exponent) => {
                 let (base, exponent) = (self.number(base), self.number(exponent));
                 base.and(exponent)
             }
-            Kind::Call { function, name, arguments } => self.call(term, function, name, arguments),
-            Kind::Series { counter, name, ends, body } => {
+            TermKind::Call { function, name, arguments } => {
+                self.call(term, function, name, arguments)
+            }
+            TermKind::Series { counter, name, ends, body } => {
                 let ends: Vec<_> = ends.iter().map(|end| self.number(end)).collect();
                 let fine = self.counter(counter, name);
                 self.counters.push(counter);
@@ -108,16 +110,16 @@ impl<'f> Checker<'f> {
                 self.counters.pop();
                 body.filter(|_| fine && ends.iter().all(Option::is_some))
             }
-            Kind::Compare(first, rest) => {
+            TermKind::Compare(first, rest) => {
                 let first = self.number(first);
                 let rest: Vec<_> = rest.iter().map(|(_, part)| self.number(part)).collect();
                 (first.is_some() && rest.iter().all(Option::is_some)).then_some(Shape::Truth)
             }
-            Kind::And(parts) | Kind::Or(parts) => {
+            TermKind::And(parts) | TermKind::Or(parts) => {
                 let parts: Vec<_> = parts.iter().map(|part| self.truth(part)).collect();
                 parts.into_iter().all(|part| part.is_some()).then_some(Shape::Truth)
             }
-            Kind::Not(inner) => self.truth(inner),
+            TermKind::Not(inner) => self.truth(inner),
         }
     }
 
@@ -162,7 +164,7 @@ impl<'f> Checker<'f> {
         if name == PI || self.counters.contains(&name) {
             return Some(Shape::Scalar);
         }
-        // Once a formula: the other places are mended with the first.
+        // Once a formula: the other places are fixed with the first.
         if !self.unknown.insert(name.to_owned()) {
             return None;
         }

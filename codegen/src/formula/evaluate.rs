@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::function::Builtin;
 use super::series::{Budget, whole_f64};
-use super::{Formula, Kind, Side, Term};
+use super::{Formula, Side, Term, TermKind};
 use crate::operation::{Function, Number};
 
 /// The value of a term.
@@ -67,13 +67,13 @@ impl<'f, N: Number> Evaluation<'f, N> {
 
     fn term(&mut self, term: &'f Term) -> Option<Value<N>> {
         Some(match &term.kind {
-            Kind::Number(value) => Value::Scalar(N::exact(value)),
-            Kind::Name(name) => match self.names.get(name) {
+            TermKind::Number(value) => Value::Scalar(N::exact(value)),
+            TermKind::Name(name) => match self.names.get(name) {
                 Some(value) => value.clone(),
                 None => Value::Scalar(self.counter_or_pi(name)?),
             },
-            Kind::Negate(inner) => map(self.term(inner)?, &|x| N::near(0.0).sub(x))?,
-            Kind::Sum(parts) => {
+            TermKind::Negate(inner) => map(self.term(inner)?, &|x| N::near(0.0).sub(x))?,
+            TermKind::Sum(parts) => {
                 let mut sum = self.term(&parts[0].1)?;
                 for (side, part) in &parts[1..] {
                     let operation = match side {
@@ -84,15 +84,15 @@ impl<'f, N: Number> Evaluation<'f, N> {
                 }
                 sum
             }
-            Kind::Product(parts) => self.product(parts)?,
-            Kind::Power(base, exponent) => {
+            TermKind::Product(parts) => self.product(parts)?,
+            TermKind::Power(base, exponent) => {
                 Value::Scalar(self.scalar(base)?.power(&self.scalar(exponent)?))
             }
-            Kind::Call { function, arguments, .. } => {
+            TermKind::Call { function, arguments, .. } => {
                 let arguments: Option<Vec<_>> = arguments.iter().map(|a| self.term(a)).collect();
                 call(Builtin::named(function)?.0, &arguments?)?
             }
-            Kind::Series { counter, ends, body, .. } => {
+            TermKind::Series { counter, ends, body, .. } => {
                 let [first, last] = [self.scalar(&ends[0])?, self.scalar(&ends[1])?];
                 let counts = self.budget.counter([first, last].map(|end| whole_f64(end.value())));
                 let mut sum: Option<N> = None;
@@ -104,7 +104,7 @@ impl<'f, N: Number> Evaluation<'f, N> {
                 }
                 Value::Scalar(sum?)
             }
-            Kind::Compare(first, rest) => {
+            TermKind::Compare(first, rest) => {
                 let mut left = self.scalar(first)?.value();
                 let mut holds = true;
                 for (comparison, part) in rest {
@@ -115,9 +115,9 @@ impl<'f, N: Number> Evaluation<'f, N> {
                 }
                 Value::Truth(holds)
             }
-            Kind::And(parts) => Value::Truth(!self.truths(parts)?.contains(&false)),
-            Kind::Or(parts) => Value::Truth(self.truths(parts)?.contains(&true)),
-            Kind::Not(inner) => Value::Truth(!self.truths(std::slice::from_ref(inner))?[0]),
+            TermKind::And(parts) => Value::Truth(!self.truths(parts)?.contains(&false)),
+            TermKind::Or(parts) => Value::Truth(self.truths(parts)?.contains(&true)),
+            TermKind::Not(inner) => Value::Truth(!self.truths(std::slice::from_ref(inner))?[0]),
         })
     }
 

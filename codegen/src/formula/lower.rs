@@ -8,7 +8,7 @@ use num_traits::{One, Signed};
 
 use super::function::Builtin;
 use super::series::{self, Budget};
-use super::{Formula, Kind, LIMITS, PI, Scope, Side, Term, check};
+use super::{Formula, LIMITS, PI, Scope, Side, Term, TermKind, check};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::expression::{Function, Graph, Id, Node, Relation, Shape};
 
@@ -72,8 +72,8 @@ impl<'f> Lowering<'f> {
 
     fn term(&mut self, term: &'f Term) -> Id {
         match &term.kind {
-            Kind::Number(value) => self.graph.number(value.clone()),
-            Kind::Name(name) => match self.names.get(name) {
+            TermKind::Number(value) => self.graph.number(value.clone()),
+            TermKind::Name(name) => match self.names.get(name) {
                 Some(id) => *id,
                 None => {
                     let counter = self.counters.iter().find(|(counter, _)| counter == name);
@@ -84,11 +84,11 @@ impl<'f> Lowering<'f> {
                     self.graph.number(pi())
                 }
             },
-            Kind::Negate(inner) => {
+            TermKind::Negate(inner) => {
                 let inner = self.term(inner);
                 self.graph.neg(inner)
             }
-            Kind::Sum(parts) => {
+            TermKind::Sum(parts) => {
                 let parts: Vec<_> = (parts.iter())
                     .map(|(side, part)| {
                         let sign = match side {
@@ -100,11 +100,11 @@ impl<'f> Lowering<'f> {
                     .collect();
                 self.graph.sum(&parts)
             }
-            Kind::Product(parts) => self.product(parts),
-            Kind::Power(base, exponent) => self.power(term, base, exponent),
-            Kind::Call { function, arguments, .. } => self.call(term, function, arguments),
-            Kind::Series { counter, ends, body, .. } => self.series(term, counter, ends, body),
-            Kind::Compare(first, rest) => {
+            TermKind::Product(parts) => self.product(parts),
+            TermKind::Power(base, exponent) => self.power(term, base, exponent),
+            TermKind::Call { function, arguments, .. } => self.call(term, function, arguments),
+            TermKind::Series { counter, ends, body, .. } => self.series(term, counter, ends, body),
+            TermKind::Compare(first, rest) => {
                 let mut left = self.term(first);
                 let mut all = None;
                 for (comparison, part) in rest {
@@ -119,9 +119,9 @@ impl<'f> Lowering<'f> {
                 }
                 all.unwrap_or(left)
             }
-            Kind::And(parts) => self.fold(parts, Graph::and),
-            Kind::Or(parts) => self.fold(parts, Graph::or),
-            Kind::Not(inner) => {
+            TermKind::And(parts) => self.fold(parts, Graph::and),
+            TermKind::Or(parts) => self.fold(parts, Graph::or),
+            TermKind::Not(inner) => {
                 let inner = self.term(inner);
                 self.graph.not(inner)
             }

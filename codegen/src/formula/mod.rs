@@ -81,7 +81,7 @@ pub struct Formula {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Term {
     /// What it says.
-    pub kind: Kind,
+    pub kind: TermKind,
     /// Byte range in the formula's text.
     pub span: Range<usize>,
 }
@@ -122,7 +122,7 @@ impl Comparison {
 
 /// What a term says. Chains are kept as lists, so that long sums are not deep.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Kind {
+pub enum TermKind {
     /// A number, exactly.
     Number(Rational),
     /// A name, in its ASCII spelling.
@@ -170,25 +170,27 @@ impl Term {
     pub fn visit<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
         visit(self);
         match &self.kind {
-            Kind::Number(_) | Kind::Name(_) => {}
-            Kind::Negate(a) | Kind::Not(a) => a.visit(visit),
-            Kind::Sum(parts) | Kind::Product(parts) => {
+            TermKind::Number(_) | TermKind::Name(_) => {}
+            TermKind::Negate(a) | TermKind::Not(a) => a.visit(visit),
+            TermKind::Sum(parts) | TermKind::Product(parts) => {
                 parts.iter().for_each(|(_, part)| part.visit(visit));
             }
-            Kind::Power(a, b) => {
+            TermKind::Power(a, b) => {
                 a.visit(visit);
                 b.visit(visit);
             }
-            Kind::Call { arguments, .. } => arguments.iter().for_each(|a| a.visit(visit)),
-            Kind::Series { ends, body, .. } => {
+            TermKind::Call { arguments, .. } => arguments.iter().for_each(|a| a.visit(visit)),
+            TermKind::Series { ends, body, .. } => {
                 ends.iter().for_each(|end| end.visit(visit));
                 body.visit(visit);
             }
-            Kind::Compare(first, rest) => {
+            TermKind::Compare(first, rest) => {
                 first.visit(visit);
                 rest.iter().for_each(|(_, part)| part.visit(visit));
             }
-            Kind::And(parts) | Kind::Or(parts) => parts.iter().for_each(|part| part.visit(visit)),
+            TermKind::And(parts) | TermKind::Or(parts) => {
+                parts.iter().for_each(|part| part.visit(visit))
+            }
         }
     }
 }
@@ -200,10 +202,10 @@ impl Formula {
         let mut names = BTreeMap::new();
         let mut counters = Vec::new();
         self.root.visit(&mut |term| match &term.kind {
-            Kind::Name(name) => {
+            TermKind::Name(name) => {
                 names.entry(name.as_str()).or_insert_with(|| term.span.clone());
             }
-            Kind::Series { counter, .. } => counters.push(counter.as_str()),
+            TermKind::Series { counter, .. } => counters.push(counter.as_str()),
             _ => {}
         });
         // A counter never has the name of something declared.

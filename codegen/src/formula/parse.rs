@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::token::{Spanned, Token, tokens};
-use super::{Comparison, Formula, Kind, LIMITS, SUM, Side, Term};
+use super::{Comparison, Formula, LIMITS, SUM, Side, Term, TermKind};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located};
 
 /// Reads a formula or a condition.
@@ -102,7 +102,7 @@ impl Parser<'_> {
         while self.accept_word("or") {
             parts.push(self.conjunction()?);
         }
-        Ok(self.chain(parts, Kind::Or))
+        Ok(self.chain(parts, TermKind::Or))
     }
 
     fn conjunction(&mut self) -> Parsed {
@@ -111,7 +111,7 @@ impl Parser<'_> {
         while self.accept_word("and") {
             parts.push(self.negation()?);
         }
-        Ok(self.chain(parts, Kind::And))
+        Ok(self.chain(parts, TermKind::And))
     }
 
     fn negation(&mut self) -> Parsed {
@@ -121,7 +121,7 @@ impl Parser<'_> {
         }
         let inner = self.deeper(Self::negation)?;
         let span = self.whole(start..inner.span.end);
-        Ok(Term { kind: Kind::Not(Box::new(inner)), span })
+        Ok(Term { kind: TermKind::Not(Box::new(inner)), span })
     }
 
     fn comparison(&mut self) -> Parsed {
@@ -142,7 +142,7 @@ impl Parser<'_> {
             return Ok(first);
         };
         let span = first.span.start..last.span.end;
-        Ok(Term { kind: Kind::Compare(Box::new(first), rest), span })
+        Ok(Term { kind: TermKind::Compare(Box::new(first), rest), span })
     }
 
     fn sum(&mut self) -> Parsed {
@@ -151,7 +151,7 @@ impl Parser<'_> {
             let side = match self.peek() {
                 Token::Sign("+") => Side::With,
                 Token::Sign("-") => Side::Against,
-                _ => return Ok(self.sided(parts, Kind::Sum)),
+                _ => return Ok(self.sided(parts, TermKind::Sum)),
             };
             self.advance();
             parts.push((side, self.product()?));
@@ -164,7 +164,7 @@ impl Parser<'_> {
             let side = match self.peek() {
                 Token::Sign("*") => Side::With,
                 Token::Sign("/") => Side::Against,
-                _ => return Ok(self.sided(parts, Kind::Product)),
+                _ => return Ok(self.sided(parts, TermKind::Product)),
             };
             self.advance();
             parts.push((side, self.unary()?));
@@ -181,7 +181,7 @@ impl Parser<'_> {
         }
         let inner = self.deeper(Self::unary)?;
         let span = self.whole(start..inner.span.end);
-        Ok(Term { kind: Kind::Negate(Box::new(inner)), span })
+        Ok(Term { kind: TermKind::Negate(Box::new(inner)), span })
     }
 
     fn power(&mut self) -> Parsed {
@@ -191,7 +191,7 @@ impl Parser<'_> {
         }
         let exponent = self.deeper(Self::unary)?;
         let span = self.whole(base.span.start..exponent.span.end);
-        Ok(Term { kind: Kind::Power(Box::new(base), Box::new(exponent)), span })
+        Ok(Term { kind: TermKind::Power(Box::new(base), Box::new(exponent)), span })
     }
 
     fn atom(&mut self) -> Parsed {
@@ -199,7 +199,7 @@ impl Parser<'_> {
         match self.peek().clone() {
             Token::Number(value) => {
                 self.advance();
-                Ok(Term { kind: Kind::Number(value), span })
+                Ok(Term { kind: TermKind::Number(value), span })
             }
             Token::Name(word) if matches!(word.as_str(), "and" | "or" | "not") => {
                 let message = format!("expected a number, a name or `(`, found `{word}`");
@@ -209,7 +209,7 @@ impl Parser<'_> {
                 self.advance();
                 match self.peek() {
                     Token::Sign("(") => self.deeper(|parser| parser.call(name, span)),
-                    _ => Ok(Term { kind: Kind::Name(name), span }),
+                    _ => Ok(Term { kind: TermKind::Name(name), span }),
                 }
             }
             Token::Sign("(") => self.deeper(Self::parenthesis),
@@ -257,7 +257,7 @@ impl Parser<'_> {
         if function == SUM {
             return self.series(span, arguments);
         }
-        Ok(Term { kind: Kind::Call { function, name, arguments }, span })
+        Ok(Term { kind: TermKind::Call { function, name, arguments }, span })
     }
 
     /// `sum(j, first, last, body)`
@@ -268,16 +268,17 @@ impl Parser<'_> {
             let message = format!("`{SUM}` takes 4 arguments, not {count}");
             return Err(Box::new(self.error(Code::BAD_CALL, span, message).help(help)));
         };
-        let Kind::Name(name) = counter.kind else {
+        let TermKind::Name(name) = counter.kind else {
             let message = "expected the name of a counter";
             return Err(Box::new(self.error(Code::SYNTAX, counter.span, message).help(help)));
         };
         let ends = Box::new([first, last]);
-        let kind = Kind::Series { counter: name, name: counter.span, ends, body: Box::new(body) };
+        let kind =
+            TermKind::Series { counter: name, name: counter.span, ends, body: Box::new(body) };
         Ok(Term { kind, span })
     }
 
-    fn chain(&self, mut parts: Vec<Term>, kind: fn(Vec<Term>) -> Kind) -> Term {
+    fn chain(&self, mut parts: Vec<Term>, kind: fn(Vec<Term>) -> TermKind) -> Term {
         if parts.len() == 1 {
             return parts.remove(0);
         }
@@ -285,7 +286,7 @@ impl Parser<'_> {
         Term { kind: kind(parts), span }
     }
 
-    fn sided(&self, mut parts: Vec<(Side, Term)>, kind: fn(Vec<(Side, Term)>) -> Kind) -> Term {
+    fn sided(&self, mut parts: Vec<(Side, Term)>, kind: fn(Vec<(Side, Term)>) -> TermKind) -> Term {
         if parts.len() == 1 {
             return parts.remove(0).1;
         }
@@ -389,7 +390,7 @@ mod tests {
     #[test]
     fn spans_are_bytes_of_the_text() {
         let formula = parse(&Located::alone("formula", "θ + sin(2*ξ)")).unwrap();
-        let Kind::Sum(parts) = &formula.root.kind else { panic!("a sum") };
+        let TermKind::Sum(parts) = &formula.root.kind else { panic!("a sum") };
         assert_eq!(parts[1].1.span, 5..14);
         let names: Vec<_> = formula.names().into_iter().collect();
         assert_eq!(names, [("theta", 0..2), ("xi", 11..13)]);
@@ -400,7 +401,7 @@ mod tests {
             ("1 + (a*b)^2", "(a*b)^2"),
         ] {
             let formula = parse(&Located::alone("formula", text)).unwrap();
-            let Kind::Sum(parts) = &formula.root.kind else { panic!("a sum") };
+            let TermKind::Sum(parts) = &formula.root.kind else { panic!("a sum") };
             assert_eq!(&text[parts[1].1.span.clone()], joined);
         }
     }

@@ -8,7 +8,7 @@ use crate::rational::Rational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::function::Builtin;
-use super::{Formula, Kind, Side, Term};
+use super::{Formula, Side, Term, TermKind};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::operation::Function;
 use crate::units::{Dimension, Exponent};
@@ -36,7 +36,7 @@ pub fn dimension(
     checker.errors.into_result(dimension)
 }
 
-/// How to mend terms that measure different things.
+/// How to fix terms that measure different things.
 const ALIKE: &str = "both must be alike: look for a missing factor or a wrong name";
 
 struct Checker<'f> {
@@ -59,12 +59,12 @@ impl Checker<'_> {
     /// The dimension of a term; `None` if it is open, or if something inside it is wrong.
     fn term(&mut self, term: &Term) -> Option<Dimension> {
         match &term.kind {
-            Kind::Number(_) => None,
-            Kind::Name(name) if self.counters.contains(name) => Some(Dimension::NUMBER),
-            Kind::Name(name) => self.names.get(name).map(|m| m.dimension.without_angle()),
-            Kind::Negate(inner) => self.term(inner),
-            Kind::Sum(parts) => self.alike(parts.iter().map(|(_, part)| part), "added to"),
-            Kind::Product(parts) => {
+            TermKind::Number(_) => None,
+            TermKind::Name(name) if self.counters.contains(name) => Some(Dimension::NUMBER),
+            TermKind::Name(name) => self.names.get(name).map(|m| m.dimension.without_angle()),
+            TermKind::Negate(inner) => self.term(inner),
+            TermKind::Sum(parts) => self.alike(parts.iter().map(|(_, part)| part), "added to"),
+            TermKind::Product(parts) => {
                 let dimensions: Vec<_> = parts.iter().map(|(_, part)| self.term(part)).collect();
                 let mut product = Dimension::NUMBER;
                 for ((side, _), dimension) in parts.iter().zip(dimensions) {
@@ -76,27 +76,27 @@ impl Checker<'_> {
                 }
                 Some(product)
             }
-            Kind::Power(base, exponent) => self.power(term, base, exponent),
-            Kind::Call { function, arguments, .. } => self.call(term, function, arguments),
-            Kind::Series { counter, ends, body, .. } => {
+            TermKind::Power(base, exponent) => self.power(term, base, exponent),
+            TermKind::Call { function, arguments, .. } => self.call(term, function, arguments),
+            TermKind::Series { counter, ends, body, .. } => {
                 ends.iter().for_each(|end| self.pure(end, "a bound of a sum"));
                 self.counters.push(counter.clone());
                 let body = self.term(body);
                 self.counters.pop();
                 body
             }
-            Kind::Compare(first, rest) => {
+            TermKind::Compare(first, rest) => {
                 let parts = std::iter::once(&**first).chain(rest.iter().map(|(_, part)| part));
                 self.alike(parts, "compared with");
                 None
             }
-            Kind::And(parts) | Kind::Or(parts) => {
+            TermKind::And(parts) | TermKind::Or(parts) => {
                 parts.iter().for_each(|part| {
                     self.term(part);
                 });
                 None
             }
-            Kind::Not(inner) => {
+            TermKind::Not(inner) => {
                 self.term(inner);
                 None
             }
@@ -170,10 +170,10 @@ impl Checker<'_> {
     /// The exact value of a term made of small numbers and constants.
     fn constant(&self, term: &Term) -> Option<Rational> {
         match &term.kind {
-            Kind::Number(value) => Some(value.clone()),
-            Kind::Name(name) => self.names.get(name)?.value.clone(),
-            Kind::Negate(inner) => Some(-self.constant(inner)?),
-            Kind::Sum(parts) => {
+            TermKind::Number(value) => Some(value.clone()),
+            TermKind::Name(name) => self.names.get(name)?.value.clone(),
+            TermKind::Negate(inner) => Some(-self.constant(inner)?),
+            TermKind::Sum(parts) => {
                 let mut sum = Rational::zero();
                 for (side, part) in parts {
                     match side {
@@ -183,7 +183,7 @@ impl Checker<'_> {
                 }
                 Some(sum)
             }
-            Kind::Product(parts) => {
+            TermKind::Product(parts) => {
                 let mut product = Rational::one();
                 for (side, part) in parts {
                     let factor = self.constant(part)?;
@@ -195,13 +195,13 @@ impl Checker<'_> {
                 }
                 Some(product)
             }
-            Kind::Power(..)
-            | Kind::Call { .. }
-            | Kind::Series { .. }
-            | Kind::Compare(..)
-            | Kind::And(_)
-            | Kind::Or(_)
-            | Kind::Not(_) => None,
+            TermKind::Power(..)
+            | TermKind::Call { .. }
+            | TermKind::Series { .. }
+            | TermKind::Compare(..)
+            | TermKind::And(_)
+            | TermKind::Or(_)
+            | TermKind::Not(_) => None,
         }
     }
 

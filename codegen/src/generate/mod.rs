@@ -42,7 +42,7 @@ pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
     let specs = Specs::read(files)?;
     let mut errors = Diagnostics::new();
     let forms = gather(specs.forms.iter().map(Forms::new), &mut errors);
-    // What is wrong with a form is not told again by every element.
+    // What is wrong with a form is not reported again by every element.
     let elements = if errors.is_empty() { &specs.elements[..] } else { &[] };
     let tasks = (0..elements.len()).map(|k| Task::Element(&elements[k], &elements[..k]));
     let tasks = tasks.chain(specs.laws.iter().map(Task::Law));
@@ -52,11 +52,11 @@ pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
     let mut kernels = kernels.into_iter();
     let mut kind = |module, entry, count: usize| {
         let kernels = gather(kernels.by_ref().take(count), &mut errors);
-        Kind { module, entry, kernels }
+        SpecKind { module, entry, kernels }
     };
     let written = forms.into_iter().map(|forms| forms.written).collect();
     let kinds = [
-        Kind { module: "forms", entry: "Origin", kernels: written },
+        SpecKind { module: "forms", entry: "Origin", kernels: written },
         kind("elements", "Element", elements.len()),
         kind("laws", "Law", specs.laws.len()),
         kind("motions", "Motion", specs.motions.len()),
@@ -120,7 +120,7 @@ impl From<Kernel> for Written {
 }
 
 /// All kernels of one kind of spec.
-struct Kind {
+struct SpecKind {
     /// Name of the module and, in capitals, of the registry.
     module: &'static str,
     /// Type of an entry of the registry.

@@ -24,7 +24,7 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
         beside: Vec::new(),
     };
     let (name, functions) = (identifier(&spec.name), &emitted.functions);
-    let words = Literal::usize_unsuffixed(emitted.words);
+    let products = Literal::usize_unsuffixed(emitted.products);
     let origin = about.origin(functions);
     let heading = documented(&about.heading());
     let tensors = spec.tensors.iter().map(tensor);
@@ -42,7 +42,7 @@ pub(super) fn kernel(spec: &MotionSpec) -> Result<Kernel, Diagnostics> {
 
             /// Length of the workspace of every kernel, for n flexible coordinates.
             pub fn workspace(n: usize) -> usize {
-                #words * n
+                #products * n
             }
             #functions
             #(#wide)*

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::Kind;
+use super::SpecKind;
 use crate::diagnostic::Source;
 use crate::emit::{formatted, identifier};
 
@@ -20,12 +20,15 @@ pub struct GeneratedFile {
 
 /// One file a kind, and `kernels.rs`, which includes them and holds the registries and the tables of laws.
 pub(super) fn files<'t>(
-    kinds: &[Kind],
+    kinds: &[SpecKind],
     tables: impl Iterator<Item = &'t Source>,
 ) -> Vec<GeneratedFile> {
-    let text_of = |kind: &Kind| kind.kernels.iter().map(|kernel| kernel.text.as_str()).collect();
-    let file_of =
-        |kind: &Kind| GeneratedFile { name: format!("{}.rs", kind.module), text: text_of(kind) };
+    let text_of =
+        |kind: &SpecKind| kind.kernels.iter().map(|kernel| kernel.text.as_str()).collect();
+    let file_of = |kind: &SpecKind| GeneratedFile {
+        name: format!("{}.rs", kind.module),
+        text: text_of(kind),
+    };
     let mut files: Vec<GeneratedFile> = kinds.iter().map(file_of).collect();
     let mut registries: TokenStream = kinds.iter().map(registry).collect();
     let tables: BTreeMap<String, &str> =
@@ -39,7 +42,7 @@ pub(super) fn files<'t>(
     files
 }
 
-fn registry(kind: &Kind) -> TokenStream {
+fn registry(kind: &SpecKind) -> TokenStream {
     let module = format_ident!("{}", kind.module);
     let file = format!("/{}.rs", kind.module);
     let registry = format_ident!("{}", kind.module.to_uppercase());

@@ -32,7 +32,7 @@ use std::sync::Arc;
 use num_traits::One;
 
 use crate::diagnostic::{Code, Diagnostics, Located, Source};
-use crate::element::demand::Part;
+use crate::element::demand::BasisPart;
 use crate::expression::{Graph, Id, Rational, Shape};
 use crate::form::{Bilinear, Names, Structure, expand, structure};
 use crate::formula::{self, Meaning, dimension, lower, parse};
@@ -102,8 +102,8 @@ pub struct Form {
 
 impl Form {
     /// The parts of test and trial function that are multiplied.
-    pub fn products(&self) -> BTreeSet<(Part, Part)> {
-        let part = |place: usize| if place == 0 { Part::Value } else { Part::Gradient };
+    pub fn products(&self) -> BTreeSet<(BasisPart, BasisPart)> {
+        let part = |place: usize| if place == 0 { BasisPart::Value } else { BasisPart::Gradient };
         self.bilinear.keys().map(|place| (part(place.test), part(place.trial))).collect()
     }
 }

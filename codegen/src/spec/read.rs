@@ -30,7 +30,7 @@ pub struct Table<'d> {
     /// Keys that lead here, such as `outputs.Q`; empty for the file itself.
     place: String,
     asked: RefCell<Vec<String>>,
-    /// Keys that must be there and are not. Told at the end: where one was misspelt, it is not missing.
+    /// Keys that must be there and are not. Reported at the end: where one was misspelt, it is not missing.
     missing: RefCell<Vec<(Vec<String>, Diagnostic)>>,
 }
 
@@ -124,12 +124,12 @@ impl<'d> Table<'d> {
         if !self.has(key)
             && let Some(shape) = self.declared(key, |_| true)
         {
-            self.missing(key, &self.mend(key, shape));
+            self.missing(key, &self.fix(key, shape));
         }
     }
 
     /// How to write a key that is not there.
-    fn mend(&self, key: &str, shape: &Shape) -> String {
+    fn fix(&self, key: &str, shape: &Shape) -> String {
         match shape {
             Shape::Words(_) | Shape::Registered(_) => {
                 format!("write `{key} = \"{}\"`", shape.words().first().copied().unwrap_or("…"))
@@ -147,7 +147,7 @@ impl<'d> Table<'d> {
             Shape::Flag => format!("write `{key} = true`"),
             Shape::List(_) | Shape::Tuple(..) => format!("write `{key} = [ … ]`"),
             Shape::Either(shapes) => match shapes.first() {
-                Some(shape) => self.mend(key, shape),
+                Some(shape) => self.fix(key, shape),
                 None => String::new(),
             },
             Shape::Table(_) | Shape::Named(_) | Shape::Known(..) => {
@@ -346,7 +346,7 @@ impl Drop for Table<'_> {
     }
 }
 
-/// How to mend a name that has other letters than those that are `fine`.
+/// How to fix a name that has other letters than those that are `fine`.
 pub(super) fn plain_name(name: &str, fine: impl Fn(char) -> bool) -> String {
     let plain: String = name.chars().map(|c| if fine(c) { c } else { '-' }).collect();
     let joined: Vec<&str> = plain.split('-').filter(|part| !part.is_empty()).collect();

@@ -22,7 +22,7 @@ pub struct UnitError {
     pub span: Range<usize>,
     /// What is wrong.
     pub message: String,
-    /// How to mend it.
+    /// How to fix it.
     pub help: Option<String>,
     /// [`Code::UNKNOWN_UNIT`], [`Code::WRONG_UNIT`] or [`Code::BAD_VALUE`].
     pub code: Code,

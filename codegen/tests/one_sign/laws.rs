@@ -153,7 +153,7 @@ fn mutate(law: &LawSpec) -> Tally {
                 let flipped: Vec<Vec<f64>> =
                     points.iter().map(|point| run(&program, point, Some(flip))).collect();
                 let instruction = &program.instructions[flip.place];
-                let told = || {
+                let report = || {
                     let operation = instruction.operation;
                     format!(
                         "{name}, operand {} of {} = {operation:?}",
@@ -161,13 +161,13 @@ fn mutate(law: &LawSpec) -> Tally {
                     )
                 };
                 if flipped.iter().zip(&plain).all(|(a, b)| near(a[place], b[place])) {
-                    tally.without_effect.push(told());
+                    tally.without_effect.push(report());
                 } else if !by_differences(&flipped) {
                     tally.caught += 1;
                 } else if !by_duals(&flipped) {
                     tally.by_duals += 1;
                 } else {
-                    tally.missed.push(told());
+                    tally.missed.push(report());
                 }
             }
         }

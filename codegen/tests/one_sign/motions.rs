@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use whirl_codegen::diagnostic::{Located, Source};
-use whirl_codegen::emit::motion::{Form, Group, Kind, Planned, planned};
+use whirl_codegen::emit::motion::{Combination, Group, Planned, ResultKind, planned};
 use whirl_codegen::expression::{Id, Node, Shape, Symbol, Symmetry};
 use whirl_codegen::formula::{Formula, Value, evaluate, parse};
 use whirl_codegen::operation::Operand;
@@ -210,7 +210,7 @@ fn slope(rows: &dyn Fn(&State) -> Rows, state: &State, place: usize, along: &[f6
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Flip {
     /// Of a matrix–vector product.
-    Word(usize),
+    Product(usize),
     /// Of a dot product.
     Dot(usize),
     /// In the scalars.
@@ -222,15 +222,15 @@ enum Flip {
 fn all_flips(Planned { plan, .. }: &Planned) -> Vec<Flip> {
     let terms = |groups: &[Group<Operand>]| groups.iter().map(|group| group.terms.len()).sum();
     let counts = plan.outputs.iter().map(|form| match form {
-        Form::Scalar(_) => 1,
-        Form::Vector(groups) => terms(groups),
-        Form::Matrix { stored, identity, outer } => {
+        Combination::Scalar(_) => 1,
+        Combination::Vector(groups) => terms(groups),
+        Combination::Matrix { stored, identity, outer } => {
             let outer: usize = outer.iter().map(|(_, groups)| terms(groups)).sum();
             terms(stored) + usize::from(identity.is_some()) + outer
         }
     });
     let places: Vec<usize> = (0..plan.scalars.outputs.len()).collect();
-    let mut flips: Vec<Flip> = (0..plan.words.len()).map(Flip::Word).collect();
+    let mut flips: Vec<Flip> = (0..plan.products.len()).map(Flip::Product).collect();
     flips.extend((0..plan.dots.len()).map(Flip::Dot));
     flips.extend(flips_of(&plan.scalars, &places).into_iter().map(Flip::Scalar));
     flips.extend((0..counts.sum()).map(Flip::Term));
@@ -242,7 +242,7 @@ struct Run<'a> {
     kernel: &'a Planned,
     names: &'a BTreeMap<String, Value<f64>>,
     flip: Option<Flip>,
-    words: BTreeMap<Id, Vec<f64>>,
+    products: BTreeMap<Id, Vec<f64>>,
     /// Values of the scalar outputs.
     scalars: Vec<f64>,
     /// Terms met so far.
@@ -256,15 +256,15 @@ impl<'a> Run<'a> {
         flip: Option<Flip>,
     ) -> Self {
         let plan = &kernel.plan;
-        let (words, scalars) = (BTreeMap::new(), Vec::new());
-        let mut run = Run { kernel, names, flip, words, scalars, terms: 0 };
-        for (place, word) in plan.words.iter().enumerate() {
-            let matrix = run.matrix(word.matrix);
-            let matrix = if word.transposed { transposed(&matrix) } else { matrix };
-            let sign = run.sign(Flip::Word(place));
-            let x = run.vector(word.of);
-            let product = matrix.iter().map(|row| sign * dot(row, &x)).collect();
-            run.words.insert(word.id, product);
+        let (products, scalars) = (BTreeMap::new(), Vec::new());
+        let mut run = Run { kernel, names, flip, products, scalars, terms: 0 };
+        for (place, product) in plan.products.iter().enumerate() {
+            let matrix = run.matrix(product.matrix);
+            let matrix = if product.transposed { transposed(&matrix) } else { matrix };
+            let sign = run.sign(Flip::Product(place));
+            let x = run.vector(product.of);
+            let value = matrix.iter().map(|row| sign * dot(row, &x)).collect();
+            run.products.insert(product.id, value);
         }
         let mut known: BTreeMap<&str, f64> =
             BTreeMap::from([("a1_", NEWMARK[0]), ("a2_", NEWMARK[1])]);
@@ -315,8 +315,8 @@ impl<'a> Run<'a> {
     }
 
     fn vector(&self, id: Id) -> Vec<f64> {
-        if let Some(word) = self.words.get(&id) {
-            return word.clone();
+        if let Some(product) = self.products.get(&id) {
+            return product.clone();
         }
         let Value::Vector(entries) = self.symbol(id) else { panic!("no vector") };
         entries.clone()
@@ -341,8 +341,8 @@ impl<'a> Run<'a> {
         sum
     }
 
-    fn block(&mut self, form: &Form<Operand>) -> Vec<Vec<f64>> {
-        let Form::Matrix { stored, identity, outer } = form else { panic!("no matrix") };
+    fn block(&mut self, form: &Combination<Operand>) -> Vec<Vec<f64>> {
+        let Combination::Matrix { stored, identity, outer } = form else { panic!("no matrix") };
         let mut sum = vec![vec![0.0; N]; N];
         let mut add = |factor: f64, entry: &dyn Fn(usize, usize) -> f64| {
             for (i, row) in sum.iter_mut().enumerate() {
@@ -370,21 +370,21 @@ impl<'a> Run<'a> {
     /// The outputs, flat; matrices by rows.
     fn outputs(mut self) -> Rows {
         let outputs = &self.kernel.plan.outputs;
-        let number = |run: &mut Self, form: &Form<Operand>| {
-            let Form::Scalar(value) = form else { panic!("no number") };
+        let number = |run: &mut Self, form: &Combination<Operand>| {
+            let Combination::Scalar(value) = form else { panic!("no number") };
             run.next() * run.scalar(*value)
         };
-        let vector = |run: &mut Self, form: &Form<Operand>| {
-            let Form::Vector(groups) = form else { panic!("no vector") };
+        let vector = |run: &mut Self, form: &Combination<Operand>| {
+            let Combination::Vector(groups) = form else { panic!("no vector") };
             run.combination(groups)
         };
         match (self.kernel.kind(), outputs.as_slice()) {
-            (Kind::Value, [value]) => vec![number(&mut self, value)],
-            (Kind::Rows, [first, rest]) => {
+            (ResultKind::Value, [value]) => vec![number(&mut self, value)],
+            (ResultKind::Rows, [first, rest]) => {
                 let first = number(&mut self, first);
                 [vec![first], vector(&mut self, rest)].concat()
             }
-            (Kind::Blocks, [corner, row, column, block]) => {
+            (ResultKind::Blocks, [corner, row, column, block]) => {
                 let corner = number(&mut self, corner);
                 let (row, column) = (vector(&mut self, row), vector(&mut self, column));
                 let block = self.block(block);

@@ -1,5 +1,5 @@
-//! Linear combinations: what a kernel writes, as coefficients times words, stored matrices and outer
-//! products of words.
+//! Linear combinations: what a kernel writes, as coefficients times matrix–vector products, stored matrices and outer
+//! products of vectors.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::expression::{Graph, Id, Node, Rational, Shape};
 
 /// An output of a kernel, with coefficients of a type `C`.
 #[derive(Debug)]
-pub enum Form<C> {
+pub enum Combination<C> {
     /// One number.
     Scalar(C),
     /// Σ coefficient · vectors.
@@ -39,17 +39,17 @@ pub struct Group<C> {
 pub struct Term {
     /// Whether it is subtracted.
     pub negative: bool,
-    /// A vector symbol or a word; a stored matrix, or its transpose.
+    /// A vector symbol or a product; a stored matrix, or its transpose.
     pub id: Id,
 }
 
-impl<C> Form<C> {
+impl<C> Combination<C> {
     /// The same form with other coefficients; `change` sees the first term of each group, if any.
-    pub(super) fn map<D>(self, mut change: impl FnMut(C, Option<Id>) -> D) -> Form<D> {
+    pub(super) fn map<D>(self, mut change: impl FnMut(C, Option<Id>) -> D) -> Combination<D> {
         match self {
-            Form::Scalar(scalar) => Form::Scalar(change(scalar, None)),
-            Form::Vector(groups) => Form::Vector(groups_map(groups, &mut change)),
-            Form::Matrix { stored, identity, outer } => Form::Matrix {
+            Combination::Scalar(scalar) => Combination::Scalar(change(scalar, None)),
+            Combination::Vector(groups) => Combination::Vector(groups_map(groups, &mut change)),
+            Combination::Matrix { stored, identity, outer } => Combination::Matrix {
                 stored: groups_map(stored, &mut change),
                 identity: identity.map(|coefficient| change(coefficient, None)),
                 outer: (outer.into_iter())
@@ -65,9 +65,9 @@ impl<C> Form<C> {
             groups.iter().flat_map(|group| group.terms.iter().map(|term| term.id)).collect()
         };
         match self {
-            Form::Scalar(_) => Vec::new(),
-            Form::Vector(groups) => of(groups),
-            Form::Matrix { outer, .. } => (outer.iter())
+            Combination::Scalar(_) => Vec::new(),
+            Combination::Vector(groups) => of(groups),
+            Combination::Matrix { outer, .. } => (outer.iter())
                 .flat_map(|(left, groups)| std::iter::once(*left).chain(of(groups)))
                 .collect(),
         }
@@ -76,7 +76,7 @@ impl<C> Form<C> {
     /// Every stored matrix that it combines.
     pub(super) fn matrices(&self) -> Vec<Id> {
         match self {
-            Form::Matrix { stored, .. } => {
+            Combination::Matrix { stored, .. } => {
                 stored.iter().flat_map(|group| group.terms.iter().map(|term| term.id)).collect()
             }
             _ => Vec::new(),
@@ -96,11 +96,11 @@ fn groups_map<C, D>(
 }
 
 /// The expanded expression as a form.
-pub(super) fn form(graph: &mut Graph, expanded: Id) -> Form<Id> {
+pub(super) fn form(graph: &mut Graph, expanded: Id) -> Combination<Id> {
     match graph.shape(expanded) {
         Shape::Vector => {
             let combined = combined(graph, expanded);
-            Form::Vector(groups(graph, combined))
+            Combination::Vector(groups(graph, combined))
         }
         Shape::Matrix => {
             let (mut stored, mut identity) = (BTreeMap::new(), None);
@@ -118,9 +118,9 @@ pub(super) fn form(graph: &mut Graph, expanded: Id) -> Form<Id> {
             }
             let stored = groups(graph, stored);
             let outer = outer.into_iter().map(|(left, row)| (left, groups(graph, row))).collect();
-            Form::Matrix { stored, identity, outer }
+            Combination::Matrix { stored, identity, outer }
         }
-        Shape::Scalar | Shape::Truth => Form::Scalar(expanded),
+        Shape::Scalar | Shape::Truth => Combination::Scalar(expanded),
     }
 }
 

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::kernel::{Kind, Writer};
+use super::kernel::{ResultKind, Writer};
 use super::plan::{Asked, Plan, plan};
 use crate::emit::documented;
 use crate::expression::{Graph, Id, Rational, display};
@@ -21,7 +21,7 @@ const BLOCKS: [&str; 4] = ["corner", "row", "column", "block"];
 struct Kernel {
     name: &'static str,
     title: &'static str,
-    kind: Kind,
+    kind: ResultKind,
     /// Outputs in the order of their kind.
     expressions: Vec<Id>,
     /// Whether it takes a1 and a2.
@@ -34,7 +34,7 @@ pub struct MotionFunctions {
     /// The functions, each with its documentation.
     pub functions: TokenStream,
     /// The most matrix–vector products in one of them: vectors of workspace.
-    pub words: usize,
+    pub products: usize,
 }
 
 /// A kernel of a motion before it is written.
@@ -54,7 +54,7 @@ impl Planned {
     }
 
     /// What its outputs are.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> ResultKind {
         self.kernel.kind
     }
 }
@@ -77,19 +77,19 @@ pub fn planned(spec: &MotionSpec) -> Result<Vec<Planned>, ScheduleError> {
 /// Writes the kernels of a motion.
 ///
 /// # Errors
-/// Terms that cannot be written as loops over words.
+/// Terms that cannot be written as loops over matrix–vector products.
 pub fn motion(spec: &MotionSpec) -> Result<MotionFunctions, ScheduleError> {
     let planned = planned(spec)?;
-    let words = planned.iter().map(|planned| planned.plan.words.len()).max().unwrap_or(0);
+    let products = planned.iter().map(|planned| planned.plan.products.len()).max().unwrap_or(0);
     let functions = planned.iter().map(|planned| function(spec, planned));
-    Ok(MotionFunctions { functions: functions.collect(), words })
+    Ok(MotionFunctions { functions: functions.collect(), products })
 }
 
 fn asked(kernel: &Kernel) -> Vec<Asked> {
     let names: &[&'static str] = match kernel.kind {
-        Kind::Value => &["value"],
-        Kind::Rows => &ROWS,
-        Kind::Blocks => &BLOCKS,
+        ResultKind::Value => &["value"],
+        ResultKind::Rows => &ROWS,
+        ResultKind::Blocks => &BLOCKS,
     };
     let outputs = names.iter().zip(&kernel.expressions);
     outputs.map(|(name, expression)| Asked { name, expression: *expression }).collect()
@@ -120,14 +120,14 @@ fn kernels(spec: &MotionSpec, graph: &mut Graph) -> Vec<Kernel> {
     let rows = |name, title, expressions: &[Id]| Kernel {
         name,
         title,
-        kind: Kind::Rows,
+        kind: ResultKind::Rows,
         expressions: expressions.to_vec(),
         newmark: false,
     };
     let blocks = |name, title, expressions| Kernel {
         name,
         title,
-        kind: Kind::Blocks,
+        kind: ResultKind::Blocks,
         expressions,
         newmark: false,
     };
@@ -135,7 +135,7 @@ fn kernels(spec: &MotionSpec, graph: &mut Graph) -> Vec<Kernel> {
     kernels.extend(equations.kinetic_energy.map(|energy| Kernel {
         name: "kinetic_energy",
         title: "Kinetic energy T (J).",
-        kind: Kind::Value,
+        kind: ResultKind::Value,
         expressions: vec![energy],
         newmark: false,
     }));
@@ -152,7 +152,7 @@ fn kernels(spec: &MotionSpec, graph: &mut Graph) -> Vec<Kernel> {
         Kernel {
             name: "tangent",
             title: "a2·M + PF − a1·P − B, the motion's part of eq. (46).",
-            kind: Kind::Blocks,
+            kind: ResultKind::Blocks,
             expressions: tangent,
             newmark: true,
         },
@@ -167,7 +167,7 @@ fn function(spec: &MotionSpec, Planned { kernel, plan, graph }: &Planned) -> Tok
     let body = writer.body(kernel.kind);
     let tensors = if writer.takes_tensors() { "tensors_" } else { "_tensors_" };
     let tensors = format_ident!("{tensors}");
-    let workspace = if plan.words.is_empty() { "_workspace_" } else { "workspace_" };
+    let workspace = if plan.products.is_empty() { "_workspace_" } else { "workspace_" };
     let workspace = format_ident!("{workspace}");
     let newmark = kernel.newmark.then(|| quote!(a1_: f64, a2_: f64,));
     let lanes = kernel.newmark.then(|| {
@@ -177,7 +177,7 @@ fn function(spec: &MotionSpec, Planned { kernel, plan, graph }: &Planned) -> Tok
         }
     });
     let (out, result) = match kernel.kind {
-        Kind::Value => (quote!(), quote!(-> L)),
+        ResultKind::Value => (quote!(), quote!(-> L)),
         _ => (quote!(out_: &mut [L]), quote!()),
     };
     quote! {
@@ -202,20 +202,20 @@ fn header(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &Plan) -> Str
     let names: Vec<&str> = spec.coordinates.iter().map(|c| c.name.as_str()).collect();
     for (place, expression) in kernel.expressions.iter().enumerate() {
         let place = match kernel.kind {
-            Kind::Value => "T".to_owned(),
-            Kind::Rows => names[place].to_owned(),
-            Kind::Blocks => {
+            ResultKind::Value => "T".to_owned(),
+            ResultKind::Rows => names[place].to_owned(),
+            ResultKind::Blocks => {
                 format!("{}.{}", names[place / names.len()], names[place % names.len()])
             }
         };
         text.push_str(&format!("{place} = {}\n", display(graph, *expression)));
     }
     text.push_str("```\n\n");
-    let words: Vec<&str> = plan.words.iter().map(|word| plan.name(word.id)).collect();
-    let products = match words.len() {
+    let products: Vec<&str> = plan.products.iter().map(|product| plan.name(product.id)).collect();
+    let products = match products.len() {
         0 => "No matrix–vector product".to_owned(),
-        1 => format!("One matrix–vector product ({})", words[0]),
-        count => format!("{count} matrix–vector products ({})", words.join(", ")),
+        1 => format!("One matrix–vector product ({})", products[0]),
+        count => format!("{count} matrix–vector products ({})", products.join(", ")),
     };
     let combined: usize = plan.outputs.iter().map(|form| form.matrices().len()).sum();
     let matrices = match combined {

@@ -1,4 +1,4 @@
-//! One kernel as Rust: what it needs is read, words are computed in one pass over the columns of the
+//! One kernel as Rust: what it needs is read, matrix–vector products are computed in one pass over the columns of the
 //! matrices, then dot products, scalars and the outputs.
 
 use std::collections::BTreeSet;
@@ -7,8 +7,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::combination::{Text, combination, entry};
-use super::form::{Form, Group};
-use super::plan::{AFTER, BEFORE, Plan, Word};
+use super::form::{Combination, Group};
+use super::plan::{AFTER, BEFORE, MatrixProduct, Plan};
 use crate::emit::{Numbers, identifier, operand, statements};
 use crate::expression::{Graph, Id, Node, Shape};
 use crate::operation::Operand;
@@ -16,7 +16,7 @@ use crate::spec::motion::MotionSpec;
 
 /// What the outputs of a kernel are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ResultKind {
     /// One scalar.
     Value,
     /// 1 + n values: a scalar and a vector.
@@ -34,17 +34,17 @@ pub(super) struct Writer<'a> {
 
 impl Writer<'_> {
     /// The statements that compute the outputs.
-    pub(super) fn body(&self, result: Kind) -> TokenStream {
+    pub(super) fn body(&self, result: ResultKind) -> TokenStream {
         let symbols = self.symbols();
         let before = statements(&self.plan.scalars, BEFORE, Numbers::Lanes);
         let after = statements(&self.plan.scalars, AFTER, Numbers::Lanes);
         let split = match result {
-            Kind::Blocks => quote! {
+            ResultKind::Blocks => quote! {
                 let out_ = &mut out_[..(n_ + 1) * (n_ + 1)];
                 let (first_, columns_) = out_.split_at_mut(n_ + 1);
             },
-            Kind::Rows => quote!(let out_ = &mut out_[..n_ + 1];),
-            Kind::Value => quote!(),
+            ResultKind::Rows => quote!(let out_ = &mut out_[..n_ + 1];),
+            ResultKind::Value => quote!(),
         };
         let passes = self.passes(result);
         let dots = self.dots();
@@ -100,7 +100,7 @@ impl Writer<'_> {
     /// Symbols that the plan uses.
     fn used(&self) -> BTreeSet<Id> {
         let plan = self.plan;
-        let mut roots: Vec<Id> = plan.words.iter().map(|word| word.id).collect();
+        let mut roots: Vec<Id> = plan.products.iter().map(|product| product.id).collect();
         roots.extend(plan.dots.iter().flat_map(|dot| [dot.a, dot.b]));
         for form in &plan.outputs {
             roots.extend(form.vectors());
@@ -119,26 +119,27 @@ impl Writer<'_> {
         used
     }
 
-    /// The words, level by level; the first level in one pass with the matrix, where that is possible.
-    fn passes(&self, result: Kind) -> TokenStream {
+    /// The matrix–vector products, level by level; the first level in one pass with the matrix, where that is possible.
+    fn passes(&self, result: ResultKind) -> TokenStream {
         let plan = self.plan;
         let fused = plan.outputs.iter().find(|form| plan.fuses(form));
-        let levels = plan.words.iter().map(|word| word.level).max().unwrap_or(0);
+        let levels = plan.products.iter().map(|product| product.level).max().unwrap_or(0);
         let mut text = quote!();
-        for (place, word) in plan.words.iter().enumerate() {
-            let name = self.ident(word.id);
-            let rest = if place + 1 < plan.words.len() { quote!(workspace_) } else { quote!(_) };
+        for (place, product) in plan.products.iter().enumerate() {
+            let name = self.ident(product.id);
+            let rest = if place + 1 < plan.products.len() { quote!(workspace_) } else { quote!(_) };
             text.extend(quote!(let (#name, #rest) = workspace_.split_at_mut(n_);));
         }
-        for word in plan.words.iter().filter(|word| !word.transposed) {
-            let name = self.ident(word.id);
+        for product in plan.products.iter().filter(|product| !product.transposed) {
+            let name = self.ident(product.id);
             text.extend(quote!(#name.fill(L::splat(0.0));));
         }
         for level in 1..=levels {
-            let words: Vec<&Word> = plan.words.iter().filter(|word| word.level == level).collect();
-            text.extend(self.pass(&words, if level == 1 { fused } else { None }));
+            let products: Vec<&MatrixProduct> =
+                plan.products.iter().filter(|product| product.level == level).collect();
+            text.extend(self.pass(&products, if level == 1 { fused } else { None }));
         }
-        if let (0, Some(form), Kind::Blocks) = (levels, fused, result) {
+        if let (0, Some(form), ResultKind::Blocks) = (levels, fused, result) {
             let block = self.block(form);
             text.extend(quote!(for j_ in 0..n_ { #block }));
         }
@@ -146,30 +147,34 @@ impl Writer<'_> {
     }
 
     /// One pass over the columns, four at a time.
-    fn pass(&self, words: &[&Word], fused: Option<&Form<Operand>>) -> TokenStream {
+    fn pass(
+        &self,
+        products: &[&MatrixProduct],
+        fused: Option<&Combination<Operand>>,
+    ) -> TokenStream {
         let mut matrices: Vec<Id> =
-            words.iter().filter(|w| !w.transposed).map(|w| w.matrix).collect();
+            products.iter().filter(|w| !w.transposed).map(|w| w.matrix).collect();
         matrices.sort_unstable();
         matrices.dedup();
         let columns = matrices.iter().map(|matrix| {
             let (name, slice) = (self.ident(*matrix), self.columns_of(*matrix));
             quote!(let #slice = &#name[start_ * n_..end_ * n_];)
         });
-        let products = words.iter().map(|word| {
-            let name = self.ident(word.id);
-            if word.transposed {
-                let x = self.ident(word.of);
-                let matrix = self.ident(word.matrix);
-                let dot = if self.is_lane(word.of) {
+        let products = products.iter().map(|product| {
+            let name = self.ident(product.id);
+            if product.transposed {
+                let x = self.ident(product.of);
+                let matrix = self.ident(product.matrix);
+                let dot = if self.is_lane(product.of) {
                     quote!(vector::dot_numbers(#x, &#matrix[j_ * n_..][..n_]))
                 } else {
                     quote!(L::splat(vector::dot(#x, &#matrix[j_ * n_..][..n_])))
                 };
                 quote!(for j_ in start_..end_ { #name[j_] = #dot; })
             } else {
-                let slice = self.columns_of(word.matrix);
-                let x = self.ident(word.of);
-                let x = match self.is_lane(word.of) {
+                let slice = self.columns_of(product.matrix);
+                let x = self.ident(product.of);
+                let x = match self.is_lane(product.of) {
                     true => quote!(&#x[start_..end_]),
                     false => quote!(&vector::lanes(&#x[start_..end_])[..end_ - start_]),
                 };
@@ -191,8 +196,8 @@ impl Writer<'_> {
     }
 
     /// Rows 1 … n of column j of the matrix.
-    fn block(&self, form: &Form<Operand>) -> TokenStream {
-        let Form::Matrix { stored, identity, outer } = form else { return quote!() };
+    fn block(&self, form: &Combination<Operand>) -> TokenStream {
+        let Combination::Matrix { stored, identity, outer } = form else { return quote!() };
         let plan = self.plan;
         let i = quote!(i_);
         let mut bound = Vec::new();
@@ -257,17 +262,22 @@ impl Writer<'_> {
         quote!(#(#lines)*)
     }
 
-    fn outputs(&self, result: Kind) -> TokenStream {
+    fn outputs(&self, result: ResultKind) -> TokenStream {
         match (result, self.plan.outputs.as_slice()) {
-            (Kind::Value, [Form::Scalar(value)]) => self.scalar(*value),
-            (Kind::Rows, [Form::Scalar(value), Form::Vector(groups)]) => {
+            (ResultKind::Value, [Combination::Scalar(value)]) => self.scalar(*value),
+            (ResultKind::Rows, [Combination::Scalar(value), Combination::Vector(groups)]) => {
                 let value = self.scalar(*value);
                 let entries = self.filled(quote!(out_[1..]), groups);
                 quote!(out_[0] = #value; #entries)
             }
             (
-                Kind::Blocks,
-                [Form::Scalar(corner), Form::Vector(row), Form::Vector(column), block],
+                ResultKind::Blocks,
+                [
+                    Combination::Scalar(corner),
+                    Combination::Vector(row),
+                    Combination::Vector(column),
+                    block,
+                ],
             ) => {
                 let corner = self.scalar(*corner);
                 let column = self.filled(quote!(first_[1..]), column);

@@ -1,11 +1,11 @@
-//! What a kernel over vectors and matrices computes, in order: words (matrix–vector products), dot
-//! products, scalars, and outputs that are linear combinations of words, stored matrices and outer
+//! What a kernel over vectors and matrices computes, in order: matrix–vector products, dot
+//! products, scalars, and outputs that are linear combinations of matrix–vector products, stored matrices and outer
 //! products.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::form::{Form, form, without_choices};
-use super::word::{self, Split};
+use super::form::{Combination, form, without_choices};
+use super::product::{self, Split};
 use crate::expression::{Graph, Id, Node, Shape, Symbol, normal};
 use crate::operation::Operand;
 use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule};
@@ -19,33 +19,33 @@ pub const AFTER: usize = 1;
 #[derive(Debug)]
 pub struct Plan {
     /// Matrix–vector products, operands first.
-    pub words: Vec<Word>,
-    /// Dot products, after all words.
+    pub products: Vec<MatrixProduct>,
+    /// Dot products, after all matrix–vector products.
     pub dots: Vec<DotProduct>,
     /// Scalars, in the stages [`BEFORE`] and [`AFTER`] the dot products.
     pub scalars: Program,
     /// The outputs, in the order of the request.
-    pub outputs: Vec<Form<Operand>>,
-    /// Names of symbols, words, and stored matrices that are used transposed.
+    pub outputs: Vec<Combination<Operand>>,
+    /// Names of symbols, products, and stored matrices that are used transposed.
     pub names: BTreeMap<Id, String>,
 }
 
 /// matrix × vector.
 #[derive(Debug)]
-pub struct Word {
+pub struct MatrixProduct {
     /// The product.
     pub id: Id,
     /// The stored matrix.
     pub matrix: Id,
     /// Whether the transpose of the matrix is meant.
     pub transposed: bool,
-    /// A vector symbol or an earlier word.
+    /// A vector symbol or an earlier product.
     pub of: Id,
-    /// Matrices in the word: 1 for a product with a symbol.
+    /// Matrices in the product: 1 for a product with a symbol.
     pub level: usize,
 }
 
-/// A dot product of symbols or words.
+/// A dot product of symbols or matrix–vector products.
 #[derive(Debug)]
 pub struct DotProduct {
     /// Name of its value among the scalars.
@@ -64,11 +64,11 @@ pub(super) struct Asked {
 }
 
 impl Plan {
-    /// Whether a matrix can be written in the same pass over the columns as the words of the first level.
-    pub(super) fn fuses(&self, form: &Form<Operand>) -> bool {
+    /// Whether a matrix can be written in the same pass over the columns as the products of the first level.
+    pub(super) fn fuses(&self, form: &Combination<Operand>) -> bool {
         let early = |operand: &Operand| self.scalars.stage_of(*operand) == BEFORE;
         match form {
-            Form::Matrix { stored, identity, outer } => {
+            Combination::Matrix { stored, identity, outer } => {
                 outer.is_empty()
                     && identity.iter().all(early)
                     && stored.iter().all(|group| early(&group.coefficient))
@@ -77,7 +77,7 @@ impl Plan {
         }
     }
 
-    /// The name of a symbol or word.
+    /// The name of a symbol or product.
     pub(super) fn name(&self, id: Id) -> &str {
         &self.names[&id]
     }
@@ -100,10 +100,10 @@ pub(super) fn plan(graph: &mut Graph, outputs: &[Asked]) -> Result<Plan, Schedul
         }
         forms.push(form(graph, expanded));
     }
-    let (dots, needed) = products(graph, outputs, &forms)?;
-    let words: Vec<Word> = needed.iter().map(|id| word(graph, *id)).collect();
+    let (dots, needed) = choose_products(graph, outputs, &forms)?;
+    let products: Vec<MatrixProduct> = needed.iter().map(|id| matrix_product(graph, *id)).collect();
     let mut taken = BTreeSet::new();
-    let names = names(graph, outputs, &words, &mut taken);
+    let names = names(graph, outputs, &products, &mut taken);
     let (dots, by) = dot_products(graph, &names, &dots, &mut taken);
 
     let mut coefficients: Vec<Output> = Vec::new();
@@ -130,22 +130,22 @@ pub(super) fn plan(graph: &mut Graph, outputs: &[Asked]) -> Result<Plan, Schedul
     let outputs = (numbered.into_iter())
         .map(|form| form.map(|place, _| scalars.outputs[place].operand))
         .collect();
-    Ok(Plan { words, dots, scalars, outputs, names })
+    Ok(Plan { products, dots, scalars, outputs, names })
 }
 
-/// How each dot product is written, and the words that they and the forms need.
-fn products(
+/// How each dot product is written, and the products that they and the forms need.
+fn choose_products(
     graph: &mut Graph,
     outputs: &[Asked],
-    forms: &[Form<Id>],
+    forms: &[Combination<Id>],
 ) -> Result<(BTreeMap<Id, Split>, BTreeSet<Id>), ScheduleError> {
     let mut needed = BTreeSet::new();
     let mut dots = BTreeSet::new();
     for (form, output) in forms.iter().zip(outputs) {
         let refused = || ScheduleError::NotScalar { output: output.name.to_owned() };
         for vector in form.vectors() {
-            word::chain(graph, vector).ok_or_else(refused)?;
-            needed.extend(word::parts(graph, vector));
+            product::chain(graph, vector).ok_or_else(refused)?;
+            needed.extend(product::parts(graph, vector));
         }
         let stored = |id: &Id| matches!(graph.node(*id), Node::Symbol(_) | Node::Transpose(_));
         if !form.matrices().iter().all(stored) {
@@ -153,21 +153,21 @@ fn products(
         }
         for id in graph.reachable(&scalars(form)) {
             if let Node::Dot(a, b) = *graph.node(id) {
-                word::chain(graph, a).and(word::chain(graph, b)).ok_or_else(refused)?;
+                product::chain(graph, a).and(product::chain(graph, b)).ok_or_else(refused)?;
                 dots.insert(id);
             }
         }
     }
-    let chosen = word::choose(graph, &dots, &mut needed);
+    let chosen = product::choose(graph, &dots, &mut needed);
     Ok((chosen, needed))
 }
 
 /// Every coefficient of a form.
-fn scalars(form: &Form<Id>) -> Vec<Id> {
+fn scalars(form: &Combination<Id>) -> Vec<Id> {
     match form {
-        Form::Scalar(scalar) => vec![*scalar],
-        Form::Vector(groups) => groups.iter().map(|group| group.coefficient).collect(),
-        Form::Matrix { stored, identity, outer } => {
+        Combination::Scalar(scalar) => vec![*scalar],
+        Combination::Vector(groups) => groups.iter().map(|group| group.coefficient).collect(),
+        Combination::Matrix { stored, identity, outer } => {
             let outer = outer.iter().flat_map(|(_, groups)| groups);
             let groups = stored.iter().chain(outer).map(|group| group.coefficient);
             groups.chain(*identity).collect()
@@ -175,23 +175,23 @@ fn scalars(form: &Form<Id>) -> Vec<Id> {
     }
 }
 
-fn word(graph: &Graph, id: Id) -> Word {
+fn matrix_product(graph: &Graph, id: Id) -> MatrixProduct {
     let Node::Apply(matrix, of) = *graph.node(id) else {
-        unreachable!("words are matrices applied to vectors")
+        unreachable!("products are matrices applied to vectors")
     };
     let (matrix, transposed) = match *graph.node(matrix) {
         Node::Transpose(stored) => (stored, true),
         _ => (matrix, false),
     };
-    Word { id, matrix, transposed, of, level: word::parts(graph, id).len() }
+    MatrixProduct { id, matrix, transposed, of, level: product::parts(graph, id).len() }
 }
 
-/// Names of all symbols and words: the spec's own, and those joined; what is no name of the spec gives way
+/// Names of all symbols and matrix–vector products: the spec's own, and those joined; what is no name of the spec gives way
 /// to what is.
 fn names(
     graph: &Graph,
     outputs: &[Asked],
-    words: &[Word],
+    products: &[MatrixProduct],
     taken: &mut BTreeSet<String>,
 ) -> BTreeMap<Id, String> {
     let mut names = BTreeMap::new();
@@ -208,10 +208,10 @@ fn names(
             names.insert(id, free(taken, format!("{}_transposed", names[&matrix])));
         }
     }
-    for word in words {
-        let joint = if word.transposed { "_transposed_" } else { "_" };
-        let name = format!("{}{joint}{}", names[&word.matrix], names[&word.of]);
-        names.insert(word.id, free(taken, name));
+    for product in products {
+        let joint = if product.transposed { "_transposed_" } else { "_" };
+        let name = format!("{}{joint}{}", names[&product.matrix], names[&product.of]);
+        names.insert(product.id, free(taken, name));
     }
     names
 }

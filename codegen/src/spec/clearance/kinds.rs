@@ -42,7 +42,7 @@ impl Measure {
 }
 
 /// A kind of law as the file says it.
-pub(super) struct Kind {
+pub(super) struct LawKind {
     name: Located,
     inputs: Vec<Located>,
     forces: Vec<Located>,
@@ -89,7 +89,7 @@ impl<'d> Reader<'d> {
     }
 
     /// The table `laws`.
-    pub(super) fn kinds(&mut self, root: &Table<'d>) -> Vec<Kind> {
+    pub(super) fn kinds(&mut self, root: &Table<'d>) -> Vec<LawKind> {
         let Some(table) = root.optional_table("laws") else { return Vec::new() };
         let mut list = Vec::new();
         for name in table.names() {
@@ -97,7 +97,7 @@ impl<'d> Reader<'d> {
             self.must_be_name(&name);
             let (inputs, forces) = (self.words(&entry, "inputs"), self.words(&entry, "forces"));
             entry.finish();
-            list.push(Kind { name, inputs, forces });
+            list.push(LawKind { name, inputs, forces });
         }
         table.finish();
         list
@@ -137,7 +137,7 @@ pub(super) fn bind(
     document: &Document,
     spec: &ClearanceSpec,
     measures: &[Measure],
-    kinds: &[Kind],
+    kinds: &[LawKind],
 ) -> Vec<Contact> {
     kinds.iter().map(|kind| Binding { document, spec, measures }.contact(kind)).collect()
 }
@@ -149,7 +149,7 @@ struct Binding<'a> {
 }
 
 impl Binding<'_> {
-    fn contact(&self, kind: &Kind) -> Contact {
+    fn contact(&self, kind: &LawKind) -> Contact {
         let inputs: Vec<ContactInput> =
             kind.inputs.iter().filter_map(|name| self.input(name)).collect();
         let forces: Vec<ContactForce> =

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::*;
-use crate::element::demand::{self, Part};
+use crate::element::demand::{self, BasisPart};
 
 const HEX8I: &str = include_str!("../../../../specs/elements/hex8i.toml");
 const HEX8: &str = include_str!("../../../../specs/elements/hex8.toml");
@@ -50,15 +50,15 @@ fn shape_functions_that_do_not_interpolate_name_both_nodes() {
 }
 
 #[test]
-fn every_wrong_formula_is_told_even_where_the_cell_is_wrong() {
+fn every_wrong_formula_is_reported_even_where_the_cell_is_wrong() {
     let wrong = WEDGE6.replace("'eta*(1 - zeta)/2'", "'ete*(1 - zeta)/2'");
     let wrong = wrong.replace("'eta*(1 + zeta)/2'", "'eta*(1 + zete)/2'");
     let names = ["unknown name `ete`", "unknown name `zete`"];
-    let told = |found: &[String]| names.map(|name| found.iter().any(|own| own.contains(name)));
+    let reported = |found: &[String]| names.map(|name| found.iter().any(|own| own.contains(name)));
     let found = read(&wrong).err().unwrap_or_default();
-    assert_eq!((found.len(), told(&found)), (2, [true; 2]), "{found:?}");
+    assert_eq!((found.len(), reported(&found)), (2, [true; 2]), "{found:?}");
     let found = changed(&wrong, "cell = \"wedge\"", "cell = \"wege\"");
-    assert_eq!((found.len(), told(&found)), (3, [true; 2]), "{found:?}");
+    assert_eq!((found.len(), reported(&found)), (3, [true; 2]), "{found:?}");
     assert!(found.iter().any(|own| own.contains("did you mean `wedge`?")), "{found:?}");
     // A formula for all nodes is one mistake, not one a node.
     assert_eq!(changed(HEX8I, "xi_a*xi)", "xi_a*xy)").len(), 1);
@@ -255,7 +255,7 @@ fn shipped() -> Vec<(String, String)> {
 /// What gradients and functions of an element ask of its rules.
 fn demanded(text: &str) -> Result<(), Vec<String>> {
     let element = read(text)?;
-    let forms = [("stiffness", Part::Gradient), ("mass", Part::Value)];
+    let forms = [("stiffness", BasisPart::Gradient), ("mass", BasisPart::Value)];
     demand::prove(&element, forms.map(|(form, part)| (form, BTreeSet::from([(part, part)]))))
         .map_err(|errors| errors.iter().map(ToString::to_string).collect())
 }

@@ -11,7 +11,7 @@ use super::region::{Chosen, Neither, Within};
 use super::root::Polynomial;
 use super::{Condition, LawOutput, LawSpec};
 use crate::expression::{Function, Graph, Id, Node};
-use crate::formula::{Kind, PI, Side, Term};
+use crate::formula::{PI, Side, Term, TermKind};
 use crate::rational::nearest;
 
 /// Most comparisons that are followed.
@@ -96,20 +96,20 @@ fn is_polynomial(law: &LawSpec, output: &LawOutput) -> bool {
 fn is_plain(term: &Term, law: &LawSpec) -> bool {
     let plain = |part: &Term| is_plain(part, law);
     let part = match &term.kind {
-        Kind::Number(_) | Kind::Name(_) => true,
-        Kind::Negate(a) | Kind::Not(a) => plain(a),
-        Kind::Sum(parts) => parts.iter().all(|(_, part)| plain(part)),
-        Kind::Product(parts) => parts.iter().all(|(side, part)| match side {
+        TermKind::Number(_) | TermKind::Name(_) => true,
+        TermKind::Negate(a) | TermKind::Not(a) => plain(a),
+        TermKind::Sum(parts) => parts.iter().all(|(_, part)| plain(part)),
+        TermKind::Product(parts) => parts.iter().all(|(side, part)| match side {
             Side::With => plain(part),
             Side::Against => is_constant(part, law),
         }),
-        Kind::Power(base, exponent) => plain(base) && is_count(exponent, law),
-        Kind::Call { function, arguments, .. } => {
+        TermKind::Power(base, exponent) => plain(base) && is_count(exponent, law),
+        TermKind::Call { function, arguments, .. } => {
             matches!(function.as_str(), "min" | "max" | "abs") && arguments.iter().all(plain)
         }
-        Kind::Series { body, .. } => plain(body),
-        Kind::Compare(first, rest) => plain(first) && rest.iter().all(|(_, part)| plain(part)),
-        Kind::And(parts) | Kind::Or(parts) => parts.iter().all(plain),
+        TermKind::Series { body, .. } => plain(body),
+        TermKind::Compare(first, rest) => plain(first) && rest.iter().all(|(_, part)| plain(part)),
+        TermKind::And(parts) | TermKind::Or(parts) => parts.iter().all(plain),
     };
     part || is_constant(term, law)
 }
@@ -118,7 +118,7 @@ fn is_plain(term: &Term, law: &LawSpec) -> bool {
 fn is_constant(term: &Term, law: &LawSpec) -> bool {
     let mut constant = true;
     term.visit(&mut |part| {
-        if let Kind::Name(name) = &part.kind {
+        if let TermKind::Name(name) = &part.kind {
             constant &= name == PI || law.parameters.iter().any(|p| p.name == *name);
         }
     });
@@ -128,8 +128,8 @@ fn is_constant(term: &Term, law: &LawSpec) -> bool {
 /// Whether a term is 0, 1, 2, …, or a parameter of such a value.
 fn is_count(term: &Term, law: &LawSpec) -> bool {
     let value = match &term.kind {
-        Kind::Number(value) => Some(value),
-        Kind::Name(name) => {
+        TermKind::Number(value) => Some(value),
+        TermKind::Name(name) => {
             law.parameters.iter().find(|p| p.name == *name).map(|parameter| &parameter.value)
         }
         _ => None,

@@ -11,7 +11,7 @@ use crate::units::{Unit, decimal};
 /// Most bytes of a file, and most rows: every row costs a comparison and five choices in the kernel.
 const LONGEST: usize = 32 * 1024;
 pub(super) const MOST_ROWS: usize = 128;
-/// How to mend a line of too many values.
+/// How to fix a line of too many values.
 const POINTS: &str =
     "write numbers with a point, as `0.5`; commas separate columns, unless `;` does";
 /// Errors of one column that are shown.

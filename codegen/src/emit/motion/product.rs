@@ -1,4 +1,4 @@
-//! Words: matrices applied to a vector symbol, such as Y η; and which of them dot products need.
+//! Matrix–vector products: matrices applied to a vector symbol, such as Y η; and which of them dot products need.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,8 +7,8 @@ use num_traits::One;
 use crate::expression::{Graph, Id, Node, Rational};
 
 /// Matrices, outermost first, and the vector symbol they are applied to; `None` of anything else.
-pub(super) fn chain(graph: &Graph, word: Id) -> Option<(Vec<Id>, Id)> {
-    let (mut matrices, mut rest) = (Vec::new(), word);
+pub(super) fn chain(graph: &Graph, product: Id) -> Option<(Vec<Id>, Id)> {
+    let (mut matrices, mut rest) = (Vec::new(), product);
     loop {
         match *graph.node(rest) {
             Node::Apply(matrix, inner) => {
@@ -21,10 +21,10 @@ pub(super) fn chain(graph: &Graph, word: Id) -> Option<(Vec<Id>, Id)> {
     }
 }
 
-/// The words that a word is made of, itself last; symbols are not among them.
-pub(super) fn parts(graph: &Graph, word: Id) -> Vec<Id> {
+/// The products that a product is made of, itself last; symbols are not among them.
+pub(super) fn parts(graph: &Graph, product: Id) -> Vec<Id> {
     let mut parts = Vec::new();
-    let mut rest = word;
+    let mut rest = product;
     while let Node::Apply(_, inner) = *graph.node(rest) {
         parts.push(rest);
         rest = inner;
@@ -33,7 +33,7 @@ pub(super) fn parts(graph: &Graph, word: Id) -> Vec<Id> {
     parts
 }
 
-/// A dot product of words, and what its value is multiplied by.
+/// A dot product of matrix–vector products, and what its value is multiplied by.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Split {
     pub(super) factor: Rational,
@@ -41,7 +41,7 @@ pub(super) struct Split {
     pub(super) right: Id,
 }
 
-/// Every way to write a dot product: x·A B y = (Aᵀx)·(B y) = …; `None` if its operands are no words.
+/// Every way to write a dot product: x·A B y = (Aᵀx)·(B y) = …; `None` if its operands are no such products.
 fn splits(graph: &mut Graph, a: Id, b: Id) -> Option<Vec<Split>> {
     let (front, x) = chain(graph, a)?;
     let (back, y) = chain(graph, b)?;
@@ -78,9 +78,9 @@ fn transposed(graph: &mut Graph, matrix: Id) -> (Rational, Id) {
     (factor.clone(), *matrix)
 }
 
-/// For every dot product the way to write it that needs the fewest words beside `needed`, to which those
-/// are added: first what needs none, then always the word that serves most of the rest. Dot products of
-/// anything but words are left out.
+/// For every dot product the way to write it that needs the fewest products beside `needed`, to which those
+/// are added: first what needs none, then always the product that serves most of the rest. Dot products of
+/// anything else are left out.
 pub(super) fn choose(
     graph: &mut Graph,
     dots: &BTreeSet<Id>,
@@ -100,26 +100,27 @@ pub(super) fn choose(
             }
             split.is_none()
         });
-        // A word counts for a dot product that it alone completes.
+        // A product counts for a dot product that it alone completes.
         let mut serves: BTreeMap<Id, usize> = BTreeMap::new();
         let mut shortest: Option<Vec<Id>> = None;
         for splits in open.values() {
             for split in splits {
                 let missing = missing(graph, split, needed);
-                if let [word] = missing.as_slice() {
-                    *serves.entry(*word).or_default() += 1;
+                if let [product] = missing.as_slice() {
+                    *serves.entry(*product).or_default() += 1;
                 }
                 if shortest.as_ref().is_none_or(|best| missing.len() < best.len()) {
                     shortest = Some(missing);
                 }
             }
         }
-        let best = serves.iter().max_by_key(|(word, count)| (**count, std::cmp::Reverse(**word)));
+        let best =
+            serves.iter().max_by_key(|(product, count)| (**count, std::cmp::Reverse(**product)));
         match (best, shortest) {
-            (Some((word, _)), _) => {
-                needed.insert(*word);
+            (Some((product, _)), _) => {
+                needed.insert(*product);
             }
-            (None, Some(words)) => needed.extend(words),
+            (None, Some(products)) => needed.extend(products),
             (None, None) => {}
         }
     }
@@ -127,12 +128,12 @@ pub(super) fn choose(
 }
 
 fn missing(graph: &Graph, split: &Split, needed: &BTreeSet<Id>) -> Vec<Id> {
-    let mut words: Vec<Id> = parts(graph, split.left);
-    words.extend(parts(graph, split.right));
-    words.retain(|word| !needed.contains(word));
-    words.sort_unstable();
-    words.dedup();
-    words
+    let mut products: Vec<Id> = parts(graph, split.left);
+    products.extend(parts(graph, split.right));
+    products.retain(|product| !needed.contains(product));
+    products.sort_unstable();
+    products.dedup();
+    products
 }
 
 #[cfg(test)]
