@@ -175,7 +175,7 @@ pub mod tet4 {
             source: "Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., ch. 6",
             spec: "elements/tet4.toml",
             text: "kind = \"element\"\nname = \"tet4\"\ntitle = \"Linear tetrahedron, 4 nodes\"\nsource = \"Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., ch. 6\"\ncell = \"tetrahedron\"\n\nnodes = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n# Volume coordinates.\nshape = ['1 - xi - eta - zeta', 'xi', 'eta', 'zeta']\n\n# Products of the functions are quadratic.\n[quadrature]\nrule = [\"tetrahedron(4)\"]\ndegree = 2\n\n# Their gradients are constant.\n[quadrature.forms.stiffness]\nrule = [\"tetrahedron(1)\"]\ndegree = 1\n\n[abaqus]\ntypes = [\"C3D4\"]\n\n[vtk]\ntype = 10\n",
-            hash: "5cd4d38936ef39e12fe3a391c0b6c7c9",
+            hash: "0ef16d766cb6b34c1675312d867465b7",
         },
         nodes: 4,
         reference_nodes: &[
