@@ -134,8 +134,8 @@ fn nothing_is_said_twice_of_one_place() {
 fn page() -> String {
     let mut text = "# Errors\n\n\
         Every error of a spec, a formula or a case has a code that stays the same, the place in the file, and\n\
-        mostly a line that says how to fix it. All errors of a file are reported at once; what only follows from\n\
-        another error is not. `codegen/tests/messages` holds a bad file and its messages for every code.\n\n\
+        usually a line on how to fix it. All errors of a file are reported at once, without those that only follow\n\
+        from another error. `codegen/tests/messages` holds a bad file and its messages for every code.\n\n\
         | Code | What it means | How to fix it |\n|---|---|---|\n"
         .to_owned();
     for known in Code::ALL {

@@ -93,7 +93,7 @@ fn workspace() -> Workspace {
 #[test]
 fn specs_dropped_into_the_folders_are_usable() {
     let output = workspace().cargo(&["run", "--package", "whirl-probe"]);
-    let law = LawSpec::read(&Source::new("laws/dropped-hertz.toml", &law())).expect("a law");
+    let law = LawSpec::read(&Source::new("laws/dropped-hertz.toml", law())).expect("a law");
     let tape = Tape::new(&law.program().expect("a program"));
     let (mut taped, mut workspace) = (vec![0.0; 150], vec![0.0; tape.workspace()]);
     tape.evaluate(50, &points(), &mut taped, &mut workspace);
