@@ -86,8 +86,7 @@ fn shown(march: &Reader, time_step: f64, (cycle, key, called): (f64, &str, &str)
         let frequency = three_digits(1.0 / (LEAST_STEPS * time_step), f64::floor);
         help += &format!(", or `cycle_frequency = \"{frequency} Hz\"` or less");
     }
-    let place = march.places().remove(key).unwrap_or_else(|| march.place().text(""));
-    march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+    refuse(march, key, message, help);
 }
 
 /// Notes rows that are too far apart to sum up a cycle.
@@ -102,7 +101,12 @@ fn shown_by_rows(march: &Reader, output_step: f64, cycle: f64) {
     );
     let step = three_digits(cycle / LEAST_STEPS, f64::floor);
     let help = format!("write `output_step = \"{step} s\"` or less, a multiple of `time_step`");
-    let place = march.places().remove("output_step").unwrap_or_else(|| march.place().text(""));
+    refuse(march, "output_step", message, help);
+}
+
+/// Refuses the value of a key, at its place or, where it is not given, at that of the table.
+fn refuse(march: &Reader, key: &str, message: impl Into<String>, help: String) {
+    let place = march.places().remove(key).unwrap_or_else(|| march.place().text(""));
     march.push(place.error_here(Code::BAD_VALUE, message).help(help));
 }
 
@@ -167,9 +171,7 @@ fn steps(march: &Reader, time_step: f64) -> usize {
         let message = "`duration` is shorter than `time_step`: it has no whole step";
         let help =
             format!("lower `time_step` to {} s at most, or raise `duration`", plain(duration));
-        let place = march.places().remove("duration");
-        let place = place.unwrap_or_else(|| march.place().text(""));
-        march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+        refuse(march, "duration", message, help);
         return 1;
     }
     let whole = (duration / time_step).round().max(1.0);
@@ -184,9 +186,7 @@ fn steps(march: &Reader, time_step: f64) -> usize {
             plain(most * time_step),
             plain(duration / most)
         );
-        let place = march.places().remove("duration");
-        let place = place.unwrap_or_else(|| march.place().text(""));
-        march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+        refuse(march, "duration", message, help);
         return 1;
     }
     steps.unwrap_or(whole as usize)
@@ -210,9 +210,7 @@ fn output_every(march: &Reader, time_step: f64, steps: usize) -> usize {
     };
     let message = format!("`output_step` {what}: a row is written at the end of a step");
     let help = format!("write `output_step = \"{} s\"`", plain(whole * time_step));
-    let place = march.places().remove("output_step");
-    let place = place.unwrap_or_else(|| march.place().text(""));
-    march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+    refuse(march, "output_step", message, help);
     1
 }
 
