@@ -90,7 +90,7 @@ pub(crate) fn sum_of_products<L: Lane + Mul<A, Output = L>, A: Copy>(a: &[L], b:
     ((a + b) + (c + d)) + ((e + f) + (g + h))
 }
 
-// What `f64` computes with: compiled twice, not once a kernel.
+// What `f64` computes with: compiled once for each register, not once a kernel.
 wide!(sum_of_columns as add_columns_of_numbers(y: &mut [f64], columns: &[f64], x: &[f64]));
 wide!(product_of_numbers as dot_of_numbers(a: &[f64], b: &[f64]) -> f64);
 

@@ -7,7 +7,7 @@ use whirl_specs::{Ring, RingTangent, SpringForce};
 use super::contact::ContactsState;
 use super::valid::ValidityMonitor;
 use super::{BoundLaw, Input, SpringLaw, Springs};
-use crate::linalg::{Matrix, add_product};
+use crate::linalg::{Matrix, add_product, largest_and_sum};
 
 /// Position and velocity of the machine's coordinates, as the springs see them.
 #[derive(Debug, Clone, Copy)]
@@ -175,19 +175,18 @@ impl SpringState {
     /// coordinate moves where they act.
     pub(crate) fn projected(&self, springs: &Springs, place: usize) -> (f64, f64) {
         let (mut largest, mut sum) = (0.0, 0.0);
-        let mut add = |force: f64| {
-            largest = f64::max(largest, force);
-            sum += force;
+        let mut add = |(size, all): (f64, f64)| {
+            largest = f64::max(largest, size);
+            sum += all;
         };
         let (quick, others) = self.forces.split_at(springs.len());
         let first = 1 + springs.shaft_size;
         if place >= first {
             let column = springs.bore.col(place - first);
-            column
-                .iter()
-                .zip(quick)
-                .for_each(|(coefficient, force)| add((coefficient * force).abs()));
-            self.contacts.projected_on_support(&springs.contacts, place - first, &mut add);
+            add(largest_and_sum(quick.len(), |j| column[j] * quick[j]));
+            let contacts = &springs.contacts;
+            let mut single = |force| add((force, force));
+            self.contacts.projected_on_support(contacts, place - first, &mut single);
             return (largest, sum);
         }
         for (number, (plane, ring)) in springs.planes.iter().zip(&self.rings).enumerate() {
@@ -195,9 +194,11 @@ impl SpringState {
                 None => ring.position[1].hypot(ring.position[2]),
                 Some(j) => springs.arms[(number, j)],
             };
-            quick[plane.springs.clone()].iter().for_each(|force| add(arm * force.abs()));
+            let forces = &quick[plane.springs.clone()];
+            add(largest_and_sum(forces.len(), |j| arm * forces[j]));
         }
-        self.contacts.projected_on_shaft(&springs.contacts, place, others, &mut add);
+        let mut single = |force| add((force, force));
+        self.contacts.projected_on_shaft(&springs.contacts, place, others, &mut single);
         (largest, sum)
     }
 

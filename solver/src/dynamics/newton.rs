@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
-use crate::linalg::Lu;
+use crate::linalg::{Lu, largest_and_sum, sum_of};
 
 /// How the equations of a step are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -209,7 +209,7 @@ impl Newton {
                     None => return self.failed(iteration, norm, force_change),
                 }
             };
-            end.copy_from(&self.trial);
+            std::mem::swap(end, &mut self.trial);
             let parts = self.correction.iter_mut().zip(&self.direction);
             parts.for_each(|(sum, part)| *sum += length * part);
             norm = tried;
@@ -283,13 +283,11 @@ impl Newton {
 
     /// Largest change of a spring force since the start of the iteration, and the largest force (N).
     fn force_change(&self, system: &System) -> (f64, f64) {
-        let pairs = self.forces.iter().zip(&system.springs.forces);
-        pairs.fold((0.0, 0.0), |(change, largest), (before, after)| {
-            // A difference that is no number is the largest, and stays it.
-            let own = (before - after).abs();
-            let change = if own <= change || change.is_nan() { change } else { own };
-            (change, f64::max(largest, after.abs()))
-        })
+        let (before, after) = (&self.forces, &system.springs.forces);
+        let (change, sum) = largest_and_sum(before.len(), |j| before[j] - after[j]);
+        let (largest, _) = largest_and_sum(after.len(), |j| after[j]);
+        // A difference that is no number is the largest.
+        (if sum.is_nan() { sum } else { change }, largest)
     }
 
     /// Solves for the direction at the state that was last evaluated.
@@ -337,14 +335,14 @@ impl Newton {
 
     /// √(2φ) = √(Σ r_i²/s_i) of the state that was last evaluated.
     fn norm(&self, system: &System) -> f64 {
-        let parts = system.residual[self.first..].iter().zip(&self.weights);
-        parts.map(|(r, weight)| r * r * weight).sum::<f64>().sqrt()
+        let residual = &system.residual[self.first..];
+        sum_of(residual.len(), |i| residual[i] * residual[i] * self.weights[i]).sqrt()
     }
 
     /// √(Σ s_i Δq_i²).
     fn length(&self) -> f64 {
-        let parts = self.direction.iter().zip(&self.weights);
-        parts.map(|(x, w)| x * x / w).sum::<f64>().sqrt()
+        let moved = &self.direction;
+        sum_of(moved.len(), |i| moved[i] * moved[i] / self.weights[i]).sqrt()
     }
 
     fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> StepReport {

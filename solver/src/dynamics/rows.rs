@@ -68,20 +68,13 @@ impl System<'_> {
         options: &NewtonOptions,
     ) -> f64 {
         let tolerance = options.residual_tolerance;
-        let reach = &self.machine.springs.reach;
         let first = self.machine.first_unknown();
+        self.bound_rows(options);
         let mut worst = 0.0;
         let mut mass_is_known = false;
         let mut most = None;
         for i in first..self.residual.len() {
-            let r = self.residual[i].abs();
-            let terms = [&self.inertia, &self.damper, &self.elastic, &self.load, &self.spring];
-            let terms = terms.map(|term| term[i].abs());
-            let larger = |a: f64, b: f64| if a > b { a } else { b };
-            let largest = terms.into_iter().fold(0.0, larger);
-            let sum: f64 = terms.into_iter().sum();
-            let missing = MISSING * options.force_tolerance * reach[i];
-            let bound = tolerance * largest + missing + ROUNDING * f64::EPSILON * sum;
+            let (r, bound) = (self.residual[i].abs(), self.row_bounds[i]);
             if r <= bound {
                 if r > worst * bound {
                     worst = r / bound;
@@ -100,9 +93,8 @@ impl System<'_> {
                 mass_is_known = true;
             }
             let (projected, products) = self.projected(state, predicted, i);
-            let bound = tolerance * (largest + PROJECTED * projected)
-                + missing
-                + ROUNDING * f64::EPSILON * (sum + products);
+            let bound =
+                bound + tolerance * PROJECTED * projected + ROUNDING * f64::EPSILON * products;
             // A ratio that is no number is the worst.
             let error = if (r / bound).is_nan() { f64::INFINITY } else { r / bound };
             if error > 1.0 {
@@ -111,6 +103,24 @@ impl System<'_> {
             worst = f64::max(worst, error);
         }
         worst
+    }
+
+    /// What every row may have by its own terms and the forces that may be missing, without what forces and
+    /// products that cancel in it explain.
+    fn bound_rows(&mut self, options: &NewtonOptions) {
+        let n = self.residual.len();
+        let (tolerance, missing) = (options.residual_tolerance, MISSING * options.force_tolerance);
+        let [inertia, damper, elastic, load, spring] =
+            [&self.inertia, &self.damper, &self.elastic, &self.load, &self.spring]
+                .map(|terms| &terms[..n]);
+        let (reach, bounds) = (&self.machine.springs.reach[..n], &mut self.row_bounds[..n]);
+        for i in 0..n {
+            let terms = [inertia[i], damper[i], elastic[i], load[i], spring[i]].map(f64::abs);
+            let larger = |a: f64, b: f64| if a > b { a } else { b };
+            let largest = terms.into_iter().fold(0.0, larger);
+            let sum: f64 = terms.into_iter().sum();
+            bounds[i] = tolerance * largest + missing * reach[i] + ROUNDING * f64::EPSILON * sum;
+        }
     }
 
     /// Norms of row `i` of M, C and K of the shaft.

@@ -32,6 +32,8 @@ pub struct System<'m> {
     pub(crate) shaft_block: Vec<f64>,
     /// Norms of the rows of M, C and K of the shaft.
     pub(crate) row_norms: Vec<[f64; 3]>,
+    /// What every row may have by its own terms; see `System::row_error`.
+    pub(super) row_bounds: Vec<f64>,
     tangents: Vec<RingTangent>,
     contacts: ContactTangents,
     active: Vec<f64>,
@@ -60,6 +62,7 @@ impl<'m> System<'m> {
             released: vec![false; machine.loads.len()],
             shaft_block: vec![0.0; (1 + n_s) * (1 + n_s)],
             row_norms: System::row_norms(&machine.shaft),
+            row_bounds: vec![0.0; size],
             tangents: springs.planes.iter().map(|p| RingTangent::new(p.springs.len())).collect(),
             contacts: ContactTangents::new(&springs.contacts, n_b),
             active: vec![0.0; n_b * springs.len()],

@@ -11,6 +11,7 @@ mod lu;
 mod matrix;
 mod product;
 mod sparse;
+mod sums;
 
 pub use cholesky::Cholesky;
 pub(crate) use combination::{add_columns, add_product};
@@ -24,6 +25,7 @@ pub use product::{
     transpose_multiply,
 };
 pub use sparse::{Inertia, SparseCholesky, inertia};
+pub(crate) use sums::{largest_and_sum, sum_of};
 
 use faer::{MatMut, MatRef};
 

@@ -1,0 +1,64 @@
+//! Sums in parts: terms that wait for the sum before them take four times as long as those that do not.
+
+/// Terms side by side.
+const PARTS: usize = 8;
+
+/// Σ term(i), i from 0 to n − 1.
+#[inline(always)]
+pub(crate) fn sum_of(n: usize, term: impl Fn(usize) -> f64) -> f64 {
+    let mut parts = [0.0; PARTS];
+    let whole = n - n % PARTS;
+    for start in (0..whole).step_by(PARTS) {
+        for (k, part) in parts.iter_mut().enumerate() {
+            *part += term(start + k);
+        }
+    }
+    for (part, i) in parts.iter_mut().zip(whole..n) {
+        *part += term(i);
+    }
+    parts.iter().sum()
+}
+
+/// The largest |term(i)| and Σ |term(i)|, i from 0 to n − 1. A term that is no number makes the sum none; it is
+/// never the largest.
+#[inline(always)]
+pub(crate) fn largest_and_sum(n: usize, term: impl Fn(usize) -> f64) -> (f64, f64) {
+    let (mut largest, mut parts) = ([0.0; PARTS], [0.0; PARTS]);
+    let mut add = |k: usize, i: usize| {
+        let size = term(i).abs();
+        parts[k] += size;
+        largest[k] = if size > largest[k] { size } else { largest[k] };
+    };
+    let whole = n - n % PARTS;
+    for start in (0..whole).step_by(PARTS) {
+        (0..PARTS).for_each(|k| add(k, start + k));
+    }
+    (whole..n).for_each(|i| add(i - whole, i));
+    (largest.into_iter().fold(0.0, f64::max), parts.iter().sum())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_of_any_length_take_every_term_once() {
+        for n in [0, 1, 7, 8, 9, 16, 29] {
+            // Powers of two: a sum shows which terms it has.
+            let term =
+                |i: usize| (1_u64 << i) as f64 * if i.is_multiple_of(3) { -1.0 } else { 1.0 };
+            assert_eq!(sum_of(n, term), (0..n).map(term).sum::<f64>());
+            let sizes = || (0..n).map(|i| term(i).abs());
+            let expected = (sizes().fold(0.0, f64::max), sizes().sum());
+            assert_eq!(largest_and_sum(n, term), expected);
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_makes_the_sum_none() {
+        for place in 0..11 {
+            let (largest, sum) = largest_and_sum(11, |i| if i == place { f64::NAN } else { -2.0 });
+            assert!(largest == 2.0 && sum.is_nan(), "{place}");
+        }
+    }
+}
