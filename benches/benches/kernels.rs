@@ -5,8 +5,8 @@ use std::hint::black_box;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use whirl_benches::hand;
 use whirl_specs::{
-    Batch, CLEARANCES, Clearance, ELEMENTS, Element, LAWS, Law, MOTIONS, Motion, MotionState, Ring,
-    RingTangent, SpringForce, TensorShape,
+    Batch, CLEARANCES, Contact, ContactState, ContactTangent, ELEMENTS, Element, LAWS, Law,
+    MOTIONS, Motion, MotionState, Ring, TensorShape,
 };
 
 /// Springs of the reference system.
@@ -47,7 +47,7 @@ fn laws(c: &mut Criterion) {
 fn clearance(c: &mut Criterion) {
     let mut group = c.benchmark_group(format!("clearance, force and tangent, {PLANE} springs"));
     group.throughput(Throughput::Elements(PLANE as u64));
-    let run = |kernels: &'static Clearance| {
+    let run = |kernels: &'static Contact| {
         let psi: Vec<f64> =
             (0..PLANE).map(|j| std::f64::consts::TAU * j as f64 / PLANE as f64).collect();
         let mut table = vec![0.0; kernels.table * PLANE];
@@ -56,31 +56,28 @@ fn clearance(c: &mut Criterion) {
             Ring { position: [0.3, 1e-5, -4e-6], velocity: [471.0, 1e-3, 2e-3], c: 3.5687e-5 };
         let delta: Vec<f64> = values(PLANE).iter().map(|x| 1e-6 * x).collect();
         let (delta_dot, q) = (values(PLANE), values(PLANE));
-        let (mut h, mut h_dot) = (vec![0.0; PLANE], vec![0.0; PLANE]);
+        let mut h = vec![0.0; 2 * PLANE];
         let (mut on_ring, mut on_springs) = ([0.0; 3], vec![0.0; PLANE]);
-        let mut tangent = RingTangent::new(PLANE);
+        let mut tangent = ContactTangent::new(PLANE, 1);
         move |b: &mut criterion::Bencher| {
             b.iter(|| {
-                let ring = black_box(&ring);
-                (kernels.clearance)(PLANE, &table, ring, &delta, &delta_dot, &mut h, &mut h_dot);
-                (kernels.force)(PLANE, &table, ring, &delta, &q, &mut on_ring, &mut on_springs);
-                let law = SpringForce { q: &q, dq_dh: &h, dq_dh_dot: &h_dot };
-                (kernels.tangent)(
-                    PLANE,
-                    &table,
-                    ring,
-                    &delta,
-                    &delta_dot,
-                    &law,
-                    27027.0,
-                    &mut tangent,
-                );
+                let state = ContactState {
+                    stride: PLANE,
+                    table: &table,
+                    ring: black_box(&ring),
+                    radius: 0.0,
+                    bore: &delta,
+                    bore_dot: &delta_dot,
+                };
+                (kernels.evaluate)(PLANE, &state, &mut h);
+                (kernels.force)(PLANE, &state, &q, &mut on_ring, &mut on_springs);
+                (kernels.tangent)(PLANE, &state, &q, &h, 27027.0, &mut tangent);
                 black_box((&h, &on_ring, &on_springs, &tangent));
             });
         }
     };
-    group.bench_function("generated", run(&CLEARANCES[0]));
-    group.bench_function("by hand", run(&hand::clearance::CLEARANCE));
+    group.bench_function("generated", run(&CLEARANCES[0].contacts[0]));
+    group.bench_function("by hand", run(&hand::clearance::CLEARANCE.contacts[0]));
 }
 
 fn motion(c: &mut Criterion) {

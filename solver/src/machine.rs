@@ -66,8 +66,6 @@ pub struct Machine {
 pub(crate) struct Monitor {
     /// Its planes of springs.
     pub(crate) planes: Vec<usize>,
-    /// Its planes with other laws than Q(h, ḣ).
-    pub(crate) contacts: Vec<usize>,
     /// Whether its laws turn or brake the journal.
     pub(crate) torque: bool,
     /// Displacement of the middle journal node along x and y (frame of the shaft), as rows over η.
@@ -103,17 +101,13 @@ impl Machine {
             .iter()
             .enumerate()
             .map(|(number, bearing)| {
-                let planes = springs.planes.iter().enumerate();
-                let contacts = springs.contacts.planes.iter().enumerate();
                 let node = &shaft.nodes[bearing.journal[1]];
-                let contacts: Vec<usize> = contacts
-                    .filter(|(_, plane)| plane.bearing == number)
-                    .map(|(place, _)| place)
-                    .collect();
+                let planes = springs.planes.iter().enumerate();
+                let planes = planes.filter(|(_, plane)| plane.bearing == number);
+                let planes: Vec<usize> = planes.map(|(place, _)| place).collect();
                 Monitor {
-                    planes: planes.filter(|(_, p)| p.bearing == number).map(|(p, _)| p).collect(),
-                    torque: contacts.iter().any(|&plane| springs.contacts.gives_torque(plane)),
-                    contacts,
+                    torque: planes.iter().any(|&plane| springs.gives_torque(plane)),
+                    planes,
                     journal: [0, 1]
                         .map(|axis| (0..shaft.size()).map(|j| node.shapes[(axis, j)]).collect()),
                     bore: axis_motion(&bearing.bore[1], &support),

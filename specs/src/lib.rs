@@ -26,6 +26,6 @@ pub use lane::{Lane, Shared};
 pub use matrices::{Batch, CellMatrix, Matrix};
 pub use registers::{Register, Registers};
 pub use registry::*;
-pub use rows::{SpringKernel, each_spring, rows, rows_mut};
+pub use rows::{SpringKernel, each_spring, rows, rows_mut, strided, strided_mut};
 
 include!(concat!(env!("OUT_DIR"), "/kernels.rs"));

@@ -104,50 +104,14 @@ pub struct Validity {
 }
 
 /// The clearance h of a ring of springs as a function of ring coordinates (shared by the springs:
-/// θ, ε_x, ε_y) and of one spring coordinate (δ, the radial displacement of the bore at the spring's
-/// angle), with everything that follows from it by differentiation. Rows have `springs` values.
+/// θ, ε_x, ε_y) and of the bore's motion at each spring, and the kinds of laws that may act there.
 #[derive(Debug, Clone, Copy)]
 pub struct Clearance {
     /// Where it comes from.
     pub origin: Origin,
-    /// Values a spring in the table that `prepare` fills.
-    pub table: usize,
-    /// Fills `table` (rows × springs) from the springs' fixed angles ψ in rad. Once a machine.
-    pub prepare: fn(psi: &[f64], table: &mut [f64]),
-    /// h (m) and ḣ (m/s) of every spring.
-    pub clearance: fn(
-        springs: usize,
-        table: &[f64],
-        ring: &Ring,
-        delta: &[f64],
-        delta_dot: &[f64],
-        h: &mut [f64],
-        h_dot: &mut [f64],
-    ),
-    /// Generalised forces Σ_j Q_j ∂h_j/∂(θ, ε_x, ε_y) into `ring_force`, Q_j ∂h_j/∂δ_j into `spring_force`.
-    pub force: fn(
-        springs: usize,
-        table: &[f64],
-        ring: &Ring,
-        delta: &[f64],
-        q: &[f64],
-        ring_force: &mut [f64; 3],
-        spring_force: &mut [f64],
-    ),
-    /// B + a1·P of the springs (PHYSICS: tangent of section 4): derivatives of the generalised forces.
-    pub tangent: fn(
-        springs: usize,
-        table: &[f64],
-        ring: &Ring,
-        delta: &[f64],
-        delta_dot: &[f64],
-        law: &SpringForce,
-        a1: f64,
-        tangent: &mut RingTangent,
-    ),
     /// The axial interpolation A₁, A₂, A₃ of eq. (13) at z/L_b.
     pub axial: fn(z_over_length: f64) -> [f64; 3],
-    /// Kinds of laws that take or give more than Q(h, ḣ).
+    /// Kinds of laws; that of normal forces Q(h, ḣ) first.
     pub contacts: &'static [Contact],
 }
 
@@ -178,11 +142,15 @@ pub struct ContactVariable {
     pub bore: &'static [usize],
     /// Whether the journal's radius is needed for it.
     pub radius: bool,
+    /// Whether it is a rate: zero where nothing moves.
+    pub rate: bool,
+    /// Of a force: the place among the inputs of the measure that it works on, if laws may take it.
+    pub measure: Option<usize>,
 }
 
 /// A kind of law, acting at every spring or once a ring, and what follows from the measures on which its
-/// forces work. Coordinates are those of the ring (θ, ε_x, ε_y), then the motions of the bore; rows have
-/// `count` values: springs of a plane, or 1.
+/// forces work. Coordinates are those of the ring (θ, ε_x, ε_y), then the motions of the bore. Rows have `count`
+/// values, springs of a plane or 1, and stand [`ContactState::stride`] apart: planes of one law can lie side by side.
 #[derive(Debug, Clone, Copy)]
 pub struct Contact {
     /// `spring` or `ring`.
@@ -225,6 +193,8 @@ pub struct Contact {
 /// Where the kernels of a contact find the motion.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactState<'a> {
+    /// From one row to the next, in the rows of this state and in those that kernels take and give.
+    pub stride: usize,
     /// What `prepare` filled.
     pub table: &'a [f64],
     /// Coordinates of the ring.
@@ -237,7 +207,8 @@ pub struct ContactState<'a> {
     pub bore_dot: &'a [f64],
 }
 
-/// Derivatives of the generalised forces of a contact. Rows have one value a spring, or one a ring.
+/// Derivatives of the generalised forces of a contact. Rows have one value a spring, or one a ring, and follow one
+/// another.
 #[derive(Debug, Clone, Default)]
 pub struct ContactTangent {
     /// ∂(ring force)/∂(ring), row by row.
@@ -271,43 +242,6 @@ pub struct Ring {
     pub velocity: [f64; 3],
     /// Radial clearance of the undeformed bearing.
     pub c: f64,
-}
-
-/// Normal force of every spring of a ring and its derivatives, as a law gives them.
-#[derive(Debug, Clone, Copy)]
-pub struct SpringForce<'a> {
-    /// Q (N).
-    pub q: &'a [f64],
-    /// ∂Q/∂h (N/m).
-    pub dq_dh: &'a [f64],
-    /// ∂Q/∂ḣ (N·s/m).
-    pub dq_dh_dot: &'a [f64],
-}
-
-/// Derivatives of a ring's generalised forces. "ring" stands for (θ, ε_x, ε_y), "spring" for δ_j.
-#[derive(Debug, Clone, Default)]
-pub struct RingTangent {
-    /// ∂(ring force)/∂(ring), row by row.
-    pub ring_ring: [[f64; 3]; 3],
-    /// ∂(ring force i)/∂δ_j: three rows of `springs` values.
-    pub ring_spring: [Vec<f64>; 3],
-    /// ∂(spring force j)/∂(ring coordinate i): three rows of `springs` values.
-    pub spring_ring: [Vec<f64>; 3],
-    /// ∂(spring force j)/∂δ_j.
-    pub spring_spring: Vec<f64>,
-}
-
-impl RingTangent {
-    /// Zeros for a ring of `springs` springs.
-    pub fn new(springs: usize) -> Self {
-        let rows = || [vec![0.0; springs], vec![0.0; springs], vec![0.0; springs]];
-        RingTangent {
-            ring_ring: [[0.0; 3]; 3],
-            ring_spring: rows(),
-            spring_ring: rows(),
-            spring_spring: vec![0.0; springs],
-        }
-    }
 }
 
 /// Shape of a constant tensor of a motion; n is the number of flexible coordinates η.

@@ -113,6 +113,31 @@ pub fn rows_mut<const N: usize>(len: usize, data: &mut [f64]) -> [&mut [f64]; N]
     })
 }
 
+/// The first `len` values of each of N rows that stand `stride` apart.
+///
+/// # Panics
+/// If `data` is shorter.
+#[inline(always)]
+pub fn strided<const N: usize>(len: usize, stride: usize, data: &[f64]) -> [&[f64]; N] {
+    from_fn(|row| &data[row * stride..][..len])
+}
+
+/// The same, to be written.
+///
+/// # Panics
+/// If `data` is shorter, or if rows overlap.
+#[inline(always)]
+pub fn strided_mut<const N: usize>(len: usize, stride: usize, data: &mut [f64]) -> [&mut [f64]; N] {
+    let mut rest = data;
+    from_fn(|row| {
+        // Behind the last row nothing need follow.
+        let end = if row + 1 == N { len } else { stride };
+        let (own, behind) = std::mem::take(&mut rest).split_at_mut(end);
+        rest = behind;
+        &mut own[..len]
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,5 +1,4 @@
-//! Laws of several inputs and forces, at springs and on whole rings: what their kernels take, give and
-//! linearise, against hyper-dual evaluation of the measures and against central differences.
+//! Kinds of laws, at springs and on whole rings: what their kernels take, give and linearise, against hyper-dual evaluation of the measures and against central differences.
 
 use whirl_specs::clearances::journal::measures;
 use whirl_specs::{BoreMotion, CLEARANCES, Contact, ContactState, ContactTangent, Ring};
@@ -83,7 +82,7 @@ impl Bench {
                 Bench { kind, count, table }
             })
             .collect();
-        assert_eq!(benches.len(), 2, "springs and rings");
+        assert_eq!(benches.len(), 3, "normal forces, springs and rings");
         benches
     }
 
@@ -126,6 +125,7 @@ impl Bench {
         let three = |values: &[f64]| [values[0], values[1], values[2]];
         let ring = Ring { position: three(&state.q), velocity: three(&state.rate), c: C };
         run(&ContactState {
+            stride: self.count,
             table: &self.table,
             ring: &ring,
             radius: R,
@@ -410,7 +410,51 @@ fn reactions_on_shaft_and_bore_are_equal_and_opposite() {
             let work: f64 = force.iter().zip(&motion).map(|(f, m)| f * m).sum();
             let scale = force.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
             assert!(work.abs() <= 64.0 * f64::EPSILON * scale, "{}: {work}", bench.kind.name);
-            assert!(force[0].abs() > 1e-3, "{}: there is a torque", bench.kind.name);
+            // Normal forces meet in the centre.
+            let turns = bench.kind.forces.iter().any(|force| force.radius || force.unit != "N");
+            assert!(!turns || force[0].abs() > 1e-3, "{}: there is a torque", bench.kind.name);
+        }
+    }
+}
+
+/// What the springs of a plane give does not depend on which others lie beside them in the rows.
+#[test]
+fn planes_of_a_law_lie_side_by_side() {
+    let mut random = Random::new(15);
+    for bench in Bench::all().into_iter().filter(|bench| bench.kind.each_spring) {
+        let state = bench.random(&mut random);
+        let (n, whole) = (bench.count, bench.force(&state));
+        let (inputs, (forces, slopes)) = (bench.inputs(&state), bench.laws(&state));
+        let mut found = vec![f64::NAN; inputs.len()];
+        let mut bore = vec![f64::NAN; bench.motions() * n];
+        let (mut ring, mut t) = ([0.0; 3], ContactTangent::new(n, bench.motions()));
+        bench.with(&state, |state| {
+            (bench.kind.tangent)(n, state, &forces, &slopes, A1, &mut t);
+        });
+        for part in [0..3, 3..n] {
+            let (first, count) = (part.start, part.len());
+            let (mut own, mut tangent) = ([0.0; 3], ContactTangent::new(count, bench.motions()));
+            bench.with(&state, |state| {
+                let state = ContactState {
+                    table: &state.table[first..],
+                    bore: &state.bore[first..],
+                    bore_dot: &state.bore_dot[first..],
+                    ..*state
+                };
+                (bench.kind.evaluate)(count, &state, &mut found[first..]);
+                (bench.kind.force)(count, &state, &forces[first..], &mut own, &mut bore[first..]);
+                let (forces, slopes) = (&forces[first..], &slopes[first..]);
+                (bench.kind.tangent)(count, &state, forces, slopes, A1, &mut tangent);
+            });
+            ring.iter_mut().zip(own).for_each(|(sum, force)| *sum += force);
+            let rows = tangent.ring_bore.chunks(count).zip(t.ring_bore.chunks(n));
+            rows.for_each(|(own, whole)| assert_eq!(own, &whole[part.clone()]));
+        }
+        assert_eq!(found, inputs, "{}", bench.kind.name);
+        assert_eq!(bore, whole[3..], "{}", bench.kind.name);
+        let scale = whole[..3].iter().fold(0.0, |m: f64, f| m.max(f.abs()));
+        for (own, whole) in ring.iter().zip(&whole) {
+            assert!((own - whole).abs() <= 64.0 * f64::EPSILON * scale, "{}", bench.kind.name);
         }
     }
 }

@@ -4,7 +4,9 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use whirl_benches::hand;
-use whirl_specs::{CLEARANCES, LAWS, MOTIONS, Motion, MotionState, Ring, RingTangent, SpringForce};
+use whirl_specs::{
+    CLEARANCES, ContactState, ContactTangent, LAWS, MOTIONS, Motion, MotionState, Ring,
+};
 
 fn config() -> TestRunner {
     TestRunner::new(Config { cases: 64, failure_persistence: None, ..Config::default() })
@@ -57,24 +59,28 @@ fn clearances_agree_with_the_hand_written_one() {
     let (reference, own) = (&hand::clearance::CLEARANCE, &CLEARANCES[0]);
     let check = |case: Springs| {
         let [psi, delta, delta_dot, q, dq_dh, dq_dh_dot] = &case.rows;
-        let n = psi.len();
-        let evaluate = |kernels: &whirl_specs::Clearance| {
+        let (n, slopes) = (psi.len(), [dq_dh.as_slice(), dq_dh_dot].concat());
+        let evaluate = |clearance: &whirl_specs::Clearance| {
+            let kernels = &clearance.contacts[0];
             let mut table = vec![0.0; kernels.table * n];
             (kernels.prepare)(psi, &mut table);
-            let (mut h, mut h_dot) = (vec![0.0; n], vec![0.0; n]);
-            let ring = &case.ring;
-            (kernels.clearance)(n, &table, ring, delta, delta_dot, &mut h, &mut h_dot);
+            let state = ContactState {
+                stride: n,
+                table: &table,
+                ring: &case.ring,
+                radius: 0.0,
+                bore: delta,
+                bore_dot: delta_dot,
+            };
+            let mut h = vec![0.0; 2 * n];
+            (kernels.evaluate)(n, &state, &mut h);
             let (mut force, mut spring) = ([0.0; 3], vec![0.0; n]);
-            (kernels.force)(n, &table, ring, delta, q, &mut force, &mut spring);
-            let mut tangent = RingTangent::new(n);
-            let law = SpringForce { q, dq_dh, dq_dh_dot };
-            (kernels.tangent)(n, &table, ring, delta, delta_dot, &law, 3.7, &mut tangent);
-            let mut all = [h, h_dot, force.to_vec(), spring].concat();
-            all.extend(tangent.ring_ring.concat());
-            all.extend(tangent.ring_spring.concat());
-            all.extend(tangent.spring_ring.concat());
-            all.extend(tangent.spring_spring);
-            all.extend((kernels.axial)(psi[0]));
+            (kernels.force)(n, &state, q, &mut force, &mut spring);
+            let mut tangent = ContactTangent::new(n, 1);
+            (kernels.tangent)(n, &state, q, &slopes, 3.7, &mut tangent);
+            let mut all = [h, force.to_vec(), spring, tangent.ring_ring.concat()].concat();
+            all.extend([tangent.ring_bore, tangent.bore_ring, tangent.bore_bore].concat());
+            all.extend((clearance.axial)(psi[0]));
             all
         };
         let (ours, theirs) = (evaluate(own), evaluate(reference));

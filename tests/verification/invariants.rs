@@ -10,7 +10,7 @@ use whirl_solver::dynamics::{March, State, System, march};
 use whirl_solver::linalg::{Lu, Matrix, generalised_symmetric_eigen};
 use whirl_solver::machine::{Machine, MachineParts};
 use whirl_solver::shaft::Shaft;
-use whirl_specs::{CLEARANCES, MotionState, Ring, RingTangent, SpringForce};
+use whirl_specs::{CLEARANCES, ContactState, ContactTangent, MotionState, Ring};
 
 use crate::small_shaft::{
     CLEARANCE, JOURNALS, LawOf, SPRINGS, bearings, free, journal, mesh, motion, options, ring,
@@ -294,14 +294,22 @@ fn whirl_frequencies(shaft: &Shaft, speed: f64) -> Vec<f64> {
 
 /// ∂(forces on θ, ε_x, ε_y)/∂(θ, ε_x, ε_y) of a ring at its centre.
 fn ring_tangent(speed: f64) -> [[f64; 3]; 3] {
-    let kernels = &CLEARANCES[0];
+    let kernels = &CLEARANCES[0].contacts[0];
     let mut table = vec![0.0; kernels.table * SPRINGS];
     (kernels.prepare)(&ring(), &mut table);
     let centred = Ring { velocity: [speed, 0.0, 0.0], c: CLEARANCE, ..Ring::default() };
-    let (zeros, slope) = ([0.0; SPRINGS], [-SPRING; SPRINGS]);
-    let law = SpringForce { q: &zeros, dq_dh: &slope, dq_dh_dot: &zeros };
-    let mut tangent = RingTangent::new(SPRINGS);
-    (kernels.tangent)(SPRINGS, &table, &centred, &zeros, &zeros, &law, 0.0, &mut tangent);
+    let zeros = [0.0; SPRINGS];
+    let state = ContactState {
+        stride: SPRINGS,
+        table: &table,
+        ring: &centred,
+        radius: 0.0,
+        bore: &zeros,
+        bore_dot: &zeros,
+    };
+    let slopes = [[-SPRING; SPRINGS], zeros].concat();
+    let mut tangent = ContactTangent::new(SPRINGS, 1);
+    (kernels.tangent)(SPRINGS, &state, &zeros, &slopes, 0.0, &mut tangent);
     tangent.ring_ring
 }
 

@@ -4,7 +4,9 @@
 //! With u = A(θ)ε, s_j = ∂h_j/∂u = −(cos ψ_j, sin ψ_j), J = ∂u/∂(θ, ε) and W = ∂u̇/∂(θ, ε):
 //! h_j = c + s_j·u + δ_j, ∂h_j/∂(θ, ε) = Jᵀs_j, ∂ḣ_j/∂(θ, ε) = Wᵀs_j.
 
-use whirl_specs::{Clearance, Origin, Ring, RingTangent, SpringForce};
+use whirl_specs::{
+    BoreMotion, Clearance, Contact, ContactState, ContactTangent, ContactVariable, Origin, Ring,
+};
 
 /// The clearance of eqs. (14) and (24) with the shaft's displacement turned into the fixed frame.
 pub static CLEARANCE: Clearance = Clearance {
@@ -16,14 +18,29 @@ pub static CLEARANCE: Clearance = Clearance {
         text: "",
         hash: "",
     },
+    axial,
+    contacts: &[NORMAL],
+};
+
+/// Laws Q(h, ḣ).
+const NORMAL: Contact = Contact {
+    name: "normal",
+    each_spring: true,
+    inputs: &[
+        ContactVariable { name: "h", ..RADIAL },
+        ContactVariable { name: "h_dot", unit: "m/s", rate: true, ..RADIAL },
+    ],
+    forces: &[ContactVariable { name: "Q", unit: "N", measure: Some(0), ..RADIAL }],
+    bore: &[BoreMotion::Radial],
     table: 2,
     prepare,
-    clearance,
+    evaluate: clearance,
     force,
     tangent,
-    axial,
-    contacts: &[],
 };
+
+const RADIAL: ContactVariable =
+    ContactVariable { name: "", unit: "m", bore: &[0], radius: false, rate: false, measure: None };
 
 fn prepare(psi: &[f64], table: &mut [f64]) {
     let (cos, sin) = table.split_at_mut(psi.len());
@@ -63,36 +80,32 @@ impl Journal {
     }
 }
 
-fn clearance(
-    springs: usize,
-    table: &[f64],
-    ring: &Ring,
-    delta: &[f64],
-    delta_dot: &[f64],
-    h: &mut [f64],
-    h_dot: &mut [f64],
-) {
-    let Journal { u, u_dot, .. } = Journal::new(ring);
-    let (cos, sin) = (&table[..springs], &table[springs..2 * springs]);
-    let (delta, delta_dot) = (&delta[..springs], &delta_dot[..springs]);
+/// cos ψ and sin ψ of every spring.
+fn table<'t>(springs: usize, state: &ContactState<'t>) -> [&'t [f64]; 2] {
+    [&state.table[..springs], &state.table[state.stride..][..springs]]
+}
+
+fn clearance(springs: usize, state: &ContactState, out: &mut [f64]) {
+    let Journal { u, u_dot, .. } = Journal::new(state.ring);
+    let ([cos, sin], c) = (table(springs, state), state.ring.c);
+    let (delta, delta_dot) = (&state.bore[..springs], &state.bore_dot[..springs]);
+    let (h, h_dot) = out.split_at_mut(state.stride);
     let (h, h_dot) = (&mut h[..springs], &mut h_dot[..springs]);
     for k in 0..springs {
-        h[k] = ring.c - cos[k] * u[0] - sin[k] * u[1] + delta[k];
+        h[k] = c - cos[k] * u[0] - sin[k] * u[1] + delta[k];
         h_dot[k] = delta_dot[k] - cos[k] * u_dot[0] - sin[k] * u_dot[1];
     }
 }
 
 fn force(
     springs: usize,
-    table: &[f64],
-    ring: &Ring,
-    _delta: &[f64],
+    state: &ContactState,
     q: &[f64],
     ring_force: &mut [f64; 3],
     spring_force: &mut [f64],
 ) {
-    let total = total(springs, table, q);
-    let journal = Journal::new(ring);
+    let total = total(springs, state, q);
+    let journal = Journal::new(state.ring);
     for (force, column) in ring_force.iter_mut().zip(&journal.j) {
         *force = dot(column, &total);
     }
@@ -100,8 +113,8 @@ fn force(
 }
 
 /// Σ Q_j s_j: the force on the shaft in the fixed frame.
-fn total(springs: usize, table: &[f64], q: &[f64]) -> [f64; 2] {
-    let (cos, sin, q) = (&table[..springs], &table[springs..2 * springs], &q[..springs]);
+fn total(springs: usize, state: &ContactState, q: &[f64]) -> [f64; 2] {
+    let ([cos, sin], q) = (table(springs, state), &q[..springs]);
     let mut total = [0.0; 2];
     for k in 0..springs {
         total[0] -= q[k] * cos[k];
@@ -110,21 +123,18 @@ fn total(springs: usize, table: &[f64], q: &[f64]) -> [f64; 2] {
     total
 }
 
-#[expect(clippy::too_many_arguments, reason = "the registry fixes the signature")]
 fn tangent(
     springs: usize,
-    table: &[f64],
-    ring: &Ring,
-    _delta: &[f64],
-    _delta_dot: &[f64],
-    law: &SpringForce,
+    state: &ContactState,
+    q: &[f64],
+    slopes: &[f64],
     a1: f64,
-    tangent: &mut RingTangent,
+    tangent: &mut ContactTangent,
 ) {
-    let journal = Journal::new(ring);
-    let (cos, sin) = (&table[..springs], &table[springs..2 * springs]);
-    let (stiff, viscous) = (&law.dq_dh[..springs], &law.dq_dh_dot[..springs]);
-    let spring_spring = &mut tangent.spring_spring[..springs];
+    let journal = Journal::new(state.ring);
+    let [cos, sin] = table(springs, state);
+    let (stiff, viscous) = (&slopes[..springs], &slopes[state.stride..][..springs]);
+    let spring_spring = &mut tangent.bore_bore[..springs];
     // Σ k s sᵀ and Σ d s sᵀ as xx, xy, yy; k = ∂Q/∂h + a1 ∂Q/∂ḣ, d = ∂Q/∂ḣ.
     let (mut kss, mut dss) = ([0.0; 3], [0.0; 3]);
     for j in 0..springs {
@@ -143,8 +153,8 @@ fn tangent(
             tangent.ring_ring[i][j] = dot(&left_k, &journal.j[j]) + dot(&left_d, &journal.w[j]);
         }
         let (gradient, rate) = (journal.j[i], journal.w[i]);
-        let ring_spring = &mut tangent.ring_spring[i][..springs];
-        let spring_ring = &mut tangent.spring_ring[i][..springs];
+        let ring_spring = &mut tangent.ring_bore[i * springs..][..springs];
+        let spring_ring = &mut tangent.bore_ring[i * springs..][..springs];
         for j in 0..springs {
             let across = -spring_spring[j] * (cos[j] * gradient[0] + sin[j] * gradient[1]);
             ring_spring[j] = across;
@@ -152,7 +162,7 @@ fn tangent(
         }
     }
     // Q ∂²h/∂q²: ∂²u/∂θ² = −u, ∂²u/∂θ∂ε = A_θ.
-    let total = total(springs, table, law.q);
+    let total = total(springs, state, q);
     tangent.ring_ring[0][0] -= dot(&total, &journal.u);
     for i in 1..3 {
         let turned = [-journal.j[i][1], journal.j[i][0]];

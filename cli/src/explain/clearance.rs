@@ -26,13 +26,14 @@ pub(super) fn explain(page: &mut Page, spec: &ClearanceSpec) {
             show(weight)
         ));
     }
-    if !spec.measures.is_empty() {
+    if spec.measures.len() > 1 {
         page.heading("What else laws may depend on, and their other forces work on");
         for (name, value) in &spec.measures {
-            page.item(&format!("{name} = {}", display_rounded(&spec.contact_graph, *value)));
+            page.item(&format!("{name} = {}", display_rounded(&spec.graph, *value)));
         }
     }
-    let derived = match spec.derive() {
+    let (normal, others) = spec.contacts.split_first().expect("the kind of Q(h, ḣ)");
+    let derived = match spec.derive(normal) {
         Ok(derived) => derived,
         Err(errors) => {
             page.paragraph(2, &format!("not differentiated: {errors}"));
@@ -40,21 +41,20 @@ pub(super) fn explain(page: &mut Page, spec: &ClearanceSpec) {
         }
     };
     let mut parts = Parts::new(spec, derived);
-    let ring: Vec<&Coordinate> = spec.ring.iter().collect();
-    let all: Vec<&Coordinate> = ring.iter().copied().chain([&spec.radial]).collect();
+    let all: Vec<&Coordinate> = spec.ring.iter().chain([&spec.radial]).collect();
     page.heading(&format!("Gradient and rate of {h}"));
     for (k, coordinate) in all.iter().enumerate() {
         let unit = if coordinate.unit == "m" { "1" } else { "m/rad" };
-        let slope = parts.derived.gradient[k];
+        let slope = parts.derived.gradients[0][k];
         let name = format!("d{h}_d{}", coordinate.name);
         page.item(&format!("{name} ({unit}) = {}", parts.show(slope)));
         parts.name(slope, &name);
     }
-    let rate = parts.derived.h_dot;
+    let rate = parts.derived.inputs[1];
     page.item(&format!("{h}_dot (m/s) = {}", parts.show(rate)));
     page.heading("Generalised forces of one spring with normal force Q (N)");
     let force = parts.derived.force.clone();
-    for (coordinate, force) in all.iter().zip(force.ring.into_iter().chain([force.radial])) {
+    for (coordinate, force) in all.iter().zip(force) {
         let unit = if coordinate.unit == "m" { "N" } else { "N m" };
         page.item(&format!("on {} ({unit}) = {}", coordinate.name, parts.show(force)));
     }
@@ -62,27 +62,19 @@ pub(super) fn explain(page: &mut Page, spec: &ClearanceSpec) {
     second(page, &mut parts, h, &all);
     page.heading("Tangent B + a1 P of the forces: row of the force, column of the coordinate");
     let tangent = parts.derived.tangent.clone();
-    let mut entry = |page: &mut Page, row: &Coordinate, column: &Coordinate, id| {
-        page.item(&format!("{}.{} = {}", row.name, column.name, parts.show(id)));
-    };
-    for (i, row) in ring.iter().enumerate() {
-        for (k, column) in ring.iter().enumerate() {
-            entry(page, row, column, tangent.ring_ring[i][k]);
+    for (row, entries) in all.iter().zip(tangent) {
+        for (column, entry) in all.iter().zip(entries) {
+            page.item(&format!("{}.{} = {}", row.name, column.name, parts.show(entry)));
         }
-        entry(page, row, &spec.radial, tangent.ring_radial[i]);
     }
-    for (k, column) in ring.iter().enumerate() {
-        entry(page, &spec.radial, column, tangent.radial_ring[k]);
-    }
-    entry(page, &spec.radial, &spec.radial, tangent.radial_radial);
-    spec.contacts.iter().for_each(|kind| contact(page, spec, kind));
+    others.iter().for_each(|kind| contact(page, spec, kind));
 }
 
 /// What laws of more inputs and forces than Q(h, ḣ) take, and how their forces act.
 fn contact(page: &mut Page, spec: &ClearanceSpec, kind: &Contact) {
     let each = if kind.each_spring { "at every spring" } else { "once a ring" };
     page.heading(&format!("Laws of a {}, {each}: what they take, as derived", kind.name));
-    let mut derived = match spec.derive_contact(kind) {
+    let mut derived = match spec.derive(kind) {
         Ok(derived) => derived,
         Err(errors) => {
             page.paragraph(2, &format!("not differentiated: {errors}"));
@@ -111,8 +103,8 @@ fn contact(page: &mut Page, spec: &ClearanceSpec, kind: &Contact) {
 
 /// Says and names ∂²h/∂q∂q and ∂ḣ/∂q, of which the tangent is made.
 fn second(page: &mut Page, parts: &mut Parts, h: &str, all: &[&Coordinate]) {
-    let gradient = parts.derived.gradient.clone();
-    let rate = parts.derived.h_dot;
+    let gradient = parts.derived.gradients[0].clone();
+    let rate = parts.derived.inputs[1];
     let mut found = Vec::new();
     for (i, row) in all.iter().enumerate() {
         for column in &all[i..] {

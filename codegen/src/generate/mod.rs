@@ -4,8 +4,10 @@ mod basis;
 mod block;
 mod cell;
 mod clearance;
-mod clearance_contact;
+
 mod clearance_kernels;
+mod clearance_part;
+mod clearance_program;
 mod element;
 mod facts;
 mod form;

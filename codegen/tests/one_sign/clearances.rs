@@ -30,14 +30,14 @@ struct Spring {
 
 impl Spring {
     fn new(spec: &ClearanceSpec) -> Self {
-        let derived = spec.derive().unwrap_or_else(|errors| panic!("{errors}"));
+        let normal = spec.derive(&spec.contacts[0]);
+        let derived = normal.unwrap_or_else(|errors| panic!("{errors}"));
         let positions =
             [&spec.spring, &spec.constant].into_iter().chain(&spec.ring).chain([&spec.radial]);
-        let all = positions.chain(&derived.ring_rates).chain([&derived.radial_rate]);
+        let all = positions.chain(&derived.rates);
         let mut inputs: Vec<(String, Id)> =
             all.map(|coordinate| (coordinate.name.clone(), coordinate.symbol)).collect();
-        let law = [("Q", derived.q), ("dQ_dh", derived.dq_dh), ("dQ_dh_dot", derived.dq_dh_dot)];
-        inputs.extend(law.map(|(name, id)| (name.to_owned(), id)));
+        inputs.extend(derived.forces.iter().chain(derived.slopes.iter().flatten()).cloned());
         inputs.push(("a1_".to_owned(), derived.a1));
         assert_eq!(inputs.len(), INPUTS);
         Spring { inputs, value: spec.value, derived }
@@ -55,25 +55,16 @@ impl Spring {
     }
 
     fn gradient(&self) -> Vec<(String, Id)> {
-        let gradient = self.derived.gradient.iter().enumerate();
+        let gradient = self.derived.gradients[0].iter().enumerate();
         gradient.map(|(i, id)| (format!("g_{i}"), *id)).collect()
     }
 
     /// The derivatives that are mutated: gradient, rate, tangent.
     fn derivatives(&self) -> Vec<(String, Id)> {
         let mut all = self.gradient();
-        all.push(("h_rate".to_owned(), self.derived.h_dot));
-        let tangent = &self.derived.tangent;
-        for i in 0..COORDINATES {
-            for k in 0..COORDINATES {
-                let entry = match (i < RING, k < RING) {
-                    (true, true) => tangent.ring_ring[i][k],
-                    (true, false) => tangent.ring_radial[i],
-                    (false, true) => tangent.radial_ring[k],
-                    (false, false) => tangent.radial_radial,
-                };
-                all.push((format!("t_{i}_{k}"), entry));
-            }
+        all.push(("h_rate".to_owned(), self.derived.inputs[1]));
+        for (i, row) in self.derived.tangent.iter().enumerate() {
+            all.extend(row.iter().enumerate().map(|(k, entry)| (format!("t_{i}_{k}"), *entry)));
         }
         all
     }
@@ -113,7 +104,7 @@ fn differences(spring: &Spring, at: &[f64]) -> Vec<Difference> {
     };
     all.push(difference(along, 1e-6, size));
     let mut known = spring.gradient();
-    known.push(("h_rate".to_owned(), spring.derived.h_dot));
+    known.push(("h_rate".to_owned(), spring.derived.inputs[1]));
     let known = spring.program(&known);
     let start = run(&known, at, None);
     let (h_start, rate_start) = (h(at), start[COORDINATES]);

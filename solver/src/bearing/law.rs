@@ -82,70 +82,14 @@ impl SpringLaw for &'static Law {
     }
 }
 
-/// What a law of normal forces takes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Input {
-    /// Clearance h (m).
-    Clearance,
-    /// Its rate ḣ (m/s).
-    ClearanceRate,
-}
-
-const INPUTS: [(&str, Input); 2] = [("h", Input::Clearance), ("h_dot", Input::ClearanceRate)];
-/// The force that the quick kernels of the clearance carry.
-const NORMAL_FORCE: &str = "Q";
-
-/// A law of normal forces Q(h, ḣ) with its inputs and outputs found by name.
+/// A law with its inputs and outputs found by name.
 pub(crate) struct BoundLaw {
-    pub(crate) law: Box<dyn SpringLaw>,
-    pub(crate) inputs: Vec<Input>,
-    /// Number of rows that the law writes.
-    pub(crate) output_rows: usize,
-    /// Row of Q; its derivatives follow.
-    pub(crate) q_row: usize,
-}
-
-/// A law that takes or gives more, with its inputs and outputs found by name.
-pub(crate) struct ContactLaw {
     pub(crate) law: Box<dyn SpringLaw>,
     pub(crate) kind: &'static Contact,
     /// For every input of the law its place in [`Contact::inputs`].
     pub(crate) inputs: Vec<usize>,
     /// For every output of the law its place in [`Contact::forces`].
     pub(crate) forces: Vec<usize>,
-}
-
-/// A law by the kernels that it needs.
-pub(crate) enum Bound {
-    /// Q(h, ḣ).
-    Normal(BoundLaw),
-    /// Anything else.
-    Contact(ContactLaw),
-}
-
-impl Bound {
-    /// Finds what the law takes and gives.
-    ///
-    /// # Errors
-    /// An input or an output that no kind of law has, or inputs and outputs of different kinds.
-    pub(crate) fn new(
-        law: Box<dyn SpringLaw>,
-        kinds: &'static [Contact],
-    ) -> Result<Self, WrongLaw> {
-        let quick = |name: &str| INPUTS.iter().find(|(input, _)| *input == name).map(|(_, i)| *i);
-        let inputs: Option<Vec<Input>> = law.inputs().into_iter().map(quick).collect();
-        if let (Some(inputs), [NORMAL_FORCE]) = (inputs, law.outputs().as_slice()) {
-            let output_rows = 1 + inputs.len();
-            return Ok(Bound::Normal(BoundLaw { output_rows, q_row: 0, inputs, law }));
-        }
-        let kind = kind(law.as_ref(), kinds)?;
-        let place = |name: &str, list: &[ContactVariable]| {
-            list.iter().position(|own| own.name == name).expect("the kind has it")
-        };
-        let inputs = law.inputs().into_iter().map(|name| place(name, kind.inputs)).collect();
-        let forces = law.outputs().into_iter().map(|name| place(name, kind.forces)).collect();
-        Ok(Bound::Contact(ContactLaw { inputs, forces, kind, law }))
-    }
 }
 
 /// What is wrong with a law, and how to fix it.
@@ -155,8 +99,19 @@ pub(crate) struct WrongLaw {
     pub(crate) help: String,
 }
 
-/// The kind whose forces a law gives.
-fn kind(law: &dyn SpringLaw, kinds: &'static [Contact]) -> Result<&'static Contact, WrongLaw> {
+/// Why no kind has all that a law takes and gives.
+fn mismatch(law: &dyn SpringLaw, kinds: &'static [Contact]) -> WrongLaw {
+    let has = |list: &[ContactVariable], name: &str| list.iter().any(|own| own.name == name);
+    let within = |kind: &Contact, other: &Contact| {
+        kind.inputs.iter().all(|own| has(other.inputs, own.name))
+            && kind.forces.iter().all(|own| has(other.forces, own.name))
+    };
+    // A kind that another has whole says nothing of its own.
+    let own = kinds.iter().enumerate().filter(|&(place, kind)| {
+        let mut others = kinds.iter().enumerate().filter(|(other, _)| *other != place);
+        !others.any(|(other, own)| within(kind, own) && (other > place || !within(own, kind)))
+    });
+    let kinds: Vec<&'static Contact> = own.map(|(_, kind)| kind).collect();
     let names = |list: &[ContactVariable]| list.iter().map(|own| own.name).collect::<Vec<_>>();
     let all = |list: fn(&Contact) -> &[ContactVariable]| {
         let mut all: Vec<&str> = kinds.iter().flat_map(|kind| names(list(kind))).collect();
@@ -168,22 +123,21 @@ fn kind(law: &dyn SpringLaw, kinds: &'static [Contact]) -> Result<&'static Conta
         Some(near) => format!("did you mean {near}?"),
         None => format!("there are {}", known.join(", ")),
     };
-    let has = |list: &[ContactVariable], name: &str| list.iter().any(|own| own.name == name);
     let (inputs, outputs) = (law.inputs(), law.outputs());
     let Some(first) = outputs.first() else {
         let (what, help) = ("gives no force".to_owned(), "give it an output, such as Q".to_owned());
-        return Err(WrongLaw { what, help });
+        return WrongLaw { what, help };
     };
     for name in &outputs {
         if !kinds.iter().any(|kind| has(kind.forces, name)) {
             let what = format!("gives {name}, which is not a force of a spring or of a ring");
-            return Err(WrongLaw { what, help: known(name, all(|kind| kind.forces)) });
+            return WrongLaw { what, help: known(name, all(|kind| kind.forces)) };
         }
     }
     for name in &inputs {
         if !kinds.iter().any(|kind| has(kind.inputs, name)) {
             let what = format!("takes the input {name}, which neither springs nor rings have");
-            return Err(WrongLaw { what, help: known(name, all(|kind| kind.inputs)) });
+            return WrongLaw { what, help: known(name, all(|kind| kind.inputs)) };
         }
     }
     let kind = kinds.iter().find(|kind| has(kind.forces, first)).expect("found above");
@@ -197,33 +151,50 @@ fn kind(law: &dyn SpringLaw, kinds: &'static [Contact]) -> Result<&'static Conta
         (None, None) => None,
     };
     if let Some(what) = mixed {
-        let each = |kind: &Contact| {
+        let each = |kind: &&Contact| {
             let (inputs, forces) = (names(kind.inputs).join(", "), names(kind.forces).join(", "));
             format!("a law of a {} gives {forces} and takes {inputs}", kind.name)
         };
         let help = kinds.iter().map(each).collect::<Vec<_>>().join("; ");
-        return Err(WrongLaw { what, help });
+        return WrongLaw { what, help };
     }
     let needed = kind.forces[0].name;
-    if !outputs.contains(&needed) {
-        let what = format!("gives {}, but a {} needs {needed}", outputs.join(", "), kind.name);
-        return Err(WrongLaw { what, help: format!("give it the output {needed}") });
-    }
-    Ok(kind)
+    let what = format!("gives {}, but a {} needs {needed}", outputs.join(", "), kind.name);
+    WrongLaw { what, help: format!("give it the output {needed}") }
 }
 
 impl BoundLaw {
-    /// Whether the law depends on `input`.
-    pub(crate) fn uses(&self, input: Input) -> bool {
-        self.inputs.contains(&input)
+    /// Finds what the law takes and gives, in the first kind that has it all.
+    ///
+    /// # Errors
+    /// An input or an output that no kind of law has, or inputs and outputs of different kinds.
+    pub(crate) fn new(
+        law: Box<dyn SpringLaw>,
+        kinds: &'static [Contact],
+    ) -> Result<Self, WrongLaw> {
+        let place =
+            |name: &str, list: &[ContactVariable]| list.iter().position(|own| own.name == name);
+        let bound = kinds.iter().find_map(|kind| {
+            let inputs = law.inputs().into_iter().map(|name| place(name, kind.inputs));
+            let forces = law.outputs().into_iter().map(|name| place(name, kind.forces));
+            let inputs = inputs.collect::<Option<Vec<usize>>>()?;
+            let forces = forces.collect::<Option<Vec<usize>>>()?;
+            forces.contains(&0).then_some((kind, inputs, forces))
+        });
+        match bound {
+            Some((kind, inputs, forces)) => Ok(BoundLaw { inputs, forces, kind, law }),
+            None => Err(mismatch(law.as_ref(), kinds)),
+        }
     }
-}
 
-impl ContactLaw {
+    /// What the law takes.
+    fn taken(&self) -> impl Iterator<Item = &'static ContactVariable> {
+        self.inputs.iter().map(|&place| &self.kind.inputs[place])
+    }
+
     /// What the law takes and gives.
     fn variables(&self) -> impl Iterator<Item = &'static ContactVariable> {
-        let inputs = self.inputs.iter().map(|&place| &self.kind.inputs[place]);
-        inputs.chain(self.forces.iter().map(|&place| &self.kind.forces[place]))
+        self.taken().chain(self.forces.iter().map(|&place| &self.kind.forces[place]))
     }
 
     /// For every motion of the bore of the kind whether the law needs it.
@@ -235,6 +206,22 @@ impl ContactLaw {
     /// What of the law needs the journal's radius, if anything does.
     pub(crate) fn needs_radius(&self) -> Option<&'static str> {
         self.variables().find(|own| own.radius).map(|own| own.name)
+    }
+
+    /// Whether it depends on how fast the bore moves.
+    pub(crate) fn needs_rates(&self) -> bool {
+        self.taken().any(|own| own.rate && !own.bore.is_empty())
+    }
+
+    /// Whether it acts at every spring and takes all that its forces work on.
+    pub(crate) fn takes_what_it_works_on(&self) -> bool {
+        let mut forces = self.forces.iter().map(|&place| &self.kind.forces[place]);
+        self.kind.each_spring && forces.all(|force| force.measure.is_some())
+    }
+
+    /// Whether it depends on any rate.
+    pub(crate) fn takes_rates(&self) -> bool {
+        self.taken().any(|own| own.rate)
     }
 }
 

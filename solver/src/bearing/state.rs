@@ -1,13 +1,11 @@
-//! The springs at one instant: clearances, forces, generalised forces and their derivatives.
+//! The springs at one instant: how they move, what their laws give, generalised forces and their derivatives.
 
-use std::ops::Range;
+use whirl_specs::{ContactState, ContactTangent, Ring};
 
-use whirl_specs::{Ring, RingTangent, SpringForce};
-
-use super::contact::ContactsState;
+use super::spin::Spin;
 use super::valid::ValidityMonitor;
-use super::{BoundLaw, Input, SpringLaw, Springs};
-use crate::linalg::{Matrix, add_product, largest_and_sum};
+use super::{PlacedLaw, Plane, Springs};
+use crate::linalg::{Matrix, add_product};
 
 /// Position and velocity of the machine's coordinates, as the springs see them.
 #[derive(Debug, Clone, Copy)]
@@ -22,58 +20,118 @@ pub(crate) struct Motion<'a> {
     pub(crate) support_dot: &'a [f64],
 }
 
-/// All springs at one instant. Rows have one value a spring. Allocated once, filled at will.
+/// All springs at one instant. Allocated once, filled at will.
 pub struct SpringState {
-    /// δ: radial displacement of the bore (m), and its rate (m/s).
-    delta: Vec<f64>,
-    delta_dot: Vec<f64>,
-    /// h (m).
-    pub h: Vec<f64>,
-    /// ḣ (m/s).
-    pub h_dot: Vec<f64>,
-    /// Forces tested for convergence (N): Q of every spring with a law Q(h, ḣ), then what other laws
-    /// give, moments over the journal's radius.
+    /// Forces tested for convergence (N): law after law, force after force, spring after spring; moments over
+    /// the journal's radius.
     pub forces: Vec<f64>,
-    dq_dh: Vec<f64>,
-    dq_dh_dot: Vec<f64>,
-    /// State of every plane.
-    rings: Vec<Ring>,
-    pub(crate) contacts: ContactsState,
-    /// Generalised forces on (θ, ε_x, ε_y) of every plane: N·m, N, N; ε in the frame of the shaft.
-    pub plane_force: Vec<[f64; 3]>,
-    /// Generalised force on δ_j of every spring (N).
-    spring_force: Vec<f64>,
+    pub(super) planes: Vec<PlaneState>,
+    pub(super) laws: Vec<LawState>,
+    /// The turn of the journals in their frame, where they spin in it.
+    pub(super) spin: Option<Spin>,
+    /// Motions of the bores (T_b times the support's coordinates), their rates, and the generalised forces on them.
+    bore: Vec<f64>,
+    bore_dot: Vec<f64>,
+    bore_force: Vec<f64>,
     pub(super) law_inputs: Vec<f64>,
-    pub(super) law_outputs: Vec<f64>,
+    law_outputs: Vec<f64>,
     pub(super) law_workspace: Vec<f64>,
     rates: bool,
     /// Whether the laws are used where they may be believed.
     pub(super) monitor: ValidityMonitor,
 }
 
+/// One plane.
+#[derive(Clone, Default)]
+pub(super) struct PlaneState {
+    /// θ, ε_x and ε_y as the machine's coordinates give them, and their rates.
+    pub(super) position: [f64; 3],
+    pub(super) velocity: [f64; 3],
+    /// The same in the frame that turns with the journal.
+    pub(super) ring: Ring,
+    /// Generalised forces on (θ, ε_x, ε_y) there: N·m, N, N.
+    pub(super) ring_force: [f64; 3],
+}
+
+/// A law at all its springs; rows as in [`whirl_specs::Contact`].
+#[derive(Clone)]
+pub(super) struct LawState {
+    pub(super) bore: Vec<f64>,
+    pub(super) bore_dot: Vec<f64>,
+    pub(super) inputs: Vec<f64>,
+    pub(super) forces: Vec<f64>,
+    slopes: Vec<f64>,
+    pub(super) bore_force: Vec<f64>,
+}
+
+impl LawState {
+    fn new(law: &PlacedLaw) -> Self {
+        let (kind, row) = (law.bound.kind, |rows: usize| vec![0.0; rows * law.springs]);
+        LawState {
+            bore: row(kind.bore.len()),
+            bore_dot: row(kind.bore.len()),
+            inputs: row(kind.inputs.len()),
+            forces: row(kind.forces.len()),
+            slopes: row(kind.forces.len() * kind.inputs.len()),
+            bore_force: row(kind.bore.len()),
+        }
+    }
+
+    /// Takes over all but the slopes.
+    pub(super) fn copy_motion(&mut self, other: &LawState) {
+        self.bore.copy_from_slice(&other.bore);
+        self.bore_dot.copy_from_slice(&other.bore_dot);
+        self.inputs.copy_from_slice(&other.inputs);
+        self.forces.copy_from_slice(&other.forces);
+        self.bore_force.copy_from_slice(&other.bore_force);
+    }
+
+    /// Where the kernels find the motion of a plane.
+    fn state<'s>(
+        law: &'s PlacedLaw,
+        plane: &Plane,
+        ring: &'s Ring,
+        bore: &'s [f64],
+        bore_dot: &'s [f64],
+    ) -> ContactState<'s> {
+        let first = plane.springs.start;
+        ContactState {
+            stride: law.springs,
+            table: from(&law.table, first),
+            ring,
+            radius: plane.radius,
+            bore: from(bore, first),
+            bore_dot: from(bore_dot, first),
+        }
+    }
+}
+
+/// Rows from the spring at `first` on; nothing of no rows.
+fn from(rows: &[f64], first: usize) -> &[f64] {
+    rows.get(first..).unwrap_or_default()
+}
+
 impl SpringState {
     /// Memory for the springs.
     pub fn new(springs: &Springs) -> Self {
-        let n = springs.len();
-        let row = || vec![0.0; n];
-        let most = |of: fn(&super::BoundLaw) -> usize| {
-            springs.laws.iter().map(|(law, range)| of(law) * range.len()).max().unwrap_or(0)
+        let most = |rows: fn(&PlacedLaw) -> usize| {
+            springs.laws.iter().map(|law| rows(law) * law.springs).max().unwrap_or(0)
         };
-        let workspace = springs.laws.iter().map(|(law, _)| law.law.workspace()).max();
+        let workspace = springs.laws.iter().map(|law| law.bound.law.workspace()).max();
+        let motions = || vec![0.0; springs.bore.rows];
         SpringState {
-            delta: row(),
-            delta_dot: row(),
-            h: row(),
-            h_dot: row(),
             forces: vec![0.0; springs.forces()],
-            contacts: ContactsState::new(&springs.contacts),
-            dq_dh: row(),
-            dq_dh_dot: row(),
-            rings: vec![Ring::default(); springs.planes.len()],
-            plane_force: vec![[0.0; 3]; springs.planes.len()],
-            spring_force: row(),
-            law_inputs: vec![0.0; most(|law| law.inputs.len())],
-            law_outputs: vec![0.0; most(|law| law.output_rows)],
+            planes: vec![PlaneState::default(); springs.planes.len()],
+            laws: springs.laws.iter().map(LawState::new).collect(),
+            spin: None,
+            bore: motions(),
+            bore_dot: motions(),
+            bore_force: motions(),
+            law_inputs: vec![0.0; most(|law| law.bound.inputs.len())],
+            law_outputs: vec![
+                0.0;
+                most(|law| law.bound.forces.len() * (1 + law.bound.inputs.len()))
+            ],
             law_workspace: vec![0.0; workspace.unwrap_or(0)],
             rates: springs.needs_rates(),
             monitor: ValidityMonitor::new(&springs.measures),
@@ -82,74 +140,122 @@ impl SpringState {
 
     /// Computes everything but the tangent from the motion.
     pub(crate) fn update(&mut self, springs: &Springs, motion: Motion) {
-        multiply(&springs.bore, motion.support, &mut self.delta);
-        if self.rates {
-            multiply(&springs.bore, motion.support_dot, &mut self.delta_dot);
-        }
-        for (plane, ring) in springs.planes.iter().zip(&mut self.rings) {
+        self.spin = motion.spin.map(Spin::new);
+        for (plane, own) in springs.planes.iter().zip(&mut self.planes) {
             let [x, y] = &plane.eccentricity;
-            ring.position = [motion.theta, along(x, motion.eta), along(y, motion.eta)];
-            ring.velocity = [motion.theta_dot, along(x, motion.eta_dot), along(y, motion.eta_dot)];
-            ring.c = plane.clearance;
-            let range = plane.springs.clone();
-            (springs.kernels.clearance)(
-                range.len(),
-                &plane.table,
-                ring,
-                &self.delta[range.clone()],
-                &self.delta_dot[range.clone()],
-                &mut self.h[range.clone()],
-                &mut self.h_dot[range],
-            );
+            own.position = [motion.theta, along(x, motion.eta), along(y, motion.eta)];
+            own.velocity = [motion.theta_dot, along(x, motion.eta_dot), along(y, motion.eta_dot)];
         }
-        self.evaluate_laws(springs);
-        for (plane, (ring, force)) in
-            springs.planes.iter().zip(self.rings.iter().zip(&mut self.plane_force))
-        {
-            let range = plane.springs.clone();
-            (springs.kernels.force)(
-                range.len(),
-                &plane.table,
-                ring,
-                &self.delta[range.clone()],
-                &self.forces[range.clone()],
-                force,
-                &mut self.spring_force[range],
-            );
+        multiply(&springs.bore, motion.support, &mut self.bore);
+        if self.rates {
+            multiply(&springs.bore, motion.support_dot, &mut self.bore_dot);
         }
-        let tested = &mut self.forces[springs.len()..];
-        self.contacts.update(&springs.contacts, motion, tested);
+        for (law, own) in springs.laws.iter().zip(&mut self.laws) {
+            for (row, rows) in law.bore_rows() {
+                own.bore[row.clone()].copy_from_slice(&self.bore[rows.clone()]);
+                if self.rates {
+                    own.bore_dot[row].copy_from_slice(&self.bore_dot[rows]);
+                }
+            }
+        }
+        for law in 0..springs.laws.len() {
+            self.act(springs, law);
+        }
+        for (law, own) in springs.laws.iter().zip(&self.laws) {
+            for (row, rows) in law.bore_rows() {
+                self.bore_force[rows].copy_from_slice(&own.bore_force[row]);
+            }
+        }
+        self.test_forces(springs);
     }
 
-    fn evaluate_laws(&mut self, springs: &Springs) {
-        for (law, range) in &springs.laws {
-            let n = range.len();
-            self.gather(law, range.clone());
-            let inputs = &self.law_inputs[..law.inputs.len() * n];
-            let outputs = &mut self.law_outputs[..law.output_rows * n];
-            law.law.evaluate(n, inputs, outputs, &mut self.law_workspace);
-            let row = |place: usize| &outputs[place * n..(place + 1) * n];
-            self.forces[range.clone()].copy_from_slice(row(law.q_row));
-            for (place, input) in law.inputs.iter().enumerate() {
-                let target = match input {
-                    Input::Clearance => &mut self.dq_dh,
-                    Input::ClearanceRate => &mut self.dq_dh_dot,
-                };
-                target[range.clone()].copy_from_slice(row(law.q_row + 1 + place));
+    /// What a law does in its planes, from how they move.
+    pub(super) fn act(&mut self, springs: &Springs, place: usize) {
+        let law = &springs.laws[place];
+        let own = &mut self.laws[place];
+        let planes = springs.planes[law.planes.clone()].iter();
+        let planes = planes.zip(&mut self.planes[law.planes.clone()]);
+        for (plane, moved) in planes {
+            let (c, first) = (plane.clearance, plane.springs.start);
+            moved.ring = match &self.spin {
+                Some(spin) => {
+                    let ([_, x, y], [_, x_dot, y_dot]) = (moved.position, moved.velocity);
+                    spin.ring([x, y], [x_dot, y_dot], c)
+                }
+                None => Ring { position: moved.position, velocity: moved.velocity, c },
+            };
+            let state = LawState::state(law, plane, &moved.ring, &own.bore, &own.bore_dot);
+            let inputs = &mut own.inputs[first..];
+            (law.bound.kind.evaluate)(plane.springs.len(), &state, inputs);
+        }
+        self.evaluate(law, place);
+        let own = &mut self.laws[place];
+        let planes = springs.planes[law.planes.clone()].iter();
+        let planes = planes.zip(&mut self.planes[law.planes.clone()]);
+        for (plane, moved) in planes {
+            let first = plane.springs.start;
+            let state = LawState::state(law, plane, &moved.ring, &own.bore, &own.bore_dot);
+            let bore_force = own.bore_force.get_mut(first..).unwrap_or_default();
+            let (count, ring_force) = (plane.springs.len(), &mut moved.ring_force);
+            (law.bound.kind.force)(count, &state, &own.forces[first..], ring_force, bore_force);
+        }
+    }
+
+    /// Evaluates a law at all its springs.
+    fn evaluate(&mut self, law: &PlacedLaw, place: usize) {
+        let (bound, n) = (&law.bound, law.springs);
+        self.gather(law, place);
+        let own = &mut self.laws[place];
+        let inputs = &self.law_inputs[..bound.inputs.len() * n];
+        let outputs = &mut self.law_outputs[..bound.forces.len() * (1 + bound.inputs.len()) * n];
+        bound.law.evaluate(n, inputs, outputs, &mut self.law_workspace);
+        let mut rows = outputs.chunks_exact(n.max(1));
+        for &force in &bound.forces {
+            let values = rows.next().unwrap_or_default();
+            own.forces[force * n..][..n].copy_from_slice(values);
+            for &input in &bound.inputs {
+                let row = force * bound.kind.inputs.len() + input;
+                let values = rows.next().unwrap_or_default();
+                own.slopes[row * n..][..n].copy_from_slice(values);
             }
         }
     }
 
     /// The inputs of a law, one row each.
-    pub(super) fn gather(&mut self, law: &BoundLaw, range: Range<usize>) {
-        let n = range.len();
-        for (row, input) in law.inputs.iter().enumerate() {
-            let values = match input {
-                Input::Clearance => &self.h[range.clone()],
-                Input::ClearanceRate => &self.h_dot[range.clone()],
-            };
-            self.law_inputs[row * n..(row + 1) * n].copy_from_slice(values);
+    pub(super) fn gather(&mut self, law: &PlacedLaw, place: usize) {
+        let (n, own) = (law.springs, &self.laws[place].inputs);
+        for (row, &input) in law.bound.inputs.iter().enumerate() {
+            self.law_inputs[row * n..][..n].copy_from_slice(&own[input * n..][..n]);
         }
+    }
+
+    /// Fills the forces that are tested for convergence.
+    fn test_forces(&mut self, springs: &Springs) {
+        let mut rest = self.forces.as_mut_slice();
+        for (law, own) in springs.laws.iter().zip(&self.laws) {
+            for (is_moment, forces) in law.forces_of(own) {
+                let (tested, others) = std::mem::take(&mut rest).split_at_mut(law.springs);
+                tested.copy_from_slice(forces);
+                rest = others;
+                for plane in springs.planes[law.planes.clone()].iter().filter(|_| is_moment) {
+                    tested[plane.springs.clone()].iter_mut().for_each(|m| *m /= plane.arm);
+                }
+            }
+        }
+    }
+
+    /// Generalised forces on (θ, ε_x, ε_y) of a plane: N·m, N, N; ε as the machine's coordinates give it.
+    pub(crate) fn plane_force(&self, plane: usize) -> [f64; 3] {
+        let force = self.planes[plane].ring_force;
+        self.spin.as_ref().map_or(force, |spin| spin.force(force))
+    }
+
+    /// Torque on the journal about its own centre in a plane (N·m): the generalised force on θ without the
+    /// moment that the forces on the displaced centre have about the axis.
+    pub(crate) fn plane_torque(&self, plane: usize) -> f64 {
+        let own = &self.planes[plane];
+        let ([_, x, y], [moment, along_x, along_y]) = (own.ring.position, own.ring_force);
+        moment - (x * along_y - y * along_x)
     }
 
     /// Adds the generalised forces on θ, η and the support's coordinates.
@@ -160,84 +266,78 @@ impl SpringState {
         eta: &mut [f64],
         support: &mut [f64],
     ) {
-        for (plane, force) in springs.planes.iter().zip(&self.plane_force) {
+        for (place, plane) in springs.planes.iter().enumerate() {
+            let force = self.plane_force(place);
             *theta += force[0];
             for (row, value) in plane.eccentricity.iter().zip(&force[1..]) {
                 row.iter().for_each(|&(j, coefficient)| eta[j] += coefficient * value);
             }
         }
-        add_product(support, &springs.bore_transposed, &self.spring_force);
-        self.contacts.add_forces(&springs.contacts, theta, eta, support);
-    }
-
-    /// Of coordinate `place` of q (θ is 0, η_j is 1 + j) the largest single force projected on it, and the sum
-    /// of |force| over all that act on it: forces tested for convergence, times how far a unit of the
-    /// coordinate moves where they act.
-    pub(crate) fn projected(&self, springs: &Springs, place: usize) -> (f64, f64) {
-        let (mut largest, mut sum) = (0.0, 0.0);
-        let mut add = |(size, all): (f64, f64)| {
-            largest = f64::max(largest, size);
-            sum += all;
-        };
-        let (quick, others) = self.forces.split_at(springs.len());
-        let first = 1 + springs.shaft_size;
-        if place >= first {
-            let column = springs.bore.col(place - first);
-            add(largest_and_sum(quick.len(), |j| column[j] * quick[j]));
-            let contacts = &springs.contacts;
-            let mut single = |force| add((force, force));
-            self.contacts.projected_on_support(contacts, place - first, &mut single);
-            return (largest, sum);
-        }
-        for (number, (plane, ring)) in springs.planes.iter().zip(&self.rings).enumerate() {
-            let arm = match place.checked_sub(1) {
-                None => ring.position[1].hypot(ring.position[2]),
-                Some(j) => springs.arms[(number, j)],
-            };
-            let forces = &quick[plane.springs.clone()];
-            add(largest_and_sum(forces.len(), |j| arm * forces[j]));
-        }
-        let mut single = |force| add((force, force));
-        self.contacts.projected_on_shaft(&springs.contacts, place, others, &mut single);
-        (largest, sum)
+        add_product(support, &springs.bore_transposed, &self.bore_force);
     }
 
     /// A law that gave no number when the springs were last updated, and its bearing.
     pub(crate) fn without_value(&self, springs: &Springs) -> Option<(String, usize)> {
-        let lost = |forces: &[f64]| forces.iter().any(|force| !force.is_finite());
-        let name = |law: &dyn SpringLaw| law.name().to_owned();
-        let own = springs.laws.iter().find_map(|(law, range)| {
-            let mut planes = springs.planes.iter().filter(|p| range.contains(&p.springs.start));
-            let plane = planes.find(|plane| lost(&self.forces[plane.springs.clone()]))?;
-            Some((name(law.law.as_ref()), plane.bearing))
-        });
-        own.or_else(|| {
-            springs.contacts.laws.iter().find_map(|(law, planes)| {
-                let place =
-                    planes.clone().find(|&place| lost(&self.contacts.planes[place].forces))?;
-                Some((name(law.law.as_ref()), springs.contacts.planes[place].bearing))
-            })
+        springs.planes.iter().find_map(|plane| {
+            let law = &springs.laws[plane.law];
+            let mut forces = law.forces_of(&self.laws[plane.law]);
+            let lost = |row: &[f64]| row[plane.springs.clone()].iter().any(|f| !f.is_finite());
+            let name = || law.bound.law.name().to_owned();
+            forces.any(|(_, row)| lost(row)).then(|| (name(), plane.bearing))
         })
     }
 
-    /// The derivatives of the generalised forces of one plane, B + a1 P; see [`RingTangent`].
-    pub(crate) fn tangent(&self, springs: &Springs, plane: usize, a1: f64, out: &mut RingTangent) {
-        let range = springs.planes[plane].springs.clone();
-        let law = SpringForce {
-            q: &self.forces[range.clone()],
-            dq_dh: &self.dq_dh[range.clone()],
-            dq_dh_dot: &self.dq_dh_dot[range.clone()],
+    /// The derivatives of the generalised forces of a plane, B + a1 P; see [`ContactTangent`].
+    pub(crate) fn tangent(
+        &self,
+        springs: &Springs,
+        place: usize,
+        a1: f64,
+        out: &mut ContactTangent,
+    ) {
+        let plane = &springs.planes[place];
+        let (law, own) = (&springs.laws[plane.law], &self.laws[plane.law]);
+        let ring = &self.planes[place].ring;
+        let state = LawState::state(law, plane, ring, &own.bore, &own.bore_dot);
+        let (count, first) = (plane.springs.len(), plane.springs.start);
+        let (forces, slopes) = (&own.forces[first..], &own.slopes[first..]);
+        let mut tangent = |a1: f64| {
+            (law.bound.kind.tangent)(count, &state, forces, slopes, a1, out);
+            out.ring_ring
         };
-        (springs.kernels.tangent)(
-            range.len(),
-            &springs.planes[plane].table,
-            &self.rings[plane],
-            &self.delta[range.clone()],
-            &self.delta_dot[range],
-            &law,
-            a1,
-            out,
-        );
+        // B + a1 P is linear in a1. What `out` holds of the bore in the end is of a1 itself.
+        let step = if a1 > 0.0 { a1 } else { 1.0 };
+        let beyond = self.spin.as_ref().map(|spin| (spin, tangent(a1 + step)));
+        let both = tangent(a1);
+        if let Some((spin, more)) = beyond {
+            let rate = [0, 1, 2].map(|i| [0, 1, 2].map(|j| (more[i][j] - both[i][j]) / step));
+            out.ring_ring = spin.tangent(&both, &rate);
+        }
+    }
+}
+
+impl PlacedLaw {
+    /// For every motion of the bore that the law needs its row in the law's own rows, and those of T_b.
+    pub(super) fn bore_rows(
+        &self,
+    ) -> impl Iterator<Item = (std::ops::Range<usize>, std::ops::Range<usize>)> {
+        let n = self.springs;
+        let motions = self.motions.iter().enumerate();
+        motions.filter_map(move |(motion, first)| {
+            first.map(|first| (motion * n..(motion + 1) * n, first..first + n))
+        })
+    }
+
+    /// The rows of the forces that the law gives, and whether they are moments.
+    pub(super) fn forces_of<'s>(
+        &'s self,
+        own: &'s LawState,
+    ) -> impl Iterator<Item = (bool, &'s [f64])> {
+        let n = self.springs;
+        self.bound.forces.iter().map(move |&force| {
+            let is_moment = self.bound.kind.forces[force].unit != "N";
+            (is_moment, &own.forces[force * n..][..n])
+        })
     }
 }
 

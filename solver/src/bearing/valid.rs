@@ -4,9 +4,8 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-use super::contact::{Contacts, ContactsState};
-use super::law::{SpringLaw, Validity};
-use super::{Bearing, Plane, SpringState, Springs};
+use super::law::Validity;
+use super::{Bearing, PlacedLaw, Plane, SpringState, Springs};
 
 /// A measure of the law of a bearing.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,83 +38,52 @@ impl Measure {
 /// All measures of a machine, and where their laws find their inputs.
 pub(crate) struct Measures {
     pub(crate) all: Vec<Measure>,
-    normal: Vec<Observed>,
-    contacts: Vec<Observed>,
+    observed: Vec<Observed>,
     /// Rows times springs of the law with the most.
     most: usize,
 }
 
 /// A law with measures.
 struct Observed {
-    /// Which of the laws of its kind.
+    /// Which law.
     law: usize,
     count: usize,
     springs: usize,
-    /// Springs or rings of a plane among those of the law, and the first measure of its bearing.
+    /// Springs of a plane among those of the law, and the first measure of its bearing.
     planes: Vec<(Range<usize>, usize)>,
 }
 
 impl Measures {
-    /// `normal`: planes of laws Q(h, ḣ).
-    pub(super) fn new<'l>(
-        bearings: &[Bearing],
-        normal: impl Iterator<Item = &'l dyn SpringLaw>,
-        planes: &[Plane],
-        ranges: &[Range<usize>],
-        contacts: &Contacts,
-    ) -> Self {
-        let mut measures =
-            Measures { all: Vec::new(), normal: Vec::new(), contacts: Vec::new(), most: 0 };
-        for (law, (own, range)) in normal.zip(ranges).enumerate() {
-            let inside = |plane: &&Plane| range.contains(&plane.springs.start);
-            let planes = planes.iter().filter(inside).map(|plane| {
-                let springs = &plane.springs;
-                (springs.start - range.start..springs.end - range.start, plane.bearing)
-            });
-            let observed = measures.observe(bearings, law, own, planes.collect());
-            measures.normal.extend(observed);
-        }
-        for (law, (own, range)) in contacts.laws.iter().enumerate() {
-            let mut start = 0;
-            let planes = contacts.planes[range.clone()].iter().map(|plane| {
-                start += plane.count;
-                (start - plane.count..start, plane.bearing)
-            });
-            let observed = measures.observe(bearings, law, own.law.as_ref(), planes.collect());
-            measures.contacts.extend(observed);
+    pub(super) fn new(bearings: &[Bearing], laws: &[PlacedLaw], planes: &[Plane]) -> Self {
+        let mut measures = Measures { all: Vec::new(), observed: Vec::new(), most: 0 };
+        for (place, law) in laws.iter().enumerate() {
+            measures.observe(bearings.len(), place, law, &planes[law.planes.clone()]);
         }
         measures
     }
 
-    /// Adds the measures of a law at each of its bearings; `planes`: springs and bearing of each.
-    fn observe(
-        &mut self,
-        bearings: &[Bearing],
-        law: usize,
-        own: &dyn SpringLaw,
-        planes: Vec<(Range<usize>, usize)>,
-    ) -> Option<Observed> {
-        let valid = own.valid();
-        let springs = planes.last().map_or(0, |(springs, _)| springs.end);
+    /// Adds the measures of a law at each of its bearings.
+    fn observe(&mut self, bearings: usize, law: usize, own: &PlacedLaw, planes: &[Plane]) {
+        let (valid, springs) = (own.bound.law.valid(), own.springs);
         if valid.is_empty() || springs == 0 {
-            return None;
+            return;
         }
-        let mut first: Vec<Option<usize>> = vec![None; bearings.len()];
+        let mut first: Vec<Option<usize>> = vec![None; bearings];
         let mut placed = Vec::with_capacity(planes.len());
-        for (springs, bearing) in planes {
-            let place = *first[bearing].get_or_insert_with(|| {
+        for plane in planes {
+            let place = *first[plane.bearing].get_or_insert_with(|| {
                 let place = self.all.len();
                 self.all.extend(valid.iter().map(|validity| Measure {
-                    bearing,
-                    law: own.name().to_owned(),
+                    bearing: plane.bearing,
+                    law: own.bound.law.name().to_owned(),
                     validity: validity.clone(),
                 }));
                 place
             });
-            placed.push((springs, place));
+            placed.push((plane.springs.clone(), place));
         }
         self.most = self.most.max(valid.len() * springs);
-        Some(Observed { law, count: valid.len(), springs, planes: placed })
+        self.observed.push(Observed { law, count: valid.len(), springs, planes: placed });
     }
 }
 
@@ -187,17 +155,12 @@ impl SpringState {
     /// that of its end at `time` (s). Costs nothing where no law has measures, and allocates nothing.
     pub fn observe(&mut self, springs: &Springs, time: f64) {
         let measures = &springs.measures;
-        for observed in &measures.normal {
-            let (law, range) = &springs.laws[observed.law];
-            self.gather(law, range.clone());
-            let inputs = &self.law_inputs[..law.inputs.len() * observed.springs];
+        for observed in &measures.observed {
+            let law = &springs.laws[observed.law];
+            self.gather(law, observed.law);
+            let inputs = &self.law_inputs[..law.bound.inputs.len() * observed.springs];
             let values = &mut self.monitor.values[..observed.count * observed.springs];
-            law.law.measure(observed.springs, inputs, values, &mut self.law_workspace);
-            self.monitor.take(&measures.all, observed, time);
-        }
-        for observed in &measures.contacts {
-            let values = &mut self.monitor.values[..observed.count * observed.springs];
-            self.contacts.measure(&springs.contacts, observed.law, values);
+            law.bound.law.measure(observed.springs, inputs, values, &mut self.law_workspace);
             self.monitor.take(&measures.all, observed, time);
         }
     }
@@ -212,16 +175,6 @@ impl SpringState {
         if worst.len() == self.monitor.worst.len() {
             self.monitor.worst.copy_from_slice(worst);
         }
-    }
-}
-
-impl ContactsState {
-    /// The measures of a law over all its planes, from the inputs of the last evaluation.
-    fn measure(&mut self, contacts: &Contacts, law: usize, values: &mut [f64]) {
-        let (law, planes) = &contacts.laws[law];
-        let springs = self.gather(contacts, law, planes.clone());
-        let inputs = &self.law_inputs[..law.inputs.len() * springs];
-        law.law.measure(springs, inputs, values, &mut self.law_workspace);
     }
 }
 

@@ -2,14 +2,14 @@
 //!
 //! Newmark's method counts ½ (Q_n + Q_{n+1})·Δh. What the force does on the way from h_n to h_{n+1} is ∫ Q dh; the
 //! difference is energy that the step makes or destroys. Coordinates and rates go in a straight line from one
-//! end of the step to the other.
+//! end of the step to the other; where a law acts at every spring and takes what its forces work on, as Q(h, ḣ)
+//! does, what it takes goes so.
 
 use serde::{Deserialize, Serialize};
 
-use super::contact::{ContactsState, PlaneState};
 use super::spin::Spin;
-use super::state::SpringState;
-use super::{Input, Springs};
+use super::state::{LawState, PlaneState, SpringState};
+use super::{PlacedLaw, Springs};
 
 /// Nodes in (0, 1) of Lobatto's rule of five points, exact for polynomials of degree 7, and their weights.
 const NODES: [(f64, f64); 3] = [
@@ -68,75 +68,51 @@ impl Flow {
 
 /// Where the springs were when the step began, and memory for the way.
 pub(crate) struct WorkAlong {
-    h: Vec<f64>,
-    h_dot: Vec<f64>,
-    forces: Vec<f64>,
-    /// Work of every spring along the way, and along the way at rest.
+    planes: Vec<PlaneState>,
+    laws: Vec<LawState>,
+    /// Generalised forces of the planes, as the machine's coordinates give them.
+    plane_forces: Vec<[f64; 3]>,
+    probe: SpringState,
+    /// Of the forces of a law, spring by spring: ∫ along the way, and along the way at rest.
     along: Vec<f64>,
     at_rest: Vec<f64>,
     inputs: Vec<f64>,
     outputs: Vec<f64>,
-    workspace: Vec<f64>,
-    planes: Vec<PlaneStart>,
-    probe: ContactsState,
+    /// Work in every plane along the way, and along the way at rest.
     plane_work: Vec<[f64; 2]>,
     /// Energy made and the work on all springs of each bearing in the last step.
     bearings: Vec<Flow>,
 }
 
-/// One plane of another law when the step began.
-struct PlaneStart {
-    position: [f64; 3],
-    velocity: [f64; 3],
-    force: [f64; 3],
-    bore: Vec<f64>,
-    bore_dot: Vec<f64>,
-    bore_force: Vec<f64>,
-}
-
 impl WorkAlong {
     /// Starts at a state that was just evaluated.
     pub(crate) fn new(springs: &Springs, state: &SpringState) -> Self {
-        let probe = ContactsState::new(&springs.contacts);
-        let plane = |plane: &PlaneState| PlaneStart {
-            position: [0.0; 3],
-            velocity: [0.0; 3],
-            force: [0.0; 3],
-            bore: vec![0.0; plane.bore.len()],
-            bore_dot: vec![0.0; plane.bore_dot.len()],
-            bore_force: vec![0.0; plane.bore_force.len()],
+        let most = |rows: fn(&PlacedLaw) -> usize| {
+            springs.laws.iter().map(|law| rows(law) * law.springs).max().unwrap_or(0)
         };
-        let n = springs.len();
+        let forces = most(|law| law.bound.forces.len());
         let mut work = WorkAlong {
-            h: vec![0.0; n],
-            h_dot: vec![0.0; n],
-            forces: vec![0.0; n],
-            along: vec![0.0; n],
-            at_rest: vec![0.0; n],
-            inputs: state.law_inputs.clone(),
-            outputs: state.law_outputs.clone(),
-            workspace: state.law_workspace.clone(),
-            planes: probe.planes.iter().map(plane).collect(),
-            plane_work: vec![[0.0; 2]; probe.planes.len()],
-            probe,
+            planes: state.planes.clone(),
+            laws: state.laws.clone(),
+            plane_forces: vec![[0.0; 3]; springs.planes.len()],
+            probe: SpringState::new(springs),
+            along: vec![0.0; forces],
+            at_rest: vec![0.0; forces],
+            inputs: vec![0.0; most(|law| law.bound.inputs.len())],
+            outputs: vec![0.0; most(|law| law.bound.forces.len() * (1 + law.bound.inputs.len()))],
+            plane_work: vec![[0.0; 2]; springs.planes.len()],
             bearings: vec![Flow::default(); springs.bearings],
         };
-        work.start(springs, state);
+        work.start(state);
         work
     }
 
     /// Starts a step at a state that was just evaluated.
-    pub(crate) fn start(&mut self, springs: &Springs, state: &SpringState) {
-        self.h.copy_from_slice(&state.h);
-        self.h_dot.copy_from_slice(&state.h_dot);
-        self.forces.copy_from_slice(&state.forces[..springs.len()]);
-        for (place, start) in self.planes.iter_mut().enumerate() {
-            let own = &state.contacts.planes[place];
-            (start.position, start.velocity) = (own.position, own.velocity);
-            start.force = state.contacts.plane_force(place);
-            start.bore.copy_from_slice(&own.bore);
-            start.bore_dot.copy_from_slice(&own.bore_dot);
-            start.bore_force.copy_from_slice(&own.bore_force);
+    pub(crate) fn start(&mut self, state: &SpringState) {
+        self.planes.clone_from_slice(&state.planes);
+        self.laws.iter_mut().zip(&state.laws).for_each(|(own, law)| own.copy_motion(law));
+        for (place, force) in self.plane_forces.iter_mut().enumerate() {
+            *force = state.plane_force(place);
         }
     }
 
@@ -149,33 +125,17 @@ impl WorkAlong {
     ) -> SpringWork {
         let mut work = SpringWork::default();
         self.bearings.fill(Flow::default());
-        self.along_springs(springs, state);
-        for plane in &springs.planes {
-            let mut flow = Flow::default();
-            for j in plane.springs.clone() {
-                let moved = state.h[j] - self.h[j];
-                let trapezoid = 0.5 * (self.forces[j] + state.forces[j]) * moved;
-                flow.made += (trapezoid - self.along[j]).abs();
-                flow.flowed += self.along[j];
-                work.add(self.along[j], self.at_rest[j]);
-            }
-            self.bearings[plane.bearing].add(&flow);
-        }
-        if !self.planes.is_empty() {
-            self.along_planes(springs, state, spins);
-            for (place, [along, at_rest]) in self.plane_work.iter().enumerate() {
-                let (start, end) = (&self.planes[place], &state.contacts.planes[place]);
-                let force = state.contacts.plane_force(place);
-                let before = power(start, end, &start.force, &start.bore_force);
-                let after = power(start, end, &force, &end.bore_force);
-                let own = &mut self.bearings[springs.contacts.planes[place].bearing];
-                own.made += (0.5 * (before + after) - along).abs();
-                own.flowed += along;
-                work.add(*along, *at_rest);
+        for (place, law) in springs.laws.iter().enumerate() {
+            if law.bound.takes_what_it_works_on() {
+                self.integrate_forces(law, place, state);
+                self.add_springs(springs, place, state, &mut work);
+            } else {
+                self.integrate_power(springs, place, state, spins);
+                self.add_planes(springs, place, state, &mut work);
             }
         }
         self.bearings.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
-        self.start(springs, state);
+        self.start(state);
         work
     }
 
@@ -184,92 +144,154 @@ impl WorkAlong {
         &self.bearings
     }
 
-    /// ∫ Q dh of the springs with laws Q(h, ḣ).
-    fn along_springs(&mut self, springs: &Springs, state: &SpringState) {
-        for (law, range) in &springs.laws {
-            let n = range.len();
-            let rates = law.uses(Input::ClearanceRate);
-            let ends = range.clone().map(|j| END * (self.forces[j] + state.forces[j]));
-            self.along[range.clone()].iter_mut().zip(ends).for_each(|(sum, end)| *sum = end);
-            self.at_rest[range.clone()].fill(0.0);
-            let mut add = |s: f64, weight: f64, at_rest: bool, sums: &mut [f64]| {
-                for (row, input) in law.inputs.iter().enumerate() {
-                    let values = &mut self.inputs[row * n..(row + 1) * n];
-                    let between = |start: &[f64], end: &[f64], values: &mut [f64]| {
-                        let pairs = start[range.clone()].iter().zip(&end[range.clone()]);
-                        values.iter_mut().zip(pairs).for_each(|(v, (a, b))| *v = a + s * (b - a));
-                    };
-                    match input {
-                        Input::Clearance => between(&self.h, &state.h, values),
-                        Input::ClearanceRate if at_rest => values.fill(0.0),
-                        Input::ClearanceRate => between(&self.h_dot, &state.h_dot, values),
-                    }
+    /// ∫ of the forces of a law that takes what they work on.
+    fn integrate_forces(&mut self, law: &PlacedLaw, place: usize, state: &SpringState) {
+        let (bound, n) = (&law.bound, law.springs);
+        let (start, end) = (&self.laws[place], &state.laws[place]);
+        for (k, &force) in bound.forces.iter().enumerate() {
+            let ends = start.forces[force * n..].iter().zip(&end.forces[force * n..]);
+            let sums = self.along[k * n..][..n].iter_mut();
+            sums.zip(ends).for_each(|(sum, (a, b))| *sum = END * (a + b));
+        }
+        self.at_rest.fill(0.0);
+        let inputs = &mut self.inputs[..bound.inputs.len() * n];
+        let outputs = &mut self.outputs[..bound.forces.len() * (1 + bound.inputs.len()) * n];
+        let workspace = &mut self.probe.law_workspace;
+        let mut add = |s: f64, weight: f64, at_rest: bool, sums: &mut [f64]| {
+            for (row, &input) in bound.inputs.iter().enumerate() {
+                let values = &mut inputs[row * n..][..n];
+                if at_rest && bound.kind.inputs[input].rate {
+                    values.fill(0.0);
+                    continue;
                 }
-                let inputs = &self.inputs[..law.inputs.len() * n];
-                let outputs = &mut self.outputs[..law.output_rows * n];
-                law.law.evaluate(n, inputs, outputs, &mut self.workspace);
-                let forces = &outputs[law.q_row * n..(law.q_row + 1) * n];
+                let ends = start.inputs[input * n..].iter().zip(&end.inputs[input * n..]);
+                values.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
+            }
+            bound.law.evaluate(n, inputs, outputs, workspace);
+            let forces = outputs.chunks_exact(n.max(1)).step_by(1 + bound.inputs.len());
+            for (sums, forces) in sums.chunks_exact_mut(n.max(1)).zip(forces) {
                 sums.iter_mut().zip(forces).for_each(|(sum, force)| *sum += weight * force);
-            };
-            for (s, weight) in NODES {
-                add(s, weight, false, &mut self.along[range.clone()]);
             }
-            if rates {
-                for (s, weight) in [(0.0, END), (1.0, END)].into_iter().chain(NODES) {
-                    add(s, weight, true, &mut self.at_rest[range.clone()]);
-                }
+        };
+        for (s, weight) in NODES {
+            add(s, weight, false, &mut self.along);
+        }
+        if bound.takes_rates() {
+            for (s, weight) in [(0.0, END), (1.0, END)].into_iter().chain(NODES) {
+                add(s, weight, true, &mut self.at_rest);
             }
-            for j in range.clone() {
-                let moved = state.h[j] - self.h[j];
-                self.along[j] *= moved;
-                self.at_rest[j] = if rates { self.at_rest[j] * moved } else { self.along[j] };
-            }
+        } else {
+            self.at_rest.copy_from_slice(&self.along);
         }
     }
 
-    /// The work of every plane of other laws: along the way, and along the way at rest.
-    fn along_planes(
+    /// Adds what was integrated, spring by spring.
+    fn add_springs(
         &mut self,
         springs: &Springs,
+        place: usize,
+        state: &SpringState,
+        work: &mut SpringWork,
+    ) {
+        let law = &springs.laws[place];
+        let (start, end, n) = (&self.laws[place], &state.laws[place], law.springs);
+        for plane in &springs.planes[law.planes.clone()] {
+            let mut flow = Flow::default();
+            for (k, &force) in law.bound.forces.iter().enumerate() {
+                let measure = law.bound.kind.forces[force].measure.unwrap_or_default();
+                for j in plane.springs.clone() {
+                    let moved = end.inputs[measure * n + j] - start.inputs[measure * n + j];
+                    let ends = start.forces[force * n + j] + end.forces[force * n + j];
+                    let [along, at_rest] =
+                        [self.along[k * n + j], self.at_rest[k * n + j]].map(|sum| sum * moved);
+                    flow.made += (0.5 * ends * moved - along).abs();
+                    flow.flowed += along;
+                    work.add(along, at_rest);
+                }
+            }
+            self.bearings[plane.bearing].add(&flow);
+        }
+    }
+
+    /// The work in every plane of any law: along the way, and along the way at rest.
+    fn integrate_power(
+        &mut self,
+        springs: &Springs,
+        place: usize,
         state: &SpringState,
         [before, after]: [Option<[f64; 2]>; 2],
     ) {
-        let contacts = &springs.contacts;
-        self.plane_work.fill([0.0; 2]);
+        let law = &springs.laws[place];
+        self.plane_work[law.planes.clone()].fill([0.0; 2]);
         for (s, weight) in [(0.0, END), (1.0, END)].into_iter().chain(NODES) {
             for (kind, rate) in [1.0, 0.0].into_iter().enumerate() {
                 let spin = before
                     .zip(after)
                     .map(|([a, speed], [b, _])| Spin::new([a + s * (b - a), rate * speed]));
                 self.probe.spin = spin;
-                for (place, start) in self.planes.iter().enumerate() {
-                    let (own, end) = (&mut self.probe.planes[place], &state.contacts.planes[place]);
-                    let between = |a: f64, b: f64| a + s * (b - a);
+                let between = |a: f64, b: f64| a + s * (b - a);
+                for number in law.planes.clone() {
+                    let (start, end) = (&self.planes[number], &state.planes[number]);
+                    let own = &mut self.probe.planes[number];
                     own.position = [0, 1, 2].map(|i| between(start.position[i], end.position[i]));
                     own.velocity =
                         [0, 1, 2].map(|i| rate * between(start.velocity[i], end.velocity[i]));
-                    for i in 0..start.bore.len() {
-                        own.bore[i] = between(start.bore[i], end.bore[i]);
-                        own.bore_dot[i] = rate * between(start.bore_dot[i], end.bore_dot[i]);
-                    }
                 }
-                for (law, planes) in &contacts.laws {
-                    self.probe.act(contacts, law, planes.clone());
+                let (start, end) = (&self.laws[place], &state.laws[place]);
+                let own = &mut self.probe.laws[place];
+                for i in 0..own.bore.len() {
+                    own.bore[i] = between(start.bore[i], end.bore[i]);
+                    own.bore_dot[i] = rate * between(start.bore_dot[i], end.bore_dot[i]);
                 }
-                for (place, work) in self.plane_work.iter_mut().enumerate() {
-                    let (start, end) = (&self.planes[place], &state.contacts.planes[place]);
-                    let force = self.probe.plane_force(place);
-                    let bore_force = &self.probe.planes[place].bore_force;
-                    work[kind] += weight * power(start, end, &force, bore_force);
+                self.probe.act(springs, place);
+                for number in law.planes.clone() {
+                    let force = self.probe.plane_force(number);
+                    let bore_force = &self.probe.laws[place].bore_force;
+                    let power = self.power(springs, number, state, &force, bore_force);
+                    self.plane_work[number][kind] += weight * power;
                 }
             }
         }
     }
-}
 
-/// Work of constant forces over a step.
-fn power(start: &PlaneStart, end: &PlaneState, force: &[f64; 3], bore_force: &[f64]) -> f64 {
-    let ring = force.iter().zip(start.position.iter().zip(&end.position));
-    let bore = bore_force.iter().zip(start.bore.iter().zip(&end.bore));
-    ring.chain(bore).map(|(force, (a, b))| force * (b - a)).sum()
+    /// Adds what was integrated, plane by plane.
+    fn add_planes(
+        &mut self,
+        springs: &Springs,
+        place: usize,
+        state: &SpringState,
+        work: &mut SpringWork,
+    ) {
+        for number in springs.laws[place].planes.clone() {
+            let [along, at_rest] = self.plane_work[number];
+            let (before, after) = (&self.laws[place].bore_force, &state.laws[place].bore_force);
+            let before = self.power(springs, number, state, &self.plane_forces[number], before);
+            let after = self.power(springs, number, state, &state.plane_force(number), after);
+            let own = &mut self.bearings[springs.planes[number].bearing];
+            own.made += (0.5 * (before + after) - along).abs();
+            own.flowed += along;
+            work.add(along, at_rest);
+        }
+    }
+
+    /// Work of constant forces in a plane over the step.
+    fn power(
+        &self,
+        springs: &Springs,
+        number: usize,
+        state: &SpringState,
+        force: &[f64; 3],
+        bore_force: &[f64],
+    ) -> f64 {
+        let plane = &springs.planes[number];
+        let (start, end) = (&self.planes[number].position, &state.planes[number].position);
+        let on_ring = force.iter().zip(start.iter().zip(end));
+        let on_ring: f64 = on_ring.map(|(force, (a, b))| force * (b - a)).sum();
+        let n = springs.laws[plane.law].springs;
+        let (start, end) = (&self.laws[plane.law].bore, &state.laws[plane.law].bore);
+        let moved = |i: usize| bore_force[i] * (end[i] - start[i]);
+        let motions = (0..start.len()).step_by(n.max(1));
+        let on_bore = motions.flat_map(|first| plane.springs.clone().map(move |j| first + j));
+        on_ring + on_bore.map(moved).sum::<f64>()
+    }
 }

@@ -136,7 +136,7 @@ impl EnergyMeter {
     /// Goes on from sums of an earlier march at a state that was just evaluated.
     pub(crate) fn resume_from(&mut self, system: &System, sums: EnergySums) {
         self.sums = sums;
-        self.along.start(&system.machine.springs, &system.springs);
+        self.along.start(&system.springs);
         self.load.copy_from_slice(&system.load);
         self.damper.copy_from_slice(&system.damper);
         self.time = system.time;

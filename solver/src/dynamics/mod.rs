@@ -1,7 +1,6 @@
 //! Marching a machine in time.
 
 mod checkpoint;
-mod contacts;
 mod energy;
 mod march;
 mod meters;
@@ -12,6 +11,7 @@ mod row;
 mod rows;
 #[cfg(test)]
 mod small;
+mod spring_tangent;
 mod steady;
 mod system;
 mod verdict;

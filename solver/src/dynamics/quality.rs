@@ -394,7 +394,7 @@ mod tests {
         let mut machine = machine(rotation);
         assert!(!machine.springs.is_empty());
         let (shaft, support) = (&machine.shaft, &machine.support);
-        let none = Springs::new(machine.springs.kernels, Vec::new(), &[], shaft, support);
+        let none = Springs::new(&whirl_specs::CLEARANCES[0], Vec::new(), &[], shaft, support);
         machine.springs = none.expect("no springs");
         assert!(machine.springs.is_empty());
         machine.loads.clear();

@@ -28,10 +28,8 @@ pub(super) fn write_row(
     let [theta, speed] = machine.spin(time).unwrap_or([state.q[0], state.v[0]]);
     row[..3].copy_from_slice(&[time, theta, speed]);
     for (k, monitor) in machine.monitors.iter().enumerate() {
-        let planes = monitor.planes.iter().map(|&plane| springs.plane_force[plane]);
-        let contacts = monitor.contacts.iter().map(|&plane| springs.contacts.plane_force(plane));
         let mut force = [0.0; 2];
-        for [_, x, y] in planes.chain(contacts) {
+        for [_, x, y] in monitor.planes.iter().map(|&plane| springs.plane_force(plane)) {
             force[0] += x;
             force[1] += y;
         }
@@ -46,7 +44,7 @@ pub(super) fn write_row(
             row[place + 4 * bearings] = 1e6 * (journal[axis] - bore);
         }
         if monitor.torque {
-            let torques = monitor.contacts.iter().map(|&p| springs.contacts.plane_torque(p));
+            let torques = monitor.planes.iter().map(|&plane| springs.plane_torque(plane));
             row[torque_column] = torques.sum();
             torque_column += 1;
         }

@@ -184,13 +184,13 @@ mod tests {
         let (quick, normal) = (&forces[..3], &forces[3..6]);
         let (friction, ring) = (&forces[6..9], &forces[9..12]);
         let load = FORCE.iter().map(|f| f * f).sum::<f64>().sqrt();
-        let at_surface = normal.iter().chain(friction).chain(&ring[..2]);
-        let mut theta: Vec<f64> = quick.iter().map(|q| (q * offset).abs()).collect();
-        theta.extend(at_surface.clone().map(|f| (f * (RADIUS + offset)).abs()));
+        let off_centre = quick.iter().chain(normal).chain(&ring[..2]);
+        let mut theta: Vec<f64> = off_centre.clone().map(|f| (f * offset).abs()).collect();
+        theta.extend(friction.iter().map(|f| (f * (RADIUS + offset)).abs()));
         theta.push((ring[2] * RADIUS).abs());
         theta.push(load * (0.3 + moved[0]).hypot(0.4 + moved[1]));
         let on_shaft = arms.map(|arm| {
-            let forces = quick.iter().chain(at_surface.clone()).map(|f| (arm * f).abs());
+            let forces = off_centre.clone().chain(friction).map(|f| (arm * f).abs());
             forces.chain([arm * load]).collect()
         });
         // A unit of a coordinate of the support moves the bore by 1/√4.

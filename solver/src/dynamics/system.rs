@@ -1,13 +1,13 @@
 //! The equations of the machine at one instant: the residual
 //! r = Q_v − M q̈ + Q_e + Q_s − C q̇ − K q and its derivatives.
 
-use whirl_specs::{MotionState, RingTangent};
+use whirl_specs::MotionState;
 
-use super::contacts::{ContactTangents, ring_rows, subtract_ring};
 use super::newmark::{Coefficients, State};
+use super::spring_tangent::SpringTangent;
 use crate::bearing::SpringState;
 use crate::bearing::state::Motion;
-use crate::linalg::{Columns, add_columns, add_product, multiply_transpose_add};
+use crate::linalg::add_product;
 use crate::loads::Position;
 use crate::machine::Machine;
 
@@ -34,18 +34,13 @@ pub struct System<'m> {
     pub(crate) row_norms: Vec<[f64; 3]>,
     /// What every row may have by its own terms; see `System::row_error`.
     pub(super) row_bounds: Vec<f64>,
-    tangents: Vec<RingTangent>,
-    contacts: ContactTangents,
-    active: Vec<f64>,
-    weighted: Vec<f64>,
-    bore_block: Vec<f64>,
-    cross: Vec<f64>,
+    spring_tangent: SpringTangent,
 }
 
 impl<'m> System<'m> {
     /// Memory for a machine.
     pub fn new(machine: &'m Machine) -> Self {
-        let (size, n_s, n_b) = (machine.size(), machine.shaft.size(), machine.support.size());
+        let (size, n_s) = (machine.size(), machine.shaft.size());
         let springs = &machine.springs;
         System {
             machine,
@@ -63,12 +58,7 @@ impl<'m> System<'m> {
             shaft_block: vec![0.0; (1 + n_s) * (1 + n_s)],
             row_norms: System::row_norms(&machine.shaft),
             row_bounds: vec![0.0; size],
-            tangents: springs.planes.iter().map(|p| RingTangent::new(p.springs.len())).collect(),
-            contacts: ContactTangents::new(&springs.contacts, n_b),
-            active: vec![0.0; n_b * springs.len()],
-            weighted: vec![0.0; n_b * springs.len()],
-            bore_block: vec![0.0; n_b * n_b],
-            cross: vec![0.0; n_b],
+            spring_tangent: SpringTangent::new(springs, machine.support.size()),
         }
     }
 
@@ -164,71 +154,12 @@ impl<'m> System<'m> {
             let factor = load.factor(t, *released);
             load.subtract_tangent(factor, &position, &state.q[1..first], size, out);
         }
-        self.subtract_springs(step.a1, first, out);
+        let springs = &machine.springs;
+        self.spring_tangent.subtract(springs, &self.springs, step.a1, first, size, out);
         for i in 0..support.size() {
             let place = first + i;
             out[place * (size + 1)] +=
                 step.a2 + step.a1 * support.damping[i] + support.stiffness[i];
-        }
-    }
-
-    /// Subtracts B + a1 P of the springs.
-    fn subtract_springs(&mut self, a1: f64, first: usize, out: &mut [f64]) {
-        let machine = self.machine;
-        let springs = &machine.springs;
-        let (n_b, size) = (machine.support.size(), machine.size());
-        for plane in 0..springs.planes.len() {
-            let tangent = &mut self.tangents[plane];
-            self.springs.tangent(springs, plane, a1, tangent);
-            let rows = ring_rows(&springs.planes[plane].eccentricity);
-            subtract_ring(&tangent.ring_ring, rows, size, out);
-            // Places in q: θ is 0, η_j is 1 + j.
-            let place = |i: usize, j: usize| if i == 0 { 0 } else { 1 + j };
-            let range = springs.planes[plane].springs.clone();
-            for i in 0..3 {
-                combine(springs, &range, &tangent.ring_spring[i], &mut self.cross[..n_b]);
-                for &(row, coefficient) in rows[i] {
-                    for (b, value) in self.cross.iter().enumerate() {
-                        out[(first + b) * size + place(i, row)] -= coefficient * value;
-                    }
-                }
-                combine(springs, &range, &tangent.spring_ring[i], &mut self.cross[..n_b]);
-                for &(column, coefficient) in rows[i] {
-                    let start = place(i, column) * size + first;
-                    let column = &mut out[start..start + n_b];
-                    column.iter_mut().zip(&self.cross).for_each(|(sum, v)| *sum -= coefficient * v);
-                }
-            }
-        }
-        self.subtract_bores(first, out);
-        self.contacts.subtract(&springs.contacts, &self.springs.contacts, a1, first, size, out);
-    }
-
-    /// Subtracts Σ_j D_j t_jᵀt_j of the springs that act, t_j being rows of T_b.
-    fn subtract_bores(&mut self, first: usize, out: &mut [f64]) {
-        let springs = &self.machine.springs;
-        let (n_b, size) = (self.machine.support.size(), self.machine.size());
-        let stiffness = self.tangents.iter().flat_map(|tangent| &tangent.spring_spring);
-        let mut count = 0;
-        for (j, &value) in stiffness.enumerate().filter(|(_, value)| **value != 0.0) {
-            let row = springs.bore_transposed.col(j);
-            self.active[count * n_b..(count + 1) * n_b].copy_from_slice(row);
-            let weighted = &mut self.weighted[count * n_b..(count + 1) * n_b];
-            weighted.iter_mut().zip(row).for_each(|(w, coefficient)| *w = value * coefficient);
-            count += 1;
-        }
-        if count == 0 || n_b == 0 {
-            return;
-        }
-        self.bore_block.fill(0.0);
-        let rows = |data| Columns { rows: n_b, cols: count, data };
-        let (active, weighted) = (&self.active[..count * n_b], &self.weighted[..count * n_b]);
-        multiply_transpose_add(&mut self.bore_block, 1.0, rows(active), rows(weighted));
-        for b in 0..n_b {
-            let start = (first + b) * size + first;
-            let column = &mut out[start..start + n_b];
-            let block = &self.bore_block[b * n_b..(b + 1) * n_b];
-            column.iter_mut().zip(block).for_each(|(sum, value)| *sum -= value);
         }
     }
 
@@ -276,16 +207,4 @@ fn motion_state(state: &State, first: usize) -> MotionState<'_> {
         eta_dot: &state.v[1..first],
         eta_ddot: &state.a[1..first],
     }
-}
-
-/// Σ_j weight_j t_j over the springs of a plane.
-fn combine(
-    springs: &crate::bearing::Springs,
-    range: &std::ops::Range<usize>,
-    weights: &[f64],
-    out: &mut [f64],
-) {
-    out.fill(0.0);
-    let rows = range.clone().map(|j| springs.bore_transposed.col(j));
-    add_columns(out, rows.zip(weights.iter().copied()));
 }

@@ -1,142 +1,237 @@
-//! What follows from a clearance h by differentiation, for one spring with normal force Q(h, ḣ).
+//! Kinds of laws, and what follows for each by differentiation.
 //!
-//! With q the ring coordinates and the spring's own, g = ∂h/∂q and ḣ = Σ gᵢ q̇ᵢ:
-//! the generalised force is Q g; B + a1·P is
-//! (∂Q/∂h g_k + ∂Q/∂ḣ ∂ḣ/∂q_k) gᵢ + Q ∂²h/∂qᵢ∂q_k + a1 ∂Q/∂ḣ g_k gᵢ.
+//! With measures x_m(q) on which forces F_m work, and inputs z_n(q, q̇) of the law (measures, their rates,
+//! coordinates): the generalised force is Σ_m F_m ∂x_m/∂qᵢ; B + a1·P is
+//! Σ_m [ Σ_n ∂F_m/∂z_n (∂z_n/∂q_k + a1 ∂z_n/∂q̇_k) ∂x_m/∂qᵢ + F_m ∂²x_m/∂qᵢ∂q_k ].
+
+use std::collections::BTreeSet;
 
 use num_traits::One;
 
-use super::{ClearanceSpec, Coordinate, RING};
+use super::{BoreMotion, ClearanceSpec, Coordinate, RING};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::expression::{Graph, Id, Rational};
 
-/// Everything that the kernels compute, for one spring.
+/// A kind of law: what it may take and give, and through which motions of the bore it acts. The first of every
+/// clearance is that of normal forces Q(h, ḣ).
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// Name of the kind, such as `spring`.
+    pub name: String,
+    /// Whether such a law acts at every spring, or once a ring.
+    pub each_spring: bool,
+    /// Motions of the bore that it needs.
+    pub bore: Vec<(BoreMotion, Coordinate)>,
+    /// What laws may take.
+    pub inputs: Vec<ContactInput>,
+    /// What laws may give.
+    pub forces: Vec<ContactForce>,
+}
+
+/// An input of a kind of law.
+#[derive(Debug, Clone)]
+pub struct ContactInput {
+    /// What laws call it.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// What it is.
+    pub taken: Taken,
+}
+
+/// What an input is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Taken {
+    /// An expression in the coordinates.
+    Value(Id),
+    /// The rate of one.
+    Rate(Id),
+}
+
+impl Taken {
+    /// The expression, itself or that of the rate.
+    pub fn expression(self) -> Id {
+        match self {
+            Taken::Value(id) | Taken::Rate(id) => id,
+        }
+    }
+}
+
+/// A force of a kind of law.
+#[derive(Debug, Clone)]
+pub struct ContactForce {
+    /// What laws call it.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// What it works on.
+    pub measure: Id,
+}
+
+/// Name of the kind of normal forces Q(h, ḣ).
+pub const NORMAL: &str = "normal";
+
+/// What follows for one spring, or one ring. Coordinates are those of the ring, then those of the bore.
 #[derive(Debug, Clone)]
 pub struct Derived {
     /// The graph of all that follows.
     pub graph: Graph,
-    /// Rates of the ring coordinates.
-    pub ring_rates: [Coordinate; RING],
-    /// Rate of the spring's coordinate.
-    pub radial_rate: Coordinate,
-    /// Q, the normal force.
-    pub q: Id,
-    /// ∂Q/∂h.
-    pub dq_dh: Id,
-    /// ∂Q/∂ḣ.
-    pub dq_dh_dot: Id,
+    /// Rates of the coordinates.
+    pub rates: Vec<Coordinate>,
+    /// F_m with their names.
+    pub forces: Vec<(String, Id)>,
+    /// ∂F_m/∂z_n with their names: one row a force.
+    pub slopes: Vec<Vec<(String, Id)>>,
     /// a1 of the time integration, ∂q̇/∂q.
     pub a1: Id,
-    /// ∂h/∂q of the ring coordinates and of the spring's own, in this order.
-    pub gradient: Vec<Id>,
-    /// ḣ.
-    pub h_dot: Id,
-    /// Generalised forces.
-    pub force: Force,
-    /// Their tangent.
-    pub tangent: Tangent,
+    /// z_n.
+    pub inputs: Vec<Id>,
+    /// ∂x_m/∂q: one row a force.
+    pub gradients: Vec<Vec<Id>>,
+    /// Generalised forces, one a coordinate.
+    pub force: Vec<Id>,
+    /// B + a1·P, row by row.
+    pub tangent: Vec<Vec<Id>>,
 }
 
-/// Generalised forces of one spring.
-#[derive(Debug, Clone)]
-pub struct Force {
-    /// On the ring coordinates.
-    pub ring: [Id; RING],
-    /// On the spring's coordinate.
-    pub radial: Id,
-}
-
-/// Derivatives B + a1·P of the generalised forces of one spring.
-#[derive(Debug, Clone)]
-pub struct Tangent {
-    /// Ring forces by ring coordinates, row by row.
-    pub ring_ring: [[Id; RING]; RING],
-    /// Ring forces by the spring's coordinate.
-    pub ring_radial: [Id; RING],
-    /// The spring's force by ring coordinates.
-    pub radial_ring: [Id; RING],
-    /// The spring's force by its own coordinate.
-    pub radial_radial: Id,
-}
-
-pub(super) fn derive(spec: &ClearanceSpec) -> Result<Derived, Diagnostics> {
-    let mut graph = spec.graph.clone();
-    let mut rate = |coordinate: &Coordinate| {
-        let name = format!("{}_dot", coordinate.name);
-        let title = format!("rate of {}", coordinate.name);
-        let symbol = graph.scalar(&name);
-        Coordinate { name, title, unit: format!("{}/s", coordinate.unit), symbol }
-    };
-    let ring_rates = spec.ring.each_ref().map(&mut rate);
-    let radial_rate = rate(&spec.radial);
-    let [q, dq_dh, dq_dh_dot, a1] =
-        ["Q", "dQ_dh", "dQ_dh_dot", "a1_"].map(|name| graph.scalar(name));
-
-    // All four coordinates together; the spring's own is the last.
-    let coordinates: Vec<Id> =
-        spec.ring.iter().chain([&spec.radial]).map(|coordinate| coordinate.symbol).collect();
-    let rates: Vec<Id> =
-        ring_rates.iter().chain([&radial_rate]).map(|coordinate| coordinate.symbol).collect();
-    let mut d = Derivation { graph: &mut graph, spec };
-    let mut gradient = Vec::with_capacity(coordinates.len());
-    for coordinate in &coordinates {
-        gradient.push(d.by(spec.value, *coordinate)?);
-    }
-    let terms: Vec<(Id, Rational)> = gradient
-        .iter()
-        .zip(&rates)
-        .map(|(g, rate)| (d.graph.mul(*g, *rate), Rational::one()))
-        .collect();
-    let h_dot = d.graph.sum(&terms);
-    let mut forces = Vec::with_capacity(coordinates.len());
-    let mut tangent = Vec::with_capacity(coordinates.len());
-    for g in &gradient {
-        forces.push(d.graph.mul(q, *g));
-        let mut row = Vec::with_capacity(coordinates.len());
-        for (coordinate, g_k) in coordinates.iter().zip(&gradient) {
-            let by_rate = d.graph.mul(a1, *g_k);
-            let slip = d.by(h_dot, *coordinate)?;
-            let second = d.by(*g, *coordinate)?;
-            let rates = d.graph.add(slip, by_rate);
-            let (elastic, viscous) = (d.graph.mul(dq_dh, *g_k), d.graph.mul(dq_dh_dot, rates));
-            let change = d.graph.add(elastic, viscous);
-            let (direct, geometric) = (d.graph.mul(change, *g), d.graph.mul(q, second));
-            row.push(d.graph.add(direct, geometric));
+impl ClearanceSpec {
+    /// Inputs, generalised forces and their tangent for a kind of law.
+    ///
+    /// # Errors
+    /// None for a spec that was read without errors.
+    pub fn derive(&self, contact: &Contact) -> Result<Derived, Diagnostics> {
+        let mut graph = self.graph.clone();
+        let coordinates: Vec<&Coordinate> =
+            self.ring.iter().chain(contact.bore.iter().map(|(_, own)| own)).collect();
+        let rates: Vec<Coordinate> = coordinates
+            .iter()
+            .map(|coordinate| {
+                let name = format!("{}_dot", coordinate.name);
+                let symbol = graph.scalar(&name);
+                let title = format!("rate of {}", coordinate.name);
+                let unit = format!("{}/s", coordinate.unit);
+                Coordinate { name, title, unit, symbol }
+            })
+            .collect();
+        let names = contact.forces.iter().map(|force| force.name.clone());
+        let forces: Vec<(String, Id)> =
+            names.map(|name| (name.clone(), graph.scalar(&name))).collect();
+        let mut slope = |name: String| {
+            let symbol = graph.scalar(&name);
+            (name, symbol)
+        };
+        let slopes: Vec<Vec<(String, Id)>> = contact
+            .slopes()
+            .into_iter()
+            .map(|row| row.into_iter().map(&mut slope).collect())
+            .collect();
+        let a1 = graph.scalar("a1_");
+        let q: Vec<Id> = coordinates.iter().map(|own| own.symbol).collect();
+        let v: Vec<Id> = rates.iter().map(|own| own.symbol).collect();
+        let mut d = Derivation { graph: &mut graph, spec: self, q: &q, v: &v, a1 };
+        let (mut inputs, mut changes) = (Vec::new(), Vec::new());
+        for input in &contact.inputs {
+            let value = d.input(input.taken)?;
+            inputs.push(value);
+            changes.push(d.changes(value)?);
         }
-        tangent.push(row);
+        let gradients = contact.forces.iter().map(|force| d.gradient(force.measure));
+        let gradients = gradients.collect::<Result<Vec<_>, _>>()?;
+        let (mut force, mut tangent) = (Vec::new(), Vec::new());
+        for i in 0..q.len() {
+            let parts: Vec<Id> = (forces.iter().zip(&gradients))
+                .map(|((_, f), gradient)| d.graph.mul(*f, gradient[i]))
+                .collect();
+            force.push(d.sum(&parts));
+            let mut row = Vec::new();
+            for k in 0..q.len() {
+                let mut parts = Vec::new();
+                for (((_, f), slopes), gradient) in forces.iter().zip(&slopes).zip(&gradients) {
+                    let by_inputs: Vec<Id> = (slopes.iter().zip(&changes))
+                        .map(|((_, slope), change)| d.graph.mul(*slope, change[k]))
+                        .collect();
+                    let change = d.sum(&by_inputs);
+                    parts.push(d.graph.mul(change, gradient[i]));
+                    let second = d.by(gradient[i], q[k])?;
+                    parts.push(d.graph.mul(*f, second));
+                }
+                row.push(d.sum(&parts));
+            }
+            tangent.push(row);
+        }
+        Ok(Derived { graph, rates, forces, slopes, a1, inputs, gradients, force, tangent })
     }
-    let ring = |row: &[Id]| std::array::from_fn(|k| row[k]);
-    let derived = Derived {
-        ring_rates,
-        radial_rate,
-        q,
-        dq_dh,
-        dq_dh_dot,
-        a1,
-        gradient,
-        h_dot,
-        force: Force { ring: ring(&forces), radial: forces[RING] },
-        tangent: Tangent {
-            ring_ring: std::array::from_fn(|i| ring(&tangent[i])),
-            ring_radial: std::array::from_fn(|i| tangent[i][RING]),
-            radial_ring: ring(&tangent[RING]),
-            radial_radial: tangent[RING][RING],
-        },
-        graph,
-    };
-    Ok(derived)
 }
 
 struct Derivation<'a> {
     graph: &'a mut Graph,
     spec: &'a ClearanceSpec,
+    q: &'a [Id],
+    v: &'a [Id],
+    a1: Id,
 }
 
 impl Derivation<'_> {
+    fn input(&mut self, taken: Taken) -> Result<Id, Diagnostics> {
+        let Taken::Rate(measure) = taken else { return Ok(taken.expression()) };
+        let gradient = self.gradient(measure)?;
+        let parts: Vec<Id> =
+            gradient.iter().zip(self.v).map(|(g, v)| self.graph.mul(*g, *v)).collect();
+        Ok(self.sum(&parts))
+    }
+
+    fn gradient(&mut self, of: Id) -> Result<Vec<Id>, Diagnostics> {
+        self.q.iter().map(|q| self.by(of, *q)).collect()
+    }
+
+    /// ∂z/∂q_k + a1 ∂z/∂q̇_k.
+    fn changes(&mut self, of: Id) -> Result<Vec<Id>, Diagnostics> {
+        let mut changes = Vec::new();
+        for (q, v) in self.q.iter().zip(self.v) {
+            let (direct, by_rate) = (self.by(of, *q)?, self.by(of, *v)?);
+            let by_rate = self.graph.mul(self.a1, by_rate);
+            changes.push(self.graph.add(direct, by_rate));
+        }
+        Ok(changes)
+    }
+
+    fn sum(&mut self, parts: &[Id]) -> Id {
+        let terms: Vec<(Id, Rational)> = parts.iter().map(|id| (*id, Rational::one())).collect();
+        self.graph.sum(&terms)
+    }
+
     fn by(&mut self, expression: Id, symbol: Id) -> Result<Id, Diagnostics> {
         self.graph.differentiate(expression, symbol).map_err(|error| {
             let text = &self.spec.formula.text;
             Diagnostics::from(text.error_here(Code::UNDEFINED, error.to_string()))
         })
+    }
+}
+
+impl Contact {
+    /// Names of ∂F/∂z: one row a force, one entry an input.
+    pub fn slopes(&self) -> Vec<Vec<String>> {
+        let mut taken = BTreeSet::new();
+        let mut slope = |force: &ContactForce, input: &ContactInput| {
+            let mut name = format!("d{}_d{}", force.name, input.name);
+            // d(F_da)_db and dF_d(a_db) are spelt alike.
+            while !taken.insert(name.clone()) {
+                name.push('2');
+            }
+            name
+        };
+        let mut row =
+            |force| self.inputs.iter().map(|input| slope(force, input)).collect::<Vec<String>>();
+        self.forces.iter().map(&mut row).collect()
+    }
+
+    /// For a force the place among the inputs of the measure that it works on, if laws may take it.
+    pub fn measure(&self, force: &ContactForce) -> Option<usize> {
+        self.inputs.iter().position(|input| input.taken == Taken::Value(force.measure))
+    }
+
+    /// Number of coordinates of the ring and the bore.
+    pub fn coordinates(&self) -> usize {
+        RING + self.bore.len()
     }
 }

@@ -1,6 +1,6 @@
 //! Measures of the motion beside the clearance, and the kinds of laws that work on them.
 
-use super::contact::{Contact, ContactForce, ContactInput, Taken};
+use super::derive::{Contact, ContactForce, ContactInput, NORMAL, Taken};
 use super::read::Reader;
 use super::{BoreMotion, ClearanceSpec, Coordinate};
 use crate::diagnostic::{Code, Located, suggest};
@@ -95,6 +95,11 @@ impl<'d> Reader<'d> {
         for name in table.names() {
             let Some(entry) = table.table(name.text()) else { continue };
             self.must_be_name(&name);
+            if name.text() == NORMAL {
+                let message = format!("`{NORMAL}` is the kind of laws of the clearance alone");
+                let error = name.error_here(Code::BAD_NAME, message);
+                self.document.push(error.help("choose another name"));
+            }
             let (inputs, forces) = (self.words(&entry, "inputs"), self.words(&entry, "forces"));
             entry.finish();
             list.push(LawKind { name, inputs, forces });
@@ -139,7 +144,28 @@ pub(super) fn bind(
     measures: &[Measure],
     kinds: &[LawKind],
 ) -> Vec<Contact> {
-    kinds.iter().map(|kind| Binding { document, spec, measures }.contact(kind)).collect()
+    let named = kinds.iter().map(|kind| Binding { document, spec, measures }.contact(kind));
+    std::iter::once(normal(spec, &measures[0])).chain(named).collect()
+}
+
+/// The kind of laws Q(h, ḣ).
+fn normal(spec: &ClearanceSpec, clearance: &Measure) -> Contact {
+    let value = clearance.value;
+    let input = |name: &str, unit: &str, taken| ContactInput {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        taken,
+    };
+    Contact {
+        name: NORMAL.to_owned(),
+        each_spring: true,
+        bore: vec![(BoreMotion::Radial, spec.radial.clone())],
+        inputs: vec![
+            input(&clearance.name, "m", Taken::Value(value)),
+            input(&clearance.rate, "m/s", Taken::Rate(value)),
+        ],
+        forces: vec![ContactForce { name: "Q".to_owned(), unit: "N".to_owned(), measure: value }],
+    }
 }
 
 struct Binding<'a> {
@@ -160,8 +186,7 @@ impl Binding<'_> {
             .chain(forces.iter().map(|force| force.measure))
             .collect();
         let spec = self.spec;
-        let uses =
-            |symbol: Id| expressions.iter().any(|id| spec.contact_graph.depends(*id, symbol));
+        let uses = |symbol: Id| expressions.iter().any(|id| spec.graph.depends(*id, symbol));
         let of_spring = [Some(&spec.spring), Some(&spec.radial), spec.tangential.as_ref()];
         let each_spring = of_spring.into_iter().flatten().any(|own| uses(own.symbol));
         let bore = motions(spec).filter(|(_, coordinate)| uses(coordinate.symbol));

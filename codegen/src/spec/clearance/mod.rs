@@ -41,7 +41,6 @@
 //! forces = ["Q", "T"]
 //! ```
 
-mod contact;
 mod derive;
 mod kinds;
 mod read;
@@ -51,8 +50,7 @@ mod tests;
 
 use std::sync::Arc;
 
-pub use contact::{Contact, ContactForce, ContactInput, DerivedContact, Taken};
-pub use derive::{Derived, Force, Tangent};
+pub use derive::{Contact, ContactForce, ContactInput, Derived, NORMAL, Taken};
 
 use crate::diagnostic::{Diagnostics, Source};
 use crate::expression::{Graph, Id};
@@ -90,7 +88,7 @@ pub struct ClearanceSpec {
     pub tangential: Option<Coordinate>,
     /// Mean displacements of the bore along x and y and its mean turn, if the spec has them.
     pub bore: Option<[Coordinate; BORE]>,
-    /// Kinds of laws beyond Q(h, ḣ).
+    /// Kinds of laws, that of Q(h, ḣ) first.
     pub contacts: Vec<Contact>,
     /// Names and values of the measures, the clearance first.
     pub measures: Vec<(String, Id)>,
@@ -106,11 +104,8 @@ pub struct ClearanceSpec {
     pub axial_variable: Coordinate,
     /// The axial functions in the graph.
     pub axial: [Id; RINGS],
-    /// Symbols and values of the clearance and the axial functions, all SI. Measures are kept out of it, so
-    /// that the kernels of the clearance do not change with them.
+    /// Symbols and values of the measures and the axial functions, all SI.
     pub graph: Graph,
-    /// The same, and the measures.
-    pub contact_graph: Graph,
 }
 
 /// A way in which a bore moves.
@@ -148,13 +143,5 @@ impl ClearanceSpec {
     /// Everything that is wrong with it, each with its place.
     pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
         read::read(file)
-    }
-
-    /// Rates, generalised forces and their tangents.
-    ///
-    /// # Errors
-    /// None for a spec that was read without errors.
-    pub fn derive(&self) -> Result<Derived, Diagnostics> {
-        derive::derive(self)
     }
 }

@@ -55,7 +55,6 @@ impl<'d> Reader<'d> {
         let definitions = self.definitions(&root);
         let clearance = self.clearance(&root);
         let axial = self.axial(&root);
-        let graph = self.graph.clone();
         let tangential = self.optional_coordinates(&root, "tangential", &[Dimension::LENGTH]);
         let bore_units = [Dimension::LENGTH, Dimension::LENGTH, Dimension::ANGLE];
         let bore = self.optional_coordinates(&root, "bore", &bore_units);
@@ -95,8 +94,7 @@ impl<'d> Reader<'d> {
             value,
             axial_variable,
             axial,
-            graph,
-            contact_graph: self.graph,
+            graph: self.graph,
         };
         let measures: Vec<Measure> =
             std::iter::once(Measure::clearance(&spec)).chain(measures).collect();

@@ -22,25 +22,25 @@ fn the_journal_is_read() {
 fn a_force_does_no_work_that_the_clearance_does_not_do() {
     // Σ (generalised force) · (rate) = Q ḣ.
     let spec = read(JOURNAL).expect("a clearance");
-    let mut d = spec.derive().expect("derivatives");
+    let mut d = spec.derive(&spec.contacts[0]).expect("derivatives");
     let g = &mut d.graph;
-    let mut work = g.mul(d.force.radial, d.radial_rate.symbol);
-    for (force, rate) in d.force.ring.iter().zip(&d.ring_rates) {
+    let mut work = g.integer(0);
+    for (force, rate) in d.force.iter().zip(&d.rates) {
         let part = g.mul(*force, rate.symbol);
         work = g.add(work, part);
     }
-    let expected = g.mul(d.q, d.h_dot);
+    let expected = g.mul(d.forces[0].1, d.inputs[1]);
     assert!(crate::expression::normal::equal(g, work, expected));
-    assert!(!g.is_zero(d.force.ring[0]), "the force on the rotation is not zero");
+    assert!(!g.is_zero(d.force[0]), "the force on the rotation is not zero");
 }
 
 #[test]
 fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
     // Σ (generalised force) · (rate) = Σ F_m ẋ_m, and no kind works on a uniform motion of shaft and bore.
     let spec = read(JOURNAL).expect("a clearance");
-    assert_eq!(spec.contacts.len(), 2);
+    assert_eq!(spec.contacts.len(), 3);
     for contact in &spec.contacts {
-        let mut d = spec.derive_contact(contact).expect("derivatives");
+        let mut d = spec.derive(contact).expect("derivatives");
         let coordinates: Vec<Id> = spec.ring.iter().map(|c| c.symbol).collect();
         let g = &mut d.graph;
         let mut work = g.integer(0);
@@ -70,10 +70,11 @@ fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
 #[test]
 fn kinds_of_laws_know_what_they_need() {
     let spec = read(JOURNAL).expect("a clearance");
-    let [spring, ring] = spec.contacts.as_slice() else { panic!("two kinds") };
-    assert!(spring.each_spring && !ring.each_spring);
+    let [normal, spring, ring] = spec.contacts.as_slice() else { panic!("three kinds") };
+    assert!(normal.each_spring && spring.each_spring && !ring.each_spring);
     let motions = |contact: &Contact| contact.bore.iter().map(|(m, _)| *m).collect::<Vec<_>>();
     use BoreMotion::{MeanTurn, MeanX, MeanY, Radial, Tangential};
+    assert_eq!(motions(normal), [Radial]);
     assert_eq!(motions(spring), [Radial, Tangential, MeanTurn]);
     assert_eq!(motions(ring), [MeanX, MeanY, MeanTurn]);
     let units = |contact: &Contact| {
@@ -81,11 +82,15 @@ fn kinds_of_laws_know_what_they_need() {
     };
     assert_eq!(units(spring), ["m", "m/s", "rad", "rad/s", "m/s", "rad"]);
     assert_eq!(ring.forces[2].unit, "N*m");
+    // Q works on h, which laws may take; T on s, which they may not.
+    let measures = spring.forces.iter().map(|force| spring.measure(force));
+    assert_eq!(measures.collect::<Vec<_>>(), [Some(0), None]);
 }
 
 #[test]
 fn errors_of_kinds_name_the_place() {
     let error = |from: &str, to: &str| read(&JOURNAL.replace(from, to)).expect_err("an error");
+    assert!(error("[laws.ring]", "[laws.normal]").contains("`normal` is the kind of laws"));
     let wrong = error("\"omega\", \"v_t\"", "\"omega\", \"v_y\"");
     assert!(wrong.contains("`v_y` is no measure, rate or coordinate"), "{wrong}");
     assert!(error("[\"Q\", \"T\"]", "[\"Q\", \"S\"]").contains("`S` is no force of a measure"));

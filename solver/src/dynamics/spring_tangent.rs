@@ -1,16 +1,15 @@
-//! The tangent of laws that take or give more than Q(h, ḣ), on the machine's coordinates.
+//! The tangent of the springs, B + a1 P, on the machine's coordinates.
 
 use whirl_specs::ContactTangent;
 
-use crate::bearing::Contacts;
-use crate::bearing::contact::{ContactPlane, ContactsState};
-use crate::linalg::{Columns, multiply_transpose_add};
+use crate::bearing::{Plane, SpringState, Springs};
+use crate::linalg::{Columns, add_columns, multiply_transpose_add};
 
 /// Coefficients of θ, ε_x and ε_y over (θ, η): a place and a coefficient each.
-pub(super) type RingRows<'a> = [&'a [(usize, f64)]; 3];
+type RingRows<'a> = [&'a [(usize, f64)]; 3];
 
 /// Rows of the coordinates of a ring.
-pub(super) fn ring_rows(eccentricity: &[Vec<(usize, f64)>; 2]) -> RingRows<'_> {
+fn ring_rows(eccentricity: &[Vec<(usize, f64)>; 2]) -> RingRows<'_> {
     let [x, y] = eccentricity;
     [&[(0, 1.0)], x, y]
 }
@@ -21,12 +20,7 @@ fn place(i: usize, j: usize) -> usize {
 }
 
 /// Subtracts a block over ring coordinates from a matrix of `size` rows, column after column.
-pub(super) fn subtract_ring(
-    block: &[[f64; 3]; 3],
-    rows: RingRows<'_>,
-    size: usize,
-    out: &mut [f64],
-) {
+fn subtract_ring(block: &[[f64; 3]; 3], rows: RingRows<'_>, size: usize, out: &mut [f64]) {
     for i in 0..3 {
         for j in 0..3 {
             let value = block[i][j];
@@ -40,7 +34,7 @@ pub(super) fn subtract_ring(
 }
 
 /// Memory for the tangents of all planes.
-pub(super) struct ContactTangents {
+pub(super) struct SpringTangent {
     planes: Vec<ContactTangent>,
     /// Rows of the bores that act, and what they act with: coordinates × rows.
     active: Vec<f64>,
@@ -49,14 +43,16 @@ pub(super) struct ContactTangents {
     cross: Vec<f64>,
 }
 
-impl ContactTangents {
-    /// Memory for a support of `coordinates` coordinates.
-    pub(super) fn new(contacts: &Contacts, coordinates: usize) -> Self {
-        let tangent = |plane: &ContactPlane| ContactTangent::new(plane.count, plane.motions.len());
-        let rows = contacts.bore_transposed.cols;
+impl SpringTangent {
+    /// Memory for springs on a support of `coordinates` coordinates.
+    pub(super) fn new(springs: &Springs, coordinates: usize) -> Self {
+        let tangent = |plane: &Plane| {
+            ContactTangent::new(plane.springs.len(), springs.laws[plane.law].motions.len())
+        };
+        let rows = springs.bore.rows;
         let any = usize::from(rows > 0);
-        ContactTangents {
-            planes: contacts.planes.iter().map(tangent).collect(),
+        SpringTangent {
+            planes: springs.planes.iter().map(tangent).collect(),
             active: vec![0.0; coordinates * rows],
             weighted: vec![0.0; coordinates * rows],
             block: vec![0.0; any * coordinates * coordinates],
@@ -68,25 +64,21 @@ impl ContactTangents {
     /// coordinates begin at `first`.
     pub(super) fn subtract(
         &mut self,
-        contacts: &Contacts,
-        state: &ContactsState,
+        springs: &Springs,
+        state: &SpringState,
         a1: f64,
         first: usize,
         size: usize,
         out: &mut [f64],
     ) {
-        for (law, planes) in &contacts.laws {
-            for plane in planes.clone() {
-                state.tangent(contacts, law, plane, a1, &mut self.planes[plane]);
-            }
-        }
         let mut count = 0;
-        for plane in 0..contacts.planes.len() {
-            let rows = ring_rows(&contacts.planes[plane].eccentricity);
-            subtract_ring(&self.planes[plane].ring_ring, rows, size, out);
+        for place in 0..springs.planes.len() {
+            state.tangent(springs, place, a1, &mut self.planes[place]);
+            let rows = ring_rows(&springs.planes[place].eccentricity);
+            subtract_ring(&self.planes[place].ring_ring, rows, size, out);
             if size > first {
-                self.subtract_cross(contacts, plane, first, size, out);
-                count = self.collect(contacts, plane, count, size - first);
+                self.subtract_cross(springs, place, first, size, out);
+                count = self.collect(springs, place, count, size - first);
             }
         }
         if count > 0 {
@@ -97,25 +89,25 @@ impl ContactTangents {
     /// Ring by bore and bore by ring of a plane.
     fn subtract_cross(
         &mut self,
-        contacts: &Contacts,
+        springs: &Springs,
         place_of_plane: usize,
         first: usize,
         size: usize,
         out: &mut [f64],
     ) {
-        let (plane, tangent) = (&contacts.planes[place_of_plane], &self.planes[place_of_plane]);
-        let (motions, n) = (plane.motions.len(), plane.count);
+        let (plane, tangent) = (&springs.planes[place_of_plane], &self.planes[place_of_plane]);
+        let (motions, n) = (springs.laws[plane.law].motions.len(), plane.springs.len());
         let rows = ring_rows(&plane.eccentricity);
         for (i, ring) in rows.into_iter().enumerate() {
             let by_bore = |b: usize| &tangent.ring_bore[(i * motions + b) * n..][..n];
-            combine(contacts, plane, by_bore, &mut self.cross);
+            combine(springs, plane, by_bore, &mut self.cross);
             for &(row, coefficient) in ring {
                 for (b, value) in self.cross.iter().enumerate() {
                     out[(first + b) * size + place(i, row)] -= coefficient * value;
                 }
             }
             let by_ring = |b: usize| &tangent.bore_ring[(3 * b + i) * n..][..n];
-            combine(contacts, plane, by_ring, &mut self.cross);
+            combine(springs, plane, by_ring, &mut self.cross);
             for &(column, coefficient) in ring {
                 let start = place(i, column) * size + first;
                 let column = &mut out[start..start + self.cross.len()];
@@ -128,24 +120,25 @@ impl ContactTangents {
     /// many there are then.
     fn collect(
         &mut self,
-        contacts: &Contacts,
-        plane: usize,
+        springs: &Springs,
+        place: usize,
         mut count: usize,
         width: usize,
     ) -> usize {
-        let (plane, tangent) = (&contacts.planes[plane], &self.planes[plane]);
-        let (motions, n) = (plane.motions.len(), plane.count);
-        for (a, row) in plane.motions.iter().enumerate() {
+        let (plane, tangent) = (&springs.planes[place], &self.planes[place]);
+        let rows = &springs.laws[plane.law].motions;
+        let (motions, n, first) = (rows.len(), plane.springs.len(), plane.springs.start);
+        for (a, row) in rows.iter().enumerate() {
             let Some(row) = *row else { continue };
             for j in 0..n {
-                let weights = (plane.motions.iter().enumerate()).filter_map(|(b, other)| {
+                let weights = (rows.iter().enumerate()).filter_map(|(b, other)| {
                     let weight = tangent.bore_bore[(a * motions + b) * n + j];
-                    other.map(|other| (other + j, weight)).filter(|(_, weight)| *weight != 0.0)
+                    other.filter(|_| weight != 0.0).map(|other| (other + first + j, weight))
                 });
                 let weighted = &mut self.weighted[count * width..(count + 1) * width];
                 let mut acts = false;
                 for (other, weight) in weights {
-                    let other = contacts.bore_transposed.col(other);
+                    let other = springs.bore_transposed.col(other);
                     if !std::mem::replace(&mut acts, true) {
                         weighted.fill(0.0);
                     }
@@ -155,7 +148,7 @@ impl ContactTangents {
                         .for_each(|(sum, coefficient)| *sum += weight * coefficient);
                 }
                 if acts {
-                    let own = contacts.bore_transposed.col(row + j);
+                    let own = springs.bore_transposed.col(row + first + j);
                     self.active[count * width..(count + 1) * width].copy_from_slice(own);
                     count += 1;
                 }
@@ -181,17 +174,15 @@ impl ContactTangents {
 
 /// Σ weight · row over the rows of a plane; `weights` of a motion are one a spring.
 fn combine<'w>(
-    contacts: &Contacts,
-    plane: &ContactPlane,
+    springs: &Springs,
+    plane: &Plane,
     weights: impl Fn(usize) -> &'w [f64],
     out: &mut [f64],
 ) {
     out.fill(0.0);
-    for (b, row) in plane.motions.iter().enumerate() {
-        let Some(row) = *row else { continue };
-        for (j, &weight) in weights(b).iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-            let own = contacts.bore_transposed.col(row + j);
-            out.iter_mut().zip(own).for_each(|(sum, coefficient)| *sum += weight * coefficient);
-        }
+    for (b, row) in springs.laws[plane.law].motions.iter().enumerate() {
+        let Some(row) = row.map(|row| row + plane.springs.start) else { continue };
+        let rows = weights(b).iter().enumerate().filter(|(_, weight)| **weight != 0.0);
+        add_columns(out, rows.map(|(j, weight)| (springs.bore_transposed.col(row + j), *weight)));
     }
 }
