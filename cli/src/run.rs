@@ -133,7 +133,7 @@ fn times(built: &Built, marched: &Marched, start: Instant) -> Times {
 
 /// What a run leaves on the terminal.
 fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String {
-    let names = figures::support_names(case);
+    let names = case.support_names();
     let table = match case.system {
         System::Rotor(_) => supports(&names, &summary.supports),
         System::Lumped(_) => stops(&names, &summary.supports),

@@ -5,9 +5,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::error::Error;
+use crate::error::{Error, FreeMotion, ReductionError};
 use crate::linalg::Matrix;
-use crate::reduction::{self, FreeMotion, ReductionError};
+use crate::reduction;
 use crate::sparse::{SparseColumns, SparseMatrix};
 
 /// What is left of an equation after elimination counts as zero below this part of its largest

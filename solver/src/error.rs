@@ -1,9 +1,12 @@
 //! The error type of the solver, and what the readers of files say about their input.
 
+mod reduction;
+
 use std::fmt;
 
+pub use reduction::{FreeMotion, ReductionError};
+
 use crate::linalg::LinearAlgebraError;
-use crate::reduction::ReductionError;
 
 /// One thing wrong in a file: where, what, and how to fix it.
 #[derive(Debug, Clone, PartialEq, Eq)]

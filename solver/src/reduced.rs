@@ -12,9 +12,7 @@ use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::mesh::Mesh;
 use crate::reduction::CraigBampton;
-use crate::shaft::Shaft;
 use crate::sparse::SparseMatrix;
-use crate::support::Support;
 
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -67,11 +65,11 @@ impl Spin {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Reduced {
     /// Its shapes have three rows a node of `nodes`.
-    reduction: CraigBampton,
-    spin: Option<Spin>,
+    pub(crate) reduction: CraigBampton,
+    pub(crate) spin: Option<Spin>,
     /// Nodes of the mesh, ascending, and where they are (m).
     nodes: Vec<usize>,
-    positions: Vec<[f64; 3]>,
+    pub(crate) positions: Vec<[f64; 3]>,
 }
 
 impl Reduced {
@@ -115,39 +113,12 @@ impl Reduced {
         Key::of(&(program, kind, body, retained, spec.modes, springs, output_nodes(mesh, spec)))
     }
 
-    /// The shaft, with the constraints, names, damping and nodes of the spec.
-    ///
-    /// # Errors
-    /// Constraints that contradict each other.
-    ///
-    /// # Panics
-    /// If this is no [`BodyKind::Shaft`], or the spec outputs a node that this has no shapes of.
-    pub fn shaft(&self, spec: &BodySpec) -> Result<Shaft, Error> {
-        let spin = self.spin.as_ref().expect("a shaft is reduced with its spin");
-        let active = spec.active(&self.reduction)?;
-        let nodes = self.places(spec).map(|node| self.node(&active, node)).collect();
-        Ok(Shaft::from_spin(&self.reduction, spin, &active, spec.damping, nodes))
-    }
-
-    /// The support, as [`Reduced::shaft`].
-    ///
-    /// # Errors
-    /// Constraints that contradict each other; a mass that is not positive definite.
-    ///
-    /// # Panics
-    /// If the spec outputs a node that this has no shapes of.
-    pub fn support(&self, spec: &BodySpec) -> Result<Support, Error> {
-        let active = spec.active(&self.reduction)?;
-        let nodes: Vec<usize> = self.places(spec).collect();
-        Ok(Support::new(&self.reduction, &active, spec.damping, &self.positions, &nodes)?)
-    }
-
-    fn node(&self, active: &Coordinates, place: usize) -> BodyNode {
+    pub(crate) fn node(&self, active: &Coordinates, place: usize) -> BodyNode {
         BodyNode::new(&self.reduction, active, &self.positions, place)
     }
 
     /// Places of the output nodes among those with shapes.
-    fn places(&self, spec: &BodySpec) -> impl Iterator<Item = usize> {
+    pub(crate) fn places(&self, spec: &BodySpec) -> impl Iterator<Item = usize> {
         let place = |node| self.nodes.binary_search(node).expect("its shapes are kept");
         spec.nodes.iter().map(place)
     }

@@ -58,6 +58,22 @@ pub struct ShaftParts<'a> {
     pub nodes: &'a [usize],
 }
 
+impl Reduced {
+    /// The shaft, with the constraints, names, damping and nodes of the spec.
+    ///
+    /// # Errors
+    /// Constraints that contradict each other.
+    ///
+    /// # Panics
+    /// If this is no [`BodyKind::Shaft`], or the spec outputs a node that this has no shapes of.
+    pub fn shaft(&self, spec: &BodySpec) -> Result<Shaft, Error> {
+        let spin = self.spin.as_ref().expect("a shaft is reduced with its spin");
+        let active = spec.active(&self.reduction)?;
+        let nodes = self.places(spec).map(|node| self.node(&active, node)).collect();
+        Ok(Shaft::from_spin(&self.reduction, spin, &active, spec.damping, nodes))
+    }
+}
+
 impl Shaft {
     /// Reduces the mesh of a shaft.
     ///

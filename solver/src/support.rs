@@ -27,6 +27,21 @@ pub struct Support {
     pub nodes: Vec<BodyNode>,
 }
 
+impl Reduced {
+    /// The support, with the constraints, names, damping and nodes of the spec.
+    ///
+    /// # Errors
+    /// Constraints that contradict each other; a mass that is not positive definite.
+    ///
+    /// # Panics
+    /// If the spec outputs a node that this has no shapes of.
+    pub fn support(&self, spec: &BodySpec) -> Result<Support, Error> {
+        let active = spec.active(&self.reduction)?;
+        let nodes: Vec<usize> = self.places(spec).collect();
+        Ok(Support::new(&self.reduction, &active, spec.damping, &self.positions, &nodes)?)
+    }
+}
+
 impl Support {
     /// Reduces the mesh of a support.
     ///

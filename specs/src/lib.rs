@@ -16,6 +16,7 @@ mod pairs;
 pub mod registers;
 mod registry;
 mod rows;
+mod triangle;
 pub mod vector;
 mod wide;
 #[cfg(target_arch = "x86_64")]

@@ -3,7 +3,7 @@
 use whirl_solver::assembly::assemble;
 use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
 use whirl_solver::error::Error;
-use whirl_solver::reduction::FreeMotion;
+use whirl_solver::error::FreeMotion;
 
 use crate::bodies::reference;
 

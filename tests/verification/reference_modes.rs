@@ -3,8 +3,9 @@
 use whirl_solver::assembly::assemble;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs};
+use whirl_solver::error::{FreeMotion, ReductionError};
 use whirl_solver::mesh::Mesh;
-use whirl_solver::reduction::{CraigBampton, FreeMotion, ReductionError, Solid};
+use whirl_solver::reduction::{CraigBampton, Solid};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::sparse::SparseMatrix;
 use whirl_solver::support::Support;

@@ -50,6 +50,17 @@ pub struct Case {
     pub figures: Figures,
 }
 
+impl Case {
+    /// What results call the supports, in order.
+    pub fn support_names(&self) -> Vec<String> {
+        let (word, count) = match &self.system {
+            System::Rotor(rotor) => ("Support", rotor.bearings.len()),
+            System::Lumped(lumped) => ("Stop", lumped.stops.len()),
+        };
+        (1..=count).map(|k| format!("{word} {k}")).collect()
+    }
+}
+
 /// What is marched.
 #[derive(Debug, Clone)]
 pub enum System {

@@ -126,7 +126,7 @@ fn figure(
         System::Rotor(_) => Span::fitting(history, case.march.cycle)?,
         System::Lumped(_) => Span::All,
     };
-    let titles = support_names(case);
+    let titles = case.support_names();
     let laws = drawn_laws(case, built);
     let empty = if stem == "laws" { laws.is_empty() } else { titles.is_empty() };
     if empty {
@@ -151,15 +151,6 @@ fn drawn_laws(case: &Case, built: &Built) -> Vec<Arc<LawSpec>> {
         [] => built.laws.iter().map(|law| law.spec()).collect(),
         laws => laws.iter().map(|law| law.spec()).collect(),
     }
-}
-
-/// What results call the supports, in order.
-pub(crate) fn support_names(case: &Case) -> Vec<String> {
-    let (word, count) = match &case.system {
-        System::Rotor(rotor) => ("Support", rotor.bearings.len()),
-        System::Lumped(lumped) => ("Stop", lumped.stops.len()),
-    };
-    (1..=count).map(|k| format!("{word} {k}")).collect()
 }
 
 #[cfg(test)]

@@ -9,7 +9,6 @@ use whirl_specs::{CLEARANCES, ELEMENTS};
 
 use super::{VerdictFacts, last_cycle};
 use crate::case::Case;
-use crate::figures::support_names;
 use crate::history::HistoryFile;
 use crate::machine::{BodyFacts, Built, Counts};
 use crate::version;
@@ -251,7 +250,7 @@ impl Summary {
             counts: counts(built),
             fixed_interface_hz: built.bodies.as_ref().map(frequencies),
             verdict: VerdictFacts::new(
-                (&built.machine, &support_names(case)),
+                (&built.machine, &case.support_names()),
                 outcome,
                 case.march.time_step,
                 (!converged).then_some([steps, case.march.steps]),

@@ -14,7 +14,7 @@ use super::system::System;
 use crate::bearing::Worst;
 use crate::error::Error;
 use crate::history::History;
-use crate::linalg::Lu;
+use crate::linalg::{Lu, copy_block_from};
 use crate::machine::{Machine, Rotation};
 
 /// How far and how a machine is marched.
@@ -367,10 +367,7 @@ fn accelerate(system: &mut System, state: &mut State) -> Result<(), Error> {
     let mut whole = vec![0.0; rows * rows];
     system.shaft_mass(state, &mut whole);
     let mut mass = Lu::new(rows - first);
-    let columns = whole.chunks_exact(rows).skip(first);
-    for (own, whole) in mass.values_mut().chunks_exact_mut(rows - first).zip(columns) {
-        own.copy_from_slice(&whole[first..]);
-    }
+    copy_block_from(first, &whole, rows, mass.values_mut());
     mass.factor_in_place()?;
     mass.solve_in_place(&mut state.a[first..rows]);
     system.evaluate(0.0, state);

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
-use crate::linalg::{Lu, largest_and_sum, sum_of};
+use crate::linalg::{Lu, copy_block_from, largest_and_sum, sum_of};
 
 /// How the equations of a step are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -302,10 +302,7 @@ impl Newton {
             system.tangent(t, at, step, self.lu.values_mut());
         } else {
             system.tangent(t, at, step, &mut self.whole);
-            let columns = self.whole.chunks_exact(size).skip(first);
-            for (own, whole) in self.lu.values_mut().chunks_exact_mut(size - first).zip(columns) {
-                own.copy_from_slice(&whole[first..]);
-            }
+            copy_block_from(first, &self.whole, size, self.lu.values_mut());
         }
         let done = self.lu.factor_in_place().is_ok();
         let kept = &mut self.kept;

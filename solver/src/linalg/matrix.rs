@@ -131,6 +131,14 @@ impl IndexMut<(usize, usize)> for Matrix {
     }
 }
 
+/// Copies the block of a square matrix of `size` rows from row and column `first` on, column after column.
+pub(crate) fn copy_block_from(first: usize, whole: &[f64], size: usize, block: &mut [f64]) {
+    let columns = whole.chunks_exact(size).skip(first);
+    for (own, whole) in block.chunks_exact_mut(size - first).zip(columns) {
+        own.copy_from_slice(&whole[first..]);
+    }
+}
+
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

@@ -18,8 +18,8 @@ pub(crate) use combination::{add_columns, add_product};
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
 pub use lower::LowerTriangle;
 pub use lu::Lu;
-pub(crate) use matrix::dot;
 pub use matrix::{Columns, Matrix};
+pub(crate) use matrix::{copy_block_from, dot};
 pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,

@@ -8,7 +8,7 @@ use crate::sparse::SparseMatrix;
 
 use super::modes::{Modes, Pencil};
 use super::rigid::{Row, free_motions};
-use super::{FreeMotion, ReductionError};
+use crate::error::{FreeMotion, ReductionError};
 
 /// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
 #[derive(Debug, Clone, Copy)]

@@ -13,7 +13,7 @@ use crate::linalg::{
 
 use crate::sparse::SparseMatrix;
 
-use super::ReductionError;
+use crate::error::ReductionError;
 
 /// Vectors of a block. One pass over the factor serves them all, and a multiple eigenvalue shows up to
 /// this many of its vectors at once.

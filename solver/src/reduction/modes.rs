@@ -5,7 +5,8 @@ use crate::linalg::{
 use crate::sparse::SparseMatrix;
 
 use super::lanczos::{Lanczos, dense_limit};
-use super::{ReductionError, convention, sturm};
+use super::{convention, sturm};
+use crate::error::ReductionError;
 
 /// Modes found beyond those asked for, so that there is a gap to cut in after the last one.
 const GUARD: usize = 4;

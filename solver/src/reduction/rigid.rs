@@ -1,6 +1,6 @@
 //! Rigid motions of a body, and those that nothing stops.
 
-use std::fmt;
+use crate::error::FreeMotion;
 
 use crate::linalg::{
     LinearAlgebraError, LowerTriangle, Matrix, multiply, symmetric_eigen, transpose_multiply,
@@ -10,55 +10,6 @@ use crate::mesh::connected;
 /// A held motion moves the retained dofs by at least this part of the body's own motion, and a sprung
 /// one costs at least this part of the stiffness of a single dof; rounding leaves far less.
 const NEGLIGIBLE: f64 = 1e-10;
-
-/// A motion that strains nothing.
-#[derive(Debug, Clone, PartialEq)]
-pub enum FreeMotion {
-    /// The body shifts.
-    Translation {
-        /// Unit vector.
-        direction: [f64; 3],
-    },
-    /// The body turns, perhaps sliding along the axis as well.
-    Rotation {
-        /// Unit vector along the axis.
-        direction: [f64; 3],
-        /// The point of the axis nearest to the middle of the body (m).
-        through: [f64; 3],
-    },
-    /// Part of the mesh is loose: neither joined to the rest nor held.
-    Part {
-        /// A node of it: its label in a mesh, its index where there are matrices only.
-        node: u64,
-    },
-}
-
-impl fmt::Display for FreeMotion {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            FreeMotion::Translation { direction } => write!(f, "shift along {}", axis(direction)),
-            FreeMotion::Rotation { direction, through: [x, y, z] } => {
-                let direction = axis(direction);
-                // Without the sign of what rounds to zero.
-                let [x, y, z] = [x, y, z].map(|value| (1e4 * value).round() / 1e4 + 0.0);
-                write!(f, "turn about an axis along {direction} through ({x:.4}, {y:.4}, {z:.4}) m")
-            }
-            FreeMotion::Part { node } => {
-                write!(f, "the part of the mesh around node {node} is loose")
-            }
-        }
-    }
-}
-
-fn axis(direction: &[f64; 3]) -> String {
-    for (component, name) in direction.iter().zip(["x", "y", "z"]) {
-        if component.abs() > 1.0 - 1e-6 {
-            return name.to_string();
-        }
-    }
-    let [x, y, z] = direction;
-    format!("({x:.3}, {y:.3}, {z:.3})")
-}
 
 /// The rigid motions of a body: shifts along x, y, z (columns 0 to 2) and turns about the axes through
 /// its middle, scaled by its size (columns 3 to 5).

@@ -5,8 +5,8 @@ use whirl_solver::assembly::assemble;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
 use whirl_solver::error::Error;
+use whirl_solver::error::{FreeMotion, ReductionError};
 use whirl_solver::mesh::{Cell, Material, Mesh};
-use whirl_solver::reduction::{FreeMotion, ReductionError};
 
 use super::AXES;
 use crate::case;
