@@ -8,7 +8,7 @@
 use crate::Lane;
 use crate::cells::{diagonal, looped, store_block, store_diagonal, upper_rows};
 use crate::matrices::Matrix;
-use crate::registers::Register;
+use crate::register::Register;
 
 /// Condenses the last M of N + M degrees of freedom out of a symmetric matrix:
 /// K_uu − K_ua K_aa⁻¹ K_au. Both matrices are upper triangles by rows; N is a multiple of three.

@@ -43,6 +43,10 @@
 
 mod contact;
 mod derive;
+mod explain;
+#[cfg(feature = "emit")]
+mod kernels;
+mod kind;
 mod kinds;
 mod read;
 mod schema;
