@@ -164,6 +164,7 @@ fn avx512<T: Task>(task: T) -> T::Output {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Lane;
 
     /// Values that expose a wrong order of lanes, signed zeros and what is not a number.
     fn numbers(count: usize) -> Vec<f64> {

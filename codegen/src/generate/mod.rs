@@ -4,7 +4,6 @@ mod check;
 mod emit;
 mod parallel;
 mod read;
-mod schedule;
 mod write;
 
 pub use read::{ENDINGS, SpecFile, folders};
@@ -20,9 +19,13 @@ use crate::spec::list::Spec;
 /// # Errors
 /// Everything that is wrong with the specs.
 pub fn generate(files: &[SpecFile]) -> Result<Vec<GeneratedFile>, Diagnostics> {
+    // Each file by its kind: what follows from it derived, what it declares proved.
     let read = read::read(files);
+    // Each name once; elements against the forms that they integrate.
     let specs = check::check(read)?;
-    let scheduled = schedule::schedule(specs)?;
+    // Expressions simplified, as straight-line code in stages.
+    let scheduled = schedule(specs)?;
+    // Forms before elements, whose kernels call theirs.
     let kernels = emit::emit(scheduled);
     Ok(write::write(&kernels))
 }
@@ -37,6 +40,13 @@ struct Scheduled {
 struct Kernels {
     spec: Spec,
     text: String,
+}
+
+fn schedule(specs: Vec<Spec>) -> Result<Vec<Scheduled>, Diagnostics> {
+    let every: Vec<&OfAnyKind> = specs.iter().map(Spec::any).collect();
+    let programs = all(parallel::map(&specs, size, |spec| spec.schedule(&every)))?;
+    let both = specs.into_iter().zip(programs);
+    Ok(both.map(|(spec, programs)| Scheduled { spec, programs }).collect())
 }
 
 /// Grows with the time that work on a spec takes.

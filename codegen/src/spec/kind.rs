@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostics, Source};
 pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
 
 /// A spec, or programs of one, of a kind that is not known here.
-pub type OfAnyKind = dyn Any + Send + Sync;
+pub(crate) type OfAnyKind = dyn Any + Send + Sync;
 
 /// A kind of spec: how its files are read, what is said about them, and what kernels are made of them.
 pub(crate) trait SpecKind: Described + Any + Send + Sync + Sized {

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-#[cfg(feature = "emit")]
-use super::kernel::Other;
-use super::kind::{About, Beside, Kind, OfAnyKind, SpecKind};
+use super::kind::{About, Beside, Kind, SpecKind};
 use super::page::Page;
 use super::read::Document;
 use super::{clearance, element, form, law, motion};
+#[cfg(feature = "emit")]
+use super::{kernel::Other, kind::OfAnyKind};
 use crate::diagnostic::{Diagnostics, Source};
 
 macro_rules! kinds {
