@@ -1,7 +1,7 @@
 //! The modules of kernels as text, in an order in which what is called is written before what calls it.
 
 use super::{Kernels, Scheduled, parallel};
-use crate::spec::kernel::Other;
+use crate::spec::kind::Other;
 
 /// Forms first: the kernels of elements call them, so that their text counts for the hashes of elements.
 pub(super) fn emit(scheduled: Vec<Scheduled>) -> Vec<Kernels> {

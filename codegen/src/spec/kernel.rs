@@ -6,27 +6,10 @@ use std::sync::Arc;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::kind::{About, OfAnyKind, SpecKind};
+use super::kind::About;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::emit::formatted;
 use crate::schedule::ScheduleError;
-
-/// Another spec, whose kernels may be called.
-#[derive(Clone, Copy)]
-pub(crate) struct Other<'a> {
-    pub(crate) spec: &'a OfAnyKind,
-    pub(crate) programs: &'a OfAnyKind,
-    /// The module of its kernels; empty for a spec of the same kind, which is written at the same time.
-    pub(crate) text: &'a str,
-}
-
-impl<'a> Other<'a> {
-    /// The spec, its programs and its text, if it is of this kind.
-    pub(super) fn of<K: SpecKind>(&self) -> Option<(&'a K, &'a K::Programs, &'a str)> {
-        let spec = self.spec.downcast_ref()?;
-        Some((spec, self.programs.downcast_ref()?, self.text))
-    }
-}
 
 /// The text of items.
 pub(crate) fn text(items: TokenStream) -> String {

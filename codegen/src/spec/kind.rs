@@ -65,7 +65,26 @@ pub(crate) trait SpecKind: Described + Any + Send + Sync + Sized {
     /// The module of its kernels, with an item `ENTRY` for the registry. `others`: whose kernels it may call, those of
     /// kinds that are [`CALLED`](Self::CALLED) and those of its own kind before it.
     #[cfg(feature = "emit")]
-    fn emit(&self, programs: &Self::Programs, others: &[super::kernel::Other<'_>]) -> String;
+    fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String;
+}
+
+/// Another spec, whose kernels may be called.
+#[cfg(feature = "emit")]
+#[derive(Clone, Copy)]
+pub(crate) struct Other<'a> {
+    pub(crate) spec: &'a OfAnyKind,
+    pub(crate) programs: &'a OfAnyKind,
+    /// The module of its kernels; empty for a spec of the same kind, which is written at the same time.
+    pub(crate) text: &'a str,
+}
+
+#[cfg(feature = "emit")]
+impl<'a> Other<'a> {
+    /// The spec, its programs and its text, if it is of this kind.
+    pub(super) fn of<K: SpecKind>(&self) -> Option<(&'a K, &'a K::Programs, &'a str)> {
+        let spec = self.spec.downcast_ref()?;
+        Some((spec, self.programs.downcast_ref()?, self.text))
+    }
 }
 
 /// A kind of spec.

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::kind::{About, Beside, Kind, SpecKind};
+#[cfg(feature = "emit")]
+use super::kind::{OfAnyKind, Other};
 use super::page::Page;
 use super::read::Document;
 use super::{clearance, element, form, law, motion};
-#[cfg(feature = "emit")]
-use super::{kernel::Other, kind::OfAnyKind};
 use crate::diagnostic::{Diagnostics, Source};
 
 macro_rules! kinds {

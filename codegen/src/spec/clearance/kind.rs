@@ -5,9 +5,9 @@ use std::sync::Arc;
 use super::{ClearanceSpec, explain};
 use crate::diagnostic::{Diagnostics, Source};
 use crate::spec::kind::{About, Beside, SpecKind};
-use crate::spec::page::Page;
 #[cfg(feature = "emit")]
-use crate::spec::{kernel::Other, kind::OfAnyKind};
+use crate::spec::kind::{OfAnyKind, Other};
+use crate::spec::page::Page;
 
 impl SpecKind for ClearanceSpec {
     const KIND: &'static str = "clearance";

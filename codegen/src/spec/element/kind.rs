@@ -10,7 +10,7 @@ use crate::diagnostic::{Code, Diagnostics, Source, suggest};
 use crate::schedule::Program;
 use crate::spec::form::{Form, FormSpec, Structure};
 #[cfg(feature = "emit")]
-use crate::spec::kernel::Other;
+use crate::spec::kind::Other;
 use crate::spec::kind::{About, Beside, OfAnyKind, SpecKind};
 use crate::spec::page::Page;
 

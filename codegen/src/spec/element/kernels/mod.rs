@@ -19,8 +19,8 @@ use crate::emit::{documented, identifier, names, number};
 use crate::rational::nearest;
 use crate::schedule::{Program, Request, ScheduleError, schedule};
 use crate::spec::form::{FormSpec, Structure};
-use crate::spec::kernel::{self, Other, unscheduled, variable};
-use crate::spec::kind::{About, SpecKind};
+use crate::spec::kernel::{self, unscheduled, variable};
+use crate::spec::kind::{About, Other, SpecKind};
 use cell::CellForm;
 use table::Tables;
 
