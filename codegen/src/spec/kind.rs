@@ -1,4 +1,4 @@
-//! What a kind of spec is: an implementation of [`SpecKind`] in a folder of its own, and a line in the list of kinds
+//! What a kind of spec is: an implementation of `SpecKind` in a folder of its own, and a line in the list of kinds
 //! (`codegen/src/spec/list.rs`).
 
 use std::any::Any;
