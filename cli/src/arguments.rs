@@ -2,8 +2,11 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use whirl_solver::cache::Cache;
+
+use crate::schema;
 
 /// Transient dynamics of a rotating flexible shaft on a flexible support with clearances.
 #[derive(Debug, Parser)]
@@ -105,24 +108,12 @@ pub enum NewKind {
 #[derive(Debug, Args)]
 pub struct SchemaArguments {
     /// Kind of file; the kinds are listed if it is left out
-    pub kind: Option<SchemaKind>,
+    #[arg(value_parser = schema_kinds())]
+    pub kind: Option<String>,
 }
 
-/// Kinds of files that have a schema.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum SchemaKind {
-    /// A bearing law
-    Law,
-    /// A finite element
-    Element,
-    /// Bilinear forms
-    Form,
-    /// The motion of a shaft
-    Motion,
-    /// The clearance of springs
-    Clearance,
-    /// A case or machine
-    Case,
+fn schema_kinds() -> PossibleValuesParser {
+    schema::kinds().map(|(name, title, _)| PossibleValue::new(name).help(title)).into()
 }
 
 /// Where reduced machines are kept between runs.

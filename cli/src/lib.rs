@@ -41,7 +41,7 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),
-        Command::Schema(arguments) => say(&schema::schema(arguments.kind)),
+        Command::Schema(arguments) => say(&schema::schema(arguments.kind.as_deref())),
         Command::List => say(&list::list()),
     };
     match done {

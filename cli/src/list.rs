@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use whirl_specs::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS, Origin};
+use whirl_specs::generated;
 
 use crate::case::{self, embedded_cases};
 
@@ -12,12 +12,11 @@ pub(crate) fn list() -> String {
     let cases = embedded_cases()
         .map(|name| (name, case::read(name).map_or(String::new(), |case| case.title)));
     section(&mut text, "Cases", cases);
-    let facts = |origin: &'static Origin| (origin.name, origin.title.to_string());
-    section(&mut text, "Laws", LAWS.iter().map(|law| facts(&law.origin)));
-    section(&mut text, "Elements", ELEMENTS.iter().map(|element| facts(&element.origin)));
-    section(&mut text, "Forms", FORMS.iter().map(facts));
-    section(&mut text, "Motions", MOTIONS.iter().map(|motion| facts(&motion.origin)));
-    section(&mut text, "Clearances", CLEARANCES.iter().map(|spec| facts(&spec.origin)));
+    for (kind, origins) in generated::registries() {
+        let heading = kind[..1].to_uppercase() + &kind[1..];
+        let facts = origins.into_iter().map(|origin| (origin.name, origin.title.to_string()));
+        section(&mut text, &heading, facts);
+    }
     text
 }
 

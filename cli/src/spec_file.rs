@@ -5,86 +5,28 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
-use whirl_codegen::spec::clearance::ClearanceSpec;
-use whirl_codegen::spec::element::ElementSpec;
-use whirl_codegen::spec::form::FormSpec;
-use whirl_codegen::spec::law::LawSpec;
-use whirl_codegen::spec::motion::MotionSpec;
+use whirl_codegen::spec::list::{KINDS, Spec};
 use whirl_codegen::spec::read::Document;
-use whirl_specs::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS, Origin, TABLES};
+use whirl_specs::{Origin, TABLES, generated};
 
-/// A spec that was read without errors, with all that follows from it.
-pub(crate) enum Spec {
-    Law(Box<LawSpec>),
-    Element(Box<ElementSpec>),
-    Form(Box<FormSpec>),
-    Motion(Box<MotionSpec>),
-    Clearance(Box<ClearanceSpec>),
-}
-
-/// Words of the key `kind`.
-const KINDS: [&str; 5] = ["law", "element", "form", "motion", "clearance"];
-
-impl Spec {
-    /// Reads a spec file of the kind that it says.
-    ///
-    /// # Errors
-    /// Everything wrong with it, each with its place.
-    pub(crate) fn read(source: &Arc<Source>) -> Result<Spec, Diagnostics> {
-        let document = Document::parse(source);
-        if document.is_toml() && !document.has_kind() {
-            let message =
-                format!("`{}` is not a spec file: it has no `kind`", source.path.display());
-            let error = Diagnostic::new(source, Code::MISSING_KEY, None, message);
-            let help = "a spec file has `kind = \"law\"`, `element`, `form`, `motion` or `clearance`; \
-                        for a case there is `whirl check`";
-            return Err(error.help(help).into());
-        }
-        let kind = if document.is_toml() { document.kind(&KINDS) } else { None };
-        Ok(match document.into_result(kind)? {
-            "law" => {
-                let beside = |name: &str| columns(source, name);
-                Spec::Law(Box::new(LawSpec::read_with(source, &beside)?))
-            }
-            "element" => Spec::Element(Box::new(ElementSpec::read(source)?)),
-            "form" => Spec::Form(Box::new(FormSpec::read(source)?)),
-            "motion" => Spec::Motion(Box::new(MotionSpec::read(source)?)),
-            _ => Spec::Clearance(Box::new(ClearanceSpec::read(source)?)),
-        })
+/// Reads a spec file of the kind that it says.
+///
+/// # Errors
+/// Everything wrong with it, each with its place.
+pub(crate) fn read(source: &Arc<Source>) -> Result<Spec, Diagnostics> {
+    let kinds: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
+    let document = Document::parse(source);
+    if document.is_toml() && !document.has_kind() {
+        let message = format!("`{}` is not a spec file: it has no `kind`", source.path.display());
+        let error = Diagnostic::new(source, Code::MISSING_KEY, None, message);
+        let kinds = kinds.join("`, `").replacen('`', "\"`", 1);
+        let (most, last) = kinds.rsplit_once(", ").unwrap_or(("", &kinds));
+        let help = format!(
+            "a spec file has `kind = \"{most} or {last}`; for a case there is `whirl check`"
+        );
+        return Err(error.help(help).into());
     }
-
-    /// What kind of spec it is.
-    pub(crate) fn kind(&self) -> &'static str {
-        match self {
-            Spec::Law(_) => "law",
-            Spec::Element(_) => "element",
-            Spec::Form(_) => "form",
-            Spec::Motion(_) => "motion",
-            Spec::Clearance(_) => "clearance",
-        }
-    }
-
-    /// Name, title, and paper or book.
-    pub(crate) fn about(&self) -> [&str; 3] {
-        match self {
-            Spec::Law(spec) => [&spec.name, &spec.title, &spec.reference],
-            Spec::Element(spec) => [&spec.name, &spec.title, &spec.reference],
-            Spec::Form(spec) => [&spec.name, &spec.title, &spec.reference],
-            Spec::Motion(spec) => [&spec.name, &spec.title, &spec.reference],
-            Spec::Clearance(spec) => [&spec.name, &spec.title, &spec.reference],
-        }
-    }
-
-    /// The file it was read from.
-    pub(crate) fn file(&self) -> &Arc<Source> {
-        match self {
-            Spec::Law(spec) => &spec.file,
-            Spec::Element(spec) => &spec.file,
-            Spec::Form(spec) => &spec.file,
-            Spec::Motion(spec) => &spec.file,
-            Spec::Clearance(spec) => &spec.file,
-        }
-    }
+    Spec::read(source, &kinds, &|name| columns(source, name))
 }
 
 /// Whether `name` is the path of a TOML file that says its `kind`, as specs do and cases do not.
@@ -100,11 +42,7 @@ pub(crate) fn is_spec(name: &str) -> bool {
 
 /// All specs that are built in.
 pub(crate) fn built_in() -> impl Iterator<Item = &'static Origin> {
-    let laws = LAWS.iter().map(|law| &law.origin);
-    let elements = ELEMENTS.iter().map(|element| &element.origin);
-    let motions = MOTIONS.iter().map(|motion| &motion.origin);
-    let clearances = CLEARANCES.iter().map(|clearance| &clearance.origin);
-    laws.chain(elements).chain(FORMS).chain(motions).chain(clearances)
+    generated::registries().into_iter().flat_map(|(_, origins)| origins)
 }
 
 /// The file of columns called `name` beside a law: on the disk, or built in.

@@ -5,11 +5,9 @@ pub mod element;
 #[cfg(feature = "emit")]
 pub mod emit;
 pub mod expression;
-pub mod form;
 pub mod formula;
 #[cfg(feature = "emit")]
 pub mod generate;
-pub mod lagrange;
 pub mod operation;
 pub mod rational;
 pub mod schedule;

@@ -1,7 +1,7 @@
 //! What a kernel of cells takes and gives.
 
 use crate::matrices::{Batch, CellMatrix};
-use crate::registry::Variable;
+use crate::origin::Variable;
 
 /// How the matrix of one cell is stored; found by the generator from the form.
 /// Degree of freedom 3a + i is component i of node a.

@@ -7,7 +7,7 @@
 
 use crate::Lane;
 use crate::matrices::Matrix;
-use crate::registers::Register;
+use crate::register::Register;
 use crate::triangle::{diagonal, looped, store_block, store_diagonal, upper_rows};
 
 /// Condenses the last M of N + M degrees of freedom out of a symmetric matrix:

@@ -1,17 +1,32 @@
 //! The text of the generated kernels, for people who want to read it.
 
+use crate::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS, Origin};
+
 /// Folder that held the generated files when this crate was built.
 pub const FOLDER: &str = env!("OUT_DIR");
 
-macro_rules! files {
-    ($($file:literal),*) => {
+macro_rules! registries {
+    ($($name:literal: $origins:expr,)*) => {
         /// Generated files: name, and the whole text.
-        pub const FILES: &[(&str, &str)] =
-            &[$(($file, include_str!(concat!(env!("OUT_DIR"), "/", $file)))),*];
+        pub const FILES: &[(&str, &str)] = &[$((
+            concat!($name, ".rs"),
+            include_str!(concat!(env!("OUT_DIR"), "/", $name, ".rs")),
+        )),*];
+
+        /// Where the entries of every registry come from, by the name of its module.
+        pub fn registries() -> Vec<(&'static str, Vec<&'static Origin>)> {
+            vec![$(($name, $origins.collect())),*]
+        }
     };
 }
 
-files!["forms.rs", "elements.rs", "laws.rs", "motions.rs", "clearances.rs"];
+registries! {
+    "laws": LAWS.iter().map(|law| &law.origin),
+    "elements": ELEMENTS.iter().map(|element| &element.origin),
+    "forms": FORMS.iter(),
+    "motions": MOTIONS.iter().map(|motion| &motion.origin),
+    "clearances": CLEARANCES.iter().map(|clearance| &clearance.origin),
+}
 
 /// The module made from a spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,16 +76,10 @@ fn modules(text: &'static str) -> impl Iterator<Item = (usize, &'static str)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS};
 
     #[test]
     fn every_entry_of_the_registries_has_its_module() {
-        let laws = LAWS.iter().map(|law| law.origin);
-        let elements = ELEMENTS.iter().map(|element| element.origin);
-        let motions = MOTIONS.iter().map(|motion| motion.origin);
-        let clearances = CLEARANCES.iter().map(|clearance| clearance.origin);
-        let forms = FORMS.iter().copied();
-        for origin in forms.chain(laws).chain(elements).chain(motions).chain(clearances) {
+        for origin in registries().into_iter().flat_map(|(_, origins)| origins) {
             let module = module(origin.spec).unwrap_or_else(|| panic!("{} has none", origin.spec));
             assert!(module.text.contains(&format!("hash: {:?},", origin.hash)), "{}", origin.spec);
             assert!(module.text.starts_with("///"), "{}", module.text);

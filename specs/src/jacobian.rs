@@ -2,7 +2,7 @@
 //! kernels of cells call as [`crate::cells`].
 
 use crate::matrices::Matrix;
-use crate::registers::Register;
+use crate::register::Register;
 use crate::{Lane, Shared};
 
 /// The Jacobian J = Σ x_a ⊗ ∇N_a of the map from the reference cell, by its cofactors: J⁻ᵀ = cof J / det J.

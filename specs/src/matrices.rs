@@ -2,7 +2,7 @@
 
 use std::marker::PhantomData;
 
-use crate::registers::{Register, Zeros};
+use crate::register::{Register, Zeros};
 
 /// One value of each cell of a batch of eight, side by side: a cache line, which every register fills or divides.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -1,59 +1,10 @@
-//! Lanes that fill a register of the processor, and the choice among them when a kernel runs.
+//! The registers of the processor, and the choice among them when a kernel runs.
 
 use std::cell::Cell;
-use std::mem::MaybeUninit;
 
-use crate::Lane;
+pub use crate::register::{Register, Zeros};
 #[cfg(target_arch = "x86_64")]
 use crate::x86;
-
-/// Numbers and nothing else: clearing memory makes zeros of them, and what memory holds is always a value.
-///
-/// # Safety
-/// Any bits must be a value of the type.
-pub unsafe trait Zeros: Sized {
-    /// Zeros.
-    #[inline(always)]
-    fn zeros() -> Self {
-        // SAFETY: the implementor's.
-        unsafe { MaybeUninit::zeroed().assume_init() }
-    }
-}
-
-// SAFETY: no bits.
-unsafe impl Zeros for () {}
-// SAFETY: a number.
-unsafe impl Zeros for f64 {}
-// SAFETY: nothing but its elements.
-unsafe impl<T: Zeros, const N: usize> Zeros for [T; N] {}
-
-/// A lane type that memory is read into and written from, WIDTH values at a time.
-pub trait Register: Lane + Zeros {
-    /// Values side by side.
-    const WIDTH: usize;
-    /// Whether there are so many registers (32) that the sums of two pairs of functions are kept at once.
-    const MANY: bool;
-    /// [`Register::WIDTH`] values in memory.
-    type Chunk: Copy + Zeros;
-
-    /// The whole chunks of a row; fewer than WIDTH values are left over.
-    fn chunks(row: &[f64]) -> &[Self::Chunk];
-    /// The whole chunks of a row, to be written.
-    fn chunks_mut(row: &mut [f64]) -> &mut [Self::Chunk];
-    /// The values of a chunk.
-    fn load(chunk: &Self::Chunk) -> Self;
-    /// Writes a chunk.
-    fn store(self, chunk: &mut Self::Chunk);
-    /// Lane c takes row min(c, last row) of `rows`, row after row of `values.len()` values each: value v
-    /// of that row goes to `values[v]`.
-    ///
-    /// # Panics
-    /// If `rows` does not hold one row at least.
-    fn gather(rows: &[f64], values: &mut [Self]);
-    /// Writes lane c to row c of `rows`, row after row of `values.len()` values each, for as many rows as
-    /// there are, at most WIDTH.
-    fn scatter(values: &[Self], rows: &mut [f64]);
-}
 
 /// Work over registers of any width.
 pub trait Task {
@@ -210,40 +161,10 @@ fn avx512<T: Task>(task: T) -> T::Output {
     task.run::<x86::F64x8>()
 }
 
-impl Register for f64 {
-    const WIDTH: usize = 1;
-    const MANY: bool = false;
-    type Chunk = [f64; 1];
-
-    #[inline(always)]
-    fn chunks(row: &[f64]) -> &[[f64; 1]] {
-        row.as_chunks().0
-    }
-    #[inline(always)]
-    fn chunks_mut(row: &mut [f64]) -> &mut [[f64; 1]] {
-        row.as_chunks_mut().0
-    }
-    #[inline(always)]
-    fn load(chunk: &[f64; 1]) -> Self {
-        chunk[0]
-    }
-    #[inline(always)]
-    fn store(self, chunk: &mut [f64; 1]) {
-        chunk[0] = self;
-    }
-    #[inline(always)]
-    fn gather(rows: &[f64], values: &mut [f64]) {
-        values.copy_from_slice(&rows[..values.len()]);
-    }
-    #[inline(always)]
-    fn scatter(values: &[f64], rows: &mut [f64]) {
-        rows[..values.len()].copy_from_slice(values);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Lane;
 
     /// Values that expose a wrong order of lanes, signed zeros and what is not a number.
     fn numbers(count: usize) -> Vec<f64> {

@@ -1,7 +1,7 @@
 //! Storage of symmetric matrices: what kernels of forms call as [`crate::cells`].
 
 use crate::matrices::Matrix;
-use crate::registers::Register;
+use crate::register::Register;
 
 /// The trip count of a loop that is to stay one: its code is smaller and, with as many values in registers
 /// as there are, faster than what a compiler makes of it when it knows the count.

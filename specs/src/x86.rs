@@ -4,7 +4,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::registers::{Register, Zeros};
+use crate::register::{Register, Zeros};
 use crate::{Lane, Shared};
 
 /// A lane type by intrinsics. What is not to be inlined is compiled once, not for every kernel; the functions behind

@@ -15,8 +15,8 @@ use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use whirl_benches::hand;
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::element::direct;
 use whirl_codegen::spec::element::ElementSpec;
+use whirl_codegen::spec::element::direct;
 use whirl_codegen::spec::form::FormSpec;
 use whirl_specs::{ELEMENTS, Element, Structure};
 

@@ -4,22 +4,13 @@ use std::path::Path;
 
 use whirl_codegen::diagnostic::Diagnostics;
 use whirl_codegen::generate::{SpecFile, generate};
+use whirl_codegen::spec::list::Spec;
 use whirl_specs::{ELEMENTS, FORMS, Origin};
 
-use crate::spec_file::{self, Spec};
+use crate::spec_file;
 
 /// The element on which forms are shown.
 pub(super) const SHOWN_ON: &str = "hex8";
-
-/// Folder of the specs in which a file of this kind is compiled.
-pub(super) fn folder(spec: &Spec) -> &'static str {
-    match spec {
-        Spec::Law(_) => "laws",
-        Spec::Element(_) => "elements",
-        Spec::Form(_) => "forms",
-        Spec::Motion(_) | Spec::Clearance(_) => "motion",
-    }
-}
 
 /// The module that a build would generate if the file lay in its folder: an element's with the built-in forms; forms'
 /// with that of the element [`SHOWN_ON`] behind it, which has them alone.
@@ -30,31 +21,28 @@ pub(super) fn module(spec: &Spec) -> Result<String, Diagnostics> {
     let own = |path: &Path, text: &str, ending: &str| {
         let name = path.with_extension(ending);
         let name = name.file_name().unwrap_or_default().to_string_lossy();
-        SpecFile { path: format!("{}/{name}", folder(spec)), text: text.to_string() }
+        SpecFile { path: format!("{}/{name}", spec.kind().folder), text: text.to_string() }
     };
     let built_in =
         |origin: &Origin| SpecFile { path: origin.spec.to_string(), text: origin.text.to_string() };
-    let mut files = vec![own(&spec.file().path, &spec.file().text, "toml")];
+    let file = spec.about().file;
+    let mut files = vec![own(&file.path, &file.text, "toml")];
+    files.extend(spec.tables().into_iter().map(|file| own(&file.path, &file.text, "csv")));
     match spec {
-        Spec::Law(law) => {
-            files.extend(law.tables.iter().map(|t| own(&t.file.path, &t.file.text, "csv")));
-        }
         Spec::Element(_) => files.extend(FORMS.iter().map(built_in)),
         Spec::Form(_) => {
             let shown_on = ELEMENTS.iter().filter(|element| element.origin.name == SHOWN_ON);
             files.extend(shown_on.map(|element| built_in(&element.origin)));
         }
-        Spec::Motion(_) | Spec::Clearance(_) => {}
+        _ => {}
     }
     let generated = generate(&files).map_err(|errors| at_home(errors, spec, &files[0].path))?;
-    let kinds: &[&str] = match spec {
-        Spec::Law(_) => &["laws.rs"],
-        Spec::Element(_) => &["elements.rs"],
-        Spec::Form(_) => &["forms.rs", "elements.rs"],
-        Spec::Motion(_) => &["motions.rs"],
-        Spec::Clearance(_) => &["clearances.rs"],
+    let registry = spec.kind().registry;
+    let shown = |name: &str| match name.strip_suffix(".rs") {
+        Some("elements") if matches!(spec, Spec::Form(_)) => true,
+        name => name == Some(registry),
     };
-    let texts = generated.iter().filter(|file| kinds.contains(&file.name.as_str()));
+    let texts = generated.iter().filter(|file| shown(&file.name));
     Ok(texts.map(|file| file.text.as_str()).collect())
 }
 
@@ -63,7 +51,7 @@ fn at_home(errors: Diagnostics, spec: &Spec, own: &str) -> Diagnostics {
     let mut found = Diagnostics::new();
     for mut error in errors {
         if error.path() == Path::new(own) {
-            error.source = spec.file().clone();
+            error.source = spec.about().file.clone();
         } else if let Some(origin) =
             spec_file::built_in().find(|origin| error.path() == Path::new(origin.spec))
         {

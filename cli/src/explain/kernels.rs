@@ -1,16 +1,16 @@
 //! The code generated from a spec: where it is, and what each of its functions computes at what cost.
 
 use whirl_codegen::spec::form::FormSpec;
+use whirl_codegen::spec::list::Spec;
+use whirl_codegen::spec::page::Page;
 use whirl_specs::{Origin, generated};
 
 use super::generated_code::{self, SHOWN_ON};
-use super::page::Page;
-use crate::spec_file::Spec;
 
 /// Says where the code lies and what its functions do.
 pub(super) fn explain(page: &mut Page, spec: &Spec, origin: Option<&Origin>) {
     page.heading("Generated Rust");
-    let name = spec.about()[0];
+    let name = spec.about().name;
     let Some(module) = origin.and_then(|origin| generated::module(origin.spec)) else {
         explain_generated(page, spec);
         return;
@@ -40,17 +40,14 @@ fn explain_generated(page: &mut Page, spec: &Spec) {
             return;
         }
     };
-    let path = spec.file().path.display();
+    let path = spec.about().file.path.display();
     page.item(&format!("as a build would generate it, printed by `whirl explain {path} --rust`"));
     page.item(&match spec {
         Spec::Law(_) => {
             "none is needed: the law is evaluated without a compiler, to the same bits".into()
         }
         _ => {
-            format!(
-                "compiled at the next build if the file lies in `specs/{}`",
-                generated_code::folder(spec)
-            )
+            format!("compiled at the next build if the file lies in `specs/{}`", spec.kind().folder)
         }
     });
     say(page, if let Spec::Form(form) = spec { of_forms(form, generated) } else { generated });

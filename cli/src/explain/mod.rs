@@ -1,27 +1,23 @@
 //! `whirl explain`: what a spec says, what follows from it, and where its generated code lies.
 
-mod clearance;
-mod element;
-mod equations;
-mod form;
 mod generated_code;
 mod kernels;
-mod law;
-mod motion;
-mod page;
+mod matrices;
 mod plot;
 
 use std::path::Path;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic};
+use whirl_codegen::spec::kind::About;
+use whirl_codegen::spec::list::Spec;
+use whirl_codegen::spec::page::Page;
 use whirl_specs::{Origin, generated};
 
-use self::page::Page;
 use crate::arguments::ExplainArguments;
 use crate::errors::Failure;
 use crate::figures;
 use crate::output::Output;
-use crate::spec_file::{self, Spec};
+use crate::spec_file;
 
 /// The page of a spec, or the Rust generated from it; writes its figure where one is asked for.
 ///
@@ -30,7 +26,7 @@ use crate::spec_file::{self, Spec};
 /// cannot be written; the Rust of a form that is built in; what a build would refuse of one that is not.
 pub(crate) fn explain(arguments: &ExplainArguments) -> Result<String, Failure> {
     let (source, origin) = spec_file::find(&arguments.spec)?;
-    let spec = Spec::read(&source)?;
+    let spec = spec_file::read(&source)?;
     if let Some(path) = &arguments.plot {
         draw(&spec, path)?;
     }
@@ -43,37 +39,30 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Result<String, Failure> {
 /// Whatever is wrong with the spec, and what a build would refuse of it.
 pub(crate) fn check(name: &str) -> Result<String, Failure> {
     let (source, origin) = spec_file::find(name)?;
-    let spec = Spec::read(&source)?;
+    let spec = spec_file::read(&source)?;
     if origin.is_none() {
         generated_code::module(&spec)?;
     }
     let mut page = head(&spec);
-    match &spec {
-        Spec::Law(law) => law::check(&mut page, law),
-        Spec::Element(element) => element::report(&mut page, element),
-        Spec::Form(form) => form::report(&mut page, form),
-        Spec::Motion(motion) => motion::report(&mut page, motion),
-        Spec::Clearance(clearance) => clearance::report(&mut page, clearance),
-    }
+    spec.report(&mut page);
     Ok(page.text())
 }
 
 fn head(spec: &Spec) -> Page {
-    let [name, title, reference] = spec.about();
-    let mut page = Page::new(&format!("{} {name}: {title}", spec.kind()));
+    let About { name, title, reference, file, .. } = spec.about();
+    let mut page = Page::new(&format!("{} {name}: {title}", spec.kind().name));
     page.line(&format!("source: {reference}"));
-    page.line(&format!("file: {}", spec.file().path.display()));
+    page.line(&format!("file: {}", file.path.display()));
     page
 }
 
 fn page(spec: &Spec, origin: Option<&Origin>) -> String {
     let mut page = head(spec);
+    spec.explain(&mut page);
     match spec {
-        Spec::Law(law) => law::explain(&mut page, law),
-        Spec::Element(element) => element::explain(&mut page, element),
-        Spec::Form(form) => form::explain(&mut page, form),
-        Spec::Motion(motion) => motion::explain(&mut page, motion),
-        Spec::Clearance(clearance) => clearance::explain(&mut page, clearance),
+        Spec::Law(law) => plot::explain(&mut page, law),
+        Spec::Element(element) => matrices::explain(&mut page, element),
+        _ => {}
     }
     kernels::explain(&mut page, spec, origin);
     page.text()
@@ -89,8 +78,9 @@ fn rust(spec: &Spec, origin: Option<&Origin>) -> Result<String, Failure> {
 /// Writes the figure of a law as SVG and PNG: `path` with either ending.
 fn draw(spec: &Spec, path: &Path) -> Result<(), Failure> {
     let Spec::Law(law) = spec else {
-        let message = format!("`--plot` draws laws; `{}` is a {}", spec.about()[0], spec.kind());
-        let error = Diagnostic::new(spec.file(), Code::BAD_VALUE, None, message);
+        let About { name, file, .. } = spec.about();
+        let message = format!("`--plot` draws laws; `{name}` is a {}", spec.kind().name);
+        let error = Diagnostic::new(file, Code::BAD_VALUE, None, message);
         return Err(Failure::Input(error.help("leave `--plot` out").into()));
     };
     let Some(stem) = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()) else {

@@ -1,6 +1,7 @@
 //! A law drawn with characters.
 
 use whirl_codegen::spec::law::{LawSpec, short};
+use whirl_codegen::spec::page::Page;
 
 use crate::figures::{Curve, curves};
 
@@ -8,14 +9,22 @@ use crate::figures::{Curve, curves};
 const COLUMNS: usize = 64;
 const ROWS: usize = 15;
 
+/// Draws a law on its page, where it can be drawn.
+pub(super) fn explain(page: &mut Page, law: &LawSpec) {
+    if let Some(plot) = self::law(law) {
+        page.heading(&plot.title);
+        plot.lines.iter().for_each(|line| page.item(line));
+    }
+}
+
 /// A small picture.
-pub(super) struct Plot {
-    pub(super) title: String,
-    pub(super) lines: Vec<String>,
+struct Plot {
+    title: String,
+    lines: Vec<String>,
 }
 
 /// The first output of a law over its first input, all other inputs as the figure has them.
-pub(super) fn law(law: &LawSpec) -> Option<Plot> {
+fn law(law: &LawSpec) -> Option<Plot> {
     let curve = curves(law).into_iter().next()?;
     let lines = draw(&curve)?;
     let others = if curve.held.is_empty() { String::new() } else { format!(", {}", curve.held) };

@@ -1,13 +1,13 @@
 //! Declarations of what a file may say, as JSON schema.
 
 use serde_json::{Map, Value, json};
-use whirl_codegen::spec::schema::{Described, Key, Need, Range, Shape};
+use whirl_codegen::spec::schema::{Key, Need, Range, Shape};
 
 /// The schema of a kind of file.
-pub(super) fn document<T: Described>() -> Value {
-    let mut schema = shape(T::SHAPE);
+pub(super) fn document(title: &str, declared: &Shape) -> Value {
+    let mut schema = shape(declared);
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
-    schema["title"] = json!(format!("whirl: {}", T::TITLE));
+    schema["title"] = json!(format!("whirl: {title}"));
     schema
 }
 

@@ -3,29 +3,27 @@
 
 mod json;
 
-use whirl_codegen::spec::clearance::ClearanceSpec;
-use whirl_codegen::spec::element::ElementSpec;
-use whirl_codegen::spec::form::FormSpec;
-use whirl_codegen::spec::law::LawSpec;
-use whirl_codegen::spec::motion::MotionSpec;
+use whirl_codegen::spec::list::KINDS;
+use whirl_codegen::spec::schema::{Described, Shape};
 
-use crate::arguments::SchemaKind;
 use crate::case::Case;
 
+/// Kinds of files: word, title, and what they may say.
+pub(crate) fn kinds() -> impl Iterator<Item = (&'static str, &'static str, &'static Shape)> {
+    let specs = KINDS.iter().map(|kind| (kind.name, kind.title, kind.shape));
+    specs.chain([("case", Case::TITLE, Case::SHAPE)])
+}
+
 /// The schema of a kind of file as text; without a kind, the kinds.
-pub(crate) fn schema(kind: Option<SchemaKind>) -> String {
-    let Some(kind) = kind else {
-        return "kinds: law, element, form, motion, clearance, case\n\
-                `whirl schema law > law.schema.json` writes a schema for editors\n"
-            .to_string();
-    };
-    let schema = match kind {
-        SchemaKind::Law => json::document::<LawSpec>(),
-        SchemaKind::Element => json::document::<ElementSpec>(),
-        SchemaKind::Form => json::document::<FormSpec>(),
-        SchemaKind::Motion => json::document::<MotionSpec>(),
-        SchemaKind::Clearance => json::document::<ClearanceSpec>(),
-        SchemaKind::Case => json::document::<Case>(),
-    };
-    format!("{schema:#}\n")
+pub(crate) fn schema(kind: Option<&str>) -> String {
+    match kinds().find(|(name, ..)| Some(*name) == kind) {
+        Some((_, title, shape)) => format!("{:#}\n", json::document(title, shape)),
+        None => {
+            let names: Vec<&str> = kinds().map(|(name, ..)| name).collect();
+            format!(
+                "kinds: {}\n`whirl schema law > law.schema.json` writes a schema for editors\n",
+                names.join(", ")
+            )
+        }
+    }
 }

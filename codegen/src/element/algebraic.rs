@@ -347,13 +347,13 @@ fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
 }
 
 /// The product of two numbers times 2^BITS.
-pub(super) fn product(a: &BigInt, b: &BigInt) -> BigInt {
+pub(crate) fn product(a: &BigInt, b: &BigInt) -> BigInt {
     (a * b) >> BITS
 }
 
 /// The f64 nearest to a number times 2^BITS whose error is far below one part in 2^64. What is smaller than
 /// 2^−200 is zero: numbers with the few roots and small numerators of a rule are not that small otherwise.
-pub(super) fn rounded(fixed: &BigInt) -> f64 {
+pub(crate) fn rounded(fixed: &BigInt) -> f64 {
     let bits = u32::try_from(fixed.bits()).unwrap_or(u32::MAX);
     if bits < BITS - 200 {
         return 0.0;

@@ -213,7 +213,7 @@ impl<'r> Integrals<'r> {
 }
 
 /// The cell's variable on an axis at a coordinate: 1 − ζ on the third of a pyramid, else the coordinate.
-pub(super) fn variable(cell: Cell, axis: usize, coordinate: &Algebraic) -> Algebraic {
+pub(crate) fn variable(cell: Cell, axis: usize, coordinate: &Algebraic) -> Algebraic {
     match (cell, axis) {
         (Cell::Pyramid, 2) => Algebraic::rational(Rational::one()).minus(coordinate),
         _ => coordinate.clone(),

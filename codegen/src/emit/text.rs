@@ -1,6 +1,8 @@
 //! From tokens to formatted text.
 
-use proc_macro2::TokenStream;
+use std::collections::BTreeSet;
+
+use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::quote;
 use syn::parse::{ParseStream, Parser};
 
@@ -34,6 +36,26 @@ pub fn documented(text: &str) -> TokenStream {
         quote!(#[doc = #line])
     });
     lines.collect()
+}
+
+/// A whole number.
+pub(crate) fn count(n: usize) -> Literal {
+    Literal::usize_unsuffixed(n)
+}
+
+/// The identifiers in a text.
+pub(crate) fn names(text: &TokenStream) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for token in text.clone() {
+        match token {
+            TokenTree::Ident(name) => {
+                found.insert(name.to_string());
+            }
+            TokenTree::Group(group) => found.extend(names(&group.stream())),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+    found
 }
 
 /// Control signs would end a comment's line or hide in it; signs that turn the direction of text would show

@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::SpecKind;
-use crate::diagnostic::Source;
-use crate::emit::{formatted, identifier};
+use super::Kernels;
+use crate::emit::identifier;
+use crate::spec::kernel::text;
+use crate::spec::kind::Kind;
+use crate::spec::list::KINDS;
 
 /// A file of Rust text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,18 +21,17 @@ pub struct GeneratedFile {
 }
 
 /// One file a kind, and `kernels.rs`, which includes them and holds the registries and the tables of laws.
-pub(super) fn files<'t>(
-    kinds: &[SpecKind],
-    tables: impl Iterator<Item = &'t Source>,
-) -> Vec<GeneratedFile> {
-    let text_of =
-        |kind: &SpecKind| kind.kernels.iter().map(|kernel| kernel.text.as_str()).collect();
-    let file_of = |kind: &SpecKind| GeneratedFile {
-        name: format!("{}.rs", kind.module),
-        text: text_of(kind),
-    };
-    let mut files: Vec<GeneratedFile> = kinds.iter().map(file_of).collect();
-    let mut registries: TokenStream = kinds.iter().map(registry).collect();
+pub(super) fn write(kernels: &[Kernels]) -> Vec<GeneratedFile> {
+    let mut kinds: Vec<&Kind> = KINDS.iter().collect();
+    kinds.sort_by_key(|kind| (!kind.called, kind.folder));
+    let (mut files, mut registries) = (Vec::new(), TokenStream::new());
+    for kind in kinds {
+        let own: Vec<_> = kernels.iter().filter(|own| own.spec.kind().name == kind.name).collect();
+        let text = own.iter().map(|own| own.text.as_str()).collect();
+        files.push(GeneratedFile { name: format!("{}.rs", kind.registry), text });
+        registries.extend(registry(kind, &own));
+    }
+    let tables = kernels.iter().flat_map(|own| own.spec.tables());
     let tables: BTreeMap<String, &str> =
         tables.map(|table| (table.path.display().to_string(), table.text.as_str())).collect();
     let tables = tables.iter().map(|(path, text)| quote!((#path, #text)));
@@ -42,17 +43,17 @@ pub(super) fn files<'t>(
     files
 }
 
-fn registry(kind: &SpecKind) -> TokenStream {
-    let module = format_ident!("{}", kind.module);
-    let file = format!("/{}.rs", kind.module);
-    let registry = format_ident!("{}", kind.module.to_uppercase());
+fn registry(kind: &Kind, kernels: &[&Kernels]) -> TokenStream {
+    let name = kind.registry;
+    let (module, file) = (format_ident!("{name}"), format!("/{name}.rs"));
+    let registry = format_ident!("{}", name.to_uppercase());
     let entry = format_ident!("{}", kind.entry);
     let (about, list) = (
-        format!(" Kernels of the {}, one module a spec.", kind.module),
-        format!(" All {}, sorted by the path of the spec.", kind.module),
+        format!(" Kernels of the {name}, one module a spec."),
+        format!(" All {name}, sorted by the path of the spec."),
     );
-    let entries = kind.kernels.iter().map(|kernel| {
-        let name = identifier(&kernel.name);
+    let entries = kernels.iter().map(|kernel| {
+        let name = identifier(kernel.spec.about().name);
         quote!(#module::#name::ENTRY)
     });
     quote! {
@@ -67,9 +68,4 @@ fn registry(kind: &SpecKind) -> TokenStream {
         #[doc = #list]
         pub static #registry: &[#entry] = &[#(#entries),*];
     }
-}
-
-/// The text of items.
-pub(super) fn text(tokens: TokenStream) -> String {
-    formatted(tokens).unwrap_or_else(|message| panic!("{message}"))
 }

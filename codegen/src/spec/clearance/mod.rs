@@ -42,6 +42,10 @@
 //! ```
 
 mod derive;
+mod explain;
+#[cfg(feature = "emit")]
+mod kernels;
+mod kind;
 mod kinds;
 mod read;
 mod schema;

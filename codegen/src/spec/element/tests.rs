@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use super::demand;
 use super::*;
-use crate::element::demand::{self, BasisPart};
+use crate::spec::form::BasisPart;
 
 const HEX8I: &str = include_str!("../../../../specs/elements/hex8i.toml");
 const HEX8: &str = include_str!("../../../../specs/elements/hex8.toml");

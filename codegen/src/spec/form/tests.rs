@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::expression::normal;
-use crate::form::Place;
+use crate::spec::form::Place;
 
 const ELASTICITY: &str = include_str!("../../../../specs/forms/elasticity.toml");
 const INERTIA: &str = include_str!("../../../../specs/forms/inertia.toml");

@@ -34,7 +34,12 @@ mod branch;
 mod build;
 mod describe;
 mod draft;
+mod equations;
 mod exact;
+mod explain;
+#[cfg(feature = "emit")]
+mod kernels;
+mod kind;
 mod lint;
 mod points;
 mod poles;
@@ -59,14 +64,12 @@ pub use report::{Break, LawReport, OutputReport, TableReport, Trend};
 pub use table::{Extend, LawTable};
 pub use valid::Validity;
 
+use super::kind::Beside;
 use crate::diagnostic::{Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::Formula;
 use crate::operation::{Bytecode, Number};
 use crate::units::Unit;
-
-/// Finds the file of the given name beside a law; says why not if there is none.
-pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
 
 /// A law, ready to be scheduled: see the module for the file.
 #[derive(Debug, Clone)]

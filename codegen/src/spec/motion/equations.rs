@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use super::lagrange::{Blocks, Coordinate, Derivatives, Equations, derivatives, lagrange};
 use crate::diagnostic::{Code, Diagnostic, Located};
 use crate::expression::{Graph, Id, Shape, display, normal};
 use crate::formula::{lower, parse};
-use crate::lagrange::{Blocks, Coordinate, Derivatives, Equations, derivatives, lagrange};
 use crate::spec::read::{Document, Table};
 
 /// Reads the terms of a motion into a graph.

@@ -9,9 +9,9 @@ use std::sync::Arc;
 
 use num_traits::{One, ToPrimitive};
 
-use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode};
+use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode, table};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
-use crate::element::{self, Cell, Polynomial, Quadrature};
+use crate::element::{Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
 use crate::formula::{lower, parse};
 use crate::spec::read::{Document, Item, Table, Value, plain_name};
@@ -83,10 +83,10 @@ impl<'d> Reader<'d> {
         let (cell, shape, rule) = (cell?, shape?, rule?);
         let modes = enhanced.as_ref().map_or(&[][..], |enhanced: &Enhanced| &enhanced.modes);
         let table = |rule: &Quadrature| {
-            let table = element::Table::new(cell, &shape, modes, rule);
+            let table = table::Table::new(cell, &shape, modes, rule);
             table.map_err(|error| document.push(*error)).ok()
         };
-        let single: Option<BTreeMap<String, element::Table>> =
+        let single: Option<BTreeMap<String, table::Table>> =
             rules.iter().map(|(form, rule)| Some((form.clone(), table(rule)?))).collect();
         let tables = (table(&rule)?, single?);
         Some(ElementSpec {

@@ -6,7 +6,7 @@ use super::columns::{Column, Columns, Wanted, Which};
 use super::{Extend, LawTable, check_rows};
 use crate::diagnostic::{Code, Diagnostics, Located};
 use crate::formula::{Formula, parse};
-use crate::spec::law::Beside;
+use crate::spec::kind::Beside;
 use crate::spec::law::system::System;
 use crate::spec::read::{Document, Table, Value};
 use crate::units::Unit;

@@ -1,0 +1,178 @@
+//! Kernels of a clearance: its value, the weights of the rings of a bearing, and those of every kind of law.
+
+mod functions;
+mod part;
+mod program;
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use self::functions::Kernels;
+use self::program::{Sum, program};
+use super::ClearanceSpec;
+use crate::diagnostic::Diagnostics;
+use crate::emit::{Numbers, documented, identifier, operand, statements};
+use crate::expression::Id;
+use crate::schedule::{Program, Request, ScheduleError, schedule as in_stages};
+use crate::spec::kernel::{self, unscheduled};
+use crate::spec::kind::SpecKind;
+
+/// What the kernels compute.
+pub(crate) struct Programs {
+    value: Program,
+    axial: Program,
+    /// Where there are more measures than the clearance.
+    measures: Option<Program>,
+    /// One a kind of law, with the sums over springs that it needs.
+    kinds: Vec<(Program, Vec<Sum>)>,
+}
+
+pub(super) fn schedule(spec: &ClearanceSpec) -> Result<Programs, Diagnostics> {
+    let refused = |error: ScheduleError| unscheduled(&spec.file, &error);
+    let kinds = spec.contacts.iter().map(|contact| {
+        let derived = spec.derive(contact)?;
+        program(spec, contact, derived).map_err(refused)
+    });
+    Ok(Programs {
+        value: flat(spec, &springs_own(spec), &[(&spec.clearance, spec.value)]).map_err(refused)?,
+        axial: axial_program(spec).map_err(refused)?,
+        measures: measures_program(spec).transpose().map_err(refused)?,
+        kinds: kinds.collect::<Result<_, Diagnostics>>()?,
+    })
+}
+
+pub(super) fn module(spec: &ClearanceSpec, programs: &Programs) -> String {
+    let about = spec.about();
+    let own = [value(spec, &programs.value), axial(spec, &programs.axial)];
+    let measures = programs.measures.as_ref().map(|program| measures(spec, program));
+    let kinds = spec.contacts.iter().zip(&programs.kinds);
+    let kinds: TokenStream = kinds
+        .map(|(contact, (program, sums))| Kernels::new(spec, contact, program, sums).module())
+        .collect();
+    let kinds = quote!(#[doc = " Kinds of laws."] pub mod contacts { #kinds });
+    let functions: TokenStream = own.into_iter().chain(measures).chain([kinds]).collect();
+    let entries = spec.contacts.iter().map(|contact| identifier(&contact.name));
+    let origin = about.origin(&functions);
+    let name = identifier(&spec.name);
+    let heading = documented(&format!(
+        "{}\n{} = `{}`\n",
+        about.heading(),
+        spec.clearance,
+        spec.formula.text.text()
+    ));
+    kernel::text(quote! {
+        #heading
+        pub mod #name {
+            use crate::{Clearance, Lane, Origin};
+            #functions
+            /// The entry of the registry.
+            pub const ENTRY: Clearance = Clearance {
+                origin: #origin,
+                axial,
+                contacts: &[#(contacts::#entries::ENTRY),*],
+            };
+        }
+    })
+}
+
+/// Names and symbols of what the clearance depends on.
+fn springs_own(spec: &ClearanceSpec) -> Vec<(&str, Id)> {
+    let all = [&spec.spring].into_iter().chain(&spec.ring).chain([&spec.radial, &spec.constant]);
+    all.map(|own| (own.name.as_str(), own.symbol)).collect()
+}
+
+/// The same for all measures.
+fn all_coordinates(spec: &ClearanceSpec) -> Vec<(&str, Id)> {
+    let all = std::iter::once(&spec.spring)
+        .chain(&spec.ring)
+        .chain([&spec.radial])
+        .chain(&spec.tangential)
+        .chain(spec.bore.iter().flatten())
+        .chain([&spec.constant])
+        .chain(&spec.radius);
+    all.map(|own| (own.name.as_str(), own.symbol)).collect()
+}
+
+/// Outputs of inputs, with the definitions by their names.
+fn flat(
+    spec: &ClearanceSpec,
+    inputs: &[(&str, Id)],
+    outputs: &[(&str, Id)],
+) -> Result<Program, ScheduleError> {
+    let names = spec.definitions.iter().map(|(name, id)| (*id, name.clone())).collect();
+    in_stages(&mut spec.graph.clone(), &Request { names, ..Request::flat(inputs, outputs) })
+}
+
+fn axial_program(spec: &ClearanceSpec) -> Result<Program, ScheduleError> {
+    let variable = (spec.axial_variable.name.as_str(), spec.axial_variable.symbol);
+    let outputs = [("A_1_", spec.axial[0]), ("A_2_", spec.axial[1]), ("A_3_", spec.axial[2])];
+    in_stages(&mut spec.graph.clone(), &Request::flat(&[variable], &outputs))
+}
+
+fn measures_program(spec: &ClearanceSpec) -> Option<Result<Program, ScheduleError>> {
+    let outputs: Vec<(&str, Id)> =
+        spec.measures.iter().map(|(name, id)| (name.as_str(), *id)).collect();
+    let request = Request::flat(&all_coordinates(spec), &outputs);
+    (outputs.len() > 1).then(|| in_stages(&mut spec.graph.clone(), &request))
+}
+
+fn list(of: &[(&str, Id)]) -> String {
+    of.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
+}
+
+/// h over one lane, as the formula says it: for evaluation with dual numbers.
+fn value(spec: &ClearanceSpec, program: &Program) -> TokenStream {
+    let inputs = springs_own(spec);
+    let names = inputs.iter().map(|(name, _)| identifier(name));
+    let statements = statements(program, 0, Numbers::Lanes);
+    let result = operand(program, program.outputs[0].operand, Numbers::Lanes);
+    let about = documented(&format!(
+        "{} (m) of {}, SI; {}.",
+        spec.clearance,
+        list(&inputs),
+        program.total_counts()
+    ));
+    quote! {
+        #about
+        pub fn value<L: Lane>(#(#names: L),*) -> L {
+            #(#statements)*
+            #result
+        }
+    }
+}
+
+fn axial(spec: &ClearanceSpec, program: &Program) -> TokenStream {
+    let variable = &spec.axial_variable.name;
+    let name = identifier(variable);
+    let statements = statements(program, 0, Numbers::Plain);
+    let results = program.outputs.iter().map(|o| operand(program, o.operand, Numbers::Plain));
+    let about = documented(&format!(
+        "Weights of the left, middle and right ring at {variable} = z/L_b; {}.",
+        program.total_counts()
+    ));
+    quote! {
+        #about
+        pub fn axial(#name: f64) -> [f64; 3] {
+            #(#statements)*
+            [#(#results),*]
+        }
+    }
+}
+
+/// All measures over one lane, as the formulas say them: for evaluation with dual numbers.
+fn measures(spec: &ClearanceSpec, program: &Program) -> TokenStream {
+    let inputs = all_coordinates(spec);
+    let arguments = inputs.iter().map(|(name, _)| identifier(name));
+    let count = Literal::usize_unsuffixed(program.outputs.len());
+    let statements = statements(program, 0, Numbers::Lanes);
+    let results = program.outputs.iter().map(|o| operand(program, o.operand, Numbers::Lanes));
+    let names = spec.measures.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
+    let about = documented(&format!("{names} of {}, SI.", list(&inputs)));
+    quote! {
+        #about
+        pub fn measures<L: Lane>(#(#arguments: L),*) -> [L; #count] {
+            #(#statements)*
+            [#(#results),*]
+        }
+    }
+}

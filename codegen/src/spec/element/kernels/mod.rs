@@ -1,0 +1,187 @@
+//! Kernels of an element: one for every form, over one lane and over blocks of cells.
+
+mod basis;
+mod cell;
+mod linear;
+mod modes;
+mod table;
+mod values;
+
+use std::collections::BTreeMap;
+
+use num_traits::ToPrimitive;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::{ElementSpec, ModeJacobian};
+use crate::diagnostic::Diagnostics;
+use crate::emit::{documented, identifier, names, number};
+use crate::rational::nearest;
+use crate::schedule::{Program, Request, ScheduleError, schedule};
+use crate::spec::form::{FormSpec, Structure};
+use crate::spec::kernel::{self, unscheduled, variable};
+use crate::spec::kind::{About, Other, SpecKind};
+use cell::CellForm;
+use table::Tables;
+
+/// Scale factors at a point for every form of these sets, by its name.
+pub(super) fn points<'f>(
+    element: &ElementSpec,
+    forms: impl Iterator<Item = &'f FormSpec>,
+) -> Result<BTreeMap<String, Program>, Diagnostics> {
+    let names = forms.flat_map(|set| &set.forms).map(|form| &form.name);
+    let programs = names.map(|name| Ok((name.clone(), point_program(element, name)?)));
+    let programs: Result<_, _> = programs.collect();
+    programs.map_err(|error| unscheduled(&element.file, &error))
+}
+
+/// Scale factors at a point, from `weight`, `det` and `det0`: `root` = √(w det J), `nodal` for the gradients
+/// of nodal functions by cofactors, `mode` for those of enhanced modes.
+fn point_program(element: &ElementSpec, form: &str) -> Result<Program, ScheduleError> {
+    let mut graph = element.graph.clone();
+    let enhanced = element.enhanced_in(form);
+    let symbols = ["weight", "det", "det0"].map(|name| (name, graph.scalar(name)));
+    let [weight, det, det0] = symbols.map(|(_, symbol)| symbol);
+    let volume = graph.mul(weight, det);
+    let root = graph.sqrt(volume);
+    let nodal = graph.div(root, det);
+    let mut outputs = vec![("root", root), ("nodal", nodal)];
+    if let Some(enhanced) = enhanced {
+        let by = match enhanced.jacobian {
+            ModeJacobian::Centre => det0,
+            ModeJacobian::Point => det,
+        };
+        let scaled = graph.mul(enhanced.scale, root);
+        outputs.push(("mode", graph.div(scaled, by)));
+    }
+    let inputs = if enhanced.is_some() { &symbols[..] } else { &symbols[..2] };
+    let names = vec![(root, "root".to_owned())];
+    schedule(&mut graph, &Request { names, ..Request::flat(inputs, &outputs) })
+}
+
+/// The module of the kernels of all forms on one element. Those that an element before has, too, are called there.
+pub(super) fn module(
+    element: &ElementSpec,
+    points: &BTreeMap<String, Program>,
+    others: &[Other<'_>],
+) -> String {
+    let forms: Vec<_> = others.iter().filter_map(Other::of::<FormSpec>).collect();
+    let before = || others.iter().filter_map(Other::of::<ElementSpec>).map(|(spec, ..)| spec);
+    let mut tables = Tables::new(element);
+    let mut functions = TokenStream::new();
+    let (mut entries, mut known) = (Vec::new(), Vec::new());
+    for (spec, pairs, _) in &forms {
+        for (form, pairs) in spec.forms.iter().zip(*pairs) {
+            let same_kernel = before().find(|other| other.integrates_as(element, &form.name));
+            let point = &points[&form.name];
+            let cell = CellForm { element, spec, form, pairs, point, same_kernel };
+            let (text, flops) = cell.functions(&mut tables, &mut known);
+            functions.extend(text);
+            entries.push(entry(&cell, flops));
+        }
+    }
+    let read = tables.read();
+    let functions = quote!(#read #functions);
+    // What the kernels do counts for the hash, wherever they stand.
+    let works = known.iter().map(|kernel| kernel.work.as_str());
+    let beside = forms.iter().map(|(.., text)| *text).chain(works).collect();
+    let about = About { beside, ..element.about() };
+    let registered = registered(element, &about, &tables.all(), &entries);
+    let heading = documented(&heading(element, &about));
+    let name = identifier(&element.name);
+    // An element may do nothing that another does not.
+    let used = names(&functions);
+    let called = ["cells", "forms", "Batch", "Lane", "Matrix", "Register"];
+    let called = called.iter().filter(|name| used.contains(**name));
+    let called = called.map(|name| format_ident!("{name}"));
+    kernel::text(quote! {
+        #heading
+        pub mod #name {
+            use crate::{#(#called,)* Element, FormKernel, Origin, Structure, Variable};
+            #functions
+            #registered
+        }
+    })
+}
+
+fn heading(element: &ElementSpec, about: &About) -> String {
+    let mut text = format!(
+        "{}\n{} nodes on the {}; integrated with {}.\n",
+        about.heading(),
+        element.nodes.len(),
+        element.cell.name(),
+        element.quadrature.title
+    );
+    for (form, rule) in &element.quadrature_of {
+        text += &format!("`{form}` is integrated with {}.\n", rule.title);
+    }
+    if let Some(enhanced) = &element.enhanced {
+        let modes: Vec<String> =
+            enhanced.modes.iter().map(|mode| format!("`{}`", mode.text.text())).collect();
+        let forms: Vec<&str> = enhanced.forms.iter().map(|form| form.text()).collect();
+        text += &format!("Enhanced modes {} in {}.\n", modes.join(", "), forms.join(", "));
+    }
+    text
+}
+
+/// The entry of a form in the registry.
+fn entry(cell: &CellForm, flops: usize) -> TokenStream {
+    let (name, flops) = (&cell.form.name, Literal::usize_unsuffixed(flops));
+    let function = identifier(name);
+    let material = (cell.spec.material_of(cell.form).into_iter())
+        .map(|p| variable(&p.name, &p.unit.dimension().si_unit(), &p.title));
+    let structure = match &cell.form.structure {
+        Structure::Symmetric => quote!(Structure::Symmetric),
+        Structure::Full => quote!(Structure::Full),
+        Structure::Kronecker { pattern, .. } => {
+            let rows = pattern.iter().map(|row| {
+                let row = row.iter().map(|entry| number(entry.to_f64().unwrap_or(f64::NAN)));
+                quote!([#(#row),*])
+            });
+            quote!(Structure::Kronecker { pattern: [#(#rows),*] })
+        }
+    };
+    quote! {
+        FormKernel {
+            form: #name,
+            material: &[#(#material),*],
+            structure: #structure,
+            flops: #flops,
+            evaluate: #function,
+        }
+    }
+}
+
+fn registered(
+    element: &ElementSpec,
+    about: &About,
+    tables: &TokenStream,
+    entries: &[TokenStream],
+) -> TokenStream {
+    let origin = about.origin(tables);
+    let count = Literal::usize_unsuffixed(element.nodes.len());
+    let nodes = element.nodes.iter().map(|node| {
+        let [xi, eta, zeta] = node.at.each_ref().map(|x| number(nearest(x)));
+        quote!([#xi, #eta, #zeta])
+    });
+    let order = |order: &[usize]| {
+        let places = order.iter().map(|place| Literal::usize_unsuffixed(*place));
+        quote!(&[#(#places),*])
+    };
+    let (abaqus_order, vtk_order) = (order(&element.abaqus_order), order(&element.vtk_order));
+    let abaqus = element.abaqus.iter().map(|kind| kind.text());
+    let vtk = Literal::u8_unsuffixed(element.vtk);
+    quote! {
+        /// The entry of the registry.
+        pub const ENTRY: Element = Element {
+            origin: #origin,
+            nodes: #count,
+            reference_nodes: &[#(#nodes),*],
+            abaqus: &[#(#abaqus),*],
+            abaqus_order: #abaqus_order,
+            vtk: #vtk,
+            vtk_order: #vtk_order,
+            forms: &[#(#entries),*],
+        };
+    }
+}

@@ -1,0 +1,89 @@
+//! Elements as a kind of spec.
+
+#[cfg(feature = "emit")]
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::{ElementSpec, demand, explain};
+use crate::diagnostic::{Code, Diagnostics, Source, suggest};
+#[cfg(feature = "emit")]
+use crate::schedule::Program;
+use crate::spec::form::{Form, FormSpec, Structure};
+#[cfg(feature = "emit")]
+use crate::spec::kind::Other;
+use crate::spec::kind::{About, Beside, OfAnyKind, SpecKind};
+use crate::spec::page::Page;
+
+impl SpecKind for ElementSpec {
+    const KIND: &'static str = "element";
+    const FOLDER: &'static str = "elements";
+    const REGISTRY: &'static str = "elements";
+    const ENTRY: &'static str = "Element";
+
+    fn read_with(file: &Arc<Source>, _beside: &Beside<'_>) -> Result<Self, Diagnostics> {
+        ElementSpec::read(file)
+    }
+
+    fn about(&self) -> About<'_> {
+        let ElementSpec { name, title, reference, file, .. } = self;
+        About { name, title, reference, file, beside: Vec::new() }
+    }
+
+    /// Its name, and the Abaqus types that are read as it.
+    fn names(&self) -> Vec<(&'static str, &str)> {
+        let types = self.abaqus.iter().map(|name| ("Abaqus type", name.text()));
+        std::iter::once((Self::KIND, self.name.as_str())).chain(types).collect()
+    }
+
+    fn report(&self, page: &mut Page) {
+        explain::report(page, self);
+    }
+
+    fn explain(&self, page: &mut Page) {
+        explain::explain(page, self);
+    }
+
+    /// Its rules integrate what the forms multiply, and its modes go with them.
+    fn check(&self, all: &[&OfAnyKind]) -> Result<(), Diagnostics> {
+        let forms: Vec<&Form> = of_forms(all).flat_map(|set| &set.forms).collect();
+        check_enhanced(self, &forms)?;
+        demand::prove(self, forms.iter().map(|form| (form.name.as_str(), form.products())))
+    }
+
+    #[cfg(feature = "emit")]
+    type Programs = BTreeMap<String, Program>;
+
+    #[cfg(feature = "emit")]
+    fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
+        super::kernels::points(self, of_forms(all))
+    }
+
+    #[cfg(feature = "emit")]
+    fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String {
+        super::kernels::module(self, programs, others)
+    }
+}
+
+fn of_forms<'a>(all: &[&'a OfAnyKind]) -> impl Iterator<Item = &'a FormSpec> {
+    all.iter().filter_map(|spec| spec.downcast_ref())
+}
+
+/// Modes can be condensed out of symmetric forms only, and only out of forms that exist.
+fn check_enhanced(element: &ElementSpec, forms: &[&Form]) -> Result<(), Diagnostics> {
+    let mut errors = Diagnostics::new();
+    for name in element.enhanced.iter().flat_map(|enhanced| &enhanced.forms) {
+        let message = match forms.iter().find(|form| form.name == name.text()) {
+            None => format!("there is no form `{}`", name.text()),
+            Some(form) if form.structure != Structure::Symmetric => format!(
+                "enhanced modes cannot be condensed out of `{}`: it is not a symmetric form that \
+                 couples the components of u",
+                name.text()
+            ),
+            Some(_) => continue,
+        };
+        let names: Vec<&str> = forms.iter().map(|form| form.name.as_str()).collect();
+        let help = suggest(name.text(), &names);
+        errors.push(name.error_here(Code::FORM, message).maybe_help(help));
+    }
+    errors.into_result(())
+}

@@ -1,0 +1,380 @@
+//! Bilinear forms: what is integrated over a cell.
+//!
+//! ```toml
+//! kind = "form"
+//! name = "elasticity"
+//! title = "…"
+//! source = "book and section"
+//!
+//! [material.E]               # in SI units, as the kernels take them
+//! unit = "Pa"
+//! title = "Young's modulus"
+//!
+//! [coefficients]             # formulas over the material and the coefficients before
+//! mu = 'E/(2*(1 + nu))'
+//!
+//! [matrices]                 # constant, 3 × 3
+//! D = [[0, -1, 0], [1, 0, 0], [0, 0, 0]]
+//!
+//! [forms]                    # u: trial (columns), v: test (rows)
+//! stiffness = 'lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))'
+//! ```
+//!
+//! A form is made of numbers, material, coefficients, `u`, `v`, constant matrices times them, `div`,
+//! `grad`, `eps` (the symmetric part of `grad`), `trace`, `transpose`, `inner` of matrices and `dot` of
+//! vectors.
+
+mod expand;
+mod explain;
+#[cfg(feature = "emit")]
+pub(super) mod kernels;
+mod kind;
+mod schema;
+mod structure;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+pub use expand::{Bilinear, Names, Place};
+pub use structure::{Pattern, Structure};
+
+use num_traits::One;
+
+use crate::diagnostic::{Code, Diagnostics, Located, Source};
+use crate::expression::{Graph, Id, Rational, Shape};
+use crate::formula::{self, Meaning, dimension, lower, parse};
+use crate::spec::read::{Document, Item, Table, Value};
+use crate::spec::schema::Described;
+use crate::units::Unit;
+use expand::expand;
+use structure::structure;
+
+/// Forms over one material, ready to be emitted: see the module for the file.
+#[derive(Debug, Clone)]
+pub struct FormSpec {
+    /// Name.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Book or paper.
+    pub reference: String,
+    /// The file.
+    pub file: Arc<Source>,
+    /// The graph that holds all expressions.
+    pub graph: Graph,
+    /// Properties of the material, in the order of the file.
+    pub material: Vec<Property>,
+    /// Coefficients with their symbols and what these stand for, over the material's symbols.
+    pub coefficients: Vec<Coefficient>,
+    /// The forms, in the order of the file.
+    pub forms: Vec<Form>,
+}
+
+/// A property of the material.
+#[derive(Debug, Clone)]
+pub struct Property {
+    /// Name in the spec.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// SI unit.
+    pub unit: Unit,
+    /// Its symbol.
+    pub symbol: Id,
+}
+
+/// A named coefficient.
+#[derive(Debug, Clone)]
+pub struct Coefficient {
+    /// Name in the spec.
+    pub name: String,
+    /// The symbol that stands for it in the forms.
+    pub symbol: Id,
+    /// Its value over the material's symbols.
+    pub value: Id,
+    /// The formula.
+    pub text: Located,
+}
+
+/// A bilinear form.
+#[derive(Debug, Clone)]
+pub struct Form {
+    /// Name, such as `stiffness`.
+    pub name: String,
+    /// The formula.
+    pub text: Located,
+    /// Its coefficients, over the symbols of material and coefficients.
+    pub bilinear: Bilinear,
+    /// What was found in them.
+    pub structure: Structure,
+}
+
+/// Which part of a basis function occurs in a product.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum BasisPart {
+    /// N.
+    Value,
+    /// ∇N.
+    Gradient,
+}
+
+impl Form {
+    /// The parts of test and trial function that are multiplied.
+    pub fn products(&self) -> BTreeSet<(BasisPart, BasisPart)> {
+        let part = |place: usize| if place == 0 { BasisPart::Value } else { BasisPart::Gradient };
+        self.bilinear.keys().map(|place| (part(place.test), part(place.trial))).collect()
+    }
+}
+
+impl FormSpec {
+    /// Reads, expands and analyses forms.
+    ///
+    /// # Errors
+    /// Everything wrong with the file, each with its place.
+    pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
+        let document = Document::parse(file);
+        if !document.is_toml() {
+            return document.into_result(None);
+        }
+        let mut reader = Reader {
+            document: &document,
+            graph: Graph::new(),
+            names: Names::default(),
+            meanings: BTreeMap::new(),
+        };
+        let spec = reader.spec(file);
+        document.into_result(spec)
+    }
+
+    /// Properties that a form uses, in the order of the file.
+    pub fn material_of(&self, form: &Form) -> Vec<&Property> {
+        let uses = |symbol: Id| {
+            form.bilinear.values().any(|id| {
+                self.graph.depends(*id, symbol)
+                    || self.coefficients.iter().any(|c| {
+                        self.graph.depends(*id, c.symbol) && self.graph.depends(c.value, symbol)
+                    })
+            })
+        };
+        self.material.iter().filter(|property| uses(property.symbol)).collect()
+    }
+}
+
+struct Reader<'d> {
+    document: &'d Document<'d>,
+    graph: Graph,
+    names: Names,
+    meanings: BTreeMap<String, Meaning>,
+}
+
+impl Reader<'_> {
+    fn spec(&mut self, file: &Arc<Source>) -> Option<FormSpec> {
+        let root = self.document.root(FormSpec::SHAPE);
+        root.word("kind");
+        let (name, title) = (root.string("name"), root.string("title"));
+        let reference = root.string("source");
+        let material = root.table("material").map(|table| self.material(table));
+        let coefficients = root.optional_table("coefficients").map(|t| self.coefficients(t));
+        if let Some(table) = root.optional_table("matrices") {
+            self.matrices(table);
+        }
+        let forms = root.table("forms").map(|table| self.forms(table));
+        root.finish();
+        if self.document.has_errors() {
+            return None;
+        }
+        Some(FormSpec {
+            name: name?.text().to_owned(),
+            title: title?.text().to_owned(),
+            reference: reference?.text().to_owned(),
+            file: file.clone(),
+            graph: std::mem::take(&mut self.graph),
+            material: material?,
+            coefficients: coefficients.unwrap_or_default(),
+            forms: forms?,
+        })
+    }
+
+    /// A name that is free and belongs to the grammar.
+    fn take(&self, key: &Located) -> Option<String> {
+        let taken = |name: &str| {
+            matches!(name, "u" | "v")
+                || self.names.scalars.contains_key(name)
+                || self.names.matrices.contains_key(name)
+        };
+        let name = formula::name(key.text()).and_then(|name| match taken(&name) {
+            true => Err(format!("the name `{name}` is taken")),
+            false => Ok(name),
+        });
+        let report = |message| {
+            self.document.push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
+        };
+        name.map_err(report).ok()
+    }
+
+    fn material(&mut self, table: Table<'_>) -> Vec<Property> {
+        let mut material = Vec::new();
+        for key in table.names() {
+            let Some(entry) = table.table(key.text()) else { continue };
+            let (text, title) = (entry.string("unit"), entry.string("title"));
+            entry.finish();
+            let Some(name) = self.take(&key) else { continue };
+            let symbol = self.graph.scalar(&name);
+            self.names.scalars.insert(name.clone(), symbol);
+            let unit = text.as_ref().and_then(|text| self.unit(text));
+            if let (Some(unit), Some(title)) = (unit, title) {
+                let meaning = Meaning { dimension: *unit.dimension(), value: None };
+                self.meanings.insert(name.clone(), meaning);
+                material.push(Property { name, title: title.text().to_owned(), unit, symbol });
+            }
+        }
+        table.finish();
+        material
+    }
+
+    fn unit(&self, text: &Located) -> Option<Unit> {
+        let unit = Unit::parse(text.text()).map_err(|error| {
+            let found = text.error(error.code, error.span, error.message);
+            self.document.push(found.maybe_help(error.help));
+        });
+        let unit = unit.ok()?;
+        if unit.factor().to_rational().is_none_or(|factor| !factor.is_one()) {
+            let message = format!("forms are written in SI units, `{unit}` is none");
+            let error = text.error_here(Code::WRONG_UNIT, message);
+            let si = unit.dimension().si_unit();
+            self.document.push(error.help(format!("write `unit = \"{si}\"`")));
+            return None;
+        }
+        Some(unit)
+    }
+
+    fn coefficients(&mut self, table: Table<'_>) -> Vec<Coefficient> {
+        let mut coefficients: Vec<Coefficient> = Vec::new();
+        // Coefficients before count with their values, so that every value is over the material.
+        let mut values = self.names.scalars.clone();
+        for key in table.names() {
+            let (name, text) = (self.take(&key), table.string(key.text()));
+            let (Some(name), Some(text)) = (name, text) else { continue };
+            let symbol = self.graph.scalar(&name);
+            self.names.scalars.insert(name.clone(), symbol);
+            let read = parse(&text).and_then(|formula| {
+                let value = lower(&formula, &mut self.graph, &values)?;
+                Ok((value, dimension(&formula, &self.meanings)?))
+            });
+            match read {
+                Ok((value, measured)) if self.graph.shape(value) == Shape::Scalar => {
+                    if let Some(dimension) = measured {
+                        self.meanings.insert(name.clone(), Meaning { dimension, value: None });
+                    }
+                    values.insert(name.clone(), value);
+                    coefficients.push(Coefficient { name, symbol, value, text });
+                }
+                Ok(_) => {
+                    let message = "expected a number, found a condition";
+                    self.document.push(text.error_here(Code::SHAPE, message));
+                }
+                Err(errors) => {
+                    self.document.append(errors);
+                    values.insert(name, symbol);
+                }
+            }
+        }
+        table.finish();
+        coefficients
+    }
+
+    fn matrices(&mut self, table: Table<'_>) {
+        for key in table.names() {
+            let Some(name) = self.take(&key) else { continue };
+            let rows = table.items(key.text()).and_then(|items| matrix(&items));
+            match rows {
+                Some(rows) => {
+                    self.names.matrices.insert(name, rows);
+                }
+                None => {
+                    let span = table.place(key.text());
+                    let message = format!("`{name}` must be three rows of three numbers");
+                    table.error(Code::BAD_VALUE, span, message);
+                }
+            }
+        }
+        table.finish();
+    }
+
+    fn forms(&mut self, table: Table<'_>) -> Vec<Form> {
+        let mut forms = Vec::new();
+        for key in table.names() {
+            let Some(text) = table.string(key.text()) else { continue };
+            let name = match formula::name(key.text()).and_then(form_name) {
+                Ok(name) => name,
+                Err(message) => {
+                    self.document
+                        .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
+                    continue;
+                }
+            };
+            let expanded = parse(&text).and_then(|formula| {
+                expand(&formula, &mut self.graph, &self.names).map_err(|error| (*error).into())
+            });
+            match expanded {
+                Ok(_) if self.graph.exceeded() => {
+                    let message =
+                        "multiplied out, this form has too many terms or digits to be worked with";
+                    let error = text.error_here(Code::LIMIT, message);
+                    self.document.push(error.help(
+                        "use lower powers, fewer products of sums, or numbers of fewer digits",
+                    ));
+                    return forms;
+                }
+                Ok(bilinear) if bilinear.is_empty() => {
+                    let message = format!("`{name}` is zero whatever u and v are");
+                    let error = text.error_here(Code::FORM, message);
+                    self.document.push(error.help("leave it out, or look for a wrong sign"));
+                }
+                Ok(bilinear) => {
+                    let structure = structure(&mut self.graph, &bilinear);
+                    forms.push(Form { name, text, bilinear, structure });
+                }
+                Err(errors) => self.document.append(errors),
+            }
+        }
+        if table.names().is_empty() {
+            let message = "there is no form, such as `mass = 'rho*dot(u, v)'`".to_owned();
+            table.error(Code::MISSING_KEY, table.span(), message);
+        }
+        table.finish();
+        forms
+    }
+}
+
+/// Functions get the names of forms, beside tables in capitals.
+fn form_name(name: String) -> Result<String, String> {
+    if name.chars().any(|c| c.is_ascii_uppercase()) {
+        let wanted = "lower-case letters, digits and `_`";
+        return Err(format!("`{name}` cannot be a form's name, which is made of {wanted}"));
+    }
+    Ok(name)
+}
+
+fn matrix(items: &[Item<'_>]) -> Option<[[Rational; 3]; 3]> {
+    let rows: Option<Vec<[Rational; 3]>> = items
+        .iter()
+        .map(|item| match item.value() {
+            Value::Array(entries, _) => {
+                let numbers: Option<Vec<Rational>> = entries
+                    .iter()
+                    .map(|entry| match entry.value() {
+                        Value::Number(number, _) => Some(number),
+                        _ => None,
+                    })
+                    .collect();
+                numbers?.try_into().ok()
+            }
+            _ => None,
+        })
+        .collect();
+    rows?.try_into().ok()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,202 @@
+//! Kernels of a law: its outputs with all first derivatives, over one lane and over rows of springs.
+
+use num_traits::ToPrimitive;
+use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::{Condition, LawSpec, Validity};
+use crate::diagnostic::Diagnostics;
+use crate::emit::{Numbers, documented, identifier, operand, statements};
+use crate::operation::Operand;
+use crate::schedule::Program;
+use crate::spec::kernel::{self, unscheduled, variable};
+use crate::spec::kind::{About, SpecKind};
+
+/// What the kernels compute: the law, and where it may be believed.
+pub(crate) struct Programs {
+    law: Program,
+    measures: Option<Program>,
+}
+
+pub(super) fn schedule(law: &LawSpec) -> Result<Programs, Diagnostics> {
+    let refused = |error| unscheduled(&law.file, &error);
+    let measures = law.measures_program().map_err(refused)?;
+    Ok(Programs { law: law.program().map_err(refused)?, measures })
+}
+
+pub(super) fn module(law: &LawSpec, Programs { law: program, measures }: &Programs) -> String {
+    let about = law.about();
+    let measured = measures.as_ref().map(|program| measures_of(law, program));
+    let functions = functions(law, program);
+    let functions = quote!(#functions #measured);
+    let entry = entry(law, &about, &functions);
+    let name = identifier(&law.name);
+    let heading = documented(&format!("{}{}", about.heading(), pieces(law)));
+    let validity = measures.is_some().then(|| quote!(Validity,));
+    let module = quote! {
+        #heading
+        pub mod #name {
+            use crate::{Lane, Law, Origin, SpringKernel, #validity Variable, each_spring};
+            #functions
+            #entry
+        }
+    };
+    kernel::text(module)
+}
+
+/// The pieces as the spec gives them.
+fn pieces(law: &LawSpec) -> String {
+    let units: Vec<String> =
+        law.inputs.iter().map(|input| format!("{} in {}", input.name, input.unit)).collect();
+    let mut text = String::new();
+    for output in &law.outputs {
+        text += &format!("\n{} in {}, {}:\n", output.name, output.unit, units.join(", "));
+        for piece in &output.pieces {
+            let condition = match &piece.when {
+                Some(Condition::Threshold { text, at, moved_from: Some(_), .. }) => {
+                    let at = at.to_f64().unwrap_or(f64::NAN);
+                    format!("where `{}`, moved to the root at {at:e} in SI", text.text())
+                }
+                Some(Condition::Threshold { text, .. }) => format!("where `{}`", text.text()),
+                Some(Condition::Formula(formula)) => format!("where `{}`", formula.text.text()),
+                None if output.pieces.len() > 1 => "elsewhere".to_string(),
+                None => "everywhere".to_string(),
+            };
+            text += &format!("* `{}` {condition}\n", piece.value.text.text());
+        }
+    }
+    text
+}
+
+fn functions(law: &LawSpec, program: &Program) -> TokenStream {
+    let inputs: Vec<_> = law.inputs.iter().map(|input| identifier(&input.name)).collect();
+    let from = law
+        .inputs
+        .iter()
+        .map(|input| format!("{} ({})", input.name, input.unit.dimension().si_unit()));
+    let from: Vec<String> = from.collect();
+    let from = from.join(", ");
+    let names: Vec<&str> = program.outputs.iter().map(|output| output.name.as_str()).collect();
+    let body = body(program);
+    let (input_count, count) =
+        (Literal::usize_unsuffixed(inputs.len()), Literal::usize_unsuffixed(names.len()));
+    let about_spring =
+        documented(&format!("{} of {from}, SI; {}.", names.join(", "), program.total_counts()));
+    let about_rows = documented(&format!(
+        "Rows of `springs` values, SI: {} from {from}. A spring reads {} bytes and writes {}.",
+        names.join(", "),
+        8 * inputs.len(),
+        8 * names.len()
+    ));
+    quote! {
+        enum Kernel {}
+
+        impl SpringKernel<#input_count, #count> for Kernel {
+            #about_spring
+            #[inline(always)]
+            fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
+                #body
+            }
+        }
+
+        #about_rows
+        pub fn evaluate(springs: usize, inputs: &[f64], outputs: &mut [f64]) {
+            each_spring::<Kernel, #input_count, #count>(springs, inputs, outputs);
+        }
+    }
+}
+
+/// The measures of the inputs by which the law may be believed or not.
+fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
+    let used = |place: usize| {
+        let input = Operand::Input(place);
+        let inside = program.instructions.iter().flat_map(|i| i.operation.operands());
+        inside.chain(program.outputs.iter().map(|o| o.operand)).any(|operand| operand == input)
+    };
+    let inputs = law.inputs.iter().enumerate().map(|(place, input)| match used(place) {
+        true => identifier(&input.name).to_token_stream(),
+        false => quote!(_),
+    });
+    let (input_count, count) = (
+        Literal::usize_unsuffixed(law.inputs.len()),
+        Literal::usize_unsuffixed(program.outputs.len()),
+    );
+    let body = body(program);
+    let names: Vec<&str> = law.valid.iter().map(|own| own.name.as_str()).collect();
+    let about = documented(&format!(
+        "Rows of `springs` values, SI: where the law may be believed, by {}.",
+        names.join(", ")
+    ));
+    quote! {
+        enum Measures {}
+
+        impl SpringKernel<#input_count, #count> for Measures {
+            #[inline(always)]
+            fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
+                #body
+            }
+        }
+
+        #about
+        pub fn measure(springs: usize, inputs: &[f64], measures: &mut [f64]) {
+            each_spring::<Measures, #input_count, #count>(springs, inputs, measures);
+        }
+    }
+}
+
+/// A number that may be negative or infinite.
+fn number(value: f64) -> TokenStream {
+    let size = match value.abs() {
+        size if size.is_infinite() => quote!(f64::INFINITY),
+        size => Literal::f64_unsuffixed(size).to_token_stream(),
+    };
+    if value < 0.0 { quote!(-#size) } else { size }
+}
+
+fn validity(own: &Validity) -> TokenStream {
+    let Validity { name, title, help, unit, limits: [least, most], .. } = own;
+    let (per, unit) = (number(unit.factor().to_f64()), unit.text());
+    let (least, most) = (number(*least), number(*most));
+    quote! {
+        Validity {
+            name: #name, title: #title, help: #help,
+            unit: #unit, per_unit: #per, limits: [#least, #most],
+        }
+    }
+}
+
+/// The statements of a program of one stage, and its outputs as an array.
+fn body(program: &Program) -> TokenStream {
+    let statements = statements(program, 0, Numbers::Lanes);
+    let outputs =
+        program.outputs.iter().map(|output| operand(program, output.operand, Numbers::Lanes));
+    quote!(#(#statements)* [#(#outputs),*])
+}
+
+fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
+    let origin = about.origin(functions);
+    let inputs = law
+        .inputs
+        .iter()
+        .map(|input| variable(&input.name, &input.unit.dimension().si_unit(), &input.title));
+    let outputs = law
+        .outputs
+        .iter()
+        .map(|output| variable(&output.name, &output.unit.dimension().si_unit(), &output.title));
+    let valid = law.valid.iter().map(validity);
+    let measure = match law.valid.is_empty() {
+        true => quote!(measure: |_, _, _| {}),
+        false => quote!(measure),
+    };
+    quote! {
+        /// The entry of the registry.
+        pub const ENTRY: Law = Law {
+            origin: #origin,
+            inputs: &[#(#inputs),*],
+            outputs: &[#(#outputs),*],
+            evaluate,
+            valid: &[#(#valid),*],
+            #measure,
+        };
+    }
+}

@@ -1,0 +1,191 @@
+//! Motions: the rigid rotation θ of a shaft coupled to its flexible coordinates η, either by a kinetic
+//! energy or by terms declared one by one, whose declared derivatives are then proved.
+//!
+//! ```toml
+//! kind = "motion"
+//! name = "consistent"
+//! title = "…"
+//! source = "paper and equation"
+//! kinetic_energy = '1/2*theta_dot^2*J0 + …'
+//!
+//! [coordinates]
+//! theta = "scalar"
+//! eta = "vector"
+//!
+//! [tensors]                  # scalar, vector, matrix, symmetric or skew
+//! J0 = "scalar"
+//! Y = "symmetric"
+//! ```
+//!
+//! In place of `kinetic_energy`: tables `mass`, `PF`, `B`, `P` with a formula a block (`theta.eta = '…'`)
+//! and `quadratic_velocity` with a formula a row; what is left out is zero.
+
+mod equations;
+mod explain;
+#[cfg(feature = "emit")]
+pub mod kernels;
+mod kind;
+pub mod lagrange;
+mod schema;
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::read::{Document, Table};
+use super::schema::Described;
+use crate::diagnostic::{Code, Diagnostics, Source};
+use crate::expression::{Graph, Id, Shape, Symmetry};
+use crate::formula;
+use equations::Reader;
+use lagrange::{Coordinate, Derivatives, Equations};
+
+/// The coordinates that the solver marches, with their shapes.
+pub const COORDINATES: &[(&str, Shape)] = &[("theta", Shape::Scalar), ("eta", Shape::Vector)];
+
+/// A motion, ready to be emitted: see the module for the file.
+#[derive(Debug, Clone)]
+pub struct MotionSpec {
+    /// Name by which cases refer to it.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Paper and equation.
+    pub reference: String,
+    /// The file.
+    pub file: Arc<Source>,
+    /// θ and η.
+    pub coordinates: Vec<Coordinate>,
+    /// The constant tensors, in the order of the file.
+    pub tensors: Vec<Tensor>,
+    /// The graph that holds all expressions.
+    pub graph: Graph,
+    /// T, p, M and Q_v.
+    pub equations: Equations,
+    /// PF, B and P.
+    pub derivatives: Derivatives,
+}
+
+/// A constant of a motion.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Tensor {
+    /// Name in the spec.
+    pub name: String,
+    /// Its symbol.
+    pub symbol: Id,
+    /// Shape.
+    pub shape: Shape,
+    /// Symmetry of a matrix.
+    pub symmetry: Symmetry,
+}
+
+const TENSORS: [(&str, Shape, Symmetry); 5] = [
+    ("scalar", Shape::Scalar, Symmetry::None),
+    ("vector", Shape::Vector, Symmetry::None),
+    ("matrix", Shape::Matrix, Symmetry::None),
+    ("symmetric", Shape::Matrix, Symmetry::Symmetric),
+    ("skew", Shape::Matrix, Symmetry::Skew),
+];
+
+impl MotionSpec {
+    /// Reads a motion, derives its equations and proves what it declares.
+    ///
+    /// # Errors
+    /// Everything wrong with the file, each with its place.
+    pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
+        let document = Document::parse(file);
+        if !document.is_toml() {
+            return document.into_result(None);
+        }
+        let motion = read(&document, file);
+        document.into_result(motion)
+    }
+}
+
+fn read(document: &Document, file: &Arc<Source>) -> Option<MotionSpec> {
+    let root = document.root(MotionSpec::SHAPE);
+    root.word("kind");
+    let name = root.string("name");
+    let (title, reference) = (root.string("title"), root.string("source"));
+    let mut graph = Graph::new();
+    let mut names = BTreeMap::new();
+    let coordinates = coordinates(&root, &mut graph, &mut names);
+    let tensors = tensors(&root, &mut graph, &mut names);
+    let mut reader = Reader { document, graph, names, coordinates };
+    let motion = match root.optional_string("kinetic_energy") {
+        Some(energy) => reader.by_energy(&energy),
+        None => reader.by_terms(&root),
+    };
+    root.finish();
+    let (equations, derivatives) = motion?;
+    if document.has_errors() {
+        return None;
+    }
+    Some(MotionSpec {
+        name: name?.text().to_owned(),
+        title: title?.text().to_owned(),
+        reference: reference?.text().to_owned(),
+        file: file.clone(),
+        coordinates: reader.coordinates,
+        tensors,
+        graph: reader.graph,
+        equations,
+        derivatives,
+    })
+}
+
+/// Reads `[coordinates]`, which must name just what the solver marches.
+fn coordinates(
+    root: &Table,
+    graph: &mut Graph,
+    names: &mut BTreeMap<String, Id>,
+) -> Vec<Coordinate> {
+    if let Some(table) = root.table("coordinates") {
+        for (name, _) in COORDINATES {
+            table.word(name);
+        }
+        table.finish();
+    }
+    let mut all = Vec::with_capacity(COORDINATES.len());
+    for (name, shape) in COORDINATES {
+        let coordinate = Coordinate::new(graph, name, *shape);
+        names.insert(coordinate.name.clone(), coordinate.position);
+        names.insert(format!("{name}_dot"), coordinate.velocity);
+        names.insert(format!("{name}_ddot"), coordinate.acceleration);
+        all.push(coordinate);
+    }
+    all
+}
+
+fn tensors(root: &Table, graph: &mut Graph, names: &mut BTreeMap<String, Id>) -> Vec<Tensor> {
+    let Some(table) = root.table("tensors") else { return Vec::new() };
+    let mut tensors = Vec::new();
+    for key in table.names() {
+        let word = table.word(key.text());
+        let name = match formula::name(key.text()) {
+            Ok(name) if names.contains_key(&name) => {
+                let message = format!("`{name}` is already a coordinate, a rate or a tensor");
+                table
+                    .document()
+                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
+                continue;
+            }
+            Ok(name) => name,
+            Err(message) => {
+                table
+                    .document()
+                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
+                continue;
+            }
+        };
+        let Some((_, shape, symmetry)) = TENSORS.into_iter().find(|t| Some(t.0) == word) else {
+            continue;
+        };
+        let symbol = graph.symbol(&name, shape, symmetry);
+        names.insert(name.clone(), symbol);
+        tensors.push(Tensor { name, symbol, shape, symmetry });
+    }
+    table.finish();
+    tensors
+}
