@@ -13,6 +13,7 @@ mod formulas;
 mod generated_meshes;
 mod invariants;
 mod laws;
+mod layers;
 mod mesh_input;
 mod missed_modes;
 mod newton_convergence;

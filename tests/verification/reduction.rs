@@ -3,8 +3,9 @@
 use nalgebra::DMatrix;
 use whirl_solver::body::{Coordinates, Rayleigh};
 use whirl_solver::constraints::Constraints;
+use whirl_solver::error::{FreeMotion, ReductionError};
 use whirl_solver::linalg::{LowerTriangle, Matrix, congruence, symmetric_eigen};
-use whirl_solver::reduction::{CraigBampton, FreeMotion, ReductionError, Solid, hertz};
+use whirl_solver::reduction::{CraigBampton, Solid, hertz};
 use whirl_solver::shaft::{Shaft, ShaftParts};
 use whirl_solver::sparse::SparseMatrix;
 
