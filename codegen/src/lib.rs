@@ -1,6 +1,7 @@
 //! From spec files to Rust kernels: formulas, derivatives, schedules, emission and tape.
 
 pub mod diagnostic;
+pub mod document;
 pub mod element;
 #[cfg(feature = "emit")]
 pub mod emit;

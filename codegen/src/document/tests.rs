@@ -1,7 +1,8 @@
 //! Reading of spec files: every error with its place, numbers exactly.
 
+use super::schema::needed;
 use super::*;
-use crate::spec::schema::{key, needed};
+use crate::rational::Rational;
 
 /// Keys of the files below.
 static SHAPE: Shape = Shape::Table(&[&[
