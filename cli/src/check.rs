@@ -9,7 +9,7 @@ use crate::case::{Case, LawSource, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
 use crate::machine::{self, BodyPlan, Plan};
-use crate::progress;
+use crate::progress::{self, ProgressMode};
 use crate::report::table;
 use crate::spec_file;
 
@@ -42,9 +42,8 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
-    let _spinner =
-        progress::spinner(progress::ProgressMode::on_terminal(), "reducing shaft and support");
-    machine::build(&case, plan.as_ref(), arguments.cache.open().as_ref())?;
+    let build = || machine::build(&case, plan.as_ref(), arguments.cache.open().as_ref());
+    progress::during(ProgressMode::on_terminal(), "reducing shaft and support", build)?;
     Ok(text)
 }
 

@@ -98,7 +98,7 @@ pub(crate) fn march(
         shown.done(progress.step, progress.time);
     };
     let wall = passed + start.elapsed().as_secs_f64();
-    drop(shown);
+    shown.clear();
     let (step, time) = (march.progress().step, march.time());
     if recorder.writer.is_none() && matches!(end, End::Interrupted) {
         let reason = format!("interrupted before the first step of {}", options.steps);

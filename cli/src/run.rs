@@ -58,8 +58,8 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
 
 fn build(case: &Case, arguments: &CacheArguments, show: ProgressMode) -> Result<Built, Failure> {
     let cache = arguments.open();
-    let _spinner = progress::spinner(show, "reducing shaft and support");
-    machine::build(case, None, cache.as_ref())
+    let build = || machine::build(case, None, cache.as_ref());
+    progress::during(show, "reducing shaft and support", build)
 }
 
 /// Makes summary and figures of a history that is on disk, and says how the run has ended.

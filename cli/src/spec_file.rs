@@ -5,12 +5,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
+use whirl_codegen::document::Document;
 use whirl_codegen::spec::clearance::ClearanceSpec;
 use whirl_codegen::spec::element::ElementSpec;
 use whirl_codegen::spec::form::FormSpec;
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::spec::motion::MotionSpec;
-use whirl_codegen::spec::read::Document;
 use whirl_specs::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS, Origin, TABLES};
 
 /// A spec that was read without errors, with all that follows from it.

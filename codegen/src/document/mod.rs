@@ -22,9 +22,9 @@ use std::sync::Arc;
 pub use reader::Table;
 pub(crate) use reader::plain_name;
 use schema::{Shape, key};
-use tree::{Content, Node, Place, Tree};
+use tree::{Place, Tree};
 pub use values::{Item, Value};
-use wording::Wording;
+pub use wording::Wording;
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 

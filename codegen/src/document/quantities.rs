@@ -57,8 +57,8 @@ impl Table<'_> {
             }
         };
         let such_as = format!("such as `{key} = \"{example}\"`");
-        let quantity = Quantity::parse(text)
-            .and_then(|quantity| quantity.expect(dimension).and(Ok(quantity)));
+        let quantity =
+            Quantity::parse(text).and_then(|quantity| quantity.expect(dimension).and(Ok(quantity)));
         let quantity = quantity.map_err(|error| {
             let start = node.place.span.start + OPENING_QUOTE;
             let mut found = error.at(&node.place.source, start);

@@ -73,6 +73,14 @@ impl<'d> Table<'d> {
         places
     }
 
+    /// The value of a key as it is written; nothing, at the place of the table, where it is not there.
+    pub fn written(&self, key: &str) -> Located {
+        match self.tree.entries.get(key) {
+            Some((_, node)) => node.place.written(),
+            None => self.heading.text(""),
+        }
+    }
+
     /// Reports an error at a place of the file.
     pub fn error(&self, code: Code, span: impl Into<Option<Range<usize>>>, message: String) {
         self.push(Diagnostic::new(self.source(), code, span, message));

@@ -143,7 +143,9 @@ impl Tree {
                 self.entries.insert(key, (place, node));
                 continue;
             };
-            if let (Content::Table(own), Content::Table(mut other)) = (&mut own.content, node.content) {
+            if let (Content::Table(own), Content::Table(mut other)) =
+                (&mut own.content, node.content)
+            {
                 for (_, keys) in instead.iter().filter(|(name, _)| *name == key) {
                     if keys.iter().any(|key| own.entries.contains_key(*key)) {
                         other.entries.retain(|key, _| {

@@ -6,14 +6,16 @@ use super::{Code, Diagnostic, Table};
 
 /// Whether messages speak to authors of specs or of cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Wording {
+pub enum Wording {
+    /// Strings, arrays, and keys with all that lead to them.
     Spec,
+    /// Text, lists, and keys as they stand under their heading.
     Case,
 }
 
 impl Wording {
     /// What a value is.
-    pub(super) fn of(self, content: &Content) -> &'static str {
+    pub fn of(self, content: &Content) -> &'static str {
         match (self, content) {
             (Wording::Spec, Content::Text(_)) => "a string",
             (Wording::Spec, Content::Number(number)) if number.exact().is_some() => "a number",
@@ -46,10 +48,13 @@ impl Wording {
                 let message = format!("`{called}` must be {wanted}, not {found}");
                 // An entry of a list has no key of its own.
                 let own = called.rsplit('.').next().unwrap_or(called);
-                (message, match own.ends_with(']') {
-                    true => format!("write it as `{example}`"),
-                    false => format!("write for example `{own} = {example}`"),
-                })
+                (
+                    message,
+                    match own.ends_with(']') {
+                        true => format!("write it as `{example}`"),
+                        false => format!("write for example `{own} = {example}`"),
+                    },
+                )
             }
             Wording::Case => {
                 let message = format!("`{called}` takes {wanted}, not {found}");
