@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
+use whirl_text::rounded;
 
 use crate::arguments::CheckArguments;
 use crate::case::{Case, LawSource, Lumped, Rotor, Side, System, Unbalance};
@@ -81,7 +82,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
             format_args!(
                 "drive: {} N m until {} rpm",
                 drive.torque,
-                rounded(drive.target_speed * 60.0 / std::f64::consts::TAU)
+                rounded(drive.target_speed * 60.0 / std::f64::consts::TAU, 10)
             ),
         ),
         false => line(text, format_args!("drive: none")),
@@ -108,7 +109,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
                 k + 1,
                 bearing.rings(),
                 bearing.springs,
-                rounded(1e6 * bearing.radial_clearance),
+                rounded(1e6 * bearing.radial_clearance, 10),
                 plan.laws[k].name()
             ),
         );
@@ -211,9 +212,4 @@ fn say_march(text: &mut String, case: &Case) {
     if march.output_every > 1 {
         line(text, format_args!("a row of the history every {} steps", march.output_every));
     }
-}
-
-/// A number without the digits that unit conversion adds.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.9e}").parse().unwrap_or(value)
 }

@@ -218,6 +218,5 @@ fn output_every(march: &Table, time_step: f64, steps: usize) -> usize {
 
 /// A number without the digits that rounding adds.
 fn plain(value: f64) -> String {
-    let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
-    if (1e-4..1e9).contains(&rounded) { format!("{rounded}") } else { format!("{rounded:e}") }
+    whirl_text::shown(value, 10, 1e-4..1e9)
 }

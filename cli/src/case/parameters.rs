@@ -301,11 +301,7 @@ pub(crate) fn rounded(value: f64) -> Option<Rational> {
     Quantity::parse(&format!("{value:.11e}")).ok().map(|quantity| quantity.value().clone())
 }
 
+/// All digits that its nearest number has.
 fn written(value: &Rational) -> String {
-    let value = nearest(value);
-    if value != 0.0 && !(1e-4..1e7).contains(&value.abs()) {
-        format!("{value:e}")
-    } else {
-        format!("{value}")
-    }
+    whirl_text::shown(nearest(value), 17, 1e-4..1e7)
 }

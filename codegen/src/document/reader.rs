@@ -9,7 +9,9 @@ use super::schema::{Need, Shape};
 use super::tree::{Node, Place, Tree};
 use super::wording::Wording;
 use super::{Code, Diagnostic, Document, Source};
-use crate::diagnostic::{Located, nearest, suggest};
+use whirl_text::nearest;
+
+use crate::diagnostic::{Located, suggest};
 
 /// A table of a file. Wrong and missing values are noted, and reading goes on; the notes make the whole
 /// reading fail in the end.
