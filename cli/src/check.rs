@@ -12,7 +12,7 @@ use crate::explain;
 use crate::machine::{self, BodyPlan, Plan};
 use crate::progress::{self, ProgressMode};
 use crate::report::table;
-use crate::spec_file;
+use crate::{spec_file, streams};
 
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
 /// file, says its report.
@@ -24,14 +24,14 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     if spec_file::is_spec(name) {
         return explain::check(name);
     }
-    let case = machine::read(name)?;
+    let case = streams::warned(|warnings| machine::read(name, warnings))?;
     let mut text = format!("{}: {}\n", case.name, case.title);
     if !case.origin.is_empty() {
         line(&mut text, format_args!("source: {}", case.origin));
     }
     text.push('\n');
     // Meshes are read once, and warned of once.
-    let plan = machine::plan(&case)?;
+    let plan = streams::warned(|warnings| machine::plan(&case, warnings))?;
     let laws = match (&case.system, &plan) {
         (System::Rotor(rotor), Some(plan)) => {
             say_rotor(&mut text, rotor, plan)?;
@@ -43,8 +43,11 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
-    let build = || machine::build(&case, plan.as_ref(), arguments.cache.open().as_ref());
-    progress::during(ProgressMode::on_terminal(), "reducing shaft and support", build)?;
+    streams::warned(|warnings| {
+        let cache = arguments.cache.open();
+        let build = || machine::build(&case, plan.as_ref(), cache.as_ref(), warnings);
+        progress::during(ProgressMode::on_terminal(), "reducing shaft and support", build)
+    })?;
     Ok(text)
 }
 
