@@ -27,7 +27,7 @@ fn main() {
         println!("cargo::rustc-env=WHIRL_COMMIT={commit}");
     }
     println!("cargo::rustc-env=WHIRL_VERSION={long}");
-    let folders = ["cli/src", "codegen/src", "solver/src", "specs"];
+    let folders = ["cli/src", "codegen/src", "solver/src", "specs", "codegen/text/src"];
     let files =
         ["Cargo.lock", "Cargo.toml", "cli/build.rs", "solver/build.rs", "solver/sources.rs"];
     println!("cargo::rustc-env=WHIRL_SOURCES={}", sources(&root, &folders, &files));

@@ -3,15 +3,16 @@
 use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
+use whirl_text::rounded;
 
 use crate::arguments::CheckArguments;
 use crate::case::{Case, LawSource, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
 use crate::machine::{self, BodyPlan, Plan};
-use crate::progress;
+use crate::progress::{self, ProgressMode};
 use crate::report::table;
-use crate::spec_file;
+use crate::{spec_file, streams};
 
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
 /// file, says its report.
@@ -23,14 +24,14 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     if spec_file::is_spec(name) {
         return explain::check(name);
     }
-    let case = machine::read(name)?;
+    let case = streams::warned(|warnings| machine::read(name, warnings))?;
     let mut text = format!("{}: {}\n", case.name, case.title);
     if !case.origin.is_empty() {
         line(&mut text, format_args!("source: {}", case.origin));
     }
     text.push('\n');
     // Meshes are read once, and warned of once.
-    let plan = machine::plan(&case)?;
+    let plan = streams::warned(|warnings| machine::plan(&case, warnings))?;
     let laws = match (&case.system, &plan) {
         (System::Rotor(rotor), Some(plan)) => {
             say_rotor(&mut text, rotor, plan)?;
@@ -42,9 +43,11 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
-    let _spinner =
-        progress::spinner(progress::ProgressMode::on_terminal(), "reducing shaft and support");
-    machine::build(&case, plan.as_ref(), arguments.cache.open().as_ref())?;
+    streams::warned(|warnings| {
+        let cache = arguments.cache.open();
+        let build = || machine::build(&case, plan.as_ref(), cache.as_ref(), warnings);
+        progress::during(ProgressMode::on_terminal(), "reducing shaft and support", build)
+    })?;
     Ok(text)
 }
 
@@ -82,7 +85,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
             format_args!(
                 "drive: {} N m until {} rpm",
                 drive.torque,
-                rounded(drive.target_speed * 60.0 / std::f64::consts::TAU)
+                rounded(drive.target_speed * 60.0 / std::f64::consts::TAU, 10)
             ),
         ),
         false => line(text, format_args!("drive: none")),
@@ -109,7 +112,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
                 k + 1,
                 bearing.rings(),
                 bearing.springs,
-                rounded(1e6 * bearing.radial_clearance),
+                rounded(1e6 * bearing.radial_clearance, 10),
                 plan.laws[k].name()
             ),
         );
@@ -212,9 +215,4 @@ fn say_march(text: &mut String, case: &Case) {
     if march.output_every > 1 {
         line(text, format_args!("a row of the history every {} steps", march.output_every));
     }
-}
-
-/// A number without the digits that unit conversion adds.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.9e}").parse().unwrap_or(value)
 }

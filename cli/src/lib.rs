@@ -54,20 +54,23 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
 }
 
 /// Checks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does
-/// first. `case`: a path or the name of a built-in case.
+/// first; gives the warnings. `case`: a path or the name of a built-in case.
 ///
 /// # Errors
 /// Everything wrong with the case, its meshes and its sets.
-pub fn examine(case: &str) -> Result<(), Failure> {
-    machine::examine(&machine::read(case)?)
+pub fn examine(case: &str) -> Result<Vec<String>, Failure> {
+    let mut warnings = Vec::new();
+    let case = machine::read(case, &mut warnings)?;
+    machine::plan(&case, &mut warnings)?;
+    Ok(warnings)
 }
 
 /// What the machine of a case is made from, for programs that march it themselves; nothing of a lumped
-/// case. `case`: a path or the name of a built-in case.
+/// case. `case`: a path or the name of a built-in case. What there is to warn of, [`examine`] says.
 ///
 /// # Errors
 /// Everything wrong with the case, as text.
 pub fn machine_parts(case: &str) -> Result<Option<MachineParts>, String> {
     let case = case::read(case).map_err(|errors| errors.render())?;
-    machine::parts(&case).map_err(|failure| failure.report())
+    machine::parts(&case, &mut Vec::new()).map_err(|failure| failure.report())
 }

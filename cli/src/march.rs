@@ -15,7 +15,6 @@ use crate::machine::Built;
 use crate::progress::{self, ProgressMode};
 use crate::results::{CHECKPOINT, Results};
 use crate::signals::Interruption;
-use crate::streams;
 
 /// How a march has ended.
 pub(crate) enum End {
@@ -53,6 +52,8 @@ pub(crate) struct Marched {
     pub(crate) end: End,
     /// Wall time, that of the runs before included where this one goes on (s).
     pub(crate) wall: f64,
+    /// Why a point to resume from could not be written, if it could not.
+    pub(crate) warning: Option<String>,
 }
 
 /// Marches a case from its start or from a point of an earlier run. The first step that is done takes the earlier
@@ -98,7 +99,7 @@ pub(crate) fn march(
         shown.done(progress.step, progress.time);
     };
     let wall = passed + start.elapsed().as_secs_f64();
-    drop(shown);
+    shown.clear();
     let (step, time) = (march.progress().step, march.time());
     if recorder.writer.is_none() && matches!(end, End::Interrupted) {
         let reason = format!("interrupted before the first step of {}", options.steps);
@@ -107,11 +108,11 @@ pub(crate) fn march(
     if matches!(end, End::Interrupted) {
         recorder.keep(march.checkpoint(), wall);
     }
-    let end = match (recorder.finish(), end) {
-        (Err(NotWritten(reason)), End::Done | End::Interrupted) => End::NotWritten(reason),
-        (_, end) => end,
+    let (end, warning) = match (recorder.finish(), end) {
+        (Err(NotWritten(reason)), End::Done | End::Interrupted) => (End::NotWritten(reason), None),
+        (finished, end) => (end, finished.ok().flatten()),
     };
-    Ok(Marched { outcome: march.outcome(), step, time, end, wall })
+    Ok(Marched { outcome: march.outcome(), step, time, end, wall, warning })
 }
 
 fn options(case: &Case, built: &Built) -> MarchOptions {
@@ -192,13 +193,12 @@ impl<'r> Recorder<'r> {
         }
     }
 
-    /// Writes what is left. A march without a first step leaves the names of its columns.
-    fn finish(mut self) -> Result<(), NotWritten> {
+    /// Writes what is left; gives a warning where no point to resume from could be written. A march without a first
+    /// step leaves the names of its columns.
+    fn finish(mut self) -> Result<Option<String>, NotWritten> {
         self.writer()?;
         let checkpoint_error = self.writer.take().map_or(Ok(None), HistoryWriter::finish)?;
-        if let Some(reason) = checkpoint_error {
-            streams::warn(format_args!("cannot write `{}`: {reason}", self.path.display()));
-        }
-        Ok(())
+        let path = self.path.display();
+        Ok(checkpoint_error.map(|reason| format!("cannot write `{path}`: {reason}")))
     }
 }

@@ -49,27 +49,19 @@ impl ProgressMode {
     }
 }
 
-/// A line that says what is being done, until it is dropped.
-pub(crate) struct Spinner {
-    bar: Option<ProgressBar>,
-    _lines: Option<ProgressLines>,
-}
-
-/// Says `what` is being done.
-pub(crate) fn spinner(show: ProgressMode, what: &'static str) -> Spinner {
+/// Says `what` is being done while `work` is.
+pub(crate) fn during<T>(show: ProgressMode, what: &'static str, work: impl FnOnce() -> T) -> T {
     let bar = (show == ProgressMode::Bar).then(|| {
         let bar = ProgressBar::new_spinner().with_message(what);
         bar.enable_steady_tick(Duration::from_millis(100));
         bar
     });
     let say = move |elapsed: Duration| format!("{what}: {}", words(elapsed));
-    Spinner { bar, _lines: (show == ProgressMode::Lines).then(|| ProgressLines::start(say)) }
-}
-
-impl Drop for Spinner {
-    fn drop(&mut self) {
-        self.bar.iter().for_each(ProgressBar::finish_and_clear);
-    }
+    let lines = (show == ProgressMode::Lines).then(|| ProgressLines::start(say));
+    let made = work();
+    drop(lines);
+    bar.iter().for_each(ProgressBar::finish_and_clear);
+    made
 }
 
 /// Progress of time steps.
@@ -143,10 +135,9 @@ impl Steps {
             bar.set_message(format!("t = {:.1} ms", 1e3 * time));
         }
     }
-}
 
-impl Drop for Steps {
-    fn drop(&mut self) {
+    /// Takes the bar away.
+    pub(crate) fn clear(self) {
         self.bar.iter().for_each(ProgressBar::finish_and_clear);
     }
 }

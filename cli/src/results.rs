@@ -12,7 +12,6 @@ use crate::errors::Failure;
 use crate::figures;
 use crate::history;
 use crate::lock::{Lock, Locked};
-use crate::streams::warn;
 
 /// The summary.
 pub(crate) const SUMMARY: &str = "summary.json";
@@ -29,12 +28,12 @@ pub(crate) struct Results {
 }
 
 impl Results {
-    /// Makes `folder` where it is missing, and sees that results can be written in it.
+    /// Makes `folder` where it is missing, and sees that results can be written in it; adds to `warnings`.
     ///
     /// # Errors
     /// It cannot be written, another run writes it, or a folder has the name of a result; nothing is left behind
     /// then.
-    pub(crate) fn open(folder: &Path) -> Result<Results, Failure> {
+    pub(crate) fn open(folder: &Path, warnings: &mut Vec<String>) -> Result<Results, Failure> {
         let missing = |path: &&Path| !path.as_os_str().is_empty() && !path.exists();
         let mut created: Vec<PathBuf> =
             folder.ancestors().take_while(missing).map(Path::to_path_buf).collect();
@@ -51,7 +50,7 @@ impl Results {
                 results.created.clear();
                 return Err(Failure::InUse { folder, by });
             }
-            Ok(locked) => held(locked, folder, &mut |words| warn(words)),
+            Ok(locked) => held(locked, folder, warnings),
             Err(error) => return Err(results.failure(folder, &error.to_string())),
         };
         Ok(results)
@@ -117,9 +116,9 @@ impl Drop for Results {
 }
 
 /// The lock of a folder that nobody else has; none, and a warning, where its file system knows no locks.
-fn held(locked: Locked, folder: &Path, warn: &mut dyn FnMut(&str)) -> Option<Lock> {
+fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) -> Option<Lock> {
     let Locked::Ours(lock) = locked else {
-        warn(&format!(
+        warnings.push(format!(
             "the file system of `{}` has no locks: it would not be noticed if another run wrote its results there, too",
             folder.display()
         ));
@@ -141,6 +140,10 @@ mod tests {
 
     use super::*;
 
+    fn open(folder: &Path) -> Result<Results, Failure> {
+        Results::open(folder, &mut Vec::new())
+    }
+
     fn listing(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
         let mut names: Vec<String> = entries.map(|name| name.into_string().unwrap()).collect();
@@ -151,10 +154,10 @@ mod tests {
     #[test]
     fn nothing_is_left_of_a_run_that_does_not_begin() {
         let folder = tempfile::tempdir().unwrap();
-        drop(Results::open(&folder.path().join("a/b")).unwrap());
+        drop(open(&folder.path().join("a/b")).unwrap());
         assert!(listing(folder.path()).is_empty());
         fs::write(folder.path().join("summary.json"), "old").unwrap();
-        drop(Results::open(folder.path()).unwrap());
+        drop(open(folder.path()).unwrap());
         assert_eq!(listing(folder.path()), ["summary.json"]);
     }
 
@@ -164,7 +167,7 @@ mod tests {
         for name in ["summary.json", "rotation.png", "checkpoint.bin", "history.csv", "notes.txt"] {
             fs::write(folder.path().join(name), "old").unwrap();
         }
-        let mut results = Results::open(folder.path()).unwrap();
+        let mut results = open(folder.path()).unwrap();
         results.begin(&[history::NAME]).unwrap();
         results.write(SUMMARY, b"new").unwrap();
         drop(results);
@@ -183,7 +186,7 @@ mod tests {
         // As it stays when the process is killed.
         fs::write(folder.path().join(&aside[0]), "half").unwrap();
         fs::write(folder.path().join(".notes.part"), "the user's").unwrap();
-        let mut results = Results::open(folder.path()).unwrap();
+        let mut results = open(folder.path()).unwrap();
         assert!(folder.path().join(&aside[0]).exists(), "no run has begun yet");
         results.begin(&[]).unwrap();
         drop(results);
@@ -194,30 +197,29 @@ mod tests {
     fn a_folder_that_cannot_be_locked_is_warned_of() {
         let folder = tempfile::tempdir().unwrap();
         let mut warnings = Vec::new();
-        let lock =
-            held(Locked::Unknown, folder.path(), &mut |words| warnings.push(words.to_owned()));
+        let lock = held(Locked::Unknown, folder.path(), &mut warnings);
         assert!(lock.is_none());
         assert_eq!(warnings.len(), 1);
         let name = folder.path().display().to_string();
         assert!(warnings[0].contains(&name) && warnings[0].contains("no locks"), "{warnings:?}");
         let Locked::Ours(lock) = Lock::take(folder.path()).unwrap() else { panic!("it is free") };
-        let lock = held(Locked::Ours(lock), folder.path(), &mut |words| panic!("{words}"));
-        assert!(lock.is_some());
+        assert!(held(Locked::Ours(lock), folder.path(), &mut warnings).is_some());
+        assert_eq!(warnings.len(), 1);
     }
 
     #[test]
     fn a_folder_in_use_is_refused_until_it_is_free() {
         let folder = tempfile::tempdir().unwrap();
-        let first = Results::open(folder.path()).unwrap();
+        let first = open(folder.path()).unwrap();
         let own = std::process::id();
         for _ in 0..2 {
-            match Results::open(folder.path()) {
+            match open(folder.path()) {
                 Err(Failure::InUse { by, .. }) => assert_eq!(by, Some(own)),
                 other => panic!("{other:?}"),
             }
         }
         drop(first);
-        Results::open(folder.path()).unwrap();
+        open(folder.path()).unwrap();
     }
 
     #[test]
@@ -225,10 +227,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("file");
         fs::write(&file, "").unwrap();
-        assert!(Results::open(&file.join("results")).is_err());
-        assert!(Results::open(&file).is_err());
+        assert!(open(&file.join("results")).is_err());
+        assert!(open(&file).is_err());
         fs::create_dir_all(folder.path().join("taken/reactions.png")).unwrap();
-        let error = Results::open(&folder.path().join("taken")).unwrap_err();
+        let error = open(&folder.path().join("taken")).unwrap_err();
         assert!(error.to_string().contains("reactions.png"), "{error}");
         assert_eq!(listing(&folder.path().join("taken")), ["reactions.png"]);
     }

@@ -24,8 +24,9 @@ use crate::{figures, history, streams};
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let start = Instant::now();
     let show = ProgressMode::fitting(arguments.quiet);
-    let case = machine::read(&arguments.case)?;
-    let mut results = Results::open(&folder(arguments, &case))?;
+    let case = streams::warned(|warnings| machine::read(&arguments.case, warnings))?;
+    let folder = folder(arguments, &case);
+    let mut results = streams::warned(|warnings| Results::open(&folder, warnings))?;
     let built = build(&case, &arguments.cache, show)?;
     let identity = Identity::of(&case, &built);
     let from = match arguments.resume {
@@ -48,6 +49,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         reason: format!("signal handlers cannot be installed: {error}"),
     })?;
     let marched = march((&case, &built), (&mut results, identity), from, &interruption, show)?;
+    marched.warning.iter().for_each(streams::warn);
     report(arguments, (&case, &built), &results, (marched, &interruption), (start, show))
 }
 
@@ -58,8 +60,10 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
 
 fn build(case: &Case, arguments: &CacheArguments, show: ProgressMode) -> Result<Built, Failure> {
     let cache = arguments.open();
-    let _spinner = progress::spinner(show, "reducing shaft and support");
-    machine::build(case, None, cache.as_ref())
+    streams::warned(|warnings| {
+        let build = || machine::build(case, None, cache.as_ref(), warnings);
+        progress::during(show, "reducing shaft and support", build)
+    })
 }
 
 /// Makes summary and figures of a history that is on disk, and says how the run has ended.

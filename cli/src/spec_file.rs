@@ -5,8 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
+use whirl_codegen::document::Document;
 use whirl_codegen::spec::list::{KINDS, Spec};
-use whirl_codegen::spec::read::Document;
 use whirl_specs::{Origin, TABLES, generated};
 
 /// Reads a spec file of the kind that it says.

@@ -15,6 +15,14 @@ pub(crate) fn say(text: &str) -> Result<(), Failure> {
         .map_err(|error| Failure::StandardOutput { reason: error.to_string() })
 }
 
+/// What `work` gives, once the warnings that it adds to a list are written to standard error.
+pub(crate) fn warned<T>(work: impl FnOnce(&mut Vec<String>) -> T) -> T {
+    let mut warnings = Vec::new();
+    let made = work(&mut warnings);
+    warnings.iter().for_each(warn);
+    made
+}
+
 /// Writes a warning to standard error, as far as that can be written.
 pub(crate) fn warn(what: impl Display) {
     note(format_args!("warning: {what}"));

@@ -1,12 +1,11 @@
 //! From spec files to Rust kernels: formulas, derivatives, schedules, emission and tape.
 
 pub mod diagnostic;
+pub mod document;
 pub mod element;
-#[cfg(feature = "emit")]
 pub mod emit;
 pub mod expression;
 pub mod formula;
-#[cfg(feature = "emit")]
 pub mod generate;
 pub mod operation;
 pub mod rational;

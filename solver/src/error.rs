@@ -294,50 +294,9 @@ fn inverted(origin: &str, cells: &[InvertedCell], count: usize) -> String {
     )
 }
 
-/// The name among `known` nearest to `name` (letters changed, added, left out or swapped; case does
-/// not count), if any is near enough to be meant.
-pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let name = name.to_lowercase();
-    let limit = (name.chars().count() / 3).max(1);
-    known
-        .into_iter()
-        .map(|candidate| (distance(&name, &candidate.to_lowercase()), candidate))
-        .filter(|&(distance, _)| distance <= limit)
-        .min()
-        .map(|(_, candidate)| candidate)
-}
-
-/// Edit distance with swaps of neighbours (optimal string alignment).
-fn distance(a: &str, b: &str) -> usize {
-    let a: Vec<char> = a.chars().collect();
-    let b: Vec<char> = b.chars().collect();
-    let mut before = vec![0; b.len() + 1];
-    let mut last: Vec<usize> = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        let mut row = vec![i; b.len() + 1];
-        for j in 1..=b.len() {
-            let change = usize::from(a[i - 1] != b[j - 1]);
-            row[j] = (last[j] + 1).min(row[j - 1] + 1).min(last[j - 1] + change);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                row[j] = row[j].min(before[j - 2] + 1);
-            }
-        }
-        before = std::mem::replace(&mut last, row);
-    }
-    last[b.len()]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn nearest_name_ignores_case_and_forgives_a_slip() {
-        let known = ["JOURNAL1_LEFT", "JOURNAL2_LEFT", "MOUNTS"];
-        assert_eq!(nearest("mounst", known), Some("MOUNTS"));
-        assert_eq!(nearest("journal1left", known), Some("JOURNAL1_LEFT"));
-        assert_eq!(nearest("LOAD1", known), None);
-    }
 
     #[test]
     fn input_error_reads_as_place_then_words() {

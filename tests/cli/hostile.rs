@@ -33,7 +33,7 @@ fn mutants_of_cases_give_diagnostics_and_nothing_else() {
         let outcome = outcome.unwrap_or_else(|_| panic!("mutant {number} panics:\n{text}"));
         assert!(start.elapsed() < LONGEST, "mutant {number}: {:?}\n{text}", start.elapsed());
         match outcome {
-            Ok(()) => {}
+            Ok(_) => {}
             Err(Failure::Input(errors)) => {
                 assert!(!errors.is_empty());
                 refused += 1;

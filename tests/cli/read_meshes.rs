@@ -32,7 +32,7 @@ fn bench(shaft: &str, support: &str, lines: &str) -> Workbench {
 
 fn examined(bench: &Workbench) -> Result<(), String> {
     let path = bench.path("case.toml");
-    whirl_cli::examine(path.to_str().expect("a path")).map_err(|failure| failure.report())
+    whirl_cli::examine(path.to_str().expect("a path")).map(drop).map_err(|failure| failure.report())
 }
 
 /// Moves all nodes by some metres along x and y.

@@ -4,12 +4,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
+use whirl_codegen::document::Table;
 use whirl_codegen::spec::law::{Acts, Given, LawSpec, Parameter};
 use whirl_specs::{LAWS, Law, TABLES};
 
 use super::library::FileStore;
 use super::parameters::{self, BearingFacts, SetParameter};
-use super::reader::Reader;
 
 /// Where a law comes from.
 #[derive(Debug, Clone)]
@@ -162,13 +162,13 @@ fn built_in_table(law: &Law, name: &str) -> Result<Arc<Source>, String> {
 }
 
 /// The law that `law` of a table names, and where it does, if the key is there.
-pub(super) fn read(store: FileStore, table: &Reader) -> Option<NamedLaw> {
-    let name = table.text("law")?;
+pub(super) fn read(store: FileStore, table: &Table) -> Option<NamedLaw> {
+    let name = table.optional_string("law")?;
     find(store, table, &name).map(|source| NamedLaw { source, name })
 }
 
 /// The law called `name`; what is wrong with it is noted in `table`.
-pub(super) fn find(store: FileStore, table: &Reader, name: &Located) -> Option<LawSource> {
+pub(super) fn find(store: FileStore, table: &Table, name: &Located) -> Option<LawSource> {
     if name.text().ends_with(".toml") {
         return read_file(store, table, name);
     }
@@ -182,7 +182,7 @@ pub(super) fn find(store: FileStore, table: &Reader, name: &Located) -> Option<L
     law.map(LawSource::BuiltIn)
 }
 
-fn read_file(store: FileStore, table: &Reader, name: &Located) -> Option<LawSource> {
+fn read_file(store: FileStore, table: &Table, name: &Located) -> Option<LawSource> {
     let source = match store.read_beside(name.source(), name.text()) {
         Ok(source) => source,
         Err(message) => {

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
-
-use super::tree::{self, Node, Place, Table, Value};
+use whirl_codegen::document::Wording;
+use whirl_codegen::document::tree::{Content, Node, Place, Tree};
 
 macro_rules! embedded {
     ($($file:literal),* $(,)?) => {
@@ -126,6 +126,13 @@ pub(crate) fn resolve(beside: &Source, path: &str) -> PathBuf {
     beside.path.parent().unwrap_or(Path::new("")).join(path)
 }
 
+/// Keys of tables that exclude each other.
+const INSTEAD: &[(&str, &[&str])] = &[
+    ("shaft", &["mesh", "dimensions"]),
+    ("support", &["mesh", "dimensions"]),
+    ("march", &["steps", "duration"]),
+];
+
 /// Files that include each other deeper than this do so in a circle or by mistake.
 const DEEPEST_INCLUDE: usize = 8;
 
@@ -136,17 +143,14 @@ const MOST_FILES: usize = 64;
 ///
 /// # Errors
 /// Every file that cannot be read or is not TOML.
-pub(crate) fn load(
-    store: FileStore,
-    path: &Path,
-) -> Result<(Table, Vec<Arc<Source>>), Diagnostics> {
+pub(crate) fn load(store: FileStore, path: &Path) -> Result<(Tree, Vec<Arc<Source>>), Diagnostics> {
     let source = store.read(path).map_err(|message| {
         Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
     })?;
     let mut sources = vec![source.clone()];
     let mut errors = Diagnostics::new();
-    let table = load_source(store, &source, 0, &mut sources, &mut errors);
-    errors.into_result((table, sources))
+    let tree = load_source(store, &source, 0, &mut sources, &mut errors);
+    errors.into_result((tree, sources))
 }
 
 fn load_source(
@@ -155,16 +159,15 @@ fn load_source(
     depth: usize,
     sources: &mut Vec<Arc<Source>>,
     errors: &mut Diagnostics,
-) -> Table {
-    let mut table = match tree::parse(source) {
-        Ok(table) => table,
-        Err(found) => {
-            errors.append(found);
-            return Table::default();
-        }
-    };
-    let Some((_, include)) = table.entries.remove("include") else {
-        return table;
+) -> Tree {
+    let (mut tree, mut found) = Tree::parse(source);
+    tree.each(&mut |_, node| refused(node).into_iter().for_each(|error| found.push(error)));
+    if !found.is_empty() {
+        errors.append(found);
+        return Tree::default();
+    }
+    let Some((_, include)) = tree.entries.remove("include") else {
+        return tree;
     };
     for (place, name) in include_names(include, errors) {
         if depth == DEEPEST_INCLUDE {
@@ -186,7 +189,7 @@ fn load_source(
             Ok(included) => {
                 sources.push(included.clone());
                 let included = load_source(store, &included, depth + 1, sources, errors);
-                table.merge(included);
+                tree.merge(included, INSTEAD);
             }
             Err(message) => errors.push(
                 place
@@ -195,21 +198,38 @@ fn load_source(
             ),
         }
     }
-    table
+    tree
+}
+
+/// What is wrong with a value that no key takes.
+fn refused(node: &Node) -> Option<Diagnostic> {
+    let (message, help) = match &node.content {
+        Content::Number(number) if number.float().is_some() => return None,
+        Content::Number(number) if number.whole => (
+            "this whole number is too large",
+            "whole numbers lie between -9223372036854775808 and 9223372036854775807",
+        ),
+        Content::Number(_) => {
+            ("a finite number is needed here", "write a number such as `0.3` or `1e-3`")
+        }
+        Content::Date => ("a date has no meaning here", "write it as text, between quotes"),
+        _ => return None,
+    };
+    Some(node.place.error(Code::BAD_VALUE, message).help(help))
 }
 
 fn include_names(include: Node, errors: &mut Diagnostics) -> Vec<(Place, String)> {
-    let list = match include.value {
-        Value::List(list) => list,
+    let list = match include.content {
+        Content::List(list) => list,
         _ => vec![include],
     };
     let mut names = Vec::with_capacity(list.len());
     for node in list {
-        match node.value {
-            Value::Text(name) => names.push((node.place, name)),
+        match node.content {
+            Content::Text(name) => names.push((node.place, name)),
             other => errors.push(node.place.error(
                 Code::BAD_VALUE,
-                format!("`include` takes the path of a file, not {}", other.kind()),
+                format!("`include` takes the path of a file, not {}", Wording::Case.of(&other)),
             )),
         }
     }

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Located};
-
-use super::reader::Reader;
+use whirl_codegen::document::Table;
 
 /// A force on sets of shaft nodes, fixed in space: F(t) = F, or F sin(2π f t + φ).
 #[derive(Debug, Clone)]
@@ -28,23 +27,19 @@ impl Load {
     }
 }
 
-pub(super) fn read(file: &Reader) -> Vec<Load> {
-    let each = |load: Reader| {
-        if load.has("phase") && !load.has("frequency") {
-            let message = "a load without `frequency` is constant: its `phase` has no effect";
-            let place = load.places().remove("phase").unwrap_or_else(|| load.place().text(""));
-            let help = "add `frequency = \"37.5 Hz\"`, or leave `phase` out";
-            load.push(place.error_here(Code::BAD_VALUE, message).help(help));
-        }
-        read_one(&load)
-    };
-    file.tables("load").into_iter().map(each).collect()
+pub(super) fn read(file: &Table) -> Vec<Load> {
+    file.tables("load").into_iter().map(|table| table.read(read_one)).collect()
 }
 
-fn read_one(load: &Reader) -> Load {
+fn read_one(load: &Table) -> Load {
+    if load.has("phase") && !load.has("frequency") {
+        let message = "a load without `frequency` is constant: its `phase` has no effect";
+        let help = "add `frequency = \"37.5 Hz\"`, or leave `phase` out";
+        load.push(load.written("phase").error_here(Code::BAD_VALUE, message).help(help));
+    }
     Load {
-        sets: load.names("sets"),
-        direction: usize::from(load.word("direction") == Some("y")),
+        sets: load.texts("sets"),
+        direction: usize::from(load.optional_word("direction") == Some("y")),
         force: load.quantity_or_one("force"),
         frequency: load.quantity("frequency"),
         phase: load.quantity("phase").unwrap_or(0.0),

@@ -1,6 +1,7 @@
 //! One mass on a spring and a damper, between stops.
 
 use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::document::Table;
 use whirl_codegen::rational::{Rational, nearest};
 use whirl_codegen::spec::law::{Acts, BearingValue, Parameter};
 use whirl_codegen::units::Quantity;
@@ -10,7 +11,6 @@ use super::law::{self, LawSource, NamedLaw};
 use super::library::FileStore;
 use super::machine;
 use super::parameters::{self, BearingFacts, Keys};
-use super::reader::Reader;
 
 /// m ẍ + d ẋ + k x = F + m e Ω² cos Ωt + stops, and along y the same with sin Ωt and without F.
 #[derive(Debug, Clone)]
@@ -72,9 +72,13 @@ pub enum Side {
     Around,
 }
 
-pub(super) fn read(store: FileStore, file: &Reader) -> Option<Lumped> {
-    let stops = file.tables("stop").into_iter().filter_map(|table| stop(store, &table)).collect();
-    let mass = file.table("mass")?;
+pub(super) fn read(store: FileStore, file: &Table) -> Option<Lumped> {
+    let stops = file.tables("stop").into_iter();
+    let stops = stops.filter_map(|table| table.read(|table| stop(store, table))).collect();
+    file.optional_table("mass")?.read(|mass| read_mass(mass, stops))
+}
+
+fn read_mass(mass: &Table, stops: Vec<Stop>) -> Option<Lumped> {
     let or_zero = |key| mass.quantity(key).unwrap_or(0.0);
     Some(Lumped {
         mass: mass.quantity_or_one("mass"),
@@ -83,11 +87,11 @@ pub(super) fn read(store: FileStore, file: &Reader) -> Option<Lumped> {
         displacement: or_zero("displacement"),
         velocity: or_zero("velocity"),
         force: or_zero("force"),
-        unbalance: mass.table("unbalance").map(|table| Unbalance {
+        unbalance: mass.in_table("unbalance", |table| Unbalance {
             eccentricity: table.quantity_or_one("eccentricity"),
             speed: table.quantity_or_one("speed"),
         }),
-        motion: machine::motion(&mass)?,
+        motion: machine::motion(mass)?,
         stops,
     })
 }
@@ -95,22 +99,22 @@ pub(super) fn read(store: FileStore, file: &Reader) -> Option<Lumped> {
 /// What messages call the values of a stop.
 const KEYS: Keys = Keys { clearance: "gap" };
 
-fn stop(store: FileStore, table: &Reader) -> Option<Stop> {
-    let side = match table.word("side") {
+fn stop(store: FileStore, table: &Table) -> Option<Stop> {
+    let side = match table.optional_word("side") {
         Some("around") => Side::Around,
         Some("below") => Side::Below,
         _ => Side::Above,
     };
     let law = law::read(store, table);
     let set = parameters::read(table);
-    let exactly = |key| table.exact(key).as_ref().map(parameters::exactly);
+    let exactly = |key| table.exact_quantity(key).as_ref().map(parameters::exactly);
     let mut facts = BearingFacts {
         journal_radius: exactly("journal_radius"),
         length: exactly("length"),
         springs: Some(1),
         ..BearingFacts::default()
     };
-    let gap = table.exact("gap");
+    let gap = table.exact_quantity("gap");
     match (side, &law) {
         (Side::Around, Some(law)) => facts.radial_clearance = around(table, law, gap.as_ref()),
         (Side::Around, None) => {}
@@ -140,9 +144,8 @@ fn stop(store: FileStore, table: &Reader) -> Option<Stop> {
 
 /// The radial clearance that the case gives the law of a ring, in m; a `gap` that the law has no use for is
 /// noted.
-fn around(table: &Reader, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rational> {
+fn around(table: &Table, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rational> {
     let gap = gap?;
-    let place = || table.places().remove("gap").unwrap_or_else(|| table.place().text(""));
     let of = |parameter: &Parameter| {
         matches!(
             parameter.bearing,
@@ -159,7 +162,7 @@ fn around(table: &Reader, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rati
     } else {
         return Some(parameters::exactly(gap));
     };
-    table.push(place().error_here(Code::BAD_VALUE, message).help(help));
+    table.push(table.written("gap").error_here(Code::BAD_VALUE, message).help(help));
     None
 }
 
@@ -178,7 +181,7 @@ fn clearance_of(law: &LawSource) -> f64 {
 }
 
 /// Notes a law of springs around the mass, or one of rings on one side of it.
-fn fits(stop: &Reader, side: Side, law: &NamedLaw) {
+fn fits(stop: &Table, side: Side, law: &NamedLaw) {
     let acts = law.source.acts();
     let wanted = if side == Side::Around { Acts::Ring } else { Acts::Spring };
     if acts != wanted {

@@ -6,18 +6,18 @@ mod drive;
 mod materials;
 
 use whirl_codegen::diagnostic::{Code, suggest};
+use whirl_codegen::document::Table;
 use whirl_specs::{MOTIONS, Motion};
 
 use self::materials::Materials;
 use super::library::FileStore;
 use super::loads;
-use super::reader::Reader;
 use super::rotor::RotorDraft;
 
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
 
-pub(super) fn read(store: FileStore, file: &Reader) -> RotorDraft {
+pub(super) fn read(store: FileStore, file: &Table) -> RotorDraft {
     let materials = Materials::read(file);
     RotorDraft {
         shaft: bodies::shaft(store, file, &materials),
@@ -29,13 +29,13 @@ pub(super) fn read(store: FileStore, file: &Reader) -> RotorDraft {
 }
 
 /// The motion that a table names, or the default one.
-pub(super) fn motion(table: &Reader) -> Option<&'static Motion> {
-    let name = table.text("motion");
+pub(super) fn motion(table: &Table) -> Option<&'static Motion> {
+    let name = table.optional_string("motion");
     let wanted = name.as_ref().map_or(DEFAULT_MOTION, |name| name.text()).to_string();
     let found = called(&wanted);
     if found.is_none() {
         let known: Vec<&str> = MOTIONS.iter().map(|motion| motion.origin.name).collect();
-        let place = name.unwrap_or_else(|| table.place().text(""));
+        let place = name.unwrap_or_else(|| table.heading().text(""));
         let error = place.error_here(Code::BAD_VALUE, format!("there is no motion `{wanted}`"));
         table.push(error.maybe_help(suggest(&wanted, &known)));
     }

@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::Code;
+use whirl_codegen::document::Table;
 
 use super::SystemDraft;
-use super::reader::Reader;
 use super::schema::MOST_STEPS;
 
 /// How a case is marched in time.
@@ -45,11 +45,14 @@ const LEAST_STEPS: f64 = 23.0;
 /// Of the reference histories: far below every force of interest, far above rounding.
 const FORCE_TOLERANCE: f64 = 1e-3;
 
-pub(super) fn read(file: &Reader, system: &SystemDraft) -> Option<March> {
-    let march = file.table("march")?;
+pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<March> {
+    file.in_table("march", |march| read_march(march, system))
+}
+
+fn read_march(march: &Table, system: &SystemDraft) -> March {
     let given = march.quantity("time_step");
     let time_step = given.unwrap_or(1.0);
-    let steps = steps(&march, time_step);
+    let steps = steps(march, time_step);
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
     let frequency = march.quantity("cycle_frequency");
     let cycle = match frequency {
@@ -58,19 +61,19 @@ pub(super) fn read(file: &Reader, system: &SystemDraft) -> Option<March> {
     };
     if let Some(time_step) = given {
         let cycle = cycle.filter(|(_, key, _)| *key == "cycle_frequency");
-        cycle.into_iter().chain(shortest(system)).for_each(|own| shown(&march, time_step, own));
+        cycle.into_iter().chain(shortest(system)).for_each(|own| shown(march, time_step, own));
     }
     let cycle_of_rows = cycle;
     let cycle = cycle.map_or(time_step * steps as f64, |(cycle, ..)| cycle);
-    let output_every = output_every(&march, time_step, steps);
+    let output_every = output_every(march, time_step, steps);
     if let (Some(_), Some((cycle, ..))) = (given, cycle_of_rows) {
-        shown_by_rows(&march, output_every as f64 * time_step, cycle);
+        shown_by_rows(march, output_every as f64 * time_step, cycle);
     }
-    Some(March { time_step, steps, force_tolerance, output_every, cycle })
+    March { time_step, steps, force_tolerance, output_every, cycle }
 }
 
 /// Notes a cycle that is too short for its steps to show it; `key` is to blame for it.
-fn shown(march: &Reader, time_step: f64, (cycle, key, called): (f64, &str, &str)) {
+fn shown(march: &Table, time_step: f64, (cycle, key, called): (f64, &str, &str)) {
     let steps = cycle / time_step;
     if steps >= LEAST_STEPS {
         return;
@@ -90,7 +93,7 @@ fn shown(march: &Reader, time_step: f64, (cycle, key, called): (f64, &str, &str)
 }
 
 /// Notes rows that are too far apart to sum up a cycle.
-fn shown_by_rows(march: &Reader, output_step: f64, cycle: f64) {
+fn shown_by_rows(march: &Table, output_step: f64, cycle: f64) {
     if !march.has("output_step") || cycle / output_step >= LEAST_STEPS * (1.0 - 1e-9) {
         return;
     }
@@ -105,9 +108,8 @@ fn shown_by_rows(march: &Reader, output_step: f64, cycle: f64) {
 }
 
 /// Refuses the value of a key, at its place or, where it is not given, at that of the table.
-fn refuse(march: &Reader, key: &str, message: impl Into<String>, help: String) {
-    let place = march.places().remove(key).unwrap_or_else(|| march.place().text(""));
-    march.push(place.error_here(Code::BAD_VALUE, message).help(help));
+fn refuse(march: &Table, key: &str, message: impl Into<String>, help: String) {
+    march.push(march.written(key).error_here(Code::BAD_VALUE, message).help(help));
 }
 
 /// A positive number with three digits, rounded by `round`.
@@ -159,8 +161,8 @@ fn revolutions(system: &SystemDraft) -> Option<(f64, &'static str)> {
     }
 }
 
-fn steps(march: &Reader, time_step: f64) -> usize {
-    let (steps, duration) = (march.count("steps"), march.quantity("duration"));
+fn steps(march: &Table, time_step: f64) -> usize {
+    let (steps, duration) = (march.optional_count("steps"), march.quantity("duration"));
     match (march.has("steps"), march.has("duration")) {
         (true, true) => march.conflict("steps", "duration"),
         (false, false) => march.absent("steps", "add `steps = 1000` or `duration = \"0.1 s\"`"),
@@ -193,7 +195,7 @@ fn steps(march: &Reader, time_step: f64) -> usize {
 }
 
 /// Steps from one row of the history to the next: `output_step` over `time_step`, a whole number.
-fn output_every(march: &Reader, time_step: f64, steps: usize) -> usize {
+fn output_every(march: &Table, time_step: f64, steps: usize) -> usize {
     let Some(output_step) = march.quantity("output_step") else { return 1 };
     if !march.has("time_step") {
         return 1;
@@ -216,6 +218,5 @@ fn output_every(march: &Reader, time_step: f64, steps: usize) -> usize {
 
 /// A number without the digits that rounding adds.
 fn plain(value: f64) -> String {
-    let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
-    if (1e-4..1e9).contains(&rounded) { format!("{rounded}") } else { format!("{rounded:e}") }
+    whirl_text::shown(value, 10, 1e-4..1e9)
 }

@@ -8,10 +8,8 @@ mod machine;
 mod march;
 mod parameters;
 mod read;
-mod reader;
 mod rotor;
 mod schema;
-mod tree;
 
 use std::sync::Arc;
 

@@ -1,13 +1,13 @@
 //! Parameters of laws: what the bearing says of them, and what the case sets by name.
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Located, suggest};
+use whirl_codegen::document::Table;
 use whirl_codegen::formula;
 use whirl_codegen::rational::{Rational, nearest};
 use whirl_codegen::spec::law::{BearingValue, Given, Parameter};
 use whirl_codegen::units::{Exponent, Quantity, Unit};
 
 use super::law::NamedLaw;
-use super::reader::Reader;
 
 /// A parameter that a case sets by name.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,7 +44,7 @@ pub(super) struct Keys {
 }
 
 /// The parameters that a table sets.
-pub(super) fn read(table: &Reader) -> Vec<SetParameter> {
+pub(super) fn read(table: &Table) -> Vec<SetParameter> {
     let mut set = Vec::new();
     for (key, place) in table.named_values("parameters") {
         let name = formula::name(key.text()).unwrap_or_else(|_| key.text().to_string());
@@ -68,7 +68,7 @@ pub(super) fn over(own: &[SetParameter], shared: &[SetParameter]) -> Vec<SetPara
 /// Notes in `table` parameters that the law does not have, of another dimension, or that contradict the
 /// bearing; what they say of the bearing holds for it from now on.
 pub(super) fn check(
-    table: &Reader,
+    table: &Table,
     law: &NamedLaw,
     set: &[SetParameter],
     keys: Keys,
@@ -301,11 +301,7 @@ pub(crate) fn rounded(value: f64) -> Option<Rational> {
     Quantity::parse(&format!("{value:.11e}")).ok().map(|quantity| quantity.value().clone())
 }
 
+/// All digits that its nearest number has.
 fn written(value: &Rational) -> String {
-    let value = nearest(value);
-    if value != 0.0 && !(1e-4..1e7).contains(&value.abs()) {
-        format!("{value:e}")
-    } else {
-        format!("{value}")
-    }
+    whirl_text::shown(nearest(value), 17, 1e-4..1e7)
 }

@@ -1,14 +1,13 @@
 //! From a case's name or path to a checked [`Case`].
 
-use std::cell::RefCell;
 use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
-use whirl_codegen::spec::schema::Described;
+use whirl_codegen::document::schema::Described;
+use whirl_codegen::document::{Document, Table};
 
 use super::library::{FileStore, load};
-use super::reader::Reader;
 use super::{Case, Figures, Lumped, March, RotorDraft, System, law, lumped, machine, march};
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -76,18 +75,15 @@ impl Draft {
 /// Files that cannot be read or are no TOML.
 pub(crate) fn draft(name: &str) -> Result<Draft, Diagnostics> {
     let (store, path) = FileStore::find(name)?;
-    let (table, sources) = load(store, &path)?;
-    let errors = RefCell::new(Diagnostics::new());
-    let draft = {
-        let file = Reader::file(&sources[0], &table, Case::SHAPE, &errors);
-        assemble(store, &path, &sources, &file)
-    };
-    Ok(Draft { errors: errors.into_inner(), ..draft })
+    let (tree, sources) = load(store, &path)?;
+    let document = Document::of_case(&sources[0], tree);
+    let draft = document.root(Case::SHAPE).read(|file| assemble(store, &path, &sources, file));
+    Ok(Draft { errors: document.into_errors(), ..draft })
 }
 
-fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Reader) -> Draft {
+fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table) -> Draft {
     let title = file.text_or_none("title");
-    let origin = file.text("source");
+    let origin = file.optional_string("source");
     let figures = figures(store, file);
     let system = system(store, file);
     let march = march::read(file, &system);
@@ -111,11 +107,11 @@ fn case_name(path: &Path) -> String {
 const OF_A_MACHINE: [&str; 7] =
     ["material", "shaft", "support", "springs", "bearing", "drive", "load"];
 
-fn system(store: FileStore, file: &Reader) -> SystemDraft {
-    if !file.has("mass") {
+fn system(store: FileStore, file: &Table) -> SystemDraft {
+    if !file.gives("mass") {
         return SystemDraft::Rotor(Box::new(machine::read(store, file)));
     }
-    if file.has("shaft") {
+    if file.gives("shaft") {
         file.conflict("mass", "shaft");
         // Which of both is meant, is open: neither is read as if it were.
         OF_A_MACHINE.iter().for_each(|key| file.pass_over(key));
@@ -123,16 +119,17 @@ fn system(store: FileStore, file: &Reader) -> SystemDraft {
     SystemDraft::Lumped(lumped::read(store, file))
 }
 
-fn figures(store: FileStore, file: &Reader) -> Figures {
-    let Some(figures) = file.table("figures") else {
-        return Figures::default();
+fn figures(store: FileStore, file: &Table) -> Figures {
+    let read = |figures: &Table| Figures {
+        laws: figures
+            .texts("laws")
+            .iter()
+            .filter_map(|name| law::find(store, figures, name))
+            .collect(),
+        law: figures.optional_count("law"),
+        reactions: figures.optional_count("reactions"),
+        eccentricity: figures.optional_count("eccentricity"),
+        rotation: figures.optional_count("rotation"),
     };
-    let names = figures.names("laws");
-    Figures {
-        laws: names.iter().filter_map(|name| law::find(store, &figures, name)).collect(),
-        law: figures.count("law"),
-        reactions: figures.count("reactions"),
-        eccentricity: figures.count("eccentricity"),
-        rotation: figures.count("rotation"),
-    }
+    file.in_table("figures", read).unwrap_or_default()
 }

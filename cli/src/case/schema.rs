@@ -1,11 +1,11 @@
 //! What case and machine files may say. An included file can give whatever is left out, so that only
 //! the entries of lists, which are never merged, need keys in the file itself.
 
-use whirl_codegen::spec::schema::Shape::{
+use whirl_codegen::document::schema::Shape::{
     Between, Count, Either, Flag, List, Named, Number, Quantity, Registered, Table, Text, Tuple,
     Words,
 };
-use whirl_codegen::spec::schema::{Described, Key, Measure, Range, Shape, key, merged, needed};
+use whirl_codegen::document::schema::{Described, Key, Measure, Range, Shape, key, merged, needed};
 use whirl_codegen::units::Dimension;
 use whirl_specs::MOTIONS;
 

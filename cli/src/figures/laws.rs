@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use whirl_codegen::spec::law::{LawSpec, short};
+use whirl_text::rounded;
 
 use super::figure::{Figure, Line, Panel, Style};
 
@@ -91,7 +92,8 @@ fn held(law: &LawSpec, output: usize, input: usize) -> Option<Vec<f64>> {
     let moved = |held: &[f64], place: usize| -> Vec<Vec<f64>> {
         let at = SHARES.map(|part| {
             let mut held = held.to_vec();
-            held[place] = tidy(share(law, place, part));
+            // As people choose numbers.
+            held[place] = rounded(share(law, place, part), 2);
             held
         });
         at.to_vec()
@@ -123,11 +125,6 @@ fn held(law: &LawSpec, output: usize, input: usize) -> Option<Vec<f64>> {
 fn share(law: &LawSpec, input: usize, part: f64) -> f64 {
     let (_, _, [low, high]) = law.report.ranges[input];
     low + (high - low) * part
-}
-
-/// A number to two digits, as people choose them.
-fn tidy(x: f64) -> f64 {
-    format!("{x:.1e}").parse().unwrap_or(x)
 }
 
 /// An output at the values `held` of all inputs but one, in the units of the file; none where it is not finite.

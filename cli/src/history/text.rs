@@ -89,11 +89,7 @@ mod tests {
 
     #[test]
     fn numbers_are_the_shortest_of_their_ten_digits() {
-        let expected = |value: f64| {
-            let rounded: f64 = format!("{value:.DIGITS$e}").parse().unwrap();
-            let plain = rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs());
-            if plain { format!("{rounded}") } else { format!("{rounded:e}") }
-        };
+        let expected = |value: f64| whirl_text::shown(value, DIGITS + 1, 1e-4..1e9);
         let mut state = 7_u64;
         let mut random = || {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

@@ -10,7 +10,6 @@ use whirl_solver::support::Support;
 
 use super::plan::{BodyPlan, Plan, both};
 use crate::errors::Failure;
-use crate::streams::warn;
 
 /// Both bodies after their reduction.
 pub(super) struct Bodies {
@@ -29,14 +28,21 @@ pub(super) struct Bodies {
 /// # Errors
 /// Cells turned inside out, a body that can move freely, more modes than it has, and what else keeps
 /// a body from being reduced.
-pub(super) fn bodies(plan: &Plan, cache: Option<&Cache>) -> Result<Bodies, Failure> {
+pub(super) fn bodies(
+    plan: &Plan,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<Bodies, Failure> {
     let start = Instant::now();
     // The bodies know nothing of each other.
+    let mut of_support = Vec::new();
     let (shaft, support) = std::thread::scope(|scope| {
-        let support = scope.spawn(|| reduced(BodyKind::Support, &plan.support, cache));
-        let shaft = reduced(BodyKind::Shaft, &plan.shaft, cache);
+        let support =
+            scope.spawn(|| reduced(BodyKind::Support, &plan.support, cache, &mut of_support));
+        let shaft = reduced(BodyKind::Shaft, &plan.shaft, cache, warnings);
         (shaft, support.join().expect("a reduction does not panic"))
     });
+    warnings.append(&mut of_support);
     let explained = |error| plan.shaft.explain(error);
     let shaft = shaft.and_then(|(found, own, known)| {
         Ok((found.shaft(&plan.shaft.spec).map_err(explained)?, own, known))
@@ -61,6 +67,7 @@ fn reduced(
     kind: BodyKind,
     plan: &BodyPlan,
     cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
 ) -> Result<(Reduced, Key, bool), Failure> {
     let (mesh, spec) = (&plan.mesh, &plan.spec);
     let key = Reduced::key(kind, mesh, spec);
@@ -74,7 +81,7 @@ fn reduced(
         && let Err(error) = cache.store(&key, &found)
     {
         let folder = cache.folder().display();
-        warn(format_args!("cannot keep a reduced body in {folder}: {error}"));
+        warnings.push(format!("cannot keep a reduced body in {folder}: {error}"));
     }
     Ok((found, content, false))
 }

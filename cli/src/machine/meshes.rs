@@ -14,22 +14,24 @@ use whirl_specs::{ELEMENTS, Element};
 
 use crate::case::{self, MeshFile};
 use crate::errors::Failure;
-use crate::streams::warn;
 
-/// The mesh of the shaft.
+/// The mesh of the shaft; `warnings` are added to, here and below.
 ///
 /// # Errors
 /// What is wrong with its file or its dimensions, with places.
-pub(super) fn shaft(shaft: &case::Shaft) -> Result<Mesh, Failure> {
-    body(&shaft.mesh, (shaft.material.as_ref(), &shaft.regions), SolidShaft::mesh)
+pub(super) fn shaft(shaft: &case::Shaft, warnings: &mut Vec<String>) -> Result<Mesh, Failure> {
+    body(&shaft.mesh, (shaft.material.as_ref(), &shaft.regions), SolidShaft::mesh, warnings)
 }
 
 /// The mesh of the support.
 ///
 /// # Errors
 /// As for the shaft.
-pub(super) fn support(support: &case::Support) -> Result<Mesh, Failure> {
-    body(&support.mesh, (support.material.as_ref(), &support.regions), RingSupport::mesh)
+pub(super) fn support(
+    support: &case::Support,
+    warnings: &mut Vec<String>,
+) -> Result<Mesh, Failure> {
+    body(&support.mesh, (support.material.as_ref(), &support.regions), RingSupport::mesh, warnings)
 }
 
 /// The mesh of a body, with its materials; `make` makes it from dimensions.
@@ -37,9 +39,10 @@ fn body<D>(
     mesh: &case::Mesh<D>,
     (material, regions): (Option<&Material>, &[case::Region]),
     make: fn(&D, &[&'static Element]) -> Result<Mesh, Error>,
+    warnings: &mut Vec<String>,
 ) -> Result<Mesh, Failure> {
     match mesh {
-        case::Mesh::File(file) => read(file, material, regions),
+        case::Mesh::File(file) => read(file, material, regions, warnings),
         case::Mesh::Generated(generated) => {
             let mesh = make(&generated.dimensions, &elements());
             in_regions(mesh.map_err(|error| impossible(generated, error))?, regions)
@@ -67,6 +70,7 @@ fn read(
     file: &MeshFile,
     material: Option<&Material>,
     regions: &[case::Region],
+    warnings: &mut Vec<String>,
 ) -> Result<Mesh, Failure> {
     let text = text(&file.path).map_err(|error| {
         let message = format!("cannot read `{}`: {error}", file.path.display());
@@ -76,7 +80,7 @@ fn read(
     let open = material.is_some() || !regions.is_empty();
     let read = mesh::inp::read_open(&text, &path, &elements(), open)
         .map_err(|errors| placed(&file.path, &text, &errors))?;
-    read.warnings.iter().for_each(warn);
+    warnings.extend(read.warnings.iter().map(ToString::to_string));
     let mesh = in_regions(read.mesh, regions)?;
     let bare: Vec<bool> =
         mesh.materials().iter().map(|material| material.properties.is_empty()).collect();

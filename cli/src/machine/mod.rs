@@ -71,33 +71,25 @@ pub(crate) struct Counts {
 }
 
 /// Reads the case that the user called `name`, and checks its meshes and sets even where
-/// the case has errors, so that all are reported at once.
+/// the case has errors, so that all are reported at once. `warnings` are added to, here and below.
 ///
 /// # Errors
 /// Everything that is wrong with the case; of its meshes and sets only where the case has errors.
-pub(crate) fn read(name: &str) -> Result<Case, Failure> {
+pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     let draft = case::draft(name)?;
     if let (false, SystemDraft::Rotor(rotor)) = (draft.errors.is_empty(), &draft.system) {
-        Plan::of(&Outline::from(&**rotor), draft.errors.clone())?;
+        Plan::of(&Outline::from(&**rotor), draft.errors.clone(), warnings)?;
     }
     Ok(draft.finish()?)
-}
-
-/// Checks the meshes and sets of a case.
-///
-/// # Errors
-/// Everything that is wrong with them.
-pub(crate) fn examine(case: &Case) -> Result<(), Failure> {
-    plan(case).map(|_| ())
 }
 
 /// What is to be reduced of a case; nothing of a lumped one. Its meshes are read or made here.
 ///
 /// # Errors
 /// Whatever is wrong with meshes and sets.
-pub(crate) fn plan(case: &Case) -> Result<Option<Plan>, Failure> {
+pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Plan>, Failure> {
     match &case.system {
-        System::Rotor(rotor) => Plan::new(rotor).map(Some),
+        System::Rotor(rotor) => Plan::new(rotor, warnings).map(Some),
         System::Lumped(_) => Ok(None),
     }
 }
@@ -110,10 +102,13 @@ pub(crate) fn build(
     case: &Case,
     plan: Option<&Plan>,
     cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
     match (&case.system, plan) {
-        (System::Rotor(rotor), Some(plan)) => rotor::build(rotor, plan, cache),
-        (System::Rotor(rotor), None) => rotor::build(rotor, &Plan::new(rotor)?, cache),
+        (System::Rotor(rotor), Some(plan)) => rotor::build(rotor, plan, cache, warnings),
+        (System::Rotor(rotor), None) => {
+            rotor::build(rotor, &Plan::new(rotor, warnings)?, cache, warnings)
+        }
         (System::Lumped(lumped), _) => lumped::build(lumped),
     }
 }
@@ -122,9 +117,15 @@ pub(crate) fn build(
 ///
 /// # Errors
 /// As [`build`].
-pub(crate) fn parts(case: &Case) -> Result<Option<MachineParts>, Failure> {
+pub(crate) fn parts(
+    case: &Case,
+    warnings: &mut Vec<String>,
+) -> Result<Option<MachineParts>, Failure> {
     match &case.system {
-        System::Rotor(rotor) => Ok(Some(rotor::assemble(rotor, &Plan::new(rotor)?, None)?.parts)),
+        System::Rotor(rotor) => {
+            let plan = Plan::new(rotor, warnings)?;
+            Ok(Some(rotor::assemble(rotor, &plan, None, warnings)?.parts))
+        }
         System::Lumped(_) => Ok(None),
     }
 }

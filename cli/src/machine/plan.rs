@@ -116,8 +116,8 @@ impl Plan {
     /// # Errors
     /// Everything that is wrong with the meshes, every set that is missing or of the wrong size, and what
     /// does not fit together.
-    pub(crate) fn new(rotor: &Rotor) -> Result<Plan, Failure> {
-        let plan = Plan::of(&Outline::from(rotor), Diagnostics::new())?;
+    pub(crate) fn new(rotor: &Rotor, warnings: &mut Vec<String>) -> Result<Plan, Failure> {
+        let plan = Plan::of(&Outline::from(rotor), Diagnostics::new(), warnings)?;
         let mut plan = plan.expect("nothing of a whole case is missing");
         plan.laws = laws(rotor, &plan)?;
         Ok(plan)
@@ -128,20 +128,24 @@ impl Plan {
     ///
     /// # Errors
     /// These, and those of [`Plan::new`].
-    pub(crate) fn of(outline: &Outline, mut errors: Diagnostics) -> Result<Option<Plan>, Failure> {
+    pub(crate) fn of(
+        outline: &Outline,
+        mut errors: Diagnostics,
+        warnings: &mut Vec<String>,
+    ) -> Result<Option<Plan>, Failure> {
         let mut rest = None;
         let mut note = |failure, errors: &mut Diagnostics| match failure {
             Failure::Input(found) => errors.append(found),
             other => rest = rest.take().or(Some(other)),
         };
-        let shaft = outline.shaft.and_then(|case| match meshes::shaft(case) {
+        let shaft = outline.shaft.and_then(|case| match meshes::shaft(case, warnings) {
             Ok(mesh) => Some(OnShaft::place(case, mesh, outline, &mut errors)),
             Err(failure) => {
                 note(failure, &mut errors);
                 None
             }
         });
-        let support = outline.support.and_then(|case| match meshes::support(case) {
+        let support = outline.support.and_then(|case| match meshes::support(case, warnings) {
             Ok(mesh) => Some(place_support(case, mesh, outline, &mut errors)),
             Err(failure) => {
                 note(failure, &mut errors);

@@ -13,8 +13,13 @@ use super::{BodyFacts, Built};
 use crate::case::{self, LawSource, Rotor};
 use crate::errors::Failure;
 
-pub(super) fn build(rotor: &Rotor, plan: &Plan, cache: Option<&Cache>) -> Result<Built, Failure> {
-    let Assembled { parts, laws, law_hashes, facts } = assemble(rotor, plan, cache)?;
+pub(super) fn build(
+    rotor: &Rotor,
+    plan: &Plan,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<Built, Failure> {
+    let Assembled { parts, laws, law_hashes, facts } = assemble(rotor, plan, cache, warnings)?;
     Ok(Built {
         machine: Machine::new(parts).map_err(|error| {
             let bearing = |place: usize| &rotor.bearings[place];
@@ -41,8 +46,9 @@ pub(super) fn assemble(
     rotor: &Rotor,
     plan: &Plan,
     cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
 ) -> Result<Assembled, Failure> {
-    let bodies = bodies(plan, cache)?;
+    let bodies = bodies(plan, cache, warnings)?;
     let mut placed = Laws::default();
     let bearings = bearings(rotor, plan, &bodies.shaft, &mut placed)?;
     let loads = loads(rotor, plan, &bodies.shaft);

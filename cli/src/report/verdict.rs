@@ -145,6 +145,5 @@ fn digits(value: f64) -> String {
     if value != 0.0 && !(1e-3..1e5).contains(&value.abs()) {
         return format!("{value:.2e}");
     }
-    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    format!("{rounded}")
+    format!("{}", whirl_text::rounded(value, 3))
 }

@@ -1,7 +1,7 @@
 //! Declarations of what a file may say, as JSON schema.
 
 use serde_json::{Map, Value, json};
-use whirl_codegen::spec::schema::{Key, Need, Range, Shape};
+use whirl_codegen::document::schema::{Key, Need, Range, Shape};
 
 /// The schema of a kind of file.
 pub(super) fn document(title: &str, declared: &Shape) -> Value {

@@ -3,8 +3,8 @@
 
 mod json;
 
+use whirl_codegen::document::schema::{Described, Shape};
 use whirl_codegen::spec::list::KINDS;
-use whirl_codegen::spec::schema::{Described, Shape};
 
 use crate::case::Case;
 

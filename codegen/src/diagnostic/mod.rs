@@ -8,14 +8,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 mod code;
-mod nearest;
 mod render;
 mod source;
+mod suggest;
 
 pub use code::{Code, Explanation};
-pub use nearest::{nearest, suggest};
 pub use render::{Colours, render};
 pub use source::{Located, Source};
+pub use suggest::suggest;
 
 /// One error in one file.
 #[derive(Debug, Clone, PartialEq, Eq)]

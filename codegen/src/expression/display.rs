@@ -209,7 +209,7 @@ fn number(value: &Rational, exact: bool) -> (String, Binding) {
         } else if exact || fraction.len() <= 5 {
             fraction
         } else {
-            rounded(nearest)
+            whirl_text::shown(nearest, 9, 1e-4..1e9)
         }
     };
     let binding = match value.is_negative() {
@@ -218,16 +218,6 @@ fn number(value: &Rational, exact: bool) -> (String, Binding) {
         false => Binding::Atom,
     };
     (text, binding)
-}
-
-/// A number to 9 digits, with a power of ten where it would be long without.
-fn rounded(value: f64) -> String {
-    let short: f64 = format!("{value:.8e}").parse().unwrap_or(value);
-    if short == 0.0 || (1e-4..1e9).contains(&short.abs()) {
-        short.to_string()
-    } else {
-        format!("{short:e}")
-    }
 }
 
 #[cfg(test)]

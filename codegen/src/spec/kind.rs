@@ -5,8 +5,8 @@ use std::any::Any;
 use std::sync::Arc;
 
 use super::page::Page;
-use super::schema::{Described, Shape};
 use crate::diagnostic::{Diagnostics, Source};
+use crate::document::schema::{Described, Shape};
 
 /// Finds the file of a name beside a spec, or says why there is none.
 pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
@@ -55,21 +55,17 @@ pub(crate) trait SpecKind: Described + Any + Send + Sync + Sized {
     }
 
     /// What its kernels compute.
-    #[cfg(feature = "emit")]
     type Programs: Any + Send + Sync;
 
     /// What its kernels compute: derived, simplified and in stages.
-    #[cfg(feature = "emit")]
     fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics>;
 
     /// The module of its kernels, with an item `ENTRY` for the registry. `others`: whose kernels it may call, those of
     /// kinds that are [`CALLED`](Self::CALLED) and those of its own kind before it.
-    #[cfg(feature = "emit")]
     fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String;
 }
 
 /// Another spec, whose kernels may be called.
-#[cfg(feature = "emit")]
 #[derive(Clone, Copy)]
 pub(crate) struct Other<'a> {
     pub(crate) spec: &'a OfAnyKind,
@@ -78,7 +74,6 @@ pub(crate) struct Other<'a> {
     pub(crate) text: &'a str,
 }
 
-#[cfg(feature = "emit")]
 impl<'a> Other<'a> {
     /// The spec, its programs and its text, if it is of this kind.
     pub(super) fn of<K: SpecKind>(&self) -> Option<(&'a K, &'a K::Programs, &'a str)> {

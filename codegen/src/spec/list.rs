@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use super::kind::{About, Beside, Kind, SpecKind};
-#[cfg(feature = "emit")]
 use super::kind::{OfAnyKind, Other};
 use super::page::Page;
-use super::read::Document;
 use super::{clearance, element, form, law, motion};
 use crate::diagnostic::{Diagnostics, Source};
+use crate::document::Document;
 
 macro_rules! kinds {
     ($($(#[$about:meta])* $kind:ident($spec:ty)),* $(,)?) => {
@@ -67,7 +66,6 @@ macro_rules! kinds {
             }
         }
 
-        #[cfg(feature = "emit")]
         impl Spec {
             pub(crate) fn names(&self) -> Vec<(&'static str, &str)> {
                 match self { $(Spec::$kind(spec) => SpecKind::names(&**spec)),* }

@@ -5,7 +5,9 @@ use num_bigint::BigInt;
 use num_traits::Zero;
 
 use super::{Dimension, Exponent, Factor, UnitError};
-use crate::diagnostic::{Code, nearest, suggest};
+use whirl_text::nearest;
+
+use crate::diagnostic::{Code, suggest};
 
 /// A power of a unit above this is a slip.
 const LARGEST_POWER: i32 = 12;

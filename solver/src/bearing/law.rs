@@ -1,8 +1,7 @@
 //! Bearing laws as the marcher sees them: named inputs to named outputs, over rows of springs.
 
 use whirl_specs::{Contact, ContactVariable, Law};
-
-use crate::error::nearest;
+use whirl_text::nearest;
 
 /// A law that can be evaluated over rows of springs, or of rings. Two kinds exist: compiled ones of the
 /// registry, and those of a law file, evaluated without a compiler.

@@ -1,6 +1,7 @@
 //! What generated meshes share: checked dimensions, and planes along z refined at supports.
 
 use whirl_specs::Element;
+use whirl_text::rounded;
 
 use crate::error::Error;
 
@@ -24,9 +25,7 @@ pub(super) fn wrong(
 
 /// A length in mm as people write it: without the digits that the change of units adds.
 pub(super) fn length(metres: f64) -> String {
-    let millimetres = 1e3 * metres;
-    let rounded = format!("{millimetres:.9e}").parse().unwrap_or(millimetres);
-    format!("{rounded} mm")
+    format!("{} mm", rounded(1e3 * metres, 10))
 }
 
 /// Most cells of a generated mesh: far more than a march has use for, and less than a gigabyte.

@@ -17,8 +17,9 @@ pub(crate) use regions::connected;
 use std::collections::BTreeMap;
 
 use whirl_specs::Element;
+use whirl_text::nearest;
 
-use crate::error::{Error, nearest};
+use crate::error::Error;
 
 /// Cells of one element and one material.
 #[derive(Debug, Clone)]

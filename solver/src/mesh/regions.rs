@@ -1,7 +1,9 @@
 //! Which cells belong together, and which material they have.
 
+use whirl_text::nearest;
+
 use super::{Block, Cell, Material, Mesh};
-use crate::error::{Error, nearest};
+use crate::error::Error;
 
 impl Mesh {
     /// Cells of an element set; names are compared without regard to case.

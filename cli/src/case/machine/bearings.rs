@@ -3,22 +3,22 @@
 use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::document::Table;
 use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Quantity;
 
 use super::super::law::{self, NamedLaw};
 use super::super::library::FileStore;
 use super::super::parameters::{self, BearingFacts, Keys, SetParameter};
-use super::super::reader::Reader;
 use super::super::rotor::Bearing;
 use super::super::schema::MOST_SPRINGS;
 
 /// What the bearings share stands in `[springs]`; a `[[bearing]]` may say otherwise.
 pub(super) fn bearings(
     store: FileStore,
-    file: &Reader,
+    file: &Table,
 ) -> Vec<([Vec<Located>; 2], Option<Bearing>)> {
-    let shared = file.table("springs");
+    let shared = file.optional_table("springs");
     let shared_springs = shared.as_ref().map(|table| springs(store, table)).unwrap_or_default();
     let tables = file.tables("bearing");
     if tables.is_empty() && !file.has("bearing") {
@@ -34,21 +34,23 @@ pub(super) fn bearings(
         let set = &shared_springs.parameters;
         parameters::check(table, law, set, KEYS, &mut BearingFacts::default());
     }
-    let one = |table: &Reader| {
-        let sets = [table.names("journal"), table.names("bore")];
+    let one = |table: &Table| {
+        let sets = [table.texts("journal"), table.texts("bore")];
         let stations = table.quantities("stations");
         let own = springs(store, table);
-        let mut places = shared.as_ref().map(Reader::places).unwrap_or_default();
+        let mut places = shared.as_ref().map(Table::places).unwrap_or_default();
         places.extend(table.places());
         let bearing = bearing(table, &sets, stations, own.or(&shared_springs), places);
         (sets, bearing.filter(|bearing| bounded(table, bearing)))
     };
-    tables.iter().map(one).collect()
+    let bearings = tables.iter().map(one).collect();
+    shared.into_iter().chain(tables).for_each(Table::finish);
+    bearings
 }
 
 /// Notes the bearings that do not say `key`; once where none does.
-fn demand_of_each(tables: &[Reader], key: &'static str) {
-    let silent: Vec<&Reader> = tables.iter().filter(|table| !table.has(key)).collect();
+fn demand_of_each(tables: &[Table], key: &'static str) {
+    let silent: Vec<&Table> = tables.iter().filter(|table| !table.has(key)).collect();
     let noted = if silent.len() == tables.len() { 1 } else { silent.len() };
     for table in &silent[..noted.min(silent.len())] {
         let example = table.example(key);
@@ -71,13 +73,13 @@ struct SpringKeys {
 /// What messages call the values of a bearing.
 const KEYS: Keys = Keys { clearance: "radial_clearance" };
 
-fn springs(store: FileStore, table: &Reader) -> SpringKeys {
+fn springs(store: FileStore, table: &Table) -> SpringKeys {
     SpringKeys {
         law: law::read(store, table),
-        number: table.count("number"),
-        radial_clearance: table.exact("radial_clearance"),
-        journal_radius: table.exact("journal_radius"),
-        length: table.exact("length"),
+        number: table.optional_count("number"),
+        radial_clearance: table.exact_quantity("radial_clearance"),
+        journal_radius: table.exact_quantity("journal_radius"),
+        length: table.exact_quantity("length"),
         parameters: parameters::read(table),
     }
 }
@@ -104,7 +106,7 @@ impl SpringKeys {
 
 /// The bearing, if all that it must have is there.
 fn bearing(
-    table: &Reader,
+    table: &Table,
     sets: &[Vec<Located>; 2],
     stations: Vec<f64>,
     springs: SpringKeys,
@@ -132,7 +134,7 @@ fn bearing(
         law: springs.law?,
         parameters: springs.parameters,
         facts,
-        table: table.place().written(),
+        table: table.heading().written(),
         places,
     };
     bearing.facts.springs = Some(bearing.springs.saturating_mul(bearing.rings()));
@@ -140,14 +142,14 @@ fn bearing(
 }
 
 /// Whether a bearing has no more springs than are allowed, which is noted otherwise.
-fn bounded(table: &Reader, bearing: &Bearing) -> bool {
+fn bounded(table: &Table, bearing: &Bearing) -> bool {
     let springs = bearing.springs.saturating_mul(bearing.stations.len().max(3));
     if springs > MOST_SPRINGS {
         let message = format!(
             "this bearing has {springs} springs in all its rings, at most {MOST_SPRINGS} are allowed"
         );
-        let help = Some("lower `number`, or list fewer `stations`".to_string());
-        table.note(table.place(), Code::BAD_VALUE, message, help);
+        let error = table.heading().error(Code::BAD_VALUE, message);
+        table.push(error.help("lower `number`, or list fewer `stations`"));
     }
     springs <= MOST_SPRINGS
 }

@@ -3,25 +3,27 @@
 use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::Code;
+use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
 use super::super::library::{FileStore, resolve};
-use super::super::reader::Reader;
 use super::super::rotor::{GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, Support};
 use super::materials::{Materials, material_of, regions};
 use super::{default_motion, motion};
 
 /// The table `[shaft]`.
-pub(super) fn shaft(store: FileStore, file: &Reader, materials: &Materials) -> Option<Shaft> {
-    file.demand("shaft");
-    let table = file.table("shaft")?;
-    let material = material_of(&table, materials);
-    let regions = regions(&table, materials);
-    let mesh = mesh(store, &table, material.as_ref(), solid_shaft);
-    let motion = motion(&table);
-    let shaft = Shaft {
+pub(super) fn shaft(store: FileStore, file: &Table, materials: &Materials) -> Option<Shaft> {
+    file.table("shaft")?.read(|table| read_shaft(store, table, materials))
+}
+
+fn read_shaft(store: FileStore, table: &Table, materials: &Materials) -> Option<Shaft> {
+    let material = material_of(table, materials);
+    let regions = regions(table, materials);
+    let mesh = mesh(store, table, material.as_ref(), solid_shaft);
+    let motion = motion(table);
+    Some(Shaft {
         modes: table.count_or_one("modes"),
         damping: table.quantity("damping").unwrap_or(0.0),
         axial_restraint: table.text_or_none("axial_restraint"),
@@ -29,52 +31,53 @@ pub(super) fn shaft(store: FileStore, file: &Reader, materials: &Materials) -> O
         regions,
         motion: motion.or_else(default_motion)?,
         mesh: mesh?,
-    };
-    Some(shaft)
+    })
 }
 
 /// The table `[support]`.
-pub(super) fn support(store: FileStore, file: &Reader, materials: &Materials) -> Option<Support> {
-    file.demand("support");
-    let table = file.table("support")?;
-    let material = material_of(&table, materials);
-    let regions = regions(&table, materials);
-    let mesh = mesh(store, &table, material.as_ref(), ring_support);
-    let ground_spring = |spring: Reader| GroundSpring {
+pub(super) fn support(store: FileStore, file: &Table, materials: &Materials) -> Option<Support> {
+    file.table("support")?.read(|table| read_support(store, table, materials))
+}
+
+fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Option<Support> {
+    let material = material_of(table, materials);
+    let regions = regions(table, materials);
+    let mesh = mesh(store, table, material.as_ref(), ring_support);
+    let ground_spring = |spring: &Table| GroundSpring {
         set: spring.text_or_none("set"),
-        direction: match spring.word("direction") {
+        direction: match spring.optional_word("direction") {
             Some("z") => 2,
             Some("y") => 1,
             _ => 0,
         },
         stiffness: spring.quantity_or_one("stiffness"),
     };
-    let support = Support {
+    let ground_springs = table.tables("ground_spring").into_iter();
+    Some(Support {
         modes: table.count_or_one("modes"),
         damping: table.quantity("damping").unwrap_or(0.0),
         mounts: table.text_or_none("mounts"),
-        ground_springs: table.tables("ground_spring").into_iter().map(ground_spring).collect(),
+        ground_springs: ground_springs.map(|table| table.read(ground_spring)).collect(),
         material,
         regions,
         mesh: mesh?,
-    };
-    Some(support)
+    })
 }
 
 /// A mesh by the file named as `mesh`, or made from the table `dimensions`.
 fn mesh<D>(
     store: FileStore,
-    table: &Reader,
+    table: &Table,
     material: Option<&Material>,
-    make: impl Fn(&Reader, Material) -> D,
+    make: impl Fn(&Table, Material) -> D,
 ) -> Option<Mesh<D>> {
     let before = table.errors();
-    let dimensions = table.table("dimensions");
-    match (table.text("mesh"), dimensions) {
+    let dimensions = table.optional_table("dimensions");
+    match (table.optional_string("mesh"), dimensions) {
         (Some(_), Some(dimensions)) => {
             table.conflict("mesh", "dimensions");
             // Read all the same, so that its keys are not unknown ones.
-            make(&dimensions, no_material());
+            dimensions.read(|dimensions| make(dimensions, no_material()));
             None
         }
         (Some(name), None) => {
@@ -92,9 +95,9 @@ fn mesh<D>(
                 table.absent("material", "a mesh made from dimensions needs `material = \"…\"`");
             }
             // Read without a material too, for the same reason.
-            let generated = make(&dimensions, material.cloned().unwrap_or_else(no_material));
-            let (place, places) = (dimensions.place().text(""), dimensions.places());
-            drop(dimensions);
+            let (place, places) = (dimensions.heading().text(""), dimensions.places());
+            let material_or_none = material.cloned().unwrap_or_else(no_material);
+            let generated = dimensions.read(|dimensions| make(dimensions, material_or_none));
             // Of dimensions that are wrong, nothing is made.
             let right = table.errors() == before && material.is_some();
             right.then_some(Mesh::Generated(GeneratedMesh {
@@ -117,10 +120,14 @@ fn no_material() -> Material {
     Material { name: String::new(), properties: BTreeMap::new() }
 }
 
-fn solid_shaft(table: &Reader, material: Material) -> SolidShaft {
-    let usual = SectionCells::default();
-    let cells = table.table("cells");
-    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key)).unwrap_or(usual);
+fn solid_shaft(table: &Table, material: Material) -> SolidShaft {
+    let section = |cells: &Table| {
+        let usual = SectionCells::default();
+        SectionCells {
+            sectors: cells.optional_count("sectors").unwrap_or(usual.sectors),
+            rings: cells.optional_count("rings").unwrap_or(usual.rings),
+        }
+    };
     SolidShaft {
         length: table.quantity_or_one("length"),
         diameter: table.quantity_or_one("diameter"),
@@ -129,18 +136,23 @@ fn solid_shaft(table: &Reader, material: Material) -> SolidShaft {
         layers_in_support: table.count_or_one("layers_in_support"),
         layers_between: table.count_or_one("layers_between"),
         loads: table.quantities("loads"),
-        section: SectionCells {
-            sectors: count("sectors", usual.sectors),
-            rings: count("rings", usual.rings),
-        },
+        section: table.in_table("cells", section).unwrap_or_default(),
         material,
     }
 }
 
-fn ring_support(table: &Reader, material: Material) -> RingSupport {
-    let usual = SupportCells::default();
-    let cells = table.table("cells");
-    let count = |key, usual| cells.as_ref().and_then(|t| t.count(key)).unwrap_or(usual);
+fn ring_support(table: &Table, material: Material) -> RingSupport {
+    let section = |cells: &Table| {
+        let usual = SupportCells::default();
+        let count = |key, usual| cells.optional_count(key).unwrap_or(usual);
+        SupportCells {
+            height: count("height", usual.height),
+            width: count("width", usual.width),
+            pedestal: count("pedestal", usual.pedestal),
+            around: count("around", usual.around),
+            radial: count("radial", usual.radial),
+        }
+    };
     RingSupport {
         start: table.quantity_or_one("start"),
         length: table.quantity_or_one("length"),
@@ -153,13 +165,7 @@ fn ring_support(table: &Reader, material: Material) -> RingSupport {
         bore_radius: table.quantity_or_one("bore_radius"),
         layers_in_ring: table.count_or_one("layers_in_ring"),
         layers_between: table.count_or_one("layers_between"),
-        section: SupportCells {
-            height: count("height", usual.height),
-            width: count("width", usual.width),
-            pedestal: count("pedestal", usual.pedestal),
-            around: count("around", usual.around),
-            radial: count("radial", usual.radial),
-        },
+        section: table.in_table("cells", section).unwrap_or_default(),
         material,
     }
 }

@@ -1,35 +1,35 @@
 //! The couple that drives the shaft.
 
 use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::document::Table;
 
-use super::super::reader::Reader;
 use super::super::rotor::Drive;
 
 /// The table `[drive]`.
-pub(super) fn drive(file: &Reader) -> Option<Drive> {
-    file.demand("drive");
-    let table = file.table("drive")?;
-    leads_to_its_target(&table);
-    Some(Drive {
-        top: table.text_or_none("top"),
-        bottom: table.text_or_none("bottom"),
-        torque: table.quantity_or_one("torque"),
-        target_speed: table.quantity_or_one("target_speed"),
-        acts: table.flag("acts").unwrap_or(true),
-    })
+pub(super) fn drive(file: &Table) -> Option<Drive> {
+    let read = |table: &Table| {
+        leads_to_its_target(table);
+        Drive {
+            top: table.text_or_none("top"),
+            bottom: table.text_or_none("bottom"),
+            torque: table.quantity_or_one("torque"),
+            target_speed: table.quantity_or_one("target_speed"),
+            acts: table.optional_boolean("acts").unwrap_or(true),
+        }
+    };
+    file.table("drive").map(|table| table.read(read))
 }
 
 /// Notes a couple that never brings the shaft to the target speed: it starts at rest.
-fn leads_to_its_target(table: &Reader) {
+fn leads_to_its_target(table: &Table) {
     let (torque, target) = (table.quantity("torque"), table.quantity("target_speed"));
     let (Some(torque), Some(target)) = (torque, target) else { return };
-    if torque * target > 0.0 || table.flag("acts") == Some(false) {
+    if torque * target > 0.0 || table.optional_boolean("acts") == Some(false) {
         return;
     }
-    let mut places = table.places();
     // What stands there is a string, with its quotes.
-    let mut written = |key: &str| {
-        let place = places.remove(key).unwrap_or_else(|| table.place().text(""));
+    let written = |key: &str| {
+        let place = table.written(key);
         let bare = place.text().trim_matches(['"', '\'']).to_owned();
         Located::new(place.source(), place.span(), bare)
     };

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 
-use super::super::reader::Reader;
 use super::super::rotor::Region;
 
 /// The materials of a case.
@@ -17,17 +17,20 @@ pub(super) struct Materials {
 
 impl Materials {
     /// Reads the tables `[material.NAME]`.
-    pub(super) fn read(file: &Reader) -> Materials {
+    pub(super) fn read(file: &Table) -> Materials {
         let before = file.errors();
         let tables = file.named_tables("material");
         // Of materials that are no tables, nothing more is said where they are named.
         let all_read = file.errors() == before;
-        let read = |(name, table): (String, Reader)| (name.clone(), material(&name, &table));
+        let read = |(name, table): (String, Table)| {
+            let material = table.read(|table| material(&name, table));
+            (name, material)
+        };
         Materials { known: tables.into_iter().map(read).collect(), all_read }
     }
 }
 
-fn material(name: &str, table: &Reader) -> Material {
+fn material(name: &str, table: &Table) -> Material {
     let before = table.errors();
     let values = [
         ("E", table.quantity_or_one("youngs_modulus")),
@@ -40,20 +43,19 @@ fn material(name: &str, table: &Reader) -> Material {
     let whole = keys.iter().all(|(_, key)| table.has(key)) && table.errors() == before;
     for doubt in material.implausible_properties().into_iter().filter(|_| whole) {
         let key = keys.iter().find(|(symbol, _)| *symbol == doubt.symbol).map(|(_, key)| *key);
-        let place = key.and_then(|key| table.places().remove(key));
-        let place = place.unwrap_or_else(|| table.place().text(""));
+        let place = key.map_or_else(|| table.heading().text(""), |key| table.written(key));
         table.push(place.error_here(Code::BAD_VALUE, doubt.what).help(doubt.help));
     }
     material
 }
 
 /// The material that a table names.
-pub(super) fn material_of(table: &Reader, materials: &Materials) -> Option<Material> {
-    called_material(table, &table.text("material")?, materials)
+pub(super) fn material_of(table: &Table, materials: &Materials) -> Option<Material> {
+    called_material(table, &table.optional_string("material")?, materials)
 }
 
 /// Materials of parts of the mesh.
-pub(super) fn regions(table: &Reader, materials: &Materials) -> Vec<Region> {
+pub(super) fn regions(table: &Table, materials: &Materials) -> Vec<Region> {
     let named = table.named_texts("regions").into_iter();
     let region = |(set, name): (Located, Located)| {
         Some(Region { set, material: called_material(table, &name, materials)? })
@@ -61,7 +63,7 @@ pub(super) fn regions(table: &Reader, materials: &Materials) -> Vec<Region> {
     named.filter_map(region).collect()
 }
 
-fn called_material(table: &Reader, name: &Located, materials: &Materials) -> Option<Material> {
+fn called_material(table: &Table, name: &Located, materials: &Materials) -> Option<Material> {
     let found = materials.known.get(name.text());
     if found.is_none() && materials.all_read {
         let known: Vec<&str> = materials.known.keys().map(String::as_str).collect();

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::{ClearanceSpec, explain};
 use crate::diagnostic::{Diagnostics, Source};
 use crate::spec::kind::{About, Beside, SpecKind};
-#[cfg(feature = "emit")]
 use crate::spec::kind::{OfAnyKind, Other};
 use crate::spec::page::Page;
 
@@ -32,15 +31,12 @@ impl SpecKind for ClearanceSpec {
         explain::explain(page, self);
     }
 
-    #[cfg(feature = "emit")]
     type Programs = super::kernels::Programs;
 
-    #[cfg(feature = "emit")]
     fn schedule(&self, _all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
         super::kernels::schedule(self)
     }
 
-    #[cfg(feature = "emit")]
     fn emit(&self, programs: &Self::Programs, _others: &[Other<'_>]) -> String {
         super::kernels::module(self, programs)
     }

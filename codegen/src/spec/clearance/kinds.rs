@@ -4,9 +4,9 @@ use super::derive::{Contact, ContactForce, ContactInput, NORMAL, Taken};
 use super::read::Reader;
 use super::{BoreMotion, ClearanceSpec, Coordinate};
 use crate::diagnostic::{Code, Located, suggest};
+use crate::document::{Document, Table, Value};
 use crate::expression::Id;
 use crate::formula;
-use crate::spec::read::{Document, Table, Value};
 use crate::units::Dimension;
 
 /// A length or an angle that follows from the coordinates.

@@ -43,7 +43,6 @@
 
 mod derive;
 mod explain;
-#[cfg(feature = "emit")]
 mod kernels;
 mod kind;
 mod kinds;

@@ -6,10 +6,10 @@ use std::sync::Arc;
 use super::kinds::Measure;
 use super::{BORE, ClearanceSpec, Coordinate, RING, RINGS};
 use crate::diagnostic::{Code, Diagnostics, Located, Source};
+use crate::document::schema::Described;
+use crate::document::{Document, Table, Value};
 use crate::expression::{Graph, Id};
 use crate::formula::{self, Formula, Meaning, Scope};
-use crate::spec::read::{Document, Table, Value};
-use crate::spec::schema::Described;
 use crate::units::{Dimension, Unit};
 
 /// What laws call the force normal to the clearance.

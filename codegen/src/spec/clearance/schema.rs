@@ -1,8 +1,8 @@
 //! What a clearance file may say.
 
 use super::ClearanceSpec;
-use crate::spec::schema::Shape::{Formula, List, Named, Table, Text, Tuple, Words};
-use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::Shape::{Formula, List, Named, Table, Text, Tuple, Words};
+use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
 
 impl Described for ClearanceSpec {
     const TITLE: &'static str = "clearance of springs";

@@ -1,15 +1,12 @@
 //! Elements as a kind of spec.
 
-#[cfg(feature = "emit")]
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{ElementSpec, demand, explain};
 use crate::diagnostic::{Code, Diagnostics, Source, suggest};
-#[cfg(feature = "emit")]
 use crate::schedule::Program;
 use crate::spec::form::{Form, FormSpec, Structure};
-#[cfg(feature = "emit")]
 use crate::spec::kind::Other;
 use crate::spec::kind::{About, Beside, OfAnyKind, SpecKind};
 use crate::spec::page::Page;
@@ -50,15 +47,12 @@ impl SpecKind for ElementSpec {
         demand::prove(self, forms.iter().map(|form| (form.name.as_str(), form.products())))
     }
 
-    #[cfg(feature = "emit")]
     type Programs = BTreeMap<String, Program>;
 
-    #[cfg(feature = "emit")]
     fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
         super::kernels::points(self, of_forms(all))
     }
 
-    #[cfg(feature = "emit")]
     fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String {
         super::kernels::module(self, programs, others)
     }

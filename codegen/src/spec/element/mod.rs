@@ -35,9 +35,7 @@
 pub mod demand;
 pub mod direct;
 mod explain;
-#[cfg(feature = "emit")]
 mod kernels;
-#[cfg_attr(not(feature = "emit"), allow(dead_code, reason = "only builds look at all specs"))]
 mod kind;
 mod prove;
 mod read;

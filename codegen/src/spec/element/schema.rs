@@ -3,11 +3,11 @@
 use super::ElementSpec;
 use super::read::rule::HIGHEST_DEGREE;
 use super::read::{MOST, MOST_COMPLETE};
-use crate::element::Cell;
-use crate::spec::schema::Shape::{
+use crate::document::schema::Shape::{
     Count, Either, Flag, Formula, List, Named, Number, Table, Text, Tuple, Words,
 };
-use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::element::Cell;
 
 impl Described for ElementSpec {
     const TITLE: &'static str = "finite element";

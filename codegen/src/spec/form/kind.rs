@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::{FormSpec, explain};
 use crate::diagnostic::{Diagnostics, Source};
 use crate::spec::kind::{About, Beside, SpecKind};
-#[cfg(feature = "emit")]
 use crate::spec::kind::{OfAnyKind, Other};
 use crate::spec::page::Page;
 
@@ -39,17 +38,14 @@ impl SpecKind for FormSpec {
         explain::explain(page, self);
     }
 
-    #[cfg(feature = "emit")]
     type Programs = Vec<super::kernels::Pairs>;
 
-    #[cfg(feature = "emit")]
     fn schedule(&self, _all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
         let pairs = self.forms.iter().map(|form| super::kernels::Pairs::new(self, form));
         let pairs: Result<_, _> = pairs.collect();
         pairs.map_err(|error| crate::spec::kernel::unscheduled(&self.file, &error))
     }
 
-    #[cfg(feature = "emit")]
     fn emit(&self, programs: &Self::Programs, _others: &[Other<'_>]) -> String {
         super::kernels::module(self, programs)
     }

@@ -26,7 +26,6 @@
 
 mod expand;
 mod explain;
-#[cfg(feature = "emit")]
 pub(super) mod kernels;
 mod kind;
 mod schema;
@@ -41,10 +40,10 @@ pub use structure::{Pattern, Structure};
 use num_traits::One;
 
 use crate::diagnostic::{Code, Diagnostics, Located, Source};
+use crate::document::schema::Described;
+use crate::document::{Document, Item, Table, Value};
 use crate::expression::{Graph, Id, Rational, Shape};
 use crate::formula::{self, Meaning, dimension, lower, parse};
-use crate::spec::read::{Document, Item, Table, Value};
-use crate::spec::schema::Described;
 use crate::units::Unit;
 use expand::expand;
 use structure::structure;

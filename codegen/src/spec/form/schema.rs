@@ -1,8 +1,8 @@
 //! What a file of forms may say.
 
 use super::FormSpec;
-use crate::spec::schema::Shape::{Formula, Named, Number, Table, Text, Tuple, Words};
-use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::Shape::{Formula, Named, Number, Table, Text, Tuple, Words};
+use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
 
 impl Described for FormSpec {
     const TITLE: &'static str = "bilinear forms";

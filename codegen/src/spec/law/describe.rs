@@ -7,12 +7,7 @@ use super::table::Extend;
 
 /// A number to 6 digits, for people.
 pub fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
-    if rounded != 0.0 && !(1e-5..1e7).contains(&rounded.abs()) {
-        format!("{rounded:e}")
-    } else {
-        format!("{rounded}")
-    }
+    whirl_text::shown(x, 6, 1e-5..1e7)
 }
 
 /// The unit of a slope.

@@ -92,10 +92,9 @@ fn remedies(law: &LawSpec, output: &LawOutput, piece: usize, found: &Break) -> S
     if threshold {
         // A twentieth of the distance from zero, to one digit, as an example of a length.
         let length = if found.at == 0.0 { 0.1 } else { found.at.abs() / 20.0 };
-        let length: f64 = format!("{length:.0e}").parse().unwrap_or(length);
         ways.push(format!(
             "`smooth = \"{} {unit}\"` blends the pieces over that length of {input}",
-            short(length)
+            short(whirl_text::rounded(length, 1))
         ));
     }
     ways.push("`jump = \"accept\"` keeps the jump".to_owned());

@@ -37,7 +37,6 @@ mod draft;
 mod equations;
 mod exact;
 mod explain;
-#[cfg(feature = "emit")]
 mod kernels;
 mod kind;
 mod lint;

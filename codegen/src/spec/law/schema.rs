@@ -3,10 +3,10 @@
 use super::LawSpec;
 use super::acts::{Acts, Quantity};
 use super::bearing::BearingValue;
-use crate::spec::schema::Shape::{
+use crate::document::schema::Shape::{
     Count, Either, Formula, Known, List, Named, Number, Table, Text, Tuple, Words,
 };
-use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
 
 impl Described for LawSpec {
     const TITLE: &'static str = "bearing law";

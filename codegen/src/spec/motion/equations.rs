@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use super::lagrange::{Blocks, Coordinate, Derivatives, Equations, derivatives, lagrange};
 use crate::diagnostic::{Code, Diagnostic, Located};
+use crate::document::{Document, Table};
 use crate::expression::{Graph, Id, Shape, display, normal};
 use crate::formula::{lower, parse};
-use crate::spec::read::{Document, Table};
 
 /// Reads the terms of a motion into a graph.
 pub(super) struct Reader<'d> {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::{MotionSpec, explain};
 use crate::diagnostic::{Diagnostics, Source};
 use crate::spec::kind::{About, Beside, SpecKind};
-#[cfg(feature = "emit")]
 use crate::spec::kind::{OfAnyKind, Other};
 use crate::spec::page::Page;
 
@@ -32,16 +31,13 @@ impl SpecKind for MotionSpec {
         explain::explain(page, self);
     }
 
-    #[cfg(feature = "emit")]
     type Programs = Vec<super::kernels::Planned>;
 
-    #[cfg(feature = "emit")]
     fn schedule(&self, _all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
         let planned = super::kernels::planned(self);
         planned.map_err(|error| crate::spec::kernel::unscheduled(&self.file, &error))
     }
 
-    #[cfg(feature = "emit")]
     fn emit(&self, programs: &Self::Programs, _others: &[Other<'_>]) -> String {
         super::kernels::module(self, programs)
     }

@@ -22,7 +22,6 @@
 
 mod equations;
 mod explain;
-#[cfg(feature = "emit")]
 pub mod kernels;
 mod kind;
 pub mod lagrange;
@@ -33,9 +32,9 @@ mod tests;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::read::{Document, Table};
-use super::schema::Described;
 use crate::diagnostic::{Code, Diagnostics, Source};
+use crate::document::schema::Described;
+use crate::document::{Document, Table};
 use crate::expression::{Graph, Id, Shape, Symmetry};
 use crate::formula;
 use equations::Reader;

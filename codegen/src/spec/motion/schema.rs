@@ -1,8 +1,8 @@
 //! What a motion file may say.
 
 use super::MotionSpec;
-use crate::spec::schema::Shape::{Formula, Named, Table, Words};
-use crate::spec::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::Shape::{Formula, Named, Table, Words};
+use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
 
 impl Described for MotionSpec {
     const TITLE: &'static str = "motion of a shaft";

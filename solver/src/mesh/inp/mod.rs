@@ -13,13 +13,14 @@ mod sets;
 use std::collections::{BTreeMap, BTreeSet};
 
 use whirl_specs::Element;
+use whirl_text::nearest;
 
 use self::cards::{Card, Token, cards};
 use self::cells::{RawCell, assign_sections, read_elements, read_nodes};
 use self::materials::{RawMaterial, read_materials};
 use self::sets::{Labelled, Sets};
 use super::{Block, Cell, Material, Mesh, MeshParts};
-use crate::error::{InputError, InputErrors, nearest};
+use crate::error::{InputError, InputErrors};
 
 /// The text of a file in UTF-8, or else in Latin-1, in which older programs write names and comments.
 pub fn decode(bytes: Vec<u8>) -> String {

@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use whirl_text::nearest;
+
 use super::cards::{Card, Token};
 use super::{LinePosition, MeshReport};
-use crate::error::nearest;
 
 /// Sets by name; names are compared in capitals and kept as first written.
 #[derive(Debug, Default)]

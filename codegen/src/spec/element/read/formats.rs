@@ -4,7 +4,7 @@ use num_traits::ToPrimitive;
 
 use super::Reader;
 use crate::diagnostic::{Code, Located};
-use crate::spec::read::{Table, Value};
+use crate::document::{Table, Value};
 
 impl Reader<'_> {
     pub(super) fn abaqus(

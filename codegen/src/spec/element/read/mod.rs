@@ -11,11 +11,11 @@ use num_traits::{One, ToPrimitive};
 
 use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode, table};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
+use crate::document::schema::Described;
+use crate::document::{Document, Item, Table, Value, plain_name};
 use crate::element::{Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
 use crate::formula::{lower, parse};
-use crate::spec::read::{Document, Item, Table, Value, plain_name};
-use crate::spec::schema::Described;
 
 /// Most nodes of an element, points of a rule, and modes: far above any element in use.
 pub(super) const MOST: usize = 64;

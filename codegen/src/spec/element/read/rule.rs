@@ -7,10 +7,10 @@ use num_traits::ToPrimitive;
 
 use super::Reader;
 use crate::diagnostic::{Code, Diagnostic, Located, suggest};
+use crate::document::{Item, Table};
 use crate::element::algebraic::{Algebraic, Field, ReadError};
 use crate::element::quadrature::Factor;
 use crate::element::{Cell, Quadrature, rules};
-use crate::spec::read::{Item, Table};
 
 /// Highest degree of a rule that is proved.
 pub(in crate::spec::element) const HIGHEST_DEGREE: usize = 12;

@@ -15,10 +15,10 @@ use super::table::{self, TableDraft};
 use super::valid::{self, ValidityDraft};
 use super::{BearingValue, Given, LawSpec};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
+use crate::document::schema::Described;
+use crate::document::{Document, Table, Value, plain_name};
 use crate::formula::{self, Formula};
 use crate::spec::kind::Beside;
-use crate::spec::read::{Document, Table, Value, plain_name};
-use crate::spec::schema::Described;
 use crate::units::Unit;
 
 /// Most bytes of a law file.

@@ -3,8 +3,8 @@
 use super::super::acts::Acts;
 use super::{Variable, parse, variable};
 use crate::diagnostic::{Code, Diagnostic, Located};
+use crate::document::Table;
 use crate::formula::Formula;
-use crate::spec::read::Table;
 use crate::units::Quantity;
 
 /// What becomes of a jump between two pieces.

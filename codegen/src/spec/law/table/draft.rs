@@ -5,10 +5,10 @@ use crate::rational::{Rational, nearest};
 use super::columns::{Column, Columns, Wanted, Which};
 use super::{Extend, LawTable, check_rows};
 use crate::diagnostic::{Code, Diagnostics, Located};
+use crate::document::{Document, Table, Value};
 use crate::formula::{Formula, parse};
 use crate::spec::kind::Beside;
 use crate::spec::law::system::System;
-use crate::spec::read::{Document, Table, Value};
 use crate::units::Unit;
 
 /// A table as the law file and the file of its columns give it.

@@ -1,10 +1,10 @@
 //! `[valid.NAME]` of a law file.
 
 use crate::diagnostic::{Code, Located};
+use crate::document::{Table, Value};
 use crate::formula::{Formula, parse};
 use crate::rational::Rational;
 use crate::spec::law::draft::unit_of;
-use crate::spec::read::{Table, Value};
 use crate::units::Unit;
 
 /// A section as it was written.

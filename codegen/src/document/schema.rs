@@ -120,7 +120,7 @@ impl Key {
 }
 
 /// Keys that every spec has beside its kind.
-pub(super) const HEAD: &[Key] = &[
+pub(crate) const HEAD: &[Key] = &[
     needed("name", Shape::Text, "the name by which others refer to it"),
     needed("title", Shape::Text, "one line for people"),
     needed("source", Shape::Text, "paper and equation, standard, or book"),

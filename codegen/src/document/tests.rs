@@ -1,7 +1,8 @@
 //! Reading of spec files: every error with its place, numbers exactly.
 
+use super::schema::needed;
 use super::*;
-use crate::spec::schema::{key, needed};
+use crate::rational::Rational;
 
 /// Keys of the files below.
 static SHAPE: Shape = Shape::Table(&[&[
@@ -80,6 +81,7 @@ fn numbers_are_exact() {
     assert_eq!(root.number("b").unwrap().0, Rational::from(-1000));
     assert!(root.number("c").is_none());
     assert_eq!(root.count("d"), Some(16));
+    root.finish();
 }
 
 #[test]
@@ -89,4 +91,5 @@ fn places_in_strings_are_places_in_the_file() {
     let root = document.root(&TEXTS);
     assert_eq!(root.string("a").unwrap().place(4..5), 9..10);
     assert_eq!(root.string("b").unwrap().place(4..5), 16..28);
+    root.finish();
 }

@@ -1,0 +1,78 @@
+//! Quantities: text with a unit, read to SI.
+
+use super::schema::{Measure, Range, Shape};
+use super::tree::{Content, Node};
+use super::{Code, Table};
+use crate::units::Quantity;
+
+/// Bytes before the text of a string.
+const OPENING_QUOTE: usize = 1;
+
+impl Table<'_> {
+    /// A quantity, if given; SI.
+    pub fn quantity(&self, key: &str) -> Option<f64> {
+        self.exact_quantity(key).map(|quantity| quantity.si())
+    }
+
+    /// A quantity as it is written, if given.
+    pub fn exact_quantity(&self, key: &str) -> Option<Quantity> {
+        match self.entry(key, |shape| matches!(shape, Shape::Quantity(_)))? {
+            (node, Shape::Quantity(measure)) => self.quantity_of(key, node, measure),
+            _ => None,
+        }
+    }
+
+    /// A quantity in SI, or one.
+    pub fn quantity_or_one(&self, key: &str) -> f64 {
+        self.quantity(key).unwrap_or(1.0)
+    }
+
+    /// A list of quantities; SI.
+    pub fn quantities(&self, key: &str) -> Vec<f64> {
+        let is_list = |shape: &Shape| matches!(shape, Shape::List(Shape::Quantity(_)));
+        let Some((node, Shape::List(Shape::Quantity(measure)))) = self.entry(key, is_list) else {
+            return Vec::new();
+        };
+        let Content::List(list) = &node.content else {
+            self.wrong(key, node, "a list of quantities", &self.example(key));
+            return Vec::new();
+        };
+        let quantity = |item| self.quantity_of(key, item, measure).map(|quantity| quantity.si());
+        list.iter().filter_map(quantity).collect()
+    }
+
+    fn quantity_of(&self, key: &str, node: &Node, measure: &Measure) -> Option<Quantity> {
+        let Measure { dimension, example, .. } = measure;
+        let text = match &node.content {
+            Content::Text(text) => text,
+            Content::Number(_) => {
+                let message = format!("`{key}` is {dimension} and needs its unit");
+                let help = format!("write it as text with a unit, such as `{key} = \"{example}\"`");
+                self.push(node.place.error(Code::WRONG_UNIT, message).help(help));
+                return None;
+            }
+            _ => {
+                self.wrong(key, node, &dimension.to_string(), &format!("\"{example}\""));
+                return None;
+            }
+        };
+        let such_as = format!("such as `{key} = \"{example}\"`");
+        let quantity =
+            Quantity::parse(text).and_then(|quantity| quantity.expect(dimension).and(Ok(quantity)));
+        let quantity = quantity.map_err(|error| {
+            let start = node.place.span.start + OPENING_QUOTE;
+            let mut found = error.at(&node.place.source, start);
+            found.message = format!("`{key}`: {}", found.message);
+            self.push(found.help(&such_as));
+        });
+        let quantity = quantity.ok()?;
+        let wanted = match measure.range {
+            Range::Positive if quantity.si() <= 0.0 => "greater than zero",
+            Range::NotNegative if quantity.si() < 0.0 => "zero or greater",
+            _ => return Some(quantity),
+        };
+        let message = format!("`{key}` must be {wanted}");
+        self.push(node.place.error(Code::BAD_VALUE, message).help(such_as));
+        None
+    }
+}
