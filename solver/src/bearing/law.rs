@@ -1,7 +1,7 @@
 //! Bearing laws as the marcher sees them: named inputs to named outputs, over rows of springs.
 
 use whirl_specs::{Contact, ContactVariable, Law};
-use whirl_text::nearest;
+use whirl_text::nearest_in_any_case;
 
 /// A law that can be evaluated over rows of springs, or of rings. Two kinds exist: compiled ones of the
 /// registry, and those of a law file, evaluated without a compiler.
@@ -163,10 +163,11 @@ fn kind(law: &dyn SpringLaw, kinds: &'static [Contact]) -> Result<&'static Conta
         all.dedup();
         all
     };
-    let known = |name: &str, known: Vec<&'static str>| match nearest(name, known.clone()) {
-        Some(near) => format!("did you mean {near}?"),
-        None => format!("there are {}", known.join(", ")),
-    };
+    let known =
+        |name: &str, known: Vec<&'static str>| match nearest_in_any_case(name, known.clone()) {
+            Some(near) => format!("did you mean {near}?"),
+            None => format!("there are {}", known.join(", ")),
+        };
     let has = |list: &[ContactVariable], name: &str| list.iter().any(|own| own.name == name);
     let (inputs, outputs) = (law.inputs(), law.outputs());
     let Some(first) = outputs.first() else {
