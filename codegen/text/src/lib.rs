@@ -3,5 +3,5 @@
 mod nearest;
 mod number;
 
-pub use nearest::nearest;
+pub use nearest::{nearest, nearest_in_any_case};
 pub use number::{rounded, shown};

@@ -1,7 +1,7 @@
 //! Bearing laws as the marcher sees them: named inputs to named outputs, over rows of springs.
 
 use whirl_specs::{Contact, ContactVariable, Law};
-use whirl_text::nearest;
+use whirl_text::nearest_in_any_case;
 
 /// A law that can be evaluated over rows of springs, or of rings. Two kinds exist: compiled ones of the
 /// registry, and those of a law file, evaluated without a compiler.
@@ -118,10 +118,11 @@ fn mismatch(law: &dyn SpringLaw, kinds: &'static [Contact]) -> WrongLaw {
         all.dedup();
         all
     };
-    let known = |name: &str, known: Vec<&'static str>| match nearest(name, known.clone()) {
-        Some(near) => format!("did you mean {near}?"),
-        None => format!("there are {}", known.join(", ")),
-    };
+    let known =
+        |name: &str, known: Vec<&'static str>| match nearest_in_any_case(name, known.clone()) {
+            Some(near) => format!("did you mean {near}?"),
+            None => format!("there are {}", known.join(", ")),
+        };
     let (inputs, outputs) = (law.inputs(), law.outputs());
     let Some(first) = outputs.first() else {
         let (what, help) = ("gives no force".to_owned(), "give it an output, such as Q".to_owned());

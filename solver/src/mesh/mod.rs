@@ -17,7 +17,7 @@ pub(crate) use regions::connected;
 use std::collections::BTreeMap;
 
 use whirl_specs::Element;
-use whirl_text::nearest;
+use whirl_text::nearest_in_any_case;
 
 use crate::error::Error;
 
@@ -197,7 +197,7 @@ impl Mesh {
             origin: self.parts.origin.clone(),
             kind: "node",
             name: name.to_owned(),
-            nearest: nearest(name, sets.keys().map(String::as_str)).map(str::to_owned),
+            nearest: nearest_in_any_case(name, sets.keys().map(String::as_str)).map(str::to_owned),
         })
     }
 

@@ -1,6 +1,6 @@
 //! Which cells belong together, and which material they have.
 
-use whirl_text::nearest;
+use whirl_text::nearest_in_any_case;
 
 use super::{Block, Cell, Material, Mesh};
 use crate::error::Error;
@@ -19,7 +19,7 @@ impl Mesh {
             origin: self.origin().to_owned(),
             kind: "element",
             name: name.to_owned(),
-            nearest: nearest(name, sets.keys().map(String::as_str)).map(str::to_owned),
+            nearest: nearest_in_any_case(name, sets.keys().map(String::as_str)).map(str::to_owned),
         })
     }
 

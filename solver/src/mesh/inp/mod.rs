@@ -13,7 +13,7 @@ mod sets;
 use std::collections::{BTreeMap, BTreeSet};
 
 use whirl_specs::Element;
-use whirl_text::nearest;
+use whirl_text::nearest_in_any_case;
 
 use self::cards::{Card, Token, cards};
 use self::cells::{RawCell, assign_sections, read_elements, read_nodes};
@@ -243,7 +243,7 @@ impl MeshReport<'_> {
         let value = value.filter(|value| !value.text.is_empty());
         if value.is_none() {
             let names = card.parameters.iter().map(|parameter| parameter.name.as_str());
-            let help = match nearest(name, names) {
+            let help = match nearest_in_any_case(name, names) {
                 Some(close) if close != name => format!("is {close} meant to be {name}?"),
                 _ => format!("write {example}"),
             };
@@ -320,7 +320,8 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c C
         } else {
             in_step = keyword == "STEP";
             if skipped.insert(keyword) {
-                let close = nearest(keyword, READ).map(|close| format!("is *{close} meant?"));
+                let close =
+                    nearest_in_any_case(keyword, READ).map(|close| format!("is *{close} meant?"));
                 let what = format!("*{keyword} is left out");
                 report.warn(card.place, what, close.unwrap_or_default());
             }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use whirl_text::nearest;
+use whirl_text::nearest_in_any_case;
 
 use super::cards::{Card, Token};
 use super::{LinePosition, MeshReport};
@@ -195,7 +195,7 @@ fn generate(line: &[Token], named: &Labelled, members: &mut Vec<usize>, report: 
 
 /// A hint with the nearest name, or the names there are.
 pub(super) fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
-    if let Some(close) = nearest(name, known.clone()) {
+    if let Some(close) = nearest_in_any_case(name, known.clone()) {
         return format!("did you mean {close}?");
     }
     let some: Vec<&str> = known.take(8).collect();
