@@ -27,7 +27,7 @@ pub(super) fn explain(page: &mut Page, spec: &ClearanceSpec) {
     }
     if spec.measures.len() > 1 {
         page.heading("What else laws may depend on, and their other forces work on");
-        for (name, value) in &spec.measures {
+        for (name, value) in spec.measures.iter().skip(1) {
             page.item(&format!("{name} = {}", display_rounded(&spec.graph, *value)));
         }
     }
