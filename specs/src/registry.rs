@@ -117,8 +117,6 @@ pub struct ContactVariable {
     pub radius: bool,
     /// Whether it is a rate: zero where nothing moves.
     pub rate: bool,
-    /// Of a force: the place among the inputs of the measure that it works on, if laws may take it.
-    pub measure: Option<usize>,
 }
 
 /// A kind of law, acting at every spring or once a ring, and what follows from the measures on which its
@@ -134,13 +132,17 @@ pub struct Contact {
     pub inputs: &'static [ContactVariable],
     /// What a law may give.
     pub forces: &'static [ContactVariable],
+    /// Rows that `evaluate` gives: the inputs, then measures that are none but on which forces work.
+    pub rows: usize,
+    /// For every force the row of the measure that it works on.
+    pub measures: &'static [usize],
     /// Motions of the bore, in kernel order.
     pub bore: &'static [BoreMotion],
     /// Rows of the table that `prepare` fills.
     pub table: usize,
     /// Fills the table from the springs' fixed angles ψ in rad. Once a machine.
     pub prepare: fn(psi: &[f64], table: &mut [f64]),
-    /// All inputs, one row each.
+    /// All inputs and further measures, one row each.
     pub evaluate: fn(count: usize, state: &ContactState, inputs: &mut [f64]),
     /// Generalised forces on the ring, and on the motions of the bore (one row each), from the `forces` of
     /// the law (one row each).

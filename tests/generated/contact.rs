@@ -135,7 +135,7 @@ impl Bench {
     }
 
     fn inputs(&self, state: &State) -> Vec<f64> {
-        let mut inputs = vec![f64::NAN; self.kind.inputs.len() * self.count];
+        let mut inputs = vec![f64::NAN; self.kind.rows * self.count];
         self.with(state, |state| (self.kind.evaluate)(self.count, state, &mut inputs));
         inputs
     }
@@ -413,6 +413,25 @@ fn reactions_on_shaft_and_bore_are_equal_and_opposite() {
             // Normal forces meet in the centre.
             let turns = bench.kind.forces.iter().any(|force| force.radius || force.unit != "N");
             assert!(!turns || force[0].abs() > 1e-3, "{}: there is a torque", bench.kind.name);
+        }
+    }
+}
+
+/// Forces work on what their measures say, whether laws may take them or not.
+#[test]
+fn every_force_has_the_row_of_its_measure() {
+    let mut random = Random::new(16);
+    for bench in Bench::all() {
+        let state = bench.random(&mut random);
+        let rows = bench.inputs(&state);
+        let still = vec![0.0; bench.coordinates()];
+        assert_eq!(bench.kind.measures.len(), bench.kind.forces.len());
+        for (force, row) in bench.kind.forces.iter().zip(bench.kind.measures) {
+            for j in 0..bench.count {
+                let exact = bench.hyper(&state, j, &still, &still)[measure_of(force.name)].0.re;
+                let error = (rows[row * bench.count + j] - exact).abs();
+                assert!(error <= 1e-15 * exact.abs().max(1e-3), "{}: {error:e}", force.name);
+            }
         }
     }
 }

@@ -410,7 +410,6 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: false,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "h_dot",
@@ -418,7 +417,6 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: true,
-                        measure: None,
                     },
                 ],
                 forces: &[
@@ -428,9 +426,10 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: false,
-                        measure: Some(0),
                     },
                 ],
+                rows: 2,
+                measures: &[0],
                 bore: &[BoreMotion::Radial],
                 table: 5,
                 prepare,
@@ -461,7 +460,7 @@ pub mod journal {
             }
             /// Inputs of the law.
             ///
-            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 15 add, 14 mul.
+            /// Once a ring: 2 add, 5 mul, 2 function; each spring: 18 add, 14 mul.
             pub fn inputs(count_: usize, state_: &ContactState, out_: &mut [f64]) {
                 let _ = state_;
                 let [psi_row_, cos_psi_row_, sin_psi_row_] = crate::strided(
@@ -469,7 +468,7 @@ pub mod journal {
                     state_.stride,
                     state_.table,
                 );
-                let [delta_row_, _, _] = crate::strided(
+                let [delta_row_, tau_row_, _] = crate::strided(
                     count_,
                     state_.stride,
                     state_.bore,
@@ -487,8 +486,9 @@ pub mod journal {
                 let sin_theta = Lane::sin(theta);
                 let u_x = eps_x * cos_theta - eps_y * sin_theta;
                 let u_y = eps_x * sin_theta + eps_y * cos_theta;
+                let R_theta = R * theta;
                 let [taken_h_out_, taken_h_dot_out_, taken_psi_out_, taken_omega_out_,
-                taken_v_t_out_, taken_theta_out_] = crate::strided_mut(
+                taken_v_t_out_, taken_theta_out_, measure_of_T_out_] = crate::strided_mut(
                     count_,
                     state_.stride,
                     out_,
@@ -498,13 +498,16 @@ pub mod journal {
                     let cos_psi = cos_psi_row_[j_];
                     let sin_psi = sin_psi_row_[j_];
                     let delta = delta_row_[j_];
+                    let tau = tau_row_[j_];
                     let delta_dot = delta_dot_row_[j_];
                     let tau_dot = tau_dot_row_[j_];
                     let beta_dot = beta_dot_row_[j_];
                     let u_x_cos_psi = u_x * cos_psi;
                     let u_y_sin_psi = u_y * sin_psi;
                     let taken_h_ = c + (delta - u_x_cos_psi - u_y_sin_psi);
-                    let dh_dtheta = u_y * cos_psi - u_x * sin_psi;
+                    let u_y_cos_psi = u_y * cos_psi;
+                    let u_x_sin_psi = u_x * sin_psi;
+                    let dh_dtheta = u_y_cos_psi - u_x_sin_psi;
                     let taken_h_dot__part2 = cos_theta * cos_psi + sin_theta * sin_psi;
                     let taken_h_dot__part4 = delta_dot + dh_dtheta * theta_dot
                         - taken_h_dot__part2 * eps_x_dot;
@@ -515,12 +518,14 @@ pub mod journal {
                         + taken_h_dot__part2 * eps_y_dot;
                     let taken_v_t_ = taken_v_t__part3
                         + (R + (u_y_sin_psi + u_x_cos_psi)) * theta_dot;
+                    let measure_of_T_ = R_theta + (u_y_cos_psi - tau - u_x_sin_psi);
                     taken_h_out_[j_] = taken_h_;
                     taken_h_dot_out_[j_] = taken_h_dot_;
                     taken_psi_out_[j_] = psi;
                     taken_omega_out_[j_] = taken_omega_;
                     taken_v_t_out_[j_] = taken_v_t_;
                     taken_theta_out_[j_] = theta;
+                    measure_of_T_out_[j_] = measure_of_T_;
                 }
             }
             /// Generalised forces.
@@ -795,7 +800,6 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: false,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "h_dot",
@@ -803,7 +807,6 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: true,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "psi",
@@ -811,7 +814,6 @@ pub mod journal {
                         bore: &[],
                         radius: false,
                         rate: false,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "omega",
@@ -819,7 +821,6 @@ pub mod journal {
                         bore: &[2],
                         radius: false,
                         rate: true,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "v_t",
@@ -827,7 +828,6 @@ pub mod journal {
                         bore: &[1],
                         radius: true,
                         rate: true,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "theta",
@@ -835,7 +835,6 @@ pub mod journal {
                         bore: &[],
                         radius: false,
                         rate: false,
-                        measure: None,
                     },
                 ],
                 forces: &[
@@ -845,7 +844,6 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: false,
-                        measure: Some(0),
                     },
                     ContactVariable {
                         name: "T",
@@ -853,9 +851,10 @@ pub mod journal {
                         bore: &[1],
                         radius: true,
                         rate: false,
-                        measure: None,
                     },
                 ],
+                rows: 7,
+                measures: &[0, 6],
                 bore: &[
                     BoreMotion::Radial,
                     BoreMotion::Tangential,
@@ -877,10 +876,10 @@ pub mod journal {
             pub fn prepare(_: &[f64], _: &mut [f64]) {}
             /// Inputs of the law.
             ///
-            /// Once a ring: 6 add, 10 mul, 2 function; each spring: 5 add.
+            /// Once a ring: 6 add, 10 mul, 2 function; each spring: 6 add.
             pub fn inputs(count_: usize, state_: &ContactState, out_: &mut [f64]) {
                 let _ = state_;
-                let [b_x_row_, b_y_row_, _] = crate::strided(
+                let [b_x_row_, b_y_row_, beta_row_] = crate::strided(
                     count_,
                     state_.stride,
                     state_.bore,
@@ -901,14 +900,12 @@ pub mod journal {
                 let taken_e_y_dot__part2 = sin_theta * eps_x_dot + cos_theta * eps_y_dot
                     + theta_dot * u_x;
                 let [taken_e_x_out_, taken_e_y_out_, taken_e_x_dot_out_,
-                taken_e_y_dot_out_, taken_omega_out_, taken_theta_out_] = crate::strided_mut(
-                    count_,
-                    state_.stride,
-                    out_,
-                );
+                taken_e_y_dot_out_, taken_omega_out_, taken_theta_out_,
+                measure_of_M_z_out_] = crate::strided_mut(count_, state_.stride, out_);
                 for j_ in 0..count_ {
                     let b_x = b_x_row_[j_];
                     let b_y = b_y_row_[j_];
+                    let beta = beta_row_[j_];
                     let b_x_dot = b_x_dot_row_[j_];
                     let b_y_dot = b_y_dot_row_[j_];
                     let beta_dot = beta_dot_row_[j_];
@@ -917,12 +914,14 @@ pub mod journal {
                     let taken_e_x_dot_ = by_3_0__part4 - b_x_dot;
                     let taken_e_y_dot_ = taken_e_y_dot__part2 - b_y_dot;
                     let taken_omega_ = theta_dot - beta_dot;
+                    let measure_of_M_z_ = theta - beta;
                     taken_e_x_out_[j_] = taken_e_x_;
                     taken_e_y_out_[j_] = taken_e_y_;
                     taken_e_x_dot_out_[j_] = taken_e_x_dot_;
                     taken_e_y_dot_out_[j_] = taken_e_y_dot_;
                     taken_omega_out_[j_] = taken_omega_;
                     taken_theta_out_[j_] = theta;
+                    measure_of_M_z_out_[j_] = measure_of_M_z_;
                 }
             }
             /// Generalised forces.
@@ -1220,7 +1219,6 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: false,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "e_y",
@@ -1228,7 +1226,6 @@ pub mod journal {
                         bore: &[1],
                         radius: false,
                         rate: false,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "e_x_dot",
@@ -1236,7 +1233,6 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: true,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "e_y_dot",
@@ -1244,7 +1240,6 @@ pub mod journal {
                         bore: &[1],
                         radius: false,
                         rate: true,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "omega",
@@ -1252,7 +1247,6 @@ pub mod journal {
                         bore: &[2],
                         radius: false,
                         rate: true,
-                        measure: None,
                     },
                     ContactVariable {
                         name: "theta",
@@ -1260,7 +1254,6 @@ pub mod journal {
                         bore: &[],
                         radius: false,
                         rate: false,
-                        measure: None,
                     },
                 ],
                 forces: &[
@@ -1270,7 +1263,6 @@ pub mod journal {
                         bore: &[0],
                         radius: false,
                         rate: false,
-                        measure: Some(0),
                     },
                     ContactVariable {
                         name: "F_y",
@@ -1278,7 +1270,6 @@ pub mod journal {
                         bore: &[1],
                         radius: false,
                         rate: false,
-                        measure: Some(1),
                     },
                     ContactVariable {
                         name: "M_z",
@@ -1286,9 +1277,10 @@ pub mod journal {
                         bore: &[2],
                         radius: false,
                         rate: false,
-                        measure: None,
                     },
                 ],
+                rows: 7,
+                measures: &[0, 1, 6],
                 bore: &[BoreMotion::MeanX, BoreMotion::MeanY, BoreMotion::MeanTurn],
                 table: 0,
                 prepare,
@@ -1306,7 +1298,7 @@ pub mod journal {
             source: "Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one",
             spec: "motion/clearance.toml",
             text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# One spring, once and for all.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Beside the clearance: what else laws may depend on, and what their other forces work on.\n\n# How far the journal's surface has slid over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*theta - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n[measures.e_x]\nvalue = 'u_x - b_x'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'u_y - b_y'\nforce = \"F_y\"\n\n# What a law of springs may take and give, and what a law of a whole ring may.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n",
-            hash: "826f84aa2068bd0b9667fd640584ed18",
+            hash: "46eaa2d95c1cfebcddc238a74d55331d",
         },
         axial,
         contacts: &[

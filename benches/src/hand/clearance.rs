@@ -30,7 +30,9 @@ const NORMAL: Contact = Contact {
         ContactVariable { name: "h", ..RADIAL },
         ContactVariable { name: "h_dot", unit: "m/s", rate: true, ..RADIAL },
     ],
-    forces: &[ContactVariable { name: "Q", unit: "N", measure: Some(0), ..RADIAL }],
+    forces: &[ContactVariable { name: "Q", unit: "N", ..RADIAL }],
+    rows: 2,
+    measures: &[0],
     bore: &[BoreMotion::Radial],
     table: 2,
     prepare,
@@ -40,7 +42,7 @@ const NORMAL: Contact = Contact {
 };
 
 const RADIAL: ContactVariable =
-    ContactVariable { name: "", unit: "m", bore: &[0], radius: false, rate: false, measure: None };
+    ContactVariable { name: "", unit: "m", bore: &[0], radius: false, rate: false };
 
 fn prepare(psi: &[f64], table: &mut [f64]) {
     let (cos, sin) = table.split_at_mut(psi.len());

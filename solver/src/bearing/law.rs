@@ -213,12 +213,6 @@ impl BoundLaw {
         self.taken().any(|own| own.rate && !own.bore.is_empty())
     }
 
-    /// Whether it acts at every spring and takes all that its forces work on.
-    pub(crate) fn takes_what_it_works_on(&self) -> bool {
-        let mut forces = self.forces.iter().map(|&place| &self.kind.forces[place]);
-        self.kind.each_spring && forces.all(|force| force.measure.is_some())
-    }
-
     /// Whether it depends on any rate.
     pub(crate) fn takes_rates(&self) -> bool {
         self.taken().any(|own| own.rate)

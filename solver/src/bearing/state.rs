@@ -28,7 +28,7 @@ pub struct SpringState {
     pub(super) planes: Vec<PlaneState>,
     pub(super) laws: Vec<LawState>,
     /// The turn of the journals in their frame, where they spin in it.
-    pub(super) spin: Option<Spin>,
+    spin: Option<Spin>,
     /// Motions of the bores (T_b times the support's coordinates), their rates, and the generalised forces on them.
     bore: Vec<f64>,
     bore_dot: Vec<f64>,
@@ -54,10 +54,10 @@ pub(super) struct PlaneState {
 }
 
 /// A law at all its springs; rows as in [`whirl_specs::Contact`].
-#[derive(Clone)]
 pub(super) struct LawState {
-    pub(super) bore: Vec<f64>,
-    pub(super) bore_dot: Vec<f64>,
+    bore: Vec<f64>,
+    bore_dot: Vec<f64>,
+    /// Inputs and further measures.
     pub(super) inputs: Vec<f64>,
     pub(super) forces: Vec<f64>,
     slopes: Vec<f64>,
@@ -70,20 +70,11 @@ impl LawState {
         LawState {
             bore: row(kind.bore.len()),
             bore_dot: row(kind.bore.len()),
-            inputs: row(kind.inputs.len()),
+            inputs: row(kind.rows),
             forces: row(kind.forces.len()),
             slopes: row(kind.forces.len() * kind.inputs.len()),
             bore_force: row(kind.bore.len()),
         }
-    }
-
-    /// Takes over all but the slopes.
-    pub(super) fn copy_motion(&mut self, other: &LawState) {
-        self.bore.copy_from_slice(&other.bore);
-        self.bore_dot.copy_from_slice(&other.bore_dot);
-        self.inputs.copy_from_slice(&other.inputs);
-        self.forces.copy_from_slice(&other.forces);
-        self.bore_force.copy_from_slice(&other.bore_force);
     }
 
     /// Where the kernels find the motion of a plane.
@@ -170,7 +161,7 @@ impl SpringState {
     }
 
     /// What a law does in its planes, from how they move.
-    pub(super) fn act(&mut self, springs: &Springs, place: usize) {
+    fn act(&mut self, springs: &Springs, place: usize) {
         let law = &springs.laws[place];
         let own = &mut self.laws[place];
         let planes = springs.planes[law.planes.clone()].iter();

@@ -1,14 +1,12 @@
 //! The work of the springs along a step.
 //!
 //! Newmark's method counts ½ (Q_n + Q_{n+1})·Δh. What the force does on the way from h_n to h_{n+1} is ∫ Q dh; the
-//! difference is energy that the step makes or destroys. Coordinates and rates go in a straight line from one
-//! end of the step to the other; where a law acts at every spring and takes what its forces work on, as Q(h, ḣ)
-//! does, what it takes goes so.
+//! difference is energy that the step makes or destroys. What a law takes, and the measures on which its forces
+//! work, go in a straight line from one end of the step to the other.
 
 use serde::{Deserialize, Serialize};
 
-use super::spin::Spin;
-use super::state::{LawState, PlaneState, SpringState};
+use super::state::{LawState, SpringState};
 use super::{PlacedLaw, Springs};
 
 /// Nodes in (0, 1) of Lobatto's rule of five points, exact for polynomials of degree 7, and their weights.
@@ -68,20 +66,21 @@ impl Flow {
 
 /// Where the springs were when the step began, and memory for the way.
 pub(crate) struct WorkAlong {
-    planes: Vec<PlaneState>,
-    laws: Vec<LawState>,
-    /// Generalised forces of the planes, as the machine's coordinates give them.
-    plane_forces: Vec<[f64; 3]>,
-    probe: SpringState,
+    starts: Vec<LawStart>,
     /// Of the forces of a law, spring by spring: ∫ along the way, and along the way at rest.
     along: Vec<f64>,
     at_rest: Vec<f64>,
     inputs: Vec<f64>,
     outputs: Vec<f64>,
-    /// Work in every plane along the way, and along the way at rest.
-    plane_work: Vec<[f64; 2]>,
+    workspace: Vec<f64>,
     /// Energy made and the work on all springs of each bearing in the last step.
     bearings: Vec<Flow>,
+}
+
+/// Inputs, measures and forces of a law when the step began; rows as in [`whirl_specs::Contact`].
+struct LawStart {
+    inputs: Vec<f64>,
+    forces: Vec<f64>,
 }
 
 impl WorkAlong {
@@ -91,48 +90,35 @@ impl WorkAlong {
             springs.laws.iter().map(|law| rows(law) * law.springs).max().unwrap_or(0)
         };
         let forces = most(|law| law.bound.forces.len());
-        let mut work = WorkAlong {
-            planes: state.planes.clone(),
-            laws: state.laws.clone(),
-            plane_forces: vec![[0.0; 3]; springs.planes.len()],
-            probe: SpringState::new(springs),
+        let start =
+            |law: &LawState| LawStart { inputs: law.inputs.clone(), forces: law.forces.clone() };
+        let workspace = springs.laws.iter().map(|law| law.bound.law.workspace()).max();
+        WorkAlong {
+            starts: state.laws.iter().map(start).collect(),
             along: vec![0.0; forces],
             at_rest: vec![0.0; forces],
             inputs: vec![0.0; most(|law| law.bound.inputs.len())],
             outputs: vec![0.0; most(|law| law.bound.forces.len() * (1 + law.bound.inputs.len()))],
-            plane_work: vec![[0.0; 2]; springs.planes.len()],
+            workspace: vec![0.0; workspace.unwrap_or(0)],
             bearings: vec![Flow::default(); springs.bearings],
-        };
-        work.start(state);
-        work
+        }
     }
 
     /// Starts a step at a state that was just evaluated.
     pub(crate) fn start(&mut self, state: &SpringState) {
-        self.planes.clone_from_slice(&state.planes);
-        self.laws.iter_mut().zip(&state.laws).for_each(|(own, law)| own.copy_motion(law));
-        for (place, force) in self.plane_forces.iter_mut().enumerate() {
-            *force = state.plane_force(place);
+        for (start, law) in self.starts.iter_mut().zip(&state.laws) {
+            start.inputs.copy_from_slice(&law.inputs);
+            start.forces.copy_from_slice(&law.forces);
         }
     }
 
     /// The work of the step that ends at a state just evaluated, where the next one starts.
-    pub(crate) fn end(
-        &mut self,
-        springs: &Springs,
-        state: &SpringState,
-        spins: [Option<[f64; 2]>; 2],
-    ) -> SpringWork {
+    pub(crate) fn end(&mut self, springs: &Springs, state: &SpringState) -> SpringWork {
         let mut work = SpringWork::default();
         self.bearings.fill(Flow::default());
         for (place, law) in springs.laws.iter().enumerate() {
-            if law.bound.takes_what_it_works_on() {
-                self.integrate_forces(law, place, state);
-                self.add_springs(springs, place, state, &mut work);
-            } else {
-                self.integrate_power(springs, place, state, spins);
-                self.add_planes(springs, place, state, &mut work);
-            }
+            self.integrate(law, place, &state.laws[place]);
+            self.add(springs, place, &state.laws[place], &mut work);
         }
         self.bearings.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
         self.start(state);
@@ -144,19 +130,17 @@ impl WorkAlong {
         &self.bearings
     }
 
-    /// ∫ of the forces of a law that takes what they work on.
-    fn integrate_forces(&mut self, law: &PlacedLaw, place: usize, state: &SpringState) {
+    /// The means of the forces of a law along the way, and along the way at rest.
+    fn integrate(&mut self, law: &PlacedLaw, place: usize, end: &LawState) {
         let (bound, n) = (&law.bound, law.springs);
-        let (start, end) = (&self.laws[place], &state.laws[place]);
+        let start = &self.starts[place];
         for (k, &force) in bound.forces.iter().enumerate() {
             let ends = start.forces[force * n..].iter().zip(&end.forces[force * n..]);
             let sums = self.along[k * n..][..n].iter_mut();
             sums.zip(ends).for_each(|(sum, (a, b))| *sum = END * (a + b));
         }
-        self.at_rest.fill(0.0);
         let inputs = &mut self.inputs[..bound.inputs.len() * n];
         let outputs = &mut self.outputs[..bound.forces.len() * (1 + bound.inputs.len()) * n];
-        let workspace = &mut self.probe.law_workspace;
         let mut add = |s: f64, weight: f64, at_rest: bool, sums: &mut [f64]| {
             for (row, &input) in bound.inputs.iter().enumerate() {
                 let values = &mut inputs[row * n..][..n];
@@ -167,7 +151,7 @@ impl WorkAlong {
                 let ends = start.inputs[input * n..].iter().zip(&end.inputs[input * n..]);
                 values.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
             }
-            bound.law.evaluate(n, inputs, outputs, workspace);
+            bound.law.evaluate(n, inputs, outputs, &mut self.workspace);
             let forces = outputs.chunks_exact(n.max(1)).step_by(1 + bound.inputs.len());
             for (sums, forces) in sums.chunks_exact_mut(n.max(1)).zip(forces) {
                 sums.iter_mut().zip(forces).for_each(|(sum, force)| *sum += weight * force);
@@ -177,6 +161,7 @@ impl WorkAlong {
             add(s, weight, false, &mut self.along);
         }
         if bound.takes_rates() {
+            self.at_rest.fill(0.0);
             for (s, weight) in [(0.0, END), (1.0, END)].into_iter().chain(NODES) {
                 add(s, weight, true, &mut self.at_rest);
             }
@@ -185,25 +170,19 @@ impl WorkAlong {
         }
     }
 
-    /// Adds what was integrated, spring by spring.
-    fn add_springs(
-        &mut self,
-        springs: &Springs,
-        place: usize,
-        state: &SpringState,
-        work: &mut SpringWork,
-    ) {
+    /// Adds the work of a law, spring by spring: its mean forces times what their measures changed.
+    fn add(&mut self, springs: &Springs, place: usize, end: &LawState, work: &mut SpringWork) {
         let law = &springs.laws[place];
-        let (start, end, n) = (&self.laws[place], &state.laws[place], law.springs);
+        let (start, n) = (&self.starts[place], law.springs);
         for plane in &springs.planes[law.planes.clone()] {
             let mut flow = Flow::default();
             for (k, &force) in law.bound.forces.iter().enumerate() {
-                let measure = law.bound.kind.forces[force].measure.unwrap_or_default();
+                let measure = law.bound.kind.measures[force];
                 for j in plane.springs.clone() {
                     let moved = end.inputs[measure * n + j] - start.inputs[measure * n + j];
                     let ends = start.forces[force * n + j] + end.forces[force * n + j];
                     let [along, at_rest] =
-                        [self.along[k * n + j], self.at_rest[k * n + j]].map(|sum| sum * moved);
+                        [self.along[k * n + j], self.at_rest[k * n + j]].map(|mean| mean * moved);
                     flow.made += (0.5 * ends * moved - along).abs();
                     flow.flowed += along;
                     work.add(along, at_rest);
@@ -211,87 +190,5 @@ impl WorkAlong {
             }
             self.bearings[plane.bearing].add(&flow);
         }
-    }
-
-    /// The work in every plane of any law: along the way, and along the way at rest.
-    fn integrate_power(
-        &mut self,
-        springs: &Springs,
-        place: usize,
-        state: &SpringState,
-        [before, after]: [Option<[f64; 2]>; 2],
-    ) {
-        let law = &springs.laws[place];
-        self.plane_work[law.planes.clone()].fill([0.0; 2]);
-        for (s, weight) in [(0.0, END), (1.0, END)].into_iter().chain(NODES) {
-            for (kind, rate) in [1.0, 0.0].into_iter().enumerate() {
-                let spin = before
-                    .zip(after)
-                    .map(|([a, speed], [b, _])| Spin::new([a + s * (b - a), rate * speed]));
-                self.probe.spin = spin;
-                let between = |a: f64, b: f64| a + s * (b - a);
-                for number in law.planes.clone() {
-                    let (start, end) = (&self.planes[number], &state.planes[number]);
-                    let own = &mut self.probe.planes[number];
-                    own.position = [0, 1, 2].map(|i| between(start.position[i], end.position[i]));
-                    own.velocity =
-                        [0, 1, 2].map(|i| rate * between(start.velocity[i], end.velocity[i]));
-                }
-                let (start, end) = (&self.laws[place], &state.laws[place]);
-                let own = &mut self.probe.laws[place];
-                for i in 0..own.bore.len() {
-                    own.bore[i] = between(start.bore[i], end.bore[i]);
-                    own.bore_dot[i] = rate * between(start.bore_dot[i], end.bore_dot[i]);
-                }
-                self.probe.act(springs, place);
-                for number in law.planes.clone() {
-                    let force = self.probe.plane_force(number);
-                    let bore_force = &self.probe.laws[place].bore_force;
-                    let power = self.power(springs, number, state, &force, bore_force);
-                    self.plane_work[number][kind] += weight * power;
-                }
-            }
-        }
-    }
-
-    /// Adds what was integrated, plane by plane.
-    fn add_planes(
-        &mut self,
-        springs: &Springs,
-        place: usize,
-        state: &SpringState,
-        work: &mut SpringWork,
-    ) {
-        for number in springs.laws[place].planes.clone() {
-            let [along, at_rest] = self.plane_work[number];
-            let (before, after) = (&self.laws[place].bore_force, &state.laws[place].bore_force);
-            let before = self.power(springs, number, state, &self.plane_forces[number], before);
-            let after = self.power(springs, number, state, &state.plane_force(number), after);
-            let own = &mut self.bearings[springs.planes[number].bearing];
-            own.made += (0.5 * (before + after) - along).abs();
-            own.flowed += along;
-            work.add(along, at_rest);
-        }
-    }
-
-    /// Work of constant forces in a plane over the step.
-    fn power(
-        &self,
-        springs: &Springs,
-        number: usize,
-        state: &SpringState,
-        force: &[f64; 3],
-        bore_force: &[f64],
-    ) -> f64 {
-        let plane = &springs.planes[number];
-        let (start, end) = (&self.planes[number].position, &state.planes[number].position);
-        let on_ring = force.iter().zip(start.iter().zip(end));
-        let on_ring: f64 = on_ring.map(|(force, (a, b))| force * (b - a)).sum();
-        let n = springs.laws[plane.law].springs;
-        let (start, end) = (&self.laws[plane.law].bore, &state.laws[plane.law].bore);
-        let moved = |i: usize| bore_force[i] * (end[i] - start[i]);
-        let motions = (0..start.len()).step_by(n.max(1));
-        let on_bore = motions.flat_map(|first| plane.springs.clone().map(move |j| first + j));
-        on_ring + on_bore.map(moved).sum::<f64>()
     }
 }

@@ -65,7 +65,6 @@ pub(crate) struct EnergyMeter {
     along: WorkAlong,
     load: Vec<f64>,
     damper: Vec<f64>,
-    time: f64,
 }
 
 impl EnergyMeter {
@@ -85,7 +84,6 @@ impl EnergyMeter {
             along: WorkAlong::new(&system.machine.springs, &system.springs),
             load: system.load.clone(),
             damper: system.damper.clone(),
-            time: system.time,
         }
     }
 
@@ -101,10 +99,7 @@ impl EnergyMeter {
         self.sums.dissipated += dissipated;
         self.load.copy_from_slice(&system.load);
         self.damper.copy_from_slice(&system.damper);
-        let machine = system.machine;
-        let spins = [self.time, system.time].map(|t| machine.spin(t));
-        self.time = system.time;
-        let work = self.along.end(&machine.springs, &system.springs, spins);
+        let work = self.along.end(&system.machine.springs, &system.springs);
         self.sums.springs.add_step(&work);
         let bearings = self.along.bearings();
         self.sums.flows.add(bearings);
@@ -139,6 +134,5 @@ impl EnergyMeter {
         self.along.start(&system.springs);
         self.load.copy_from_slice(&system.load);
         self.damper.copy_from_slice(&system.damper);
-        self.time = system.time;
     }
 }

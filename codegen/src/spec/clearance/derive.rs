@@ -84,7 +84,7 @@ pub struct Derived {
     pub slopes: Vec<Vec<(String, Id)>>,
     /// a1 of the time integration, ∂q̇/∂q.
     pub a1: Id,
-    /// z_n.
+    /// z_n, then the measures on which forces work and that are no inputs.
     pub inputs: Vec<Id>,
     /// ∂x_m/∂q: one row a force.
     pub gradients: Vec<Vec<Id>>,
@@ -135,6 +135,7 @@ impl ClearanceSpec {
             inputs.push(value);
             changes.push(d.changes(value)?);
         }
+        inputs.extend(contact.further_measures().map(|force| force.measure));
         let gradients = contact.forces.iter().map(|force| d.gradient(force.measure));
         let gradients = gradients.collect::<Result<Vec<_>, _>>()?;
         let (mut force, mut tangent) = (Vec::new(), Vec::new());
@@ -225,9 +226,25 @@ impl Contact {
         self.forces.iter().map(&mut row).collect()
     }
 
-    /// For a force the place among the inputs of the measure that it works on, if laws may take it.
-    pub fn measure(&self, force: &ContactForce) -> Option<usize> {
-        self.inputs.iter().position(|input| input.taken == Taken::Value(force.measure))
+    /// Forces that work on measures which are no inputs, one a measure.
+    pub fn further_measures(&self) -> impl Iterator<Item = &ContactForce> {
+        let is_input = |own: &ContactForce| {
+            self.inputs.iter().any(|input| input.taken == Taken::Value(own.measure))
+        };
+        self.forces.iter().enumerate().filter_map(move |(place, own)| {
+            let before = self.forces[..place].iter().any(|other| other.measure == own.measure);
+            (!before && !is_input(own)).then_some(own)
+        })
+    }
+
+    /// For a force the place of the measure that it works on among the inputs and the further measures.
+    pub fn measure(&self, force: &ContactForce) -> usize {
+        let inputs = self.inputs.iter().map(|input| match input.taken {
+            Taken::Value(value) => Some(value),
+            Taken::Rate(_) => None,
+        });
+        let mut rows = inputs.chain(self.further_measures().map(|own| Some(own.measure)));
+        rows.position(|measure| measure == Some(force.measure)).expect("an input or a further one")
     }
 
     /// Number of coordinates of the ring and the bore.

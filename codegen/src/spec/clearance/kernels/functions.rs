@@ -91,9 +91,9 @@ impl<'a> Kernels<'a> {
         }
     }
 
-    /// What the law takes.
+    /// What the law takes, and the measures beside that on which its forces work.
     fn inputs(&self) -> TokenStream {
-        let names: Vec<String> = self.contact.inputs.iter().map(taken).collect();
+        let names = taken(self.contact);
         let part = Part::new(self, |name| names.iter().any(|own| own == name));
         let (before, each, about) = (part.before(), part.each(), part.about("Inputs of the law"));
         let (rows, write) = part.rows(&names);
@@ -188,33 +188,26 @@ impl<'a> Kernels<'a> {
 
     fn entry(&self) -> TokenStream {
         let contact = self.contact;
-        let variable = |name: &str, unit: &str, expression: Id, rate: bool, measure| {
+        let variable = |name: &str, unit: &str, expression: Id, rate: bool| {
             let uses = |symbol: Id| self.spec.graph.depends(expression, symbol);
             let bore = contact.bore.iter().enumerate().filter(|(_, (_, own))| uses(own.symbol));
             let bore = bore.map(|(place, _)| Literal::usize_unsuffixed(place));
             let radius = self.spec.radius.as_ref().is_some_and(|own| uses(own.symbol));
-            let measure = match measure {
-                Some(place) => {
-                    let place = Literal::usize_unsuffixed(place);
-                    quote!(Some(#place))
-                }
-                None => quote!(None),
-            };
             quote! {
                 ContactVariable {
                     name: #name, unit: #unit, bore: &[#(#bore),*], radius: #radius, rate: #rate,
-                    measure: #measure,
                 }
             }
         };
         let inputs = contact.inputs.iter().map(|own| {
             let rate = matches!(own.taken, Taken::Rate(_));
-            variable(&own.name, &own.unit, own.taken.expression(), rate, None)
+            variable(&own.name, &own.unit, own.taken.expression(), rate)
         });
-        let forces = contact
-            .forces
-            .iter()
-            .map(|own| variable(&own.name, &own.unit, own.measure, false, contact.measure(own)));
+        let forces = contact.forces.iter();
+        let forces = forces.map(|own| variable(&own.name, &own.unit, own.measure, false));
+        let measures = contact.forces.iter().map(|own| contact.measure(own));
+        let measures = measures.map(Literal::usize_unsuffixed);
+        let rows = Literal::usize_unsuffixed(taken(contact).len());
         let bore = contact.bore.iter().map(|(motion, _)| match motion {
             BoreMotion::Radial => quote!(BoreMotion::Radial),
             BoreMotion::Tangential => quote!(BoreMotion::Tangential),
@@ -231,6 +224,8 @@ impl<'a> Kernels<'a> {
                 each_spring: #each_spring,
                 inputs: &[#(#inputs),*],
                 forces: &[#(#forces),*],
+                rows: #rows,
+                measures: &[#(#measures),*],
                 bore: &[#(#bore),*],
                 table: #table,
                 prepare,

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::expression::{Function, Graph, Id, Node, Symbol};
 use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule, take_out};
-use crate::spec::clearance::{ClearanceSpec, Contact, ContactInput, Derived, RING};
+use crate::spec::clearance::{ClearanceSpec, Contact, Derived, RING};
 
 /// Once a machine, from the springs' angles.
 pub(super) const TABLE: usize = 0;
@@ -21,9 +21,11 @@ pub(super) const AFTER_SUMS: usize = 3;
 /// Springs a ring that hoisting reckons with.
 const SPRINGS: f64 = 24.0;
 
-/// Outputs of the program: what the law takes.
-pub(super) fn taken(input: &ContactInput) -> String {
-    format!("taken_{}_", input.name)
+/// Outputs of the program: what the law takes, and the measures beside that on which its forces work.
+pub(super) fn taken(contact: &Contact) -> Vec<String> {
+    let inputs = contact.inputs.iter().map(|input| format!("taken_{}_", input.name));
+    let further = contact.further_measures().map(|force| format!("measure_of_{}_", force.name));
+    inputs.chain(further).collect()
 }
 /// Generalised force i of a spring: on the ring's coordinates, then on the bore's motions.
 pub(super) fn force(i: usize) -> String {
@@ -69,7 +71,7 @@ pub(super) fn program(
 
     let mut outputs = Vec::new();
     let mut give = |name, expression| outputs.push(Output { name, expression });
-    contact.inputs.iter().zip(values).for_each(|(input, id)| give(taken(input), id));
+    taken(contact).into_iter().zip(values).for_each(|(name, id)| give(name, id));
     // What is summed over the springs of a ring.
     let mut summed = Vec::new();
     for (i, expression) in derived.force.into_iter().enumerate() {
@@ -86,8 +88,7 @@ pub(super) fn program(
             }
         }
     }
-    let names =
-        inputs.iter().map(|input| input.name.clone()).chain(contact.inputs.iter().map(taken));
+    let names = inputs.iter().map(|input| input.name.clone()).chain(taken(contact));
     let names = names.chain(spec.definitions.iter().map(|(name, _)| name.clone()));
     let varies = own.iter().map(|(_, symbol)| *symbol).chain([spec.spring.symbol]).collect();
     let mut sums = Sums { taken: names.collect(), varies, graph: &mut graph, sums: Vec::new() };
