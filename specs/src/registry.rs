@@ -124,7 +124,7 @@ pub struct ContactVariable {
 /// values, springs of a plane or 1, and stand [`ContactState::stride`] apart: planes of one law can lie side by side.
 #[derive(Debug, Clone, Copy)]
 pub struct Contact {
-    /// `spring` or `ring`.
+    /// Name in the spec; `normal` for laws Q(h, ḣ).
     pub name: &'static str,
     /// Whether such a law acts at every spring, or once a ring.
     pub each_spring: bool,

@@ -28,7 +28,7 @@ pub struct SpringState {
     pub(super) planes: Vec<PlaneState>,
     pub(super) laws: Vec<LawState>,
     /// The turn of the journals in their frame, where they spin in it.
-    spin: Option<Spin>,
+    pub(super) spin: Option<Spin>,
     /// Motions of the bores (T_b times the support's coordinates), their rates, and the generalised forces on them.
     bore: Vec<f64>,
     bore_dot: Vec<f64>,
@@ -45,12 +45,23 @@ pub struct SpringState {
 #[derive(Clone, Default)]
 pub(super) struct PlaneState {
     /// θ, ε_x and ε_y as the machine's coordinates give them, and their rates.
-    pub(super) position: [f64; 3],
-    pub(super) velocity: [f64; 3],
+    position: [f64; 3],
+    velocity: [f64; 3],
     /// The same in the frame that turns with the journal.
     pub(super) ring: Ring,
     /// Generalised forces on (θ, ε_x, ε_y) there: N·m, N, N.
     pub(super) ring_force: [f64; 3],
+}
+
+impl PlaneState {
+    /// The ring of a clearance `c` (m) in the frame that turns with the journal.
+    fn ring_with(&self, spin: Option<Spin>, c: f64) -> Ring {
+        let ([_, x, y], [_, x_dot, y_dot]) = (self.position, self.velocity);
+        match spin {
+            Some(spin) => spin.ring([x, y], [x_dot, y_dot], c),
+            None => Ring { position: self.position, velocity: self.velocity, c },
+        }
+    }
 }
 
 /// A law at all its springs; rows as in [`whirl_specs::Contact`].
@@ -168,13 +179,7 @@ impl SpringState {
         let planes = planes.zip(&mut self.planes[law.planes.clone()]);
         for (plane, moved) in planes {
             let (c, first) = (plane.clearance, plane.springs.start);
-            moved.ring = match &self.spin {
-                Some(spin) => {
-                    let ([_, x, y], [_, x_dot, y_dot]) = (moved.position, moved.velocity);
-                    spin.ring([x, y], [x_dot, y_dot], c)
-                }
-                None => Ring { position: moved.position, velocity: moved.velocity, c },
-            };
+            moved.ring = moved.ring_with(self.spin, c);
             let state = LawState::state(law, plane, &moved.ring, &own.bore, &own.bore_dot);
             let inputs = &mut own.inputs[first..];
             (law.bound.kind.evaluate)(plane.springs.len(), &state, inputs);
@@ -189,6 +194,24 @@ impl SpringState {
             let bore_force = own.bore_force.get_mut(first..).unwrap_or_default();
             let (count, ring_force) = (plane.springs.len(), &mut moved.ring_force);
             (law.bound.kind.force)(count, &state, &own.forces[first..], ring_force, bore_force);
+        }
+    }
+
+    /// Inputs and measures of a law if the journals had turned in their frame as `spin` says.
+    pub(super) fn measure_with(
+        &self,
+        springs: &Springs,
+        place: usize,
+        spin: Spin,
+        rows: &mut [f64],
+    ) {
+        let (law, own) = (&springs.laws[place], &self.laws[place]);
+        let planes = springs.planes[law.planes.clone()].iter();
+        for (plane, moved) in planes.zip(&self.planes[law.planes.clone()]) {
+            let ring = moved.ring_with(Some(spin), plane.clearance);
+            let state = LawState::state(law, plane, &ring, &own.bore, &own.bore_dot);
+            let rows = &mut rows[plane.springs.start..];
+            (law.bound.kind.evaluate)(plane.springs.len(), &state, rows);
         }
     }
 
@@ -291,7 +314,7 @@ impl SpringState {
         let ring = &self.planes[place].ring;
         let state = LawState::state(law, plane, ring, &own.bore, &own.bore_dot);
         let (count, first) = (plane.springs.len(), plane.springs.start);
-        let (forces, slopes) = (&own.forces[first..], &own.slopes[first..]);
+        let (forces, slopes) = (from(&own.forces, first), from(&own.slopes, first));
         let mut tangent = |a1: f64| {
             (law.bound.kind.tangent)(count, &state, forces, slopes, a1, out);
             out.ring_ring

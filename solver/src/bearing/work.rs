@@ -1,11 +1,12 @@
 //! The work of the springs along a step.
 //!
-//! Newmark's method counts ½ (Q_n + Q_{n+1})·Δh. What the force does on the way from h_n to h_{n+1} is ∫ Q dh; the
+//! Of a force Q that works on h Newmark's method counts ½ (Q_n + Q_{n+1})·Δh. What it does on the way is ∫ Q dh; the
 //! difference is energy that the step makes or destroys. What a law takes, and the measures on which its forces
 //! work, go in a straight line from one end of the step to the other.
 
 use serde::{Deserialize, Serialize};
 
+use super::spin::Spin;
 use super::state::{LawState, SpringState};
 use super::{PlacedLaw, Springs};
 
@@ -28,7 +29,7 @@ pub(crate) struct SpringWork {
 }
 
 impl SpringWork {
-    /// Adds one spring: its work along the way, and along the way at rest.
+    /// Adds a force of a spring: its work along the way, and along the way at rest.
     fn add(&mut self, along: f64, at_rest: f64) {
         self.stored -= at_rest;
         self.dissipated -= along - at_rest;
@@ -73,6 +74,10 @@ pub(crate) struct WorkAlong {
     inputs: Vec<f64>,
     outputs: Vec<f64>,
     workspace: Vec<f64>,
+    /// The turn of the journals when the step began, where they spin in their frame, and the measures at its end
+    /// if they had not turned since: what drives a spin does its work on no coordinate.
+    spin: Option<Spin>,
+    without_spin: Vec<f64>,
     /// Energy made and the work on all springs of each bearing in the last step.
     bearings: Vec<Flow>,
 }
@@ -100,6 +105,8 @@ impl WorkAlong {
             inputs: vec![0.0; most(|law| law.bound.inputs.len())],
             outputs: vec![0.0; most(|law| law.bound.forces.len() * (1 + law.bound.inputs.len()))],
             workspace: vec![0.0; workspace.unwrap_or(0)],
+            spin: state.spin,
+            without_spin: vec![0.0; most(|law| law.bound.kind.rows)],
             bearings: vec![Flow::default(); springs.bearings],
         }
     }
@@ -110,6 +117,7 @@ impl WorkAlong {
             start.inputs.copy_from_slice(&law.inputs);
             start.forces.copy_from_slice(&law.forces);
         }
+        self.spin = state.spin;
     }
 
     /// The work of the step that ends at a state just evaluated, where the next one starts.
@@ -118,6 +126,9 @@ impl WorkAlong {
         self.bearings.fill(Flow::default());
         for (place, law) in springs.laws.iter().enumerate() {
             self.integrate(law, place, &state.laws[place]);
+            if let Some(spin) = self.spin {
+                state.measure_with(springs, place, spin, &mut self.without_spin);
+            }
             self.add(springs, place, &state.laws[place], &mut work);
         }
         self.bearings.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
@@ -170,23 +181,27 @@ impl WorkAlong {
         }
     }
 
-    /// Adds the work of a law, spring by spring: its mean forces times what their measures changed.
+    /// Adds the work of a law, spring by spring: its mean forces times what their measures changed. What its forces
+    /// make of each other's energy at a spring, or in a ring, is none.
     fn add(&mut self, springs: &Springs, place: usize, end: &LawState, work: &mut SpringWork) {
         let law = &springs.laws[place];
         let (start, n) = (&self.starts[place], law.springs);
+        let moved_to = if self.spin.is_some() { &self.without_spin } else { &end.inputs };
         for plane in &springs.planes[law.planes.clone()] {
             let mut flow = Flow::default();
-            for (k, &force) in law.bound.forces.iter().enumerate() {
-                let measure = law.bound.kind.measures[force];
-                for j in plane.springs.clone() {
-                    let moved = end.inputs[measure * n + j] - start.inputs[measure * n + j];
+            for j in plane.springs.clone() {
+                let mut made = 0.0;
+                for (k, &force) in law.bound.forces.iter().enumerate() {
+                    let measure = law.bound.kind.measures[force] * n + j;
+                    let moved = moved_to[measure] - start.inputs[measure];
                     let ends = start.forces[force * n + j] + end.forces[force * n + j];
                     let [along, at_rest] =
                         [self.along[k * n + j], self.at_rest[k * n + j]].map(|mean| mean * moved);
-                    flow.made += (0.5 * ends * moved - along).abs();
+                    made += 0.5 * ends * moved - along;
                     flow.flowed += along;
                     work.add(along, at_rest);
                 }
+                flow.made += made.abs();
             }
             self.bearings[plane.bearing].add(&flow);
         }

@@ -181,10 +181,10 @@ mod tests {
         let moved = [3.0 * eta[0] + 5.0 * eta[1], 4.0 * eta[0] - 12.0 * eta[1]];
         let offset = moved[0].hypot(moved[1]);
         let forces = &system.springs.forces;
-        let (quick, normal) = (&forces[..3], &forces[3..6]);
+        let (alone, normal) = (&forces[..3], &forces[3..6]);
         let (friction, ring) = (&forces[6..9], &forces[9..12]);
         let load = FORCE.iter().map(|f| f * f).sum::<f64>().sqrt();
-        let off_centre = quick.iter().chain(normal).chain(&ring[..2]);
+        let off_centre = alone.iter().chain(normal).chain(&ring[..2]);
         let mut theta: Vec<f64> = off_centre.clone().map(|f| (f * offset).abs()).collect();
         theta.extend(friction.iter().map(|f| (f * (RADIUS + offset)).abs()));
         theta.push((ring[2] * RADIUS).abs());
@@ -197,7 +197,7 @@ mod tests {
         let on_support = [0, 1].map(|axis| {
             let along = |j: usize| [ANGLES[j].cos(), ANGLES[j].sin()][axis];
             let across = |j: usize| [-ANGLES[j].sin(), ANGLES[j].cos()][axis];
-            let mut all: Vec<f64> = (0..3).map(|j| (0.5 * quick[j] * along(j)).abs()).collect();
+            let mut all: Vec<f64> = (0..3).map(|j| (0.5 * alone[j] * along(j)).abs()).collect();
             all.extend((0..3).map(|j| (0.5 * normal[j] * along(j)).abs()));
             all.extend((0..3).map(|j| (0.5 * friction[j] * across(j)).abs()));
             all.push((0.5 * ring[axis]).abs());

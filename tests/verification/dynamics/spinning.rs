@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use num_dual::DualNum;
+use num_dual::{Dual64, DualNum};
 use whirl_solver::dynamics::{March, march};
 use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
@@ -12,7 +12,7 @@ use whirl_solver::support::Support;
 use whirl_specs::LAWS;
 
 use super::audit::{audit, pairs, strict};
-use super::contacts::{FILM, Formula, RING};
+use super::contacts::{FILM, Formula, MOMENT, RING};
 use super::equations::{random_state, worst_column};
 use super::{boxed, force, options, parts, stops};
 use whirl_solver::bearing::{Bearing, SpringLaw};
@@ -116,6 +116,59 @@ fn a_spin_that_no_law_takes_changes_nothing() {
             assert!((a - b).abs() <= 1e-11 * largest, "{name}: {a} for {b}");
         }
     }
+}
+
+/// What turns the mass against a moment does its work on no coordinate: the load's work is all kinetic energy.
+#[test]
+fn what_drives_a_spin_is_no_part_of_the_energy() {
+    let spinning = Rotation::Spinning { speed: SPEED };
+    for law in [&MOMENT, &DRAG] {
+        let mut parts = mass(Box::new(law), spinning, [3.0, 0.0, 0.0]);
+        parts.bearings[0].angles = (0..4).map(|k| f64::from(k) * PI / 2.0).collect();
+        let machine = Machine::new(parts).expect("a machine");
+        let outcome = march(&machine, &strict(1e-5, 200), &mut |_| ControlFlow::Continue(()));
+        let energy = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).energy;
+        assert!(
+            energy.kinetic > 1e-9 && energy.error_fraction() < 1e-6,
+            "{}: {energy:?}",
+            law.name
+        );
+        let lost = energy.spring_dissipated.abs() + energy.spring_stored.abs();
+        assert!(lost < 1e-6 * energy.kinetic, "{}: {energy:?}", law.name);
+    }
+}
+
+/// Equal at all springs: around the bore they sum to a moment and nothing else.
+static DRAG: Formula = Formula {
+    name: "drag",
+    inputs: &["v_t"],
+    outputs: &["Q", "T"],
+    value: |z| vec![Dual64::from_re(0.0), z[0] / z[0] * -2.0],
+};
+
+/// Stiffer outwards.
+static STIFFENING: Formula = Formula {
+    name: "stiffening",
+    inputs: &["e_x", "e_y"],
+    outputs: &["F_x", "F_y"],
+    value: |z| {
+        let stiffness = (z[0] * z[0] + z[1] * z[1]) * 4e12 + 1e4;
+        vec![-stiffness * z[0], -stiffness * z[1]]
+    },
+};
+
+/// On a circle nothing flows and nothing is made, however much each of the two forces does.
+#[test]
+fn a_circular_whirl_makes_no_energy() {
+    let parts = mass(Box::new(&STIFFENING), Rotation::Held, [0.0; 3]);
+    let machine = Machine::new(parts).expect("a machine");
+    let radius = 5e-5;
+    let omega = (1e4 + 4e12 * radius * radius).sqrt();
+    let mut options = strict(0.05 / omega, 4000);
+    options.initial_shaft = [vec![radius, 0.0], vec![0.0, omega * radius]];
+    let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));
+    let quality = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).quality;
+    assert!(quality.energy_made_share < 0.02, "{quality:?}");
 }
 
 /// Along x by the angle, along y by the speed, which the journal would not have at rest.

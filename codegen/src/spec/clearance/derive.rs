@@ -69,7 +69,7 @@ pub struct ContactForce {
 }
 
 /// Name of the kind of normal forces Q(h, ḣ).
-pub const NORMAL: &str = "normal";
+pub(super) const NORMAL: &str = "normal";
 
 /// What follows for one spring, or one ring. Coordinates are those of the ring, then those of the bore.
 #[derive(Debug, Clone)]

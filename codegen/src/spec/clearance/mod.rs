@@ -53,7 +53,7 @@ mod tests;
 
 use std::sync::Arc;
 
-pub use derive::{Contact, ContactForce, ContactInput, Derived, NORMAL, Taken};
+pub use derive::{Contact, ContactForce, ContactInput, Derived, Taken};
 
 use crate::diagnostic::{Diagnostics, Source};
 use crate::expression::{Graph, Id};
