@@ -10,7 +10,7 @@ use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::operation::Operand;
 use crate::schedule::Program;
 use crate::spec::kernel::{self, unscheduled, variable};
-use crate::spec::kind::{About, SpecKind};
+use crate::spec::kind::{About, Compiled, OfAnyKind, Other, SpecKind};
 
 /// What the kernels compute: the law, and where it may be believed.
 pub(crate) struct Programs {
@@ -18,30 +18,34 @@ pub(crate) struct Programs {
     measures: Option<Program>,
 }
 
-pub(super) fn schedule(law: &LawSpec) -> Result<Programs, Diagnostics> {
-    let refused = |error| unscheduled(&law.file, &error);
-    let measures = law.measures_program().map_err(refused)?;
-    Ok(Programs { law: law.program().map_err(refused)?, measures })
-}
+impl Compiled for LawSpec {
+    type Programs = Programs;
 
-pub(super) fn module(law: &LawSpec, Programs { law: program, measures }: &Programs) -> String {
-    let about = law.about();
-    let measured = measures.as_ref().map(|program| measures_of(law, program));
-    let functions = functions(law, program);
-    let functions = quote!(#functions #measured);
-    let entry = entry(law, &about, &functions);
-    let name = identifier(&law.name);
-    let heading = documented(&format!("{}{}", about.heading(), pieces(law)));
-    let validity = measures.is_some().then(|| quote!(Validity,));
-    let module = quote! {
-        #heading
-        pub mod #name {
-            use crate::{Lane, Law, Origin, SpringKernel, #validity Variable, each_spring};
-            #functions
-            #entry
-        }
-    };
-    kernel::text(module)
+    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Programs, Diagnostics> {
+        let refused = |error| unscheduled(&self.file, &error);
+        let measures = self.measures_program().map_err(refused)?;
+        Ok(Programs { law: self.program().map_err(refused)?, measures })
+    }
+
+    fn emit(&self, Programs { law: program, measures }: &Programs, _: &[Other<'_>]) -> String {
+        let about = self.about();
+        let measured = measures.as_ref().map(|program| measures_of(self, program));
+        let functions = functions(self, program);
+        let functions = quote!(#functions #measured);
+        let entry = entry(self, &about, &functions);
+        let name = identifier(&self.name);
+        let heading = documented(&format!("{}{}", about.heading(), pieces(self)));
+        let validity = measures.is_some().then(|| quote!(Validity,));
+        let module = quote! {
+            #heading
+            pub mod #name {
+                use crate::{Lane, Law, Origin, SpringKernel, #validity Variable, each_spring};
+                #functions
+                #entry
+            }
+        };
+        kernel::text(module)
+    }
 }
 
 /// The pieces as the spec gives them.
