@@ -73,7 +73,8 @@ fn pieces(law: &LawSpec) -> String {
 }
 
 fn functions(law: &LawSpec, program: &Program) -> TokenStream {
-    let inputs: Vec<_> = law.inputs.iter().map(|input| identifier(&input.name)).collect();
+    let inputs = law.inputs.iter().map(|input| identifier(&input.name).to_token_stream());
+    let inputs: Vec<TokenStream> = inputs.collect();
     let from = law
         .inputs
         .iter()
@@ -81,9 +82,6 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
     let from: Vec<String> = from.collect();
     let from = from.join(", ");
     let names: Vec<&str> = program.outputs.iter().map(|output| output.name.as_str()).collect();
-    let body = body(program);
-    let (input_count, count) =
-        (Literal::usize_unsuffixed(inputs.len()), Literal::usize_unsuffixed(names.len()));
     let about_spring =
         documented(&format!("{} of {from}, SI; {}.", names.join(", "), program.total_counts()));
     let about_rows = documented(&format!(
@@ -92,10 +90,26 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
         8 * inputs.len(),
         8 * names.len()
     ));
-    quote! {
-        enum Kernel {}
+    let (kernel, names) = (quote!(Kernel), [quote!(evaluate), quote!(outputs)]);
+    rows(program, &inputs, kernel, names, [about_spring, about_rows])
+}
 
-        impl SpringKernel<#input_count, #count> for Kernel {
+/// A kernel of one spring, and the function that evaluates rows of springs by it, called by the first of `names`; the
+/// second is what it writes to.
+fn rows(
+    program: &Program,
+    inputs: &[TokenStream],
+    kernel: TokenStream,
+    [function, written]: [TokenStream; 2],
+    [about_spring, about_rows]: [TokenStream; 2],
+) -> TokenStream {
+    let body = body(program);
+    let input_count = Literal::usize_unsuffixed(inputs.len());
+    let count = Literal::usize_unsuffixed(program.outputs.len());
+    quote! {
+        enum #kernel {}
+
+        impl SpringKernel<#input_count, #count> for #kernel {
             #about_spring
             #[inline(always)]
             fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
@@ -104,8 +118,8 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
         }
 
         #about_rows
-        pub fn evaluate(springs: usize, inputs: &[f64], outputs: &mut [f64]) {
-            each_spring::<Kernel, #input_count, #count>(springs, inputs, outputs);
+        pub fn #function(springs: usize, inputs: &[f64], #written: &mut [f64]) {
+            each_spring::<#kernel, #input_count, #count>(springs, inputs, #written);
         }
     }
 }
@@ -121,31 +135,14 @@ fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
         true => identifier(&input.name).to_token_stream(),
         false => quote!(_),
     });
-    let (input_count, count) = (
-        Literal::usize_unsuffixed(law.inputs.len()),
-        Literal::usize_unsuffixed(program.outputs.len()),
-    );
-    let body = body(program);
+    let inputs: Vec<TokenStream> = inputs.collect();
     let names: Vec<&str> = law.valid.iter().map(|own| own.name.as_str()).collect();
     let about = documented(&format!(
         "Rows of `springs` values, SI: where the law may be believed, by {}.",
         names.join(", ")
     ));
-    quote! {
-        enum Measures {}
-
-        impl SpringKernel<#input_count, #count> for Measures {
-            #[inline(always)]
-            fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
-                #body
-            }
-        }
-
-        #about
-        pub fn measure(springs: usize, inputs: &[f64], measures: &mut [f64]) {
-            each_spring::<Measures, #input_count, #count>(springs, inputs, measures);
-        }
-    }
+    let (kernel, names) = (quote!(Measures), [quote!(measure), quote!(measures)]);
+    rows(program, &inputs, kernel, names, [TokenStream::new(), about])
 }
 
 /// A number that may be negative or infinite.

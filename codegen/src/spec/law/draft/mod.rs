@@ -94,59 +94,25 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
     })
 }
 
-fn draft(
-    document: &Document<'_>,
+fn draft<'d>(
+    document: &'d Document<'d>,
     file: &Arc<Source>,
-    root: Table<'_>,
+    root: Table<'d>,
     head: Head,
     beside: &Beside<'_>,
 ) -> Option<Draft> {
     let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
     head.check(document, fine, "a law's name is made of letters, digits, `-`, `_` and `.`");
     let mut names = Names { taken: BTreeMap::new(), document };
-    let mut inputs = Vec::new();
-    if let Some(table) = root.table("inputs") {
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = names.take(&key);
-            let (Some(entry), Some(name)) = (entry, name) else { continue };
-            inputs.extend(variable(&entry, &key, name, Acts::inputs, "an input"));
-            entry.finish();
-        }
-        table.finish();
-    }
-    let mut parameters = Vec::new();
-    if let Some(table) = root.optional_table("parameters") {
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = names.take(&key);
-            let (Some(entry), Some(name)) = (entry, name) else { continue };
-            let value = entry.number("value");
-            let title = entry.optional_string("title").map_or(String::new(), |t| t.text().into());
-            let unit_place = entry.string("unit");
-            let unit = unit_place.as_ref().and_then(|text| read::unit(document, text));
-            let bearing = entry.optional_word("bearing").and_then(BearingValue::called);
-            if let (Some(bearing), Some(unit), Some(place)) = (bearing, &unit, &unit_place) {
-                fits(document, &name, bearing, unit, place);
-            }
-            if let (Some((value, _)), Some(unit)) = (value, unit) {
-                parameters.push(Constant { key, name, title, unit, value, bearing });
-            }
-            entry.finish();
-        }
-        table.finish();
-    }
-    let mut tables = Vec::new();
-    if let Some(table) = root.optional_table("tables") {
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = names.take(&key);
-            let Some(entry) = entry else { continue };
-            tables.extend(table::read(&entry, &key, name, beside));
-            entry.finish();
-        }
-        table.finish();
-    }
+    let inputs = names.named(root.table("inputs"), |entry, key, name| {
+        variable(entry, key, name, Acts::inputs, "an input")
+    });
+    let parameters = names.named(root.optional_table("parameters"), parameter);
+    let tables = names.all(root.optional_table("tables"), |entry, key, name| {
+        let table = table::read(&entry, key, name, beside);
+        entry.finish();
+        table
+    });
     let mut definitions = Vec::new();
     if let Some(table) = root.optional_table("definitions") {
         for key in table.names() {
@@ -158,36 +124,20 @@ fn draft(
         }
         table.finish();
     }
-    let mut outputs = Vec::new();
-    if let Some(table) = root.table("outputs") {
-        if table.names().is_empty() {
-            let message = "a law has at least one output, such as `Q`".to_owned();
-            table.error(Code::MISSING_KEY, table.span(), message);
-        }
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = names.take(&key);
-            let (Some(entry), Some(name)) = (entry, name) else { continue };
-            outputs.extend(output::read(&entry, &key, name));
-            entry.finish();
-        }
-        table.finish();
+    let table_of_outputs = root.table("outputs");
+    if let Some(table) = table_of_outputs.as_ref().filter(|table| table.names().is_empty()) {
+        let message = "a law has at least one output, such as `Q`".to_owned();
+        table.error(Code::MISSING_KEY, table.span(), message);
     }
-    let mut valid = Vec::new();
-    if let Some(table) = root.optional_table("valid") {
-        // Nothing refers to measures, so that one may have the name of an input. The ends of tables are measures,
-        // too.
-        let taken = tables.iter().map(|table| (table.name.clone(), table.key.span()));
-        let mut own = Names { taken: taken.collect(), document };
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = own.take(&key);
-            let Some(entry) = entry else { continue };
-            valid.extend(valid::read(&entry, &key, name));
-            entry.finish();
-        }
-        table.finish();
-    }
+    let outputs = names.named(table_of_outputs, output::read);
+    // Nothing refers to measures, so that one may have the name of an input. The ends of tables are measures, too.
+    let taken = tables.iter().map(|table: &TableDraft| (table.name.clone(), table.key.span()));
+    let mut names = Names { taken: taken.collect(), document };
+    let valid = names.all(root.optional_table("valid"), |entry, key, name| {
+        let measure = valid::read(&entry, key, name);
+        entry.finish();
+        measure
+    });
     root.finish();
     let acts = acts(document, &inputs, &outputs);
     let [name, title, reference] = head.texts()?;
@@ -204,6 +154,20 @@ fn draft(
         outputs,
         valid,
     })
+}
+
+/// Reads a parameter.
+fn parameter(entry: &Table<'_>, key: &Located, name: String) -> Option<Constant> {
+    let document = entry.document();
+    let value = entry.number("value");
+    let title = entry.optional_string("title").map_or(String::new(), |t| t.text().into());
+    let unit_place = entry.string("unit");
+    let unit = unit_place.as_ref().and_then(|text| read::unit(document, text));
+    let bearing = entry.optional_word("bearing").and_then(BearingValue::called);
+    if let (Some(bearing), Some(unit), Some(place)) = (bearing, &unit, &unit_place) {
+        fits(document, &name, bearing, unit, place);
+    }
+    Some(Constant { key: key.clone(), name, title, unit: unit?, value: value?.0, bearing })
 }
 
 /// Notes a parameter that cannot be what it says it is of the bearing.
@@ -260,7 +224,37 @@ struct Names<'d> {
     document: &'d Document<'d>,
 }
 
-impl Names<'_> {
+impl<'d> Names<'d> {
+    /// What `read` makes of the tables in a table, each with its name if that is free.
+    fn all<T>(
+        &mut self,
+        table: Option<Table<'d>>,
+        mut read: impl FnMut(Table<'d>, &Located, Option<String>) -> Option<T>,
+    ) -> Vec<T> {
+        let Some(table) = table else { return Vec::new() };
+        let mut all = Vec::new();
+        for key in table.names() {
+            let entry = table.table(key.text());
+            let name = self.take(&key);
+            all.extend(entry.and_then(|entry| read(entry, &key, name)));
+        }
+        table.finish();
+        all
+    }
+
+    /// The same for those that have a name.
+    fn named<T>(
+        &mut self,
+        table: Option<Table<'d>>,
+        mut read: impl FnMut(&Table<'d>, &Located, String) -> Option<T>,
+    ) -> Vec<T> {
+        self.all(table, |entry, key, name| {
+            let made = read(&entry, key, name?);
+            entry.finish();
+            made
+        })
+    }
+
     fn take(&mut self, key: &Located) -> Option<String> {
         let name = read::name(self.document, key, |name| match self.taken.get(&name) {
             Some(first) => {
