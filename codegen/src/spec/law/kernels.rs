@@ -7,7 +7,6 @@ use quote::{ToTokens, quote};
 use super::{Condition, LawSpec, Validity};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{Numbers, documented, identifier, operand, statements};
-use crate::operation::Operand;
 use crate::schedule::Program;
 use crate::spec::kernel::{self, unscheduled, variable};
 use crate::spec::kind::{About, Compiled, OfAnyKind, Other, SpecKind};
@@ -126,12 +125,8 @@ fn rows(
 
 /// The measures of the inputs by which the law may be believed or not.
 fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
-    let used = |place: usize| {
-        let input = Operand::Input(place);
-        let inside = program.instructions.iter().flat_map(|i| i.operation.operands());
-        inside.chain(program.outputs.iter().map(|o| o.operand)).any(|operand| operand == input)
-    };
-    let inputs = law.inputs.iter().enumerate().map(|(place, input)| match used(place) {
+    let used = program.used_inputs();
+    let inputs = law.inputs.iter().map(|input| match used.contains(&input.name) {
         true => identifier(&input.name).to_token_stream(),
         false => quote!(_),
     });
