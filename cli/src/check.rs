@@ -14,6 +14,13 @@ use crate::progress::{self, ProgressMode};
 use crate::report::table;
 use crate::{spec_file, streams};
 
+/// Adds a line to a text.
+macro_rules! line {
+    ($text:expr, $($what:tt)*) => {
+        writeln!($text, $($what)*).expect("text can be written")
+    };
+}
+
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
 /// file, says its report.
 ///
@@ -27,7 +34,7 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     let case = streams::warned(|warnings| machine::read(name, warnings))?;
     let mut text = format!("{}: {}\n", case.name, case.title);
     if !case.origin.is_empty() {
-        line(&mut text, format_args!("source: {}", case.origin));
+        line!(text, "source: {}", case.origin);
     }
     text.push('\n');
     // Meshes are read once, and warned of once.
@@ -51,16 +58,12 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     Ok(text)
 }
 
-fn line(text: &mut String, arguments: std::fmt::Arguments) {
-    writeln!(text, "{arguments}").expect("text can be written");
-}
-
 fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failure> {
     plan.verify()?;
     text.push_str(&bodies(plan)?);
     let both = [&plan.shaft, &plan.support].map(|body| body.counts().craig_bampton_dofs);
     let active = 1 + plan.shaft.active() + plan.support.active();
-    line(text, format_args!("\n{} coordinates, {active} active", 1 + both.iter().sum::<usize>()));
+    line!(text, "\n{} coordinates, {active} active", 1 + both.iter().sum::<usize>());
     for (name, body) in [("shaft", &plan.shaft), ("support", &plan.support)] {
         let sets: Vec<String> = body
             .mesh
@@ -68,7 +71,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
             .iter()
             .map(|(name, nodes)| format!("{name} ({})", nodes.len()))
             .collect();
-        line(text, format_args!("node sets of the {name}: {}", sets.join(", ")));
+        line!(text, "node sets of the {name}: {}", sets.join(", "));
         let materials: Vec<String> = (body.mesh.materials().iter().enumerate())
             .map(|(place, material)| {
                 let blocks = body.mesh.blocks().iter().filter(|block| block.material == place);
@@ -76,21 +79,19 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
                 format!("{} ({cells} cells)", material.name)
             })
             .collect();
-        line(text, format_args!("materials of the {name}: {}", materials.join(", ")));
+        line!(text, "materials of the {name}: {}", materials.join(", "));
     }
     let drive = &rotor.drive;
     match drive.acts {
-        true => line(
+        true => line!(
             text,
-            format_args!(
-                "drive: {} N m until {} rpm",
-                drive.torque,
-                rounded(drive.target_speed * 60.0 / std::f64::consts::TAU, 10)
-            ),
+            "drive: {} N m until {} rpm",
+            drive.torque,
+            rounded(drive.target_speed * 60.0 / std::f64::consts::TAU, 10)
         ),
-        false => line(text, format_args!("drive: none")),
+        false => line!(text, "drive: none"),
     }
-    line(text, format_args!("motion: {}", rotor.shaft.motion.origin.title));
+    line!(text, "motion: {}", rotor.shaft.motion.origin.title);
     for load in &rotor.loads {
         let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
         let time_function = match load.frequency {
@@ -99,22 +100,17 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
         };
         let direction = ["x", "y"][load.direction];
         let at = sets.join(", ");
-        line(
-            text,
-            format_args!("load: {} N along {direction} at {at}, {time_function}", load.force),
-        );
+        line!(text, "load: {} N along {direction} at {at}, {time_function}", load.force);
     }
     for (k, bearing) in rotor.bearings.iter().enumerate() {
-        line(
+        line!(
             text,
-            format_args!(
-                "support {}: {} rings of {} springs, c = {} µm, law {}",
-                k + 1,
-                bearing.rings(),
-                bearing.springs,
-                rounded(1e6 * bearing.radial_clearance, 10),
-                plan.laws[k].name()
-            ),
+            "support {}: {} rings of {} springs, c = {} µm, law {}",
+            k + 1,
+            bearing.rings(),
+            bearing.springs,
+            rounded(1e6 * bearing.radial_clearance, 10),
+            plan.laws[k].name()
         );
     }
     Ok(())
@@ -160,16 +156,14 @@ fn bodies(plan: &Plan) -> Result<String, Failure> {
 
 fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {
     let Lumped { mass, stiffness, damping, displacement, velocity, force, .. } = lumped;
-    line(
+    line!(
         text,
-        format_args!(
-            "mass {mass} kg, stiffness {stiffness} N/m, damping {damping} N s/m, force {force} N"
-        ),
+        "mass {mass} kg, stiffness {stiffness} N/m, damping {damping} N s/m, force {force} N"
     );
-    line(text, format_args!("starts at {displacement} m with {velocity} m/s"));
+    line!(text, "starts at {displacement} m with {velocity} m/s");
     if let Some(unbalance) = lumped.unbalance {
         let Unbalance { eccentricity, speed } = unbalance;
-        line(text, format_args!("unbalance: {eccentricity} m off the axis at {speed} rad/s"));
+        line!(text, "unbalance: {eccentricity} m off the axis at {speed} rad/s");
     }
     for stop in &lumped.stops {
         let side = format!("{:?}", stop.side).to_lowercase();
@@ -178,7 +172,7 @@ fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {
             Side::Around if stop.gap == 0.0 => String::new(),
             _ => format!(", gap {} m", stop.gap),
         };
-        line(text, format_args!("stop {side}{gap}, law {}", stop.law.name()));
+        line!(text, "stop {side}{gap}, law {}", stop.law.name());
     }
     lumped.stops.iter().map(|stop| stop.law.clone()).collect()
 }
@@ -192,27 +186,25 @@ fn say_laws(text: &mut String, laws: &[LawSource]) {
         }
         listed.push(law.name());
         let spec = law.spec();
-        line(text, format_args!("\nlaw {}: {}", law.name(), spec.title));
+        line!(text, "\nlaw {}: {}", law.name(), spec.title);
         text.push_str(&spec.report.to_string());
     }
 }
 
 fn say_march(text: &mut String, case: &Case) {
     let march = &case.march;
-    line(
+    line!(
         text,
-        format_args!(
-            "\n{} steps of {:e} s: {:.6} s; a cycle is {:.6} s",
-            march.steps,
-            march.time_step,
-            march.duration(),
-            march.cycle
-        ),
+        "\n{} steps of {:e} s: {:.6} s; a cycle is {:.6} s",
+        march.steps,
+        march.time_step,
+        march.duration(),
+        march.cycle
     );
     if march.steady_cycle().is_none() {
-        line(text, format_args!("shorter than two cycles: not checked for a steady state"));
+        line!(text, "shorter than two cycles: not checked for a steady state");
     }
     if march.output_every > 1 {
-        line(text, format_args!("a row of the history every {} steps", march.output_every));
+        line!(text, "a row of the history every {} steps", march.output_every);
     }
 }

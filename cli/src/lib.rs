@@ -4,6 +4,7 @@ pub mod arguments;
 pub mod case;
 mod check;
 mod checkpoint;
+mod created;
 pub mod errors;
 mod explain;
 mod figures;

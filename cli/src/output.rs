@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 
 use whirl_solver::cache::write_aside;
 
+use crate::created::CreatedFolders;
 use crate::errors::Failure;
 
 /// A folder that can be written, and the files that will stand in it.
 #[derive(Debug)]
 pub(crate) struct Output {
     folder: PathBuf,
-    /// Folders created by [`Output::open`], the outermost first; removed again if nothing is kept.
-    created: Vec<PathBuf>,
+    created: CreatedFolders,
     files: Vec<(String, Vec<u8>)>,
 }
 
@@ -22,10 +22,7 @@ impl Output {
     /// # Errors
     /// [`Failure::Output`]; nothing is left behind then.
     pub(crate) fn open(folder: &Path) -> Result<Output, Failure> {
-        let missing = |path: &&Path| !path.as_os_str().is_empty() && !path.exists();
-        let mut created: Vec<PathBuf> =
-            folder.ancestors().take_while(missing).map(Path::to_path_buf).collect();
-        created.reverse();
+        let created = CreatedFolders::missing(folder);
         let output = Output { folder: folder.to_path_buf(), created, files: Vec::new() };
         output.prepare().map_err(|error| output.failure(&output.folder, &error))?;
         Ok(output)
@@ -56,21 +53,12 @@ impl Output {
         for (path, rename) in written {
             rename().map_err(|error| self.failure(&path, &error))?;
         }
-        self.created.clear();
+        self.created.keep();
         Ok(())
     }
 
     fn failure(&self, path: &Path, error: &std::io::Error) -> Failure {
         Failure::Output { path: path.to_path_buf(), reason: error.to_string() }
-    }
-}
-
-/// Takes away the folders that were created for results which did not come.
-impl Drop for Output {
-    fn drop(&mut self) {
-        for folder in self.created.iter().rev() {
-            let _ = fs::remove_dir(folder);
-        }
     }
 }
 

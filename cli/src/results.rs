@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use whirl_solver::cache::{ABANDONED, remove_unfinished, write_whole};
 
+use crate::created::CreatedFolders;
 use crate::errors::Failure;
 use crate::figures;
 use crate::history;
@@ -22,9 +23,9 @@ pub(crate) const CHECKPOINT: &str = "checkpoint.bin";
 #[derive(Debug)]
 pub(crate) struct Results {
     folder: PathBuf,
-    /// Folders created by [`Results::open`], the outermost first; removed again if nothing is kept.
-    created: Vec<PathBuf>,
+    /// Given up first: its file stands in the folder.
     lock: Option<Lock>,
+    created: CreatedFolders,
 }
 
 impl Results {
@@ -34,11 +35,8 @@ impl Results {
     /// It cannot be written, another run writes it, or a folder has the name of a result; nothing is left behind
     /// then.
     pub(crate) fn open(folder: &Path, warnings: &mut Vec<String>) -> Result<Results, Failure> {
-        let missing = |path: &&Path| !path.as_os_str().is_empty() && !path.exists();
-        let mut created: Vec<PathBuf> =
-            folder.ancestors().take_while(missing).map(Path::to_path_buf).collect();
-        created.reverse();
-        let mut results = Results { folder: folder.to_path_buf(), created, lock: None };
+        let created = CreatedFolders::missing(folder);
+        let mut results = Results { folder: folder.to_path_buf(), lock: None, created };
         fs::create_dir_all(folder).map_err(|error| results.failure(folder, &error.to_string()))?;
         if let Some(name) = names().find(|name| results.path(name).is_dir()) {
             let reason = "a folder has the name of a result: move it or remove it";
@@ -47,7 +45,7 @@ impl Results {
         results.lock = match Lock::take(folder) {
             Ok(Locked::InUse(by)) => {
                 let folder = folder.to_path_buf();
-                results.created.clear();
+                results.created.keep();
                 return Err(Failure::InUse { folder, by });
             }
             Ok(locked) => held(locked, folder, warnings),
@@ -73,7 +71,7 @@ impl Results {
     /// # Errors
     /// A file cannot be removed.
     pub(crate) fn begin(&mut self, except: &[&str]) -> io::Result<()> {
-        self.created.clear();
+        self.created.keep();
         for name in names().filter(|name| !except.contains(&name.as_str())) {
             match fs::remove_file(self.path(&name)) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
@@ -102,16 +100,6 @@ impl Results {
 
     fn failure(&self, path: &Path, reason: &str) -> Failure {
         Failure::Output { path: path.to_path_buf(), reason: reason.to_string() }
-    }
-}
-
-/// Takes away the folders that were created for results which did not come.
-impl Drop for Results {
-    fn drop(&mut self) {
-        self.lock = None;
-        for folder in self.created.iter().rev() {
-            let _ = fs::remove_dir(folder);
-        }
     }
 }
 

@@ -61,15 +61,15 @@ pub struct Law {
 
 /// A measure of a law's inputs, and the limits within which the law may be believed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Validity {
+pub struct Validity<Text = &'static str> {
     /// Name in the spec.
-    pub name: &'static str,
-    /// What is measured.
-    pub title: &'static str,
+    pub name: Text,
+    /// What is measured, for people.
+    pub title: Text,
     /// What is wrong beyond the limits, and what to do.
-    pub help: &'static str,
+    pub help: Text,
     /// Unit for people.
-    pub unit: &'static str,
+    pub unit: Text,
     /// One of this unit in SI.
     pub per_unit: f64,
     /// Least and largest value, SI; infinite where there is no limit.

@@ -121,28 +121,21 @@ fn three_digits(value: f64, round: fn(f64) -> f64) -> String {
 
 /// Times within which something is given that the steps must show: the shortest period of the loads, revolutions.
 fn shortest(system: &SystemDraft) -> Vec<(f64, &'static str, &'static str)> {
-    let highest = match system {
-        SystemDraft::Rotor(rotor) => {
-            rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::max)
-        }
-        SystemDraft::Lumped(_) => None,
-    };
-    let period = highest.map(|frequency| (1.0 / frequency, "a period of the loads"));
-    let all = period.into_iter().chain(revolutions(system));
+    let all = period(system, f64::max).into_iter().chain(revolutions(system));
     all.map(|(time, called)| (time, "time_step", called)).collect()
 }
 
 /// The longest period of the loads, or else two revolutions at the speed that the drive aims at; one
 /// revolution of an unbalance. With what it is.
 fn natural_cycle(system: &SystemDraft) -> Option<(f64, &'static str)> {
-    let lowest = match system {
-        SystemDraft::Rotor(rotor) => {
-            rotor.loads.iter().filter_map(|load| load.frequency).reduce(f64::min)
-        }
-        SystemDraft::Lumped(_) => None,
-    };
-    let period = lowest.map(|frequency| (1.0 / frequency, "a period of the loads"));
-    period.or_else(|| revolutions(system))
+    period(system, f64::min).or_else(|| revolutions(system))
+}
+
+/// The period of the loads of which `chosen` gives the frequency from those of two.
+fn period(system: &SystemDraft, chosen: fn(f64, f64) -> f64) -> Option<(f64, &'static str)> {
+    let SystemDraft::Rotor(rotor) = system else { return None };
+    let frequency = rotor.loads.iter().filter_map(|load| load.frequency).reduce(chosen)?;
+    Some((1.0 / frequency, "a period of the loads"))
 }
 
 /// Two revolutions at the speed that the drive aims at; one of an unbalance.

@@ -26,7 +26,8 @@ pub use read::read;
 pub(crate) use read::{SystemDraft, draft};
 pub(crate) use rotor::RotorDraft;
 pub use rotor::{
-    Bearing, Drive, GeneratedMesh, GroundSpring, Mesh, MeshFile, Region, Rotor, Shaft, Support,
+    Bearing, Body, Drive, GeneratedMesh, GroundSpring, Mesh, MeshFile, Region, Rotor, Shaft,
+    Support,
 };
 
 /// One case, ready to be built.

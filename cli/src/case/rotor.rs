@@ -90,19 +90,26 @@ pub struct MeshFile {
     pub name: Located,
 }
 
-/// The rotating body.
+/// What a case says of either body.
 #[derive(Debug, Clone)]
-pub struct Shaft {
+pub struct Body<D> {
     /// Mesh.
-    pub mesh: Mesh<SolidShaft>,
+    pub mesh: Mesh<D>,
     /// Material of the cells to which the mesh gives none.
     pub material: Option<Material>,
     /// Materials of parts of the mesh, in place of its own.
     pub regions: Vec<Region>,
     /// Fixed-interface modes kept.
     pub modes: usize,
-    /// C = damping · K, in s.
+    /// C = damping · K, in s; K with the ground springs.
     pub damping: f64,
+}
+
+/// The rotating body.
+#[derive(Debug, Clone)]
+pub struct Shaft {
+    /// Its mesh, and how it is reduced.
+    pub body: Body<SolidShaft>,
     /// How rotation is coupled to deformation.
     pub motion: &'static Motion,
     /// Set of one node held along z.
@@ -112,16 +119,8 @@ pub struct Shaft {
 /// The standing body.
 #[derive(Debug, Clone)]
 pub struct Support {
-    /// Mesh.
-    pub mesh: Mesh<RingSupport>,
-    /// Material of the cells to which the mesh gives none.
-    pub material: Option<Material>,
-    /// Materials of parts of the mesh, in place of its own.
-    pub regions: Vec<Region>,
-    /// Fixed-interface modes kept.
-    pub modes: usize,
-    /// C = damping · K, in s; K with the ground springs.
-    pub damping: f64,
+    /// Its mesh, and how it is reduced.
+    pub body: Body<RingSupport>,
     /// Set of nodes held in all directions.
     pub mounts: Located,
     /// Springs to the ground.

@@ -7,45 +7,26 @@ use std::path::Path;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_solver::error::{Error, InputErrors};
-use whirl_solver::mesh::shaft::SolidShaft;
-use whirl_solver::mesh::support::RingSupport;
 use whirl_solver::mesh::{self, Cell, Material, Mesh};
 use whirl_specs::{ELEMENTS, Element};
 
 use crate::case::{self, MeshFile};
 use crate::errors::Failure;
 
-/// The mesh of the shaft; `warnings` are added to, here and below.
+/// The mesh of a body, with its materials; `make` makes it from dimensions. `warnings` are added to, here and below.
 ///
 /// # Errors
 /// What is wrong with its file or its dimensions, with places.
-pub(super) fn shaft(shaft: &case::Shaft, warnings: &mut Vec<String>) -> Result<Mesh, Failure> {
-    body(&shaft.mesh, (shaft.material.as_ref(), &shaft.regions), SolidShaft::mesh, warnings)
-}
-
-/// The mesh of the support.
-///
-/// # Errors
-/// As for the shaft.
-pub(super) fn support(
-    support: &case::Support,
-    warnings: &mut Vec<String>,
-) -> Result<Mesh, Failure> {
-    body(&support.mesh, (support.material.as_ref(), &support.regions), RingSupport::mesh, warnings)
-}
-
-/// The mesh of a body, with its materials; `make` makes it from dimensions.
-fn body<D>(
-    mesh: &case::Mesh<D>,
-    (material, regions): (Option<&Material>, &[case::Region]),
+pub(super) fn mesh<D>(
+    body: &case::Body<D>,
     make: fn(&D, &[&'static Element]) -> Result<Mesh, Error>,
     warnings: &mut Vec<String>,
 ) -> Result<Mesh, Failure> {
-    match mesh {
-        case::Mesh::File(file) => read(file, material, regions, warnings),
+    match &body.mesh {
+        case::Mesh::File(file) => read(file, body.material.as_ref(), &body.regions, warnings),
         case::Mesh::Generated(generated) => {
             let mesh = make(&generated.dimensions, &elements());
-            in_regions(mesh.map_err(|error| impossible(generated, error))?, regions)
+            in_regions(mesh.map_err(|error| impossible(generated, error))?, &body.regions)
         }
     }
 }

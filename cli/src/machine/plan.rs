@@ -7,6 +7,8 @@ mod geometry;
 use whirl_codegen::diagnostic::{Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
 use whirl_solver::mesh::Mesh;
+use whirl_solver::mesh::shaft::SolidShaft;
+use whirl_solver::mesh::support::RingSupport;
 
 pub(crate) use self::body::BodyPlan;
 use super::laws::laws;
@@ -134,23 +136,21 @@ impl Plan {
         warnings: &mut Vec<String>,
     ) -> Result<Option<Plan>, Failure> {
         let mut rest = None;
-        let mut note = |failure, errors: &mut Diagnostics| match failure {
-            Failure::Input(found) => errors.append(found),
-            other => rest = rest.take().or(Some(other)),
+        let mut made = |mesh: Result<Mesh, Failure>, errors: &mut Diagnostics| {
+            match mesh {
+                Ok(mesh) => return Some(mesh),
+                Err(Failure::Input(found)) => errors.append(found),
+                Err(other) => rest = rest.take().or(Some(other)),
+            }
+            None
         };
-        let shaft = outline.shaft.and_then(|case| match meshes::shaft(case, warnings) {
-            Ok(mesh) => Some(OnShaft::place(case, mesh, outline, &mut errors)),
-            Err(failure) => {
-                note(failure, &mut errors);
-                None
-            }
+        let shaft = outline.shaft.and_then(|case| {
+            let mesh = meshes::mesh(&case.body, SolidShaft::mesh, warnings);
+            Some(OnShaft::place(case, made(mesh, &mut errors)?, outline, &mut errors))
         });
-        let support = outline.support.and_then(|case| match meshes::support(case, warnings) {
-            Ok(mesh) => Some(place_support(case, mesh, outline, &mut errors)),
-            Err(failure) => {
-                note(failure, &mut errors);
-                None
-            }
+        let support = outline.support.and_then(|case| {
+            let mesh = meshes::mesh(&case.body, RingSupport::mesh, warnings);
+            Some(place_support(case, made(mesh, &mut errors)?, outline, &mut errors))
         });
         let mesh_of_support = support.as_ref().map(|(support, _)| &support.mesh);
         let mesh_of_shaft = shaft.as_ref().map(|own| &own.shaft.mesh);
@@ -192,7 +192,7 @@ impl OnShaft {
         errors: &mut Diagnostics,
     ) -> OnShaft {
         let axial = &case.axial_restraint;
-        let body = BodyPlan::new(mesh, case.mesh.place(), case.modes, case.damping, axial);
+        let body = BodyPlan::new(mesh, &case.body, axial);
         let mut own =
             OnShaft { shaft: body, journals: Vec::new(), drive: [0; 2], loads: Vec::new() };
         let shaft = &mut own.shaft;
@@ -231,7 +231,7 @@ fn place_support(
     errors: &mut Diagnostics,
 ) -> (BodyPlan, Vec<[Vec<usize>; 3]>) {
     let mounts = &case.mounts;
-    let mut support = BodyPlan::new(mesh, case.mesh.place(), case.modes, case.damping, mounts);
+    let mut support = BodyPlan::new(mesh, &case.body, mounts);
     let mut bores = Vec::new();
     for BearingOutline { sets: [_, sets], .. } in &outline.bearings {
         let mut bore = [const { Vec::new() }; 3];

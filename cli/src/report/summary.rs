@@ -189,27 +189,9 @@ struct SteadyFacts {
 /// work_in = kinetic + strain + spring_stored + spring_dissipated + dissipated + error.
 #[derive(Debug, Serialize)]
 struct EnergyFacts {
-    work_in: f64,
-    kinetic: f64,
-    strain: f64,
-    spring_stored: f64,
-    spring_dissipated: f64,
-    dissipated: f64,
+    #[serde(flatten)]
+    balance: EnergyBalance,
     error: f64,
-}
-
-impl From<&EnergyBalance> for EnergyFacts {
-    fn from(balance: &EnergyBalance) -> Self {
-        EnergyFacts {
-            work_in: balance.work_in,
-            kinetic: balance.kinetic,
-            strain: balance.strain,
-            spring_stored: balance.spring_stored,
-            spring_dissipated: balance.spring_dissipated,
-            dissipated: balance.dissipated,
-            error: balance.error(),
-        }
-    }
 }
 
 /// Simulated and wall time.
@@ -272,7 +254,10 @@ impl Summary {
                 reached: outcome.steady.is_some(),
                 time_s: outcome.steady.map(|steady| steady.time),
             },
-            energy_balance_j: EnergyFacts::from(&outcome.energy),
+            energy_balance_j: EnergyFacts {
+                balance: outcome.energy,
+                error: outcome.energy.error(),
+            },
             time,
             error,
         })

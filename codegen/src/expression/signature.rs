@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use num_traits::{Signed, ToPrimitive};
 
 use super::node::{Id, Node, Rational, Shape, Symmetry};
+use crate::operation::{Number, Rounded};
 use crate::rational::nearest;
 
 /// Number of points where none are given.
@@ -48,13 +49,6 @@ impl Points {
     }
 }
 
-/// A number that is wrong by at most `error`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Near {
-    value: f64,
-    error: f64,
-}
-
 /// The values of all nodes, with n = 3. Truth is 1 and 0, and nothing where rounding decides.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Signatures {
@@ -62,7 +56,7 @@ pub(super) struct Signatures {
     /// Where the numbers of a node begin.
     starts: Vec<usize>,
     /// Of every node, point by point and entry by entry, rows first: values and bounds.
-    numbers: Vec<Near>,
+    numbers: Vec<Rounded>,
 }
 
 impl Signatures {
@@ -93,7 +87,7 @@ impl Signatures {
         self.points.count
     }
 
-    fn of(&self, id: Id) -> &[Near] {
+    fn of(&self, id: Id) -> &[Rounded] {
         let end = self.starts.get(id.index() + 1).copied().unwrap_or(self.numbers.len());
         &self.numbers[self.starts[id.index()]..end]
     }
@@ -107,69 +101,50 @@ impl Signatures {
     /// nothing and agrees.
     pub(super) fn agree(&self, a: Id, b: Id) -> bool {
         let (a, b) = (self.of(a), self.of(b));
-        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.agrees(b))
+        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| agree(a, b))
     }
 }
 
-impl Near {
-    const NOTHING: Near = Near { value: f64::NAN, error: f64::NAN };
+const NOTHING: Rounded = Rounded { value: f64::NAN, error: f64::NAN };
 
-    fn exactly(value: f64) -> Self {
-        Near { value, error: 0.0 }
-    }
+fn exactly(value: f64) -> Rounded {
+    Rounded { value, error: 0.0 }
+}
 
-    fn rounded(value: f64) -> Self {
-        Near { value, error: f64::EPSILON * value.abs() }
-    }
+fn agree(a: &Rounded, b: &Rounded) -> bool {
+    let bound = BOUNDS * (a.error + b.error) + TINY;
+    let far = (a.value - b.value).abs() > bound;
+    // False of anything that is not a number.
+    !(far && bound.is_finite())
+}
 
-    fn agrees(&self, other: &Near) -> bool {
-        let bound = BOUNDS * (self.error + other.error) + TINY;
-        let far = (self.value - other.value).abs() > bound;
-        // False of anything that is not a number.
-        !(far && bound.is_finite())
-    }
+/// What has this value and slope at a number.
+fn through(at: Rounded, value: f64, slope: f64) -> Rounded {
+    // A few units in the last place of the library's functions.
+    let rounding = 4.0 * f64::EPSILON * value.abs();
+    let inherited = match at.error {
+        0.0 => 0.0,
+        error => (slope * error).abs(),
+    };
+    Rounded { value, error: inherited + rounding }
+}
 
-    fn plus(self, other: Near) -> Self {
-        let value = self.value + other.value;
-        Near { value, error: self.error + other.error + f64::EPSILON * value.abs() }
+fn power(base: Rounded, exponent: &Rational) -> Rounded {
+    let e = nearest(exponent);
+    let whole = exponent.is_integer().then(|| exponent.abs().to_i32()).flatten().is_some();
+    let value = if whole { base.value.powi(e as i32) } else { libm::pow(base.value, e) };
+    // Near a pole, or a root, no first order holds.
+    if base.error > FRACTION * base.value.abs() && !(whole && e > 0.0) {
+        return NOTHING;
     }
-
-    fn times(self, other: Near) -> Self {
-        let value = self.value * other.value;
-        let inherited = self.value.abs() * other.error
-            + other.value.abs() * self.error
-            + self.error * other.error;
-        Near { value, error: inherited + f64::EPSILON * value.abs() }
-    }
-
-    /// A function with this value and slope here.
-    fn through(self, value: f64, slope: f64) -> Self {
-        // A few units in the last place of the library's functions.
-        let rounding = 4.0 * f64::EPSILON * value.abs();
-        let inherited = match self.error {
-            0.0 => 0.0,
-            error => (slope * error).abs(),
-        };
-        Near { value, error: inherited + rounding }
-    }
-
-    fn power(self, exponent: &Rational) -> Self {
-        let e = nearest(exponent);
-        let whole = exponent.is_integer().then(|| exponent.abs().to_i32()).flatten().is_some();
-        let value = if whole { self.value.powi(e as i32) } else { libm::pow(self.value, e) };
-        // Near a pole, or a root, no first order holds.
-        if self.error > FRACTION * self.value.abs() && !(whole && e > 0.0) {
-            return Near::NOTHING;
-        }
-        // ε(1 + |e|·|ln b|) of a power whose exponent is rounded.
-        let rounding = match whole {
-            true => e.abs() * f64::EPSILON * value.abs(),
-            false => f64::EPSILON * (value * e * libm::log(self.value)).abs(),
-        };
-        let found = self.through(value, e * value / self.value);
-        let inherited = if self.value == 0.0 { self.error } else { found.error };
-        Near { value, error: inherited + rounding }
-    }
+    // ε(1 + |e|·|ln b|) of a power whose exponent is rounded.
+    let rounding = match whole {
+        true => e.abs() * f64::EPSILON * value.abs(),
+        false => f64::EPSILON * (value * e * libm::log(base.value)).abs(),
+    };
+    let found = through(base, value, e * value / base.value);
+    let inherited = if base.value == 0.0 { base.error } else { found.error };
+    Rounded { value, error: inherited + rounding }
 }
 
 fn size(shape: Shape) -> usize {
@@ -186,21 +161,23 @@ fn at(
     entry: usize,
     point: usize,
     points: &Points,
-    of: &dyn Fn(Id, usize) -> Near,
-) -> Near {
+    of: &dyn Fn(Id, usize) -> Rounded,
+) -> Rounded {
     let scalar = |id: Id| of(id, 0);
     let truth = |id: Id| Some(of(id, 0).value).filter(|v| !v.is_nan()).map(|v| v == 1.0);
     let decided = |truth: Option<bool>| match truth {
-        Some(truth) => Near::exactly(f64::from(u8::from(truth))),
-        None => Near::NOTHING,
+        Some(truth) => exactly(f64::from(u8::from(truth))),
+        None => NOTHING,
     };
-    let sum = |term: &dyn Fn(usize) -> Near| (0..N).map(term).reduce(Near::plus).expect("entries");
+    let sum = |term: &dyn Fn(usize) -> Rounded| {
+        (0..N).map(term).reduce(|a, b| a.add(&b)).expect("entries")
+    };
     let (i, j) = (entry / N, entry % N);
     match node {
         Node::Number(value) => number(value),
-        Node::Zero(_) => Near::exactly(0.0),
-        Node::Identity => Near::exactly(f64::from(u8::from(i == j))),
-        Node::Symbol(symbol) => Near::exactly(match (symbol.shape, symbol.symmetry) {
+        Node::Zero(_) => exactly(0.0),
+        Node::Identity => exactly(f64::from(u8::from(i == j))),
+        Node::Symbol(symbol) => exactly(match (symbol.shape, symbol.symmetry) {
             (Shape::Scalar | Shape::Truth, _) => points.scalar(&symbol.name, point),
             (Shape::Matrix, Symmetry::Symmetric) => {
                 uniform(&symbol.name, point, N * i.min(j) + i.max(j))
@@ -210,17 +187,17 @@ fn at(
             (Shape::Matrix | Shape::Vector, _) => uniform(&symbol.name, point, entry),
         }),
         Node::Sum(terms) => {
-            let terms = terms.iter().map(|(id, c)| number(c).times(of(*id, entry)));
-            terms.reduce(Near::plus).expect("a term")
+            let terms = terms.iter().map(|(id, c)| number(c).mul(&of(*id, entry)));
+            terms.reduce(|a, b| a.add(&b)).expect("a term")
         }
         Node::Product(factors) => {
-            let powers = factors.iter().map(|(id, exponent)| scalar(*id).power(exponent));
-            powers.reduce(Near::times).expect("a factor")
+            let powers = factors.iter().map(|(id, exponent)| power(scalar(*id), exponent));
+            powers.reduce(|a, b| a.mul(&b)).expect("a factor")
         }
         Node::Function(function, a) => {
             let a = scalar(*a);
             let value = function.value(a.value);
-            a.through(value, function.slope(&a.value, &value))
+            through(a, value, function.slope(&a.value, &value))
         }
         Node::Compare(relation, a, b) => {
             let (a, b) = (scalar(*a), scalar(*b));
@@ -241,18 +218,18 @@ fn at(
         Node::Not(a) => decided(truth(*a).map(|truth| !truth)),
         Node::Select(mask, a, b) => match truth(*mask) {
             Some(mask) => of(if mask { *a } else { *b }, entry),
-            None => Near::NOTHING,
+            None => NOTHING,
         },
-        Node::Scale(s, x) => scalar(*s).times(of(*x, entry)),
-        Node::Dot(a, b) => sum(&|k| of(*a, k).times(of(*b, k))),
-        Node::Apply(m, v) => sum(&|k| of(*m, N * entry + k).times(of(*v, k))),
+        Node::Scale(s, x) => scalar(*s).mul(&of(*x, entry)),
+        Node::Dot(a, b) => sum(&|k| of(*a, k).mul(&of(*b, k))),
+        Node::Apply(m, v) => sum(&|k| of(*m, N * entry + k).mul(&of(*v, k))),
         Node::Transpose(m) => of(*m, N * j + i),
-        Node::Outer(a, b) => of(*a, i).times(of(*b, j)),
+        Node::Outer(a, b) => of(*a, i).mul(&of(*b, j)),
     }
 }
 
-fn number(value: &Rational) -> Near {
-    Near::rounded(nearest(value))
+fn number(value: &Rational) -> Rounded {
+    Rounded::new(nearest(value))
 }
 
 /// A number in [0.5, 1.5), fixed by name, point and entry (FNV-1a, then a splitmix finish): positive, so

@@ -1,11 +1,14 @@
 //! Formulas over numbers as bytecode: what [`super::evaluate()`] computes, in the same order, with names by their
 //! places, for many evaluations.
 
+use std::f64::consts::FRAC_PI_2;
+
+use super::built::Takes;
 use super::function::Builtin;
 use super::series::{Budget, whole_f64};
 use super::{Formula, PI, Side, Term, TermKind};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::operation::{Bytecode, Function, Operand, Operation, Relation};
+use crate::operation::{Bytecode, Function, Operand, Operation};
 use crate::rational::nearest;
 
 /// The bytecode of a formula without vectors and matrices, whose only output is its value; truth is 1 and 0.
@@ -31,6 +34,19 @@ struct Writer<'f> {
     operations: Vec<Operation<Operand>>,
 }
 
+impl Takes for Writer<'_> {
+    type Value = Operand;
+
+    fn take(&mut self, operation: Operation<Operand>) -> Operand {
+        self.operations.push(operation);
+        Operand::Value(self.operations.len() - 1)
+    }
+
+    fn turn(&mut self, quarters: i64) -> Operand {
+        Operand::Constant(quarters as f64 * FRAC_PI_2)
+    }
+}
+
 type Written = Result<Operand, Box<Diagnostic>>;
 
 impl<'f> Writer<'f> {
@@ -43,11 +59,6 @@ impl<'f> Writer<'f> {
         Box::new(self.formula.text.error(code, term.span.clone(), message))
     }
 
-    fn push(&mut self, operation: Operation<Operand>) -> Operand {
-        self.operations.push(operation);
-        Operand::Value(self.operations.len() - 1)
-    }
-
     fn term(&mut self, term: &'f Term) -> Written {
         let operation = match &term.kind {
             TermKind::Number(value) => return Ok(Operand::Constant(nearest(value))),
@@ -57,7 +68,7 @@ impl<'f> Writer<'f> {
                 let mut sum = self.term(&parts[0].1)?;
                 for (side, part) in &parts[1..] {
                     let part = self.term(part)?;
-                    sum = self.push(match side {
+                    sum = self.take(match side {
                         Side::With => Operation::Add(sum, part),
                         Side::Against => Operation::Sub(sum, part),
                     });
@@ -80,9 +91,9 @@ impl<'f> Writer<'f> {
                 for (comparison, part) in rest {
                     let right = self.term(part)?;
                     let (relation, low, high) = comparison.of(left, right);
-                    let holds = self.push(Operation::Compare(relation, low, high));
+                    let holds = self.take(Operation::Compare(relation, low, high));
                     all = Some(match all {
-                        Some(all) => self.push(Operation::And(all, holds)),
+                        Some(all) => self.take(Operation::And(all, holds)),
                         None => holds,
                     });
                     left = right;
@@ -93,7 +104,7 @@ impl<'f> Writer<'f> {
             TermKind::Or(parts) => return self.chain(parts, Operation::Or),
             TermKind::Not(inner) => Operation::Not(self.term(inner)?),
         };
-        Ok(self.push(operation))
+        Ok(self.take(operation))
     }
 
     fn name(&self, term: &Term, name: &str) -> Written {
@@ -114,7 +125,7 @@ impl<'f> Writer<'f> {
         let mut all = self.term(&parts[0])?;
         for part in &parts[1..] {
             let part = self.term(part)?;
-            all = self.push(join(all, part));
+            all = self.take(join(all, part));
         }
         Ok(all)
     }
@@ -125,10 +136,10 @@ impl<'f> Writer<'f> {
             let factor = self.term(part)?;
             product = Some(match (product, side) {
                 (None, Side::With) => factor,
-                (Some(product), Side::With) => self.push(Operation::Mul(product, factor)),
+                (Some(product), Side::With) => self.take(Operation::Mul(product, factor)),
                 (product, Side::Against) => {
                     let above = product.unwrap_or(Operand::Constant(1.0));
-                    self.push(Operation::Div(above, factor))
+                    self.take(Operation::Div(above, factor))
                 }
             });
         }
@@ -141,16 +152,12 @@ impl<'f> Writer<'f> {
             return Err(self.error(term, Code::SHAPE, "this is no function of numbers"));
         };
         Ok(match (builtin, operands?.as_slice()) {
-            (Builtin::Function(function), [x]) => self.push(Operation::Function(function, *x)),
-            (Builtin::Sqrt, [x]) => self.push(Operation::Sqrt(*x)),
+            (Builtin::Function(function), [x]) => self.take(Operation::Function(function, *x)),
+            (Builtin::Sqrt, [x]) => self.take(Operation::Sqrt(*x)),
             (Builtin::Sinh, [x]) => self.hyperbolic(*x, Operation::Sub),
             (Builtin::Cosh, [x]) => self.hyperbolic(*x, Operation::Add),
-            (Builtin::Min, [first, rest @ ..]) => {
-                self.best(*first, rest, |best, other| [other, best])
-            }
-            (Builtin::Max, [first, rest @ ..]) => {
-                self.best(*first, rest, |best, other| [best, other])
-            }
+            (Builtin::Min, all @ [_, ..]) => self.best(all, |best, other| [other, best]),
+            (Builtin::Max, all @ [_, ..]) => self.best(all, |best, other| [best, other]),
             (Builtin::Atan2, [y, x]) => self.angle(*y, *x),
             (Builtin::Dot | Builtin::Outer | Builtin::Transpose, _) => {
                 return Err(self.error(term, Code::SHAPE, "this is no function of numbers"));
@@ -168,46 +175,10 @@ impl<'f> Writer<'f> {
         x: Operand,
         join: fn(Operand, Operand) -> Operation<Operand>,
     ) -> Operand {
-        let grows = self.push(Operation::Function(Function::Exp, x));
-        let falls = self.push(Operation::Div(Operand::Constant(1.0), grows));
-        let twice = self.push(join(grows, falls));
-        self.push(Operation::Mul(twice, Operand::Constant(0.5)))
-    }
-
-    /// The first; another where the first of its pair with the best so far is less than the second.
-    fn best(
-        &mut self,
-        first: Operand,
-        rest: &[Operand],
-        pair: fn(Operand, Operand) -> [Operand; 2],
-    ) -> Operand {
-        rest.iter().fold(first, |best, &other| {
-            let [low, high] = pair(best, other);
-            let better = self.push(Operation::Compare(Relation::Less, low, high));
-            self.push(Operation::Select(better, other, best))
-        })
-    }
-
-    /// The angle of (x, y) from the axis x, by the arctangent of the smaller over the larger of the two.
-    fn angle(&mut self, y: Operand, x: Operand) -> Operand {
-        use Operation::{Compare, Select};
-        let zero = Operand::Constant(0.0);
-        let turn = |quarters: f64| Operand::Constant(quarters * std::f64::consts::FRAC_PI_2);
-        let [tall, wide] = [y, x].map(|side| self.push(Operation::Function(Function::Abs, side)));
-        let flat = self.push(Compare(Relation::LessOrEqual, tall, wide));
-        let minus = self.push(Operation::Sub(zero, x));
-        let above = self.push(Select(flat, y, minus));
-        let below = self.push(Select(flat, x, y));
-        let ratio = self.push(Operation::Div(above, below));
-        let angle = self.push(Operation::Function(Function::Atan, ratio));
-        let right = self.push(Compare(Relation::Less, zero, x));
-        let upper = self.push(Compare(Relation::Less, zero, y));
-        let not_lower = self.push(Compare(Relation::LessOrEqual, zero, y));
-        let left = self.push(Select(not_lower, turn(2.0), turn(-2.0)));
-        let beside = self.push(Select(right, zero, left));
-        let over = self.push(Select(upper, turn(1.0), turn(-1.0)));
-        let offset = self.push(Select(flat, beside, over));
-        self.push(Operation::Add(offset, angle))
+        let grows = self.take(Operation::Function(Function::Exp, x));
+        let falls = self.take(Operation::Div(Operand::Constant(1.0), grows));
+        let twice = self.take(join(grows, falls));
+        self.take(Operation::Mul(twice, Operand::Constant(0.5)))
     }
 
     /// The sum written out.
@@ -228,7 +199,7 @@ impl<'f> Writer<'f> {
             self.counters.pop();
             let part = part?;
             sum = Some(match sum {
-                Some(sum) => self.push(Operation::Add(sum, part)),
+                Some(sum) => self.take(Operation::Add(sum, part)),
                 None => part,
             });
         }

@@ -6,11 +6,13 @@ use std::ops::Range;
 use crate::rational::Rational;
 use num_traits::{One, Signed};
 
+use super::built::Takes;
 use super::function::Builtin;
 use super::series::{self, Budget};
 use super::{Formula, LIMITS, PI, Scope, Side, Term, TermKind, check};
 use crate::diagnostic::{Code, Diagnostics};
-use crate::expression::{Function, Graph, Id, Node, Relation, Shape};
+use crate::expression::{Function, Graph, Id, Node, Shape};
+use crate::operation::Operation;
 
 /// Adds a formula to the graph, where names stand for the given nodes. A name may stand for a number, as
 /// a parameter with a value does.
@@ -196,9 +198,7 @@ impl<'f> Lowering<'f> {
                 let message = "a power that varies needs a base above zero";
                 self.error(Code::UNDEFINED, &base.span, message);
             }
-            let logarithm = self.graph.function(Function::Ln, a);
-            let product = self.graph.mul(b, logarithm);
-            return self.graph.function(Function::Exp, product);
+            return self.graph.take(Operation::Power(a, b));
         };
         if constant.abs() > Rational::from(LIMITS.exponent) {
             let message = format!("an exponent is at most {}", LIMITS.exponent);
@@ -258,48 +258,13 @@ impl<'f> Lowering<'f> {
             }
             Builtin::Sinh => self.hyperbolic(a, -Rational::one()),
             Builtin::Cosh => self.hyperbolic(a, Rational::one()),
-            Builtin::Min => self.best(&ids, |best, other| (other, best)),
-            Builtin::Max => self.best(&ids, |best, other| (best, other)),
-            Builtin::Atan2 => self.angle(a, ids[1]),
+            Builtin::Min => self.graph.best(&ids, |best, other| [other, best]),
+            Builtin::Max => self.graph.best(&ids, |best, other| [best, other]),
+            Builtin::Atan2 => self.graph.angle(a, ids[1]),
             Builtin::Dot => self.graph.dot(a, ids[1]),
             Builtin::Outer => self.graph.outer(a, ids[1]),
             Builtin::Transpose => self.graph.transpose(a),
         }
-    }
-
-    /// The first of all; another where the first of its pair with the best so far is less than the second.
-    fn best(&mut self, all: &[Id], pair: fn(Id, Id) -> (Id, Id)) -> Id {
-        all[1..].iter().fold(all[0], |best, &other| {
-            let (low, high) = pair(best, other);
-            let better = self.graph.compare(Relation::Less, low, high);
-            self.graph.select(better, other, best)
-        })
-    }
-
-    /// The angle of (x, y) from the axis x: one arctangent of the smaller over the larger of the two, so that
-    /// it divides by zero at the origin only.
-    fn angle(&mut self, y: Id, x: Id) -> Id {
-        let zero = self.graph.integer(0);
-        let turn =
-            |graph: &mut Graph, quarters: i64| graph.number(pi() * Rational::new(quarters, 2));
-        let [back, up, none, down, behind] =
-            [-2, 1, 0, -1, 2].map(|quarters| turn(self.graph, quarters));
-        let (tall, wide) =
-            (self.graph.function(Function::Abs, y), self.graph.function(Function::Abs, x));
-        let flat = self.graph.compare(Relation::LessOrEqual, tall, wide);
-        let minus = self.graph.neg(x);
-        let above = self.graph.select(flat, y, minus);
-        let below = self.graph.select(flat, x, y);
-        let ratio = self.graph.div(above, below);
-        let angle = self.graph.function(Function::Atan, ratio);
-        let right = self.graph.compare(Relation::Less, zero, x);
-        let upper = self.graph.compare(Relation::Less, zero, y);
-        let not_lower = self.graph.compare(Relation::LessOrEqual, zero, y);
-        let left = self.graph.select(not_lower, behind, back);
-        let beside = self.graph.select(right, none, left);
-        let over = self.graph.select(upper, up, down);
-        let offset = self.graph.select(flat, beside, over);
-        self.graph.add(offset, angle)
     }
 
     /// ½eᵃ + sign·½e⁻ᵃ
@@ -308,6 +273,36 @@ impl<'f> Lowering<'f> {
         let grows = self.graph.function(Function::Exp, a);
         let falls = self.graph.power(grows, -Rational::one());
         self.graph.sum(&[(grows, half.clone()), (falls, sign * half)])
+    }
+}
+
+impl Takes for Graph {
+    type Value = Id;
+
+    fn take(&mut self, operation: Operation<Id>) -> Id {
+        match operation {
+            Operation::Add(a, b) => self.add(a, b),
+            Operation::Sub(a, b) => self.sub(a, b),
+            Operation::Mul(a, b) => self.mul(a, b),
+            Operation::Div(a, b) => self.div(a, b),
+            Operation::Neg(a) => self.neg(a),
+            Operation::Sqrt(a) => self.sqrt(a),
+            Operation::Function(function, a) => self.function(function, a),
+            Operation::Power(a, b) => {
+                let logarithm = self.function(Function::Ln, a);
+                let product = self.mul(b, logarithm);
+                self.function(Function::Exp, product)
+            }
+            Operation::Compare(relation, a, b) => self.compare(relation, a, b),
+            Operation::And(a, b) => self.and(a, b),
+            Operation::Or(a, b) => self.or(a, b),
+            Operation::Not(a) => self.not(a),
+            Operation::Select(mask, a, b) => self.select(mask, a, b),
+        }
+    }
+
+    fn turn(&mut self, quarters: i64) -> Id {
+        self.number(pi() * Rational::new(quarters, 2))
     }
 }
 

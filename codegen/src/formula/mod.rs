@@ -15,6 +15,7 @@
 //! Names are ASCII; Greek letters, a dot above and subscript digits stand for their ASCII spelling
 //! (θ̇ is `theta_dot`, c₀ is `c0`).
 
+mod built;
 mod bytecode;
 mod check;
 mod evaluate;

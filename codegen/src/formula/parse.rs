@@ -97,21 +97,11 @@ impl Parser<'_> {
     }
 
     fn condition(&mut self) -> Parsed {
-        let first = self.conjunction()?;
-        let mut parts = vec![first];
-        while self.accept_word("or") {
-            parts.push(self.conjunction()?);
-        }
-        Ok(self.chain(parts, TermKind::Or))
+        self.chain("or", Self::conjunction, TermKind::Or)
     }
 
     fn conjunction(&mut self) -> Parsed {
-        let first = self.negation()?;
-        let mut parts = vec![first];
-        while self.accept_word("and") {
-            parts.push(self.negation()?);
-        }
-        Ok(self.chain(parts, TermKind::And))
+        self.chain("and", Self::negation, TermKind::And)
     }
 
     fn negation(&mut self) -> Parsed {
@@ -146,29 +136,11 @@ impl Parser<'_> {
     }
 
     fn sum(&mut self) -> Parsed {
-        let mut parts = vec![(Side::With, self.product()?)];
-        loop {
-            let side = match self.peek() {
-                Token::Sign("+") => Side::With,
-                Token::Sign("-") => Side::Against,
-                _ => return Ok(self.sided(parts, TermKind::Sum)),
-            };
-            self.advance();
-            parts.push((side, self.product()?));
-        }
+        self.sided(["+", "-"], Self::product, TermKind::Sum)
     }
 
     fn product(&mut self) -> Parsed {
-        let mut parts = vec![(Side::With, self.unary()?)];
-        loop {
-            let side = match self.peek() {
-                Token::Sign("*") => Side::With,
-                Token::Sign("/") => Side::Against,
-                _ => return Ok(self.sided(parts, TermKind::Product)),
-            };
-            self.advance();
-            parts.push((side, self.unary()?));
-        }
+        self.sided(["*", "/"], Self::unary, TermKind::Product)
     }
 
     fn unary(&mut self) -> Parsed {
@@ -278,20 +250,48 @@ impl Parser<'_> {
         Ok(Term { kind, span })
     }
 
-    fn chain(&self, mut parts: Vec<Term>, kind: fn(Vec<Term>) -> TermKind) -> Term {
+    /// Parts with a word between them; a part alone is itself.
+    fn chain(
+        &mut self,
+        word: &str,
+        part: fn(&mut Self) -> Parsed,
+        kind: fn(Vec<Term>) -> TermKind,
+    ) -> Parsed {
+        let first = part(self)?;
+        let mut parts = vec![first];
+        while self.accept_word(word) {
+            parts.push(part(self)?);
+        }
         if parts.len() == 1 {
-            return parts.remove(0);
+            return Ok(parts.remove(0));
         }
         let span = self.whole(parts[0].span.start..parts[parts.len() - 1].span.end);
-        Term { kind: kind(parts), span }
+        Ok(Term { kind: kind(parts), span })
     }
 
-    fn sided(&self, mut parts: Vec<(Side, Term)>, kind: fn(Vec<(Side, Term)>) -> TermKind) -> Term {
+    /// Parts with one of two signs between them; a part alone is itself.
+    fn sided(
+        &mut self,
+        [with, against]: [&str; 2],
+        part: fn(&mut Self) -> Parsed,
+        kind: fn(Vec<(Side, Term)>) -> TermKind,
+    ) -> Parsed {
+        let mut parts = vec![(Side::With, part(self)?)];
+        loop {
+            let side = if self.accept(with) {
+                Side::With
+            } else if self.accept(against) {
+                Side::Against
+            } else {
+                break;
+            };
+            parts.push((side, part(self)?));
+        }
         if parts.len() == 1 {
-            return parts.remove(0).1;
+            return Ok(parts.remove(0).1);
         }
         let span = self.whole(parts[0].1.span.start..parts[parts.len() - 1].1.span.end);
-        Term { kind: kind(parts), span }
+        Ok(Term { kind: kind(parts), span })
     }
 
     /// The place of a term from its first part to its last, with the parentheses around either: `(a + b)*c`

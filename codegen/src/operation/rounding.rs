@@ -40,7 +40,9 @@ impl Number for Rounded {
         Rounded::result(self.value - other.value, self.error + other.error)
     }
     fn mul(&self, other: &Self) -> Self {
-        let inherited = self.value.abs() * other.error + other.value.abs() * self.error;
+        let inherited = self.value.abs() * other.error
+            + other.value.abs() * self.error
+            + self.error * other.error;
         Rounded::result(self.value * other.value, inherited)
     }
     fn div(&self, other: &Self) -> Self {

@@ -114,6 +114,15 @@ impl Program {
         inputs.chain(values.map(|(place, _)| Operand::Value(place))).collect()
     }
 
+    /// Names of the inputs that are used.
+    pub fn used_inputs(&self) -> Vec<String> {
+        let stages: Vec<usize> = (0..self.stages.len()).collect();
+        let used = stages.iter().flat_map(|stage| self.carried(*stage, &stages, true));
+        used.filter(|operand| matches!(operand, Operand::Input(_)))
+            .filter_map(|operand| self.name_of(operand).map(str::to_string))
+            .collect()
+    }
+
     /// The part of the program that gives some of its outputs; inputs stay as they are.
     pub fn restricted(&self, outputs: impl Fn(&str) -> bool) -> Program {
         let outputs: Vec<ProgramOutput> =

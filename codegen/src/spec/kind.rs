@@ -14,8 +14,32 @@ pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
 /// A spec, or programs of one, of a kind that is not known here.
 pub(crate) type OfAnyKind = dyn Any + Send + Sync;
 
+/// What is said to people about a spec of some kind.
+pub(crate) trait Explained {
+    /// Writes what was found about it when it was read.
+    fn report(&self, page: &mut Page);
+
+    /// Writes all that it says and all that follows from it, but its code.
+    fn explain(&self, page: &mut Page);
+}
+
+/// What kernels are made of a spec of some kind.
+pub(crate) trait Compiled {
+    /// What its kernels compute.
+    type Programs: Any + Send + Sync;
+
+    /// What its kernels compute: derived, simplified and in stages.
+    fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics>;
+
+    /// The module of its kernels, with an item `ENTRY` for the registry. `others`: whose kernels it may call, those of
+    /// kinds that are [`CALLED`](SpecKind::CALLED) and those of its own kind before it.
+    fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String;
+}
+
 /// A kind of spec: how its files are read, what is said about them, and what kernels are made of them.
-pub(crate) trait SpecKind: Described + Any + Send + Sync + Sized {
+pub(crate) trait SpecKind:
+    Described + Explained + Compiled + Any + Send + Sync + Sized
+{
     /// Word of the key `kind`.
     const KIND: &'static str;
     /// Folder of the files.
@@ -43,26 +67,10 @@ pub(crate) trait SpecKind: Described + Any + Send + Sync + Sized {
         vec![(Self::KIND, self.about().name)]
     }
 
-    /// Writes what was found about it when it was read.
-    fn report(&self, page: &mut Page);
-
-    /// Writes all that it says and all that follows from it, but its code.
-    fn explain(&self, page: &mut Page);
-
     /// Checks what only shows among all specs.
     fn check(&self, _all: &[&OfAnyKind]) -> Result<(), Diagnostics> {
         Ok(())
     }
-
-    /// What its kernels compute.
-    type Programs: Any + Send + Sync;
-
-    /// What its kernels compute: derived, simplified and in stages.
-    fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics>;
-
-    /// The module of its kernels, with an item `ENTRY` for the registry. `others`: whose kernels it may call, those of
-    /// kinds that are [`CALLED`](Self::CALLED) and those of its own kind before it.
-    fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String;
 }
 
 /// Another spec, whose kernels may be called.

@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use super::kind::{About, Beside, Kind, SpecKind};
-use super::kind::{OfAnyKind, Other};
+use super::kind::{About, Beside, Compiled, Explained, Kind, OfAnyKind, Other, SpecKind};
 use super::page::Page;
 use super::{clearance, element, form, law, motion};
 use crate::diagnostic::{Diagnostics, Source};
@@ -57,12 +56,12 @@ macro_rules! kinds {
 
             /// Writes what was found about it when it was read.
             pub fn report(&self, page: &mut Page) {
-                match self { $(Spec::$kind(spec) => SpecKind::report(&**spec, page)),* }
+                match self { $(Spec::$kind(spec) => Explained::report(&**spec, page)),* }
             }
 
             /// Writes all that it says and all that follows from it, but its code.
             pub fn explain(&self, page: &mut Page) {
-                match self { $(Spec::$kind(spec) => SpecKind::explain(&**spec, page)),* }
+                match self { $(Spec::$kind(spec) => Explained::explain(&**spec, page)),* }
             }
         }
 

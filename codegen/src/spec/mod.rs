@@ -9,3 +9,4 @@ pub mod law;
 pub mod list;
 pub mod motion;
 pub mod page;
+mod read;

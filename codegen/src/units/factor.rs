@@ -10,6 +10,9 @@ use super::Exponent;
 /// Highest power of a prime that is written out: far past the range of f64.
 const HIGHEST_POWER: u32 = 8192;
 
+/// What units that people use have.
+const IN_USE: &str = "exponents of moderate size";
+
 /// A positive number Π pᵢ^eᵢ · π^e with rational exponents: closed under products and rational powers,
 /// and equal factors are equal values.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -58,13 +61,7 @@ impl Factor {
 
     /// The product.
     pub fn times(&self, other: &Factor) -> Factor {
-        let mut product = self.clone();
-        for (p, e) in &other.primes {
-            *product.primes.entry(*p).or_insert_with(Exponent::zero) += e;
-        }
-        product.primes.retain(|_, e| !e.is_zero());
-        product.pi += other.pi;
-        product
+        self.checked_times(other).expect(IN_USE)
     }
 
     /// The product; `None` if its exponents are beyond all use.
@@ -96,13 +93,7 @@ impl Factor {
 
     /// The power.
     pub fn power(&self, exponent: Exponent) -> Factor {
-        if exponent.is_zero() {
-            return Factor::one();
-        }
-        Factor {
-            primes: self.primes.iter().map(|(p, e)| (*p, e * exponent)).collect(),
-            pi: self.pi * exponent,
-        }
+        self.checked_power(exponent).expect(IN_USE)
     }
 
     /// Whether this is 1.

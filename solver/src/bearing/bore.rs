@@ -6,6 +6,7 @@ use super::{Bearing, periodic_spline};
 use crate::body::BodyNode;
 use crate::error::Error;
 use crate::linalg::Matrix;
+use crate::mesh::measure::mean_radius;
 use crate::support::Support;
 
 /// The bore of a bearing: three rings of nodes, left, middle and right; a ring may be empty.
@@ -153,13 +154,9 @@ pub(crate) fn axis_motion(ring: &[usize], support: &Support) -> [Vec<f64>; 2] {
 /// Radius of the journal in a bore whose nodes stand at their mean distance from the axis, c further out;
 /// `None` where the bore has no nodes.
 pub(super) fn journal_radius(bearing: &Bearing, support: &Support) -> Option<f64> {
-    let nodes: Vec<usize> = bearing.bore.iter().flatten().copied().collect();
-    let distance = |&node: &usize| {
-        let [x, y, _] = support.nodes[node].position;
-        x.hypot(y)
-    };
-    let mean = nodes.iter().map(distance).sum::<f64>() / nodes.len() as f64;
-    (!nodes.is_empty()).then_some(mean - bearing.clearance)
+    let positions = bearing.bore.iter().flatten().map(|&node| support.nodes[node].position);
+    let mean = mean_radius(positions.map(|[x, y, _]| [x, y]));
+    (!mean.is_nan()).then_some(mean - bearing.clearance)
 }
 
 #[cfg(test)]

@@ -30,21 +30,7 @@ pub trait SpringLaw: Send + Sync {
 }
 
 /// A measure of a law's inputs, and the limits within which the law may be believed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Validity {
-    /// Name in the law's file.
-    pub name: String,
-    /// What is measured, for people.
-    pub title: String,
-    /// What is wrong beyond the limits, and what to do.
-    pub help: String,
-    /// Unit for people.
-    pub unit: String,
-    /// One of this unit in SI.
-    pub per_unit: f64,
-    /// Least and largest value, SI; infinite where there is no limit.
-    pub limits: [f64; 2],
-}
+pub type Validity = whirl_specs::Validity<String>;
 
 impl SpringLaw for &'static Law {
     fn name(&self) -> &str {

@@ -13,7 +13,7 @@ use crate::bearing::work::{SpringWork, WorkAlong};
 /// Work of loads and dampers are sums of ½ (F_n + F_{n+1})·(q_{n+1} − q_n): with (γ, β) = (½, ¼) this is exact
 /// for constant matrices. The work on the springs is that along the way; so the error is what varying matrices
 /// leave and what steps made of the springs' energy.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct EnergyBalance {
     /// Work of the external loads.
     pub work_in: f64,
@@ -29,6 +29,7 @@ pub struct EnergyBalance {
     pub dissipated: f64,
     /// Energy in play: kinetic and strain energy at the start, and what loads, dampers and springs moved since,
     /// summed without sign.
+    #[serde(skip)]
     pub turnover: f64,
 }
 

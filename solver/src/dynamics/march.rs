@@ -52,7 +52,7 @@ pub struct Progress {
 }
 
 /// What a march gave.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outcome {
     /// One row a step where [`march`] kept them; none of a [`March`], whose driver takes the rows.
     pub history: History,
@@ -145,13 +145,8 @@ impl<'m> March<'m> {
             Err(error) => {
                 let outcome = Outcome {
                     history: History::for_machine(machine),
-                    energy: EnergyBalance::default(),
-                    quality: Quality::default(),
                     worst: vec![None; machine.springs.measures().len()],
-                    steady: None,
-                    iterations: 0,
-                    factorisations: 0,
-                    halved_steps: 0,
+                    ..Outcome::default()
                 };
                 return Err(Box::new(Failure { error, outcome }));
             }
@@ -159,7 +154,18 @@ impl<'m> March<'m> {
         let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
         let steady = options.cycle.map(|cycle| SteadyTest::new(signals, cycle, options.time_step));
         let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
-        Ok(March::from_parts(options, system, state, meters, tally))
+        Ok(March {
+            machine,
+            newton: Newton::new(options.newton, &system),
+            meters,
+            system,
+            starts: vec![State::new(size); options.newton.max_halvings + 2],
+            state,
+            last_iterations: 0,
+            tally,
+            row: vec![0.0; History::for_machine(machine).names().len()],
+            options: options.clone(),
+        })
     }
 
     /// The machine as it was at a checkpoint of a march with the same machine and options. The rows of the
@@ -182,29 +188,6 @@ impl<'m> March<'m> {
         march.meters.resume_from(system, meters);
         (march.state, march.tally) = (state, tally);
         Ok(march)
-    }
-
-    fn from_parts(
-        options: &MarchOptions,
-        system: System<'m>,
-        state: State,
-        meters: Meters,
-        tally: Tally,
-    ) -> Self {
-        let machine = system.machine;
-        let size = machine.size();
-        March {
-            machine,
-            newton: Newton::new(options.newton, &system),
-            meters,
-            system,
-            starts: vec![State::new(size); options.newton.max_halvings + 2],
-            state,
-            last_iterations: 0,
-            tally,
-            row: vec![0.0; History::for_machine(machine).names().len()],
-            options: options.clone(),
-        }
     }
 
     /// What a march needs to go on after the last step.

@@ -203,12 +203,6 @@ struct MeshBuilder<'a> {
     angles: Vec<f64>,
 }
 
-/// Corners of a cell in the order of Abaqus from those of its face at a plane.
-fn between_planes(face: impl Fn(usize) -> [GridPlace; 4]) -> [GridPlace; 8] {
-    let ([a, b, c, d], [e, f, g, h]) = (face(0), face(1));
-    [a, b, c, d, e, f, g, h]
-}
-
 impl<'a> MeshBuilder<'a> {
     fn new(support: &'a RingSupport, layers: &'a Layers) -> Self {
         let cells = support.section;
@@ -270,50 +264,26 @@ impl<'a> MeshBuilder<'a> {
 
     fn beam(&self) -> impl Iterator<Item = [GridPlace; 8]> {
         let cells = self.support.section;
-        grid(cells.height, cells.width, self.layers.planes.len() - 1).map(|[up, across, k]| {
-            between_planes(|end| {
-                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| GridPlace::Beam {
-                    up: up + i,
-                    across: across + j,
-                    plane: k + end,
-                })
-            })
+        corners([cells.height, cells.width, self.layers.planes.len() - 1], |up, across, plane| {
+            GridPlace::Beam { up, across, plane }
         })
     }
 
     fn pedestals(&self) -> impl Iterator<Item = [GridPlace; 8]> {
-        let cells = self.support.section;
+        let (cells, layers) = (self.support.section, self.support.layers_in_ring);
         (0..self.support.rings.len()).flat_map(move |ring| {
-            grid(cells.pedestal, cells.width, self.support.layers_in_ring).map(
-                move |[up, across, k]| {
-                    between_planes(|end| {
-                        [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| GridPlace::Pedestal {
-                            ring,
-                            up: up + i,
-                            across: across + j,
-                            plane: k + end,
-                        })
-                    })
-                },
-            )
+            corners([cells.pedestal, cells.width, layers], move |up, across, plane| {
+                GridPlace::Pedestal { ring, up, across, plane }
+            })
         })
     }
 
     fn rings(&self) -> impl Iterator<Item = [GridPlace; 8]> {
-        let cells = self.support.section;
+        let (cells, layers) = (self.support.section, self.support.layers_in_ring);
         (0..self.support.rings.len()).flat_map(move |ring| {
-            grid(cells.radial, cells.around, self.support.layers_in_ring).map(
-                move |[out, around, k]| {
-                    between_planes(|end| {
-                        [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| GridPlace::Ring {
-                            ring,
-                            out: out + i,
-                            around: around + j,
-                            plane: k + end,
-                        })
-                    })
-                },
-            )
+            corners([cells.radial, cells.around, layers], move |out, around, plane| {
+                GridPlace::Ring { ring, out, around, plane }
+            })
         })
     }
 
@@ -340,8 +310,16 @@ impl<'a> MeshBuilder<'a> {
     }
 }
 
-/// All (i, j, k) below the three numbers, i fastest.
-fn grid(first: usize, second: usize, third: usize) -> impl Iterator<Item = [usize; 3]> {
-    let row = move |j, k| (0..first).map(move |i| [i, j, k]);
+/// Corners of the cells of a grid in the order of Abaqus: so many along each of three directions, the first the fastest.
+fn corners(
+    [first, second, third]: [usize; 3],
+    place: impl Fn(usize, usize, usize) -> GridPlace + Copy,
+) -> impl Iterator<Item = [GridPlace; 8]> {
+    let cell = move |i, j, k| {
+        let face = |k| [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(di, dj)| place(i + di, j + dj, k));
+        let ([a, b, c, d], [e, f, g, h]) = (face(k), face(k + 1));
+        [a, b, c, d, e, f, g, h]
+    };
+    let row = move |j, k| (0..first).map(move |i| cell(i, j, k));
     (0..third).flat_map(move |k| (0..second).flat_map(move |j| row(j, k)))
 }

@@ -9,7 +9,7 @@ use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
 use super::super::library::{FileStore, resolve};
-use super::super::rotor::{GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, Support};
+use super::super::rotor::{Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, Support};
 use super::materials::{Materials, material_of, regions};
 use super::{default_motion, motion};
 
@@ -19,18 +19,12 @@ pub(super) fn shaft(store: FileStore, file: &Table, materials: &Materials) -> Op
 }
 
 fn read_shaft(store: FileStore, table: &Table, materials: &Materials) -> Option<Shaft> {
-    let material = material_of(table, materials);
-    let regions = regions(table, materials);
-    let mesh = mesh(store, table, material.as_ref(), solid_shaft);
+    let body = body(store, table, materials, solid_shaft);
     let motion = motion(table);
     Some(Shaft {
-        modes: table.count_or_one("modes"),
-        damping: table.quantity("damping").unwrap_or(0.0),
         axial_restraint: table.text_or_none("axial_restraint"),
-        material,
-        regions,
         motion: motion.or_else(default_motion)?,
-        mesh: mesh?,
+        body: body?,
     })
 }
 
@@ -40,9 +34,7 @@ pub(super) fn support(store: FileStore, file: &Table, materials: &Materials) -> 
 }
 
 fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Option<Support> {
-    let material = material_of(table, materials);
-    let regions = regions(table, materials);
-    let mesh = mesh(store, table, material.as_ref(), ring_support);
+    let body = body(store, table, materials, ring_support);
     let ground_spring = |spring: &Table| GroundSpring {
         set: spring.text_or_none("set"),
         direction: match spring.optional_word("direction") {
@@ -54,10 +46,25 @@ fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Optio
     };
     let ground_springs = table.tables("ground_spring").into_iter();
     Some(Support {
-        modes: table.count_or_one("modes"),
-        damping: table.quantity("damping").unwrap_or(0.0),
         mounts: table.text_or_none("mounts"),
         ground_springs: ground_springs.map(|table| table.read(ground_spring)).collect(),
+        body: body?,
+    })
+}
+
+/// What both tables may say.
+fn body<D>(
+    store: FileStore,
+    table: &Table,
+    materials: &Materials,
+    make: impl Fn(&Table, Material) -> D,
+) -> Option<Body<D>> {
+    let material = material_of(table, materials);
+    let regions = regions(table, materials);
+    let mesh = mesh(store, table, material.as_ref(), make);
+    Some(Body {
+        modes: table.count_or_one("modes"),
+        damping: table.quantity("damping").unwrap_or(0.0),
         material,
         regions,
         mesh: mesh?,

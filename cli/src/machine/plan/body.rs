@@ -33,23 +33,18 @@ pub(crate) struct BodyPlan {
 }
 
 impl BodyPlan {
-    pub(super) fn new(
-        mesh: Mesh,
-        made_from: Located,
-        modes: usize,
-        damping: f64,
-        held_by: &Located,
-    ) -> Self {
+    pub(super) fn new<D>(mesh: Mesh, case: &case::Body<D>, held_by: &Located) -> Self {
         let spec = BodySpec {
             retained: Vec::new(),
-            modes,
+            modes: case.modes,
             constraints: Constraints::new(),
             springs: Vec::new(),
-            damping: Rayleigh { alpha: 0.0, beta: damping },
+            damping: Rayleigh { alpha: 0.0, beta: case.damping },
             nodes: Vec::new(),
             memory: FACTOR_MEMORY,
         };
-        BodyPlan { mesh, spec, held_by: held_by.clone(), made_from, sprung: Vec::new() }
+        let (held_by, made_from) = (held_by.clone(), case.mesh.place());
+        BodyPlan { mesh, spec, held_by, made_from, sprung: Vec::new() }
     }
 
     /// Sizes of the body, as in the paper's Table 1.

@@ -4,69 +4,88 @@ use std::collections::BTreeMap;
 
 use super::{ClearanceSpec, Contact, Coordinate, Derived};
 use crate::expression::{Id, display_rounded};
+use crate::spec::kind::Explained;
 use crate::spec::page::Page;
 
-/// Everything about a clearance but its code.
-pub(super) fn explain(page: &mut Page, spec: &ClearanceSpec) {
-    report(page, spec);
-    let show = |id| display_rounded(&spec.graph, id);
-    let h = &spec.clearance;
-    page.heading("As given");
-    page.item(&format!("{h} = {}", spec.formula.text.text()));
-    page.heading("As derived, with the definitions in their places");
-    for (name, value) in &spec.definitions {
-        page.item(&format!("{name} = {}", show(*value)));
-    }
-    page.item(&format!("{h} (m) = {}", show(spec.value)));
-    for (place, weight) in ["left", "middle", "right"].iter().zip(spec.axial) {
-        page.item(&format!(
-            "weight of the {place} ring at {} = {}",
-            spec.axial_variable.name,
-            show(weight)
-        ));
-    }
-    if spec.measures.len() > 1 {
-        page.heading("What else laws may depend on, and their other forces work on");
-        for (name, value) in spec.measures.iter().skip(1) {
-            page.item(&format!("{name} = {}", display_rounded(&spec.graph, *value)));
+impl Explained for ClearanceSpec {
+    /// Everything about a clearance but its code.
+    fn explain(&self, page: &mut Page) {
+        self.report(page);
+        let show = |id| display_rounded(&self.graph, id);
+        let h = &self.clearance;
+        page.heading("As given");
+        page.item(&format!("{h} = {}", self.formula.text.text()));
+        page.heading("As derived, with the definitions in their places");
+        for (name, value) in &self.definitions {
+            page.item(&format!("{name} = {}", show(*value)));
         }
-    }
-    let (normal, others) = spec.contacts.split_first().expect("the kind of Q(h, ḣ)");
-    let derived = match spec.derive(normal) {
-        Ok(derived) => derived,
-        Err(errors) => {
-            page.paragraph(2, &format!("not differentiated: {errors}"));
-            return;
+        page.item(&format!("{h} (m) = {}", show(self.value)));
+        for (place, weight) in ["left", "middle", "right"].iter().zip(self.axial) {
+            page.item(&format!(
+                "weight of the {place} ring at {} = {}",
+                self.axial_variable.name,
+                show(weight)
+            ));
         }
-    };
-    let mut parts = Parts::new(spec, derived);
-    let all: Vec<&Coordinate> = spec.ring.iter().chain([&spec.radial]).collect();
-    page.heading(&format!("Gradient and rate of {h}"));
-    for (k, coordinate) in all.iter().enumerate() {
-        let unit = if coordinate.unit == "m" { "1" } else { "m/rad" };
-        let slope = parts.derived.gradients[0][k];
-        let name = format!("d{h}_d{}", coordinate.name);
-        page.item(&format!("{name} ({unit}) = {}", parts.show(slope)));
-        parts.name(slope, &name);
-    }
-    let rate = parts.derived.inputs[1];
-    page.item(&format!("{h}_dot (m/s) = {}", parts.show(rate)));
-    page.heading("Generalised forces of one spring with normal force Q (N)");
-    let force = parts.derived.force.clone();
-    for (coordinate, force) in all.iter().zip(force) {
-        let unit = if coordinate.unit == "m" { "N" } else { "N m" };
-        page.item(&format!("on {} ({unit}) = {}", coordinate.name, parts.show(force)));
-    }
-    page.heading("Derivatives of the gradient and of the rate that do not vanish");
-    second(page, &mut parts, h, &all);
-    page.heading("Tangent B + a1 P of the forces: row of the force, column of the coordinate");
-    let tangent = parts.derived.tangent.clone();
-    for (row, entries) in all.iter().zip(tangent) {
-        for (column, entry) in all.iter().zip(entries) {
-            page.item(&format!("{}.{} = {}", row.name, column.name, parts.show(entry)));
+        if self.measures.len() > 1 {
+            page.heading("What else laws may depend on, and their other forces work on");
+            for (name, value) in self.measures.iter().skip(1) {
+                page.item(&format!("{name} = {}", display_rounded(&self.graph, *value)));
+            }
         }
+        let (normal, others) = self.contacts.split_first().expect("the kind of Q(h, ḣ)");
+        let derived = match self.derive(normal) {
+            Ok(derived) => derived,
+            Err(errors) => {
+                page.paragraph(2, &format!("not differentiated: {errors}"));
+                return;
+            }
+        };
+        let mut parts = Parts::new(self, derived);
+        let all: Vec<&Coordinate> = self.ring.iter().chain([&self.radial]).collect();
+        page.heading(&format!("Gradient and rate of {h}"));
+        for (k, coordinate) in all.iter().enumerate() {
+            let unit = if coordinate.unit == "m" { "1" } else { "m/rad" };
+            let slope = parts.derived.gradients[0][k];
+            let name = format!("d{h}_d{}", coordinate.name);
+            page.item(&format!("{name} ({unit}) = {}", parts.show(slope)));
+            parts.name(slope, &name);
+        }
+        let rate = parts.derived.inputs[1];
+        page.item(&format!("{h}_dot (m/s) = {}", parts.show(rate)));
+        page.heading("Generalised forces of one spring with normal force Q (N)");
+        let force = parts.derived.force.clone();
+        for (coordinate, force) in all.iter().zip(force) {
+            let unit = if coordinate.unit == "m" { "N" } else { "N m" };
+            page.item(&format!("on {} ({unit}) = {}", coordinate.name, parts.show(force)));
+        }
+        page.heading("Derivatives of the gradient and of the rate that do not vanish");
+        second(page, &mut parts, h, &all);
+        page.heading("Tangent B + a1 P of the forces: row of the force, column of the coordinate");
+        let tangent = parts.derived.tangent.clone();
+        for (row, entries) in all.iter().zip(tangent) {
+            for (column, entry) in all.iter().zip(entries) {
+                page.item(&format!("{}.{} = {}", row.name, column.name, parts.show(entry)));
+            }
+        }
+        others.iter().for_each(|kind| contact(page, self, kind));
     }
-    others.iter().for_each(|kind| contact(page, spec, kind));
+
+    /// The names of a clearance with what they measure.
+    fn report(&self, page: &mut Page) {
+        let row = |role: &str, coordinate: &Coordinate| {
+            let Coordinate { name, title, unit, .. } = coordinate;
+            vec![name.clone(), unit.clone(), role.to_string(), title.clone()]
+        };
+        page.heading("Names");
+        let mut rows = vec![row("a spring, fixed", &self.spring), row("a bearing", &self.constant)];
+        rows.extend(self.radius.iter().map(|coordinate| row("a bearing", coordinate)));
+        rows.extend(self.ring.iter().map(|coordinate| row("a ring", coordinate)));
+        rows.push(row("a spring", &self.radial));
+        rows.extend(self.tangential.iter().map(|coordinate| row("a spring", coordinate)));
+        rows.extend(self.bore.iter().flatten().map(|coordinate| row("a ring", coordinate)));
+        page.columns(&rows);
+    }
 }
 
 /// What laws of more inputs and forces than Q(h, ḣ) take, and how their forces act.
@@ -149,20 +168,4 @@ impl Parts {
         let named = self.derived.graph.substitute(id, &self.names);
         display_rounded(&self.derived.graph, named)
     }
-}
-
-/// The names of a clearance with what they measure.
-pub(super) fn report(page: &mut Page, spec: &ClearanceSpec) {
-    let row = |role: &str, coordinate: &Coordinate| {
-        let Coordinate { name, title, unit, .. } = coordinate;
-        vec![name.clone(), unit.clone(), role.to_string(), title.clone()]
-    };
-    page.heading("Names");
-    let mut rows = vec![row("a spring, fixed", &spec.spring), row("a bearing", &spec.constant)];
-    rows.extend(spec.radius.iter().map(|coordinate| row("a bearing", coordinate)));
-    rows.extend(spec.ring.iter().map(|coordinate| row("a ring", coordinate)));
-    rows.push(row("a spring", &spec.radial));
-    rows.extend(spec.tangential.iter().map(|coordinate| row("a spring", coordinate)));
-    rows.extend(spec.bore.iter().flatten().map(|coordinate| row("a ring", coordinate)));
-    page.columns(&rows);
 }

@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{ClearanceSpec, explain};
+use super::ClearanceSpec;
 use crate::diagnostic::{Diagnostics, Source};
 use crate::spec::kind::{About, Beside, SpecKind};
-use crate::spec::kind::{OfAnyKind, Other};
-use crate::spec::page::Page;
 
 impl SpecKind for ClearanceSpec {
     const KIND: &'static str = "clearance";
@@ -21,23 +19,5 @@ impl SpecKind for ClearanceSpec {
     fn about(&self) -> About<'_> {
         let ClearanceSpec { name, title, reference, file, .. } = self;
         About { name, title, reference, file, beside: Vec::new() }
-    }
-
-    fn report(&self, page: &mut Page) {
-        explain::report(page, self);
-    }
-
-    fn explain(&self, page: &mut Page) {
-        explain::explain(page, self);
-    }
-
-    type Programs = super::kernels::Programs;
-
-    fn schedule(&self, _all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
-        super::kernels::schedule(self)
-    }
-
-    fn emit(&self, programs: &Self::Programs, _others: &[Other<'_>]) -> String {
-        super::kernels::module(self, programs)
     }
 }

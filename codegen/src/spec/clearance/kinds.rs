@@ -6,7 +6,7 @@ use super::{BoreMotion, ClearanceSpec, Coordinate};
 use crate::diagnostic::{Code, Located, suggest};
 use crate::document::{Document, Table, Value};
 use crate::expression::Id;
-use crate::formula;
+use crate::spec::read;
 use crate::units::Dimension;
 
 /// A length or an angle that follows from the coordinates.
@@ -130,10 +130,7 @@ impl<'d> Reader<'d> {
     }
 
     fn must_be_name(&self, text: &Located) {
-        if let Err(message) = formula::name(text.text()) {
-            self.document
-                .push(text.error_here(Code::BAD_NAME, message).help("choose another name"));
-        }
+        read::name(self.document, text, Ok);
     }
 }
 

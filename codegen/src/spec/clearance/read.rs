@@ -10,18 +10,16 @@ use crate::document::schema::Described;
 use crate::document::{Document, Table, Value};
 use crate::expression::{Graph, Id};
 use crate::formula::{self, Formula, Meaning, Scope};
-use crate::units::{Dimension, Unit};
+use crate::spec::read::{self, Head};
+use crate::units::Dimension;
 
 /// What laws call the force normal to the clearance.
 const NORMAL_FORCE: &str = "Q";
 
 pub(super) fn read(file: &Arc<Source>) -> Result<ClearanceSpec, Diagnostics> {
-    let document = Document::parse(file);
-    if !document.is_toml() {
-        return document.into_result(None);
-    }
-    let spec = Reader::new(&document).spec(file);
-    document.into_result(spec)
+    read::spec(file, ClearanceSpec::SHAPE, |document, root, head| {
+        Reader::new(document).spec(file, root, head)
+    })
 }
 
 pub(super) struct Reader<'d> {
@@ -41,11 +39,7 @@ impl<'d> Reader<'d> {
         }
     }
 
-    fn spec(mut self, file: &Arc<Source>) -> Option<ClearanceSpec> {
-        let root = self.document.root(ClearanceSpec::SHAPE);
-        root.word("kind");
-        let (name, title, reference) =
-            (root.string("name"), root.string("title"), root.string("source"));
+    fn spec(mut self, file: &Arc<Source>, root: Table<'d>, head: Head) -> Option<ClearanceSpec> {
         let spring = self.coordinates(&root, "spring", &[Dimension::ANGLE]);
         // The second, if there is one, is the journal's radius.
         let constants = self.some_coordinates(&root, "constants", &[Dimension::LENGTH; 2], 1);
@@ -64,16 +58,16 @@ impl<'d> Reader<'d> {
         if self.document.has_errors() {
             return None;
         }
-        let text = |text: Located| text.text().to_owned();
+        let [name, title, reference] = head.texts()?;
         let one = |list: Option<Vec<Coordinate>>| list?.into_iter().next();
         let (clearance, formula, value) = clearance?;
         let (axial_variable, axial) = axial?;
         let (tangential, bore) = (tangential?, bore?);
         let mut constants = constants?.into_iter();
         let mut spec = ClearanceSpec {
-            name: text(name?),
-            title: text(title?),
-            reference: text(reference?),
+            name,
+            title,
+            reference,
             file: file.clone(),
             spring: one(spring)?,
             constant: constants.next()?,
@@ -105,29 +99,18 @@ impl<'d> Reader<'d> {
 
     /// A name that is free, and that of no normal force, rate or slope.
     pub(super) fn name(&mut self, key: &Located) -> Option<String> {
-        let name = match formula::name(key.text()) {
-            Ok(name) => name,
-            Err(message) => {
-                self.document
-                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
-                return None;
-            }
-        };
-        let meant = match name.as_str() {
-            NORMAL_FORCE => Some("the normal force"),
-            rate if rate.ends_with("_dot") => Some("a rate"),
-            slope if slope.starts_with('d') && slope.contains("_d") => Some("a slope"),
-            _ => None,
-        };
-        if meant.is_some() || self.symbols.contains_key(&name) {
-            let message = match meant {
-                Some(what) => format!("the name `{name}` is that of {what}"),
-                None => format!("the name `{name}` is taken"),
+        read::name(self.document, key, |name| {
+            let meant = match name.as_str() {
+                NORMAL_FORCE => "the normal force",
+                rate if rate.ends_with("_dot") => "a rate",
+                slope if slope.starts_with('d') && slope.contains("_d") => "a slope",
+                _ if self.symbols.contains_key(&name) => {
+                    return Err(format!("the name `{name}` is taken"));
+                }
+                _ => return Ok(name),
             };
-            self.document.push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
-            return None;
-        }
-        Some(name)
+            Err(format!("the name `{name}` is that of {meant}"))
+        })
     }
 
     /// The coordinates of one table: as many as `units`, each of its dimension.
@@ -202,13 +185,7 @@ impl<'d> Reader<'d> {
     }
 
     fn is_si(&self, text: &Located, dimension: &Dimension) -> bool {
-        let unit = match Unit::parse(text.text()) {
-            Ok(unit) => unit,
-            Err(error) => {
-                self.document.push(error.at(text.source(), text.span().start));
-                return false;
-            }
-        };
+        let Some(unit) = read::unit(self.document, text) else { return false };
         let right = unit.dimension().fits(dimension) && unit.factor().is_one();
         if !right {
             let message = format!("a clearance is written in SI: {dimension} expected");

@@ -5,12 +5,62 @@ use num_traits::{ToPrimitive, Zero};
 use super::{ElementSpec, Function, ModeJacobian};
 use crate::element::Quadrature;
 use crate::expression::{Graph, Id, Node, Rational, display_rounded, normal};
+use crate::spec::kind::Explained;
 use crate::spec::page::{Page, count};
 
-/// Everything about an element but its code.
-pub(super) fn explain(page: &mut Page, element: &ElementSpec) {
-    functions(page, element);
-    report(page, element);
+impl Explained for ElementSpec {
+    /// Everything about an element but its code.
+    fn explain(&self, page: &mut Page) {
+        functions(page, self);
+        self.report(page);
+    }
+
+    /// What was proved when the element was read.
+    fn report(&self, page: &mut Page) {
+        page.heading("Shapes");
+        let nodes = self.nodes.len();
+        page.item(&format!(
+            "{} on the {} ({}); 3 displacements each: {} degrees of freedom",
+            count(nodes, "node"),
+            self.cell.name(),
+            self.cell.domain(),
+            3 * nodes
+        ));
+        let degree = |of: &dyn Fn(&Function) -> Vec<Id>| {
+            let mut graph = self.graph.clone();
+            let all = self.shape.iter().flat_map(of);
+            let all: Option<Vec<u32>> =
+                all.map(|id| total_degree(&mut graph, id, &self.coordinates)).collect();
+            all.map_or("rational functions".to_string(), |degrees| {
+                format!("polynomials of degree {}", degrees.into_iter().max().unwrap_or(0))
+            })
+        };
+        page.item(&format!("shape functions: {}", degree(&|f| vec![f.value])));
+        page.item(&format!("their gradients: {}", degree(&|f| f.gradient.to_vec())));
+        rule(page, "quadrature", &self.quadrature);
+        for (form, quadrature) in &self.quadrature_of {
+            rule(page, &format!("quadrature of {form}"), quadrature);
+        }
+        page.heading("Proved with exact numbers");
+        page.item(&format!("N_a(x_b) = 1 for a = b and 0 else, for all {} pairs", nodes * nodes));
+        page.item(
+            "sum of N_a = 1 and sum of N_a x_a = x: a rigid motion and a constant strain are exact",
+        );
+        page.item(
+            "every node lies in the cell, no two in the same place; all weights are positive",
+        );
+        for quadrature in std::iter::once(&self.quadrature).chain(self.quadrature_of.values()) {
+            page.item(&format!(
+                "{} integrates every monomial up to degree {} exactly",
+                quadrature.title, quadrature.degree
+            ));
+        }
+        if self.enhanced.is_some() {
+            page.item(
+            "enhanced modes do no work against a constant stress on any cell: the patch test holds",
+        );
+        }
+    }
 }
 
 fn functions(page: &mut Page, element: &ElementSpec) {
@@ -46,52 +96,6 @@ fn functions(page: &mut Page, element: &ElementSpec) {
         ));
     }
 }
-
-/// What was proved when the element was read.
-pub(super) fn report(page: &mut Page, element: &ElementSpec) {
-    page.heading("Shapes");
-    let nodes = element.nodes.len();
-    page.item(&format!(
-        "{} on the {} ({}); 3 displacements each: {} degrees of freedom",
-        count(nodes, "node"),
-        element.cell.name(),
-        element.cell.domain(),
-        3 * nodes
-    ));
-    let degree = |of: &dyn Fn(&Function) -> Vec<Id>| {
-        let mut graph = element.graph.clone();
-        let all = element.shape.iter().flat_map(of);
-        let all: Option<Vec<u32>> =
-            all.map(|id| total_degree(&mut graph, id, &element.coordinates)).collect();
-        all.map_or("rational functions".to_string(), |degrees| {
-            format!("polynomials of degree {}", degrees.into_iter().max().unwrap_or(0))
-        })
-    };
-    page.item(&format!("shape functions: {}", degree(&|f| vec![f.value])));
-    page.item(&format!("their gradients: {}", degree(&|f| f.gradient.to_vec())));
-    rule(page, "quadrature", &element.quadrature);
-    for (form, quadrature) in &element.quadrature_of {
-        rule(page, &format!("quadrature of {form}"), quadrature);
-    }
-    page.heading("Proved with exact numbers");
-    page.item(&format!("N_a(x_b) = 1 for a = b and 0 else, for all {} pairs", nodes * nodes));
-    page.item(
-        "sum of N_a = 1 and sum of N_a x_a = x: a rigid motion and a constant strain are exact",
-    );
-    page.item("every node lies in the cell, no two in the same place; all weights are positive");
-    for quadrature in std::iter::once(&element.quadrature).chain(element.quadrature_of.values()) {
-        page.item(&format!(
-            "{} integrates every monomial up to degree {} exactly",
-            quadrature.title, quadrature.degree
-        ));
-    }
-    if element.enhanced.is_some() {
-        page.item(
-            "enhanced modes do no work against a constant stress on any cell: the patch test holds",
-        );
-    }
-}
-
 fn rule(page: &mut Page, name: &str, quadrature: &Quadrature) {
     let Quadrature { title, points, degree, reduced, affine, .. } = quadrature;
     let points = count(points.len(), "point");

@@ -1,15 +1,11 @@
 //! Elements as a kind of spec.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{ElementSpec, demand, explain};
+use super::{ElementSpec, demand};
 use crate::diagnostic::{Code, Diagnostics, Source, suggest};
-use crate::schedule::Program;
 use crate::spec::form::{Form, FormSpec, Structure};
-use crate::spec::kind::Other;
 use crate::spec::kind::{About, Beside, OfAnyKind, SpecKind};
-use crate::spec::page::Page;
 
 impl SpecKind for ElementSpec {
     const KIND: &'static str = "element";
@@ -32,33 +28,15 @@ impl SpecKind for ElementSpec {
         std::iter::once((Self::KIND, self.name.as_str())).chain(types).collect()
     }
 
-    fn report(&self, page: &mut Page) {
-        explain::report(page, self);
-    }
-
-    fn explain(&self, page: &mut Page) {
-        explain::explain(page, self);
-    }
-
     /// Its rules integrate what the forms multiply, and its modes go with them.
     fn check(&self, all: &[&OfAnyKind]) -> Result<(), Diagnostics> {
         let forms: Vec<&Form> = of_forms(all).flat_map(|set| &set.forms).collect();
         check_enhanced(self, &forms)?;
         demand::prove(self, forms.iter().map(|form| (form.name.as_str(), form.products())))
     }
-
-    type Programs = BTreeMap<String, Program>;
-
-    fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
-        super::kernels::points(self, of_forms(all))
-    }
-
-    fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String {
-        super::kernels::module(self, programs, others)
-    }
 }
 
-fn of_forms<'a>(all: &[&'a OfAnyKind]) -> impl Iterator<Item = &'a FormSpec> {
+pub(super) fn of_forms<'a>(all: &[&'a OfAnyKind]) -> impl Iterator<Item = &'a FormSpec> {
     all.iter().filter_map(|spec| spec.downcast_ref())
 }
 

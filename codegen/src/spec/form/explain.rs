@@ -4,53 +4,58 @@ use num_traits::One;
 
 use super::{Form, FormSpec, Place, Structure};
 use crate::expression::{Graph, Id, Rational, display_rounded};
+use crate::spec::kind::Explained;
 use crate::spec::page::Page;
 
-/// Everything about a set of forms.
-pub(super) fn explain(page: &mut Page, spec: &FormSpec) {
-    page.heading("Material");
-    let rows = spec.material.iter().map(|property| {
-        vec![property.name.clone(), property.unit.to_string(), property.title.clone()]
-    });
-    page.columns(&rows.collect::<Vec<_>>());
-    if !spec.coefficients.is_empty() {
-        page.heading("Coefficients");
-        for coefficient in &spec.coefficients {
-            page.item(&format!("{} = {}", coefficient.name, coefficient.text.text()));
+impl Explained for FormSpec {
+    /// Everything about a set of forms.
+    fn explain(&self, page: &mut Page) {
+        page.heading("Material");
+        let rows = self.material.iter().map(|property| {
+            vec![property.name.clone(), property.unit.to_string(), property.title.clone()]
+        });
+        page.columns(&rows.collect::<Vec<_>>());
+        if !self.coefficients.is_empty() {
+            page.heading("Coefficients");
+            for coefficient in &self.coefficients {
+                page.item(&format!("{} = {}", coefficient.name, coefficient.text.text()));
+            }
+        }
+        page.heading("Forms as given, integrated over a cell; v: rows, u: columns");
+        for form in &self.forms {
+            page.item(&format!("{} = {}", form.name, form.text.text()));
+        }
+        self.report(page);
+        for form in &self.forms {
+            components(page, self, form);
         }
     }
-    page.heading("Forms as given, integrated over a cell; v: rows, u: columns");
-    for form in &spec.forms {
-        page.item(&format!("{} = {}", form.name, form.text.text()));
-    }
-    report(page, spec);
-    for form in &spec.forms {
-        components(page, spec, form);
-    }
-}
 
-/// The structure found in every form.
-pub(super) fn report(page: &mut Page, spec: &FormSpec) {
-    page.heading("Structure found, for an element of n nodes");
-    for form in &spec.forms {
-        let material: Vec<&str> =
-            spec.material_of(form).into_iter().map(|property| property.name.as_str()).collect();
-        page.item(&format!("{} over {}", form.name, material.join(", ")));
-        match &form.structure {
-            Structure::Symmetric => {
-                page.item("  symmetric, 3n × 3n; the upper triangle is stored: 3n(3n+1)/2 values");
-            }
-            Structure::Full => page.item("  no structure, 3n × 3n: 9n² values"),
-            Structure::Kronecker { pattern, .. } => {
-                let skew = (0..3).any(|i| (0..3).any(|j| pattern[i][j] != pattern[j][i]));
-                let word = if skew { "skew" } else { "symmetric" };
-                let rows = pattern
-                    .each_ref()
-                    .map(|row| format!("[{}]", row.each_ref().map(ToString::to_string).join(", ")));
-                page.item(&format!(
-                    "  Kronecker, {word}: one symmetric n × n matrix s ⊗ [{}]; n(n+1)/2 values",
-                    rows.join(", ")
-                ));
+    /// The structure found in every form.
+    fn report(&self, page: &mut Page) {
+        page.heading("Structure found, for an element of n nodes");
+        for form in &self.forms {
+            let material: Vec<&str> =
+                self.material_of(form).into_iter().map(|property| property.name.as_str()).collect();
+            page.item(&format!("{} over {}", form.name, material.join(", ")));
+            match &form.structure {
+                Structure::Symmetric => {
+                    page.item(
+                        "  symmetric, 3n × 3n; the upper triangle is stored: 3n(3n+1)/2 values",
+                    );
+                }
+                Structure::Full => page.item("  no structure, 3n × 3n: 9n² values"),
+                Structure::Kronecker { pattern, .. } => {
+                    let skew = (0..3).any(|i| (0..3).any(|j| pattern[i][j] != pattern[j][i]));
+                    let word = if skew { "skew" } else { "symmetric" };
+                    let rows = pattern.each_ref().map(|row| {
+                        format!("[{}]", row.each_ref().map(ToString::to_string).join(", "))
+                    });
+                    page.item(&format!(
+                        "  Kronecker, {word}: one symmetric n × n matrix s ⊗ [{}]; n(n+1)/2 values",
+                        rows.join(", ")
+                    ));
+                }
             }
         }
     }

@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{FormSpec, explain};
+use super::FormSpec;
 use crate::diagnostic::{Diagnostics, Source};
 use crate::spec::kind::{About, Beside, SpecKind};
-use crate::spec::kind::{OfAnyKind, Other};
-use crate::spec::page::Page;
 
 impl SpecKind for FormSpec {
     const KIND: &'static str = "form";
@@ -28,25 +26,5 @@ impl SpecKind for FormSpec {
     fn names(&self) -> Vec<(&'static str, &str)> {
         let forms = self.forms.iter().map(|form| ("form", form.name.as_str()));
         std::iter::once(("set of forms", self.name.as_str())).chain(forms).collect()
-    }
-
-    fn report(&self, page: &mut Page) {
-        explain::report(page, self);
-    }
-
-    fn explain(&self, page: &mut Page) {
-        explain::explain(page, self);
-    }
-
-    type Programs = Vec<super::kernels::Pairs>;
-
-    fn schedule(&self, _all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
-        let pairs = self.forms.iter().map(|form| super::kernels::Pairs::new(self, form));
-        let pairs: Result<_, _> = pairs.collect();
-        pairs.map_err(|error| crate::spec::kernel::unscheduled(&self.file, &error))
-    }
-
-    fn emit(&self, programs: &Self::Programs, _others: &[Other<'_>]) -> String {
-        super::kernels::module(self, programs)
     }
 }

@@ -43,7 +43,8 @@ use crate::diagnostic::{Code, Diagnostics, Located, Source};
 use crate::document::schema::Described;
 use crate::document::{Document, Item, Table, Value};
 use crate::expression::{Graph, Id, Rational, Shape};
-use crate::formula::{self, Meaning, dimension, lower, parse};
+use crate::formula::{Meaning, dimension, lower, parse};
+use crate::spec::read::{self, Head};
 use crate::units::Unit;
 use expand::expand;
 use structure::structure;
@@ -131,18 +132,10 @@ impl FormSpec {
     /// # Errors
     /// Everything wrong with the file, each with its place.
     pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
-        let document = Document::parse(file);
-        if !document.is_toml() {
-            return document.into_result(None);
-        }
-        let mut reader = Reader {
-            document: &document,
-            graph: Graph::new(),
-            names: Names::default(),
-            meanings: BTreeMap::new(),
-        };
-        let spec = reader.spec(file);
-        document.into_result(spec)
+        read::spec(file, FormSpec::SHAPE, |document, root, head| {
+            let (graph, names, meanings) = (Graph::new(), Names::default(), BTreeMap::new());
+            Reader { document, graph, names, meanings }.spec(file, root, head)
+        })
     }
 
     /// Properties that a form uses, in the order of the file.
@@ -167,11 +160,7 @@ struct Reader<'d> {
 }
 
 impl Reader<'_> {
-    fn spec(&mut self, file: &Arc<Source>) -> Option<FormSpec> {
-        let root = self.document.root(FormSpec::SHAPE);
-        root.word("kind");
-        let (name, title) = (root.string("name"), root.string("title"));
-        let reference = root.string("source");
+    fn spec(mut self, file: &Arc<Source>, root: Table<'_>, head: Head) -> Option<FormSpec> {
         let material = root.table("material").map(|table| self.material(table));
         let coefficients = root.optional_table("coefficients").map(|t| self.coefficients(t));
         if let Some(table) = root.optional_table("matrices") {
@@ -182,12 +171,13 @@ impl Reader<'_> {
         if self.document.has_errors() {
             return None;
         }
+        let [name, title, reference] = head.texts()?;
         Some(FormSpec {
-            name: name?.text().to_owned(),
-            title: title?.text().to_owned(),
-            reference: reference?.text().to_owned(),
+            name,
+            title,
+            reference,
             file: file.clone(),
-            graph: std::mem::take(&mut self.graph),
+            graph: self.graph,
             material: material?,
             coefficients: coefficients.unwrap_or_default(),
             forms: forms?,
@@ -201,14 +191,10 @@ impl Reader<'_> {
                 || self.names.scalars.contains_key(name)
                 || self.names.matrices.contains_key(name)
         };
-        let name = formula::name(key.text()).and_then(|name| match taken(&name) {
+        read::name(self.document, key, |name| match taken(&name) {
             true => Err(format!("the name `{name}` is taken")),
             false => Ok(name),
-        });
-        let report = |message| {
-            self.document.push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
-        };
-        name.map_err(report).ok()
+        })
     }
 
     fn material(&mut self, table: Table<'_>) -> Vec<Property> {
@@ -232,11 +218,7 @@ impl Reader<'_> {
     }
 
     fn unit(&self, text: &Located) -> Option<Unit> {
-        let unit = Unit::parse(text.text()).map_err(|error| {
-            let found = text.error(error.code, error.span, error.message);
-            self.document.push(found.maybe_help(error.help));
-        });
-        let unit = unit.ok()?;
+        let unit = read::unit(self.document, text)?;
         if unit.factor().to_rational().is_none_or(|factor| !factor.is_one()) {
             let message = format!("forms are written in SI units, `{unit}` is none");
             let error = text.error_here(Code::WRONG_UNIT, message);
@@ -304,14 +286,7 @@ impl Reader<'_> {
         let mut forms = Vec::new();
         for key in table.names() {
             let Some(text) = table.string(key.text()) else { continue };
-            let name = match formula::name(key.text()).and_then(form_name) {
-                Ok(name) => name,
-                Err(message) => {
-                    self.document
-                        .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
-                    continue;
-                }
-            };
+            let Some(name) = read::name(self.document, &key, form_name) else { continue };
             let expanded = parse(&text).and_then(|formula| {
                 expand(&formula, &mut self.graph, &self.names).map_err(|error| (*error).into())
             });

@@ -5,21 +5,24 @@ use num_traits::ToPrimitive;
 use super::equations::{Equation, equations};
 use super::{Condition, LawSpec, Parameter, short};
 use crate::expression::Rational;
+use crate::spec::kind::Explained;
 use crate::spec::page::Page;
 
-/// Everything about a law but its code.
-pub(super) fn explain(page: &mut Page, law: &LawSpec) {
-    variables(page, law);
-    given(page, law);
-    valid(page, law);
-    derived(page, law);
-    found(page, law);
-}
+impl Explained for LawSpec {
+    /// Everything about a law but its code.
+    fn explain(&self, page: &mut Page) {
+        variables(page, self);
+        given(page, self);
+        valid(page, self);
+        derived(page, self);
+        found(page, self);
+    }
 
-/// What was found about a law when it was read, and where it may be believed.
-pub(super) fn report(page: &mut Page, law: &LawSpec) {
-    found(page, law);
-    valid(page, law);
+    /// What was found about a law when it was read, and where it may be believed.
+    fn report(&self, page: &mut Page) {
+        found(page, self);
+        valid(page, self);
+    }
 }
 
 fn found(page: &mut Page, law: &LawSpec) {

@@ -7,10 +7,9 @@ use quote::{ToTokens, quote};
 use super::{Condition, LawSpec, Validity};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{Numbers, documented, identifier, operand, statements};
-use crate::operation::Operand;
 use crate::schedule::Program;
 use crate::spec::kernel::{self, unscheduled, variable};
-use crate::spec::kind::{About, SpecKind};
+use crate::spec::kind::{About, Compiled, OfAnyKind, Other, SpecKind};
 
 /// What the kernels compute: the law, and where it may be believed.
 pub(crate) struct Programs {
@@ -18,30 +17,34 @@ pub(crate) struct Programs {
     measures: Option<Program>,
 }
 
-pub(super) fn schedule(law: &LawSpec) -> Result<Programs, Diagnostics> {
-    let refused = |error| unscheduled(&law.file, &error);
-    let measures = law.measures_program().map_err(refused)?;
-    Ok(Programs { law: law.program().map_err(refused)?, measures })
-}
+impl Compiled for LawSpec {
+    type Programs = Programs;
 
-pub(super) fn module(law: &LawSpec, Programs { law: program, measures }: &Programs) -> String {
-    let about = law.about();
-    let measured = measures.as_ref().map(|program| measures_of(law, program));
-    let functions = functions(law, program);
-    let functions = quote!(#functions #measured);
-    let entry = entry(law, &about, &functions);
-    let name = identifier(&law.name);
-    let heading = documented(&format!("{}{}", about.heading(), pieces(law)));
-    let validity = measures.is_some().then(|| quote!(Validity,));
-    let module = quote! {
-        #heading
-        pub mod #name {
-            use crate::{Lane, Law, Origin, SpringKernel, #validity Variable, each_spring};
-            #functions
-            #entry
-        }
-    };
-    kernel::text(module)
+    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Programs, Diagnostics> {
+        let refused = |error| unscheduled(&self.file, &error);
+        let measures = self.measures_program().map_err(refused)?;
+        Ok(Programs { law: self.program().map_err(refused)?, measures })
+    }
+
+    fn emit(&self, Programs { law: program, measures }: &Programs, _: &[Other<'_>]) -> String {
+        let about = self.about();
+        let measured = measures.as_ref().map(|program| measures_of(self, program));
+        let functions = functions(self, program);
+        let functions = quote!(#functions #measured);
+        let entry = entry(self, &about, &functions);
+        let name = identifier(&self.name);
+        let heading = documented(&format!("{}{}", about.heading(), pieces(self)));
+        let validity = measures.is_some().then(|| quote!(Validity,));
+        let module = quote! {
+            #heading
+            pub mod #name {
+                use crate::{Lane, Law, Origin, SpringKernel, #validity Variable, each_spring};
+                #functions
+                #entry
+            }
+        };
+        kernel::text(module)
+    }
 }
 
 /// The pieces as the spec gives them.
@@ -69,7 +72,8 @@ fn pieces(law: &LawSpec) -> String {
 }
 
 fn functions(law: &LawSpec, program: &Program) -> TokenStream {
-    let inputs: Vec<_> = law.inputs.iter().map(|input| identifier(&input.name)).collect();
+    let inputs = law.inputs.iter().map(|input| identifier(&input.name).to_token_stream());
+    let inputs: Vec<TokenStream> = inputs.collect();
     let from = law
         .inputs
         .iter()
@@ -77,9 +81,6 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
     let from: Vec<String> = from.collect();
     let from = from.join(", ");
     let names: Vec<&str> = program.outputs.iter().map(|output| output.name.as_str()).collect();
-    let body = body(program);
-    let (input_count, count) =
-        (Literal::usize_unsuffixed(inputs.len()), Literal::usize_unsuffixed(names.len()));
     let about_spring =
         documented(&format!("{} of {from}, SI; {}.", names.join(", "), program.total_counts()));
     let about_rows = documented(&format!(
@@ -88,10 +89,26 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
         8 * inputs.len(),
         8 * names.len()
     ));
-    quote! {
-        enum Kernel {}
+    let (kernel, names) = (quote!(Kernel), [quote!(evaluate), quote!(outputs)]);
+    rows(program, &inputs, kernel, names, [about_spring, about_rows])
+}
 
-        impl SpringKernel<#input_count, #count> for Kernel {
+/// A kernel of one spring, and the function that evaluates rows of springs by it, called by the first of `names`; the
+/// second is what it writes to.
+fn rows(
+    program: &Program,
+    inputs: &[TokenStream],
+    kernel: TokenStream,
+    [function, written]: [TokenStream; 2],
+    [about_spring, about_rows]: [TokenStream; 2],
+) -> TokenStream {
+    let body = body(program);
+    let input_count = Literal::usize_unsuffixed(inputs.len());
+    let count = Literal::usize_unsuffixed(program.outputs.len());
+    quote! {
+        enum #kernel {}
+
+        impl SpringKernel<#input_count, #count> for #kernel {
             #about_spring
             #[inline(always)]
             fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
@@ -100,48 +117,27 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
         }
 
         #about_rows
-        pub fn evaluate(springs: usize, inputs: &[f64], outputs: &mut [f64]) {
-            each_spring::<Kernel, #input_count, #count>(springs, inputs, outputs);
+        pub fn #function(springs: usize, inputs: &[f64], #written: &mut [f64]) {
+            each_spring::<#kernel, #input_count, #count>(springs, inputs, #written);
         }
     }
 }
 
 /// The measures of the inputs by which the law may be believed or not.
 fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
-    let used = |place: usize| {
-        let input = Operand::Input(place);
-        let inside = program.instructions.iter().flat_map(|i| i.operation.operands());
-        inside.chain(program.outputs.iter().map(|o| o.operand)).any(|operand| operand == input)
-    };
-    let inputs = law.inputs.iter().enumerate().map(|(place, input)| match used(place) {
+    let used = program.used_inputs();
+    let inputs = law.inputs.iter().map(|input| match used.contains(&input.name) {
         true => identifier(&input.name).to_token_stream(),
         false => quote!(_),
     });
-    let (input_count, count) = (
-        Literal::usize_unsuffixed(law.inputs.len()),
-        Literal::usize_unsuffixed(program.outputs.len()),
-    );
-    let body = body(program);
+    let inputs: Vec<TokenStream> = inputs.collect();
     let names: Vec<&str> = law.valid.iter().map(|own| own.name.as_str()).collect();
     let about = documented(&format!(
         "Rows of `springs` values, SI: where the law may be believed, by {}.",
         names.join(", ")
     ));
-    quote! {
-        enum Measures {}
-
-        impl SpringKernel<#input_count, #count> for Measures {
-            #[inline(always)]
-            fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
-                #body
-            }
-        }
-
-        #about
-        pub fn measure(springs: usize, inputs: &[f64], measures: &mut [f64]) {
-            each_spring::<Measures, #input_count, #count>(springs, inputs, measures);
-        }
-    }
+    let (kernel, names) = (quote!(Measures), [quote!(measure), quote!(measures)]);
+    rows(program, &inputs, kernel, names, [TokenStream::new(), about])
 }
 
 /// A number that may be negative or infinite.

@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{LawSpec, explain};
+use super::LawSpec;
 use crate::diagnostic::{Diagnostics, Source};
 use crate::spec::kind::{About, Beside, SpecKind};
-use crate::spec::kind::{OfAnyKind, Other};
-use crate::spec::page::Page;
 
 impl SpecKind for LawSpec {
     const KIND: &'static str = "law";
@@ -25,23 +23,5 @@ impl SpecKind for LawSpec {
 
     fn tables(&self) -> Vec<&Arc<Source>> {
         self.tables.iter().map(|table| &table.file).collect()
-    }
-
-    fn report(&self, page: &mut Page) {
-        explain::report(page, self);
-    }
-
-    fn explain(&self, page: &mut Page) {
-        explain::explain(page, self);
-    }
-
-    type Programs = super::kernels::Programs;
-
-    fn schedule(&self, _all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
-        super::kernels::schedule(self)
-    }
-
-    fn emit(&self, programs: &Self::Programs, _others: &[Other<'_>]) -> String {
-        super::kernels::module(self, programs)
     }
 }

@@ -32,11 +32,11 @@ mod tests;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::diagnostic::{Code, Diagnostics, Source};
+use crate::diagnostic::{Diagnostics, Source};
 use crate::document::schema::Described;
 use crate::document::{Document, Table};
 use crate::expression::{Graph, Id, Shape, Symmetry};
-use crate::formula;
+use crate::spec::read::{self, Head};
 use equations::Reader;
 use lagrange::{Coordinate, Derivatives, Equations};
 
@@ -93,20 +93,18 @@ impl MotionSpec {
     /// # Errors
     /// Everything wrong with the file, each with its place.
     pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
-        let document = Document::parse(file);
-        if !document.is_toml() {
-            return document.into_result(None);
-        }
-        let motion = read(&document, file);
-        document.into_result(motion)
+        read::spec(file, MotionSpec::SHAPE, |document, root, head| {
+            read_motion(document, file, root, head)
+        })
     }
 }
 
-fn read(document: &Document, file: &Arc<Source>) -> Option<MotionSpec> {
-    let root = document.root(MotionSpec::SHAPE);
-    root.word("kind");
-    let name = root.string("name");
-    let (title, reference) = (root.string("title"), root.string("source"));
+fn read_motion(
+    document: &Document,
+    file: &Arc<Source>,
+    root: Table,
+    head: Head,
+) -> Option<MotionSpec> {
     let mut graph = Graph::new();
     let mut names = BTreeMap::new();
     let coordinates = coordinates(&root, &mut graph, &mut names);
@@ -121,10 +119,11 @@ fn read(document: &Document, file: &Arc<Source>) -> Option<MotionSpec> {
     if document.has_errors() {
         return None;
     }
+    let [name, title, reference] = head.texts()?;
     Some(MotionSpec {
-        name: name?.text().to_owned(),
-        title: title?.text().to_owned(),
-        reference: reference?.text().to_owned(),
+        name,
+        title,
+        reference,
         file: file.clone(),
         coordinates: reader.coordinates,
         tensors,
@@ -162,22 +161,11 @@ fn tensors(root: &Table, graph: &mut Graph, names: &mut BTreeMap<String, Id>) ->
     let mut tensors = Vec::new();
     for key in table.names() {
         let word = table.word(key.text());
-        let name = match formula::name(key.text()) {
-            Ok(name) if names.contains_key(&name) => {
-                let message = format!("`{name}` is already a coordinate, a rate or a tensor");
-                table
-                    .document()
-                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
-                continue;
-            }
-            Ok(name) => name,
-            Err(message) => {
-                table
-                    .document()
-                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
-                continue;
-            }
+        let free = |name| match names.contains_key(&name) {
+            true => Err(format!("`{name}` is already a coordinate, a rate or a tensor")),
+            false => Ok(name),
         };
+        let Some(name) = read::name(table.document(), &key, free) else { continue };
         let Some((_, shape, symmetry)) = TENSORS.into_iter().find(|t| Some(t.0) == word) else {
             continue;
         };

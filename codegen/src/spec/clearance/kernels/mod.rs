@@ -15,7 +15,7 @@ use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::expression::Id;
 use crate::schedule::{Program, Request, ScheduleError, schedule as in_stages};
 use crate::spec::kernel::{self, unscheduled};
-use crate::spec::kind::SpecKind;
+use crate::spec::kind::{Compiled, OfAnyKind, Other, SpecKind};
 
 /// What the kernels compute.
 pub(crate) struct Programs {
@@ -27,52 +27,57 @@ pub(crate) struct Programs {
     kinds: Vec<(Program, Vec<Sum>)>,
 }
 
-pub(super) fn schedule(spec: &ClearanceSpec) -> Result<Programs, Diagnostics> {
-    let refused = |error: ScheduleError| unscheduled(&spec.file, &error);
-    let kinds = spec.contacts.iter().map(|contact| {
-        let derived = spec.derive(contact)?;
-        program(spec, contact, derived).map_err(refused)
-    });
-    Ok(Programs {
-        value: flat(spec, &springs_own(spec), &[(&spec.clearance, spec.value)]).map_err(refused)?,
-        axial: axial_program(spec).map_err(refused)?,
-        measures: measures_program(spec).transpose().map_err(refused)?,
-        kinds: kinds.collect::<Result<_, Diagnostics>>()?,
-    })
-}
+impl Compiled for ClearanceSpec {
+    type Programs = Programs;
 
-pub(super) fn module(spec: &ClearanceSpec, programs: &Programs) -> String {
-    let about = spec.about();
-    let own = [value(spec, &programs.value), axial(spec, &programs.axial)];
-    let measures = programs.measures.as_ref().map(|program| measures(spec, program));
-    let kinds = spec.contacts.iter().zip(&programs.kinds);
-    let kinds: TokenStream = kinds
-        .map(|(contact, (program, sums))| Kernels::new(spec, contact, program, sums).module())
-        .collect();
-    let kinds = quote!(#[doc = " Kinds of laws."] pub mod contacts { #kinds });
-    let functions: TokenStream = own.into_iter().chain(measures).chain([kinds]).collect();
-    let entries = spec.contacts.iter().map(|contact| identifier(&contact.name));
-    let origin = about.origin(&functions);
-    let name = identifier(&spec.name);
-    let heading = documented(&format!(
-        "{}\n{} = `{}`\n",
-        about.heading(),
-        spec.clearance,
-        spec.formula.text.text()
-    ));
-    kernel::text(quote! {
-        #heading
-        pub mod #name {
-            use crate::{Clearance, Lane, Origin};
-            #functions
-            /// The entry of the registry.
-            pub const ENTRY: Clearance = Clearance {
-                origin: #origin,
-                axial,
-                contacts: &[#(contacts::#entries::ENTRY),*],
-            };
-        }
-    })
+    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Programs, Diagnostics> {
+        let refused = |error: ScheduleError| unscheduled(&self.file, &error);
+        let kinds = self.contacts.iter().map(|contact| {
+            let derived = self.derive(contact)?;
+            program(self, contact, derived).map_err(refused)
+        });
+        Ok(Programs {
+            value: flat(self, &springs_own(self), &[(&self.clearance, self.value)])
+                .map_err(refused)?,
+            axial: axial_program(self).map_err(refused)?,
+            measures: measures_program(self).transpose().map_err(refused)?,
+            kinds: kinds.collect::<Result<_, Diagnostics>>()?,
+        })
+    }
+
+    fn emit(&self, programs: &Programs, _: &[Other<'_>]) -> String {
+        let about = self.about();
+        let own = [value(self, &programs.value), axial(self, &programs.axial)];
+        let measures = programs.measures.as_ref().map(|program| measures(self, program));
+        let kinds = self.contacts.iter().zip(&programs.kinds);
+        let kinds: TokenStream = kinds
+            .map(|(contact, (program, sums))| Kernels::new(self, contact, program, sums).module())
+            .collect();
+        let kinds = quote!(#[doc = " Kinds of laws."] pub mod contacts { #kinds });
+        let functions: TokenStream = own.into_iter().chain(measures).chain([kinds]).collect();
+        let entries = self.contacts.iter().map(|contact| identifier(&contact.name));
+        let origin = about.origin(&functions);
+        let name = identifier(&self.name);
+        let heading = documented(&format!(
+            "{}\n{} = `{}`\n",
+            about.heading(),
+            self.clearance,
+            self.formula.text.text()
+        ));
+        kernel::text(quote! {
+            #heading
+            pub mod #name {
+                use crate::{Clearance, Lane, Origin};
+                #functions
+                /// The entry of the registry.
+                pub const ENTRY: Clearance = Clearance {
+                    origin: #origin,
+                    axial,
+                    contacts: &[#(contacts::#entries::ENTRY),*],
+                };
+            }
+        })
+    }
 }
 
 /// Names and symbols of what the clearance depends on.

@@ -6,7 +6,6 @@ use quote::{format_ident, quote};
 use super::functions::Kernels;
 use super::program::{AFTER_SUMS, EACH_RING, EACH_SPRING, Sum, TABLE};
 use crate::emit::{Numbers, documented, identifier, operand, statements};
-use crate::operation::Operand;
 use crate::schedule::Program;
 
 /// What a function reads of every spring.
@@ -25,12 +24,12 @@ pub(super) struct Part<'a> {
 
 impl<'a> Part<'a> {
     pub(super) fn new(kernels: &'a Kernels<'a>, wanted: impl Fn(&str) -> bool) -> Self {
-        let used = used_inputs(&kernels.program.restricted(&wanted));
+        let used = kernels.program.restricted(&wanted).used_inputs();
         let sums: Vec<&Sum> = kernels.sums.iter().filter(|s| used.contains(&s.total)).collect();
         let program = kernels
             .program
             .restricted(|name| wanted(name) || sums.iter().any(|sum| sum.part == name));
-        let mut used = used_inputs(&program);
+        let mut used = program.used_inputs();
         // What only fills the table is not read again.
         let kept = program.carried(TABLE, &[EACH_RING, EACH_SPRING, AFTER_SUMS], true);
         let kept: Vec<String> =
@@ -167,13 +166,4 @@ impl<'a> Part<'a> {
         let found = self.program.output(name).expect("the part has this output");
         operand(&self.program, found, Numbers::Plain)
     }
-}
-
-/// Names of the inputs that a program uses.
-fn used_inputs(program: &Program) -> Vec<String> {
-    let stages: Vec<usize> = (0..program.stages.len()).collect();
-    let used = stages.iter().flat_map(|stage| program.carried(*stage, &stages, true));
-    used.filter(|operand| matches!(operand, Operand::Input(_)))
-        .filter_map(|operand| program.name_of(operand).map(str::to_string))
-        .collect()
 }

@@ -213,14 +213,8 @@ impl CellForm<'_> {
         let modes = enhanced.map_or(0, |enhanced| enhanced.modes.len());
         let total = nodes + modes;
         let points = table.weights.len();
-        let weights_name = tables.named("WEIGHTS", form);
         let points_count = count(points);
-        tables.add(
-            &weights_name,
-            "Weights of the points.",
-            quote!([f64; #points_count]),
-            row(&table.weights),
-        );
+        tables.weights(form, &table.weights);
         let parts = pairs.parts();
         let with_values = parts.contains(&0);
         let aligned = Aligned::of(self.element, form, pairs, table);

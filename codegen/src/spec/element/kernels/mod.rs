@@ -13,6 +13,7 @@ use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::kind::of_forms;
 use super::{ElementSpec, ModeJacobian};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{documented, identifier, names, number};
@@ -20,19 +21,61 @@ use crate::rational::nearest;
 use crate::schedule::{Program, Request, ScheduleError, schedule};
 use crate::spec::form::{FormSpec, Structure};
 use crate::spec::kernel::{self, unscheduled, variable};
-use crate::spec::kind::{About, Other, SpecKind};
+use crate::spec::kind::{About, Compiled, OfAnyKind, Other, SpecKind};
 use cell::CellForm;
 use table::Tables;
 
-/// Scale factors at a point for every form of these sets, by its name.
-pub(super) fn points<'f>(
-    element: &ElementSpec,
-    forms: impl Iterator<Item = &'f FormSpec>,
-) -> Result<BTreeMap<String, Program>, Diagnostics> {
-    let names = forms.flat_map(|set| &set.forms).map(|form| &form.name);
-    let programs = names.map(|name| Ok((name.clone(), point_program(element, name)?)));
-    let programs: Result<_, _> = programs.collect();
-    programs.map_err(|error| unscheduled(&element.file, &error))
+impl Compiled for ElementSpec {
+    type Programs = BTreeMap<String, Program>;
+
+    /// Scale factors at a point for every form of all sets, by its name.
+    fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
+        let names = of_forms(all).flat_map(|set| &set.forms).map(|form| &form.name);
+        let programs = names.map(|name| Ok((name.clone(), point_program(self, name)?)));
+        let programs: Result<_, _> = programs.collect();
+        programs.map_err(|error| unscheduled(&self.file, &error))
+    }
+
+    /// The module of the kernels of all forms on one element. Those that an element before has, too, are called there.
+    fn emit(&self, points: &Self::Programs, others: &[Other<'_>]) -> String {
+        let forms: Vec<_> = others.iter().filter_map(Other::of::<FormSpec>).collect();
+        let before = || others.iter().filter_map(Other::of::<ElementSpec>).map(|(spec, ..)| spec);
+        let mut tables = Tables::new(self);
+        let mut functions = TokenStream::new();
+        let (mut entries, mut known) = (Vec::new(), Vec::new());
+        for (spec, pairs, _) in &forms {
+            for (form, pairs) in spec.forms.iter().zip(*pairs) {
+                let same_kernel = before().find(|other| other.integrates_as(self, &form.name));
+                let point = &points[&form.name];
+                let cell = CellForm { element: self, spec, form, pairs, point, same_kernel };
+                let (text, flops) = cell.functions(&mut tables, &mut known);
+                functions.extend(text);
+                entries.push(entry(&cell, flops));
+            }
+        }
+        let read = tables.read();
+        let functions = quote!(#read #functions);
+        // What the kernels do counts for the hash, wherever they stand.
+        let works = known.iter().map(|kernel| kernel.work.as_str());
+        let beside = forms.iter().map(|(.., text)| *text).chain(works).collect();
+        let about = About { beside, ..self.about() };
+        let registered = registered(self, &about, &tables.all(), &entries);
+        let heading = documented(&heading(self, &about));
+        let name = identifier(&self.name);
+        // An self may do nothing that another does not.
+        let used = names(&functions);
+        let called = ["cells", "forms", "Batch", "Lane", "Matrix", "Register"];
+        let called = called.iter().filter(|name| used.contains(**name));
+        let called = called.map(|name| format_ident!("{name}"));
+        kernel::text(quote! {
+            #heading
+            pub mod #name {
+                use crate::{#(#called,)* Element, FormKernel, Origin, Structure, Variable};
+                #functions
+                #registered
+            }
+        })
+    }
 }
 
 /// Scale factors at a point, from `weight`, `det` and `det0`: `root` = √(w det J), `nodal` for the gradients
@@ -58,52 +101,6 @@ fn point_program(element: &ElementSpec, form: &str) -> Result<Program, ScheduleE
     let names = vec![(root, "root".to_owned())];
     schedule(&mut graph, &Request { names, ..Request::flat(inputs, &outputs) })
 }
-
-/// The module of the kernels of all forms on one element. Those that an element before has, too, are called there.
-pub(super) fn module(
-    element: &ElementSpec,
-    points: &BTreeMap<String, Program>,
-    others: &[Other<'_>],
-) -> String {
-    let forms: Vec<_> = others.iter().filter_map(Other::of::<FormSpec>).collect();
-    let before = || others.iter().filter_map(Other::of::<ElementSpec>).map(|(spec, ..)| spec);
-    let mut tables = Tables::new(element);
-    let mut functions = TokenStream::new();
-    let (mut entries, mut known) = (Vec::new(), Vec::new());
-    for (spec, pairs, _) in &forms {
-        for (form, pairs) in spec.forms.iter().zip(*pairs) {
-            let same_kernel = before().find(|other| other.integrates_as(element, &form.name));
-            let point = &points[&form.name];
-            let cell = CellForm { element, spec, form, pairs, point, same_kernel };
-            let (text, flops) = cell.functions(&mut tables, &mut known);
-            functions.extend(text);
-            entries.push(entry(&cell, flops));
-        }
-    }
-    let read = tables.read();
-    let functions = quote!(#read #functions);
-    // What the kernels do counts for the hash, wherever they stand.
-    let works = known.iter().map(|kernel| kernel.work.as_str());
-    let beside = forms.iter().map(|(.., text)| *text).chain(works).collect();
-    let about = About { beside, ..element.about() };
-    let registered = registered(element, &about, &tables.all(), &entries);
-    let heading = documented(&heading(element, &about));
-    let name = identifier(&element.name);
-    // An element may do nothing that another does not.
-    let used = names(&functions);
-    let called = ["cells", "forms", "Batch", "Lane", "Matrix", "Register"];
-    let called = called.iter().filter(|name| used.contains(**name));
-    let called = called.map(|name| format_ident!("{name}"));
-    kernel::text(quote! {
-        #heading
-        pub mod #name {
-            use crate::{#(#called,)* Element, FormKernel, Origin, Structure, Variable};
-            #functions
-            #registered
-        }
-    })
-}
-
 fn heading(element: &ElementSpec, about: &About) -> String {
     let mut text = format!(
         "{}\n{} nodes on the {}; integrated with {}.\n",

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::ElementSpec;
-use crate::emit::{documented, number};
+use crate::emit::{count, documented, number};
 
 /// The tables that kernels of an element read, each once.
 pub(super) struct Tables<'a> {
@@ -43,6 +43,13 @@ impl<'a> Tables<'a> {
             true => format_ident!("{}_{}_", table, form.to_uppercase()),
             false => format_ident!("{}_", table),
         }
+    }
+
+    /// The weights of the points for a form.
+    pub(super) fn weights(&mut self, form: &str, weights: &[f64]) -> Ident {
+        let (name, points) = (self.named("WEIGHTS", form), count(weights.len()));
+        self.add(&name, "Weights of the points.", quote!([f64; #points]), row(weights));
+        name
     }
 
     pub(super) fn add(

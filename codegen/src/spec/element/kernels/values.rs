@@ -106,18 +106,9 @@ impl CellForm<'_> {
         let form = &self.form.name;
         let (nodes, points) = (self.element.nodes.len(), table.weights.len());
         let (tangents, tangent_flops) = self.tangents(tables, table);
-        let (columns, weights, shapes) = (
-            tables.named("COLUMNS", form),
-            tables.named("WEIGHTS", form),
-            tables.named("SHAPES", form),
-        );
+        let (columns, shapes) = (tables.named("COLUMNS", form), tables.named("SHAPES", form));
+        let weights = tables.weights(form, &table.weights);
         let (node_count, point_count) = (count(nodes), count(points));
-        tables.add(
-            &weights,
-            "Weights of the points.",
-            quote!([f64; #point_count]),
-            row(&table.weights),
-        );
         let values = (0..nodes).map(|a| {
             let values: Vec<f64> = table.values.iter().map(|values| values[a]).collect();
             row(&values)

@@ -12,10 +12,11 @@ use num_traits::{One, ToPrimitive};
 use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode, table};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::document::schema::Described;
-use crate::document::{Document, Item, Table, Value, plain_name};
+use crate::document::{Document, Item, Table, Value};
 use crate::element::{Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
 use crate::formula::{lower, parse};
+use crate::spec::read::{self, Head};
 
 /// Most nodes of an element, points of a rule, and modes: far above any element in use.
 pub(super) const MOST: usize = 64;
@@ -24,15 +25,11 @@ pub(super) const MOST: usize = 64;
 pub(super) const MOST_COMPLETE: usize = 4;
 
 pub(super) fn read(file: &Arc<Source>) -> Result<ElementSpec, Diagnostics> {
-    let document = Document::parse(file);
-    if !document.is_toml() {
-        return document.into_result(None);
-    }
-    let mut graph = Graph::new();
-    let coordinates = ["xi", "eta", "zeta"].map(|name| graph.scalar(name));
-    let mut reader = Reader { document: &document, graph, coordinates };
-    let element = reader.element(file);
-    document.into_result(element)
+    read::spec(file, ElementSpec::SHAPE, |document, root, head| {
+        let mut graph = Graph::new();
+        let coordinates = ["xi", "eta", "zeta"].map(|name| graph.scalar(name));
+        Reader { document, graph, coordinates }.element(file, root, head)
+    })
 }
 
 struct Reader<'d> {
@@ -42,15 +39,11 @@ struct Reader<'d> {
 }
 
 impl<'d> Reader<'d> {
-    fn element(&mut self, file: &Arc<Source>) -> Option<ElementSpec> {
+    fn element(mut self, file: &Arc<Source>, root: Table<'d>, head: Head) -> Option<ElementSpec> {
         let document = self.document;
-        let root = document.root(ElementSpec::SHAPE);
-        root.word("kind");
-        let (name, title) = (root.string("name"), root.string("title"));
-        let reference = root.string("source");
-        if let Some(name) = &name {
-            self.check_name(name);
-        }
+        let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
+        let message = "an element's name is made of letters, digits, `-` and `_`";
+        head.check(document, fine, message);
         let cell = root.word("cell").and_then(Cell::named);
         let nodes = self.nodes(&root);
         // Known even where the nodes, which it is read for, are wrong.
@@ -89,13 +82,14 @@ impl<'d> Reader<'d> {
         let single: Option<BTreeMap<String, table::Table>> =
             rules.iter().map(|(form, rule)| Some((form.clone(), table(rule)?))).collect();
         let tables = (table(&rule)?, single?);
+        let [name, title, reference] = head.texts()?;
         Some(ElementSpec {
-            name: name?.text().to_owned(),
-            title: title?.text().to_owned(),
-            reference: reference?.text().to_owned(),
+            name,
+            title,
+            reference,
             file: file.clone(),
             cell,
-            graph: std::mem::take(&mut self.graph),
+            graph: self.graph,
             coordinates: self.coordinates,
             nodes: nodes?,
             shape,
@@ -109,15 +103,6 @@ impl<'d> Reader<'d> {
             vtk,
             vtk_order,
         })
-    }
-
-    fn check_name(&self, name: &Located) {
-        let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
-        if name.text().is_empty() || !name.text().chars().all(fine) {
-            let message = "an element's name is made of letters, digits, `-` and `_`";
-            let help = plain_name(name.text(), fine);
-            self.document.push(name.error_here(Code::BAD_NAME, message).help(help));
-        }
     }
 
     /// Adds a formula over `names` to the graph.

@@ -8,51 +8,61 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::{Form, FormSpec, Structure};
+use crate::diagnostic::Diagnostics;
 use crate::emit::{count, documented, identifier};
-use crate::spec::kernel::text;
-use crate::spec::kind::SpecKind;
+use crate::spec::kernel::{text, unscheduled};
+use crate::spec::kind::{Compiled, OfAnyKind, Other, SpecKind};
 use block::Block;
 pub(in crate::spec) use block::{block_name, once_name};
 pub(in crate::spec) use pairs::PAIR;
 pub(crate) use pairs::Pairs;
 
-/// The module of the forms: `pairs` of each.
-pub(super) fn module(spec: &FormSpec, pairs: &[Pairs]) -> String {
-    let functions: TokenStream = (spec.forms.iter().zip(pairs))
-        .filter(|(form, pairs)| !by_values(form, pairs))
-        .map(|(form, pairs)| function(spec, form, pairs))
-        .collect();
-    let about = spec.about();
-    let (name, origin) = (identifier(&spec.name), about.origin(&functions));
-    let mut heading = about.heading();
-    let inline: Vec<String> = (spec.forms.iter().zip(pairs))
-        .filter(|(form, pairs)| by_values(form, pairs))
-        .map(|(form, _)| format!("`{}`", form.name))
-        .collect();
-    if !inline.is_empty() {
-        heading += &format!(
-            "\nOf values of the functions only, and written out in the module of each element: {}.\n",
-            inline.join(", ")
-        );
+impl Compiled for FormSpec {
+    type Programs = Vec<Pairs>;
+
+    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Vec<Pairs>, Diagnostics> {
+        let pairs = self.forms.iter().map(|form| Pairs::new(self, form));
+        let pairs: Result<_, _> = pairs.collect();
+        pairs.map_err(|error| unscheduled(&self.file, &error))
     }
-    let heading = documented(&heading);
-    let uses = match functions.is_empty() {
-        true => quote!(
-            use crate::Origin;
-        ),
-        false => quote!(
-            use crate::{Lane, Matrix, Origin, Register, Shared, cells};
-        ),
-    };
-    text(quote! {
-        #heading
-        pub mod #name {
-            #uses
-            #functions
-            /// The entry of the registry.
-            pub const ENTRY: Origin = #origin;
+
+    fn emit(&self, pairs: &Vec<Pairs>, _: &[Other<'_>]) -> String {
+        let functions: TokenStream = (self.forms.iter().zip(pairs))
+            .filter(|(form, pairs)| !by_values(form, pairs))
+            .map(|(form, pairs)| function(self, form, pairs))
+            .collect();
+        let about = self.about();
+        let (name, origin) = (identifier(&self.name), about.origin(&functions));
+        let mut heading = about.heading();
+        let inline: Vec<String> = (self.forms.iter().zip(pairs))
+            .filter(|(form, pairs)| by_values(form, pairs))
+            .map(|(form, _)| format!("`{}`", form.name))
+            .collect();
+        if !inline.is_empty() {
+            heading += &format!(
+                "\nOf values of the functions only, and written out in the module of each element: {}.\n",
+                inline.join(", ")
+            );
         }
-    })
+        let heading = documented(&heading);
+        let uses = match functions.is_empty() {
+            true => quote!(
+                use crate::Origin;
+            ),
+            false => quote!(
+                use crate::{Lane, Matrix, Origin, Register, Shared, cells};
+            ),
+        };
+        text(quote! {
+            #heading
+            pub mod #name {
+                #uses
+                #functions
+                /// The entry of the registry.
+                pub const ENTRY: Origin = #origin;
+            }
+        })
+    }
 }
 
 /// Whether only values of the functions occur, in one scalar matrix: few numbers that kernels of elements write out.

@@ -16,9 +16,10 @@ use super::valid::{self, ValidityDraft};
 use super::{BearingValue, Given, LawSpec};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use crate::document::schema::Described;
-use crate::document::{Document, Table, Value, plain_name};
+use crate::document::{Document, Table, Value};
 use crate::formula::{self, Formula};
 use crate::spec::kind::Beside;
+use crate::spec::read::{self, Head};
 use crate::units::Unit;
 
 /// Most bytes of a law file.
@@ -88,115 +89,63 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
         let message = format!("a law file is at most {LONGEST} bytes long");
         return Err(Diagnostic::new(file, Code::LIMIT, None, message).into());
     }
-    let document = Document::parse(file);
-    if !document.is_toml() {
-        return document.into_result(None);
-    }
-    let root = document.root(LawSpec::SHAPE);
-    root.word("kind");
-    let (name, title, reference) =
-        (root.string("name"), root.string("title"), root.string("source"));
-    if let Some(name) = &name {
-        let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
-        if name.text().is_empty() || !name.text().chars().all(fine) {
-            let message = "a law's name is made of letters, digits, `-`, `_` and `.`";
-            document
-                .push(name.error_here(Code::BAD_NAME, message).help(plain_name(name.text(), fine)));
-        }
-    }
-    let mut names = Names { taken: BTreeMap::new(), document: &document };
-    let mut inputs = Vec::new();
-    if let Some(table) = root.table("inputs") {
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = names.take(&key);
-            let (Some(entry), Some(name)) = (entry, name) else { continue };
-            inputs.extend(variable(&entry, &key, name, Acts::inputs, "an input"));
-            entry.finish();
-        }
-        table.finish();
-    }
-    let mut parameters = Vec::new();
-    if let Some(table) = root.optional_table("parameters") {
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = names.take(&key);
-            let (Some(entry), Some(name)) = (entry, name) else { continue };
-            let value = entry.number("value");
-            let title = entry.optional_string("title").map_or(String::new(), |t| t.text().into());
-            let unit_place = entry.string("unit");
-            let unit = unit_place.as_ref().and_then(|text| unit_of(&document, text));
-            let bearing = entry.optional_word("bearing").and_then(BearingValue::called);
-            if let (Some(bearing), Some(unit), Some(place)) = (bearing, &unit, &unit_place) {
-                fits(&document, &name, bearing, unit, place);
-            }
-            if let (Some((value, _)), Some(unit)) = (value, unit) {
-                parameters.push(Constant { key, name, title, unit, value, bearing });
-            }
-            entry.finish();
-        }
-        table.finish();
-    }
-    let mut tables = Vec::new();
-    if let Some(table) = root.optional_table("tables") {
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = names.take(&key);
-            let Some(entry) = entry else { continue };
-            tables.extend(table::read(&entry, &key, name, beside));
-            entry.finish();
-        }
-        table.finish();
-    }
+    read::spec(file, LawSpec::SHAPE, |document, root, head| {
+        draft(document, file, root, head, beside)
+    })
+}
+
+fn draft<'d>(
+    document: &'d Document<'d>,
+    file: &Arc<Source>,
+    root: Table<'d>,
+    head: Head,
+    beside: &Beside<'_>,
+) -> Option<Draft> {
+    let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    head.check(document, fine, "a law's name is made of letters, digits, `-`, `_` and `.`");
+    let mut names = Names { taken: BTreeMap::new(), document };
+    let inputs = names.named(root.table("inputs"), |entry, key, name| {
+        variable(entry, key, name, Acts::inputs, "an input")
+    });
+    let parameters = names.named(root.optional_table("parameters"), parameter);
+    let tables = names.all(root.optional_table("tables"), |entry, key, name| {
+        let table = table::read(&entry, key, name, beside);
+        entry.finish();
+        table
+    });
     let mut definitions = Vec::new();
     if let Some(table) = root.optional_table("definitions") {
         for key in table.names() {
             let name = names.take(&key);
-            let formula = table.string(key.text()).and_then(|text| parse(&document, &text));
+            let formula = table.string(key.text()).and_then(|text| parse(document, &text));
             if let (Some(name), Some(formula)) = (name, formula) {
                 definitions.push((key, name, formula));
             }
         }
         table.finish();
     }
-    let mut outputs = Vec::new();
-    if let Some(table) = root.table("outputs") {
-        if table.names().is_empty() {
-            let message = "a law has at least one output, such as `Q`".to_owned();
-            table.error(Code::MISSING_KEY, table.span(), message);
-        }
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = names.take(&key);
-            let (Some(entry), Some(name)) = (entry, name) else { continue };
-            outputs.extend(output::read(&entry, &key, name));
-            entry.finish();
-        }
-        table.finish();
+    let table_of_outputs = root.table("outputs");
+    if let Some(table) = table_of_outputs.as_ref().filter(|table| table.names().is_empty()) {
+        let message = "a law has at least one output, such as `Q`".to_owned();
+        table.error(Code::MISSING_KEY, table.span(), message);
     }
-    let mut valid = Vec::new();
-    if let Some(table) = root.optional_table("valid") {
-        // Nothing refers to measures, so that one may have the name of an input. The ends of tables are measures,
-        // too.
-        let taken = tables.iter().map(|table| (table.name.clone(), table.key.span()));
-        let mut own = Names { taken: taken.collect(), document: &document };
-        for key in table.names() {
-            let entry = table.table(key.text());
-            let name = own.take(&key);
-            let Some(entry) = entry else { continue };
-            valid.extend(valid::read(&entry, &key, name));
-            entry.finish();
-        }
-        table.finish();
-    }
+    let outputs = names.named(table_of_outputs, output::read);
+    // Nothing refers to measures, so that one may have the name of an input. The ends of tables are measures, too.
+    let taken = tables.iter().map(|table: &TableDraft| (table.name.clone(), table.key.span()));
+    let mut names = Names { taken: taken.collect(), document };
+    let valid = names.all(root.optional_table("valid"), |entry, key, name| {
+        let measure = valid::read(&entry, key, name);
+        entry.finish();
+        measure
+    });
     root.finish();
-    let acts = acts(&document, &inputs, &outputs);
-    let text = |text: Option<Located>| text.map(|text| text.text().to_owned()).unwrap_or_default();
-    document.into_result(Some(Draft {
+    let acts = acts(document, &inputs, &outputs);
+    let [name, title, reference] = head.texts()?;
+    Some(Draft {
         file: file.clone(),
-        name: text(name),
-        title: text(title),
-        reference: text(reference),
+        name,
+        title,
+        reference,
         acts,
         inputs,
         parameters,
@@ -204,7 +153,21 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
         definitions,
         outputs,
         valid,
-    }))
+    })
+}
+
+/// Reads a parameter.
+fn parameter(entry: &Table<'_>, key: &Located, name: String) -> Option<Constant> {
+    let document = entry.document();
+    let value = entry.number("value");
+    let title = entry.optional_string("title").map_or(String::new(), |t| t.text().into());
+    let unit_place = entry.string("unit");
+    let unit = unit_place.as_ref().and_then(|text| read::unit(document, text));
+    let bearing = entry.optional_word("bearing").and_then(BearingValue::called);
+    if let (Some(bearing), Some(unit), Some(place)) = (bearing, &unit, &unit_place) {
+        fits(document, &name, bearing, unit, place);
+    }
+    Some(Constant { key: key.clone(), name, title, unit: unit?, value: value?.0, bearing })
 }
 
 /// Notes a parameter that cannot be what it says it is of the bearing.
@@ -261,35 +224,47 @@ struct Names<'d> {
     document: &'d Document<'d>,
 }
 
-impl Names<'_> {
-    fn take(&mut self, key: &Located) -> Option<String> {
-        let name = match formula::name(key.text()) {
-            Ok(name) => name,
-            Err(message) => {
-                self.document
-                    .push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
-                return None;
-            }
-        };
-        if let Some(first) = self.taken.get(&name) {
-            let (line, _) = key.source().line_column(first.start);
-            let message = format!("the name `{name}` is taken since line {line}");
-            self.document.push(key.error_here(Code::BAD_NAME, message).help("choose another name"));
-            return None;
+impl<'d> Names<'d> {
+    /// What `read` makes of the tables in a table, each with its name if that is free.
+    fn all<T>(
+        &mut self,
+        table: Option<Table<'d>>,
+        mut read: impl FnMut(Table<'d>, &Located, Option<String>) -> Option<T>,
+    ) -> Vec<T> {
+        let Some(table) = table else { return Vec::new() };
+        let mut all = Vec::new();
+        for key in table.names() {
+            let entry = table.table(key.text());
+            let name = self.take(&key);
+            all.extend(entry.and_then(|entry| read(entry, &key, name)));
         }
+        table.finish();
+        all
+    }
+
+    /// The same for those that have a name.
+    fn named<T>(
+        &mut self,
+        table: Option<Table<'d>>,
+        mut read: impl FnMut(&Table<'d>, &Located, String) -> Option<T>,
+    ) -> Vec<T> {
+        self.all(table, |entry, key, name| {
+            let made = read(&entry, key, name?);
+            entry.finish();
+            made
+        })
+    }
+
+    fn take(&mut self, key: &Located) -> Option<String> {
+        let name = read::name(self.document, key, |name| match self.taken.get(&name) {
+            Some(first) => {
+                let (line, _) = key.source().line_column(first.start);
+                Err(format!("the name `{name}` is taken since line {line}"))
+            }
+            None => Ok(name),
+        })?;
         self.taken.insert(name.clone(), key.span());
         Some(name)
-    }
-}
-
-pub(super) fn unit_of(document: &Document<'_>, text: &Located) -> Option<Unit> {
-    match Unit::parse(text.text()) {
-        Ok(unit) => Some(unit),
-        Err(error) => {
-            let found = text.error(error.code, error.span, error.message);
-            document.push(found.maybe_help(error.help));
-            None
-        }
     }
 }
 
@@ -309,7 +284,7 @@ fn variable(
     let title = table.optional_string("title");
     let range = range(table);
     let unit_place = table.string("unit");
-    let unit = unit_place.as_ref().and_then(|text| unit_of(document, text));
+    let unit = unit_place.as_ref().and_then(|text| read::unit(document, text));
     let known = acts::known(list);
     let Some((quantity, only)) = known.iter().find(|(quantity, _)| quantity.name == name) else {
         let names: Vec<&str> = known.iter().map(|(quantity, _)| quantity.name).collect();

@@ -5,10 +5,11 @@ use crate::rational::{Rational, nearest};
 use super::columns::{Column, Columns, Wanted, Which};
 use super::{Extend, LawTable, check_rows};
 use crate::diagnostic::{Code, Diagnostics, Located};
-use crate::document::{Document, Table, Value};
+use crate::document::{Table, Value};
 use crate::formula::{Formula, parse};
 use crate::spec::kind::Beside;
 use crate::spec::law::system::System;
+use crate::spec::read;
 use crate::units::Unit;
 
 /// A table as the law file and the file of its columns give it.
@@ -138,7 +139,7 @@ fn wanted(section: &Table<'_>, key: &Located, axis: &str, place: usize) -> Optio
         Some(value) => (value, None),
     };
     let unit = match unit {
-        Some(text) => Some(unit_of(document, &text)?),
+        Some(text) => Some(read::unit(document, &text)?),
         None => None,
     };
     let span = value.span();
@@ -162,13 +163,4 @@ fn wanted(section: &Table<'_>, key: &Located, axis: &str, place: usize) -> Optio
         return None;
     };
     Some(Wanted { column, place, unit })
-}
-
-fn unit_of(document: &Document<'_>, text: &Located) -> Option<Unit> {
-    let unit = Unit::parse(text.text());
-    unit.map_err(|error| {
-        let found = text.error(error.code, error.span, error.message);
-        document.push(found.maybe_help(error.help));
-    })
-    .ok()
 }

@@ -4,7 +4,7 @@ use crate::diagnostic::{Code, Located};
 use crate::document::{Table, Value};
 use crate::formula::{Formula, parse};
 use crate::rational::Rational;
-use crate::spec::law::draft::unit_of;
+use crate::spec::read;
 use crate::units::Unit;
 
 /// A section as it was written.
@@ -47,7 +47,7 @@ pub(in crate::spec::law) fn read(
     let document = section.document();
     let formula = |text: &Located| parse(text).map_err(|errors| document.append(errors)).ok();
     let value = section.string("value").and_then(|text| formula(&text));
-    let unit = section.string("unit").and_then(|text| unit_of(document, &text));
+    let unit = section.string("unit").and_then(|text| read::unit(document, &text));
     let (title, help) = (section.string("title"), section.string("help"));
     let limit = |key: &str| match section.value(key)? {
         Value::Number(number, _) => Some(Limit::Number(number)),

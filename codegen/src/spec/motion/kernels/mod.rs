@@ -20,60 +20,70 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::{MotionSpec, Tensor};
+use crate::diagnostic::Diagnostics;
 use crate::emit::{documented, identifier};
 use crate::expression::{Shape, Symmetry};
-use crate::spec::kernel::text;
-use crate::spec::kind::SpecKind;
+use crate::spec::kernel::{text, unscheduled};
+use crate::spec::kind::{Compiled, OfAnyKind, Other, SpecKind};
 
 /// Kernels that a march calls again and again: their own loops, beside the sums that all share, are compiled
 /// for wide registers too.
 const WIDE: [&str; 2] = ["inertia_force", "tangent"];
 
-pub(super) fn module(spec: &MotionSpec, planned: &[Planned]) -> String {
-    let functions: TokenStream =
-        planned.iter().map(|kernel| functions::function(spec, kernel)).collect();
-    // Vectors of workspace: the most matrix–vector products in one kernel.
-    let products = planned.iter().map(|kernel| kernel.plan.products.len()).max().unwrap_or(0);
-    let products = Literal::usize_unsuffixed(products);
-    let (about, name) = (spec.about(), identifier(&spec.name));
-    let origin = about.origin(&functions);
-    let heading = documented(&about.heading());
-    let tensors = spec.tensors.iter().map(tensor);
-    let has_energy = spec.equations.kinetic_energy.is_some();
-    let optional = |name: TokenStream| if has_energy { quote!(Some(#name)) } else { quote!(None) };
-    let kinetic_energy = optional(quote!(kinetic_energy::<f64>));
-    let momentum = optional(quote!(momentum::<f64>));
-    let wide = WIDE.map(wide_function);
-    text(quote! {
-        #heading
-        pub mod #name {
-            use crate::vector;
-            use crate::wide::wide;
-            use crate::{Lane, Motion, MotionState, Origin, Symmetry, Tensor, TensorShape};
+impl Compiled for MotionSpec {
+    type Programs = Vec<Planned>;
 
-            /// Length of the workspace of every kernel, for n flexible coordinates.
-            pub fn workspace(n: usize) -> usize {
-                #products * n
+    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Vec<Planned>, Diagnostics> {
+        planned(self).map_err(|error| unscheduled(&self.file, &error))
+    }
+
+    fn emit(&self, planned: &Vec<Planned>, _: &[Other<'_>]) -> String {
+        let functions: TokenStream =
+            planned.iter().map(|kernel| functions::function(self, kernel)).collect();
+        // Vectors of workspace: the most matrix–vector products in one kernel.
+        let products = planned.iter().map(|kernel| kernel.plan.products.len()).max().unwrap_or(0);
+        let products = Literal::usize_unsuffixed(products);
+        let (about, name) = (self.about(), identifier(&self.name));
+        let origin = about.origin(&functions);
+        let heading = documented(&about.heading());
+        let tensors = self.tensors.iter().map(tensor);
+        let has_energy = self.equations.kinetic_energy.is_some();
+        let optional =
+            |name: TokenStream| if has_energy { quote!(Some(#name)) } else { quote!(None) };
+        let kinetic_energy = optional(quote!(kinetic_energy::<f64>));
+        let momentum = optional(quote!(momentum::<f64>));
+        let wide = WIDE.map(wide_function);
+        text(quote! {
+            #heading
+            pub mod #name {
+                use crate::vector;
+                use crate::wide::wide;
+                use crate::{Lane, Motion, MotionState, Origin, Symmetry, Tensor, TensorShape};
+
+                /// Length of the workspace of every kernel, for n flexible coordinates.
+                pub fn workspace(n: usize) -> usize {
+                    #products * n
+                }
+                #functions
+                #(#wide)*
+                /// The entry of the registry.
+                pub const ENTRY: Motion = Motion {
+                    origin: #origin,
+                    tensors: &[#(#tensors),*],
+                    workspace,
+                    kinetic_energy: #kinetic_energy,
+                    momentum: #momentum,
+                    inertia_force: wide_inertia_force,
+                    quadratic_velocity: quadratic_velocity::<f64>,
+                    mass: mass::<f64>,
+                    pf: pf::<f64>,
+                    b: b::<f64>,
+                    p: p::<f64>,
+                    tangent: wide_tangent,
+                };
             }
-            #functions
-            #(#wide)*
-            /// The entry of the registry.
-            pub const ENTRY: Motion = Motion {
-                origin: #origin,
-                tensors: &[#(#tensors),*],
-                workspace,
-                kinetic_energy: #kinetic_energy,
-                momentum: #momentum,
-                inertia_force: wide_inertia_force,
-                quadratic_velocity: quadratic_velocity::<f64>,
-                mass: mass::<f64>,
-                pf: pf::<f64>,
-                b: b::<f64>,
-                p: p::<f64>,
-                tangent: wide_tangent,
-            };
-        }
-    })
+        })
+    }
 }
 
 /// The kernel over f64, for the registers that the machine has.
