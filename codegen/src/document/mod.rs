@@ -100,7 +100,7 @@ impl<'s> Document<'s> {
     }
 
     /// Whether an error was found so far.
-    pub fn has_errors(&self) -> bool {
+    pub(crate) fn has_errors(&self) -> bool {
         !self.errors.borrow().is_empty()
     }
 

@@ -143,7 +143,7 @@ impl<'d> Table<'d> {
     }
 
     /// An exact number, if the key is there, and where it stands.
-    pub fn optional_number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
+    pub(crate) fn optional_number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
         let (node, _) = self.entry(key, |shape| matches!(shape, Shape::Number))?;
         self.exact_number(key, node).map(|value| (value, node.place.span.clone()))
     }
@@ -248,7 +248,7 @@ impl<'d> Table<'d> {
     }
 
     /// The elements of an array, if the key is there.
-    pub fn optional_items(&self, key: &str) -> Option<Vec<Item<'d>>> {
+    pub(crate) fn optional_items(&self, key: &str) -> Option<Vec<Item<'d>>> {
         let (node, shape) = self.entry(key, |shape| shape.of_items().is_some())?;
         let items = Item { document: self.document, node, shape }.items();
         if items.is_none() {

@@ -56,12 +56,12 @@ impl Algebraic {
     }
 
     /// Whether it is 0.
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
     /// The number, if it is rational.
-    pub fn as_rational(&self) -> Option<Rational> {
+    pub(crate) fn as_rational(&self) -> Option<Rational> {
         match self.0.len() {
             0 => Some(Rational::zero()),
             1 => self.0.get(&0).cloned(),

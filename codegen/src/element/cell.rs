@@ -39,7 +39,7 @@ impl Cell {
     }
 
     /// What belongs to it, in words.
-    pub fn domain(self) -> &'static str {
+    pub(crate) fn domain(self) -> &'static str {
         match self {
             Cell::Hexahedron => "-1 ≤ xi, eta, zeta ≤ 1",
             Cell::Wedge => "xi, eta ≥ 0, xi + eta ≤ 1, -1 ≤ zeta ≤ 1",
@@ -49,7 +49,7 @@ impl Cell {
     }
 
     /// Families of named rules whose product is a rule of this cell.
-    pub fn families(self) -> &'static [&'static str] {
+    pub(crate) fn families(self) -> &'static [&'static str] {
         match self {
             Cell::Hexahedron => &["gauss", "gauss", "gauss"],
             Cell::Wedge => &["triangle", "gauss"],

@@ -1,8 +1,8 @@
 //! The mathematics of finite elements: reference cells, polynomials, and quadrature with exact numbers.
 
-pub mod algebraic;
+pub(crate) mod algebraic;
 mod cell;
-pub mod polynomial;
+pub(crate) mod polynomial;
 pub mod quadrature;
 pub mod rules;
 

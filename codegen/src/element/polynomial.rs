@@ -10,7 +10,7 @@ use crate::expression::{Algebra, Folded, Graph, Id, Node, Rational};
 use crate::operation::Operation;
 
 /// Exponents of ξ, η and the cell's third variable: ζ, or ω = 1 − ζ over a pyramid, where they may be negative.
-pub type Exponents = [i32; 3];
+pub(crate) type Exponents = [i32; 3];
 
 /// Highest exponent, and most terms, of a polynomial: far above any element in use.
 const HIGHEST: i32 = 24;
@@ -128,7 +128,7 @@ impl Polynomial {
     }
 
     /// Whether it is 0 everywhere.
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 

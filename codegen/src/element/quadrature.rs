@@ -100,7 +100,7 @@ impl Quadrature {
     ///
     /// # Errors
     /// The first monomial, by degree, that is not integrated exactly.
-    pub fn prove(&self, cell: Cell) -> Result<(), Failure> {
+    pub(crate) fn prove(&self, cell: Cell) -> Result<(), Failure> {
         let mut integrals = Integrals::new(self, cell);
         for total in 0..=self.degree as i32 {
             for i in (0..=total).rev() {
@@ -114,7 +114,7 @@ impl Quadrature {
 }
 
 /// What a rule makes of monomials in a cell's variables, each computed once.
-pub struct Integrals<'r> {
+pub(crate) struct Integrals<'r> {
     rule: &'r Quadrature,
     cell: Cell,
     /// By the number of the factor and the exponents of its coordinates; `None` where there is no such power.
@@ -203,7 +203,7 @@ impl<'r> Integrals<'r> {
     }
 
     /// Σ w p.
-    pub fn of_polynomial(&mut self, polynomial: &Polynomial) -> Option<Algebraic> {
+    pub(crate) fn of_polynomial(&mut self, polynomial: &Polynomial) -> Option<Algebraic> {
         let mut sum = Algebraic::default();
         for (powers, coefficient) in polynomial.terms() {
             sum.add(&self.of(*powers)?, coefficient);

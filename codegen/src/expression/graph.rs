@@ -86,12 +86,12 @@ impl Graph {
     }
 
     /// Whether two nodes agree at the fixed points, to rounding.
-    pub fn same_signature(&self, a: Id, b: Id) -> bool {
+    pub(crate) fn same_signature(&self, a: Id, b: Id) -> bool {
         self.signatures.agree(a, b)
     }
 
     /// Evaluates all nodes, those to come too, at other points.
-    pub fn evaluate_at(&mut self, points: Points) {
+    pub(crate) fn evaluate_at(&mut self, points: Points) {
         self.signatures.move_to(points, &self.nodes, &self.shapes);
     }
 
@@ -161,7 +161,7 @@ impl Graph {
     }
 
     /// The number behind an id, if it is one.
-    pub fn as_number(&self, id: Id) -> Option<&Rational> {
+    pub(crate) fn as_number(&self, id: Id) -> Option<&Rational> {
         match self.node(id) {
             Node::Number(value) => Some(value),
             _ => None,
@@ -169,7 +169,7 @@ impl Graph {
     }
 
     /// Whether the node is a zero of any shape.
-    pub fn is_zero(&self, id: Id) -> bool {
+    pub(crate) fn is_zero(&self, id: Id) -> bool {
         match self.node(id) {
             Node::Number(value) => value.is_zero(),
             Node::Zero(_) => true,
@@ -178,7 +178,7 @@ impl Graph {
     }
 
     /// Whether the node is the number 1.
-    pub fn is_one(&self, id: Id) -> bool {
+    pub(crate) fn is_one(&self, id: Id) -> bool {
         self.as_number(id).is_some_and(One::is_one)
     }
 

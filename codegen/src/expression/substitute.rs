@@ -13,7 +13,7 @@ impl Graph {
     }
 
     /// The same of several nodes; what they share is rebuilt once.
-    pub fn substitute_all(&mut self, roots: &[Id], by: &BTreeMap<Id, Id>) -> Vec<Id> {
+    pub(crate) fn substitute_all(&mut self, roots: &[Id], by: &BTreeMap<Id, Id>) -> Vec<Id> {
         let nodes = self.reachable(roots);
         self.spend(nodes.len());
         // What a node becomes: itself, unless it is rebuilt.

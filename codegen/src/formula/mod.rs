@@ -44,7 +44,7 @@ use crate::diagnostic::Located;
 
 /// What a formula may cost; beyond it, an error (`E015`).
 #[derive(Debug, Clone, Copy)]
-pub struct Limits {
+pub(crate) struct Limits {
     /// Bytes of text, which bounds the number of terms.
     pub length: usize,
     /// Parentheses, signs and powers inside one another.
@@ -57,16 +57,16 @@ pub struct Limits {
 
 /// The limits of every formula. (Digits and powers of ten of a number are bounded with the units; bits of
 /// exact numbers, and nodes, by the graph.)
-pub const LIMITS: Limits = Limits { length: 8192, depth: 64, exponent: 100, repeats: [64, 512] };
+pub(crate) const LIMITS: Limits = Limits { length: 8192, depth: 64, exponent: 100, repeats: [64, 512] };
 
 /// Name of the number π in formulas.
 pub const PI: &str = "pi";
 
 /// Name of the sum over a counter.
-pub const SUM: &str = "sum";
+pub(crate) const SUM: &str = "sum";
 
 /// Words that cannot be names.
-pub const RESERVED: [&str; 4] = ["and", "or", "not", PI];
+pub(crate) const RESERVED: [&str; 4] = ["and", "or", "not", PI];
 
 /// A formula: its text, where it stands, and what it says.
 #[derive(Debug, Clone, PartialEq)]
@@ -167,7 +167,7 @@ pub enum TermKind {
 
 impl Term {
     /// Calls `visit` for this term and every term inside, in the order of the text.
-    pub fn visit<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
+    pub(crate) fn visit<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
         visit(self);
         match &self.kind {
             TermKind::Number(_) | TermKind::Name(_) => {}

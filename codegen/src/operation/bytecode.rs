@@ -104,7 +104,7 @@ impl<T> Operation<T> {
     }
 
     /// Whether the value is a truth.
-    pub fn is_truth(&self) -> bool {
+    pub(crate) fn is_truth(&self) -> bool {
         matches!(
             self,
             Operation::Compare(..) | Operation::And(..) | Operation::Or(..) | Operation::Not(_)

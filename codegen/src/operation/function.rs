@@ -165,7 +165,7 @@ impl Function {
     }
 
     /// What it makes of a changed sign.
-    pub fn parity(self) -> Parity {
+    pub(crate) fn parity(self) -> Parity {
         self.row().parity
     }
 
@@ -175,7 +175,7 @@ impl Function {
     }
 
     /// What it divides by at x, if it has poles.
-    pub fn divisor(self, x: f64) -> Option<f64> {
+    pub(crate) fn divisor(self, x: f64) -> Option<f64> {
         self.row().divisor.map(|divisor| divisor(x))
     }
 

@@ -116,12 +116,12 @@ impl Rational {
     }
 
     /// Whether it is a whole number.
-    pub fn is_integer(&self) -> bool {
+    pub(crate) fn is_integer(&self) -> bool {
         self.is_over(1)
     }
 
     /// Whether the denominator is `d`.
-    pub fn is_over(&self, d: u32) -> bool {
+    pub(crate) fn is_over(&self, d: u32) -> bool {
         match &self.0 {
             Kept::Small(small) => small.d.get() == u64::from(d),
             Kept::Large(value) => *value.denom() == d.into(),
@@ -137,7 +137,7 @@ impl Rational {
     }
 
     /// The number without what is behind the point.
-    pub fn to_integer(&self) -> BigInt {
+    pub(crate) fn to_integer(&self) -> BigInt {
         match &self.0 {
             Kept::Small(Small { n, d }) => (n / d.get() as i64).into(),
             Kept::Large(value) => value.to_integer(),
@@ -156,7 +156,7 @@ impl Rational {
     ///
     /// # Panics
     /// Of zero.
-    pub fn recip(&self) -> Self {
+    pub(crate) fn recip(&self) -> Self {
         match &self.0 {
             Kept::Small(Small { n, d }) => {
                 let word = NonZeroU64::new(n.unsigned_abs()).expect("zero has no reciprocal");

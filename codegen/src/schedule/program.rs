@@ -28,7 +28,7 @@ pub struct ProgramInput {
     /// The spec's own name.
     pub name: String,
     /// Stage at which it is known.
-    pub stage: usize,
+    pub(crate) stage: usize,
 }
 
 /// A named value that a program gives.
@@ -48,7 +48,7 @@ pub struct Instruction {
     /// Whether the name is that of an output or of a definition of the spec, not a made one.
     pub given: bool,
     /// Stage in which it runs.
-    pub stage: usize,
+    pub(crate) stage: usize,
     /// What it does with constants, inputs of the program and values of its instructions.
     pub operation: Operation<Operand>,
 }
@@ -57,7 +57,7 @@ pub struct Instruction {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Program {
     /// Stages in the order in which they run.
-    pub stages: Vec<Stage>,
+    pub(crate) stages: Vec<Stage>,
     /// Inputs, in the order of the request.
     pub inputs: Vec<ProgramInput>,
     /// Instructions.
@@ -68,14 +68,14 @@ pub struct Program {
 
 impl Program {
     /// Places of the instructions of a stage.
-    pub fn stage(&self, stage: usize) -> std::ops::Range<usize> {
+    pub(crate) fn stage(&self, stage: usize) -> std::ops::Range<usize> {
         let start = self.instructions.partition_point(|instruction| instruction.stage < stage);
         let end = self.instructions.partition_point(|instruction| instruction.stage <= stage);
         start..end
     }
 
     /// Stage at which an operand is known; constants belong to the first.
-    pub fn stage_of(&self, operand: Operand) -> usize {
+    pub(crate) fn stage_of(&self, operand: Operand) -> usize {
         match operand {
             Operand::Constant(_) => 0,
             Operand::Input(place) => self.inputs[place].stage,
@@ -84,7 +84,7 @@ impl Program {
     }
 
     /// Name of an input or value; `None` of a constant.
-    pub fn name_of(&self, operand: Operand) -> Option<&str> {
+    pub(crate) fn name_of(&self, operand: Operand) -> Option<&str> {
         match operand {
             Operand::Constant(_) => None,
             Operand::Input(place) => Some(&self.inputs[place].name),
@@ -169,7 +169,7 @@ impl Program {
     }
 
     /// Operation counts of all stages together.
-    pub fn total_counts(&self) -> Counts {
+    pub(crate) fn total_counts(&self) -> Counts {
         Counts::of(self.instructions.iter().map(|i| i.operation))
     }
 

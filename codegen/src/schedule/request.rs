@@ -11,7 +11,7 @@ pub struct Input {
     /// The scalar symbol.
     pub symbol: Id,
     /// Stage at which it is known.
-    pub stage: usize,
+    pub(crate) stage: usize,
 }
 
 /// An expression that the program computes.
@@ -27,7 +27,7 @@ pub struct Output {
 #[derive(Debug, Clone, Default)]
 pub struct Request {
     /// Stages in the order in which they run; the last sees all others that inputs name.
-    pub stages: Vec<Stage>,
+    pub(crate) stages: Vec<Stage>,
     /// Every symbol of the outputs, each at its stage.
     pub inputs: Vec<Input>,
     /// Outputs.

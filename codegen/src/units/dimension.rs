@@ -29,13 +29,13 @@ impl Dimension {
     /// m.
     pub const LENGTH: Dimension = Dimension::of(1, 0, 0);
     /// m².
-    pub const AREA: Dimension = Dimension::of(2, 0, 0);
+    pub(crate) const AREA: Dimension = Dimension::of(2, 0, 0);
     /// kg.
     pub const MASS: Dimension = Dimension::of(0, 1, 0);
     /// s.
     pub const TIME: Dimension = Dimension::of(0, 0, 1);
     /// K.
-    pub const TEMPERATURE: Dimension = Dimension::of(0, 0, 0).with(3, 1);
+    pub(crate) const TEMPERATURE: Dimension = Dimension::of(0, 0, 0).with(3, 1);
     /// rad.
     pub const ANGLE: Dimension = Dimension::of(0, 0, 0).with(ANGLE, 1);
     /// rad/s.
@@ -57,7 +57,7 @@ impl Dimension {
     /// Pa.
     pub const PRESSURE: Dimension = Dimension::of(-1, 1, -2);
     /// Pa·s.
-    pub const VISCOSITY: Dimension = Dimension::of(-1, 1, -1);
+    pub(crate) const VISCOSITY: Dimension = Dimension::of(-1, 1, -1);
     /// kg/m³.
     pub const DENSITY: Dimension = Dimension::of(-3, 1, 0);
     /// kg·m².
@@ -85,7 +85,7 @@ impl Dimension {
     }
 
     /// Of a quotient; `None` if its exponents are beyond all use.
-    pub fn checked_over(&self, other: &Dimension) -> Option<Dimension> {
+    pub(crate) fn checked_over(&self, other: &Dimension) -> Option<Dimension> {
         self.joined(other, CheckedSub::checked_sub)
     }
 
@@ -125,7 +125,7 @@ impl Dimension {
     }
 
     /// Whether the largest exponent and denominator are small enough to go on computing with.
-    pub fn is_sane(&self) -> bool {
+    pub(crate) fn is_sane(&self) -> bool {
         const LARGEST: u32 = 1000;
         let small =
             |e: &Exponent| e.numer().unsigned_abs() <= LARGEST && *e.denom() <= LARGEST as i32;
@@ -133,7 +133,7 @@ impl Dimension {
     }
 
     /// The same dimension with angles as pure numbers, as formulas see it.
-    pub fn without_angle(&self) -> Dimension {
+    pub(crate) fn without_angle(&self) -> Dimension {
         self.with(ANGLE, 0)
     }
 

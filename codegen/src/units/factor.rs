@@ -106,7 +106,7 @@ impl Factor {
     }
 
     /// Whether this is 1.
-    pub fn is_one(&self) -> bool {
+    pub(crate) fn is_one(&self) -> bool {
         self.primes.is_empty() && self.pi.is_zero()
     }
 

@@ -64,7 +64,7 @@ pub const RING: usize = 3;
 /// Coordinates of the mean motion of a bore: two displacements and an angle.
 pub const BORE: usize = 3;
 /// Rings of a bearing, between which the axial functions interpolate.
-pub const RINGS: usize = 3;
+pub(crate) const RINGS: usize = 3;
 
 /// A clearance, ready to be differentiated and scheduled.
 #[derive(Debug, Clone)]
@@ -104,7 +104,7 @@ pub struct ClearanceSpec {
     /// Its value in the graph.
     pub value: Id,
     /// The variable of the axial functions.
-    pub axial_variable: Coordinate,
+    pub(crate) axial_variable: Coordinate,
     /// The axial functions in the graph.
     pub axial: [Id; RINGS],
     /// Symbols and values of the measures and the axial functions, all SI.

@@ -79,7 +79,7 @@ pub struct ElementSpec {
     /// The rule of every form that has none of its own.
     pub quadrature: Quadrature,
     /// Rules of single forms.
-    pub quadrature_of: BTreeMap<String, Quadrature>,
+    pub(crate) quadrature_of: BTreeMap<String, Quadrature>,
     /// What functions and rules give together: of the common rule, and of those of single forms.
     tables: (Table, BTreeMap<String, Table>),
     /// Element types of Abaqus and CalculiX.
@@ -109,7 +109,7 @@ pub struct Function {
     /// ∂/∂ξ, ∂/∂η, ∂/∂ζ.
     pub gradient: [Id; 3],
     /// The value multiplied out.
-    pub polynomial: Polynomial,
+    pub(crate) polynomial: Polynomial,
     /// The gradient multiplied out.
     pub slopes: [Polynomial; 3],
     /// The formula.
@@ -136,7 +136,7 @@ pub struct Enhanced {
     /// Factor of their gradients, a function of `det` and `det0`.
     pub scale: Id,
     /// The formula of the factor, or the table where there is none.
-    pub scale_place: std::ops::Range<usize>,
+    pub(crate) scale_place: std::ops::Range<usize>,
     /// The symbol `det`, det J at the point.
     pub det: Id,
     /// The symbol `det0`, det J at the centre.
@@ -177,7 +177,7 @@ impl ElementSpec {
     }
 
     /// Whether a form is the same sums over the same points as on another element, so that one kernel does for both.
-    pub fn integrates_as(&self, other: &ElementSpec, form: &str) -> bool {
+    pub(crate) fn integrates_as(&self, other: &ElementSpec, form: &str) -> bool {
         let (own, theirs) = (self.table(form), other.table(form));
         self.enhanced_in(form).is_none()
             && other.enhanced_in(form).is_none()

@@ -26,7 +26,7 @@ pub struct Table {
     /// points × modes: ∂M_m/∂(ξ, η, ζ).
     pub mode_slopes: Vec<Vec<[f64; 3]>>,
     /// nodes: ∂N_a/∂(ξ, η, ζ) at the centre of the cell.
-    pub centre_slopes: Vec<[f64; 3]>,
+    pub(crate) centre_slopes: Vec<[f64; 3]>,
     /// w N_a N_b, if they are few.
     pub products: Option<Products>,
 }

@@ -55,13 +55,13 @@ pub struct OutputReport {
     /// How it changes with each input.
     pub trends: Vec<(String, Trend)>,
     /// The motion that it should oppose, if it is a force against one, and whether it never drives it.
-    pub opposes: Option<(String, bool)>,
+    pub(crate) opposes: Option<(String, bool)>,
     /// Where pieces meet, and where the value or the slope jumps inside them.
     pub breaks: Vec<Break>,
     /// Where a divisor passes through zero: input and value.
-    pub poles: Vec<(String, f64)>,
+    pub(crate) poles: Vec<(String, f64)>,
     /// Inputs at the first point without a finite value, if there is one.
-    pub undefined: Option<Vec<f64>>,
+    pub(crate) undefined: Option<Vec<f64>>,
 }
 
 /// How an output changes with an input, at the points evaluated.

@@ -67,7 +67,7 @@ pub struct Derivatives {
 ///
 /// # Errors
 /// A derivative that the graph cannot hold.
-pub fn lagrange(
+pub(crate) fn lagrange(
     graph: &mut Graph,
     energy: Id,
     coordinates: &[Coordinate],

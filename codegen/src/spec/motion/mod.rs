@@ -24,7 +24,7 @@ mod equations;
 mod explain;
 pub mod kernels;
 mod kind;
-pub mod lagrange;
+pub(crate) mod lagrange;
 mod schema;
 #[cfg(test)]
 mod tests;

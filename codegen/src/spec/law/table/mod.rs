@@ -32,13 +32,13 @@ pub struct LawTable {
     /// What it is looked up by, in the units of the law.
     pub input: Formula,
     /// Unit of the column of what it is looked up by.
-    pub input_unit: Unit,
+    pub(crate) input_unit: Unit,
     /// Unit of the column of its values.
     pub unit: Unit,
     /// What becomes of inputs outside its rows.
     pub extend: Extend,
     /// Whether the extension below and above the rows may be believed.
-    pub valid_beyond: [bool; 2],
+    pub(crate) valid_beyond: [bool; 2],
     /// The inputs of its rows, ascending: between them it is a cubic, at them its slope is continuous.
     pub knots: Vec<Rational>,
     /// One piece more than there are splits.
@@ -117,7 +117,7 @@ impl LawTable {
     }
 
     /// Inputs at which the slope jumps, with the slopes below and above.
-    pub fn kinks(&self) -> Vec<(&Rational, [Rational; 2])> {
+    pub(crate) fn kinks(&self) -> Vec<(&Rational, [Rational; 2])> {
         let [first, last] = self.span();
         let [low, high] = self.end_slopes.clone();
         if self.extend != Extend::Constant {
@@ -157,7 +157,7 @@ impl LawTable {
     }
 
     /// Whether the input is outside the rows of a table that is not extended.
-    pub fn is_outside(&self, input: f64) -> bool {
+    pub(crate) fn is_outside(&self, input: f64) -> bool {
         let [low, high] = self.bounds.each_ref().map(nearest);
         self.extend == Extend::Refuse && !(low..=high).contains(&input)
     }
