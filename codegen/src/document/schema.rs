@@ -154,7 +154,7 @@ impl Shape {
     }
 
     /// A key of this table with fixed keys.
-    pub fn key(&self, name: &str) -> Option<&'static Key> {
+    pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
         self.keys().find(|key| key.name == name)
     }
 

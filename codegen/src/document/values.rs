@@ -109,7 +109,7 @@ impl<'d> Table<'d> {
     }
 
     /// A string that must be there.
-    pub fn string(&self, key: &str) -> Option<Located> {
+    pub(crate) fn string(&self, key: &str) -> Option<Located> {
         self.demand(key);
         self.optional_string(key)
     }
@@ -126,7 +126,7 @@ impl<'d> Table<'d> {
     }
 
     /// One of the words declared, which must be there.
-    pub fn word(&self, key: &str) -> Option<&'static str> {
+    pub(crate) fn word(&self, key: &str) -> Option<&'static str> {
         self.demand(key);
         self.optional_word(key)
     }
@@ -226,7 +226,7 @@ impl<'d> Table<'d> {
     }
 
     /// A count that must be there.
-    pub fn count(&self, key: &str) -> Option<usize> {
+    pub(crate) fn count(&self, key: &str) -> Option<usize> {
         self.demand(key);
         self.optional_count(key)
     }
@@ -258,7 +258,7 @@ impl<'d> Table<'d> {
     }
 
     /// The elements of an array that must be there.
-    pub fn items(&self, key: &str) -> Option<Vec<Item<'d>>> {
+    pub(crate) fn items(&self, key: &str) -> Option<Vec<Item<'d>>> {
         self.demand(key);
         self.optional_items(key)
     }

@@ -3,8 +3,8 @@
 pub(crate) mod algebraic;
 mod cell;
 pub(crate) mod polynomial;
-pub mod quadrature;
-pub mod rules;
+pub(crate) mod quadrature;
+pub(crate) mod rules;
 
 pub use cell::Cell;
 pub use polynomial::Polynomial;

@@ -55,7 +55,7 @@ impl Graph {
     }
 
     /// Whether there is no node.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
@@ -81,7 +81,7 @@ impl Graph {
     }
 
     /// The values of a node at fixed points, point by point; passes that keep the meaning keep them.
-    pub fn signature(&self, id: Id) -> impl Iterator<Item = f64> {
+    pub(crate) fn signature(&self, id: Id) -> impl Iterator<Item = f64> {
         self.signatures.values(id)
     }
 
@@ -142,12 +142,12 @@ impl Graph {
     }
 
     /// A whole number.
-    pub fn integer(&mut self, value: i64) -> Id {
+    pub(crate) fn integer(&mut self, value: i64) -> Id {
         self.number(Rational::from(value))
     }
 
     /// Zero of a shape.
-    pub fn zero(&mut self, shape: Shape) -> Id {
+    pub(crate) fn zero(&mut self, shape: Shape) -> Id {
         match shape {
             Shape::Scalar => self.number(Rational::zero()),
             Shape::Truth => self.intern(Node::Truth(false)),
@@ -156,7 +156,7 @@ impl Graph {
     }
 
     /// The unit matrix.
-    pub fn identity(&mut self) -> Id {
+    pub(crate) fn identity(&mut self) -> Id {
         self.intern(Node::Identity)
     }
 
@@ -183,7 +183,7 @@ impl Graph {
     }
 
     /// Whether `id` depends on `symbol`.
-    pub fn depends(&self, id: Id, symbol: Id) -> bool {
+    pub(crate) fn depends(&self, id: Id, symbol: Id) -> bool {
         let mut seen = vec![false; id.index() + 1];
         let mut stack = vec![id];
         while let Some(next) = stack.pop() {

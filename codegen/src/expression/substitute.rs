@@ -8,7 +8,7 @@ use super::node::{Id, Node};
 impl Graph {
     /// `id` with every key of `by` replaced by its value; what depends on a key is rebuilt by the
     /// constructors.
-    pub fn substitute(&mut self, id: Id, by: &BTreeMap<Id, Id>) -> Id {
+    pub(crate) fn substitute(&mut self, id: Id, by: &BTreeMap<Id, Id>) -> Id {
         self.substitute_all(&[id], by)[0]
     }
 

@@ -16,18 +16,18 @@ pub struct Scope {
 
 impl Scope {
     /// No names but π.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self::default()
     }
 
     /// Declares a name.
-    pub fn with(mut self, name: &str, shape: Shape) -> Self {
+    pub(crate) fn with(mut self, name: &str, shape: Shape) -> Self {
         self.insert(name, shape);
         self
     }
 
     /// Declares a name.
-    pub fn insert(&mut self, name: &str, shape: Shape) {
+    pub(crate) fn insert(&mut self, name: &str, shape: Shape) {
         self.names.insert(name.to_owned(), shape);
     }
 }

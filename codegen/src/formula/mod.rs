@@ -46,13 +46,13 @@ use crate::diagnostic::Located;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
     /// Bytes of text, which bounds the number of terms.
-    pub length: usize,
+    pub(crate) length: usize,
     /// Parentheses, signs and powers inside one another.
-    pub depth: usize,
+    pub(crate) depth: usize,
     /// Largest absolute constant exponent.
-    pub exponent: u32,
+    pub(crate) exponent: u32,
     /// Terms of one `sum`, and of all sums of a formula when those inside others are written out.
-    pub repeats: [usize; 2],
+    pub(crate) repeats: [usize; 2],
 }
 
 /// The limits of every formula. (Digits and powers of ten of a number are bounded with the units; bits of
@@ -60,7 +60,7 @@ pub(crate) struct Limits {
 pub(crate) const LIMITS: Limits = Limits { length: 8192, depth: 64, exponent: 100, repeats: [64, 512] };
 
 /// Name of the number π in formulas.
-pub const PI: &str = "pi";
+pub(crate) const PI: &str = "pi";
 
 /// Name of the sum over a counter.
 pub(crate) const SUM: &str = "sum";
@@ -74,21 +74,21 @@ pub struct Formula {
     /// The text and its place in the file.
     pub text: Located,
     /// What it says.
-    pub root: Term,
+    pub(crate) root: Term,
 }
 
 /// A part of a formula.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Term {
     /// What it says.
-    pub kind: TermKind,
+    pub(crate) kind: TermKind,
     /// Byte range in the formula's text.
     pub span: Range<usize>,
 }
 
 /// Whether a part of a sum is added, or of a product multiplied, or the opposite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub(crate) enum Side {
     /// `+` or `*`.
     With,
     /// `-` or `/`.
@@ -97,7 +97,7 @@ pub enum Side {
 
 /// `<`, `<=`, `>` and `>=`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Comparison {
+pub(crate) enum Comparison {
     /// a < b
     Less,
     /// a ≤ b
@@ -122,7 +122,7 @@ impl Comparison {
 
 /// What a term says. Chains are kept as lists, so that long sums are not deep.
 #[derive(Debug, Clone, PartialEq)]
-pub enum TermKind {
+pub(crate) enum TermKind {
     /// A number, exactly.
     Number(Rational),
     /// A name, in its ASCII spelling.

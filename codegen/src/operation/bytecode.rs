@@ -13,7 +13,7 @@ pub enum Relation {
 
 impl Relation {
     /// Whether it holds.
-    pub fn holds<T: PartialOrd>(self, a: T, b: T) -> bool {
+    pub(crate) fn holds<T: PartialOrd>(self, a: T, b: T) -> bool {
         match self {
             Relation::Less => a < b,
             Relation::LessOrEqual => a <= b,

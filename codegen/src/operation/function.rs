@@ -160,7 +160,7 @@ impl Function {
     }
 
     /// The function of this name in formulas.
-    pub fn named(name: &str) -> Option<Self> {
+    pub(crate) fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|function| function.name() == name)
     }
 
@@ -170,7 +170,7 @@ impl Function {
     }
 
     /// A whole number, and the function's exact value there.
-    pub fn exact(self) -> (i64, i64) {
+    pub(crate) fn exact(self) -> (i64, i64) {
         self.row().exact
     }
 

@@ -20,7 +20,7 @@ pub struct Output {
     /// Its name in the program.
     pub name: String,
     /// The scalar expression.
-    pub expression: Id,
+    pub(crate) expression: Id,
 }
 
 /// What to schedule.
@@ -33,7 +33,7 @@ pub struct Request {
     /// Outputs.
     pub outputs: Vec<Output>,
     /// Names for expressions inside, such as the definitions of a spec.
-    pub names: Vec<(Id, String)>,
+    pub(crate) names: Vec<(Id, String)>,
 }
 
 impl Request {

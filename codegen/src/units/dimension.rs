@@ -25,7 +25,7 @@ const BASE_NAMES: [&str; 5] = ["m", "kg", "s", "K", "rad"];
 
 impl Dimension {
     /// A pure number.
-    pub const NUMBER: Dimension = Dimension::of(0, 0, 0);
+    pub(crate) const NUMBER: Dimension = Dimension::of(0, 0, 0);
     /// m.
     pub const LENGTH: Dimension = Dimension::of(1, 0, 0);
     /// m².
@@ -45,7 +45,7 @@ impl Dimension {
     /// m/s.
     pub const SPEED: Dimension = Dimension::of(1, 0, -1);
     /// m/s².
-    pub const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
+    pub(crate) const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
     /// N.
     pub const FORCE: Dimension = Dimension::of(1, 1, -2);
     /// N·m.
@@ -61,7 +61,7 @@ impl Dimension {
     /// kg/m³.
     pub const DENSITY: Dimension = Dimension::of(-3, 1, 0);
     /// kg·m².
-    pub const INERTIA: Dimension = Dimension::of(2, 1, 0);
+    pub(crate) const INERTIA: Dimension = Dimension::of(2, 1, 0);
 
     const fn of(length: i32, mass: i32, time: i32) -> Self {
         Dimension {
@@ -75,12 +75,12 @@ impl Dimension {
     }
 
     /// The exponents of m, kg, s and K.
-    pub fn bases(&self) -> [Exponent; 4] {
+    pub(crate) fn bases(&self) -> [Exponent; 4] {
         std::array::from_fn(|base| self.exponents[base])
     }
 
     /// Of a product; `None` if its exponents are beyond all use.
-    pub fn checked_times(&self, other: &Dimension) -> Option<Dimension> {
+    pub(crate) fn checked_times(&self, other: &Dimension) -> Option<Dimension> {
         self.joined(other, CheckedAdd::checked_add)
     }
 
@@ -90,7 +90,7 @@ impl Dimension {
     }
 
     /// Of a power; `None` if its exponents are beyond all use.
-    pub fn checked_power(&self, exponent: Exponent) -> Option<Dimension> {
+    pub(crate) fn checked_power(&self, exponent: Exponent) -> Option<Dimension> {
         let other = Dimension { exponents: [exponent; 5] };
         self.joined(&other, CheckedMul::checked_mul)
     }
@@ -108,19 +108,19 @@ impl Dimension {
     }
 
     /// Of a product of units in use.
-    pub fn times(&self, other: &Dimension) -> Dimension {
+    pub(crate) fn times(&self, other: &Dimension) -> Dimension {
         let exponents = std::array::from_fn(|i| self.exponents[i] + other.exponents[i]);
         Dimension { exponents }
     }
 
     /// Of a quotient of units in use.
-    pub fn over(&self, other: &Dimension) -> Dimension {
+    pub(crate) fn over(&self, other: &Dimension) -> Dimension {
         let exponents = std::array::from_fn(|i| self.exponents[i] - other.exponents[i]);
         Dimension { exponents }
     }
 
     /// Of a power of a unit in use.
-    pub fn power(&self, exponent: Exponent) -> Dimension {
+    pub(crate) fn power(&self, exponent: Exponent) -> Dimension {
         Dimension { exponents: self.exponents.map(|e| e * exponent) }
     }
 
@@ -139,7 +139,7 @@ impl Dimension {
 
     /// Whether a quantity of this dimension may stand where `wanted` is expected: equal, where angles
     /// count only if nothing but time stands beside them (rpm is not Hz, but N·m/rad is N·m).
-    pub fn fits(&self, wanted: &Dimension) -> bool {
+    pub(crate) fn fits(&self, wanted: &Dimension) -> bool {
         let rotation = [0, 1, 3].iter().all(|&base| self.exponents[base].is_zero());
         if rotation { self == wanted } else { self.without_angle() == wanted.without_angle() }
     }

@@ -20,12 +20,12 @@ pub struct Factor {
 
 impl Factor {
     /// 1.
-    pub fn one() -> Self {
+    pub(crate) fn one() -> Self {
         Self::default()
     }
 
     /// π.
-    pub fn pi() -> Self {
+    pub(crate) fn pi() -> Self {
         Factor { primes: BTreeMap::new(), pi: Exponent::one() }
     }
 
@@ -33,12 +33,12 @@ impl Factor {
     ///
     /// # Panics
     /// If either is zero.
-    pub fn ratio(n: u32, d: u32) -> Self {
+    pub(crate) fn ratio(n: u32, d: u32) -> Self {
         Factor::integer(n).over(&Factor::integer(d))
     }
 
     /// 10ⁿ.
-    pub fn ten(n: i32) -> Self {
+    pub(crate) fn ten(n: i32) -> Self {
         Factor::integer(10).power(Exponent::from_integer(n))
     }
 
@@ -57,7 +57,7 @@ impl Factor {
     }
 
     /// The product.
-    pub fn times(&self, other: &Factor) -> Factor {
+    pub(crate) fn times(&self, other: &Factor) -> Factor {
         let mut product = self.clone();
         for (p, e) in &other.primes {
             *product.primes.entry(*p).or_insert_with(Exponent::zero) += e;
@@ -90,12 +90,12 @@ impl Factor {
     }
 
     /// The quotient.
-    pub fn over(&self, other: &Factor) -> Factor {
+    pub(crate) fn over(&self, other: &Factor) -> Factor {
         self.times(&other.power(-Exponent::one()))
     }
 
     /// The power.
-    pub fn power(&self, exponent: Exponent) -> Factor {
+    pub(crate) fn power(&self, exponent: Exponent) -> Factor {
         if exponent.is_zero() {
             return Factor::one();
         }

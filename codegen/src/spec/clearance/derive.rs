@@ -19,9 +19,9 @@ pub struct Contact {
     /// Name of the kind, such as `spring`.
     pub name: String,
     /// Whether such a law acts at every spring, or once a ring.
-    pub each_spring: bool,
+    pub(crate) each_spring: bool,
     /// Motions of the bore that it needs.
-    pub bore: Vec<(BoreMotion, Coordinate)>,
+    pub(crate) bore: Vec<(BoreMotion, Coordinate)>,
     /// What laws may take.
     pub inputs: Vec<ContactInput>,
     /// What laws may give.
@@ -36,7 +36,7 @@ pub struct ContactInput {
     /// SI unit.
     pub unit: String,
     /// What it is.
-    pub taken: Taken,
+    pub(crate) taken: Taken,
 }
 
 /// What an input is.
@@ -50,7 +50,7 @@ pub enum Taken {
 
 impl Taken {
     /// The expression, itself or that of the rate.
-    pub fn expression(self) -> Id {
+    pub(crate) fn expression(self) -> Id {
         match self {
             Taken::Value(id) | Taken::Rate(id) => id,
         }
@@ -65,7 +65,7 @@ pub struct ContactForce {
     /// SI unit.
     pub unit: String,
     /// What it works on.
-    pub measure: Id,
+    pub(crate) measure: Id,
 }
 
 /// Name of the kind of normal forces Q(h, ḣ).
@@ -89,7 +89,7 @@ pub struct Derived {
     /// ∂x_m/∂q: one row a force.
     pub gradients: Vec<Vec<Id>>,
     /// Generalised forces, one a coordinate.
-    pub force: Vec<Id>,
+    pub(crate) force: Vec<Id>,
     /// B + a1·P, row by row.
     pub tangent: Vec<Vec<Id>>,
 }
@@ -226,12 +226,12 @@ impl Contact {
     }
 
     /// For a force the place among the inputs of the measure that it works on, if laws may take it.
-    pub fn measure(&self, force: &ContactForce) -> Option<usize> {
+    pub(crate) fn measure(&self, force: &ContactForce) -> Option<usize> {
         self.inputs.iter().position(|input| input.taken == Taken::Value(force.measure))
     }
 
     /// Number of coordinates of the ring and the bore.
-    pub fn coordinates(&self) -> usize {
+    pub(crate) fn coordinates(&self) -> usize {
         RING + self.bore.len()
     }
 }

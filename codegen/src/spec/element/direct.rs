@@ -16,7 +16,7 @@ pub struct CellMatrix {
     /// size × size, rows first; degree of freedom 3a + i is component i of node a.
     pub entries: Vec<f64>,
     /// Smallest det J over the points.
-    pub least_det: f64,
+    pub(crate) least_det: f64,
 }
 
 /// A basis function at a point: weight of the point, then N, ∂N/∂x, ∂N/∂y, ∂N/∂z of every function, the

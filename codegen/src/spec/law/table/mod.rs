@@ -36,7 +36,7 @@ pub struct LawTable {
     /// Unit of the column of its values.
     pub unit: Unit,
     /// What becomes of inputs outside its rows.
-    pub extend: Extend,
+    pub(crate) extend: Extend,
     /// Whether the extension below and above the rows may be believed.
     pub(crate) valid_beyond: [bool; 2],
     /// The inputs of its rows, ascending: between them it is a cubic, at them its slope is continuous.
@@ -129,7 +129,7 @@ impl LawTable {
     }
 
     /// Where the input stands: a whole number that changes where the table passes to another cubic.
-    pub fn interval(&self, input: f64) -> i64 {
+    pub(crate) fn interval(&self, input: f64) -> i64 {
         let (input, turns) = match self.turns(input) {
             Some(turns) => (input - turns as f64 * nearest(&self.period()), turns),
             None => (input, 0),
