@@ -25,7 +25,7 @@ pub enum BodyKind {
 
 /// What couples the deformation of a reduced body to its rotation about z, in Craig–Bampton coordinates.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Spin {
+pub(crate) struct Spin {
     /// J0 = x0ᵀY x0 (kg·m²).
     pub(crate) j0: f64,
     /// φᵀY x0 and φᵀH x0.

@@ -180,11 +180,7 @@ impl Field {
         Some(self.multiply(&conjugate, &self.inverse(&norm)?))
     }
 
-    /// √a, in a field that grows where it must; `None` of a negative number, or past `ROOTS`.
-    pub(crate) fn root(&mut self, a: &Algebraic) -> Option<Algebraic> {
-        self.bounded_root(a).ok()
-    }
-
+    /// √a, in a field that grows where it must; an error of a negative number, or past `ROOTS`.
     fn bounded_root(&mut self, a: &Algebraic) -> Result<Algebraic, ReadError> {
         if a.is_zero() {
             return Ok(Algebraic::default());
@@ -435,7 +431,7 @@ mod tests {
     fn what_has_no_root_is_refused() {
         let mut field = Field::default();
         let minus = Algebraic::rational(-Rational::one());
-        assert_eq!(field.root(&minus), None);
+        assert_eq!(field.bounded_root(&minus), Err(ReadError::Roots));
         assert_eq!(field.inverse(&Algebraic::default()), None);
     }
 }

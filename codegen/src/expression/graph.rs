@@ -50,13 +50,8 @@ impl Graph {
     }
 
     /// Number of nodes.
-    pub fn len(&self) -> usize {
+    pub fn size(&self) -> usize {
         self.nodes.len()
-    }
-
-    /// Whether there is no node.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
     }
 
     /// True once a number or the graph grew past its bounds; what was built since then is meaningless.
@@ -81,7 +76,8 @@ impl Graph {
     }
 
     /// The values of a node at fixed points, point by point; passes that keep the meaning keep them.
-    pub(crate) fn signature(&self, id: Id) -> impl Iterator<Item = f64> {
+    #[cfg(test)]
+    pub(super) fn signature(&self, id: Id) -> impl Iterator<Item = f64> {
         self.signatures.values(id)
     }
 

@@ -57,7 +57,8 @@ pub(crate) struct Limits {
 
 /// The limits of every formula. (Digits and powers of ten of a number are bounded with the units; bits of
 /// exact numbers, and nodes, by the graph.)
-pub(crate) const LIMITS: Limits = Limits { length: 8192, depth: 64, exponent: 100, repeats: [64, 512] };
+pub(crate) const LIMITS: Limits =
+    Limits { length: 8192, depth: 64, exponent: 100, repeats: [64, 512] };
 
 /// Name of the number π in formulas.
 pub(crate) const PI: &str = "pi";

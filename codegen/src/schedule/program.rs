@@ -172,11 +172,6 @@ impl Program {
     pub(crate) fn total_counts(&self) -> Counts {
         Counts::of(self.instructions.iter().map(|i| i.operation))
     }
-
-    /// Σ over the stages of operations × runs.
-    pub(crate) fn cost(&self) -> f64 {
-        cost(&self.stages, |stage| self.counts(stage))
-    }
 }
 
 /// Σ over the stages of operations × runs.

@@ -101,13 +101,8 @@ pub struct Springs {
 
 impl Springs {
     /// Number of springs; a law that acts once a plane has one there.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.laws.iter().map(|law| law.springs).sum()
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Number of forces tested for convergence: every force that a law gives, at every spring.

@@ -29,7 +29,7 @@ pub struct EnergyBalance {
     pub dissipated: f64,
     /// Energy in play: kinetic and strain energy at the start, and what loads, dampers and springs moved since,
     /// summed without sign.
-    pub turnover: f64,
+    pub(crate) turnover: f64,
 }
 
 impl EnergyBalance {

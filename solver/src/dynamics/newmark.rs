@@ -51,7 +51,7 @@ impl Coefficients {
     }
 
     /// The end of the step if accelerations stay as they are: q_n + Δt q̇_n + ½ Δt² q̈_n, q̇_n + Δt q̈_n, q̈_n.
-    pub fn predict(&self, start: &State, end: &mut State) {
+    pub(crate) fn predict(&self, start: &State, end: &mut State) {
         for i in 0..start.q.len() {
             let (v, a) = (start.v[i], start.a[i]);
             end.q[i] = start.q[i] + self.dt * (v + 0.5 * self.dt * a);

@@ -57,7 +57,11 @@ pub fn evaluate(
 
 /// ∫ ∂M/∂(x, y, z) of every enhanced mode over a cell; zero if a patch of such cells passes under constant
 /// strain.
-pub(crate) fn mode_integrals(element: &ElementSpec, form: &str, nodes: &[[f64; 3]]) -> Vec<[f64; 3]> {
+pub(crate) fn mode_integrals(
+    element: &ElementSpec,
+    form: &str,
+    nodes: &[[f64; 3]],
+) -> Vec<[f64; 3]> {
     let (points, _) = points(element, form, nodes);
     let modes = element.enhanced_in(form).map_or(0, |enhanced| enhanced.modes.len());
     let integral = |m: usize, axis: usize| {

@@ -41,7 +41,8 @@ use equations::Reader;
 use lagrange::{Coordinate, Derivatives, Equations};
 
 /// The coordinates that the solver marches, with their shapes.
-pub(crate) const COORDINATES: &[(&str, Shape)] = &[("theta", Shape::Scalar), ("eta", Shape::Vector)];
+pub(crate) const COORDINATES: &[(&str, Shape)] =
+    &[("theta", Shape::Scalar), ("eta", Shape::Vector)];
 
 /// A motion, ready to be emitted: see the module for the file.
 #[derive(Debug, Clone)]

@@ -48,8 +48,6 @@ pub struct LawTable {
     pub(super) ends: [f64; 2],
     /// The ends between which there are values, if there are none elsewhere.
     bounds: [Rational; 2],
-    /// Slopes at both ends.
-    end_slopes: [Rational; 2],
     /// The comparisons of the input with the rows between the first and the last.
     inner: Vec<Id>,
     /// How many definitions come before it.
@@ -82,7 +80,6 @@ impl LawTable {
         self.pieces = cubic::cubics(&x, y, &slopes);
         let last = x.len() - 1;
         self.splits = x[1..last].to_vec();
-        self.end_slopes = [slopes[0].clone(), slopes[last].clone()];
         let outside = |at: usize| {
             let slope = match self.extend {
                 Extend::Linear => slopes[at].clone(),
@@ -114,29 +111,6 @@ impl LawTable {
         let [first, last] = self.bounds.clone();
         let ends = [(!below).then_some(first), (!above).then_some(last)];
         (self.extend != Extend::Periodic && !(below && above)).then_some(ends)
-    }
-
-    /// Inputs at which the slope jumps, with the slopes below and above.
-    pub(crate) fn kinks(&self) -> Vec<(&Rational, [Rational; 2])> {
-        let [first, last] = self.span();
-        let [low, high] = self.end_slopes.clone();
-        if self.extend != Extend::Constant {
-            return Vec::new();
-        }
-        let zero = Rational::zero;
-        let both = [(first, [zero(), low]), (last, [high, zero()])];
-        both.into_iter().filter(|(_, [below, above])| below != above).collect()
-    }
-
-    /// Where the input stands: a whole number that changes where the table passes to another cubic.
-    pub(crate) fn interval(&self, input: f64) -> i64 {
-        let (input, turns) = match self.turns(input) {
-            Some(turns) => (input - turns as f64 * nearest(&self.period()), turns),
-            None => (input, 0),
-        };
-        let place = self.splits.partition_point(|at| nearest(at) <= input);
-        let outside = i64::from(self.extend == Extend::Refuse && self.is_outside(input));
-        turns * (self.pieces.len() as i64 + 1) + place as i64 - outside * i64::from(i32::MAX)
     }
 
     /// Comparisons on the graph across which neither value nor slope jumps.
