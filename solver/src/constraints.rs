@@ -164,33 +164,6 @@ impl EquationRow {
     }
 }
 
-impl Elimination {
-    /// Zᵀ A Z of a sparse matrix; symmetric matrices stay so.
-    pub fn reduce_sparse(&self, a: &SparseMatrix) -> SparseMatrix {
-        let rows = self.transform.transpose();
-        let width = self.free.len();
-        let symmetric = a.lower().is_some();
-        let mut triplets = Vec::new();
-        let columns = a.to_columns();
-        for j in 0..columns.width() {
-            for (i, value) in columns.column(j) {
-                for (p, left) in rows.column(i) {
-                    for (q, right) in rows.column(j) {
-                        if p >= q || !symmetric {
-                            triplets.push((p, q, left * value * right));
-                        }
-                    }
-                }
-            }
-        }
-        let reduced = SparseColumns::from_triplets(width, width, triplets);
-        match symmetric {
-            true => SparseMatrix::Symmetric(reduced.into_lower()),
-            false => SparseMatrix::General(reduced),
-        }
-    }
-}
-
 /// A spring from a dof to ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundSpring {
@@ -261,7 +234,6 @@ pub fn free_motions(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linalg::{Matrix, congruence};
 
     #[test]
     fn elimination_solves_every_equation() {
@@ -296,29 +268,6 @@ mod tests {
         constraints.fix("far", 9);
         let error = constraints.eliminate(4).unwrap_err().to_string();
         assert_eq!(error, "far names coordinate 9, there are 4");
-    }
-
-    #[test]
-    fn sparse_reductions_agree_with_dense_ones() {
-        let mut constraints = Constraints::new();
-        constraints.equation("tie", [(0, 2.0), (1, 1.0), (2, -1.0)]);
-        let elimination = constraints.eliminate(4).unwrap();
-        let dense = Matrix::from_fn(4, 4, |i, j| ((i * j) % 5 + i + j) as f64);
-        let triplets =
-            (0..16).map(|k| (k / 4, k % 4, dense[(k / 4, k % 4)])).filter(|t| t.0 >= t.1).collect();
-        let lower = SparseColumns::from_triplets(4, 4, triplets).into_lower();
-        let sparse = SparseMatrix::Symmetric(lower);
-        let z = &elimination.transform;
-        let z = Matrix::from_fn(4, 3, |i, j| z.column(j).find(|e| e.0 == i).map_or(0.0, |e| e.1));
-        let expected = congruence(&dense, &z);
-        let reduced_sparse = elimination.reduce_sparse(&sparse);
-        for j in 0..3 {
-            let unit: Vec<f64> = (0..3).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
-            for i in 0..3 {
-                let other: Vec<f64> = (0..3).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
-                assert!((reduced_sparse.bilinear(&other, &unit) - expected[(i, j)]).abs() < 1e-14);
-            }
-        }
     }
 
     #[test]

@@ -40,16 +40,6 @@ impl Coefficients {
         Coefficients { dt: f64::INFINITY, a1: 0.0, a2: 0.0 }
     }
 
-    /// a1 = γ/(β Δt): how velocities at the end follow positions there.
-    pub fn a1(&self) -> f64 {
-        self.a1
-    }
-
-    /// a2 = 1/(β Δt²): how accelerations at the end follow positions there.
-    pub fn a2(&self) -> f64 {
-        self.a2
-    }
-
     /// The end of the step if accelerations stay as they are: q_n + Δt q̇_n + ½ Δt² q̈_n, q̇_n + Δt q̈_n, q̈_n.
     pub(crate) fn predict(&self, start: &State, end: &mut State) {
         for i in 0..start.q.len() {

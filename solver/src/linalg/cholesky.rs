@@ -28,11 +28,6 @@ impl Cholesky {
         }
     }
 
-    /// Rows of the matrices.
-    pub fn size(&self) -> usize {
-        self.size
-    }
-
     /// Factors a symmetric matrix given column after column (n² values; only the lower triangle is read).
     ///
     /// # Errors

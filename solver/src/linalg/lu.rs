@@ -31,11 +31,6 @@ impl Lu {
         }
     }
 
-    /// Rows of the matrices.
-    pub fn size(&self) -> usize {
-        self.size
-    }
-
     /// Factors a matrix given column after column (n² values).
     ///
     /// # Errors
