@@ -17,7 +17,7 @@ use crate::sparse::SparseMatrix;
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BodyKind {
-    /// One that turns: it has a [`Spin`].
+    /// One that turns: it has a `Spin`.
     Shaft,
     /// One that stands.
     Support,
@@ -77,7 +77,7 @@ impl Reduced {
     /// nodes of all sets of the mesh, can be output.
     ///
     /// # Errors
-    /// As [`BodySpec::reduce`].
+    /// As `BodySpec::reduce`.
     pub fn new(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
         let whole = spec.reduce(mesh)?;
         let spin = match kind {

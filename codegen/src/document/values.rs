@@ -20,7 +20,7 @@ pub enum Value<'d> {
     Number(Rational, Range<usize>),
     /// A truth value, and where it stands.
     Boolean(bool, Range<usize>),
-    /// An array: see [`Table::items`].
+    /// An array: see `Table::items`.
     Array(Vec<Item<'d>>, Range<usize>),
     /// A table: see [`Table::table`].
     Table(Range<usize>),

@@ -42,7 +42,7 @@ pub struct Bearing {
     pub stations: Vec<f64>,
     /// Fixed angles ψ_j of the springs of each plane (rad); of no effect on a law that acts once a plane.
     pub angles: Vec<f64>,
-    /// Which of the laws given to [`Springs::new`].
+    /// Which of the laws given to `Springs::new`.
     pub law: usize,
 }
 

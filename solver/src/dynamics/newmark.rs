@@ -19,7 +19,7 @@ impl Default for Newmark {
 }
 
 /// What one time step turns positions into: q̇ = a1 (q−q_n) − a3 q̇_n − a4 q̈_n,
-/// q̈ = a2 (q−q_n) − a5 q̇_n − a6 q̈_n. Written from the prediction (see [`Coefficients::predict`]) only a1 and
+/// q̈ = a2 (q−q_n) − a5 q̇_n − a6 q̈_n. Written from the prediction (see `Coefficients::predict`) only a1 and
 /// a2 are left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coefficients {

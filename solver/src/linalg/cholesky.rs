@@ -7,7 +7,7 @@ use faer::linalg::triangular_solve;
 use super::{LinearAlgebraError, view, view_mut};
 
 /// Cholesky factorisation A = LLᵀ of symmetric positive definite n × n matrices, one after the other
-/// in the same memory: neither [`Cholesky::factor`] nor the solves allocate.
+/// in the same memory: neither `Cholesky::factor` nor the solves allocate.
 pub struct Cholesky {
     size: usize,
     values: Vec<f64>,
