@@ -14,12 +14,12 @@ use crate::schema;
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
-    pub command: Command,
+    pub(crate) command: Command,
 }
 
 /// What to do.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(crate) enum Command {
     /// March a case in time and write its history, summary and figures
     Run(RunArguments),
     /// Check a case or spec file: report what it would run, or what is known of it, and every error
@@ -36,66 +36,66 @@ pub enum Command {
 
 /// Arguments of `whirl run`.
 #[derive(Debug, Args)]
-pub struct RunArguments {
+pub(crate) struct RunArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)
-    pub case: String,
+    pub(crate) case: String,
     /// Folder for the results (`results` and the name of the case, if left out)
     #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
+    pub(crate) out: Option<PathBuf>,
     /// Write no figures
     #[arg(long)]
-    pub no_figures: bool,
+    pub(crate) no_figures: bool,
     /// Resume an interrupted run in the same folder
     #[arg(long)]
-    pub resume: bool,
+    pub(crate) resume: bool,
     /// Print only warnings and errors
     #[arg(long)]
-    pub quiet: bool,
+    pub(crate) quiet: bool,
     /// Where reduced machines are kept
     #[command(flatten)]
-    pub cache: CacheArguments,
+    pub(crate) cache: CacheArguments,
 }
 
 /// Arguments of `whirl check`.
 #[derive(Debug, Args)]
-pub struct CheckArguments {
+pub(crate) struct CheckArguments {
     /// Path of a case or spec file, or the name of a built-in case (see `whirl list`)
-    pub case: String,
+    pub(crate) case: String,
     /// Where reduced machines are kept
     #[command(flatten)]
-    pub cache: CacheArguments,
+    pub(crate) cache: CacheArguments,
 }
 
 /// Arguments of `whirl explain`.
 #[derive(Debug, Args)]
-pub struct ExplainArguments {
+pub(crate) struct ExplainArguments {
     /// Path of a spec file, or the name of a built-in law, element, form, motion or clearance
     #[arg(value_name = "SPEC")]
-    pub spec: String,
+    pub(crate) spec: String,
     /// Print the Rust generated from this spec instead
     #[arg(long)]
-    pub rust: bool,
+    pub(crate) rust: bool,
     /// Draw a law as SVG and PNG: FILE with either ending
     #[arg(long, value_name = "FILE")]
-    pub plot: Option<PathBuf>,
+    pub(crate) plot: Option<PathBuf>,
 }
 
 /// Arguments of `whirl new`.
 #[derive(Debug, Args)]
-pub struct NewArguments {
+pub(crate) struct NewArguments {
     /// What to begin
-    pub kind: NewKind,
+    pub(crate) kind: NewKind,
     /// Its name: the file is NAME.toml
     #[arg(value_name = "NAME")]
-    pub name: String,
+    pub(crate) name: String,
     /// Folder of the file
     #[arg(long, value_name = "DIR", default_value = ".", hide_default_value = true)]
-    pub dir: PathBuf,
+    pub(crate) dir: PathBuf,
 }
 
 /// Kinds of files that `whirl new` can write.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum NewKind {
+pub(crate) enum NewKind {
     /// A bearing law
     Law,
     /// A finite element
@@ -106,10 +106,10 @@ pub enum NewKind {
 
 /// Arguments of `whirl schema`.
 #[derive(Debug, Args)]
-pub struct SchemaArguments {
+pub(crate) struct SchemaArguments {
     /// Kind of file; the kinds are listed if it is left out
     #[arg(value_parser = schema_kinds())]
-    pub kind: Option<String>,
+    pub(crate) kind: Option<String>,
 }
 
 fn schema_kinds() -> PossibleValuesParser {
@@ -118,13 +118,13 @@ fn schema_kinds() -> PossibleValuesParser {
 
 /// Where reduced machines are kept between runs.
 #[derive(Debug, Args)]
-pub struct CacheArguments {
+pub(crate) struct CacheArguments {
     /// Folder in which reduced machines are kept [default: the platform's cache folder]
     #[arg(long, value_name = "DIR", conflicts_with = "no_cache")]
-    pub cache: Option<PathBuf>,
+    pub(crate) cache: Option<PathBuf>,
     /// Neither use nor keep reduced machines
     #[arg(long)]
-    pub no_cache: bool,
+    pub(crate) no_cache: bool,
 }
 
 impl CacheArguments {

@@ -1,7 +1,7 @@
 //! The `whirl` command: case files, progress, results, figures.
 
 pub mod arguments;
-pub mod case;
+mod case;
 mod check;
 mod checkpoint;
 mod created;
@@ -24,7 +24,7 @@ mod schema;
 mod signals;
 mod spec_file;
 mod streams;
-pub mod version;
+mod version;
 
 use std::process::ExitCode;
 

@@ -1,13 +1,13 @@
 //! Which program this is.
 
 /// Version of the package.
-pub const PACKAGE: &str = env!("CARGO_PKG_VERSION");
+pub(crate) const PACKAGE: &str = env!("CARGO_PKG_VERSION");
 
 /// Commit from which the program was built, if the build knew it.
-pub const COMMIT: Option<&str> = option_env!("WHIRL_COMMIT");
+pub(crate) const COMMIT: Option<&str> = option_env!("WHIRL_COMMIT");
 
 /// Hash of all sources of the program, committed or not, and of the compiler.
-pub const SOURCES: &str = env!("WHIRL_SOURCES");
+pub(crate) const SOURCES: &str = env!("WHIRL_SOURCES");
 
 /// Version and commit, for `--version`.
-pub const LONG: &str = env!("WHIRL_VERSION");
+pub(crate) const LONG: &str = env!("WHIRL_VERSION");

@@ -10,7 +10,7 @@ pub mod generate;
 pub mod operation;
 pub mod rational;
 pub mod schedule;
-pub mod simplify;
+mod simplify;
 pub mod spec;
 pub mod tape;
 pub mod units;

@@ -40,7 +40,7 @@ const RULES: &[(&str, Rule)] = &[
 const TRIED: usize = 2_000_000;
 
 /// The expressions with every rule applied that makes all of them together cheaper to compute.
-pub fn simplify(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
+pub(crate) fn simplify(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     simplify_by(RULES, graph, roots)
 }
 

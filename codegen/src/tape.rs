@@ -8,7 +8,7 @@ use crate::operation::{Function, Operand, Operation, Relation};
 use crate::schedule::Program;
 
 /// Springs that one instruction covers.
-pub const WIDTH: usize = 64;
+pub(crate) const WIDTH: usize = 64;
 
 /// One value of every spring of a block. Truth values are 1 and 0.
 type Register = [f64; WIDTH];

@@ -22,7 +22,7 @@ pub struct Rayleigh {
 
 impl Rayleigh {
     /// αM + βK.
-    pub fn matrix(&self, mass: &Matrix, stiffness: &Matrix) -> Matrix {
+    pub(crate) fn matrix(&self, mass: &Matrix, stiffness: &Matrix) -> Matrix {
         Matrix::from_fn(mass.rows, mass.cols, |i, j| {
             self.alpha * mass[(i, j)] + self.beta * stiffness[(i, j)]
         })
@@ -62,7 +62,7 @@ impl BodySpec {
     ///
     /// # Errors
     /// As [`assemble`] and [`Solid::craig_bampton`]; a dof retained twice.
-    pub fn reduce(&self, mesh: &Mesh) -> Result<CraigBampton, Error> {
+    pub(crate) fn reduce(&self, mesh: &Mesh) -> Result<CraigBampton, Error> {
         self.check(mesh)?;
         let stiffness = add_ground_springs(&assemble(mesh, "stiffness")?, &self.springs)?;
         let mass = assemble(mesh, "mass")?;
@@ -111,9 +111,9 @@ impl BodySpec {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coordinates {
     /// T: Craig–Bampton coordinates = T · active coordinates.
-    pub transform: Matrix,
+    pub(crate) transform: Matrix,
     /// What each active coordinate is.
-    pub names: Vec<String>,
+    pub(crate) names: Vec<String>,
 }
 
 impl Coordinates {

@@ -25,7 +25,7 @@ pub const ABANDONED: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// Hash of the sources of everything that reduces bodies, dependencies and compiler included: values of another
 /// program are not trusted, whether its changes are committed or not.
-pub const PROGRAM: &str = env!("WHIRL_REDUCTION_SOURCES");
+pub(crate) const PROGRAM: &str = env!("WHIRL_REDUCTION_SOURCES");
 
 /// What a stored value depends on, as a hash.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

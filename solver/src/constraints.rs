@@ -6,7 +6,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::{Error, FreeMotion, ReductionError};
-use crate::linalg::Matrix;
 use crate::reduction;
 use crate::sparse::{SparseColumns, SparseMatrix};
 
@@ -20,7 +19,7 @@ pub struct Equation {
     /// How messages call it, such as `mounts[0] (y of MOUNTS)`.
     pub name: String,
     /// (i, cᵢ).
-    pub terms: Vec<(usize, f64)>,
+    pub(crate) terms: Vec<(usize, f64)>,
 }
 
 /// Homogeneous linear constraints, in the order in which they were given.
@@ -33,7 +32,7 @@ pub struct Constraints {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elimination {
     /// Z: coordinates × free coordinates.
-    pub transform: SparseColumns,
+    pub(crate) transform: SparseColumns,
     /// Which of u each free coordinate is, ascending.
     pub free: Vec<usize>,
 }
@@ -165,58 +164,6 @@ impl EquationRow {
     }
 }
 
-impl Elimination {
-    /// u = Z û.
-    pub fn expand(&self, free: &[f64]) -> Vec<f64> {
-        let mut all = vec![0.0; self.transform.height];
-        self.transform.multiply(free, &mut all);
-        all
-    }
-
-    /// Zᵀ f: forces on the free coordinates.
-    pub fn restrict(&self, forces: &[f64]) -> Vec<f64> {
-        let mut free = vec![0.0; self.free.len()];
-        self.transform.multiply_transposed(forces, &mut free);
-        free
-    }
-
-    /// Zᵀ A Z of a dense matrix.
-    pub fn reduce(&self, a: &Matrix) -> Matrix {
-        let (height, width) = (a.rows, self.free.len());
-        let mut left = Matrix::zeros(width, height);
-        self.transform.multiply_transposed(&a.data, &mut left.data);
-        let left = left.transpose();
-        let mut both = Matrix::zeros(width, width);
-        self.transform.multiply_transposed(&left.data, &mut both.data);
-        both.transpose()
-    }
-
-    /// Zᵀ A Z of a sparse matrix; symmetric matrices stay so.
-    pub fn reduce_sparse(&self, a: &SparseMatrix) -> SparseMatrix {
-        let rows = self.transform.transpose();
-        let width = self.free.len();
-        let symmetric = a.lower().is_some();
-        let mut triplets = Vec::new();
-        let columns = a.to_columns();
-        for j in 0..columns.width() {
-            for (i, value) in columns.column(j) {
-                for (p, left) in rows.column(i) {
-                    for (q, right) in rows.column(j) {
-                        if p >= q || !symmetric {
-                            triplets.push((p, q, left * value * right));
-                        }
-                    }
-                }
-            }
-        }
-        let reduced = SparseColumns::from_triplets(width, width, triplets);
-        match symmetric {
-            true => SparseMatrix::Symmetric(reduced.into_lower()),
-            false => SparseMatrix::General(reduced),
-        }
-    }
-}
-
 /// A spring from a dof to ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundSpring {
@@ -296,17 +243,12 @@ mod tests {
         constraints.equation("rod", [(0, 1.0), (1, 3.0), (3, -2.0), (4, 7.0)]);
         let elimination = constraints.eliminate(6).unwrap();
         assert_eq!(elimination.free, [2, 3, 5]);
-        let u = elimination.expand(&[1.0, 0.5, -1.0]);
+        let mut u = vec![0.0; 6];
+        elimination.transform.multiply(&[1.0, 0.5, -1.0], &mut u);
         for equation in constraints.equations() {
             let sum: f64 = equation.terms.iter().map(|&(i, c)| c * u[i]).sum();
             assert!(sum.abs() < 1e-15, "{}: {sum}", equation.name);
         }
-        // Work is the same on either side: f·(Z û) = (Zᵀ f)·û.
-        let forces = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
-        let work: f64 = forces.iter().zip(&u).map(|(f, u)| f * u).sum();
-        let restricted = elimination.restrict(&forces);
-        let other: f64 = restricted.iter().zip([1.0, 0.5, -1.0]).map(|(f, u)| f * u).sum();
-        assert!((work - other).abs() < 1e-14);
     }
 
     #[test]
@@ -326,31 +268,6 @@ mod tests {
         constraints.fix("far", 9);
         let error = constraints.eliminate(4).unwrap_err().to_string();
         assert_eq!(error, "far names coordinate 9, there are 4");
-    }
-
-    #[test]
-    fn dense_and_sparse_reductions_agree() {
-        let mut constraints = Constraints::new();
-        constraints.equation("tie", [(0, 2.0), (1, 1.0), (2, -1.0)]);
-        let elimination = constraints.eliminate(4).unwrap();
-        let dense = Matrix::from_fn(4, 4, |i, j| ((i * j) % 5 + i + j) as f64);
-        let triplets =
-            (0..16).map(|k| (k / 4, k % 4, dense[(k / 4, k % 4)])).filter(|t| t.0 >= t.1).collect();
-        let lower = SparseColumns::from_triplets(4, 4, triplets).into_lower();
-        let sparse = SparseMatrix::Symmetric(lower);
-        let reduced = elimination.reduce(&dense);
-        let z = &elimination.transform;
-        let z = Matrix::from_fn(4, 3, |i, j| z.column(j).find(|e| e.0 == i).map_or(0.0, |e| e.1));
-        let expected = crate::linalg::congruence(&dense, &z);
-        let reduced_sparse = elimination.reduce_sparse(&sparse);
-        for j in 0..3 {
-            let unit: Vec<f64> = (0..3).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
-            for i in 0..3 {
-                let other: Vec<f64> = (0..3).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
-                assert!((reduced[(i, j)] - expected[(i, j)]).abs() < 1e-14);
-                assert!((reduced_sparse.bilinear(&other, &unit) - expected[(i, j)]).abs() < 1e-14);
-            }
-        }
     }
 
     #[test]

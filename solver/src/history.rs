@@ -11,7 +11,7 @@ pub struct History {
 
 impl History {
     /// No rows yet. Names carry their units, such as `RX1_N`.
-    pub fn new(names: Vec<String>) -> Self {
+    pub(crate) fn new(names: Vec<String>) -> Self {
         History { names, values: Vec::new() }
     }
 
@@ -41,7 +41,7 @@ impl History {
     }
 
     /// Reserves memory for that many more rows.
-    pub fn reserve(&mut self, rows: usize) {
+    pub(crate) fn reserve(&mut self, rows: usize) {
         self.values.reserve(rows * self.names.len());
     }
 
@@ -62,7 +62,7 @@ impl History {
     }
 
     /// A row.
-    pub fn row(&self, place: usize) -> &[f64] {
+    pub(crate) fn row(&self, place: usize) -> &[f64] {
         &self.values[place * self.names.len()..(place + 1) * self.names.len()]
     }
 

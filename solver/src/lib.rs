@@ -12,7 +12,7 @@ pub mod linalg;
 pub mod loads;
 pub mod machine;
 pub mod mesh;
-pub mod ordering;
+mod ordering;
 pub mod reduced;
 pub mod reduction;
 pub mod shaft;

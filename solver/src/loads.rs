@@ -49,7 +49,7 @@ pub enum Frame {
 
 impl Load {
     /// The factor on the amplitude at time `t` (s); `released` once the target speed was reached.
-    pub fn factor(&self, t: f64, released: bool) -> f64 {
+    pub(crate) fn factor(&self, t: f64, released: bool) -> f64 {
         match self.time_function {
             TimeFunction::Constant => 1.0,
             TimeFunction::Sine { frequency, phase } => {

@@ -141,7 +141,7 @@ impl Machine {
     }
 
     /// What coordinate `place` of q is.
-    pub fn coordinate(&self, place: usize) -> String {
+    pub(crate) fn coordinate(&self, place: usize) -> String {
         let shaft = self.shaft.size();
         match place {
             0 => "rotation angle of the shaft".to_owned(),

@@ -1,7 +1,7 @@
 //! Elimination orders that keep the factor of a solid's matrix small.
 
 /// Nodes that share an entry of a matrix: row `i` lists the neighbours of node `i`, sorted, without `i`.
-pub type Neighbours = Vec<Vec<usize>>;
+pub(crate) type Neighbours = Vec<Vec<usize>>;
 
 /// Parts of this many nodes are not divided further: their factor is dense anyway.
 const LEAF: usize = 24;
@@ -11,7 +11,7 @@ const LEAF: usize = 24;
 /// comes after both.
 ///
 /// `coordinates`: m, one a node. For a solid of n nodes the factor then grows as n^{4/3}.
-pub fn nested_dissection(coordinates: &[[f64; 3]], neighbours: &Neighbours) -> Vec<usize> {
+pub(crate) fn nested_dissection(coordinates: &[[f64; 3]], neighbours: &Neighbours) -> Vec<usize> {
     let mut dissection = Dissection {
         coordinates,
         neighbours,

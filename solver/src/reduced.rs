@@ -17,7 +17,7 @@ use crate::sparse::SparseMatrix;
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BodyKind {
-    /// One that turns: it has a [`Spin`].
+    /// One that turns: it has a `Spin`.
     Shaft,
     /// One that stands.
     Support,
@@ -25,7 +25,7 @@ pub enum BodyKind {
 
 /// What couples the deformation of a reduced body to its rotation about z, in Craig–Bampton coordinates.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Spin {
+pub(crate) struct Spin {
     /// J0 = x0ᵀY x0 (kg·m²).
     pub(crate) j0: f64,
     /// φᵀY x0 and φᵀH x0.
@@ -77,7 +77,7 @@ impl Reduced {
     /// nodes of all sets of the mesh, can be output.
     ///
     /// # Errors
-    /// As [`BodySpec::reduce`].
+    /// As `BodySpec::reduce`.
     pub fn new(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
         let whole = spec.reduce(mesh)?;
         let spin = match kind {

@@ -10,7 +10,7 @@ pub struct SparseColumns {
     /// Number of rows.
     pub height: usize,
     /// Where each column begins in `rows` and `values`; columns + 1 values.
-    pub starts: Vec<usize>,
+    pub(crate) starts: Vec<usize>,
     /// Row of each value, ascending in a column.
     pub rows: Vec<usize>,
     /// The values.
@@ -19,7 +19,7 @@ pub struct SparseColumns {
 
 impl SparseColumns {
     /// From (row, column, value) in any order; values at one place are summed, in the order given.
-    pub fn from_triplets(
+    pub(crate) fn from_triplets(
         height: usize,
         width: usize,
         mut triplets: Vec<(usize, usize, f64)>,
@@ -85,20 +85,6 @@ impl SparseColumns {
                 for (i, value) in self.column(j) {
                     y[i] += value * xj;
                 }
-            }
-        }
-    }
-
-    /// y = Aᵀ x for each column of `x` (as long as the matrix is high).
-    pub fn multiply_transposed(&self, x: &[f64], y: &mut [f64]) {
-        let (height, width) = (self.height, self.width());
-        if width == 0 || height == 0 {
-            y.fill(0.0);
-            return;
-        }
-        for (x, y) in x.chunks_exact(height).zip(y.chunks_exact_mut(width)) {
-            for (j, y) in y.iter_mut().enumerate() {
-                *y = self.column(j).map(|(i, value)| value * x[i]).sum();
             }
         }
     }
@@ -361,9 +347,6 @@ mod tests {
                 }
                 None => assert_eq!(pattern, skew),
             }
-            columns.multiply_transposed(&x, &mut y);
-            columns.transpose().multiply(&x, &mut expected);
-            assert_eq!(y, expected);
         }
     }
 

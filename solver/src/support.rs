@@ -58,7 +58,7 @@ impl Support {
     ///
     /// # Errors
     /// The mass of the reduction is not positive definite.
-    pub fn new(
+    pub(crate) fn new(
         reduction: &CraigBampton,
         active: &Coordinates,
         damping: Rayleigh,

@@ -63,8 +63,7 @@ fn a_turn_held_by_one_equation_is_no_mechanism() {
     constraints.equation("torsion", ends);
     assert_eq!(free_motions(mesh.nodes(), &k, &constraints).unwrap(), []);
     let elimination = constraints.eliminate(mesh.dof_count()).unwrap();
-    let reduced = elimination.reduce_sparse(&k);
-    assert_eq!(reduced.size(), 5775 - 6);
+    assert_eq!(elimination.free.len(), 5775 - 6);
 }
 
 /// Beside a spring of more than a million times its stiffness a body has no digits left.

@@ -13,7 +13,7 @@ use super::parameters::{self, BearingFacts, SetParameter};
 
 /// Where a law comes from.
 #[derive(Debug, Clone)]
-pub enum LawSource {
+pub(crate) enum LawSource {
     /// Compiled into the program.
     BuiltIn(&'static Law),
     /// A spec file, evaluated at run time.
@@ -24,22 +24,22 @@ pub enum LawSource {
 
 /// A law with other values of its parameters than its file has, evaluated at run time.
 #[derive(Debug)]
-pub struct GivenLaw {
+pub(crate) struct GivenLaw {
     /// The law with these values.
-    pub spec: Arc<LawSpec>,
+    pub(crate) spec: Arc<LawSpec>,
     /// The values.
-    pub given: Vec<Given>,
+    pub(crate) given: Vec<Given>,
     /// What results call it: the law, and the values in parentheses.
-    pub name: String,
+    pub(crate) name: String,
 }
 
 /// A law, and where the case names it.
 #[derive(Debug, Clone)]
-pub struct NamedLaw {
+pub(crate) struct NamedLaw {
     /// The law, with the values in its file.
-    pub source: LawSource,
+    pub(crate) source: LawSource,
     /// The value of the key `law`.
-    pub name: Located,
+    pub(crate) name: Located,
 }
 
 impl NamedLaw {
@@ -63,7 +63,7 @@ impl NamedLaw {
 
 impl LawSource {
     /// How results call the law: its name, or the path of its file.
-    pub fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         match self {
             LawSource::BuiltIn(law) => law.origin.name.to_string(),
             LawSource::File(spec) => spec.file.path.display().to_string(),
@@ -72,7 +72,7 @@ impl LawSource {
     }
 
     /// Whether the law is one of springs or of rings.
-    pub fn acts(&self) -> Acts {
+    pub(crate) fn acts(&self) -> Acts {
         match self {
             LawSource::BuiltIn(law) => {
                 let gives = |acts: &Acts| {
@@ -90,7 +90,7 @@ impl LawSource {
     ///
     /// # Panics
     /// If a built-in law has errors: it was read without any when its kernel was generated.
-    pub fn spec(&self) -> Arc<LawSpec> {
+    pub(crate) fn spec(&self) -> Arc<LawSpec> {
         match self {
             LawSource::BuiltIn(law) => {
                 let spec = LawSpec::read_with(&source_of(law), &|name| built_in_table(law, name));
@@ -105,7 +105,7 @@ impl LawSource {
     ///
     /// # Panics
     /// As [`LawSource::spec`].
-    pub fn parameters(&self) -> Vec<Parameter> {
+    pub(crate) fn parameters(&self) -> Vec<Parameter> {
         match self {
             LawSource::BuiltIn(law) => {
                 let found =

@@ -33,7 +33,7 @@ embedded![
 const EMBEDDED_FOLDER: &str = "specs/cases";
 
 /// Names of the built-in cases, in alphabetical order.
-pub fn embedded_cases() -> impl Iterator<Item = &'static str> {
+pub(crate) fn embedded_cases() -> impl Iterator<Item = &'static str> {
     EMBEDDED
         .iter()
         .filter_map(|(file, _)| file.strip_suffix(".toml"))

@@ -1,30 +1,21 @@
 //! Loads fixed in space.
 
-use std::f64::consts::TAU;
-
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 
 /// A force on sets of shaft nodes, fixed in space: F(t) = F, or F sin(2π f t + φ).
 #[derive(Debug, Clone)]
-pub struct Load {
+pub(crate) struct Load {
     /// Sets of the shaft's mesh; every node of each carries the force.
-    pub sets: Vec<Located>,
+    pub(crate) sets: Vec<Located>,
     /// 0 for x, 1 for y.
-    pub direction: usize,
+    pub(crate) direction: usize,
     /// F in N.
-    pub force: f64,
+    pub(crate) force: f64,
     /// f in Hz; a static load has none.
-    pub frequency: Option<f64>,
+    pub(crate) frequency: Option<f64>,
     /// φ in rad.
-    pub phase: f64,
-}
-
-impl Load {
-    /// Angular frequency in rad/s; zero for a static load.
-    pub fn omega(&self) -> f64 {
-        self.frequency.map_or(0.0, |frequency| TAU * frequency)
-    }
+    pub(crate) phase: f64,
 }
 
 pub(super) fn read(file: &Table) -> Vec<Load> {

@@ -14,56 +14,56 @@ use super::parameters::{self, BearingFacts, Keys};
 
 /// m ẍ + d ẋ + k x = F + m e Ω² cos Ωt + stops, and along y the same with sin Ωt and without F.
 #[derive(Debug, Clone)]
-pub struct Lumped {
+pub(crate) struct Lumped {
     /// m in kg.
-    pub mass: f64,
+    pub(crate) mass: f64,
     /// k in N/m.
-    pub stiffness: f64,
+    pub(crate) stiffness: f64,
     /// d in N·s/m.
-    pub damping: f64,
+    pub(crate) damping: f64,
     /// x at t = 0 in m.
-    pub displacement: f64,
+    pub(crate) displacement: f64,
     /// ẋ at t = 0 in m/s.
-    pub velocity: f64,
+    pub(crate) velocity: f64,
     /// F in N, constant.
-    pub force: f64,
+    pub(crate) force: f64,
     /// What turns in the mass out of balance.
-    pub unbalance: Option<Unbalance>,
+    pub(crate) unbalance: Option<Unbalance>,
     /// How displacement is coupled to rotation; without effect here: the mass moves in the fixed frame, and turns, if it
     /// is out of balance, at its given speed.
-    pub motion: &'static Motion,
+    pub(crate) motion: &'static Motion,
     /// What the mass may hit.
-    pub stops: Vec<Stop>,
+    pub(crate) stops: Vec<Stop>,
 }
 
 /// The whole mass turning at a constant speed with its centre off the axis.
 #[derive(Debug, Clone, Copy)]
-pub struct Unbalance {
+pub(crate) struct Unbalance {
     /// e in m.
-    pub eccentricity: f64,
+    pub(crate) eccentricity: f64,
     /// Ω in rad/s.
-    pub speed: f64,
+    pub(crate) speed: f64,
 }
 
 /// A stop: h = gap − x above the mass, h = gap + x below it; its force Q(h, ḣ) pushes the mass away. Or one
 /// all around, with a law of a ring.
 #[derive(Debug, Clone)]
-pub struct Stop {
+pub(crate) struct Stop {
     /// Where it stands.
-    pub side: Side,
+    pub(crate) side: Side,
     /// h at x = 0, in m; around, the radial clearance of the law, 0 if it does not say which that is.
-    pub gap: f64,
+    pub(crate) gap: f64,
     /// Radius of the mass where it runs in the stop, in m, if the case says it.
-    pub journal_radius: Option<f64>,
+    pub(crate) journal_radius: Option<f64>,
     /// Q(h, ḣ), or more, with the values that the case gives it.
-    pub law: LawSource,
+    pub(crate) law: LawSource,
     /// The value of the key `law`.
-    pub law_name: Located,
+    pub(crate) law_name: Located,
 }
 
 /// The side of a mass on which a stop stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub(crate) enum Side {
     /// Towards greater x.
     Above,
     /// Towards smaller x.

@@ -10,28 +10,28 @@ use super::schema::MOST_STEPS;
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]
-pub struct March {
+pub(crate) struct March {
     /// Δt in s.
-    pub time_step: f64,
+    pub(crate) time_step: f64,
     /// Steps.
-    pub steps: usize,
+    pub(crate) steps: usize,
     /// Largest change of a spring force between iterations, in N, at which a step has converged.
-    pub force_tolerance: f64,
+    pub(crate) force_tolerance: f64,
     /// Steps from one row of the history to the next.
-    pub output_every: usize,
+    pub(crate) output_every: usize,
     /// Period over which steady state is tested and results are summed up, in s.
-    pub cycle: f64,
+    pub(crate) cycle: f64,
 }
 
 impl March {
     /// End of the analysis in s.
-    pub fn duration(&self) -> f64 {
+    pub(crate) fn duration(&self) -> f64 {
         self.time_step * self.steps as f64
     }
 
     /// The cycle by which the steady state is tested, in s; none where the analysis ends before two of them
     /// are over, so that no cycle can be compared with the one before.
-    pub fn steady_cycle(&self) -> Option<f64> {
+    pub(crate) fn steady_cycle(&self) -> Option<f64> {
         // A sum of steps may miss the end by rounding.
         (2.0 * self.cycle <= self.duration() * (1.0 + 1e-9)).then_some(self.cycle)
     }

@@ -15,43 +15,41 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
 
-pub use law::{GivenLaw, LawSource, NamedLaw};
-pub use library::embedded_cases;
-pub use loads::Load;
-pub use lumped::{Lumped, Side, Stop, Unbalance};
-pub use march::March;
-pub(crate) use parameters::rounded;
-pub use parameters::{BearingFacts, SetParameter};
-pub use read::read;
+pub(crate) use law::{LawSource, NamedLaw};
+pub(crate) use library::embedded_cases;
+pub(crate) use loads::Load;
+pub(crate) use lumped::{Lumped, Side, Unbalance};
+pub(crate) use march::March;
+pub(crate) use parameters::{BearingFacts, rounded};
+pub(crate) use read::read;
 pub(crate) use read::{SystemDraft, draft};
 pub(crate) use rotor::RotorDraft;
-pub use rotor::{
-    Bearing, Body, Drive, GeneratedMesh, GroundSpring, Mesh, MeshFile, Region, Rotor, Shaft,
-    Support,
+pub(crate) use rotor::{
+    Bearing, Body, Drive, GeneratedMesh, Mesh, MeshFile, Region, Rotor, Shaft, Support,
 };
 
 /// One case, ready to be built.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub(crate) struct Case {
     /// Name under which results are kept: that of the file without its ending.
-    pub name: String,
+    pub(crate) name: String,
     /// One line for people.
-    pub title: String,
+    pub(crate) title: String,
     /// Paper, standard or book; empty if the case does not say.
-    pub origin: String,
+    pub(crate) origin: String,
     /// The files read, the case itself first.
-    pub sources: Vec<Arc<Source>>,
+    pub(crate) sources: Vec<Arc<Source>>,
     /// What is marched.
-    pub system: System,
+    pub(crate) system: System,
     /// Time step, duration and tolerances.
-    pub march: March,
+    pub(crate) march: March,
     /// What figures show beyond the results.
-    pub figures: Figures,
+    pub(crate) figures: Figures,
 }
 
 impl Case {
     /// What results call the supports, in order.
-    pub fn support_names(&self) -> Vec<String> {
+    pub(crate) fn support_names(&self) -> Vec<String> {
         let (word, count) = match &self.system {
             System::Rotor(rotor) => ("Support", rotor.bearings.len()),
             System::Lumped(lumped) => ("Stop", lumped.stops.len()),
@@ -62,7 +60,7 @@ impl Case {
 
 /// What is marched.
 #[derive(Debug, Clone)]
-pub enum System {
+pub(crate) enum System {
     /// A flexible shaft in clearances on a flexible support.
     Rotor(Box<Rotor>),
     /// One mass between stops.
@@ -71,15 +69,15 @@ pub enum System {
 
 /// Numbers of the figures in the paper, for titles; a figure without number is drawn all the same.
 #[derive(Debug, Clone, Default)]
-pub struct Figures {
+pub(crate) struct Figures {
     /// Laws drawn beside each other; those of the case if it names none.
-    pub laws: Vec<LawSource>,
+    pub(crate) laws: Vec<LawSource>,
     /// Q–h of the laws.
-    pub law: Option<usize>,
+    pub(crate) law: Option<usize>,
     /// Reactions RX, RY.
-    pub reactions: Option<usize>,
+    pub(crate) reactions: Option<usize>,
     /// Eccentricity orbits.
-    pub eccentricity: Option<usize>,
+    pub(crate) eccentricity: Option<usize>,
     /// Angle and speed of rotation.
-    pub rotation: Option<usize>,
+    pub(crate) rotation: Option<usize>,
 }

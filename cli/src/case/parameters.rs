@@ -11,7 +11,7 @@ use super::law::NamedLaw;
 
 /// A parameter that a case sets by name.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SetParameter {
+pub(crate) struct SetParameter {
     /// As the law calls it.
     name: String,
     /// Where the case names it.
@@ -23,17 +23,17 @@ pub struct SetParameter {
 
 /// What is known of a bearing or a stop that laws can take from it: exactly, SI.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct BearingFacts {
+pub(crate) struct BearingFacts {
     /// c in m.
-    pub radial_clearance: Option<Rational>,
+    pub(crate) radial_clearance: Option<Rational>,
     /// R in m.
-    pub journal_radius: Option<Rational>,
+    pub(crate) journal_radius: Option<Rational>,
     /// R + c in m, where it is not to be had from the two.
-    pub bore_radius: Option<Rational>,
+    pub(crate) bore_radius: Option<Rational>,
     /// L in m.
-    pub length: Option<Rational>,
+    pub(crate) length: Option<Rational>,
     /// Springs in all rings.
-    pub springs: Option<usize>,
+    pub(crate) springs: Option<usize>,
 }
 
 /// What the keys of a bearing are called of which a parameter can be one.
@@ -163,7 +163,7 @@ fn alike(of: BearingValue, a: &Rational, b: &Rational) -> bool {
 
 impl BearingFacts {
     /// A value of the bearing in SI, if enough is known of it.
-    pub fn value(&self, of: BearingValue) -> Option<Rational> {
+    pub(crate) fn value(&self, of: BearingValue) -> Option<Rational> {
         let two = || Rational::from(2);
         let clearance = || self.radial_clearance.clone();
         let radius = || self.journal_radius.clone();

@@ -14,7 +14,7 @@ use super::{Case, Figures, Lumped, March, RotorDraft, System, law, lumped, machi
 ///
 /// # Errors
 /// Everything that is wrong with the case and the files it includes, each with its place.
-pub fn read(name: &str) -> Result<Case, Diagnostics> {
+pub(crate) fn read(name: &str) -> Result<Case, Diagnostics> {
     draft(name)?.finish()
 }
 

@@ -15,17 +15,17 @@ use super::parameters::{BearingFacts, SetParameter};
 
 /// Shaft, support, what lies between, and what drives and loads them.
 #[derive(Debug, Clone)]
-pub struct Rotor {
+pub(crate) struct Rotor {
     /// The rotating body.
-    pub shaft: Shaft,
+    pub(crate) shaft: Shaft,
     /// The standing body.
-    pub support: Support,
+    pub(crate) support: Support,
     /// Where the shaft runs in the support, in the order of the case.
-    pub bearings: Vec<Bearing>,
+    pub(crate) bearings: Vec<Bearing>,
     /// What turns the shaft, and ties the flexible shaft to its frame.
-    pub drive: Drive,
+    pub(crate) drive: Drive,
     /// Forces on the shaft.
-    pub loads: Vec<Load>,
+    pub(crate) loads: Vec<Load>,
 }
 
 /// A machine as far as a case says it: enough of it to find sets.
@@ -53,7 +53,7 @@ impl RotorDraft {
 
 /// Where a mesh comes from.
 #[derive(Debug, Clone)]
-pub enum Mesh<D> {
+pub(crate) enum Mesh<D> {
     /// An Abaqus or CalculiX input file.
     File(MeshFile),
     /// Made from a few dimensions.
@@ -62,7 +62,7 @@ pub enum Mesh<D> {
 
 impl<D> Mesh<D> {
     /// Where the case says it.
-    pub fn place(&self) -> Located {
+    pub(crate) fn place(&self) -> Located {
         match self {
             Mesh::File(file) => file.name.clone(),
             Mesh::Generated(generated) => generated.table.clone(),
@@ -72,126 +72,126 @@ impl<D> Mesh<D> {
 
 /// A mesh made from dimensions, and where the case says them.
 #[derive(Debug, Clone)]
-pub struct GeneratedMesh<D> {
+pub(crate) struct GeneratedMesh<D> {
     /// The dimensions with the material.
-    pub dimensions: D,
+    pub(crate) dimensions: D,
     /// The table of the dimensions.
-    pub table: Located,
+    pub(crate) table: Located,
     /// The dimensions by their names in the case, such as `length`, `cells.sectors` and `loads[0]`.
-    pub places: BTreeMap<String, Located>,
+    pub(crate) places: BTreeMap<String, Located>,
 }
 
 /// A mesh file named by a case.
 #[derive(Debug, Clone)]
-pub struct MeshFile {
+pub(crate) struct MeshFile {
     /// Resolved path.
-    pub path: PathBuf,
+    pub(crate) path: PathBuf,
     /// The name as written.
-    pub name: Located,
+    pub(crate) name: Located,
 }
 
 /// What a case says of either body.
 #[derive(Debug, Clone)]
-pub struct Body<D> {
+pub(crate) struct Body<D> {
     /// Mesh.
-    pub mesh: Mesh<D>,
+    pub(crate) mesh: Mesh<D>,
     /// Material of the cells to which the mesh gives none.
-    pub material: Option<Material>,
+    pub(crate) material: Option<Material>,
     /// Materials of parts of the mesh, in place of its own.
-    pub regions: Vec<Region>,
+    pub(crate) regions: Vec<Region>,
     /// Fixed-interface modes kept.
-    pub modes: usize,
+    pub(crate) modes: usize,
     /// C = damping · K, in s; K with the ground springs.
-    pub damping: f64,
+    pub(crate) damping: f64,
 }
 
 /// The rotating body.
 #[derive(Debug, Clone)]
-pub struct Shaft {
+pub(crate) struct Shaft {
     /// Its mesh, and how it is reduced.
-    pub body: Body<SolidShaft>,
+    pub(crate) body: Body<SolidShaft>,
     /// How rotation is coupled to deformation.
-    pub motion: &'static Motion,
+    pub(crate) motion: &'static Motion,
     /// Set of one node held along z.
-    pub axial_restraint: Located,
+    pub(crate) axial_restraint: Located,
 }
 
 /// The standing body.
 #[derive(Debug, Clone)]
-pub struct Support {
+pub(crate) struct Support {
     /// Its mesh, and how it is reduced.
-    pub body: Body<RingSupport>,
+    pub(crate) body: Body<RingSupport>,
     /// Set of nodes held in all directions.
-    pub mounts: Located,
+    pub(crate) mounts: Located,
     /// Springs to the ground.
-    pub ground_springs: Vec<GroundSpring>,
+    pub(crate) ground_springs: Vec<GroundSpring>,
 }
 
 /// A material of part of a mesh.
 #[derive(Debug, Clone)]
-pub struct Region {
+pub(crate) struct Region {
     /// An element set.
-    pub set: Located,
+    pub(crate) set: Located,
     /// What its cells are made of.
-    pub material: Material,
+    pub(crate) material: Material,
 }
 
 /// A spring from every node of a set to the ground.
 #[derive(Debug, Clone)]
-pub struct GroundSpring {
+pub(crate) struct GroundSpring {
     /// Set of the support's mesh.
-    pub set: Located,
+    pub(crate) set: Located,
     /// 0, 1, 2 for x, y, z.
-    pub direction: usize,
+    pub(crate) direction: usize,
     /// N/m each.
-    pub stiffness: f64,
+    pub(crate) stiffness: f64,
 }
 
 /// One place where the shaft runs in the support.
 #[derive(Debug, Clone)]
-pub struct Bearing {
+pub(crate) struct Bearing {
     /// Sets of one node each on the shaft's centre line: left, middle, right.
-    pub journal: Vec<Located>,
+    pub(crate) journal: Vec<Located>,
     /// Sets of nodes around the bore: left, middle, right.
-    pub bore: Vec<Located>,
+    pub(crate) bore: Vec<Located>,
     /// Springs in a ring.
-    pub springs: usize,
+    pub(crate) springs: usize,
     /// z of the rings of springs, m; none means one ring each at left, middle and right.
-    pub stations: Vec<f64>,
+    pub(crate) stations: Vec<f64>,
     /// Radial clearance c in m.
-    pub radial_clearance: f64,
+    pub(crate) radial_clearance: f64,
     /// Radius of the journal in m, if the case says it.
-    pub journal_radius: Option<f64>,
+    pub(crate) journal_radius: Option<f64>,
     /// The law of one spring, or of a whole ring.
-    pub law: NamedLaw,
+    pub(crate) law: NamedLaw,
     /// Parameters of the law that the case sets.
-    pub parameters: Vec<SetParameter>,
+    pub(crate) parameters: Vec<SetParameter>,
     /// What the case says of the bearing that laws can take.
-    pub facts: BearingFacts,
+    pub(crate) facts: BearingFacts,
     /// The table of the bearing.
-    pub table: Located,
+    pub(crate) table: Located,
     /// What the bearing and `[springs]` say, by key, such as `radial_clearance` and `stations[0]`.
-    pub places: BTreeMap<String, Located>,
+    pub(crate) places: BTreeMap<String, Located>,
 }
 
 impl Bearing {
     /// Rings of springs.
-    pub fn rings(&self) -> usize {
+    pub(crate) fn rings(&self) -> usize {
         if self.stations.is_empty() { 3 } else { self.stations.len() }
     }
 }
 
 /// A couple of forces fixed to the shaft, acting until a speed is reached.
 #[derive(Debug, Clone)]
-pub struct Drive {
+pub(crate) struct Drive {
     /// Set of one node: +y.
-    pub top: Located,
+    pub(crate) top: Located,
     /// Set of one node: −y.
-    pub bottom: Located,
+    pub(crate) bottom: Located,
     /// N·m about +z.
-    pub torque: f64,
+    pub(crate) torque: f64,
     /// rad/s.
-    pub target_speed: f64,
+    pub(crate) target_speed: f64,
     /// Whether the couple acts; without it the nodes still tie the flexible shaft to its frame.
-    pub acts: bool,
+    pub(crate) acts: bool,
 }

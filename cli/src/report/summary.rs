@@ -312,7 +312,7 @@ fn counts(built: &Built) -> CountFacts {
         support: bodies.map(|bodies| bodies.support),
         coordinates: both.map_or(active, |both| 1 + both),
         active,
-        springs: built.machine.springs.len(),
+        springs: built.machine.springs.count(),
     }
 }
 

@@ -27,7 +27,7 @@ pub struct Diagnostic {
     /// What is wrong, in the user's own names.
     pub message: String,
     /// A few words shown beside the caret; may be empty.
-    pub label: String,
+    pub(crate) label: String,
     /// How to fix it.
     pub help: Option<String>,
     /// Stable code.
@@ -65,7 +65,7 @@ impl Diagnostic {
     }
 
     /// Adds the words beside the caret.
-    pub fn label(mut self, label: impl Into<String>) -> Self {
+    pub(crate) fn label(mut self, label: impl Into<String>) -> Self {
         self.label = label.into();
         self
     }
@@ -120,7 +120,7 @@ impl Diagnostics {
     }
 
     /// Number of errors.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.list.len()
     }
 
@@ -140,7 +140,7 @@ impl Diagnostics {
     }
 
     /// Sorts by file and place, what belongs to a whole file last, and keeps one of equal errors.
-    pub fn sort(&mut self) {
+    pub(crate) fn sort(&mut self) {
         let place = |d: &Diagnostic| d.span.as_ref().map_or(usize::MAX, |span| span.start);
         self.list.sort_by(|a, b| (a.path(), place(a)).cmp(&(b.path(), place(b))));
         let mut kept: Vec<Diagnostic> = Vec::with_capacity(self.list.len());

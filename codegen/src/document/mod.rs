@@ -70,7 +70,7 @@ impl<'s> Document<'s> {
     }
 
     /// The `kind` that the file says it is, which must be one of `kinds`.
-    pub fn kind(&self, kinds: &[&'static str]) -> Option<&'static str> {
+    pub(crate) fn kind(&self, kinds: &[&'static str]) -> Option<&'static str> {
         if !self.has_kind() {
             let example = kinds.first().copied().unwrap_or("…");
             let message = "`kind` is missing";
@@ -90,17 +90,17 @@ impl<'s> Document<'s> {
     }
 
     /// Adds an error.
-    pub fn push(&self, error: Diagnostic) {
+    pub(crate) fn push(&self, error: Diagnostic) {
         self.errors.borrow_mut().push(error);
     }
 
     /// Adds errors.
-    pub fn append(&self, errors: Diagnostics) {
+    pub(crate) fn append(&self, errors: Diagnostics) {
         self.errors.borrow_mut().append(errors);
     }
 
     /// Whether an error was found so far.
-    pub fn has_errors(&self) -> bool {
+    pub(crate) fn has_errors(&self) -> bool {
         !self.errors.borrow().is_empty()
     }
 
@@ -110,7 +110,7 @@ impl<'s> Document<'s> {
     }
 
     /// The value read, or every error found.
-    pub fn into_result<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
+    pub(crate) fn into_result<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
         let errors = self.errors.into_inner();
         match value {
             Some(value) => errors.into_result(value),

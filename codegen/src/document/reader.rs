@@ -43,7 +43,7 @@ impl<'d> Table<'d> {
     }
 
     /// The document it belongs to.
-    pub fn document(&self) -> &'d Document<'d> {
+    pub(crate) fn document(&self) -> &'d Document<'d> {
         self.document
     }
 
@@ -157,7 +157,7 @@ impl<'d> Table<'d> {
     }
 
     /// Reports an error because none of `keys` is there, unless one of them turns out to be misspelt.
-    pub fn miss(&self, keys: &[&str], error: Diagnostic) {
+    pub(crate) fn miss(&self, keys: &[&str], error: Diagnostic) {
         let keys = keys.iter().map(|key| (*key).to_owned()).collect();
         self.missing.borrow_mut().push((keys, error));
     }

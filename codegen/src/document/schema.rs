@@ -136,7 +136,7 @@ impl Shape {
     }
 
     /// What a key of this table takes, if it is a table that knows the key.
-    pub fn of_key(&self, name: &str) -> Option<&Shape> {
+    pub(crate) fn of_key(&self, name: &str) -> Option<&Shape> {
         self.alternatives().iter().find_map(|shape| match shape {
             Shape::Table(_) => shape.key(name).map(|key| &key.shape),
             Shape::Named(inner) | Shape::Known(_, inner) => Some(*inner),
@@ -154,12 +154,12 @@ impl Shape {
     }
 
     /// A key of this table with fixed keys.
-    pub fn key(&self, name: &str) -> Option<&'static Key> {
+    pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
         self.keys().find(|key| key.name == name)
     }
 
     /// What the items of this list take.
-    pub fn of_items(&self) -> Option<&Shape> {
+    pub(crate) fn of_items(&self) -> Option<&Shape> {
         self.alternatives().iter().find_map(|shape| match shape {
             Shape::List(inner) | Shape::Tuple(inner, _) => Some(*inner),
             _ => None,
@@ -179,22 +179,22 @@ impl Shape {
     }
 
     /// Whether one of the alternatives is so.
-    pub fn admits(&self, fits: impl Fn(&Shape) -> bool) -> bool {
+    pub(crate) fn admits(&self, fits: impl Fn(&Shape) -> bool) -> bool {
         self.alternatives().iter().any(fits)
     }
 
     /// Whether a table is a value.
-    pub fn is_table(&self) -> bool {
+    pub(crate) fn is_table(&self) -> bool {
         self.admits(|shape| matches!(shape, Shape::Table(_) | Shape::Named(_) | Shape::Known(..)))
     }
 
     /// Whether a table whose keys are names is a value.
-    pub fn names_are_free(&self) -> bool {
+    pub(crate) fn names_are_free(&self) -> bool {
         self.admits(|shape| matches!(shape, Shape::Named(_) | Shape::Known(..)))
     }
 
     /// Whether text is a value.
-    pub fn is_text(&self) -> bool {
+    pub(crate) fn is_text(&self) -> bool {
         self.admits(|shape| {
             use Shape::{Formula, Quantity, Registered, Text, Words};
             matches!(shape, Text | Formula | Quantity(_) | Words(_) | Registered(_))

@@ -8,7 +8,7 @@ use crate::diagnostic::Located;
 
 impl<'d> Item<'d> {
     /// The element as a table called `path` in messages; another type is an error.
-    pub fn table(&self, path: &str) -> Option<Table<'d>> {
+    pub(crate) fn table(&self, path: &str) -> Option<Table<'d>> {
         match &self.node.content {
             Content::Table(tree) => {
                 let place = self.node.place.clone();
@@ -83,7 +83,7 @@ impl<'d> Table<'d> {
     }
 
     /// Every key, in the order of the file, each counted as known: for tables whose keys are names.
-    pub fn names(&self) -> Vec<Located> {
+    pub(crate) fn names(&self) -> Vec<Located> {
         debug_assert!(self.shape.names_are_free(), "the keys of `{}` are fixed", self.path);
         let entries = self.tree.entries.iter();
         let mut names: Vec<Located> = entries.map(|(key, (place, _))| place.text(key)).collect();

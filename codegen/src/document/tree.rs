@@ -76,7 +76,7 @@ pub struct Number {
 
 impl Number {
     /// Its value, if it is finite and of no more digits than numbers may have.
-    pub fn exact(&self) -> Option<Rational> {
+    pub(crate) fn exact(&self) -> Option<Rational> {
         if self.radix != 10 {
             return self.integer().map(Rational::from);
         }
@@ -90,7 +90,7 @@ impl Number {
     }
 
     /// Its value, if it is written as a whole number and is not too large.
-    pub fn integer(&self) -> Option<i64> {
+    pub(crate) fn integer(&self) -> Option<i64> {
         if self.whole { i64::from_str_radix(&self.text, self.radix).ok() } else { None }
     }
 

@@ -20,7 +20,7 @@ pub enum Value<'d> {
     Number(Rational, Range<usize>),
     /// A truth value, and where it stands.
     Boolean(bool, Range<usize>),
-    /// An array: see [`Table::items`].
+    /// An array: see `Table::items`.
     Array(Vec<Item<'d>>, Range<usize>),
     /// A table: see [`Table::table`].
     Table(Range<usize>),
@@ -109,7 +109,7 @@ impl<'d> Table<'d> {
     }
 
     /// A string that must be there.
-    pub fn string(&self, key: &str) -> Option<Located> {
+    pub(crate) fn string(&self, key: &str) -> Option<Located> {
         self.demand(key);
         self.optional_string(key)
     }
@@ -126,7 +126,7 @@ impl<'d> Table<'d> {
     }
 
     /// One of the words declared, which must be there.
-    pub fn word(&self, key: &str) -> Option<&'static str> {
+    pub(crate) fn word(&self, key: &str) -> Option<&'static str> {
         self.demand(key);
         self.optional_word(key)
     }
@@ -143,7 +143,7 @@ impl<'d> Table<'d> {
     }
 
     /// An exact number, if the key is there, and where it stands.
-    pub fn optional_number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
+    pub(crate) fn optional_number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
         let (node, _) = self.entry(key, |shape| matches!(shape, Shape::Number))?;
         self.exact_number(key, node).map(|value| (value, node.place.span.clone()))
     }
@@ -226,7 +226,7 @@ impl<'d> Table<'d> {
     }
 
     /// A count that must be there.
-    pub fn count(&self, key: &str) -> Option<usize> {
+    pub(crate) fn count(&self, key: &str) -> Option<usize> {
         self.demand(key);
         self.optional_count(key)
     }
@@ -248,7 +248,7 @@ impl<'d> Table<'d> {
     }
 
     /// The elements of an array, if the key is there.
-    pub fn optional_items(&self, key: &str) -> Option<Vec<Item<'d>>> {
+    pub(crate) fn optional_items(&self, key: &str) -> Option<Vec<Item<'d>>> {
         let (node, shape) = self.entry(key, |shape| shape.of_items().is_some())?;
         let items = Item { document: self.document, node, shape }.items();
         if items.is_none() {
@@ -258,7 +258,7 @@ impl<'d> Table<'d> {
     }
 
     /// The elements of an array that must be there.
-    pub fn items(&self, key: &str) -> Option<Vec<Item<'d>>> {
+    pub(crate) fn items(&self, key: &str) -> Option<Vec<Item<'d>>> {
         self.demand(key);
         self.optional_items(key)
     }

@@ -28,7 +28,7 @@ const WORK: u64 = 200_000;
 
 /// Why a number cannot be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ReadError {
+pub(crate) enum ReadError {
     /// It is none, not made by square roots, or by more than there may be.
     Roots,
     /// It has too many digits or terms.
@@ -51,17 +51,17 @@ pub struct Algebraic(BTreeMap<u32, Rational>);
 
 impl Algebraic {
     /// A rational number.
-    pub fn rational(value: Rational) -> Self {
+    pub(crate) fn rational(value: Rational) -> Self {
         Algebraic(BTreeMap::from([(0, value)]).into_iter().filter(|(_, c)| !c.is_zero()).collect())
     }
 
     /// Whether it is 0.
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
     /// The number, if it is rational.
-    pub fn as_rational(&self) -> Option<Rational> {
+    pub(crate) fn as_rational(&self) -> Option<Rational> {
         match self.0.len() {
             0 => Some(Rational::zero()),
             1 => self.0.get(&0).cloned(),
@@ -75,7 +75,7 @@ impl Algebraic {
     }
 
     /// Adds scale · other.
-    pub fn add(&mut self, other: &Algebraic, scale: &Rational) {
+    pub(crate) fn add(&mut self, other: &Algebraic, scale: &Rational) {
         for (set, coefficient) in &other.0 {
             let sum = self.0.entry(*set).or_insert_with(Rational::zero);
             *sum += coefficient * scale;
@@ -86,14 +86,14 @@ impl Algebraic {
     }
 
     /// scale · self.
-    pub fn times(&self, scale: &Rational) -> Self {
+    pub(crate) fn times(&self, scale: &Rational) -> Self {
         let mut product = Algebraic::default();
         product.add(self, scale);
         product
     }
 
     /// self − other.
-    pub fn minus(&self, other: &Algebraic) -> Self {
+    pub(crate) fn minus(&self, other: &Algebraic) -> Self {
         let mut difference = self.clone();
         difference.add(other, &-Rational::one());
         difference
@@ -110,7 +110,7 @@ fn conjugate(a: &Algebraic) -> Algebraic {
 
 impl Field {
     /// a·b.
-    pub fn multiply(&self, a: &Algebraic, b: &Algebraic) -> Algebraic {
+    pub(crate) fn multiply(&self, a: &Algebraic, b: &Algebraic) -> Algebraic {
         self.product(a, b, &mut { u64::MAX }).expect("there is no end of work")
     }
 
@@ -153,7 +153,7 @@ impl Field {
     }
 
     /// aⁿ; `None` of a negative power of zero.
-    pub fn power(&self, a: &Algebraic, exponent: i32) -> Option<Algebraic> {
+    pub(crate) fn power(&self, a: &Algebraic, exponent: i32) -> Option<Algebraic> {
         let base = if exponent < 0 { self.inverse(a)? } else { a.clone() };
         let one = Algebraic::rational(Rational::one());
         Some((0..exponent.unsigned_abs()).fold(one, |power, _| self.multiply(&power, &base)))
@@ -171,7 +171,7 @@ impl Field {
     }
 
     /// 1/a: with a = p + q·r, r the last root in it, it is (p − q·r)/(p² − q²r²). `None` of zero.
-    pub fn inverse(&self, a: &Algebraic) -> Option<Algebraic> {
+    pub(crate) fn inverse(&self, a: &Algebraic) -> Option<Algebraic> {
         if let Some(value) = a.as_rational() {
             return (!value.is_zero()).then(|| Algebraic::rational(value.recip()));
         }
@@ -180,11 +180,7 @@ impl Field {
         Some(self.multiply(&conjugate, &self.inverse(&norm)?))
     }
 
-    /// √a, in a field that grows where it must; `None` of a negative number, or past `ROOTS`.
-    pub fn root(&mut self, a: &Algebraic) -> Option<Algebraic> {
-        self.bounded_root(a).ok()
-    }
-
+    /// √a, in a field that grows where it must; an error of a negative number, or past `ROOTS`.
     fn bounded_root(&mut self, a: &Algebraic) -> Result<Algebraic, ReadError> {
         if a.is_zero() {
             return Ok(Algebraic::default());
@@ -254,7 +250,7 @@ impl Field {
     ///
     /// # Errors
     /// If it is none, not made by square roots, or too large.
-    pub fn read(&mut self, graph: &Graph, id: Id) -> Result<Algebraic, ReadError> {
+    pub(crate) fn read(&mut self, graph: &Graph, id: Id) -> Result<Algebraic, ReadError> {
         graph.fold(id, self)
     }
 
@@ -274,7 +270,7 @@ impl Field {
     }
 
     /// The number times 2^BITS, with an error of a few units.
-    pub fn fixed(&self, a: &Algebraic) -> BigInt {
+    pub(crate) fn fixed(&self, a: &Algebraic) -> BigInt {
         let mut sum = BigInt::zero();
         for (set, coefficient) in &a.0 {
             let mut term = (coefficient.numer() << BITS) / coefficient.denom();
@@ -435,7 +431,7 @@ mod tests {
     fn what_has_no_root_is_refused() {
         let mut field = Field::default();
         let minus = Algebraic::rational(-Rational::one());
-        assert_eq!(field.root(&minus), None);
+        assert_eq!(field.bounded_root(&minus), Err(ReadError::Roots));
         assert_eq!(field.inverse(&Algebraic::default()), None);
     }
 }

@@ -20,10 +20,10 @@ pub enum Cell {
 
 impl Cell {
     /// The words of a spec.
-    pub const NAMES: [&'static str; 4] = ["hexahedron", "wedge", "tetrahedron", "pyramid"];
+    pub(crate) const NAMES: [&'static str; 4] = ["hexahedron", "wedge", "tetrahedron", "pyramid"];
 
     /// The cell behind one of [`Cell::NAMES`].
-    pub fn named(name: &str) -> Option<Self> {
+    pub(crate) fn named(name: &str) -> Option<Self> {
         Some(match name {
             "hexahedron" => Cell::Hexahedron,
             "wedge" => Cell::Wedge,
@@ -39,7 +39,7 @@ impl Cell {
     }
 
     /// What belongs to it, in words.
-    pub fn domain(self) -> &'static str {
+    pub(crate) fn domain(self) -> &'static str {
         match self {
             Cell::Hexahedron => "-1 ≤ xi, eta, zeta ≤ 1",
             Cell::Wedge => "xi, eta ≥ 0, xi + eta ≤ 1, -1 ≤ zeta ≤ 1",
@@ -49,7 +49,7 @@ impl Cell {
     }
 
     /// Families of named rules whose product is a rule of this cell.
-    pub fn families(self) -> &'static [&'static str] {
+    pub(crate) fn families(self) -> &'static [&'static str] {
         match self {
             Cell::Hexahedron => &["gauss", "gauss", "gauss"],
             Cell::Wedge => &["triangle", "gauss"],
@@ -59,7 +59,7 @@ impl Cell {
     }
 
     /// Its centroid, where the centre Jacobian J₀ is taken.
-    pub fn centre(self) -> [Rational; 3] {
+    pub(crate) fn centre(self) -> [Rational; 3] {
         let ratio = |n: i64, d: i64| Rational::new(n, d);
         match self {
             Cell::Hexahedron => [ratio(0, 1), ratio(0, 1), ratio(0, 1)],
@@ -70,7 +70,7 @@ impl Cell {
     }
 
     /// Whether a point belongs to the cell, its boundary included.
-    pub fn contains(self, [xi, eta, zeta]: &[Rational; 3]) -> bool {
+    pub(crate) fn contains(self, [xi, eta, zeta]: &[Rational; 3]) -> bool {
         let one = Rational::one();
         let within = |x: &Rational| x.abs() <= one;
         match self {
@@ -89,7 +89,7 @@ impl Cell {
     }
 
     /// ξⁱ ηʲ ζᵏ as in a formula, such as `xi^2*eta`; over a pyramid the third variable is `(1 - zeta)`.
-    pub fn power(self, exponents: [i32; 3]) -> String {
+    pub(crate) fn power(self, exponents: [i32; 3]) -> String {
         let third = if self == Cell::Pyramid { "(1 - zeta)" } else { "zeta" };
         let (mut above, mut below) = (Vec::new(), String::new());
         for (name, exponent) in ["xi", "eta", third].into_iter().zip(exponents) {
@@ -107,7 +107,7 @@ impl Cell {
 
     /// ∫ ξⁱ ηʲ ζᵏ over the cell; over a pyramid ∫ ξⁱ ηʲ (1 − ζ)ᵏ, where k may be negative. `None` where it
     /// does not exist.
-    pub fn integral(self, exponents: [i32; 3]) -> Option<Rational> {
+    pub(crate) fn integral(self, exponents: [i32; 3]) -> Option<Rational> {
         let [i, j, k] = exponents;
         if self == Cell::Pyramid {
             let (i, j) = (u32::try_from(i).ok()?, u32::try_from(j).ok()?);

@@ -1,10 +1,10 @@
 //! The mathematics of finite elements: reference cells, polynomials, and quadrature with exact numbers.
 
-pub mod algebraic;
+pub(crate) mod algebraic;
 mod cell;
-pub mod polynomial;
-pub mod quadrature;
-pub mod rules;
+pub(crate) mod polynomial;
+pub(crate) mod quadrature;
+pub(crate) mod rules;
 
 pub use cell::Cell;
 pub use polynomial::Polynomial;

@@ -10,7 +10,7 @@ use crate::expression::{Algebra, Folded, Graph, Id, Node, Rational};
 use crate::operation::Operation;
 
 /// Exponents of ξ, η and the cell's third variable: ζ, or ω = 1 − ζ over a pyramid, where they may be negative.
-pub type Exponents = [i32; 3];
+pub(crate) type Exponents = [i32; 3];
 
 /// Highest exponent, and most terms, of a polynomial: far above any element in use.
 const HIGHEST: i32 = 24;
@@ -31,7 +31,7 @@ impl Polynomial {
     }
 
     /// c ξⁱ ηʲ ζᵏ.
-    pub fn monomial(exponents: Exponents, coefficient: Rational) -> Self {
+    pub(crate) fn monomial(exponents: Exponents, coefficient: Rational) -> Self {
         let mut monomial = Polynomial::default();
         monomial.insert(exponents, coefficient);
         monomial
@@ -49,7 +49,7 @@ impl Polynomial {
     }
 
     /// ξ, η or ζ.
-    pub fn coordinate(cell: Cell, axis: usize) -> Self {
+    pub(crate) fn coordinate(cell: Cell, axis: usize) -> Self {
         let mut exponents = [0; 3];
         exponents[axis] = 1;
         match (cell, axis) {
@@ -64,17 +64,17 @@ impl Polynomial {
 
     /// An expression over the coordinates, multiplied out; `None` if it is no polynomial with rational
     /// coefficients (over a pyramid divided by powers of 1 − ζ), or a very large one.
-    pub fn read(graph: &Graph, id: Id, coordinates: &[Id; 3], cell: Cell) -> Option<Self> {
+    pub(crate) fn read(graph: &Graph, id: Id, coordinates: &[Id; 3], cell: Cell) -> Option<Self> {
         graph.fold(id, &mut Over { coordinates, cell }).ok()
     }
 
     /// Adds scale · other.
-    pub fn add(&mut self, other: &Polynomial, scale: &Rational) {
+    pub(crate) fn add(&mut self, other: &Polynomial, scale: &Rational) {
         other.terms.iter().for_each(|(exponents, c)| self.insert(*exponents, c * scale));
     }
 
     /// The product; `None` of a very large one.
-    pub fn multiply(&self, other: &Polynomial) -> Option<Self> {
+    pub(crate) fn multiply(&self, other: &Polynomial) -> Option<Self> {
         if self.terms.len() * other.terms.len() > 4 * TERMS {
             return None;
         }
@@ -128,7 +128,7 @@ impl Polynomial {
     }
 
     /// Whether it is 0 everywhere.
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 

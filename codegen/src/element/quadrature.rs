@@ -16,14 +16,14 @@ pub struct Point {
     /// ξ, η, ζ.
     pub at: [Algebraic; 3],
     /// Weight; the weights sum to the cell's volume.
-    pub weight: Algebraic,
+    pub(crate) weight: Algebraic,
 }
 
 /// A rule over some of the coordinates; a rule of a cell is a product of such.
 #[derive(Debug, Clone)]
-pub struct Factor {
+pub(crate) struct Factor {
     /// The coordinates.
-    pub axes: Range<usize>,
+    pub(crate) axes: Range<usize>,
     /// For every point its coordinates and its weight.
     pub points: Vec<(Vec<Algebraic>, Algebraic)>,
 }
@@ -36,13 +36,13 @@ pub struct Quadrature {
     /// The field of all its numbers.
     pub field: Field,
     /// The rules whose product it is, in the order of the coordinates.
-    pub factors: Vec<Factor>,
+    pub(crate) factors: Vec<Factor>,
     /// The points; those of the first factor run fastest.
     pub points: Vec<Point>,
     /// Every monomial up to this total degree is integrated exactly.
-    pub degree: u32,
+    pub(crate) degree: u32,
     /// Whether it is meant to have fewer points than the products in its forms need.
-    pub reduced: bool,
+    pub(crate) reduced: bool,
     /// Whether it is enough that affine images of the cell pass the patch test.
     pub affine: bool,
     /// Where it stands in the file.
@@ -51,18 +51,18 @@ pub struct Quadrature {
 
 /// A monomial that a rule should integrate and does not.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Failure {
+pub(crate) struct Failure {
     /// Exponents of the cell's variables.
-    pub powers: Exponents,
+    pub(crate) powers: Exponents,
     /// What the rule gives.
-    pub found: String,
+    pub(crate) found: String,
     /// The exact integral.
-    pub exact: String,
+    pub(crate) exact: String,
 }
 
 impl Quadrature {
     /// The product of these rules; `None` unless their coordinates together are three.
-    pub fn new(
+    pub(crate) fn new(
         title: String,
         field: Field,
         factors: Vec<Factor>,
@@ -100,7 +100,7 @@ impl Quadrature {
     ///
     /// # Errors
     /// The first monomial, by degree, that is not integrated exactly.
-    pub fn prove(&self, cell: Cell) -> Result<(), Failure> {
+    pub(crate) fn prove(&self, cell: Cell) -> Result<(), Failure> {
         let mut integrals = Integrals::new(self, cell);
         for total in 0..=self.degree as i32 {
             for i in (0..=total).rev() {
@@ -114,7 +114,7 @@ impl Quadrature {
 }
 
 /// What a rule makes of monomials in a cell's variables, each computed once.
-pub struct Integrals<'r> {
+pub(crate) struct Integrals<'r> {
     rule: &'r Quadrature,
     cell: Cell,
     /// By the number of the factor and the exponents of its coordinates; `None` where there is no such power.
@@ -131,7 +131,7 @@ struct Known {
 
 impl<'r> Integrals<'r> {
     /// For a rule on a cell.
-    pub fn new(rule: &'r Quadrature, cell: Cell) -> Self {
+    pub(crate) fn new(rule: &'r Quadrature, cell: Cell) -> Self {
         Integrals { rule, cell, known: BTreeMap::new(), exact: BTreeSet::new() }
     }
 
@@ -139,7 +139,7 @@ impl<'r> Integrals<'r> {
     ///
     /// # Errors
     /// Both numbers, where they differ.
-    pub fn exact(&mut self, powers: Exponents) -> Result<(), Failure> {
+    pub(crate) fn exact(&mut self, powers: Exponents) -> Result<(), Failure> {
         if self.exact.contains(&powers) {
             return Ok(());
         }
@@ -159,7 +159,7 @@ impl<'r> Integrals<'r> {
     }
 
     /// Σ w ξⁱ ηʲ ζᵏ; `None` where a point has no such power.
-    pub fn of(&mut self, powers: Exponents) -> Option<Algebraic> {
+    pub(crate) fn of(&mut self, powers: Exponents) -> Option<Algebraic> {
         let mut product = Algebraic::rational(Rational::one());
         for (place, factor) in self.rule.factors.iter().enumerate() {
             let key = (place, powers[factor.axes.clone()].to_vec());
@@ -203,7 +203,7 @@ impl<'r> Integrals<'r> {
     }
 
     /// Σ w p.
-    pub fn of_polynomial(&mut self, polynomial: &Polynomial) -> Option<Algebraic> {
+    pub(crate) fn of_polynomial(&mut self, polynomial: &Polynomial) -> Option<Algebraic> {
         let mut sum = Algebraic::default();
         for (powers, coefficient) in polynomial.terms() {
             sum.add(&self.of(*powers)?, coefficient);

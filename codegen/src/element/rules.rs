@@ -219,12 +219,12 @@ const RULES: &[Named] = &[
 ];
 
 /// Every named rule, such as `gauss(2)`.
-pub fn names() -> Vec<String> {
+pub(crate) fn names() -> Vec<String> {
     RULES.iter().map(|(family, n, _)| format!("{family}({n})")).collect()
 }
 
 /// The family of a named rule, such as `gauss` of `gauss(2)`; `None` if there is no such rule.
-pub fn family(name: &str) -> Option<&'static str> {
+pub(crate) fn family(name: &str) -> Option<&'static str> {
     find(name).map(|(family, ..)| *family)
 }
 
@@ -233,7 +233,7 @@ fn find(name: &str) -> Option<&'static Named> {
 }
 
 /// The named rules as factors of a rule whose numbers are in `field`. `None` if a name is unknown.
-pub fn factors(field: &mut Field, names: &[&str]) -> Option<Vec<Factor>> {
+pub(crate) fn factors(field: &mut Field, names: &[&str]) -> Option<Vec<Factor>> {
     let (mut factors, mut graph, mut axis) = (Vec::new(), Graph::new(), 0);
     for name in names {
         let (.., rule) = find(name)?;

@@ -50,13 +50,8 @@ impl Graph {
     }
 
     /// Number of nodes.
-    pub fn len(&self) -> usize {
+    pub fn size(&self) -> usize {
         self.nodes.len()
-    }
-
-    /// Whether there is no node.
-    pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
     }
 
     /// True once a number or the graph grew past its bounds; what was built since then is meaningless.
@@ -81,17 +76,18 @@ impl Graph {
     }
 
     /// The values of a node at fixed points, point by point; passes that keep the meaning keep them.
-    pub fn signature(&self, id: Id) -> impl Iterator<Item = f64> {
+    #[cfg(test)]
+    pub(super) fn signature(&self, id: Id) -> impl Iterator<Item = f64> {
         self.signatures.values(id)
     }
 
     /// Whether two nodes agree at the fixed points, to rounding.
-    pub fn same_signature(&self, a: Id, b: Id) -> bool {
+    pub(crate) fn same_signature(&self, a: Id, b: Id) -> bool {
         self.signatures.agree(a, b)
     }
 
     /// Evaluates all nodes, those to come too, at other points.
-    pub fn evaluate_at(&mut self, points: Points) {
+    pub(crate) fn evaluate_at(&mut self, points: Points) {
         self.signatures.move_to(points, &self.nodes, &self.shapes);
     }
 
@@ -142,12 +138,12 @@ impl Graph {
     }
 
     /// A whole number.
-    pub fn integer(&mut self, value: i64) -> Id {
+    pub(crate) fn integer(&mut self, value: i64) -> Id {
         self.number(Rational::from(value))
     }
 
     /// Zero of a shape.
-    pub fn zero(&mut self, shape: Shape) -> Id {
+    pub(crate) fn zero(&mut self, shape: Shape) -> Id {
         match shape {
             Shape::Scalar => self.number(Rational::zero()),
             Shape::Truth => self.intern(Node::Truth(false)),
@@ -156,12 +152,12 @@ impl Graph {
     }
 
     /// The unit matrix.
-    pub fn identity(&mut self) -> Id {
+    pub(crate) fn identity(&mut self) -> Id {
         self.intern(Node::Identity)
     }
 
     /// The number behind an id, if it is one.
-    pub fn as_number(&self, id: Id) -> Option<&Rational> {
+    pub(crate) fn as_number(&self, id: Id) -> Option<&Rational> {
         match self.node(id) {
             Node::Number(value) => Some(value),
             _ => None,
@@ -169,7 +165,7 @@ impl Graph {
     }
 
     /// Whether the node is a zero of any shape.
-    pub fn is_zero(&self, id: Id) -> bool {
+    pub(crate) fn is_zero(&self, id: Id) -> bool {
         match self.node(id) {
             Node::Number(value) => value.is_zero(),
             Node::Zero(_) => true,
@@ -178,12 +174,12 @@ impl Graph {
     }
 
     /// Whether the node is the number 1.
-    pub fn is_one(&self, id: Id) -> bool {
+    pub(crate) fn is_one(&self, id: Id) -> bool {
         self.as_number(id).is_some_and(One::is_one)
     }
 
     /// Whether `id` depends on `symbol`.
-    pub fn depends(&self, id: Id, symbol: Id) -> bool {
+    pub(crate) fn depends(&self, id: Id, symbol: Id) -> bool {
         let mut seen = vec![false; id.index() + 1];
         let mut stack = vec![id];
         while let Some(next) = stack.pop() {

@@ -6,7 +6,7 @@ use super::node::{Id, Node, Shape, Symmetry};
 
 impl Graph {
     /// scalar × (vector or matrix).
-    pub fn scale(&mut self, scalar: Id, x: Id) -> Id {
+    pub(crate) fn scale(&mut self, scalar: Id, x: Id) -> Id {
         debug_assert_eq!(self.shape(scalar), Shape::Scalar);
         if let Some(value) = self.as_number(scalar).cloned() {
             return self.times(value, x);
@@ -42,7 +42,7 @@ impl Graph {
     }
 
     /// a·b of vectors.
-    pub fn dot(&mut self, a: Id, b: Id) -> Id {
+    pub(crate) fn dot(&mut self, a: Id, b: Id) -> Id {
         debug_assert_eq!((self.shape(a), self.shape(b)), (Shape::Vector, Shape::Vector));
         if self.is_zero(a) || self.is_zero(b) {
             return self.integer(0);
@@ -54,7 +54,7 @@ impl Graph {
     }
 
     /// matrix × vector.
-    pub fn apply(&mut self, matrix: Id, x: Id) -> Id {
+    pub(crate) fn apply(&mut self, matrix: Id, x: Id) -> Id {
         debug_assert_eq!((self.shape(matrix), self.shape(x)), (Shape::Matrix, Shape::Vector));
         if self.is_zero(matrix) || self.is_zero(x) {
             return self.zero(Shape::Vector);
@@ -81,7 +81,7 @@ impl Graph {
     }
 
     /// a bᵀ.
-    pub fn outer(&mut self, a: Id, b: Id) -> Id {
+    pub(crate) fn outer(&mut self, a: Id, b: Id) -> Id {
         debug_assert_eq!((self.shape(a), self.shape(b)), (Shape::Vector, Shape::Vector));
         if self.is_zero(a) || self.is_zero(b) {
             return self.zero(Shape::Matrix);
@@ -93,7 +93,7 @@ impl Graph {
     }
 
     /// Aᵀ.
-    pub fn transpose(&mut self, matrix: Id) -> Id {
+    pub(crate) fn transpose(&mut self, matrix: Id) -> Id {
         debug_assert_eq!(self.shape(matrix), Shape::Matrix);
         match self.node(matrix).clone() {
             Node::Zero(_) | Node::Identity => matrix,

@@ -9,7 +9,7 @@ pub struct Id(pub(super) u32);
 
 impl Id {
     /// Place of the node in the graph, counted from 0 in the order of creation.
-    pub fn index(self) -> usize {
+    pub(crate) fn index(self) -> usize {
         self.0 as usize
     }
 }
@@ -94,7 +94,7 @@ pub enum Node {
 
 impl Node {
     /// Calls `visit` for every operand, in order.
-    pub fn operands(&self, mut visit: impl FnMut(Id)) {
+    pub(crate) fn operands(&self, mut visit: impl FnMut(Id)) {
         match self {
             Node::Number(_) | Node::Zero(_) | Node::Identity | Node::Symbol(_) | Node::Truth(_) => {
             }

@@ -12,7 +12,7 @@ use super::node::{Id, Node, Rational, Shape};
 const TERMS: usize = 5_000;
 
 /// Whether `a` and `b` are equal as polynomials (functions and choices count as unknowns).
-pub fn equal(graph: &mut Graph, a: Id, b: Id) -> bool {
+pub(crate) fn equal(graph: &mut Graph, a: Id, b: Id) -> bool {
     let difference = graph.sub(a, b);
     let expanded = expand(graph, difference);
     !graph.exceeded() && graph.is_zero(expanded)

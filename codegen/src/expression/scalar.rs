@@ -8,7 +8,7 @@ use crate::operation::Parity;
 
 impl Graph {
     /// Σ coefficient·term; the terms have one shape and there is at least one.
-    pub fn sum(&mut self, terms: &[(Id, Rational)]) -> Id {
+    pub(crate) fn sum(&mut self, terms: &[(Id, Rational)]) -> Id {
         let shape = self.shape(terms[0].0);
         self.spend(terms.len());
         if self.exceeded() {
@@ -49,7 +49,7 @@ impl Graph {
     }
 
     /// a + b, of one shape.
-    pub fn add(&mut self, a: Id, b: Id) -> Id {
+    pub(crate) fn add(&mut self, a: Id, b: Id) -> Id {
         self.sum(&[(a, Rational::one()), (b, Rational::one())])
     }
 
@@ -59,12 +59,12 @@ impl Graph {
     }
 
     /// −a, of any shape.
-    pub fn neg(&mut self, a: Id) -> Id {
+    pub(crate) fn neg(&mut self, a: Id) -> Id {
         self.times(-Rational::one(), a)
     }
 
     /// coefficient · a, of any shape.
-    pub fn times(&mut self, coefficient: Rational, a: Id) -> Id {
+    pub(crate) fn times(&mut self, coefficient: Rational, a: Id) -> Id {
         self.sum(&[(a, coefficient)])
     }
 
@@ -85,7 +85,7 @@ impl Graph {
     }
 
     /// Π base^exponent of scalars.
-    pub fn product(&mut self, factors: &[(Id, Rational)]) -> Id {
+    pub(crate) fn product(&mut self, factors: &[(Id, Rational)]) -> Id {
         if self.exceeded() {
             return self.integer(0);
         }
@@ -183,17 +183,17 @@ impl Graph {
     }
 
     /// baseᵉ of a scalar.
-    pub fn power(&mut self, base: Id, exponent: Rational) -> Id {
+    pub(crate) fn power(&mut self, base: Id, exponent: Rational) -> Id {
         self.product(&[(base, exponent)])
     }
 
     /// √a of a scalar.
-    pub fn sqrt(&mut self, a: Id) -> Id {
+    pub(crate) fn sqrt(&mut self, a: Id) -> Id {
         self.power(a, Rational::half())
     }
 
     /// a·b: scalar with anything, or matrix with vector.
-    pub fn mul(&mut self, a: Id, b: Id) -> Id {
+    pub(crate) fn mul(&mut self, a: Id, b: Id) -> Id {
         match (self.shape(a), self.shape(b)) {
             (Shape::Scalar, Shape::Scalar) => {
                 self.product(&[(a, Rational::one()), (b, Rational::one())])
@@ -206,13 +206,13 @@ impl Graph {
     }
 
     /// a/b for a scalar b.
-    pub fn div(&mut self, a: Id, b: Id) -> Id {
+    pub(crate) fn div(&mut self, a: Id, b: Id) -> Id {
         let inverse = self.power(b, -Rational::one());
         self.mul(inverse, a)
     }
 
     /// A function of a scalar.
-    pub fn function(&mut self, function: Function, a: Id) -> Id {
+    pub(crate) fn function(&mut self, function: Function, a: Id) -> Id {
         if let Some(value) = self.as_number(a).cloned() {
             let (at, exact) = function.exact();
             if function == Function::Abs {
@@ -248,7 +248,7 @@ impl Graph {
     }
 
     /// Both.
-    pub fn and(&mut self, a: Id, b: Id) -> Id {
+    pub(crate) fn and(&mut self, a: Id, b: Id) -> Id {
         match (self.node(a), self.node(b)) {
             (Node::Truth(false), _) | (_, Node::Truth(true)) => a,
             (_, Node::Truth(false)) | (Node::Truth(true), _) => b,
@@ -258,7 +258,7 @@ impl Graph {
     }
 
     /// Either.
-    pub fn or(&mut self, a: Id, b: Id) -> Id {
+    pub(crate) fn or(&mut self, a: Id, b: Id) -> Id {
         match (self.node(a), self.node(b)) {
             (Node::Truth(true), _) | (_, Node::Truth(false)) => a,
             (_, Node::Truth(true)) | (Node::Truth(false), _) => b,
@@ -268,7 +268,7 @@ impl Graph {
     }
 
     /// Negation.
-    pub fn not(&mut self, a: Id) -> Id {
+    pub(crate) fn not(&mut self, a: Id) -> Id {
         match *self.node(a) {
             Node::Truth(value) => self.intern(Node::Truth(!value)),
             Node::Not(inner) => inner,

@@ -93,6 +93,7 @@ impl Signatures {
     }
 
     /// All values of a node, point by point.
+    #[cfg(test)]
     pub(super) fn values(&self, id: Id) -> impl Iterator<Item = f64> {
         self.of(id).iter().map(|number| number.value)
     }

@@ -8,12 +8,12 @@ use super::node::{Id, Node};
 impl Graph {
     /// `id` with every key of `by` replaced by its value; what depends on a key is rebuilt by the
     /// constructors.
-    pub fn substitute(&mut self, id: Id, by: &BTreeMap<Id, Id>) -> Id {
+    pub(crate) fn substitute(&mut self, id: Id, by: &BTreeMap<Id, Id>) -> Id {
         self.substitute_all(&[id], by)[0]
     }
 
     /// The same of several nodes; what they share is rebuilt once.
-    pub fn substitute_all(&mut self, roots: &[Id], by: &BTreeMap<Id, Id>) -> Vec<Id> {
+    pub(crate) fn substitute_all(&mut self, roots: &[Id], by: &BTreeMap<Id, Id>) -> Vec<Id> {
         let nodes = self.reachable(roots);
         self.spend(nodes.len());
         // What a node becomes: itself, unless it is rebuilt.

@@ -14,24 +14,6 @@ pub struct Scope {
     names: BTreeMap<String, Shape>,
 }
 
-impl Scope {
-    /// No names but π.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Declares a name.
-    pub fn with(mut self, name: &str, shape: Shape) -> Self {
-        self.insert(name, shape);
-        self
-    }
-
-    /// Declares a name.
-    pub fn insert(&mut self, name: &str, shape: Shape) {
-        self.names.insert(name.to_owned(), shape);
-    }
-}
-
 impl<S: Into<String>> FromIterator<(S, Shape)> for Scope {
     fn from_iter<I: IntoIterator<Item = (S, Shape)>>(names: I) -> Self {
         Scope { names: names.into_iter().map(|(name, shape)| (name.into(), shape)).collect() }
@@ -305,11 +287,12 @@ mod tests {
     use crate::formula::parse;
 
     fn shape(text: &str) -> Result<Shape, Vec<String>> {
-        let scope = Scope::new()
-            .with("h", Shape::Scalar)
-            .with("theta_dot", Shape::Scalar)
-            .with("eta", Shape::Vector)
-            .with("Y", Shape::Matrix);
+        let scope = Scope::from_iter([
+            ("h", Shape::Scalar),
+            ("theta_dot", Shape::Scalar),
+            ("eta", Shape::Vector),
+            ("Y", Shape::Matrix),
+        ]);
         let formula = parse(&Located::alone("f", text)).unwrap();
         check(&formula, &scope).map_err(|errors| errors.iter().map(ToString::to_string).collect())
     }

@@ -45,29 +45,30 @@ use crate::diagnostic::Located;
 
 /// What a formula may cost; beyond it, an error (`E015`).
 #[derive(Debug, Clone, Copy)]
-pub struct Limits {
+pub(crate) struct Limits {
     /// Bytes of text, which bounds the number of terms.
-    pub length: usize,
+    pub(crate) length: usize,
     /// Parentheses, signs and powers inside one another.
-    pub depth: usize,
+    pub(crate) depth: usize,
     /// Largest absolute constant exponent.
-    pub exponent: u32,
+    pub(crate) exponent: u32,
     /// Terms of one `sum`, and of all sums of a formula when those inside others are written out.
-    pub repeats: [usize; 2],
+    pub(crate) repeats: [usize; 2],
 }
 
 /// The limits of every formula. (Digits and powers of ten of a number are bounded with the units; bits of
 /// exact numbers, and nodes, by the graph.)
-pub const LIMITS: Limits = Limits { length: 8192, depth: 64, exponent: 100, repeats: [64, 512] };
+pub(crate) const LIMITS: Limits =
+    Limits { length: 8192, depth: 64, exponent: 100, repeats: [64, 512] };
 
 /// Name of the number π in formulas.
-pub const PI: &str = "pi";
+pub(crate) const PI: &str = "pi";
 
 /// Name of the sum over a counter.
-pub const SUM: &str = "sum";
+pub(crate) const SUM: &str = "sum";
 
 /// Words that cannot be names.
-pub const RESERVED: [&str; 4] = ["and", "or", "not", PI];
+pub(crate) const RESERVED: [&str; 4] = ["and", "or", "not", PI];
 
 /// A formula: its text, where it stands, and what it says.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,21 +76,21 @@ pub struct Formula {
     /// The text and its place in the file.
     pub text: Located,
     /// What it says.
-    pub root: Term,
+    pub(crate) root: Term,
 }
 
 /// A part of a formula.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Term {
     /// What it says.
-    pub kind: TermKind,
+    pub(crate) kind: TermKind,
     /// Byte range in the formula's text.
     pub span: Range<usize>,
 }
 
 /// Whether a part of a sum is added, or of a product multiplied, or the opposite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub(crate) enum Side {
     /// `+` or `*`.
     With,
     /// `-` or `/`.
@@ -98,7 +99,7 @@ pub enum Side {
 
 /// `<`, `<=`, `>` and `>=`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Comparison {
+pub(crate) enum Comparison {
     /// a < b
     Less,
     /// a ≤ b
@@ -123,7 +124,7 @@ impl Comparison {
 
 /// What a term says. Chains are kept as lists, so that long sums are not deep.
 #[derive(Debug, Clone, PartialEq)]
-pub enum TermKind {
+pub(crate) enum TermKind {
     /// A number, exactly.
     Number(Rational),
     /// A name, in its ASCII spelling.
@@ -168,7 +169,7 @@ pub enum TermKind {
 
 impl Term {
     /// Calls `visit` for this term and every term inside, in the order of the text.
-    pub fn visit<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
+    pub(crate) fn visit<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
         visit(self);
         match &self.kind {
             TermKind::Number(_) | TermKind::Name(_) => {}

@@ -13,7 +13,7 @@ pub enum Relation {
 
 impl Relation {
     /// Whether it holds.
-    pub fn holds<T: PartialOrd>(self, a: T, b: T) -> bool {
+    pub(crate) fn holds<T: PartialOrd>(self, a: T, b: T) -> bool {
         match self {
             Relation::Less => a < b,
             Relation::LessOrEqual => a <= b,
@@ -104,7 +104,7 @@ impl<T> Operation<T> {
     }
 
     /// Whether the value is a truth.
-    pub fn is_truth(&self) -> bool {
+    pub(crate) fn is_truth(&self) -> bool {
         matches!(
             self,
             Operation::Compare(..) | Operation::And(..) | Operation::Or(..) | Operation::Not(_)

@@ -160,22 +160,22 @@ impl Function {
     }
 
     /// The function of this name in formulas.
-    pub fn named(name: &str) -> Option<Self> {
+    pub(crate) fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|function| function.name() == name)
     }
 
     /// What it makes of a changed sign.
-    pub fn parity(self) -> Parity {
+    pub(crate) fn parity(self) -> Parity {
         self.row().parity
     }
 
     /// A whole number, and the function's exact value there.
-    pub fn exact(self) -> (i64, i64) {
+    pub(crate) fn exact(self) -> (i64, i64) {
         self.row().exact
     }
 
     /// What it divides by at x, if it has poles.
-    pub fn divisor(self, x: f64) -> Option<f64> {
+    pub(crate) fn divisor(self, x: f64) -> Option<f64> {
         self.row().divisor.map(|divisor| divisor(x))
     }
 

@@ -172,7 +172,7 @@ operator! {
 
 impl Rational {
     /// The power. Panics of a negative power of zero.
-    pub fn pow(&self, exponent: i32) -> Rational {
+    pub(crate) fn pow(&self, exponent: i32) -> Rational {
         if exponent < 0 {
             return self.recip().pow_of(exponent.unsigned_abs());
         }

@@ -50,12 +50,12 @@ impl Rational {
     }
 
     /// ½.
-    pub fn half() -> Self {
+    pub(crate) fn half() -> Self {
         Rational::lowest(1, 2)
     }
 
     /// 10ⁿ.
-    pub fn ten(n: i32) -> Self {
+    pub(crate) fn ten(n: i32) -> Self {
         Rational::from(10).pow(n)
     }
 
@@ -106,7 +106,7 @@ impl Rational {
     }
 
     /// Bits of the numerator or of the denominator, whichever are more.
-    pub fn bits(&self) -> u64 {
+    pub(crate) fn bits(&self) -> u64 {
         match &self.0 {
             Kept::Small(Small { n, d }) => {
                 (64 - (n.unsigned_abs() | d.get()).leading_zeros()).into()
@@ -116,12 +116,12 @@ impl Rational {
     }
 
     /// Whether it is a whole number.
-    pub fn is_integer(&self) -> bool {
+    pub(crate) fn is_integer(&self) -> bool {
         self.is_over(1)
     }
 
     /// Whether the denominator is `d`.
-    pub fn is_over(&self, d: u32) -> bool {
+    pub(crate) fn is_over(&self, d: u32) -> bool {
         match &self.0 {
             Kept::Small(small) => small.d.get() == u64::from(d),
             Kept::Large(value) => *value.denom() == d.into(),
@@ -137,7 +137,7 @@ impl Rational {
     }
 
     /// The number without what is behind the point.
-    pub fn to_integer(&self) -> BigInt {
+    pub(crate) fn to_integer(&self) -> BigInt {
         match &self.0 {
             Kept::Small(Small { n, d }) => (n / d.get() as i64).into(),
             Kept::Large(value) => value.to_integer(),
@@ -145,7 +145,7 @@ impl Rational {
     }
 
     /// The largest whole number that is not above it.
-    pub fn floor(&self) -> Self {
+    pub(crate) fn floor(&self) -> Self {
         match &self.0 {
             Kept::Small(Small { n, d }) => Rational::from(n.div_euclid(d.get() as i64)),
             Kept::Large(value) => Rational::kept(value.floor()),
@@ -156,7 +156,7 @@ impl Rational {
     ///
     /// # Panics
     /// Of zero.
-    pub fn recip(&self) -> Self {
+    pub(crate) fn recip(&self) -> Self {
         match &self.0 {
             Kept::Small(Small { n, d }) => {
                 let word = NonZeroU64::new(n.unsigned_abs()).expect("zero has no reciprocal");
@@ -167,7 +167,7 @@ impl Rational {
     }
 
     /// √self, if it is rational.
-    pub fn root(&self) -> Option<Self> {
+    pub(crate) fn root(&self) -> Option<Self> {
         if self.is_negative() {
             return None;
         }

@@ -79,7 +79,7 @@ fn expanded(graph: &mut Graph, way: &Way) -> Option<Way> {
     let mut outputs = Vec::with_capacity(way.outputs.len());
     for output in &way.outputs {
         outputs.push(normal::expand(&mut trial, *output));
-        if trial.exceeded() || trial.len() > graph.len() + EXPANSION {
+        if trial.exceeded() || trial.size() > graph.size() + EXPANSION {
             return None;
         }
     }

@@ -10,14 +10,14 @@ pub struct Stage {
     /// Name, such as `ring`.
     pub name: String,
     /// Earlier stages whose values this one can use.
-    pub sees: Vec<usize>,
+    pub(crate) sees: Vec<usize>,
     /// How often it runs relative to the other stages; guides what is worth hoisting.
-    pub runs: f64,
+    pub(crate) runs: f64,
 }
 
 impl Stage {
     /// A stage that sees all of `sees`.
-    pub fn new(name: &str, sees: &[usize], runs: f64) -> Self {
+    pub(crate) fn new(name: &str, sees: &[usize], runs: f64) -> Self {
         Stage { name: name.to_string(), sees: sees.to_vec(), runs }
     }
 }
@@ -28,7 +28,7 @@ pub struct ProgramInput {
     /// The spec's own name.
     pub name: String,
     /// Stage at which it is known.
-    pub stage: usize,
+    pub(crate) stage: usize,
 }
 
 /// A named value that a program gives.
@@ -46,9 +46,9 @@ pub struct Instruction {
     /// Readable name, from the symbols of the spec; unique in the program, its inputs included.
     pub name: String,
     /// Whether the name is that of an output or of a definition of the spec, not a made one.
-    pub given: bool,
+    pub(crate) given: bool,
     /// Stage in which it runs.
-    pub stage: usize,
+    pub(crate) stage: usize,
     /// What it does with constants, inputs of the program and values of its instructions.
     pub operation: Operation<Operand>,
 }
@@ -57,7 +57,7 @@ pub struct Instruction {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Program {
     /// Stages in the order in which they run.
-    pub stages: Vec<Stage>,
+    pub(crate) stages: Vec<Stage>,
     /// Inputs, in the order of the request.
     pub inputs: Vec<ProgramInput>,
     /// Instructions.
@@ -68,14 +68,14 @@ pub struct Program {
 
 impl Program {
     /// Places of the instructions of a stage.
-    pub fn stage(&self, stage: usize) -> std::ops::Range<usize> {
+    pub(crate) fn stage(&self, stage: usize) -> std::ops::Range<usize> {
         let start = self.instructions.partition_point(|instruction| instruction.stage < stage);
         let end = self.instructions.partition_point(|instruction| instruction.stage <= stage);
         start..end
     }
 
     /// Stage at which an operand is known; constants belong to the first.
-    pub fn stage_of(&self, operand: Operand) -> usize {
+    pub(crate) fn stage_of(&self, operand: Operand) -> usize {
         match operand {
             Operand::Constant(_) => 0,
             Operand::Input(place) => self.inputs[place].stage,
@@ -84,7 +84,7 @@ impl Program {
     }
 
     /// Name of an input or value; `None` of a constant.
-    pub fn name_of(&self, operand: Operand) -> Option<&str> {
+    pub(crate) fn name_of(&self, operand: Operand) -> Option<&str> {
         match operand {
             Operand::Constant(_) => None,
             Operand::Input(place) => Some(&self.inputs[place].name),
@@ -94,7 +94,7 @@ impl Program {
 
     /// Inputs and values of `stage` that `later` stages (or the outputs, if `outputs`) use, inputs first:
     /// what has to be kept between them.
-    pub fn carried(&self, stage: usize, later: &[usize], outputs: bool) -> Vec<Operand> {
+    pub(crate) fn carried(&self, stage: usize, later: &[usize], outputs: bool) -> Vec<Operand> {
         let mut inputs = vec![false; self.inputs.len()];
         let mut values = vec![false; self.instructions.len()];
         let mut mark = |operand: Operand| match operand {
@@ -124,7 +124,7 @@ impl Program {
     }
 
     /// The part of the program that gives some of its outputs; inputs stay as they are.
-    pub fn restricted(&self, outputs: impl Fn(&str) -> bool) -> Program {
+    pub(crate) fn restricted(&self, outputs: impl Fn(&str) -> bool) -> Program {
         let outputs: Vec<ProgramOutput> =
             self.outputs.iter().filter(|output| outputs(&output.name)).cloned().collect();
         let mut needed = vec![false; self.instructions.len()];
@@ -168,23 +168,18 @@ impl Program {
     }
 
     /// The operand of an output.
-    pub fn output(&self, name: &str) -> Option<Operand> {
+    pub(crate) fn output(&self, name: &str) -> Option<Operand> {
         self.outputs.iter().find(|output| output.name == name).map(|output| output.operand)
     }
 
     /// Operation counts of a stage.
-    pub fn counts(&self, stage: usize) -> Counts {
+    pub(crate) fn counts(&self, stage: usize) -> Counts {
         Counts::of(self.instructions[self.stage(stage)].iter().map(|i| i.operation))
     }
 
     /// Operation counts of all stages together.
-    pub fn total_counts(&self) -> Counts {
+    pub(crate) fn total_counts(&self) -> Counts {
         Counts::of(self.instructions.iter().map(|i| i.operation))
-    }
-
-    /// Σ over the stages of operations × runs.
-    pub fn cost(&self) -> f64 {
-        cost(&self.stages, |stage| self.counts(stage))
     }
 }
 
@@ -197,19 +192,19 @@ pub(super) fn cost(stages: &[Stage], counts: impl Fn(usize) -> Counts) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
     /// Additions, subtractions and changes of sign.
-    pub add: usize,
+    pub(crate) add: usize,
     /// Multiplications.
-    pub mul: usize,
+    pub(crate) mul: usize,
     /// Divisions.
-    pub div: usize,
+    pub(crate) div: usize,
     /// Square roots.
-    pub sqrt: usize,
+    pub(crate) sqrt: usize,
     /// Other functions and real powers.
-    pub function: usize,
+    pub(crate) function: usize,
     /// Comparisons and operations on truth values.
-    pub compare: usize,
+    pub(crate) compare: usize,
     /// Selections.
-    pub select: usize,
+    pub(crate) select: usize,
 }
 
 impl Counts {
@@ -232,7 +227,7 @@ impl Counts {
     }
 
     /// Operations on numbers: additions, multiplications, divisions, roots and functions.
-    pub fn arithmetic(&self) -> usize {
+    pub(crate) fn arithmetic(&self) -> usize {
         self.add + self.mul + self.div + self.sqrt + self.function
     }
 

@@ -11,7 +11,7 @@ pub struct Input {
     /// The scalar symbol.
     pub symbol: Id,
     /// Stage at which it is known.
-    pub stage: usize,
+    pub(crate) stage: usize,
 }
 
 /// An expression that the program computes.
@@ -20,20 +20,20 @@ pub struct Output {
     /// Its name in the program.
     pub name: String,
     /// The scalar expression.
-    pub expression: Id,
+    pub(crate) expression: Id,
 }
 
 /// What to schedule.
 #[derive(Debug, Clone, Default)]
 pub struct Request {
     /// Stages in the order in which they run; the last sees all others that inputs name.
-    pub stages: Vec<Stage>,
+    pub(crate) stages: Vec<Stage>,
     /// Every symbol of the outputs, each at its stage.
     pub inputs: Vec<Input>,
     /// Outputs.
     pub outputs: Vec<Output>,
     /// Names for expressions inside, such as the definitions of a spec.
-    pub names: Vec<(Id, String)>,
+    pub(crate) names: Vec<(Id, String)>,
 }
 
 impl Request {

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostics, Source};
 use crate::document::schema::{Described, Shape};
 
 /// Finds the file of a name beside a spec, or says why there is none.
-pub type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
+pub(crate) type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
 
 /// A spec, or programs of one, of a kind that is not known here.
 pub(crate) type OfAnyKind = dyn Any + Send + Sync;
@@ -135,5 +135,5 @@ pub struct About<'a> {
     /// The file.
     pub file: &'a Arc<Source>,
     /// Other texts that its kernels were made from.
-    pub(crate) beside: Vec<&'a str>,
+    pub beside: Vec<&'a str>,
 }

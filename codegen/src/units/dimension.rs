@@ -25,17 +25,17 @@ const BASE_NAMES: [&str; 5] = ["m", "kg", "s", "K", "rad"];
 
 impl Dimension {
     /// A pure number.
-    pub const NUMBER: Dimension = Dimension::of(0, 0, 0);
+    pub(crate) const NUMBER: Dimension = Dimension::of(0, 0, 0);
     /// m.
     pub const LENGTH: Dimension = Dimension::of(1, 0, 0);
     /// m².
-    pub const AREA: Dimension = Dimension::of(2, 0, 0);
+    pub(crate) const AREA: Dimension = Dimension::of(2, 0, 0);
     /// kg.
     pub const MASS: Dimension = Dimension::of(0, 1, 0);
     /// s.
     pub const TIME: Dimension = Dimension::of(0, 0, 1);
     /// K.
-    pub const TEMPERATURE: Dimension = Dimension::of(0, 0, 0).with(3, 1);
+    pub(crate) const TEMPERATURE: Dimension = Dimension::of(0, 0, 0).with(3, 1);
     /// rad.
     pub const ANGLE: Dimension = Dimension::of(0, 0, 0).with(ANGLE, 1);
     /// rad/s.
@@ -45,7 +45,7 @@ impl Dimension {
     /// m/s.
     pub const SPEED: Dimension = Dimension::of(1, 0, -1);
     /// m/s².
-    pub const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
+    pub(crate) const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
     /// N.
     pub const FORCE: Dimension = Dimension::of(1, 1, -2);
     /// N·m.
@@ -57,11 +57,11 @@ impl Dimension {
     /// Pa.
     pub const PRESSURE: Dimension = Dimension::of(-1, 1, -2);
     /// Pa·s.
-    pub const VISCOSITY: Dimension = Dimension::of(-1, 1, -1);
+    pub(crate) const VISCOSITY: Dimension = Dimension::of(-1, 1, -1);
     /// kg/m³.
     pub const DENSITY: Dimension = Dimension::of(-3, 1, 0);
     /// kg·m².
-    pub const INERTIA: Dimension = Dimension::of(2, 1, 0);
+    pub(crate) const INERTIA: Dimension = Dimension::of(2, 1, 0);
 
     const fn of(length: i32, mass: i32, time: i32) -> Self {
         Dimension {
@@ -75,22 +75,22 @@ impl Dimension {
     }
 
     /// The exponents of m, kg, s and K.
-    pub fn bases(&self) -> [Exponent; 4] {
+    pub(crate) fn bases(&self) -> [Exponent; 4] {
         std::array::from_fn(|base| self.exponents[base])
     }
 
     /// Of a product; `None` if its exponents are beyond all use.
-    pub fn checked_times(&self, other: &Dimension) -> Option<Dimension> {
+    pub(crate) fn checked_times(&self, other: &Dimension) -> Option<Dimension> {
         self.joined(other, CheckedAdd::checked_add)
     }
 
     /// Of a quotient; `None` if its exponents are beyond all use.
-    pub fn checked_over(&self, other: &Dimension) -> Option<Dimension> {
+    pub(crate) fn checked_over(&self, other: &Dimension) -> Option<Dimension> {
         self.joined(other, CheckedSub::checked_sub)
     }
 
     /// Of a power; `None` if its exponents are beyond all use.
-    pub fn checked_power(&self, exponent: Exponent) -> Option<Dimension> {
+    pub(crate) fn checked_power(&self, exponent: Exponent) -> Option<Dimension> {
         let other = Dimension { exponents: [exponent; 5] };
         self.joined(&other, CheckedMul::checked_mul)
     }
@@ -108,24 +108,24 @@ impl Dimension {
     }
 
     /// Of a product of units in use.
-    pub fn times(&self, other: &Dimension) -> Dimension {
+    pub(crate) fn times(&self, other: &Dimension) -> Dimension {
         let exponents = std::array::from_fn(|i| self.exponents[i] + other.exponents[i]);
         Dimension { exponents }
     }
 
     /// Of a quotient of units in use.
-    pub fn over(&self, other: &Dimension) -> Dimension {
+    pub(crate) fn over(&self, other: &Dimension) -> Dimension {
         let exponents = std::array::from_fn(|i| self.exponents[i] - other.exponents[i]);
         Dimension { exponents }
     }
 
     /// Of a power of a unit in use.
-    pub fn power(&self, exponent: Exponent) -> Dimension {
+    pub(crate) fn power(&self, exponent: Exponent) -> Dimension {
         Dimension { exponents: self.exponents.map(|e| e * exponent) }
     }
 
     /// Whether the largest exponent and denominator are small enough to go on computing with.
-    pub fn is_sane(&self) -> bool {
+    pub(crate) fn is_sane(&self) -> bool {
         const LARGEST: u32 = 1000;
         let small =
             |e: &Exponent| e.numer().unsigned_abs() <= LARGEST && *e.denom() <= LARGEST as i32;
@@ -133,13 +133,13 @@ impl Dimension {
     }
 
     /// The same dimension with angles as pure numbers, as formulas see it.
-    pub fn without_angle(&self) -> Dimension {
+    pub(crate) fn without_angle(&self) -> Dimension {
         self.with(ANGLE, 0)
     }
 
     /// Whether a quantity of this dimension may stand where `wanted` is expected: equal, where angles
     /// count only if nothing but time stands beside them (rpm is not Hz, but N·m/rad is N·m).
-    pub fn fits(&self, wanted: &Dimension) -> bool {
+    pub(crate) fn fits(&self, wanted: &Dimension) -> bool {
         let rotation = [0, 1, 3].iter().all(|&base| self.exponents[base].is_zero());
         if rotation { self == wanted } else { self.without_angle() == wanted.without_angle() }
     }

@@ -23,12 +23,12 @@ pub struct Factor {
 
 impl Factor {
     /// 1.
-    pub fn one() -> Self {
+    pub(crate) fn one() -> Self {
         Self::default()
     }
 
     /// π.
-    pub fn pi() -> Self {
+    pub(crate) fn pi() -> Self {
         Factor { primes: BTreeMap::new(), pi: Exponent::one() }
     }
 
@@ -36,12 +36,12 @@ impl Factor {
     ///
     /// # Panics
     /// If either is zero.
-    pub fn ratio(n: u32, d: u32) -> Self {
+    pub(crate) fn ratio(n: u32, d: u32) -> Self {
         Factor::integer(n).over(&Factor::integer(d))
     }
 
     /// 10ⁿ.
-    pub fn ten(n: i32) -> Self {
+    pub(crate) fn ten(n: i32) -> Self {
         Factor::integer(10).power(Exponent::from_integer(n))
     }
 
@@ -60,7 +60,7 @@ impl Factor {
     }
 
     /// The product.
-    pub fn times(&self, other: &Factor) -> Factor {
+    pub(crate) fn times(&self, other: &Factor) -> Factor {
         self.checked_times(other).expect(IN_USE)
     }
 
@@ -87,17 +87,17 @@ impl Factor {
     }
 
     /// The quotient.
-    pub fn over(&self, other: &Factor) -> Factor {
+    pub(crate) fn over(&self, other: &Factor) -> Factor {
         self.times(&other.power(-Exponent::one()))
     }
 
     /// The power.
-    pub fn power(&self, exponent: Exponent) -> Factor {
+    pub(crate) fn power(&self, exponent: Exponent) -> Factor {
         self.checked_power(exponent).expect(IN_USE)
     }
 
     /// Whether this is 1.
-    pub fn is_one(&self) -> bool {
+    pub(crate) fn is_one(&self) -> bool {
         self.primes.is_empty() && self.pi.is_zero()
     }
 

@@ -42,7 +42,7 @@ pub struct Bearing {
     pub stations: Vec<f64>,
     /// Fixed angles ψ_j of the springs of each plane (rad); of no effect on a law that acts once a plane.
     pub angles: Vec<f64>,
-    /// Which of the laws given to [`Springs::new`].
+    /// Which of the laws given to `Springs::new`.
     pub law: usize,
 }
 
@@ -101,13 +101,8 @@ pub struct Springs {
 
 impl Springs {
     /// Number of springs; a law that acts once a plane has one there.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.laws.iter().map(|law| law.springs).sum()
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Number of forces tested for convergence: every force that a law gives, at every spring.

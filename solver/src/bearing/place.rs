@@ -20,7 +20,7 @@ impl Springs {
     /// # Errors
     /// A law whose inputs no spring has, or that needs a radius which nothing gives; bore nodes through which no
     /// spline passes.
-    pub fn new(
+    pub(crate) fn new(
         kernels: &'static Clearance,
         laws: Vec<Box<dyn SpringLaw>>,
         bearings: &[Bearing],

@@ -24,7 +24,7 @@ pub(crate) struct Motion<'a> {
 pub struct SpringState {
     /// Forces tested for convergence (N): law after law, force after force, spring after spring; moments over
     /// the journal's radius.
-    pub forces: Vec<f64>,
+    pub(crate) forces: Vec<f64>,
     pub(super) planes: Vec<PlaneState>,
     pub(super) laws: Vec<LawState>,
     /// The turn of the journals in their frame, where they spin in it.
@@ -115,7 +115,7 @@ fn from(rows: &[f64], first: usize) -> &[f64] {
 
 impl SpringState {
     /// Memory for the springs.
-    pub fn new(springs: &Springs) -> Self {
+    pub(crate) fn new(springs: &Springs) -> Self {
         let most = |rows: fn(&PlacedLaw) -> usize| {
             springs.laws.iter().map(|law| rows(law) * law.springs).max().unwrap_or(0)
         };

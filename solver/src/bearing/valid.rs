@@ -153,7 +153,7 @@ impl Springs {
 impl SpringState {
     /// Keeps the worst value of every measure; to be called once for every step that is accepted, while the state is
     /// that of its end at `time` (s). Costs nothing where no law has measures, and allocates nothing.
-    pub fn observe(&mut self, springs: &Springs, time: f64) {
+    pub(crate) fn observe(&mut self, springs: &Springs, time: f64) {
         let measures = &springs.measures;
         for observed in &measures.observed {
             let law = &springs.laws[observed.law];
@@ -171,7 +171,7 @@ impl SpringState {
     }
 
     /// Goes on from worst values that were kept; those of another machine are left alone.
-    pub fn resume(&mut self, worst: &[Option<Worst>]) {
+    pub(crate) fn resume(&mut self, worst: &[Option<Worst>]) {
         if worst.len() == self.monitor.worst.len() {
             self.monitor.worst.copy_from_slice(worst);
         }

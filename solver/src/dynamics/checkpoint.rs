@@ -39,17 +39,4 @@ impl Checkpoint {
     pub fn step(&self) -> usize {
         self.tally.step
     }
-
-    /// All of it, every number with its bits.
-    ///
-    /// # Panics
-    /// Never: plain data can be serialised.
-    pub fn to_bytes(&self) -> Vec<u8> {
-        postcard::to_allocvec(self).expect("plain data can be serialised")
-    }
-
-    /// What [`Checkpoint::to_bytes`] gave; none if the bytes are no such thing.
-    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        postcard::from_bytes(bytes).ok()
-    }
 }

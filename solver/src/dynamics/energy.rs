@@ -30,7 +30,7 @@ pub struct EnergyBalance {
     /// Energy in play: kinetic and strain energy at the start, and what loads, dampers and springs moved since,
     /// summed without sign.
     #[serde(skip)]
-    pub turnover: f64,
+    pub(crate) turnover: f64,
 }
 
 impl EnergyBalance {

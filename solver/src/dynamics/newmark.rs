@@ -19,7 +19,7 @@ impl Default for Newmark {
 }
 
 /// What one time step turns positions into: q̇ = a1 (q−q_n) − a3 q̇_n − a4 q̈_n,
-/// q̈ = a2 (q−q_n) − a5 q̇_n − a6 q̈_n. Written from the prediction (see [`Coefficients::predict`]) only a1 and
+/// q̈ = a2 (q−q_n) − a5 q̇_n − a6 q̈_n. Written from the prediction (see `Coefficients::predict`) only a1 and
 /// a2 are left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coefficients {
@@ -40,18 +40,8 @@ impl Coefficients {
         Coefficients { dt: f64::INFINITY, a1: 0.0, a2: 0.0 }
     }
 
-    /// a1 = γ/(β Δt): how velocities at the end follow positions there.
-    pub fn a1(&self) -> f64 {
-        self.a1
-    }
-
-    /// a2 = 1/(β Δt²): how accelerations at the end follow positions there.
-    pub fn a2(&self) -> f64 {
-        self.a2
-    }
-
     /// The end of the step if accelerations stay as they are: q_n + Δt q̇_n + ½ Δt² q̈_n, q̇_n + Δt q̈_n, q̈_n.
-    pub fn predict(&self, start: &State, end: &mut State) {
+    pub(crate) fn predict(&self, start: &State, end: &mut State) {
         for i in 0..start.q.len() {
             let (v, a) = (start.v[i], start.a[i]);
             end.q[i] = start.q[i] + self.dt * (v + 0.5 * self.dt * a);

@@ -7,7 +7,7 @@ use faer::linalg::triangular_solve;
 use super::{LinearAlgebraError, view, view_mut};
 
 /// Cholesky factorisation A = LLᵀ of symmetric positive definite n × n matrices, one after the other
-/// in the same memory: neither [`Cholesky::factor`] nor the solves allocate.
+/// in the same memory: neither `Cholesky::factor` nor the solves allocate.
 pub struct Cholesky {
     size: usize,
     values: Vec<f64>,
@@ -16,7 +16,7 @@ pub struct Cholesky {
 
 impl Cholesky {
     /// Memory for matrices of size n. The factor is that of the identity until [`Cholesky::factor`] is called.
-    pub fn new(n: usize) -> Self {
+    pub(crate) fn new(n: usize) -> Self {
         let scratch = StackReq::any_of(&[
             factor::cholesky_in_place_scratch::<f64>(n, Par::Seq, Default::default()),
             solve::solve_in_place_scratch::<f64>(n, n.max(1), Par::Seq),
@@ -28,17 +28,12 @@ impl Cholesky {
         }
     }
 
-    /// Rows of the matrices.
-    pub fn size(&self) -> usize {
-        self.size
-    }
-
     /// Factors a symmetric matrix given column after column (n² values; only the lower triangle is read).
     ///
     /// # Errors
     /// [`LinearAlgebraError::NotPositiveDefinite`], also when the matrix holds a value that is not
     /// finite. The factor must then not be used.
-    pub fn factor(&mut self, matrix: &[f64]) -> Result<(), LinearAlgebraError> {
+    pub(crate) fn factor(&mut self, matrix: &[f64]) -> Result<(), LinearAlgebraError> {
         let n = self.size;
         self.values.copy_from_slice(matrix);
         let outcome = factor::cholesky_in_place(
@@ -58,7 +53,7 @@ impl Cholesky {
     }
 
     /// Replaces each column b of `rhs` (columns of n values) by A⁻¹b.
-    pub fn solve_in_place(&mut self, rhs: &mut [f64]) {
+    pub(crate) fn solve_in_place(&mut self, rhs: &mut [f64]) {
         let (n, cols) = self.shape(rhs);
         solve::solve_in_place(
             view(n, n, &self.values),
@@ -69,7 +64,7 @@ impl Cholesky {
     }
 
     /// Replaces each column b of `rhs` by L⁻¹b.
-    pub fn solve_lower_in_place(&self, rhs: &mut [f64]) {
+    pub(crate) fn solve_lower_in_place(&self, rhs: &mut [f64]) {
         let (n, cols) = self.shape(rhs);
         triangular_solve::solve_lower_triangular_in_place(
             view(n, n, &self.values),
@@ -79,7 +74,7 @@ impl Cholesky {
     }
 
     /// Replaces each column b of `rhs` by L⁻ᵀb.
-    pub fn solve_upper_in_place(&self, rhs: &mut [f64]) {
+    pub(crate) fn solve_upper_in_place(&self, rhs: &mut [f64]) {
         let (n, cols) = self.shape(rhs);
         triangular_solve::solve_upper_triangular_in_place(
             view(n, n, &self.values).transpose(),
@@ -90,7 +85,7 @@ impl Cholesky {
 
     /// Replaces a matrix W of `rows` rows and n columns by W L⁻ᵀ, which makes the columns of W
     /// orthonormal in an inner product whose Gram matrix of W was factored.
-    pub fn orthonormalise(&self, w: &mut [f64], rows: usize) {
+    pub(crate) fn orthonormalise(&self, w: &mut [f64], rows: usize) {
         triangular_solve::solve_lower_triangular_in_place(
             view(self.size, self.size, &self.values),
             view_mut(rows, self.size, w).transpose_mut(),
@@ -99,7 +94,7 @@ impl Cholesky {
     }
 
     /// Entry (i, j) of L, i ≥ j.
-    pub fn lower(&self, i: usize, j: usize) -> f64 {
+    pub(crate) fn lower(&self, i: usize, j: usize) -> f64 {
         self.values[i + j * self.size]
     }
 

@@ -6,7 +6,7 @@ pub struct LowerTriangle {
     /// Number of rows and columns.
     pub size: usize,
     /// Where each column begins in `rows` and `values`; `size + 1` values.
-    pub starts: Vec<usize>,
+    pub(crate) starts: Vec<usize>,
     /// Row of each value, ascending in a column, none above the diagonal.
     pub rows: Vec<usize>,
     /// The values.
@@ -47,7 +47,7 @@ impl LowerTriangle {
     }
 
     /// A + α·B, on the union of both patterns.
-    pub fn plus(&self, alpha: f64, other: &LowerTriangle) -> LowerTriangle {
+    pub(crate) fn plus(&self, alpha: f64, other: &LowerTriangle) -> LowerTriangle {
         let mut sum = LowerTriangle {
             size: self.size,
             starts: vec![0],

@@ -31,11 +31,6 @@ impl Lu {
         }
     }
 
-    /// Rows of the matrices.
-    pub fn size(&self) -> usize {
-        self.size
-    }
-
     /// Factors a matrix given column after column (n² values).
     ///
     /// # Errors
@@ -48,7 +43,7 @@ impl Lu {
 
     /// Where the next matrix (column after column) may be written before [`Lu::factor_in_place`];
     /// it holds the last factors, so every entry must be set.
-    pub fn values_mut(&mut self) -> &mut [f64] {
+    pub(crate) fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
     }
 
@@ -56,7 +51,7 @@ impl Lu {
     ///
     /// # Errors
     /// As [`Lu::factor`].
-    pub fn factor_in_place(&mut self) -> Result<(), LinearAlgebraError> {
+    pub(crate) fn factor_in_place(&mut self) -> Result<(), LinearAlgebraError> {
         let n = self.size;
         factor::lu_in_place(
             view_mut(n, n, &mut self.values),

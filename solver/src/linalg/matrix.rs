@@ -31,7 +31,7 @@ impl Matrix {
     }
 
     /// The identity of size n.
-    pub fn identity(n: usize) -> Self {
+    pub(crate) fn identity(n: usize) -> Self {
         Matrix::from_diagonal(&vec![1.0; n])
     }
 
@@ -55,12 +55,12 @@ impl Matrix {
     }
 
     /// Column j.
-    pub fn col_mut(&mut self, j: usize) -> &mut [f64] {
+    pub(crate) fn col_mut(&mut self, j: usize) -> &mut [f64] {
         &mut self.data[j * self.rows..(j + 1) * self.rows]
     }
 
     /// Columns of `range`, without a copy.
-    pub fn columns(&self, range: Range<usize>) -> Columns<'_> {
+    pub(crate) fn columns(&self, range: Range<usize>) -> Columns<'_> {
         Columns {
             rows: self.rows,
             cols: range.len(),
@@ -69,17 +69,17 @@ impl Matrix {
     }
 
     /// All columns, without a copy.
-    pub fn view(&self) -> Columns<'_> {
+    pub(crate) fn view(&self) -> Columns<'_> {
         self.columns(0..self.cols)
     }
 
     /// The transpose.
-    pub fn transpose(&self) -> Matrix {
+    pub(crate) fn transpose(&self) -> Matrix {
         Matrix::from_fn(self.cols, self.rows, |i, j| self[(j, i)])
     }
 
     /// The rows and columns listed, in that order.
-    pub fn select(&self, rows: &[usize], cols: &[usize]) -> Matrix {
+    pub(crate) fn select(&self, rows: &[usize], cols: &[usize]) -> Matrix {
         Matrix::from_fn(rows.len(), cols.len(), |i, j| self[(rows[i], cols[j])])
     }
 
@@ -95,7 +95,7 @@ impl Matrix {
     }
 
     /// y = Aᵀ x.
-    pub fn apply_transpose(&self, x: &[f64]) -> Vec<f64> {
+    pub(crate) fn apply_transpose(&self, x: &[f64]) -> Vec<f64> {
         (0..self.cols).map(|j| dot(self.col(j), x)).collect()
     }
 
@@ -105,12 +105,12 @@ impl Matrix {
     }
 
     /// The mean of a square matrix and its transpose.
-    pub fn symmetric_part(&self) -> Matrix {
+    pub(crate) fn symmetric_part(&self) -> Matrix {
         Matrix::from_fn(self.rows, self.cols, |i, j| 0.5 * (self[(i, j)] + self[(j, i)]))
     }
 
     /// Half the difference of a square matrix and its transpose.
-    pub fn skew_part(&self) -> Matrix {
+    pub(crate) fn skew_part(&self) -> Matrix {
         Matrix::from_fn(self.rows, self.cols, |i, j| 0.5 * (self[(i, j)] - self[(j, i)]))
     }
 }

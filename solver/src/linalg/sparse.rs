@@ -23,9 +23,9 @@ pub struct SparseCholesky {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Inertia {
     /// Number of negative eigenvalues.
-    pub negative: usize,
+    pub(crate) negative: usize,
     /// Number of positive eigenvalues.
-    pub positive: usize,
+    pub(crate) positive: usize,
 }
 
 impl SparseCholesky {
@@ -67,11 +67,6 @@ impl SparseCholesky {
             }
             Ok(()) => Ok(SparseCholesky { symbolic, values }),
         }
-    }
-
-    /// Bytes of the factor's values.
-    pub fn bytes(&self) -> usize {
-        size_of_val(&self.values[..])
     }
 
     /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b.

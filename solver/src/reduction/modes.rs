@@ -67,7 +67,7 @@ impl Pencil<'_> {
     ///
     /// # Errors
     /// As [`Pencil::lowest_modes`].
-    pub fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
+    pub(crate) fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
         // K is singular to ε·λ_max; the shift stands well clear of that, and as far below the first
         // elastic modes of any mesh that resolves them.
         Ok(self.shifted_modes(count, 1e-10 * self.highest())?.0)

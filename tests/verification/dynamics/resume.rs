@@ -55,7 +55,7 @@ fn finish(march: &mut March) -> (Vec<Vec<u64>>, Vec<Vec<u8>>) {
         march.advance().expect("converges");
         rows.push(march.row().iter().map(|value| value.to_bits()).collect());
         if CUTS.contains(&rows.len()) {
-            kept.push(march.checkpoint().to_bytes());
+            kept.push(postcard::to_allocvec(&march.checkpoint()).expect("plain data"));
         }
     }
     (rows, kept)
@@ -70,7 +70,7 @@ fn a_resumed_march_has_the_bits_of_one_never_interrupted() {
     assert_eq!((rows.len(), checkpoints.len()), (STEPS, CUTS.len()));
     assert!(whole.factorisations < STEPS / 2, "factors are kept: {}", whole.factorisations);
     for (bytes, cut) in checkpoints.iter().zip(CUTS) {
-        let checkpoint = Checkpoint::from_bytes(bytes).expect("what was written");
+        let checkpoint: Checkpoint = postcard::from_bytes(bytes).expect("what was written");
         let step = checkpoint.step();
         assert_eq!(step, cut);
         let mut resumed = March::resume(&machine, &options, checkpoint).expect("resumes");
@@ -96,15 +96,4 @@ fn a_drive_is_released_and_films_act_in_the_march_that_is_resumed() {
     assert!((CUTS[2]..CUTS[3]).contains(&same), "released in step {same}");
     assert!(last[0] < last[1], "{last:?}");
     assert!(march.energy().spring_stored.abs() > 1e-6, "{:?}", march.energy());
-}
-
-#[test]
-fn damaged_checkpoints_are_none() {
-    let (machine, options) = (machine(target()), march_options());
-    let mut march = March::new(&machine, &options).expect("starts");
-    march.advance().expect("converges");
-    let checkpoint = march.checkpoint();
-    let bytes = checkpoint.to_bytes();
-    assert_eq!(Checkpoint::from_bytes(&bytes), Some(checkpoint));
-    assert_eq!(Checkpoint::from_bytes(&bytes[..bytes.len() - 1]), None);
 }

@@ -19,9 +19,9 @@ pub struct Contact {
     /// Name of the kind, such as `spring`.
     pub name: String,
     /// Whether such a law acts at every spring, or once a ring.
-    pub each_spring: bool,
+    pub(crate) each_spring: bool,
     /// Motions of the bore that it needs.
-    pub bore: Vec<(BoreMotion, Coordinate)>,
+    pub(crate) bore: Vec<(BoreMotion, Coordinate)>,
     /// What laws may take.
     pub inputs: Vec<ContactInput>,
     /// What laws may give.
@@ -36,7 +36,7 @@ pub struct ContactInput {
     /// SI unit.
     pub unit: String,
     /// What it is.
-    pub taken: Taken,
+    pub(crate) taken: Taken,
 }
 
 /// What an input is.
@@ -50,7 +50,7 @@ pub enum Taken {
 
 impl Taken {
     /// The expression, itself or that of the rate.
-    pub fn expression(self) -> Id {
+    pub(crate) fn expression(self) -> Id {
         match self {
             Taken::Value(id) | Taken::Rate(id) => id,
         }
@@ -65,7 +65,7 @@ pub struct ContactForce {
     /// SI unit.
     pub unit: String,
     /// What it works on.
-    pub measure: Id,
+    pub(crate) measure: Id,
 }
 
 /// Name of the kind of normal forces Q(h, ḣ).
@@ -89,7 +89,7 @@ pub struct Derived {
     /// ∂x_m/∂q: one row a force.
     pub gradients: Vec<Vec<Id>>,
     /// Generalised forces, one a coordinate.
-    pub force: Vec<Id>,
+    pub(crate) force: Vec<Id>,
     /// B + a1·P, row by row.
     pub tangent: Vec<Vec<Id>>,
 }
@@ -227,7 +227,7 @@ impl Contact {
     }
 
     /// Forces that work on measures which are no inputs, one a measure.
-    pub fn further_measures(&self) -> impl Iterator<Item = &ContactForce> {
+    pub(crate) fn further_measures(&self) -> impl Iterator<Item = &ContactForce> {
         let is_input = |own: &ContactForce| {
             self.inputs.iter().any(|input| input.taken == Taken::Value(own.measure))
         };
@@ -238,7 +238,7 @@ impl Contact {
     }
 
     /// For a force the place of the measure that it works on among the inputs and the further measures.
-    pub fn measure(&self, force: &ContactForce) -> usize {
+    pub(crate) fn measure(&self, force: &ContactForce) -> usize {
         let inputs = self.inputs.iter().map(|input| match input.taken {
             Taken::Value(value) => Some(value),
             Taken::Rate(_) => None,
@@ -248,7 +248,7 @@ impl Contact {
     }
 
     /// Number of coordinates of the ring and the bore.
-    pub fn coordinates(&self) -> usize {
+    pub(crate) fn coordinates(&self) -> usize {
         RING + self.bore.len()
     }
 }

@@ -62,9 +62,9 @@ use crate::formula::Formula;
 /// Ring coordinates: an angle and two displacements.
 pub const RING: usize = 3;
 /// Coordinates of the mean motion of a bore: two displacements and an angle.
-pub const BORE: usize = 3;
+pub(crate) const BORE: usize = 3;
 /// Rings of a bearing, between which the axial functions interpolate.
-pub const RINGS: usize = 3;
+pub(crate) const RINGS: usize = 3;
 
 /// A clearance, ready to be differentiated and scheduled.
 #[derive(Debug, Clone)]
@@ -74,7 +74,7 @@ pub struct ClearanceSpec {
     /// One line for people.
     pub title: String,
     /// Paper and equation.
-    pub reference: String,
+    pub(crate) reference: String,
     /// The file.
     pub file: Arc<Source>,
     /// The fixed angle of a spring.
@@ -86,34 +86,34 @@ pub struct ClearanceSpec {
     /// The coordinate of each spring.
     pub radial: Coordinate,
     /// Radius of the journal, if the spec has it.
-    pub radius: Option<Coordinate>,
+    pub(crate) radius: Option<Coordinate>,
     /// Displacement of the bore along the tangent at each spring, if the spec has it.
-    pub tangential: Option<Coordinate>,
+    pub(crate) tangential: Option<Coordinate>,
     /// Mean displacements of the bore along x and y and its mean turn, if the spec has them.
-    pub bore: Option<[Coordinate; BORE]>,
+    pub(crate) bore: Option<[Coordinate; BORE]>,
     /// Kinds of laws, that of Q(h, ḣ) first.
     pub contacts: Vec<Contact>,
     /// Names and values of the measures, the clearance first.
-    pub measures: Vec<(String, Id)>,
+    pub(crate) measures: Vec<(String, Id)>,
     /// Definitions in the order of the file, with what they stand for.
-    pub definitions: Vec<(String, Id)>,
+    pub(crate) definitions: Vec<(String, Id)>,
     /// Name of the clearance, such as `h`.
-    pub clearance: String,
+    pub(crate) clearance: String,
     /// Its formula.
-    pub formula: Formula,
+    pub(crate) formula: Formula,
     /// Its value in the graph.
     pub value: Id,
     /// The variable of the axial functions.
-    pub axial_variable: Coordinate,
+    pub(crate) axial_variable: Coordinate,
     /// The axial functions in the graph.
-    pub axial: [Id; RINGS],
+    pub(crate) axial: [Id; RINGS],
     /// Symbols and values of the measures and the axial functions, all SI.
     pub graph: Graph,
 }
 
 /// A way in which a bore moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BoreMotion {
+pub(crate) enum BoreMotion {
     /// Outwards at a spring.
     Radial,
     /// Along the tangent at a spring.

@@ -25,7 +25,7 @@ type Powers = BTreeMap<Exponents, String>;
 ///
 /// # Errors
 /// The first integral that fails, with the nodes it comes from.
-pub fn prove<'f>(
+pub(crate) fn prove<'f>(
     element: &ElementSpec,
     forms: impl IntoIterator<Item = (&'f str, BTreeSet<(BasisPart, BasisPart)>)>,
 ) -> Result<(), Diagnostics> {

@@ -16,7 +16,7 @@ pub struct CellMatrix {
     /// size × size, rows first; degree of freedom 3a + i is component i of node a.
     pub entries: Vec<f64>,
     /// Smallest det J over the points.
-    pub least_det: f64,
+    pub(crate) least_det: f64,
 }
 
 /// A basis function at a point: weight of the point, then N, ∂N/∂x, ∂N/∂y, ∂N/∂z of every function, the
@@ -57,7 +57,11 @@ pub fn evaluate(
 
 /// ∫ ∂M/∂(x, y, z) of every enhanced mode over a cell; zero if a patch of such cells passes under constant
 /// strain.
-pub fn mode_integrals(element: &ElementSpec, form: &str, nodes: &[[f64; 3]]) -> Vec<[f64; 3]> {
+pub(crate) fn mode_integrals(
+    element: &ElementSpec,
+    form: &str,
+    nodes: &[[f64; 3]],
+) -> Vec<[f64; 3]> {
     let (points, _) = points(element, form, nodes);
     let modes = element.enhanced_in(form).map_or(0, |enhanced| enhanced.modes.len());
     let integral = |m: usize, axis: usize| {

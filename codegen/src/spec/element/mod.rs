@@ -32,7 +32,7 @@
 //! type = 12
 //! ```
 
-pub mod demand;
+pub(crate) mod demand;
 pub mod direct;
 mod explain;
 mod kernels;
@@ -59,7 +59,7 @@ pub struct ElementSpec {
     /// One line for people.
     pub title: String,
     /// Book or paper.
-    pub reference: String,
+    pub(crate) reference: String,
     /// The file.
     pub file: Arc<Source>,
     /// Reference cell.
@@ -67,7 +67,7 @@ pub struct ElementSpec {
     /// The graph that holds all expressions.
     pub graph: Graph,
     /// The symbols ξ, η, ζ.
-    pub coordinates: [Id; 3],
+    pub(crate) coordinates: [Id; 3],
     /// Reference nodes.
     pub nodes: Vec<ReferenceNode>,
     /// One shape function a node.
@@ -75,21 +75,21 @@ pub struct ElementSpec {
     /// Degree up to which the shape functions reproduce polynomials.
     pub complete: u32,
     /// Modes of the cell's own.
-    pub enhanced: Option<Enhanced>,
+    pub(crate) enhanced: Option<Enhanced>,
     /// The rule of every form that has none of its own.
-    pub quadrature: Quadrature,
+    pub(crate) quadrature: Quadrature,
     /// Rules of single forms.
-    pub quadrature_of: BTreeMap<String, Quadrature>,
+    pub(crate) quadrature_of: BTreeMap<String, Quadrature>,
     /// What functions and rules give together: of the common rule, and of those of single forms.
     tables: (Table, BTreeMap<String, Table>),
     /// Element types of Abaqus and CalculiX.
-    pub abaqus: Vec<Located>,
+    pub(crate) abaqus: Vec<Located>,
     /// Node of this element, from 0, at each place of an Abaqus line.
-    pub abaqus_order: Vec<usize>,
+    pub(crate) abaqus_order: Vec<usize>,
     /// VTK cell type.
-    pub vtk: u8,
+    pub(crate) vtk: u8,
     /// Node of this element, from 0, at each place of a VTK cell.
-    pub vtk_order: Vec<usize>,
+    pub(crate) vtk_order: Vec<usize>,
 }
 
 /// A node of the reference cell.
@@ -107,9 +107,9 @@ pub struct Function {
     /// Its value.
     pub value: Id,
     /// ∂/∂ξ, ∂/∂η, ∂/∂ζ.
-    pub gradient: [Id; 3],
+    pub(crate) gradient: [Id; 3],
     /// The value multiplied out.
-    pub polynomial: Polynomial,
+    pub(crate) polynomial: Polynomial,
     /// The gradient multiplied out.
     pub slopes: [Polynomial; 3],
     /// The formula.
@@ -118,7 +118,7 @@ pub struct Function {
 
 /// Which Jacobian turns reference gradients of enhanced modes into physical ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ModeJacobian {
+pub(crate) enum ModeJacobian {
     /// That of the cell's centre.
     Centre,
     /// That of the point itself.
@@ -132,15 +132,15 @@ pub struct Enhanced {
     /// The modes.
     pub modes: Vec<Function>,
     /// Jacobian of their gradients.
-    pub jacobian: ModeJacobian,
+    pub(crate) jacobian: ModeJacobian,
     /// Factor of their gradients, a function of `det` and `det0`.
-    pub scale: Id,
+    pub(crate) scale: Id,
     /// The formula of the factor, or the table where there is none.
-    pub scale_place: std::ops::Range<usize>,
+    pub(crate) scale_place: std::ops::Range<usize>,
     /// The symbol `det`, det J at the point.
-    pub det: Id,
+    pub(crate) det: Id,
     /// The symbol `det0`, det J at the centre.
-    pub det0: Id,
+    pub(crate) det0: Id,
     /// The forms they take part in.
     pub forms: Vec<Located>,
 }
@@ -177,7 +177,7 @@ impl ElementSpec {
     }
 
     /// Whether a form is the same sums over the same points as on another element, so that one kernel does for both.
-    pub fn integrates_as(&self, other: &ElementSpec, form: &str) -> bool {
+    pub(crate) fn integrates_as(&self, other: &ElementSpec, form: &str) -> bool {
         let (own, theirs) = (self.table(form), other.table(form));
         self.enhanced_in(form).is_none()
             && other.enhanced_in(form).is_none()

@@ -18,7 +18,7 @@ use crate::rational::nearest;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// Weight of every point.
-    pub weights: Vec<f64>,
+    pub(crate) weights: Vec<f64>,
     /// points × nodes: N_a.
     pub values: Vec<Vec<f64>>,
     /// points × nodes: ∂N_a/∂(ξ, η, ζ).
@@ -26,7 +26,7 @@ pub struct Table {
     /// points × modes: ∂M_m/∂(ξ, η, ζ).
     pub mode_slopes: Vec<Vec<[f64; 3]>>,
     /// nodes: ∂N_a/∂(ξ, η, ζ) at the centre of the cell.
-    pub centre_slopes: Vec<[f64; 3]>,
+    pub(crate) centre_slopes: Vec<[f64; 3]>,
     /// w N_a N_b, if they are few.
     pub products: Option<Products>,
 }
@@ -38,9 +38,9 @@ const PRODUCTS: usize = 500;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Products {
     /// distinct rows × points.
-    pub rows: Vec<Vec<f64>>,
+    pub(crate) rows: Vec<Vec<f64>>,
     /// The row of every pair: (0,0), (0,1), …, (1,1), …
-    pub places: Vec<usize>,
+    pub(crate) places: Vec<usize>,
 }
 
 impl Table {
@@ -48,7 +48,7 @@ impl Table {
     ///
     /// # Errors
     /// A function that has no value at a point or at the centre.
-    pub fn new(
+    pub(crate) fn new(
         cell: Cell,
         shape: &[Function],
         modes: &[Function],

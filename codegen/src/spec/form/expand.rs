@@ -15,13 +15,13 @@ use crate::formula::{Formula, Side, Term, TermKind};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     /// Component of v.
-    pub i: usize,
+    pub(crate) i: usize,
     /// Component of u.
-    pub j: usize,
+    pub(crate) j: usize,
     /// 0 for N_a, 1 + k for ∂N_a/∂x_k.
-    pub test: usize,
+    pub(crate) test: usize,
     /// 0 for N_b, 1 + k for ∂N_b/∂x_k.
-    pub trial: usize,
+    pub(crate) trial: usize,
 }
 
 /// A form by its coefficients; those that are zero are left out.
@@ -33,7 +33,7 @@ pub struct Names {
     /// Properties and coefficients of the material, as symbols.
     pub scalars: BTreeMap<String, Id>,
     /// Constant matrices.
-    pub matrices: BTreeMap<String, [[Rational; 3]; 3]>,
+    pub(crate) matrices: BTreeMap<String, [[Rational; 3]; 3]>,
 }
 
 /// Functions of the form language, with the number of their arguments.

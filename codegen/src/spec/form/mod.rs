@@ -57,7 +57,7 @@ pub struct FormSpec {
     /// One line for people.
     pub title: String,
     /// Book or paper.
-    pub reference: String,
+    pub(crate) reference: String,
     /// The file.
     pub file: Arc<Source>,
     /// The graph that holds all expressions.
@@ -65,7 +65,7 @@ pub struct FormSpec {
     /// Properties of the material, in the order of the file.
     pub material: Vec<Property>,
     /// Coefficients with their symbols and what these stand for, over the material's symbols.
-    pub coefficients: Vec<Coefficient>,
+    pub(crate) coefficients: Vec<Coefficient>,
     /// The forms, in the order of the file.
     pub forms: Vec<Form>,
 }
@@ -85,7 +85,7 @@ pub struct Property {
 
 /// A named coefficient.
 #[derive(Debug, Clone)]
-pub struct Coefficient {
+pub(crate) struct Coefficient {
     /// Name in the spec.
     pub name: String,
     /// The symbol that stands for it in the forms.
@@ -104,9 +104,9 @@ pub struct Form {
     /// The formula.
     pub text: Located,
     /// Its coefficients, over the symbols of material and coefficients.
-    pub bilinear: Bilinear,
+    pub(crate) bilinear: Bilinear,
     /// What was found in them.
-    pub structure: Structure,
+    pub(crate) structure: Structure,
 }
 
 /// Which part of a basis function occurs in a product.
@@ -139,7 +139,7 @@ impl FormSpec {
     }
 
     /// Properties that a form uses, in the order of the file.
-    pub fn material_of(&self, form: &Form) -> Vec<&Property> {
+    pub(crate) fn material_of(&self, form: &Form) -> Vec<&Property> {
         let uses = |symbol: Id| {
             form.bilinear.values().any(|id| {
                 self.graph.depends(*id, symbol)

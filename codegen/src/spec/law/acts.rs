@@ -32,7 +32,7 @@ impl Acts {
     }
 
     /// Outputs without which such a law is of no use.
-    pub fn needed(self) -> &'static [&'static str] {
+    pub(crate) fn needed(self) -> &'static [&'static str] {
         match self {
             Acts::Spring => &["Q"],
             Acts::Ring => &["F_x", "F_y"],

@@ -25,7 +25,7 @@ pub enum BearingValue {
 
 impl BearingValue {
     /// All of them.
-    pub const ALL: [BearingValue; 8] = [
+    pub(crate) const ALL: [BearingValue; 8] = [
         BearingValue::RadialClearance,
         BearingValue::DiametralClearance,
         BearingValue::JournalRadius,
@@ -54,7 +54,7 @@ impl BearingValue {
     }
 
     /// The value that law files call `word`.
-    pub fn called(word: &str) -> Option<Self> {
+    pub(crate) fn called(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|value| value.word() == word)
     }
 

@@ -78,7 +78,7 @@ pub struct LawSpec {
     /// One line for people.
     pub title: String,
     /// Paper and equation.
-    pub reference: String,
+    pub(crate) reference: String,
     /// The file.
     pub file: Arc<Source>,
     /// What it acts on.
@@ -90,7 +90,7 @@ pub struct LawSpec {
     /// The tables, in the order of the file.
     pub tables: Vec<LawTable>,
     /// The definitions, in the order of the file.
-    pub definitions: Vec<Definition>,
+    pub(crate) definitions: Vec<Definition>,
     /// The outputs, in the order of the file.
     pub outputs: Vec<LawOutput>,
     /// Where the law may be believed: the sections of the file, then the ends of its tables.
@@ -159,11 +159,11 @@ pub struct Given {
 
 /// A named formula that others use.
 #[derive(Debug, Clone)]
-pub struct Definition {
+pub(crate) struct Definition {
     /// Symbol.
     pub name: String,
     /// What it stands for, in the units of the file.
-    pub formula: Formula,
+    pub(crate) formula: Formula,
 }
 
 /// An output of a law.
@@ -176,13 +176,13 @@ pub struct LawOutput {
     /// Unit in which the file's formulas give it.
     pub unit: Unit,
     /// Whether the file accepts jumps of the value.
-    pub accepts_jumps: bool,
+    pub(crate) accepts_jumps: bool,
     /// The pieces; the first whose condition holds applies, the last has none.
-    pub pieces: Vec<Piece>,
+    pub(crate) pieces: Vec<Piece>,
     /// The value in the graph, SI.
     pub value: Id,
     /// Its derivatives by [`LawSpec::inputs`], SI.
-    pub derivatives: Vec<Id>,
+    pub(crate) derivatives: Vec<Id>,
     /// What evaluates the pieces.
     code: Vec<PieceCode>,
 }
@@ -197,18 +197,18 @@ struct PieceCode {
 
 /// A piece of an output.
 #[derive(Debug, Clone)]
-pub struct Piece {
+pub(crate) struct Piece {
     /// When it applies; `None` for the last.
-    pub when: Option<Condition>,
+    pub(crate) when: Option<Condition>,
     /// What it gives, in the units of the file.
     pub value: Formula,
     /// The same in the graph, SI.
-    pub node: Id,
+    pub(crate) node: Id,
 }
 
 /// When a piece applies.
 #[derive(Debug, Clone)]
-pub enum Condition {
+pub(crate) enum Condition {
     /// On one side of a value of one input.
     Threshold {
         /// Place of the input in [`LawSpec::inputs`].

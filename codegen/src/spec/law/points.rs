@@ -30,7 +30,7 @@ pub(super) fn of(law: &LawSpec) -> Points {
     let mut points: Vec<Vec<f64>> = (0..WITHIN).map(inside).collect();
     let breaks: Vec<_> = law.report.outputs.iter().flat_map(|output| &output.breaks).collect();
     // A point on each side of a break.
-    let most = (EVALUATIONS / law.graph.len().max(1)).clamp(WITHIN + 2, MOST);
+    let most = (EVALUATIONS / law.graph.size().max(1)).clamp(WITHIN + 2, MOST);
     let step = breaks.len().div_ceil((most - WITHIN) / 2).max(1);
     for found in breaks.into_iter().step_by(step) {
         let place_of = |name: &str| law.inputs.iter().position(|input| input.name == *name);

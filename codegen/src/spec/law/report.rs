@@ -32,13 +32,13 @@ pub struct TableReport {
     /// The file as the law names it.
     pub file: String,
     /// Number of rows.
-    pub rows: usize,
+    pub(crate) rows: usize,
     /// What it is looked up by, with its unit.
     pub input: [String; 2],
     /// First and last input.
     pub span: [f64; 2],
     /// What becomes of other inputs.
-    pub extend: Extend,
+    pub(crate) extend: Extend,
 }
 
 /// What was found about an output, in the file's units.
@@ -55,13 +55,13 @@ pub struct OutputReport {
     /// How it changes with each input.
     pub trends: Vec<(String, Trend)>,
     /// The motion that it should oppose, if it is a force against one, and whether it never drives it.
-    pub opposes: Option<(String, bool)>,
+    pub(crate) opposes: Option<(String, bool)>,
     /// Where pieces meet, and where the value or the slope jumps inside them.
     pub breaks: Vec<Break>,
     /// Where a divisor passes through zero: input and value.
-    pub poles: Vec<(String, f64)>,
+    pub(crate) poles: Vec<(String, f64)>,
     /// Inputs at the first point without a finite value, if there is one.
-    pub undefined: Option<Vec<f64>>,
+    pub(crate) undefined: Option<Vec<f64>>,
 }
 
 /// How an output changes with an input, at the points evaluated.
@@ -87,15 +87,15 @@ pub struct Break {
     /// Value of the input.
     pub at: f64,
     /// The other inputs there: name, value and unit.
-    pub beside: Vec<(String, f64, String)>,
+    pub(crate) beside: Vec<(String, f64, String)>,
     /// Value in the file, if `engage` moved the break.
     pub moved_from: Option<f64>,
     /// Length over which `smooth` blends the pieces.
-    pub blended: Option<f64>,
+    pub(crate) blended: Option<f64>,
     /// Value of the output below and above; a difference below rounding is not a jump.
     pub values: [f64; 2],
     /// Bound of the rounding error of their difference.
-    pub rounding: f64,
+    pub(crate) rounding: f64,
     /// Slope of the output along the input below and above.
     pub slopes: [f64; 2],
 }

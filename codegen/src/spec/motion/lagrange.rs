@@ -7,20 +7,20 @@ use crate::expression::{DifferentiateError, Graph, Id, Shape};
 
 /// A generalised coordinate with its rates: symbols of one shape, scalar or vector.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Coordinate {
+pub(crate) struct Coordinate {
     /// Name in the spec, such as `theta`.
     pub name: String,
     /// q.
-    pub position: Id,
+    pub(crate) position: Id,
     /// q̇, the symbol `<name>_dot`.
-    pub velocity: Id,
+    pub(crate) velocity: Id,
     /// q̈, the symbol `<name>_ddot`.
-    pub acceleration: Id,
+    pub(crate) acceleration: Id,
 }
 
 impl Coordinate {
     /// The coordinate called `name`, its symbols added to the graph.
-    pub fn new(graph: &mut Graph, name: &str, shape: Shape) -> Self {
+    pub(crate) fn new(graph: &mut Graph, name: &str, shape: Shape) -> Self {
         let mut symbol = |suffix: &str| {
             graph.symbol(&format!("{name}{suffix}"), shape, crate::expression::Symmetry::None)
         };
@@ -35,39 +35,39 @@ impl Coordinate {
 
 /// A matrix over the coordinates, block by block, rows first. The block of a scalar row and a vector
 /// column is a vector standing for a row; of a vector row and a scalar column, a column.
-pub type Blocks = Vec<Vec<Id>>;
+pub(crate) type Blocks = Vec<Vec<Id>>;
 
 /// M and Q_v over the coordinates, and where they come from an energy, its momenta.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Equations {
+pub(crate) struct Equations {
     /// T, where the equations come from one.
-    pub kinetic_energy: Option<Id>,
+    pub(crate) kinetic_energy: Option<Id>,
     /// p = ∂T/∂q̇, likewise.
-    pub momentum: Option<Vec<Id>>,
+    pub(crate) momentum: Option<Vec<Id>>,
     /// M(q), eq. (31).
-    pub mass: Blocks,
+    pub(crate) mass: Blocks,
     /// Q_v, eq. (27).
-    pub quadratic_velocity: Vec<Id>,
+    pub(crate) quadratic_velocity: Vec<Id>,
 }
 
 /// What Newton's method needs beside M and Q_v.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Derivatives {
+pub(crate) struct Derivatives {
     /// M q̈ as expressions.
-    pub mass_times_acceleration: Vec<Id>,
+    pub(crate) mass_times_acceleration: Vec<Id>,
     /// PF = ∂(M q̈)/∂q, eq. (37).
-    pub pf: Blocks,
+    pub(crate) pf: Blocks,
     /// B = ∂Q_v/∂q, eq. (38).
     pub b: Blocks,
     /// P = ∂Q_v/∂q̇, eq. (39).
-    pub p: Blocks,
+    pub(crate) p: Blocks,
 }
 
 /// The equations of motion of a kinetic energy.
 ///
 /// # Errors
 /// A derivative that the graph cannot hold.
-pub fn lagrange(
+pub(crate) fn lagrange(
     graph: &mut Graph,
     energy: Id,
     coordinates: &[Coordinate],
@@ -96,7 +96,7 @@ pub fn lagrange(
 ///
 /// # Errors
 /// A derivative that the graph cannot hold.
-pub fn derivatives(
+pub(crate) fn derivatives(
     graph: &mut Graph,
     equations: &Equations,
     coordinates: &[Coordinate],

@@ -24,7 +24,7 @@ mod equations;
 mod explain;
 pub mod kernels;
 mod kind;
-pub mod lagrange;
+pub(crate) mod lagrange;
 mod schema;
 #[cfg(test)]
 mod tests;
@@ -41,7 +41,8 @@ use equations::Reader;
 use lagrange::{Coordinate, Derivatives, Equations};
 
 /// The coordinates that the solver marches, with their shapes.
-pub const COORDINATES: &[(&str, Shape)] = &[("theta", Shape::Scalar), ("eta", Shape::Vector)];
+pub(crate) const COORDINATES: &[(&str, Shape)] =
+    &[("theta", Shape::Scalar), ("eta", Shape::Vector)];
 
 /// A motion, ready to be emitted: see the module for the file.
 #[derive(Debug, Clone)]
@@ -51,19 +52,19 @@ pub struct MotionSpec {
     /// One line for people.
     pub title: String,
     /// Paper and equation.
-    pub reference: String,
+    pub(crate) reference: String,
     /// The file.
     pub file: Arc<Source>,
     /// θ and η.
-    pub coordinates: Vec<Coordinate>,
+    pub(crate) coordinates: Vec<Coordinate>,
     /// The constant tensors, in the order of the file.
     pub tensors: Vec<Tensor>,
     /// The graph that holds all expressions.
     pub graph: Graph,
     /// T, p, M and Q_v.
-    pub equations: Equations,
+    pub(crate) equations: Equations,
     /// PF, B and P.
-    pub derivatives: Derivatives,
+    pub(crate) derivatives: Derivatives,
 }
 
 /// A constant of a motion.

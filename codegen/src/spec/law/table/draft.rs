@@ -112,7 +112,6 @@ pub(in crate::spec::law) fn read(
         splits: Vec::new(),
         ends: Default::default(),
         bounds: Default::default(),
-        end_slopes: Default::default(),
         inner: Vec::new(),
         after: 0,
     };

@@ -32,13 +32,13 @@ pub struct LawTable {
     /// What it is looked up by, in the units of the law.
     pub input: Formula,
     /// Unit of the column of what it is looked up by.
-    pub input_unit: Unit,
+    pub(crate) input_unit: Unit,
     /// Unit of the column of its values.
     pub unit: Unit,
     /// What becomes of inputs outside its rows.
-    pub extend: Extend,
+    pub(crate) extend: Extend,
     /// Whether the extension below and above the rows may be believed.
-    pub valid_beyond: [bool; 2],
+    pub(crate) valid_beyond: [bool; 2],
     /// The inputs of its rows, ascending: between them it is a cubic, at them its slope is continuous.
     pub knots: Vec<Rational>,
     /// One piece more than there are splits.
@@ -48,8 +48,6 @@ pub struct LawTable {
     pub(super) ends: [f64; 2],
     /// The ends between which there are values, if there are none elsewhere.
     bounds: [Rational; 2],
-    /// Slopes at both ends.
-    end_slopes: [Rational; 2],
     /// The comparisons of the input with the rows between the first and the last.
     inner: Vec<Id>,
     /// How many definitions come before it.
@@ -82,7 +80,6 @@ impl LawTable {
         self.pieces = cubic::cubics(&x, y, &slopes);
         let last = x.len() - 1;
         self.splits = x[1..last].to_vec();
-        self.end_slopes = [slopes[0].clone(), slopes[last].clone()];
         let outside = |at: usize| {
             let slope = match self.extend {
                 Extend::Linear => slopes[at].clone(),
@@ -116,29 +113,6 @@ impl LawTable {
         (self.extend != Extend::Periodic && !(below && above)).then_some(ends)
     }
 
-    /// Inputs at which the slope jumps, with the slopes below and above.
-    pub fn kinks(&self) -> Vec<(&Rational, [Rational; 2])> {
-        let [first, last] = self.span();
-        let [low, high] = self.end_slopes.clone();
-        if self.extend != Extend::Constant {
-            return Vec::new();
-        }
-        let zero = Rational::zero;
-        let both = [(first, [zero(), low]), (last, [high, zero()])];
-        both.into_iter().filter(|(_, [below, above])| below != above).collect()
-    }
-
-    /// Where the input stands: a whole number that changes where the table passes to another cubic.
-    pub fn interval(&self, input: f64) -> i64 {
-        let (input, turns) = match self.turns(input) {
-            Some(turns) => (input - turns as f64 * nearest(&self.period()), turns),
-            None => (input, 0),
-        };
-        let place = self.splits.partition_point(|at| nearest(at) <= input);
-        let outside = i64::from(self.extend == Extend::Refuse && self.is_outside(input));
-        turns * (self.pieces.len() as i64 + 1) + place as i64 - outside * i64::from(i32::MAX)
-    }
-
     /// Comparisons on the graph across which neither value nor slope jumps.
     pub(super) fn inner(&self) -> &[Id] {
         &self.inner
@@ -157,7 +131,7 @@ impl LawTable {
     }
 
     /// Whether the input is outside the rows of a table that is not extended.
-    pub fn is_outside(&self, input: f64) -> bool {
+    pub(crate) fn is_outside(&self, input: f64) -> bool {
         let [low, high] = self.bounds.each_ref().map(nearest);
         self.extend == Extend::Refuse && !(low..=high).contains(&input)
     }

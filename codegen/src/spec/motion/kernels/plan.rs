@@ -27,7 +27,7 @@ pub struct Plan {
     /// The outputs, in the order of the request.
     pub outputs: Vec<Combination<Operand>>,
     /// Names of symbols, products, and stored matrices that are used transposed.
-    pub names: BTreeMap<Id, String>,
+    pub(crate) names: BTreeMap<Id, String>,
 }
 
 /// matrix × vector.
@@ -42,7 +42,7 @@ pub struct MatrixProduct {
     /// A vector symbol or an earlier product.
     pub of: Id,
     /// Matrices in the product: 1 for a product with a symbol.
-    pub level: usize,
+    pub(crate) level: usize,
 }
 
 /// A dot product of symbols or matrix–vector products.
