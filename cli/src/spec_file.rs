@@ -49,6 +49,10 @@ pub(crate) fn built_in() -> impl Iterator<Item = &'static Origin> {
 fn columns(law: &Source, name: &str) -> Result<Arc<Source>, String> {
     let path = law.path.with_file_name(name);
     if law.path.is_file() {
+        // A pipe or a device would be read without end.
+        if path.exists() && !path.is_file() {
+            return Err(format!("`{}` is not a file", path.display()));
+        }
         return match fs::read_to_string(&path) {
             Ok(text) => Ok(Source::new(path, text)),
             Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),

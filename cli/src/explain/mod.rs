@@ -79,7 +79,8 @@ fn rust(spec: &Spec, origin: Option<&Origin>) -> Result<String, Failure> {
 fn draw(spec: &Spec, path: &Path) -> Result<(), Failure> {
     let Spec::Law(law) = spec else {
         let About { name, file, .. } = spec.about();
-        let message = format!("`--plot` draws laws; `{name}` is a {}", spec.kind().name);
+        let message =
+            format!("`--plot` draws laws; `{name}` is of the kind `{}`", spec.kind().name);
         let error = Diagnostic::new(file, Code::BAD_VALUE, None, message);
         return Err(Failure::Input(error.help("leave `--plot` out").into()));
     };

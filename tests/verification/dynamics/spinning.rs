@@ -143,7 +143,7 @@ static DRAG: Formula = Formula {
     name: "drag",
     inputs: &["v_t"],
     outputs: &["Q", "T"],
-    value: |z| vec![Dual64::from_re(0.0), z[0] / z[0] * -2.0],
+    value: |z| vec![Dual64::from_re(0.0), z[0] * 0.0 - 2.0],
 };
 
 /// Stiffer outwards.
