@@ -65,7 +65,9 @@ pub(super) fn program(
     take("a1_", a1, EACH_RING);
     let own = contact.bore.iter().map(|(_, own)| own).chain(&rates[RING..]);
     let own = own.map(|own| (own.name.clone(), own.symbol));
-    let of_law = forces.into_iter().chain(slopes.into_iter().flatten());
+    let of_law: Vec<(String, Id)> =
+        forces.into_iter().chain(slopes.into_iter().flatten()).collect();
+    let given = of_law.len();
     let own: Vec<(String, Id)> = own.chain(of_law).collect();
     own.iter().for_each(|(name, symbol)| take(name, *symbol, EACH_SPRING));
 
@@ -91,7 +93,8 @@ pub(super) fn program(
     let names = inputs.iter().map(|input| input.name.clone()).chain(taken(contact));
     let names = names.chain(spec.definitions.iter().map(|(name, _)| name.clone()));
     let varies = own.iter().map(|(_, symbol)| *symbol).chain([spec.spring.symbol]).collect();
-    let mut sums = Sums { taken: names.collect(), varies, graph: &mut graph, sums: Vec::new() };
+    let mut sums =
+        Sums { taken: names.collect(), varies, of_law: given, graph: &mut graph, sums: Vec::new() };
     let totals = sums.totals(&summed);
     let sums = sums.sums;
     for (sum, part, _) in &sums {
@@ -125,6 +128,8 @@ struct Sums<'a> {
     /// Names of other things.
     taken: BTreeSet<String>,
     varies: Vec<Id>,
+    /// How many forces and slopes a law gives.
+    of_law: usize,
     /// Each with the part of one spring and the symbol of the sum.
     sums: Vec<(Sum, Id, Id)>,
 }
@@ -133,12 +138,15 @@ impl Sums<'_> {
     /// The totals of expressions with their names: by the sums that they share, if these are fewer; otherwise
     /// each is summed itself.
     fn totals(&mut self, summed: &[(String, Id)]) -> Vec<Id> {
-        let before = self.taken.clone();
-        let shared: Vec<Id> = summed.iter().map(|(_, id)| self.total(*id)).collect();
-        if self.sums.len() <= summed.len() {
-            return shared;
+        // Expressions are linear in what a law gives, and each of that needs a sum of its own at least.
+        if self.of_law <= summed.len() {
+            let before = self.taken.clone();
+            let shared: Vec<Id> = summed.iter().map(|(_, id)| self.total(*id)).collect();
+            if self.sums.len() <= summed.len() {
+                return shared;
+            }
+            (self.taken, self.sums) = (before, Vec::new());
         }
-        (self.taken, self.sums) = (before, Vec::new());
         let mut whole = Vec::new();
         for (name, id) in summed {
             if self.graph.is_zero(*id) {
