@@ -9,7 +9,7 @@ use crate::arguments::CheckArguments;
 use crate::case::{Case, LawSource, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
-use crate::machine::{self, BodyPlan, Plan};
+use crate::machine::{self, BodyPlan, MachinePlan};
 use crate::progress::{self, ProgressMode};
 use crate::report::table;
 use crate::{spec_file, streams};
@@ -58,7 +58,7 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     Ok(text)
 }
 
-fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failure> {
+fn say_rotor(text: &mut String, rotor: &Rotor, plan: &MachinePlan) -> Result<(), Failure> {
     plan.verify()?;
     text.push_str(&bodies(plan)?);
     let both = [&plan.shaft, &plan.support].map(|body| body.counts().craig_bampton_dofs);
@@ -117,7 +117,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &Plan) -> Result<(), Failur
 }
 
 /// The table of both bodies.
-fn bodies(plan: &Plan) -> Result<String, Failure> {
+fn bodies(plan: &MachinePlan) -> Result<String, Failure> {
     let column = |name: &str, body: &BodyPlan| -> Result<Vec<String>, Failure> {
         let counts = body.counts();
         let mut cells = vec![name.to_string()];

@@ -17,7 +17,7 @@ use crate::sparse::SparseMatrix;
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BodyKind {
-    /// One that turns: it has a `Spin`.
+    /// One that turns: it has a `SpinTensors`.
     Shaft,
     /// One that stands.
     Support,
@@ -25,7 +25,7 @@ pub enum BodyKind {
 
 /// What couples the deformation of a reduced body to its rotation about z, in Craig–Bampton coordinates.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Spin {
+pub(crate) struct SpinTensors {
     /// J0 = x0ᵀY x0 (kg·m²).
     pub(crate) j0: f64,
     /// φᵀY x0 and φᵀH x0.
@@ -36,14 +36,14 @@ pub(crate) struct Spin {
     pub(crate) coupling: Matrix,
 }
 
-impl Spin {
+impl SpinTensors {
     /// Of a reduction with its Y and H, and the positions x0 of its nodes (m).
     pub(crate) fn new(
         reduction: &CraigBampton,
         inertia: &SparseMatrix,
         coupling: &SparseMatrix,
         positions: &[[f64; 3]],
-    ) -> Spin {
+    ) -> SpinTensors {
         let x0: Vec<f64> = positions.iter().flatten().copied().collect();
         let applied = |matrix: &SparseMatrix| {
             let mut product = vec![0.0; x0.len()];
@@ -51,7 +51,7 @@ impl Spin {
             product
         };
         let (y_x0, h_x0) = (applied(inertia), applied(coupling));
-        Spin {
+        SpinTensors {
             j0: x0.iter().zip(&y_x0).map(|(x, y)| x * y).sum(),
             y0: reduction.shapes.apply_transpose(&y_x0),
             h0: reduction.shapes.apply_transpose(&h_x0),
@@ -66,7 +66,7 @@ impl Spin {
 pub struct Reduced {
     /// Its shapes have three rows a node of `nodes`.
     pub(crate) reduction: CraigBampton,
-    pub(crate) spin: Option<Spin>,
+    pub(crate) spin: Option<SpinTensors>,
     /// Nodes of the mesh, ascending, and where they are (m).
     nodes: Vec<usize>,
     pub(crate) positions: Vec<[f64; 3]>,
@@ -84,7 +84,7 @@ impl Reduced {
             BodyKind::Shaft => {
                 let (inertia, coupling) =
                     (assemble(mesh, "spin_inertia")?, assemble(mesh, "spin_coupling")?);
-                Some(Spin::new(&whole, &inertia, &coupling, mesh.nodes()))
+                Some(SpinTensors::new(&whole, &inertia, &coupling, mesh.nodes()))
             }
             BodyKind::Support => None,
         };

@@ -6,7 +6,7 @@ use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh};
 use crate::error::Error;
 use crate::linalg::{Matrix, congruence};
 use crate::mesh::Mesh;
-use crate::reduced::{BodyKind, Reduced, Spin};
+use crate::reduced::{BodyKind, Reduced, SpinTensors};
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
 
@@ -85,8 +85,12 @@ impl Shaft {
 
     /// The shaft of a reduction, in active coordinates.
     pub fn new(parts: &ShaftParts) -> Shaft {
-        let spin =
-            Spin::new(parts.reduction, parts.spin_inertia, parts.spin_coupling, parts.positions);
+        let spin = SpinTensors::new(
+            parts.reduction,
+            parts.spin_inertia,
+            parts.spin_coupling,
+            parts.positions,
+        );
         let nodes = parts
             .nodes
             .iter()
@@ -97,7 +101,7 @@ impl Shaft {
     /// The shaft of a reduction whose spin is reduced, too.
     pub(crate) fn from_spin(
         reduction: &CraigBampton,
-        spin: &Spin,
+        spin: &SpinTensors,
         active: &Coordinates,
         damping: Rayleigh,
         nodes: Vec<BodyNode>,

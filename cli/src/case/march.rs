@@ -10,7 +10,7 @@ use super::schema::MOST_STEPS;
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]
-pub(crate) struct March {
+pub(crate) struct MarchSettings {
     /// Δt in s.
     pub(crate) time_step: f64,
     /// Steps.
@@ -23,7 +23,7 @@ pub(crate) struct March {
     pub(crate) cycle: f64,
 }
 
-impl March {
+impl MarchSettings {
     /// End of the analysis in s.
     pub(crate) fn duration(&self) -> f64 {
         self.time_step * self.steps as f64
@@ -45,11 +45,11 @@ const LEAST_STEPS: f64 = 23.0;
 /// Of the reference histories: far below every force of interest, far above rounding.
 const FORCE_TOLERANCE: f64 = 1e-3;
 
-pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<March> {
+pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<MarchSettings> {
     file.in_table("march", |march| read_march(march, system))
 }
 
-fn read_march(march: &Table, system: &SystemDraft) -> March {
+fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
     let given = march.quantity("time_step");
     let time_step = given.unwrap_or(1.0);
     let steps = steps(march, time_step);
@@ -69,7 +69,7 @@ fn read_march(march: &Table, system: &SystemDraft) -> March {
     if let (Some(_), Some((cycle, ..))) = (given, cycle_of_rows) {
         shown_by_rows(march, output_every as f64 * time_step, cycle);
     }
-    March { time_step, steps, force_tolerance, output_every, cycle }
+    MarchSettings { time_step, steps, force_tolerance, output_every, cycle }
 }
 
 /// Notes a cycle that is too short for its steps to show it; `key` is to blame for it.

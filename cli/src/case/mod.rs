@@ -19,7 +19,7 @@ pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::embedded_cases;
 pub(crate) use loads::Load;
 pub(crate) use lumped::{Lumped, Side, Unbalance};
-pub(crate) use march::March;
+pub(crate) use march::MarchSettings;
 pub(crate) use parameters::{BearingFacts, rounded};
 pub(crate) use read::read;
 pub(crate) use read::{SystemDraft, draft};
@@ -42,7 +42,7 @@ pub(crate) struct Case {
     /// What is marched.
     pub(crate) system: System,
     /// Time step, duration and tolerances.
-    pub(crate) march: March,
+    pub(crate) march: MarchSettings,
     /// What figures show beyond the results.
     pub(crate) figures: Figures,
 }

@@ -8,7 +8,9 @@ use whirl_codegen::document::schema::Described;
 use whirl_codegen::document::{Document, Table};
 
 use super::library::{FileStore, load};
-use super::{Case, Figures, Lumped, March, RotorDraft, System, law, lumped, machine, march};
+use super::{
+    Case, Figures, Lumped, MarchSettings, RotorDraft, System, law, lumped, machine, march,
+};
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
 ///
@@ -25,7 +27,7 @@ pub(crate) struct Draft {
     origin: String,
     sources: Vec<Arc<Source>>,
     figures: Figures,
-    march: Option<March>,
+    march: Option<MarchSettings>,
     /// What is marched, as far as the case says it.
     pub(crate) system: SystemDraft,
     /// What is wrong.

@@ -8,7 +8,7 @@ use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
-use super::plan::{BodyPlan, Plan, both};
+use super::plan::{BodyPlan, MachinePlan, both};
 use crate::errors::Failure;
 
 /// Both bodies after their reduction.
@@ -29,7 +29,7 @@ pub(super) struct Bodies {
 /// Cells turned inside out, a body that can move freely, more modes than it has, and what else keeps
 /// a body from being reduced.
 pub(super) fn bodies(
-    plan: &Plan,
+    plan: &MachinePlan,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Bodies, Failure> {

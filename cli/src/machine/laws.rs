@@ -5,7 +5,7 @@ use whirl_codegen::rational::Rational;
 use whirl_codegen::spec::law::BearingValue;
 use whirl_solver::mesh::measure::mean_radius;
 
-use super::plan::Plan;
+use super::plan::MachinePlan;
 use crate::case::{Bearing, BearingFacts, LawSource, NamedLaw, Rotor, rounded};
 use crate::errors::Failure;
 
@@ -14,7 +14,7 @@ use crate::errors::Failure;
 ///
 /// # Errors
 /// A value that nothing gives; whatever is wrong with a law once it has these values.
-pub(super) fn laws(rotor: &Rotor, plan: &Plan) -> Result<Vec<LawSource>, Failure> {
+pub(super) fn laws(rotor: &Rotor, plan: &MachinePlan) -> Result<Vec<LawSource>, Failure> {
     // Bearings that are alike share their law.
     let mut read: Vec<(&Bearing, BearingFacts, LawSource)> = Vec::new();
     let mut laws = Vec::with_capacity(rotor.bearings.len());
@@ -46,7 +46,7 @@ pub(super) fn laws(rotor: &Rotor, plan: &Plan) -> Result<Vec<LawSource>, Failure
 }
 
 /// What is known of a bearing from the case and the meshes.
-fn facts(bearing: &Bearing, place: usize, plan: &Plan) -> BearingFacts {
+fn facts(bearing: &Bearing, place: usize, plan: &MachinePlan) -> BearingFacts {
     let mut facts = bearing.facts.clone();
     if facts.value(BearingValue::BoreRadius).is_none() {
         facts.bore_radius = bore_radius(place, plan);
@@ -67,7 +67,7 @@ fn facts(bearing: &Bearing, place: usize, plan: &Plan) -> BearingFacts {
 }
 
 /// Mean distance of the nodes of a bore from the axis, m.
-fn bore_radius(place: usize, plan: &Plan) -> Option<Rational> {
+fn bore_radius(place: usize, plan: &MachinePlan) -> Option<Rational> {
     let support = &plan.support;
     let nodes = plan.bores[place].iter().flatten().map(|&own| support.spec.nodes[own]);
     let points = nodes.map(|node| {

@@ -12,7 +12,7 @@ use serde::Serialize;
 use whirl_solver::cache::{Cache, Key};
 use whirl_solver::machine::{Machine, MachineParts};
 
-pub(crate) use plan::{BodyPlan, Outline, Plan};
+pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
 
 use crate::case::{self, Case, LawSource, System, SystemDraft};
 use crate::errors::Failure;
@@ -78,7 +78,7 @@ pub(crate) struct Counts {
 pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     let draft = case::draft(name)?;
     if let (false, SystemDraft::Rotor(rotor)) = (draft.errors.is_empty(), &draft.system) {
-        Plan::of(&Outline::from(&**rotor), draft.errors.clone(), warnings)?;
+        MachinePlan::of(&Outline::from(&**rotor), draft.errors.clone(), warnings)?;
     }
     Ok(draft.finish()?)
 }
@@ -87,9 +87,12 @@ pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failu
 ///
 /// # Errors
 /// Whatever is wrong with meshes and sets.
-pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Plan>, Failure> {
+pub(crate) fn plan(
+    case: &Case,
+    warnings: &mut Vec<String>,
+) -> Result<Option<MachinePlan>, Failure> {
     match &case.system {
-        System::Rotor(rotor) => Plan::new(rotor, warnings).map(Some),
+        System::Rotor(rotor) => MachinePlan::new(rotor, warnings).map(Some),
         System::Lumped(_) => Ok(None),
     }
 }
@@ -100,14 +103,14 @@ pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Pla
 /// Whatever is wrong with constraints and laws.
 pub(crate) fn build(
     case: &Case,
-    plan: Option<&Plan>,
+    plan: Option<&MachinePlan>,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
     match (&case.system, plan) {
         (System::Rotor(rotor), Some(plan)) => rotor::build(rotor, plan, cache, warnings),
         (System::Rotor(rotor), None) => {
-            rotor::build(rotor, &Plan::new(rotor, warnings)?, cache, warnings)
+            rotor::build(rotor, &MachinePlan::new(rotor, warnings)?, cache, warnings)
         }
         (System::Lumped(lumped), _) => lumped::build(lumped),
     }
@@ -123,7 +126,7 @@ pub(crate) fn parts(
 ) -> Result<Option<MachineParts>, Failure> {
     match &case.system {
         System::Rotor(rotor) => {
-            let plan = Plan::new(rotor, warnings)?;
+            let plan = MachinePlan::new(rotor, warnings)?;
             Ok(Some(rotor::assemble(rotor, &plan, None, warnings)?.parts))
         }
         System::Lumped(_) => Ok(None),

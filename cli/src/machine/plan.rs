@@ -20,7 +20,7 @@ use crate::errors::Failure;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Both bodies before their reduction.
-pub(crate) struct Plan {
+pub(crate) struct MachinePlan {
     /// The rotating body.
     pub(crate) shaft: BodyPlan,
     /// The standing body.
@@ -112,29 +112,29 @@ impl<'a> From<&'a RotorDraft> for Outline<'a> {
     }
 }
 
-impl Plan {
+impl MachinePlan {
     /// Reads or makes the meshes, and finds the sets that the case names.
     ///
     /// # Errors
     /// Everything that is wrong with the meshes, every set that is missing or of the wrong size, and what
     /// does not fit together.
-    pub(crate) fn new(rotor: &Rotor, warnings: &mut Vec<String>) -> Result<Plan, Failure> {
-        let plan = Plan::of(&Outline::from(rotor), Diagnostics::new(), warnings)?;
+    pub(crate) fn new(rotor: &Rotor, warnings: &mut Vec<String>) -> Result<MachinePlan, Failure> {
+        let plan = MachinePlan::of(&Outline::from(rotor), Diagnostics::new(), warnings)?;
         let mut plan = plan.expect("nothing of a whole case is missing");
         plan.laws = laws(rotor, &plan)?;
         Ok(plan)
     }
 
-    /// As [`Plan::new`], for as much as is there of a case with these errors; they are reported together. None
+    /// As [`MachinePlan::new`], for as much as is there of a case with these errors; they are reported together. None
     /// if nothing is wrong but a body is missing.
     ///
     /// # Errors
-    /// These, and those of [`Plan::new`].
+    /// These, and those of [`MachinePlan::new`].
     pub(crate) fn of(
         outline: &Outline,
         mut errors: Diagnostics,
         warnings: &mut Vec<String>,
-    ) -> Result<Option<Plan>, Failure> {
+    ) -> Result<Option<MachinePlan>, Failure> {
         let mut rest = None;
         let mut made = |mesh: Result<Mesh, Failure>, errors: &mut Diagnostics| {
             match mesh {
@@ -161,7 +161,7 @@ impl Plan {
         }
         let (Some(on_shaft), Some((support, bores))) = (shaft, support) else { return Ok(None) };
         let OnShaft { shaft, journals, drive, loads } = on_shaft;
-        Ok(Some(Plan { shaft, support, journals, bores, drive, loads, laws: Vec::new() }))
+        Ok(Some(MachinePlan { shaft, support, journals, bores, drive, loads, laws: Vec::new() }))
     }
 
     /// Checks for what would keep the bodies from being reduced, without reducing them.

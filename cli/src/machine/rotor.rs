@@ -7,7 +7,7 @@ use whirl_solver::machine::{Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 
 use super::bodies::bodies;
-use super::plan::Plan;
+use super::plan::MachinePlan;
 use super::springs::{Laws, angles, clearance, explain};
 use super::{BodyFacts, Built};
 use crate::case::{self, LawSource, Rotor};
@@ -15,7 +15,7 @@ use crate::errors::Failure;
 
 pub(super) fn build(
     rotor: &Rotor,
-    plan: &Plan,
+    plan: &MachinePlan,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
@@ -44,7 +44,7 @@ pub(super) struct Assembled {
 /// Reduces the bodies and places springs and loads.
 pub(super) fn assemble(
     rotor: &Rotor,
-    plan: &Plan,
+    plan: &MachinePlan,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Assembled, Failure> {
@@ -77,7 +77,7 @@ pub(super) fn assemble(
 
 fn bearings(
     rotor: &Rotor,
-    plan: &Plan,
+    plan: &MachinePlan,
     shaft: &Shaft,
     laws: &mut Laws,
 ) -> Result<Vec<Bearing>, Failure> {
@@ -111,7 +111,7 @@ fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
     }
 }
 
-fn loads(rotor: &Rotor, plan: &Plan, shaft: &Shaft) -> Vec<Load> {
+fn loads(rotor: &Rotor, plan: &MachinePlan, shaft: &Shaft) -> Vec<Load> {
     let mut loads = Vec::new();
     for (load, places) in rotor.loads.iter().zip(&plan.loads) {
         let time_function = match load.frequency {
@@ -133,7 +133,7 @@ fn loads(rotor: &Rotor, plan: &Plan, shaft: &Shaft) -> Vec<Load> {
 }
 
 /// The driving couple: ±F along y of the shaft's frame at the driven nodes, F = torque / distance along x.
-fn couple(rotor: &Rotor, plan: &Plan, shaft: &Shaft) -> Vec<Load> {
+fn couple(rotor: &Rotor, plan: &MachinePlan, shaft: &Shaft) -> Vec<Load> {
     if !rotor.drive.acts {
         return Vec::new();
     }

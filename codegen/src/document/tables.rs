@@ -56,9 +56,9 @@ impl<'d> Table<'d> {
 
     /// What `read` makes of this table, which is finished then.
     pub fn read<T>(self, read: impl FnOnce(&Table<'d>) -> T) -> T {
-        let made = read(&self);
+        let read_value = read(&self);
         self.finish();
-        made
+        read_value
     }
 
     /// Tables in a list (`[[key]]`); none if the key is not given.

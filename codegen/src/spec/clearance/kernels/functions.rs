@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::part::{Part, row};
+use super::part::{KernelPart, row};
 use super::program::{
     AFTER_SUMS, EACH_RING, EACH_SPRING, Sum, TABLE, entry, force, of_ring, taken,
 };
@@ -94,7 +94,7 @@ impl<'a> Kernels<'a> {
     /// What the law takes, and the measures beside that on which its forces work.
     fn inputs(&self) -> TokenStream {
         let names = taken(self.contact);
-        let part = Part::new(self, |name| names.iter().any(|own| own == name));
+        let part = KernelPart::new(self, |name| names.iter().any(|own| own == name));
         let (before, each, about) = (part.before(), part.each(), part.about("Inputs of the law"));
         let (rows, write) = part.rows(&names);
         quote! {
@@ -114,7 +114,7 @@ impl<'a> Kernels<'a> {
     fn force(&self) -> TokenStream {
         let ring: Vec<String> = (0..RING).map(|i| of_ring(&force(i))).collect();
         let bore: Vec<String> = (RING..self.contact.coordinates()).map(force).collect();
-        let part = Part::new(self, |name| ring.iter().chain(&bore).any(|own| own == name));
+        let part = KernelPart::new(self, |name| ring.iter().chain(&bore).any(|own| own == name));
         let (before, each, about) = (part.before(), part.each(), part.about("Generalised forces"));
         let (rows, write) = part.rows(&bore);
         let (start, add, after) = (part.start(), part.add(), part.after());
@@ -153,7 +153,7 @@ impl<'a> Kernels<'a> {
         ];
         let all: Vec<&String> =
             ring.iter().chain(blocks.iter().flat_map(|(_, names)| names)).collect();
-        let part = Part::new(self, |name| all.iter().any(|own| *own == name));
+        let part = KernelPart::new(self, |name| all.iter().any(|own| *own == name));
         let about = part.about("Derivatives B + a1·P of the generalised forces");
         let (opening, each) = (part.before(), part.each());
         let (start, add, after) = (part.start(), part.add(), part.after());

@@ -14,7 +14,7 @@ pub(super) fn row(name: &str) -> Ident {
 }
 
 /// The outputs that one function gives, with the sums that they need.
-pub(super) struct Part<'a> {
+pub(super) struct KernelPart<'a> {
     kernels: &'a Kernels<'a>,
     program: Program,
     /// Inputs, and values of the table, that it uses.
@@ -22,7 +22,7 @@ pub(super) struct Part<'a> {
     sums: Vec<&'a Sum>,
 }
 
-impl<'a> Part<'a> {
+impl<'a> KernelPart<'a> {
     pub(super) fn new(kernels: &'a Kernels<'a>, wanted: impl Fn(&str) -> bool) -> Self {
         let used = kernels.program.restricted(&wanted).used_inputs();
         let sums: Vec<&Sum> = kernels.sums.iter().filter(|s| used.contains(&s.total)).collect();
@@ -36,7 +36,7 @@ impl<'a> Part<'a> {
             kept.iter().filter_map(|o| program.name_of(*o).map(str::to_owned)).collect();
         used.retain(|name| *name != kernels.spec.spring.name);
         used.extend(kept);
-        Part { kernels, program, used, sums }
+        KernelPart { kernels, program, used, sums }
     }
 
     pub(super) fn about(&self, what: &str) -> TokenStream {

@@ -66,10 +66,10 @@ impl CellForm<'_> {
             quote!([usize; #places]),
             quote!([#(#values),*]),
         );
-        let made = made(pairs, &factor);
+        let scaled = in_matrix(pairs, &factor);
         let jacobian = self.jacobian(tables, &quote!(tangents));
         let text = quote! {
-            let factor = #made;
+            let factor = #scaled;
             let mut tangents = [[L::splat(0.0); 3]; #rows];
             for i in 0..3 { #steps }
             let mut det = [L::splat(0.0); #points];
@@ -119,9 +119,9 @@ impl CellForm<'_> {
             quote!([[f64; #point_count]; #node_count]),
             quote!([#(#values),*]),
         );
-        let made = made(pairs, &number(1.0));
+        let scaled = in_matrix(pairs, &number(1.0));
         let text = quote! {
-            let factor = #made;
+            let factor = #scaled;
             #tangents
             let least_det = cells::determinants(
                 &workspace.tangents, &#columns, &#weights, factor, &mut workspace.det
@@ -148,7 +148,7 @@ impl CellForm<'_> {
 
 /// What the form makes of a product N_a N_b whose sum over the points is `sum`; the material's names hold in
 /// there only.
-fn made(pairs: &Pairs, sum: &NumberText) -> TokenStream {
+fn in_matrix(pairs: &Pairs, sum: &NumberText) -> TokenStream {
     let material = pairs.material.iter().map(|name| identifier(name));
     let (once, pair) = (pairs.once(), statements(&pairs.program, PAIR, Numbers::Fused));
     let name = identifier(&Pairs::name((0, 0)));

@@ -80,8 +80,9 @@ pub(in crate::spec) fn pairs_name(form: &Form) -> Ident {
 fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     let name = pairs_name(form);
     let parts = count(pairs.parts().len());
-    let made = Block::new(form, pairs);
-    let (block, both, length) = (block_name(form), made.functions(spec), count(made.once.len()));
+    let block_of_form = Block::new(form, pairs);
+    let (block, both, length) =
+        (block_name(form), block_of_form.functions(spec), count(block_of_form.once.len()));
     let loops = match &form.structure {
         Structure::Kronecker { .. } => each_pair(
             pairs,

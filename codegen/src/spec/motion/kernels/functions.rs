@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::kernel::{ResultKind, Writer};
-use super::plan::{Asked, Plan, plan};
+use super::plan::{Asked, KernelPlan, plan};
 use crate::emit::documented;
 use crate::expression::{Graph, Id, Rational, display};
 use crate::schedule::ScheduleError;
@@ -33,7 +33,7 @@ struct Kernel {
 pub struct Planned {
     kernel: Kernel,
     /// What it computes.
-    pub plan: Plan,
+    pub plan: KernelPlan,
     /// The graph in which the plan names things: the motion's, and more.
     pub graph: Graph,
 }
@@ -181,7 +181,7 @@ pub(super) fn function(
 }
 
 /// Title, equations and counts.
-fn header(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &Plan) -> String {
+fn header(spec: &MotionSpec, graph: &Graph, kernel: &Kernel, plan: &KernelPlan) -> String {
     let mut text = format!("{}\n\n```text\n", kernel.title);
     let names: Vec<&str> = spec.coordinates.iter().map(|c| c.name.as_str()).collect();
     for (place, expression) in kernel.expressions.iter().enumerate() {

@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 
 use super::combination::{Text, combination, entry};
 use super::form::{Combination, Group};
-use super::plan::{AFTER, BEFORE, MatrixProduct, Plan};
+use super::plan::{AFTER, BEFORE, KernelPlan, MatrixProduct};
 use crate::emit::{Numbers, identifier, operand, statements};
 use crate::expression::{Graph, Id, Node, Shape};
 use crate::operation::Operand;
@@ -29,7 +29,7 @@ pub enum ResultKind {
 pub(super) struct Writer<'a> {
     pub(super) spec: &'a MotionSpec,
     pub(super) graph: &'a Graph,
-    pub(super) plan: &'a Plan,
+    pub(super) plan: &'a KernelPlan,
 }
 
 impl Writer<'_> {

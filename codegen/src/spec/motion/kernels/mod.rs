@@ -14,7 +14,7 @@ mod product;
 pub use form::{Combination, Group, Term};
 pub use functions::{Planned, planned};
 pub use kernel::ResultKind;
-pub use plan::{AFTER, BEFORE, DotProduct, MatrixProduct, Plan};
+pub use plan::{AFTER, BEFORE, DotProduct, KernelPlan, MatrixProduct};
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};

@@ -17,7 +17,7 @@ pub const AFTER: usize = 1;
 
 /// A kernel, ready to be written.
 #[derive(Debug)]
-pub struct Plan {
+pub struct KernelPlan {
     /// Matrix–vector products, operands first.
     pub products: Vec<MatrixProduct>,
     /// Dot products, after all matrix–vector products.
@@ -63,7 +63,7 @@ pub(super) struct Asked {
     pub(super) expression: Id,
 }
 
-impl Plan {
+impl KernelPlan {
     /// Whether a matrix can be written in the same pass over the columns as the products of the first level.
     pub(super) fn fuses(&self, form: &Combination<Operand>) -> bool {
         let early = |operand: &Operand| self.scalars.stage_of(*operand) == BEFORE;
@@ -87,7 +87,7 @@ impl Plan {
 ///
 /// # Errors
 /// Expressions beyond the graph's bounds, or that are not linear in what they combine.
-pub(super) fn plan(graph: &mut Graph, outputs: &[Asked]) -> Result<Plan, ScheduleError> {
+pub(super) fn plan(graph: &mut Graph, outputs: &[Asked]) -> Result<KernelPlan, ScheduleError> {
     let mut forms = Vec::with_capacity(outputs.len());
     for output in outputs {
         let plain = without_choices(graph, output.expression);
@@ -130,7 +130,7 @@ pub(super) fn plan(graph: &mut Graph, outputs: &[Asked]) -> Result<Plan, Schedul
     let outputs = (numbered.into_iter())
         .map(|form| form.map(|place, _| scalars.outputs[place].operand))
         .collect();
-    Ok(Plan { products, dots, scalars, outputs, names })
+    Ok(KernelPlan { products, dots, scalars, outputs, names })
 }
 
 /// How each dot product is written, and the products that they and the forms need.
