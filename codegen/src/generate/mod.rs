@@ -51,7 +51,7 @@ fn schedule(specs: Vec<Spec>) -> Result<Vec<Scheduled>, Diagnostics> {
 
 /// Grows with the time that work on a spec takes.
 fn size(spec: &Spec) -> usize {
-    spec.about().file.text.len()
+    spec.kind().effort * spec.about().file.text.len()
 }
 
 /// All results, or everything that is wrong.

@@ -48,6 +48,8 @@ pub(crate) trait SpecKind:
     const REGISTRY: &'static str;
     /// Type of an entry of the registry.
     const ENTRY: &'static str;
+    /// How long a byte of its text keeps the generator busy, compared with other kinds.
+    const EFFORT: usize = 1;
     /// Whether other kinds call its kernels, which are therefore written first.
     const CALLED: bool = false;
 
@@ -105,6 +107,8 @@ pub struct Kind {
     pub registry: &'static str,
     /// Type of an entry of the registry.
     pub(crate) entry: &'static str,
+    /// See `SpecKind::EFFORT`.
+    pub(crate) effort: usize,
     /// Whether other kinds call its kernels.
     pub(crate) called: bool,
 }
@@ -118,6 +122,7 @@ impl Kind {
             folder: K::FOLDER,
             registry: K::REGISTRY,
             entry: K::ENTRY,
+            effort: K::EFFORT,
             called: K::CALLED,
         }
     }

@@ -11,6 +11,7 @@ impl SpecKind for ClearanceSpec {
     const FOLDER: &'static str = "motion";
     const REGISTRY: &'static str = "clearances";
     const ENTRY: &'static str = "Clearance";
+    const EFFORT: usize = 20;
 
     fn read_with(file: &Arc<Source>, _beside: &Beside<'_>) -> Result<Self, Diagnostics> {
         ClearanceSpec::read(file)
