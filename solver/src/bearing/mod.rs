@@ -110,6 +110,11 @@ impl Springs {
         self.laws.iter().map(|law| law.bound.forces.len() * law.springs).sum()
     }
 
+    /// Values of the law that has the most, with so many rows a law and a value a spring.
+    fn most(&self, rows: fn(&PlacedLaw) -> usize) -> usize {
+        self.laws.iter().map(|law| rows(law) * law.springs).max().unwrap_or(0)
+    }
+
     /// Whether any law depends on how fast a bore moves.
     fn needs_rates(&self) -> bool {
         self.laws.iter().any(|law| law.bound.needs_rates())

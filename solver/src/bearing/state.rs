@@ -33,9 +33,7 @@ pub struct SpringState {
     bore: Vec<f64>,
     bore_dot: Vec<f64>,
     bore_force: Vec<f64>,
-    pub(super) law_inputs: Vec<f64>,
-    law_outputs: Vec<f64>,
-    pub(super) law_workspace: Vec<f64>,
+    pub(super) memory: LawMemory,
     rates: bool,
     /// Whether the laws are used where they may be believed.
     pub(super) monitor: ValidityMonitor,
@@ -108,6 +106,34 @@ impl LawState {
     }
 }
 
+/// Memory in which any of the laws is evaluated at all its springs.
+pub(super) struct LawMemory {
+    pub(super) inputs: Vec<f64>,
+    outputs: Vec<f64>,
+    pub(super) workspace: Vec<f64>,
+}
+
+impl LawMemory {
+    pub(super) fn new(springs: &Springs) -> Self {
+        let outputs = springs.most(|law| law.bound.forces.len() * (1 + law.bound.inputs.len()));
+        let workspace = springs.laws.iter().map(|law| law.bound.law.workspace()).max();
+        LawMemory {
+            inputs: vec![0.0; springs.most(|law| law.bound.inputs.len())],
+            outputs: vec![0.0; outputs],
+            workspace: vec![0.0; workspace.unwrap_or(0)],
+        }
+    }
+
+    /// What a law gives of the inputs that stand here: a row a force, each before those of its derivatives.
+    pub(super) fn evaluate(&mut self, law: &PlacedLaw) -> &[f64] {
+        let (bound, n) = (&law.bound, law.springs);
+        let inputs = &self.inputs[..bound.inputs.len() * n];
+        let outputs = &mut self.outputs[..bound.forces.len() * (1 + bound.inputs.len()) * n];
+        bound.law.evaluate(n, inputs, outputs, &mut self.workspace);
+        outputs
+    }
+}
+
 /// Rows from the spring at `first` on; nothing of no rows.
 fn from(rows: &[f64], first: usize) -> &[f64] {
     rows.get(first..).unwrap_or_default()
@@ -116,10 +142,6 @@ fn from(rows: &[f64], first: usize) -> &[f64] {
 impl SpringState {
     /// Memory for the springs.
     pub(crate) fn new(springs: &Springs) -> Self {
-        let most = |rows: fn(&PlacedLaw) -> usize| {
-            springs.laws.iter().map(|law| rows(law) * law.springs).max().unwrap_or(0)
-        };
-        let workspace = springs.laws.iter().map(|law| law.bound.law.workspace()).max();
         let motions = || vec![0.0; springs.bore.rows];
         SpringState {
             forces: vec![0.0; springs.forces()],
@@ -129,12 +151,7 @@ impl SpringState {
             bore: motions(),
             bore_dot: motions(),
             bore_force: motions(),
-            law_inputs: vec![0.0; most(|law| law.bound.inputs.len())],
-            law_outputs: vec![
-                0.0;
-                most(|law| law.bound.forces.len() * (1 + law.bound.inputs.len()))
-            ],
-            law_workspace: vec![0.0; workspace.unwrap_or(0)],
+            memory: LawMemory::new(springs),
             rates: springs.needs_rates(),
             monitor: ValidityMonitor::new(&springs.measures),
         }
@@ -220,10 +237,7 @@ impl SpringState {
         let (bound, n) = (&law.bound, law.springs);
         self.gather(law, place);
         let own = &mut self.laws[place];
-        let inputs = &self.law_inputs[..bound.inputs.len() * n];
-        let outputs = &mut self.law_outputs[..bound.forces.len() * (1 + bound.inputs.len()) * n];
-        bound.law.evaluate(n, inputs, outputs, &mut self.law_workspace);
-        let mut rows = outputs.chunks_exact(n.max(1));
+        let mut rows = self.memory.evaluate(law).chunks_exact(n.max(1));
         for &force in &bound.forces {
             let values = rows.next().unwrap_or_default();
             own.forces[force * n..][..n].copy_from_slice(values);
@@ -239,7 +253,7 @@ impl SpringState {
     pub(super) fn gather(&mut self, law: &PlacedLaw, place: usize) {
         let (n, own) = (law.springs, &self.laws[place].inputs);
         for (row, &input) in law.bound.inputs.iter().enumerate() {
-            self.law_inputs[row * n..][..n].copy_from_slice(&own[input * n..][..n]);
+            self.memory.inputs[row * n..][..n].copy_from_slice(&own[input * n..][..n]);
         }
     }
 

@@ -7,7 +7,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::spin::Spin;
-use super::state::{LawState, SpringState};
+use super::state::{LawMemory, LawState, SpringState};
 use super::{PlacedLaw, Springs};
 
 /// Nodes in (0, 1) of Lobatto's rule of five points, exact for polynomials of degree 7, and their weights.
@@ -71,9 +71,7 @@ pub(crate) struct WorkAlong {
     /// Of the forces of a law, spring by spring: ∫ along the way, and along the way at rest.
     along: Vec<f64>,
     at_rest: Vec<f64>,
-    inputs: Vec<f64>,
-    outputs: Vec<f64>,
-    workspace: Vec<f64>,
+    memory: LawMemory,
     /// The turn of the journals when the step began, where they spin in their frame, and the measures at its end
     /// if they had not turned since: what drives a spin does its work on no coordinate.
     spin: Option<Spin>,
@@ -91,22 +89,16 @@ struct LawStart {
 impl WorkAlong {
     /// Starts at a state that was just evaluated.
     pub(crate) fn new(springs: &Springs, state: &SpringState) -> Self {
-        let most = |rows: fn(&PlacedLaw) -> usize| {
-            springs.laws.iter().map(|law| rows(law) * law.springs).max().unwrap_or(0)
-        };
-        let forces = most(|law| law.bound.forces.len());
+        let forces = springs.most(|law| law.bound.forces.len());
         let start =
             |law: &LawState| LawStart { inputs: law.inputs.clone(), forces: law.forces.clone() };
-        let workspace = springs.laws.iter().map(|law| law.bound.law.workspace()).max();
         WorkAlong {
             starts: state.laws.iter().map(start).collect(),
             along: vec![0.0; forces],
             at_rest: vec![0.0; forces],
-            inputs: vec![0.0; most(|law| law.bound.inputs.len())],
-            outputs: vec![0.0; most(|law| law.bound.forces.len() * (1 + law.bound.inputs.len()))],
-            workspace: vec![0.0; workspace.unwrap_or(0)],
+            memory: LawMemory::new(springs),
             spin: state.spin,
-            without_spin: vec![0.0; most(|law| law.bound.kind.rows)],
+            without_spin: vec![0.0; springs.most(|law| law.bound.kind.rows)],
             bearings: vec![Flow::default(); springs.bearings],
         }
     }
@@ -150,11 +142,10 @@ impl WorkAlong {
             let sums = self.along[k * n..][..n].iter_mut();
             sums.zip(ends).for_each(|(sum, (a, b))| *sum = END * (a + b));
         }
-        let inputs = &mut self.inputs[..bound.inputs.len() * n];
-        let outputs = &mut self.outputs[..bound.forces.len() * (1 + bound.inputs.len()) * n];
+        let memory = &mut self.memory;
         let mut add = |s: f64, weight: f64, at_rest: bool, sums: &mut [f64]| {
             for (row, &input) in bound.inputs.iter().enumerate() {
-                let values = &mut inputs[row * n..][..n];
+                let values = &mut memory.inputs[row * n..][..n];
                 if at_rest && bound.kind.inputs[input].rate {
                     values.fill(0.0);
                     continue;
@@ -162,8 +153,8 @@ impl WorkAlong {
                 let ends = start.inputs[input * n..].iter().zip(&end.inputs[input * n..]);
                 values.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
             }
-            bound.law.evaluate(n, inputs, outputs, &mut self.workspace);
-            let forces = outputs.chunks_exact(n.max(1)).step_by(1 + bound.inputs.len());
+            let forces =
+                memory.evaluate(law).chunks_exact(n.max(1)).step_by(1 + bound.inputs.len());
             for (sums, forces) in sums.chunks_exact_mut(n.max(1)).zip(forces) {
                 sums.iter_mut().zip(forces).for_each(|(sum, force)| *sum += weight * force);
             }
