@@ -126,8 +126,7 @@ fn options(case: &Case, built: &Built) -> MarchOptions {
         },
         cycle: case.march.steady_cycle(),
         stop_when_steady: false,
-        initial_shaft: built.initial.clone(),
-        initial_speed: 0.0,
+        initial: built.initial.clone(),
     }
 }
 

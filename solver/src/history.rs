@@ -15,27 +15,35 @@ impl History {
         History { names, values: Vec::new() }
     }
 
-    /// The columns of a machine, as [`History::for_bearings`] has them.
+    /// The columns of a machine: time, angle and speed of the first body that turns, then for every bearing the
+    /// reaction on the journal (fixed frame, N), the displacement of the journal's middle node (fixed frame, µm), its
+    /// eccentricity against the bore (µm); then the torque on the journal about its own centre (N·m) for the bearings
+    /// whose laws give one, angle and speed of the other bodies that turn, the Newton iterations of the step.
     pub fn for_machine(machine: &Machine) -> Self {
-        let monitors = machine.monitors.iter().enumerate();
-        let turning: Vec<usize> = monitors.filter(|(_, own)| own.torque).map(|(k, _)| k).collect();
-        History::for_bearings(machine.monitors.len(), &turning)
+        let monitors = machine.monitors.iter();
+        let bearings: Vec<(&str, bool)> =
+            monitors.map(|own| (own.label.as_str(), own.torque)).collect();
+        let others = machine.turning().skip(1).map(|body| machine.bodies[body].name());
+        History::for_bearings(&bearings, &others.collect::<Vec<&str>>())
     }
 
-    /// The columns of a machine with `bearings` bearings: time, angle, speed, then for every bearing the
-    /// reaction on the shaft (fixed frame, N), the displacement of the journal's middle node (fixed frame,
-    /// µm), its eccentricity against the bore (µm); then the torque on the journal about its own centre (N·m)
-    /// for the bearings `turning`, counted from 0, whose laws give one; the Newton iterations of the step.
-    pub fn for_bearings(bearings: usize, turning: &[usize]) -> Self {
+    /// The columns as [`History::for_machine`] has them, of bearings with their labels and whether they have a torque,
+    /// and of the bodies that turn beside the first.
+    pub fn for_bearings(bearings: &[(&str, bool)], turning: &[&str]) -> Self {
         let mut names: Vec<String> =
             ["t_s", "theta_rad", "omega_rad_s"].map(str::to_owned).to_vec();
         for (prefix, unit) in [("R", "N"), ("", "um"), ("E", "um")] {
-            for k in 1..=bearings {
-                names.push(format!("{prefix}X{k}_{unit}"));
-                names.push(format!("{prefix}Y{k}_{unit}"));
+            for (label, _) in bearings {
+                names.push(format!("{prefix}X{label}_{unit}"));
+                names.push(format!("{prefix}Y{label}_{unit}"));
             }
         }
-        names.extend(turning.iter().map(|k| format!("MZ{}_Nm", k + 1)));
+        let torques = bearings.iter().filter(|(_, torque)| *torque);
+        names.extend(torques.map(|(label, _)| format!("MZ{label}_Nm")));
+        for body in turning {
+            names.push(format!("theta_{body}_rad"));
+            names.push(format!("omega_{body}_rad_s"));
+        }
         names.push("iterations".to_owned());
         History::new(names)
     }

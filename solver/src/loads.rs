@@ -1,14 +1,17 @@
-//! External loads on the shaft: fixed in space, or turning with it.
+//! External loads on a body: fixed in space, or turning with it.
 //!
 //! A force F fixed in space at a node with body-frame displacement u and initial position x0 gives
 //! Q_η = φᵀAᵀF and Q_θ = (A_θ(x0+u))·F, eq. (26); one fixed to the shaft gives Q_η = φᵀF and
 //! Q_θ = (x0+u) × F.
 
 use crate::body::BodyNode;
+use crate::machine::BodyPlace;
 
-/// A force on a node of the shaft, constant in direction.
+/// A force on a node of a body, constant in direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
+    /// The body, by its place in the machine.
+    pub body: usize,
     /// The node.
     pub node: BodyNode,
     /// Amplitude (N) along x, y, z.
@@ -43,8 +46,8 @@ pub enum TimeFunction {
 pub enum Frame {
     /// The fixed frame.
     Space,
-    /// The frame that turns with the shaft.
-    Shaft,
+    /// The frame that turns with the body.
+    Body,
 }
 
 impl Load {
@@ -68,9 +71,9 @@ impl Load {
     }
 
     /// |F| times how far a unit of a coordinate moves the node: what the load could do there, whatever its
-    /// direction. `place`: 0 is θ, 1 + j is η_j.
-    pub(crate) fn projected(&self, factor: f64, eta: &[f64], place: usize) -> f64 {
-        let reach = match place.checked_sub(1) {
+    /// direction. `coordinate`: that of the body; none for its rotation.
+    pub(crate) fn projected(&self, factor: f64, eta: &[f64], coordinate: Option<usize>) -> f64 {
+        let reach = match coordinate {
             None => {
                 let [x, y] = self.place(eta);
                 x.hypot(y)
@@ -81,70 +84,71 @@ impl Load {
         (factor * force).abs() * reach
     }
 
-    /// Adds the generalised force at `factor` times the amplitude.
+    /// Adds the generalised force at `factor` times the amplitude to those on q; the coordinates of the body stand at
+    /// `place`.
     pub(crate) fn add_force(
         &self,
         factor: f64,
         position: &Position,
-        eta: &[f64],
-        q_theta: &mut f64,
-        q_eta: &mut [f64],
+        q: &[f64],
+        place: &BodyPlace,
+        out: &mut [f64],
     ) {
         if factor == 0.0 {
             return;
         }
         let [fx, fy, fz] = self.body_force(factor, position);
-        let [x, y] = self.place(eta);
-        // (A_θ(x0+u))·F is the moment of F about the axis, in whichever frame both are written.
-        *q_theta += x * fy - y * fx;
-        for (j, value) in q_eta.iter_mut().enumerate() {
+        if let Some(theta) = place.rotation {
+            let [x, y] = self.place(&q[place.flexible.clone()]);
+            // (A_θ(x0+u))·F is the moment of F about the axis, in whichever frame both are written.
+            out[theta] += x * fy - y * fx;
+        }
+        for (j, value) in out[place.flexible.clone()].iter_mut().enumerate() {
             let shape = self.node.shapes.col(j);
             *value += shape[0] * fx + shape[1] * fy + shape[2] * fz;
         }
     }
 
-    /// Subtracts ∂(generalised force)/∂(θ, η) from a matrix of `rows` rows, column after column, whose
-    /// first rows and columns are θ, η.
+    /// Subtracts ∂(generalised force)/∂q from a matrix of as many rows as q has, column after column.
     pub(crate) fn subtract_tangent(
         &self,
         factor: f64,
         position: &Position,
-        eta: &[f64],
-        rows: usize,
+        q: &[f64],
+        place: &BodyPlace,
         matrix: &mut [f64],
     ) {
-        if factor == 0.0 {
-            return;
-        }
-        let [fx, fy, _] = self.body_force(factor, position);
+        let Some(theta) = place.rotation.filter(|_| factor != 0.0) else { return };
+        let ([fx, fy, _], rows) = (self.body_force(factor, position), q.len());
         let in_space = self.frame == Frame::Space;
         if in_space {
-            let [x, y] = self.place(eta);
+            let [x, y] = self.place(&q[place.flexible.clone()]);
             // ∂²A/∂θ² = −A in the plane: ∂Q_θ/∂θ = −(x0+u)·AᵀF.
-            matrix[0] += x * fx + y * fy;
+            matrix[theta * (rows + 1)] += x * fx + y * fy;
         }
-        for j in 0..self.node.shapes.cols {
+        for (j, column) in place.flexible.clone().enumerate() {
             let shape = self.node.shapes.col(j);
-            matrix[(1 + j) * rows] -= shape[0] * fy - shape[1] * fx;
+            let turned = shape[0] * fy - shape[1] * fx;
+            matrix[column * rows + theta] -= turned;
             if in_space {
-                // ∂(AᵀF)/∂θ = (fy, −fx) in the frame of the shaft.
-                matrix[1 + j] -= shape[0] * fy - shape[1] * fx;
+                // ∂(AᵀF)/∂θ = (fy, −fx) in the frame of the body.
+                matrix[theta * rows + column] -= turned;
             }
         }
     }
 
-    /// The force in the frame of the shaft.
+    /// The force in the frame of the body.
     fn body_force(&self, factor: f64, position: &Position) -> [f64; 3] {
         let [x, y, z] = self.force.map(|part| factor * part);
         match self.frame {
-            Frame::Shaft => [x, y, z],
+            Frame::Body => [x, y, z],
             Frame::Space => {
                 [position.cos * x + position.sin * y, -position.sin * x + position.cos * y, z]
             }
         }
     }
 
-    /// x0 + u in the plane, in the frame of the shaft.
+    /// x0 + u in the plane, in the frame of the body.
     fn place(&self, eta: &[f64]) -> [f64; 2] {
         [0, 1].map(|axis| {
             let moved: f64 =
@@ -167,7 +171,7 @@ impl Position {
         Position { sin, cos }
     }
 
-    /// A(θ)·(x, y): from the frame of the shaft to the fixed frame.
+    /// A(θ)·(x, y): from the frame of the body to the fixed frame.
     pub(crate) fn to_space(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }

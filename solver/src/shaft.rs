@@ -75,6 +75,9 @@ impl Reduced {
 }
 
 impl Shaft {
+    /// Names of the tensors, for messages.
+    pub(crate) const TENSORS: &str = "J0, y0, g0, M, Y and H";
+
     /// Reduces the mesh of a shaft.
     ///
     /// # Errors

@@ -2,9 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use whirl_solver::bearing::Bearing;
+use whirl_solver::bearing::{Bearing, Sides};
+use whirl_solver::dynamics::BodyStart;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
-use whirl_solver::machine::{Machine, MachineParts, Rotation};
+use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
@@ -21,6 +22,8 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
     for (place, stop) in lumped.stops.iter().enumerate() {
         bearings.push(Bearing {
             name: format!("stop {}", place + 1),
+            label: None,
+            sides: Sides::default(),
             journal: [0; 3],
             bore: [const { Vec::new() }; 3],
             clearance: stop.gap,
@@ -36,6 +39,7 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         });
     }
     let load = |force: [f64; 2], time_function: TimeFunction| Load {
+        body: 0,
         node: shaft.nodes[0].clone(),
         force: [force[0], force[1], 0.0],
         time_function,
@@ -52,14 +56,16 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         loads.push(load([0.0, force], turning(0.0)));
     }
     let (used, law_hashes) = (laws.used(), laws.hashes());
+    let rotation = match lumped.unbalance {
+        Some(Unbalance { speed, .. }) => Rotation::Spinning { speed },
+        None => Rotation::Held,
+    };
     let machine = Machine::new(MachineParts {
-        shaft,
-        support: Support::rigid(&[]),
+        bodies: vec![
+            Body::turning("mass", shaft, rotation),
+            Body::standing("ground", Support::rigid(&[])),
+        ],
         motion: lumped.motion,
-        rotation: match lumped.unbalance {
-            Some(Unbalance { speed, .. }) => Rotation::Spinning { speed },
-            None => Rotation::Held,
-        },
         clearance: clearance(),
         laws: laws.into_laws(),
         bearings,
@@ -68,7 +74,11 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
     .map_err(|error| explain(error, |place| &lumped.stops[place].law_name, |_| &[]))?;
     Ok(Built {
         machine,
-        initial: [vec![lumped.displacement, 0.0], vec![lumped.velocity, 0.0]],
+        initial: vec![BodyStart {
+            speed: 0.0,
+            position: vec![lumped.displacement, 0.0],
+            velocity: vec![lumped.velocity, 0.0],
+        }],
         clearances: lumped.stops.iter().map(|stop| stop.gap).collect(),
         laws: used,
         law_hashes,

@@ -10,6 +10,7 @@ mod springs;
 
 use serde::Serialize;
 use whirl_solver::cache::{Cache, Key};
+use whirl_solver::dynamics::BodyStart;
 use whirl_solver::machine::{Machine, MachineParts};
 
 pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
@@ -21,8 +22,8 @@ use crate::errors::Failure;
 pub(crate) struct Built {
     /// The machine.
     pub(crate) machine: Machine,
-    /// η and η̇ at t = 0.
-    pub(crate) initial: [Vec<f64>; 2],
+    /// How the bodies begin.
+    pub(crate) initial: Vec<BodyStart>,
     /// Radial clearance of each bearing, m.
     pub(crate) clearances: Vec<f64>,
     /// The laws with the values with which they are used, in the order in which the case first names them.

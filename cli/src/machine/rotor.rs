@@ -1,9 +1,9 @@
 //! The machine of a shaft on a support.
 
-use whirl_solver::bearing::Bearing;
+use whirl_solver::bearing::{Bearing, Sides};
 use whirl_solver::cache::Cache;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
-use whirl_solver::machine::{Machine, MachineParts, Rotation};
+use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 
 use super::bodies::bodies;
@@ -25,7 +25,7 @@ pub(super) fn build(
             let bearing = |place: usize| &rotor.bearings[place];
             explain(error, |place| &bearing(place).law.name, |place| &bearing(place).bore)
         })?,
-        initial: [Vec::new(), Vec::new()],
+        initial: Vec::new(),
         clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),
         laws,
         law_hashes,
@@ -63,10 +63,11 @@ pub(super) fn assemble(
     };
     let (used, law_hashes) = (placed.used(), placed.hashes());
     let parts = MachineParts {
-        shaft: bodies.shaft,
-        support: bodies.support,
+        bodies: vec![
+            Body::turning("shaft", bodies.shaft, Rotation::Free),
+            Body::standing("support", bodies.support),
+        ],
         motion: rotor.shaft.motion,
-        rotation: Rotation::Free,
         clearance: clearance(),
         laws: placed.into_laws(),
         bearings,
@@ -86,6 +87,8 @@ fn bearings(
         let journal = plan.journals[place];
         bearings.push(Bearing {
             name: format!("bearing {}", place + 1),
+            label: None,
+            sides: Sides::default(),
             journal,
             bore: plan.bores[place].clone(),
             clearance: bearing.radial_clearance,
@@ -121,6 +124,7 @@ fn loads(rotor: &Rotor, plan: &MachinePlan, shaft: &Shaft) -> Vec<Load> {
         let mut force = [0.0; 3];
         force[load.direction] = load.force;
         let at = |&place: &usize| Load {
+            body: 0,
             node: shaft.nodes[place].clone(),
             force,
             time_function,
@@ -141,10 +145,11 @@ fn couple(rotor: &Rotor, plan: &MachinePlan, shaft: &Shaft) -> Vec<Load> {
     let force = rotor.drive.torque / (top.position[0] - bottom.position[0]);
     let time_function = TimeFunction::UntilSpeed { target: rotor.drive.target_speed };
     let half = |node: &whirl_solver::body::BodyNode, force| Load {
+        body: 0,
         node: node.clone(),
         force: [0.0, force, 0.0],
         time_function,
-        frame: Frame::Shaft,
+        frame: Frame::Body,
     };
     vec![half(top, force), half(bottom, -force)]
 }

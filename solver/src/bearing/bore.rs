@@ -1,4 +1,4 @@
-//! How a bore moves at its springs and as a whole, as rows over the support's coordinates.
+//! How a bore moves at its springs and as a whole, as rows over the coordinates of its body.
 
 use whirl_specs::{BoreMotion, Clearance};
 
@@ -6,8 +6,8 @@ use super::{Bearing, periodic_spline};
 use crate::body::BodyNode;
 use crate::error::Error;
 use crate::linalg::Matrix;
+use crate::machine::Body;
 use crate::mesh::measure::mean_radius;
-use crate::support::Support;
 
 /// The bore of a bearing: three rings of nodes, left, middle and right; a ring may be empty.
 pub(super) struct Bore<'a> {
@@ -16,7 +16,7 @@ pub(super) struct Bore<'a> {
     rings: [Vec<&'a BodyNode>; 3],
     /// From values at the nodes of a ring to those at the springs, where a law asks for them.
     splines: [Option<Matrix>; 3],
-    /// Coordinates of the support.
+    /// Coordinates of the body.
     size: usize,
 }
 
@@ -28,13 +28,13 @@ impl<'a> Bore<'a> {
     pub(super) fn new(
         kernels: &'a Clearance,
         (place, bearing): (usize, &'a Bearing),
-        support: &'a Support,
+        body: &'a Body,
         at_springs: bool,
     ) -> Result<Self, Vec<Error>> {
         let rings = bearing.bore.each_ref();
-        let rings = rings.map(|ring| ring.iter().map(|&node| &support.nodes[node]).collect());
+        let rings = rings.map(|ring| ring.iter().map(|&node| &body.nodes()[node]).collect());
         let mut bore =
-            Bore { kernels, bearing, rings, splines: [None, None, None], size: support.size() };
+            Bore { kernels, bearing, rings, splines: [None, None, None], size: body.size() };
         let weights = bearing.stations.iter().map(|&station| (kernels.axial)(station));
         let weights: Vec<[f64; 3]> = weights.collect();
         let mut errors = Vec::new();
@@ -43,8 +43,9 @@ impl<'a> Bore<'a> {
             if !at_springs || nodes.is_empty() || !used {
                 continue;
             }
-            let knots: Vec<f64> =
-                nodes.iter().map(|node| node.position[1].atan2(node.position[0])).collect();
+            let [x, y] = bearing.sides.bore_axis;
+            let angle = |node: &&BodyNode| (node.position[1] - y).atan2(node.position[0] - x);
+            let knots: Vec<f64> = nodes.iter().map(angle).collect();
             bore.splines[ring] = periodic_spline(&knots, &bearing.angles);
             if bore.splines[ring].is_none() {
                 let (bearing, nodes) = (bearing.name.clone(), nodes.len());
@@ -65,13 +66,42 @@ impl<'a> Bore<'a> {
                 continue;
             }
             match spline {
-                _ if !at_springs(motion) => add_rigid(ring, weight, motion, &mut rows[0]),
+                _ if !at_springs(motion) => {
+                    let axis = self.bearing.sides.bore_axis;
+                    add_rigid(ring, axis, weight, motion, &mut rows[0]);
+                }
                 Some(spline) => add_spline(ring, spline, weight, motion, angles, &mut rows),
                 None => {}
             }
         }
         rows
     }
+
+    /// b0 in the plane at `station`, in the rows of [`Bore::rows`].
+    pub(super) fn offset(&self, station: f64, motion: BoreMotion) -> Vec<f64> {
+        let weights = (self.kernels.axial)(station);
+        let [x, y] = between(&self.bearing.sides.offset, weights);
+        let at = |along: [f64; 2]| along[0] * x + along[1] * y;
+        match motion {
+            BoreMotion::MeanX => vec![x],
+            BoreMotion::MeanY => vec![y],
+            BoreMotion::MeanTurn => vec![0.0],
+            BoreMotion::Radial | BoreMotion::Tangential => {
+                self.bearing.angles.iter().map(|&angle| at(direction(motion, angle))).collect()
+            }
+        }
+    }
+}
+
+/// Values between those of the left end, the middle and the right end.
+pub(super) fn between(values: &[[f64; 2]; 3], weights: [f64; 3]) -> [f64; 2] {
+    [0, 1].map(|axis| values.iter().zip(weights).map(|(own, weight)| weight * own[axis]).sum())
+}
+
+/// The direction of a motion at a spring: the normal or the tangent.
+fn direction(motion: BoreMotion, angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    if motion == BoreMotion::Radial { [cos, sin] } else { [-sin, cos] }
 }
 
 /// Whether a motion is that of the bore at each spring.
@@ -89,9 +119,7 @@ fn add_spline(
     rows: &mut [Vec<f64>],
 ) {
     for (place, (row, angle)) in rows.iter_mut().zip(angles).enumerate() {
-        let (sin, cos) = angle.sin_cos();
-        let [along_x, along_y] =
-            if motion == BoreMotion::Radial { [cos, sin] } else { [-sin, cos] };
+        let [along_x, along_y] = direction(motion, *angle);
         for (knot, node) in ring.iter().enumerate() {
             let coefficient = weight * spline[(place, knot)];
             for (j, value) in row.iter_mut().enumerate() {
@@ -103,8 +131,8 @@ fn add_spline(
 }
 
 /// Adds the displacement of the axis or the rotation of the ring's [`rigid_fit`].
-fn add_rigid(ring: &[&BodyNode], weight: f64, motion: BoreMotion, row: &mut [f64]) {
-    let [x, y, turn] = rigid_fit(ring, row.len());
+fn add_rigid(ring: &[&BodyNode], axis: [f64; 2], weight: f64, motion: BoreMotion, row: &mut [f64]) {
+    let [x, y, turn] = rigid_fit(ring, axis, row.len());
     let fitted = match motion {
         BoreMotion::MeanX => x,
         BoreMotion::MeanY => y,
@@ -113,12 +141,12 @@ fn add_rigid(ring: &[&BodyNode], weight: f64, motion: BoreMotion, row: &mut [f64
     row.iter_mut().zip(fitted).for_each(|(sum, value)| *sum += weight * value);
 }
 
-/// The displacement b of the axis along x and y and the rotation β of the rigid motion δ = b + β ẑ×x that
-/// fits the nodes of the ring best, as rows over the support's `size` coordinates; zeros without nodes.
+/// The displacement b of the bore's `bore_axis` along x and y and the rotation β of the rigid motion δ = b + β ẑ×x
+/// that fits the nodes of the ring best, as rows over the `size` coordinates of the body; zeros without nodes.
 ///
 /// Their plain mean is not b: nodes that stand unevenly around have their centroid off the axis, and it moves
 /// when the ring turns.
-fn rigid_fit(ring: &[&BodyNode], size: usize) -> [Vec<f64>; 3] {
+fn rigid_fit(ring: &[&BodyNode], bore_axis: [f64; 2], size: usize) -> [Vec<f64>; 3] {
     if ring.is_empty() {
         return [0, 1, 2].map(|_| vec![0.0; size]);
     }
@@ -137,30 +165,38 @@ fn rigid_fit(ring: &[&BodyNode], size: usize) -> [Vec<f64>; 3] {
             mean[1] += delta[1] / count;
             turn += turns * (x * delta[1] - y * delta[0]);
         }
-        [mean[0] + turn * centre[1], mean[1] - turn * centre[0], turn]
+        let [x, y] = [0, 1].map(|axis| centre[axis] - bore_axis[axis]);
+        [mean[0] + turn * y, mean[1] - turn * x, turn]
     };
     let motions: Vec<[f64; 3]> = (0..size).map(motion).collect();
     [0, 1, 2].map(|row| motions.iter().map(|motion| motion[row]).collect())
 }
 
-/// Displacement of the axis of a ring of nodes along x and y, as laws of rings see it: rows over the
-/// support's coordinates.
-pub(crate) fn axis_motion(ring: &[usize], support: &Support) -> [Vec<f64>; 2] {
-    let nodes: Vec<&BodyNode> = ring.iter().map(|&node| &support.nodes[node]).collect();
-    let [x, y, _] = rigid_fit(&nodes, support.size());
+/// Displacement of the axis of a ring of nodes along x and y, as laws of rings see it: rows over the `size`
+/// coordinates of the body.
+pub(crate) fn axis_motion(
+    ring: &[usize],
+    nodes: &[BodyNode],
+    size: usize,
+    axis: [f64; 2],
+) -> [Vec<f64>; 2] {
+    let nodes: Vec<&BodyNode> = ring.iter().map(|&node| &nodes[node]).collect();
+    let [x, y, _] = rigid_fit(&nodes, axis, size);
     [x, y]
 }
 
 /// Radius of the journal in a bore whose nodes stand at their mean distance from the axis, c further out;
 /// `None` where the bore has no nodes.
-pub(super) fn journal_radius(bearing: &Bearing, support: &Support) -> Option<f64> {
-    let positions = bearing.bore.iter().flatten().map(|&node| support.nodes[node].position);
-    let mean = mean_radius(positions.map(|[x, y, _]| [x, y]));
+pub(super) fn journal_radius(bearing: &Bearing, nodes: &[BodyNode]) -> Option<f64> {
+    let positions = bearing.bore.iter().flatten().map(|&node| nodes[node].position);
+    let [left, below] = bearing.sides.bore_axis;
+    let mean = mean_radius(positions.map(|[x, y, _]| [x - left, y - below]));
     (!mean.is_nan()).then_some(mean - bearing.clearance)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Sides;
     use super::*;
 
     /// Nodes at `places` that move as one body by b_x, b_y and β, coordinates 0, 1 and 2, and turn about
@@ -184,7 +220,7 @@ mod tests {
         // Unevenly around, with a centroid off the axis along both directions.
         let nodes = rigid(&[[0.3, 0.1], [0.2, 0.25], [-0.1, 0.3], [0.28, -0.12]]);
         let ring: Vec<&BodyNode> = nodes.iter().collect();
-        close(&rigid_fit(&ring, 3), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        close(&rigid_fit(&ring, [0.0; 2], 3), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
     }
 
     #[test]
@@ -192,16 +228,17 @@ mod tests {
         let nodes = rigid(&[[0.3, 0.1]; 2]);
         let ring: Vec<&BodyNode> = nodes.iter().collect();
         // What turns them moves them, and nothing else.
-        close(&rigid_fit(&ring, 3), [[1.0, 0.0, -0.1], [0.0, 1.0, 0.3], [0.0; 3]]);
-        close(&rigid_fit(&[], 3), [[0.0; 3]; 3]);
+        close(&rigid_fit(&ring, [0.0; 2], 3), [[1.0, 0.0, -0.1], [0.0, 1.0, 0.3], [0.0; 3]]);
+        close(&rigid_fit(&[], [0.0; 2], 3), [[0.0; 3]; 3]);
     }
 
     #[test]
     fn the_bore_stands_the_clearance_out_from_the_journal() {
         let nodes = rigid(&[[0.3, 0.4], [-0.4, 0.3], [0.0, -0.7], [0.0, 0.3]]);
-        let support = Support { nodes, ..Support::rigid(&[]) };
         let bearing = Bearing {
             name: String::new(),
+            label: None,
+            sides: Sides::default(),
             journal: [0; 3],
             bore: [vec![0], vec![1, 2], vec![3]],
             clearance: 0.1,
@@ -210,10 +247,8 @@ mod tests {
             angles: Vec::new(),
             law: 0,
         };
-        let radius = journal_radius(&bearing, &support).expect("four nodes");
+        let radius = journal_radius(&bearing, &nodes).expect("four nodes");
         assert!((radius - 0.4).abs() < 1e-15, "{radius}");
-        assert!(
-            journal_radius(&Bearing { bore: Default::default(), ..bearing }, &support).is_none()
-        );
+        assert!(journal_radius(&Bearing { bore: Default::default(), ..bearing }, &nodes).is_none());
     }
 }

@@ -1,5 +1,7 @@
 //! Bearing laws as the marcher sees them: named inputs to named outputs, over rows of springs.
 
+use std::sync::Arc;
+
 use whirl_specs::{Contact, ContactVariable, Law};
 use whirl_text::nearest_in_any_case;
 
@@ -68,8 +70,9 @@ impl SpringLaw for &'static Law {
 }
 
 /// A law with its inputs and outputs found by name.
+#[derive(Clone)]
 pub(crate) struct BoundLaw {
-    pub(crate) law: Box<dyn SpringLaw>,
+    pub(crate) law: Arc<dyn SpringLaw>,
     pub(crate) kind: &'static Contact,
     /// For every input of the law its place in [`Contact::inputs`].
     pub(crate) inputs: Vec<usize>,
@@ -155,7 +158,7 @@ impl BoundLaw {
     /// # Errors
     /// An input or an output that no kind of law has, or inputs and outputs of different kinds.
     pub(crate) fn new(
-        law: Box<dyn SpringLaw>,
+        law: Arc<dyn SpringLaw>,
         kinds: &'static [Contact],
     ) -> Result<Self, WrongLaw> {
         let place =

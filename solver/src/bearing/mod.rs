@@ -1,5 +1,6 @@
 //! Springs between journals and bores: where they stand, how far the film is open there, what they push.
 
+mod apart;
 mod bore;
 pub mod law;
 mod place;
@@ -15,8 +16,10 @@ use std::ops::Range;
 pub use law::{SpringLaw, Validity};
 pub use spline::{periodic_spline, spline_passes};
 pub use state::SpringState;
+pub(crate) use state::TurnedRows;
 pub use valid::{Measure, Worst};
 
+pub(crate) use apart::Apart;
 pub(crate) use bore::axis_motion;
 use law::BoundLaw;
 use valid::Measures;
@@ -28,10 +31,14 @@ use crate::linalg::Matrix;
 pub struct Bearing {
     /// Name in messages, such as `bearing 2`.
     pub name: String,
-    /// Centre-line nodes at the left end, the middle and the right end, as places in `Shaft::nodes`.
+    /// What its columns in results are called by; its number, counted from 1, if there is none.
+    pub label: Option<String>,
+    /// The bodies that it joins.
+    pub sides: Sides,
+    /// Centre-line nodes at the left end, the middle and the right end, as places in the nodes of the journal's body.
     pub journal: [usize; 3],
-    /// Bore nodes in the planes of the same three, as places in `Support::nodes`; all empty where the
-    /// support is rigid.
+    /// Bore nodes in the planes of the same three, as places in the nodes of the bore's body; all empty where it is
+    /// rigid.
     pub bore: [Vec<usize>; 3],
     /// Radial clearance c (m).
     pub clearance: f64,
@@ -46,6 +53,34 @@ pub struct Bearing {
     pub law: usize,
 }
 
+/// The bodies that a bearing joins, and how they stand to each other undeformed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sides {
+    /// Bodies of the journal and of the bore, by their places in the machine.
+    pub bodies: [usize; 2],
+    /// Δ: axis of the journal's body less that of the bore (m), fixed in space and constant in z.
+    pub apart: [f64; 2],
+    /// Axis of the bore among the nodes of its body (m); zero on a body that turns.
+    pub bore_axis: [f64; 2],
+    /// ε0: run-out or bow of the journal at the left end, the middle and the right end (m), fixed in its body.
+    pub run_out: [[f64; 2]; 3],
+    /// b0: offset or tilt of the bore at the same three (m), fixed in its body.
+    pub offset: [[f64; 2]; 3],
+}
+
+impl Default for Sides {
+    /// A journal on the first body in a bore of the second one, centred.
+    fn default() -> Self {
+        Sides {
+            bodies: [0, 1],
+            apart: [0.0; 2],
+            bore_axis: [0.0; 2],
+            run_out: [[0.0; 2]; 3],
+            offset: [[0.0; 2]; 3],
+        }
+    }
+}
+
 /// One plane in which a law acts: at every spring, or once.
 pub(crate) struct Plane {
     /// Which law.
@@ -54,8 +89,15 @@ pub(crate) struct Plane {
     pub(crate) bearing: usize,
     /// Its springs among those of the law; one if the law acts once a plane.
     pub(crate) springs: Range<usize>,
-    /// ε_x and ε_y as Σ coefficient · η.
-    pub(crate) eccentricity: [Vec<(usize, f64)>; 2],
+    /// The angle of the journal against the bore, and the displacement ε_x and ε_y of the journal in the frame of its
+    /// body, as Σ coefficient · q. Where the axes are apart the last terms of ε are of θ of the journal, and change.
+    pub(crate) rows: [Vec<(usize, f64)>; 3],
+    /// The axes of both bodies, where they are apart.
+    pub(crate) apart: Option<Apart>,
+    /// ε0 in the plane (m).
+    run_out: [f64; 2],
+    /// Speed with which the journal spins in its frame (rad/s), where it does.
+    spin: Option<f64>,
     /// Radial clearance c (m).
     pub(crate) clearance: f64,
     /// Radius of the journal (m); of no effect where no law needs it and none is known.
@@ -64,7 +106,7 @@ pub(crate) struct Plane {
     arm: f64,
 }
 
-/// A law in all its planes, whose springs lie side by side in every row.
+/// A law in all its planes in the bores of one body; their springs lie side by side in every row.
 pub(crate) struct PlacedLaw {
     pub(crate) bound: BoundLaw,
     /// Its planes among all.
@@ -73,8 +115,22 @@ pub(crate) struct PlacedLaw {
     pub(crate) springs: usize,
     /// What the kernels of its kind keep of every spring.
     table: Vec<f64>,
-    /// For every motion of the bore its first row in [`Springs::bore`]; none if the law does not need it.
+    /// The body of its bores, by its place in [`Springs::bores`].
+    pub(crate) bores: usize,
+    /// For every motion of the bore its first row in [`Bores::rows`]; none if the law does not need it.
     pub(crate) motions: Vec<Option<usize>>,
+}
+
+/// How the bores of a body move at all springs.
+pub(crate) struct Bores {
+    /// Where the coordinates of the body stand in q.
+    pub(crate) place: Range<usize>,
+    /// T_b: motions of the bores from these coordinates (rows × coordinates), eqs. (20) to (23).
+    pub(crate) rows: Matrix,
+    /// T_bᵀ: one column a row of T_b.
+    pub(crate) transposed: Matrix,
+    /// b0 in the same rows, where any is not zero.
+    offset: Option<Vec<f64>>,
 }
 
 /// All springs of a machine, law after law.
@@ -83,17 +139,14 @@ pub struct Springs {
     pub(crate) bearings: usize,
     pub(crate) laws: Vec<PlacedLaw>,
     pub(crate) planes: Vec<Plane>,
-    /// T_b: motions of the bores from the support's coordinates (rows × coordinates), eqs. (20) to (23).
-    pub(crate) bore: Matrix,
-    /// T_bᵀ: one column a row of T_b.
-    pub(crate) bore_transposed: Matrix,
-    /// Number of η.
-    shaft_size: usize,
-    /// √Σ of the squares of how far a unit of each coordinate moves the springs: θ (at the farthest node that is
-    /// known), η, the support's. A force that is missing at every spring in its own way is missing as this many in
-    /// the coordinate's row.
+    /// The bores of every body that has some.
+    pub(crate) bores: Vec<Bores>,
+    /// √Σ of the squares of how far a unit of each coordinate of q moves the springs (a rotation: at the farthest
+    /// node of its body that is known). A force that is missing at every spring in its own way is missing as this many
+    /// in the coordinate's row.
     pub(crate) reach: Vec<f64>,
-    /// How far the journal moves in a plane by a unit of η_j, in the direction in which it does (planes × η).
+    /// How far the journal moves in a plane by a unit of a coordinate, in the direction in which it does (planes ×
+    /// q; rotations have none).
     arms: Matrix,
     /// Where the laws may be believed.
     measures: Measures,

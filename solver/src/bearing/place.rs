@@ -1,21 +1,21 @@
 //! Where springs stand: every law in the planes of the bearings that name it.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use whirl_specs::Clearance;
 
-use super::bore::{Bore, at_springs, journal_radius};
+use super::bore::{Bore, at_springs, between, journal_radius};
 use super::law::{BoundLaw, SpringLaw};
 use super::valid::Measures;
-use super::{Bearing, PlacedLaw, Plane, Springs};
+use super::{Apart, Bearing, Bores, PlacedLaw, Plane, Springs};
 use crate::body::BodyNode;
 use crate::error::Error;
 use crate::linalg::Matrix;
-use crate::shaft::Shaft;
-use crate::support::Support;
+use crate::machine::{Body, BodyPlace};
 
 impl Springs {
-    /// Places the springs of all bearings.
+    /// Places the springs of all bearings between bodies whose coordinates stand at `places` in q.
     ///
     /// # Errors
     /// A law whose inputs no spring has, or that needs a radius which nothing gives; bore nodes through which no
@@ -24,24 +24,24 @@ impl Springs {
         kernels: &'static Clearance,
         laws: Vec<Box<dyn SpringLaw>>,
         bearings: &[Bearing],
-        shaft: &Shaft,
-        support: &Support,
+        bodies: &[Body],
+        places: &[BodyPlace],
     ) -> Result<Self, Error> {
         let mut placing = Placing {
             kernels,
-            shaft,
-            support,
+            bodies,
+            places,
             laws: Vec::new(),
             planes: Vec::new(),
-            rows: Vec::new(),
+            bores: Vec::new(),
             errors: Vec::new(),
         };
         for (place, law) in laws.into_iter().enumerate() {
             let name = law.name().to_owned();
             let users = bearings.iter().enumerate().filter(|(_, bearing)| bearing.law == place);
             let users: Vec<(usize, &Bearing)> = users.collect();
-            match BoundLaw::new(law, kernels.contacts) {
-                Ok(law) => placing.place(law, &users),
+            match BoundLaw::new(Arc::from(law), kernels.contacts) {
+                Ok(law) => placing.place(&law, &users),
                 Err(wrong) => {
                     let bearing = users.first().map(|(number, _)| *number);
                     let (what, help) = (wrong.what, wrong.help);
@@ -49,19 +49,18 @@ impl Springs {
                 }
             }
         }
-        let Placing { laws, planes, rows, errors, .. } = placing;
+        let Placing { laws, planes, bores, errors, .. } = placing;
         Error::of_all(errors)?;
-        let bore = Matrix::from_fn(rows.len(), support.size(), |i, j| rows[i][j]);
-        let arms = arms(&planes, shaft.size());
+        let bores: Vec<Bores> = bores.into_iter().map(|own| own.placed(places)).collect();
+        let size = places.iter().map(|own| own.flexible.end).max().unwrap_or(0);
+        let arms = arms(&planes, places, size);
         let measures = Measures::new(bearings, &laws, &planes);
         Ok(Springs {
             bearings: bearings.len(),
-            reach: reach(&planes, shaft, &bore, &arms),
-            bore_transposed: bore.transpose(),
-            bore,
+            reach: reach(&planes, bearings, bodies, places, &bores, &arms),
+            bores,
             laws,
             planes,
-            shaft_size: shaft.size(),
             arms,
             measures,
         })
@@ -71,27 +70,64 @@ impl Springs {
 /// Springs that stand so far.
 struct Placing<'a> {
     kernels: &'a Clearance,
-    shaft: &'a Shaft,
-    support: &'a Support,
+    bodies: &'a [Body],
+    places: &'a [BodyPlace],
     laws: Vec<PlacedLaw>,
     planes: Vec<Plane>,
-    /// Rows of T_b.
-    rows: Vec<Vec<f64>>,
+    bores: Vec<PlacingBores>,
     errors: Vec<Error>,
 }
 
+/// Rows of T_b of a body so far, and b0 in them.
+struct PlacingBores {
+    body: usize,
+    rows: Vec<Vec<f64>>,
+    offset: Vec<f64>,
+}
+
+impl PlacingBores {
+    fn placed(self, places: &[BodyPlace]) -> Bores {
+        let place = places[self.body].flexible.clone();
+        let rows = Matrix::from_fn(self.rows.len(), place.len(), |i, j| self.rows[i][j]);
+        let offset = self.offset.iter().any(|b0| *b0 != 0.0).then_some(self.offset);
+        Bores { place, transposed: rows.transpose(), rows, offset }
+    }
+}
+
+/// A motion of all bores of a law: rows of T_b, and b0 in them.
+#[derive(Clone, Default)]
+struct MotionRows {
+    rows: Vec<Vec<f64>>,
+    offset: Vec<f64>,
+}
+
 impl Placing<'_> {
-    /// Places a law in the bearings that name it.
-    fn place(&mut self, law: BoundLaw, users: &[(usize, &Bearing)]) {
+    /// Places a law in the bearings that name it, body of the bores by body.
+    fn place(&mut self, law: &BoundLaw, users: &[(usize, &Bearing)]) {
+        let mut bodies: Vec<usize> = Vec::new();
+        for (_, bearing) in users {
+            let bore = bearing.sides.bodies[1];
+            if !bodies.contains(&bore) {
+                bodies.push(bore);
+            }
+        }
+        for body in bodies {
+            let users = users.iter().filter(|(_, bearing)| bearing.sides.bodies[1] == body);
+            let users: Vec<(usize, &Bearing)> = users.copied().collect();
+            self.place_in(law.clone(), body, &users);
+        }
+    }
+
+    /// Places a law in bearings whose bores are on one body.
+    fn place_in(&mut self, law: BoundLaw, body: usize, users: &[(usize, &Bearing)]) {
         let (kind, first) = (law.kind, self.planes.len());
         let needed = law.motions();
-        // Rows of T_b of every motion, and the angles of all springs.
-        let mut rows: Vec<Vec<Vec<f64>>> = vec![Vec::new(); kind.bore.len()];
+        let mut motions = vec![MotionRows::default(); kind.bore.len()];
         let mut angles = Vec::new();
         for &(number, bearing) in users {
             let radius = self.radius(&law, (number, bearing));
             let along_ring = kind.bore.iter().zip(&needed).any(|(m, own)| *own && at_springs(*m));
-            let bore = Bore::new(self.kernels, (number, bearing), self.support, along_ring);
+            let bore = Bore::new(self.kernels, (number, bearing), &self.bodies[body], along_ring);
             let (radius, bore) = match (radius, bore) {
                 (Ok(radius), Ok(bore)) => (radius, bore),
                 (radius, bore) => {
@@ -102,36 +138,79 @@ impl Placing<'_> {
             };
             let count = if kind.each_spring { bearing.angles.len() } else { 1 };
             for &station in &bearing.stations {
-                for ((motion, needed), rows) in kind.bore.iter().zip(&needed).zip(&mut rows) {
+                for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
                     if *needed {
                         // A motion of the whole ring is that of each of its springs.
-                        let own = bore.rows(station, *motion);
-                        rows.extend(own.into_iter().cycle().take(count));
+                        let (rows, offset) =
+                            (bore.rows(station, *motion), bore.offset(station, *motion));
+                        own.rows.extend(rows.into_iter().cycle().take(count));
+                        own.offset.extend(offset.into_iter().cycle().take(count));
                     }
                 }
                 let start = angles.len();
                 angles.extend(bearing.angles.iter().copied().chain([0.0]).take(count));
-                self.planes.push(Plane {
-                    law: self.laws.len(),
-                    bearing: number,
-                    springs: start..angles.len(),
-                    eccentricity: eccentricity(self.kernels, bearing, station, self.shaft),
-                    clearance: bearing.clearance,
-                    radius: radius.unwrap_or(0.0),
-                    arm: radius.filter(|radius| *radius > 0.0).unwrap_or(1.0),
-                });
+                let springs = start..angles.len();
+                let plane = self.plane((number, bearing), station, springs, radius);
+                self.planes.push(plane);
             }
         }
         let mut table = vec![0.0; kind.table * angles.len()];
         (kind.prepare)(&angles, &mut table);
-        let motions = rows.into_iter().zip(&needed).map(|(rows, needed)| {
-            let first = self.rows.len();
-            self.rows.extend(rows);
+        let bores = self.bores_of(body);
+        let own = &mut self.bores[bores];
+        let motions = motions.into_iter().zip(&needed).map(|(motion, needed)| {
+            let first = own.rows.len();
+            own.rows.extend(motion.rows);
+            own.offset.extend(motion.offset);
             needed.then_some(first)
         });
-        let (planes, springs) = (first..self.planes.len(), angles.len());
         let motions = motions.collect();
-        self.laws.push(PlacedLaw { bound: law, planes, springs, table, motions });
+        let (planes, springs) = (first..self.planes.len(), angles.len());
+        self.laws.push(PlacedLaw { bound: law, planes, springs, table, bores, motions });
+    }
+
+    /// The place of the bores of a body, which are added if they are new.
+    fn bores_of(&mut self, body: usize) -> usize {
+        let known = self.bores.iter().position(|own| own.body == body);
+        known.unwrap_or_else(|| {
+            self.bores.push(PlacingBores { body, rows: Vec::new(), offset: Vec::new() });
+            self.bores.len() - 1
+        })
+    }
+
+    /// The plane of a bearing at `station`, of the law that is placed next.
+    fn plane(
+        &self,
+        (number, bearing): (usize, &Bearing),
+        station: f64,
+        springs: Range<usize>,
+        radius: Option<f64>,
+    ) -> Plane {
+        let sides = &bearing.sides;
+        let [journal, bore] = sides.bodies.map(|body| &self.places[body]);
+        let body = &self.bodies[sides.bodies[0]];
+        let weights = (self.kernels.axial)(station);
+        let angle = journal.rotation.map(|place| (place, 1.0));
+        let against = bore.rotation.map(|place| (place, -1.0));
+        let [mut x, mut y] = eccentricity(bearing, weights, body.nodes(), &journal.flexible);
+        let apart = (sides.apart != [0.0; 2])
+            .then_some(Apart { theta: journal.rotation, delta: sides.apart });
+        if let Some(place) = apart.and_then(|own| own.theta) {
+            x.push((place, 0.0));
+            y.push((place, 0.0));
+        }
+        Plane {
+            law: self.laws.len(),
+            bearing: number,
+            springs,
+            rows: [angle.into_iter().chain(against).collect(), x, y],
+            apart,
+            run_out: between(&sides.run_out, weights),
+            spin: body.rotation().and_then(|rotation| rotation.spin()),
+            clearance: bearing.clearance,
+            radius: radius.unwrap_or(0.0),
+            arm: radius.filter(|radius| *radius > 0.0).unwrap_or(1.0),
+        }
     }
 
     /// The journal's radius, where it is known.
@@ -140,7 +219,8 @@ impl Placing<'_> {
         law: &BoundLaw,
         (place, bearing): (usize, &Bearing),
     ) -> Result<Option<f64>, Error> {
-        let radius = bearing.journal_radius.or_else(|| journal_radius(bearing, self.support));
+        let nodes = self.bodies[bearing.sides.bodies[1]].nodes();
+        let radius = bearing.journal_radius.or_else(|| journal_radius(bearing, nodes));
         match (radius, law.needs_radius()) {
             (None, Some(name)) => Err(Error::Law {
                 law: law.law.name().to_owned(),
@@ -157,49 +237,61 @@ impl Placing<'_> {
     }
 }
 
-/// ε(z) = Σ A_i(z) ε_i, eqs. (11) to (13), as rows over η.
+/// ε(z) = Σ A_i(z) ε_i, eqs. (11) to (13), as rows over the journal's body, whose coordinates stand at `place`.
 fn eccentricity(
-    kernels: &Clearance,
     bearing: &Bearing,
-    station: f64,
-    shaft: &Shaft,
+    weights: [f64; 3],
+    nodes: &[BodyNode],
+    place: &Range<usize>,
 ) -> [Vec<(usize, f64)>; 2] {
-    let weights = (kernels.axial)(station);
     [0, 1].map(|direction| {
-        (0..shaft.size())
-            .map(|j| {
-                let parts = bearing.journal.iter().zip(weights);
-                let shape = |node: &usize| shaft.nodes[*node].shapes[(direction, j)];
-                (j, parts.map(|(node, weight)| weight * shape(node)).sum())
-            })
-            .filter(|&(_, value): &(usize, f64)| value != 0.0)
-            .collect()
+        let row = (0..place.len()).map(|j| {
+            let parts = bearing.journal.iter().zip(weights);
+            let shape = |node: &usize| nodes[*node].shapes[(direction, j)];
+            (place.start + j, parts.map(|(node, weight)| weight * shape(node)).sum())
+        });
+        row.filter(|&(_, value): &(usize, f64)| value != 0.0).collect()
     })
 }
 
-/// √(ε_x² + ε_y²) by a unit of each η, one row a plane.
-fn arms(planes: &[Plane], shaft_size: usize) -> Matrix {
+/// √(ε_x² + ε_y²) by a unit of each coordinate, one row a plane; zero for rotations.
+fn arms(planes: &[Plane], places: &[BodyPlace], size: usize) -> Matrix {
+    let rotations: Vec<usize> = places.iter().filter_map(|own| own.rotation).collect();
     let rows = planes.iter().map(|plane| {
-        let mut arms = vec![0.0_f64; shaft_size];
-        let both = plane.eccentricity.iter().flatten();
+        let mut arms = vec![0.0_f64; size];
+        let [_, x, y] = &plane.rows;
+        let both = x.iter().chain(y).filter(|(place, _)| !rotations.contains(place));
         both.for_each(|&(j, coefficient)| arms[j] = arms[j].hypot(coefficient));
         arms
     });
     let rows: Vec<Vec<f64>> = rows.collect();
-    Matrix::from_fn(rows.len(), shaft_size, |i, j| rows[i][j])
+    Matrix::from_fn(rows.len(), size, |i, j| rows[i][j])
 }
 
 /// See [`Springs::reach`].
-fn reach(planes: &[Plane], shaft: &Shaft, bore: &Matrix, arms: &Matrix) -> Vec<f64> {
-    let count = |springs: &Range<usize>| springs.len() as f64;
-    let all: f64 = planes.iter().map(|plane| count(&plane.springs)).sum();
-    let arm = |node: &BodyNode| node.position[0].hypot(node.position[1]);
-    let arm = shaft.nodes.iter().map(arm).fold(0.0, f64::max);
-    let on_shaft = (0..shaft.size()).map(|j| {
-        let squares = planes.iter().zip(arms.col(j)).map(|(p, arm)| count(&p.springs) * arm * arm);
-        squares.sum::<f64>().sqrt()
-    });
-    let on_support =
-        (0..bore.cols).map(|j| bore.col(j).iter().map(|own| own * own).sum::<f64>().sqrt());
-    std::iter::once(arm * all.sqrt()).chain(on_shaft).chain(on_support).collect()
+fn reach(
+    planes: &[Plane],
+    bearings: &[Bearing],
+    bodies: &[Body],
+    places: &[BodyPlace],
+    bores: &[Bores],
+    arms: &Matrix,
+) -> Vec<f64> {
+    let count = |plane: &Plane| plane.springs.len() as f64;
+    let mut squares: Vec<f64> = (0..arms.cols)
+        .map(|j| planes.iter().zip(arms.col(j)).map(|(plane, arm)| count(plane) * arm * arm).sum())
+        .collect();
+    for (body, place) in places.iter().enumerate() {
+        let Some(rotation) = place.rotation else { continue };
+        let arm = |node: &BodyNode| node.position[0].hypot(node.position[1]);
+        let arm = bodies[body].nodes().iter().map(arm).fold(0.0, f64::max);
+        let own = planes.iter().filter(|own| bearings[own.bearing].sides.bodies.contains(&body));
+        squares[rotation] = arm * arm * own.map(count).sum::<f64>();
+    }
+    for own in bores {
+        for (j, place) in own.place.clone().enumerate() {
+            squares[place] += own.rows.col(j).iter().map(|part| part * part).sum::<f64>();
+        }
+    }
+    squares.into_iter().map(f64::sqrt).collect()
 }

@@ -2,39 +2,46 @@
 
 use super::{SpringState, Springs};
 use crate::linalg::largest_and_sum;
+use crate::machine::Owner;
 
 impl SpringState {
-    /// Of coordinate `place` of q (θ is 0, η_j is 1 + j) the largest single force projected on it, and the sum
-    /// of |force| over all that act on it: forces times how far a unit of the coordinate moves where they act.
-    pub(crate) fn projected(&self, springs: &Springs, place: usize) -> (f64, f64) {
+    /// Of coordinate `place` of q the largest single force projected on it, and the sum of |force| over all that act
+    /// on it: forces times how far a unit of the coordinate moves where they act.
+    pub(crate) fn projected(&self, springs: &Springs, owner: Owner, place: usize) -> (f64, f64) {
         let (mut largest, mut sum) = (0.0, 0.0);
         let mut add = |(size, all): (f64, f64)| {
             largest = f64::max(largest, size);
             sum += all;
         };
-        let first = 1 + springs.shaft_size;
-        if let Some(coordinate) = place.checked_sub(first) {
-            let column = springs.bore.col(coordinate);
-            for (law, own) in springs.laws.iter().zip(&self.laws) {
-                for (row, rows) in law.bore_rows() {
-                    let (coefficients, forces) = (&column[rows], &own.bore_force[row]);
-                    add(largest_and_sum(forces.len(), |j| coefficients[j] * forces[j]));
-                }
+        for (law, own) in springs.laws.iter().zip(&self.laws) {
+            let bores = &springs.bores[law.bores];
+            if owner.coordinate.is_none() || !bores.place.contains(&place) {
+                continue;
             }
-            return (largest, sum);
+            let column = bores.rows.col(place - bores.place.start);
+            for (row, rows) in law.bore_rows() {
+                let (coefficients, forces) = (&column[rows], &own.bore_force[row]);
+                add(largest_and_sum(forces.len(), |j| coefficients[j] * forces[j]));
+            }
         }
         for (number, (plane, moved)) in springs.planes.iter().zip(&self.planes).enumerate() {
+            let turns = plane.rows[0].iter().any(|(own, _)| *own == place);
+            let moves = springs.arms[(number, place)];
+            if !turns && moves == 0.0 {
+                continue;
+            }
             let law = &springs.laws[plane.law];
-            let [_, x, y] = moved.ring.position;
+            let distance =
+                moved.distance_from(plane.apart.and_then(|own| own.theta) == Some(place));
             let own = law.forces_of(&self.laws[plane.law]).zip(&law.bound.forces);
             for ((is_moment, forces), force) in own {
                 let at_surface = law.bound.kind.forces[*force].radius;
-                let arm = match place.checked_sub(1) {
-                    None if is_moment => 1.0,
-                    None if at_surface => plane.radius + x.hypot(y),
-                    None => x.hypot(y),
-                    Some(_) if is_moment => 0.0,
-                    Some(j) => springs.arms[(number, j)],
+                let arm = match turns {
+                    true if is_moment => 1.0,
+                    true if at_surface => plane.radius + distance,
+                    true => distance,
+                    false if is_moment => 0.0,
+                    false => moves,
                 };
                 let forces = &forces[plane.springs.clone()];
                 add(largest_and_sum(forces.len(), |j| arm * forces[j]));

@@ -2,23 +2,11 @@
 
 use whirl_specs::{ContactState, ContactTangent, Ring};
 
+use super::apart::Seen;
 use super::spin::Spin;
 use super::valid::ValidityMonitor;
-use super::{PlacedLaw, Plane, Springs};
-use crate::linalg::{Matrix, add_product};
-
-/// Position and velocity of the machine's coordinates, as the springs see them.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Motion<'a> {
-    pub(crate) theta: f64,
-    pub(crate) theta_dot: f64,
-    /// Angle (rad) and speed (rad/s) of the shaft in its frame, where it spins in one at rest.
-    pub(crate) spin: Option<[f64; 2]>,
-    pub(crate) eta: &'a [f64],
-    pub(crate) eta_dot: &'a [f64],
-    pub(crate) support: &'a [f64],
-    pub(crate) support_dot: &'a [f64],
-}
+use super::{Bores, PlacedLaw, Plane, Springs};
+use crate::linalg::add_product;
 
 /// All springs at one instant. Allocated once, filled at will.
 pub struct SpringState {
@@ -27,38 +15,91 @@ pub struct SpringState {
     pub(crate) forces: Vec<f64>,
     pub(super) planes: Vec<PlaneState>,
     pub(super) laws: Vec<LawState>,
-    /// The turn of the journals in their frame, where they spin in it.
-    pub(super) spin: Option<Spin>,
-    /// Motions of the bores (T_b times the support's coordinates), their rates, and the generalised forces on them.
-    bore: Vec<f64>,
-    bore_dot: Vec<f64>,
-    bore_force: Vec<f64>,
+    bores: Vec<BoreState>,
     pub(super) memory: LawMemory,
     rates: bool,
     /// Whether the laws are used where they may be believed.
     pub(super) monitor: ValidityMonitor,
 }
 
+/// Motions of the bores of a body (T_b times its coordinates), their rates, and the generalised forces on them.
+struct BoreState {
+    motion: Vec<f64>,
+    rate: Vec<f64>,
+    force: Vec<f64>,
+}
+
+impl BoreState {
+    fn new(bores: &Bores) -> Self {
+        let motions = || vec![0.0; bores.rows.rows];
+        BoreState { motion: motions(), rate: motions(), force: motions() }
+    }
+}
+
 /// One plane.
-#[derive(Clone, Default)]
+#[derive(Clone)]
 pub(super) struct PlaneState {
-    /// θ, ε_x and ε_y as the machine's coordinates give them, and their rates.
+    /// [`Plane::rows`] as they are at this instant.
+    pub(crate) rows: [Vec<(usize, f64)>; 3],
+    /// Angle of the journal's frame against the bore's, ε_x and ε_y without run-out as the machine's coordinates give
+    /// them, and their rates.
     position: [f64; 3],
     velocity: [f64; 3],
-    /// The same in the frame that turns with the journal.
+    /// The turn of the journal in its frame, where it spins in it.
+    pub(super) spin: Option<Spin>,
+    /// How the axes of both bodies stand apart, where they do.
+    pub(super) apart: Seen,
+    /// θ, ε_x and ε_y in the frame that turns with the journal.
     pub(super) ring: Ring,
     /// Generalised forces on (θ, ε_x, ε_y) there: N·m, N, N.
     pub(super) ring_force: [f64; 3],
 }
 
 impl PlaneState {
-    /// The ring of a clearance `c` (m) in the frame that turns with the journal.
-    fn ring_with(&self, spin: Option<Spin>, c: f64) -> Ring {
-        let ([_, x, y], [_, x_dot, y_dot]) = (self.position, self.velocity);
-        match spin {
+    fn new(plane: &Plane) -> Self {
+        PlaneState {
+            rows: plane.rows.clone(),
+            position: [0.0; 3],
+            velocity: [0.0; 3],
+            spin: None,
+            apart: Seen::default(),
+            ring: Ring::default(),
+            ring_force: [0.0; 3],
+        }
+    }
+
+    /// Takes the motion of the machine at time `t` (s).
+    fn take(&mut self, plane: &Plane, t: f64, q: &[f64], v: &[f64]) {
+        self.spin = plane.spin.map(|speed| Spin::new([speed * t, speed]));
+        self.position = plane.rows.each_ref().map(|row| along(row, q));
+        if let Some(apart) = &plane.apart {
+            self.apart = apart.seen(q, v);
+            for axis in 0..2 {
+                self.position[1 + axis] += self.apart.value[axis];
+                if let (Some(_), Some(last)) = (apart.theta, self.rows[1 + axis].last_mut()) {
+                    last.1 = self.apart.slope[axis];
+                }
+            }
+        }
+        self.velocity = self.rows.each_ref().map(|row| along(row, v));
+    }
+
+    /// The ring of a plane in the frame that turns with the journal.
+    fn ring_with(&self, plane: &Plane, spin: Option<Spin>) -> Ring {
+        let ([_, x, y], [_, x_dot, y_dot], c) = (self.position, self.velocity, plane.clearance);
+        let mut ring = match spin {
             Some(spin) => spin.ring([x, y], [x_dot, y_dot], c),
             None => Ring { position: self.position, velocity: self.velocity, c },
-        }
+        };
+        ring.position[1] += plane.run_out[0];
+        ring.position[2] += plane.run_out[1];
+        ring
+    }
+
+    /// How far the centre of the journal stands from the axis of its own body, or from that of the bore (m).
+    pub(super) fn distance_from(&self, own_axis: bool) -> f64 {
+        let ([_, x, y], [along_x, along_y]) = (self.ring.position, self.apart.value);
+        if own_axis { (x - along_x).hypot(y - along_y) } else { x.hypot(y) }
     }
 }
 
@@ -142,38 +183,39 @@ fn from(rows: &[f64], first: usize) -> &[f64] {
 impl SpringState {
     /// Memory for the springs.
     pub(crate) fn new(springs: &Springs) -> Self {
-        let motions = || vec![0.0; springs.bore.rows];
         SpringState {
             forces: vec![0.0; springs.forces()],
-            planes: vec![PlaneState::default(); springs.planes.len()],
+            planes: springs.planes.iter().map(PlaneState::new).collect(),
             laws: springs.laws.iter().map(LawState::new).collect(),
-            spin: None,
-            bore: motions(),
-            bore_dot: motions(),
-            bore_force: motions(),
+            bores: springs.bores.iter().map(BoreState::new).collect(),
             memory: LawMemory::new(springs),
             rates: springs.needs_rates(),
             monitor: ValidityMonitor::new(&springs.measures),
         }
     }
 
-    /// Computes everything but the tangent from the motion.
-    pub(crate) fn update(&mut self, springs: &Springs, motion: Motion) {
-        self.spin = motion.spin.map(Spin::new);
+    /// Computes everything but the tangent from the machine's motion at time `t` (s).
+    pub(crate) fn update(&mut self, springs: &Springs, t: f64, q: &[f64], v: &[f64]) {
         for (plane, own) in springs.planes.iter().zip(&mut self.planes) {
-            let [x, y] = &plane.eccentricity;
-            own.position = [motion.theta, along(x, motion.eta), along(y, motion.eta)];
-            own.velocity = [motion.theta_dot, along(x, motion.eta_dot), along(y, motion.eta_dot)];
+            own.take(plane, t, q, v);
         }
-        multiply(&springs.bore, motion.support, &mut self.bore);
-        if self.rates {
-            multiply(&springs.bore, motion.support_dot, &mut self.bore_dot);
+        for (bores, own) in springs.bores.iter().zip(&mut self.bores) {
+            match &bores.offset {
+                Some(offset) => own.motion.copy_from_slice(offset),
+                None => own.motion.fill(0.0),
+            }
+            add_product(&mut own.motion, &bores.rows, &q[bores.place.clone()]);
+            if self.rates {
+                own.rate.fill(0.0);
+                add_product(&mut own.rate, &bores.rows, &v[bores.place.clone()]);
+            }
         }
         for (law, own) in springs.laws.iter().zip(&mut self.laws) {
+            let bores = &self.bores[law.bores];
             for (row, rows) in law.bore_rows() {
-                own.bore[row.clone()].copy_from_slice(&self.bore[rows.clone()]);
+                own.bore[row.clone()].copy_from_slice(&bores.motion[rows.clone()]);
                 if self.rates {
-                    own.bore_dot[row].copy_from_slice(&self.bore_dot[rows]);
+                    own.bore_dot[row].copy_from_slice(&bores.rate[rows]);
                 }
             }
         }
@@ -181,8 +223,9 @@ impl SpringState {
             self.act(springs, law);
         }
         for (law, own) in springs.laws.iter().zip(&self.laws) {
+            let bores = &mut self.bores[law.bores];
             for (row, rows) in law.bore_rows() {
-                self.bore_force[rows].copy_from_slice(&own.bore_force[row]);
+                bores.force[rows].copy_from_slice(&own.bore_force[row]);
             }
         }
         self.test_forces(springs);
@@ -195,8 +238,8 @@ impl SpringState {
         let planes = springs.planes[law.planes.clone()].iter();
         let planes = planes.zip(&mut self.planes[law.planes.clone()]);
         for (plane, moved) in planes {
-            let (c, first) = (plane.clearance, plane.springs.start);
-            moved.ring = moved.ring_with(self.spin, c);
+            let first = plane.springs.start;
+            moved.ring = moved.ring_with(plane, moved.spin);
             let state = LawState::state(law, plane, &moved.ring, &own.bore, &own.bore_dot);
             let inputs = &mut own.inputs[first..];
             (law.bound.kind.evaluate)(plane.springs.len(), &state, inputs);
@@ -214,18 +257,18 @@ impl SpringState {
         }
     }
 
-    /// Inputs and measures of a law if the journals had turned in their frame as `spin` says.
+    /// Inputs and measures of a law if the journals had turned in their frames as `spins` say, one a plane.
     pub(super) fn measure_with(
         &self,
         springs: &Springs,
         place: usize,
-        spin: Spin,
+        spins: &[Option<Spin>],
         rows: &mut [f64],
     ) {
         let (law, own) = (&springs.laws[place], &self.laws[place]);
-        let planes = springs.planes[law.planes.clone()].iter();
-        for (plane, moved) in planes.zip(&self.planes[law.planes.clone()]) {
-            let ring = moved.ring_with(Some(spin), plane.clearance);
+        for number in law.planes.clone() {
+            let plane = &springs.planes[number];
+            let ring = self.planes[number].ring_with(plane, spins[number]);
             let state = LawState::state(law, plane, &ring, &own.bore, &own.bore_dot);
             let rows = &mut rows[plane.springs.start..];
             (law.bound.kind.evaluate)(plane.springs.len(), &state, rows);
@@ -274,8 +317,8 @@ impl SpringState {
 
     /// Generalised forces on (θ, ε_x, ε_y) of a plane: N·m, N, N; ε as the machine's coordinates give it.
     pub(crate) fn plane_force(&self, plane: usize) -> [f64; 3] {
-        let force = self.planes[plane].ring_force;
-        self.spin.as_ref().map_or(force, |spin| spin.force(force))
+        let own = &self.planes[plane];
+        own.spin.as_ref().map_or(own.ring_force, |spin| spin.force(own.ring_force))
     }
 
     /// Torque on the journal about its own centre in a plane (N·m): the generalised force on θ without the
@@ -286,22 +329,16 @@ impl SpringState {
         moment - (x * along_y - y * along_x)
     }
 
-    /// Adds the generalised forces on θ, η and the support's coordinates.
-    pub(crate) fn add_forces(
-        &self,
-        springs: &Springs,
-        theta: &mut f64,
-        eta: &mut [f64],
-        support: &mut [f64],
-    ) {
-        for (place, plane) in springs.planes.iter().enumerate() {
-            let force = self.plane_force(place);
-            *theta += force[0];
-            for (row, value) in plane.eccentricity.iter().zip(&force[1..]) {
-                row.iter().for_each(|&(j, coefficient)| eta[j] += coefficient * value);
+    /// Adds the generalised forces on q.
+    pub(crate) fn add_forces(&self, springs: &Springs, out: &mut [f64]) {
+        for (place, own) in self.planes.iter().enumerate() {
+            for (row, value) in own.rows.iter().zip(&self.plane_force(place)) {
+                row.iter().for_each(|&(j, coefficient)| out[j] += coefficient * value);
             }
         }
-        add_product(support, &springs.bore_transposed, &self.bore_force);
+        for (bores, own) in springs.bores.iter().zip(&self.bores) {
+            add_product(&mut out[bores.place.clone()], &bores.transposed, &own.force);
+        }
     }
 
     /// A law that gave no number when the springs were last updated, and its bearing.
@@ -315,32 +352,80 @@ impl SpringState {
         })
     }
 
-    /// The derivatives of the generalised forces of a plane, B + a1 P; see [`ContactTangent`].
+    /// [`Plane::rows`] as they are at this instant.
+    pub(crate) fn rows(&self, plane: usize) -> &[Vec<(usize, f64)>; 3] {
+        &self.planes[plane].rows
+    }
+
+    /// The derivatives of the generalised forces of a plane, B + a1 P; see [`ContactTangent`]. Where the axes are
+    /// apart `turned` gets what rows that change add to the derivatives by θ of the journal.
     pub(crate) fn tangent(
         &self,
         springs: &Springs,
         place: usize,
         a1: f64,
         out: &mut ContactTangent,
+        turned: &mut TurnedRows,
     ) {
         let plane = &springs.planes[place];
         let (law, own) = (&springs.laws[plane.law], &self.laws[plane.law]);
-        let ring = &self.planes[place].ring;
-        let state = LawState::state(law, plane, ring, &own.bore, &own.bore_dot);
+        let moved = &self.planes[place];
+        let state = LawState::state(law, plane, &moved.ring, &own.bore, &own.bore_dot);
         let (count, first) = (plane.springs.len(), plane.springs.start);
         let (forces, slopes) = (from(&own.forces, first), from(&own.slopes, first));
-        let mut tangent = |a1: f64| {
+        let tangent = |a1: f64, out: &mut ContactTangent| {
             (law.bound.kind.tangent)(count, &state, forces, slopes, a1, out);
-            out.ring_ring
         };
         // B + a1 P is linear in a1. What `out` holds of the bore in the end is of a1 itself.
         let step = if a1 > 0.0 { a1 } else { 1.0 };
-        let beyond = self.spin.as_ref().map(|spin| (spin, tangent(a1 + step)));
-        let both = tangent(a1);
-        if let Some((spin, more)) = beyond {
-            let rate = [0, 1, 2].map(|i| [0, 1, 2].map(|j| (more[i][j] - both[i][j]) / step));
+        let turns = plane.apart.is_some_and(|apart| apart.theta.is_some());
+        let beyond = (moved.spin.is_some() || turns).then(|| {
+            tangent(a1 + step, out);
+            (out.ring_ring, if turns { out.bore_ring.clone() } else { Vec::new() })
+        });
+        tangent(a1, out);
+        let Some((more, more_on_bore)) = beyond else { return };
+        let both = out.ring_ring;
+        let rate = [0, 1, 2].map(|i| [0, 1, 2].map(|j| (more[i][j] - both[i][j]) / step));
+        if let Some(spin) = &moved.spin {
             out.ring_ring = spin.tangent(&both, &rate);
         }
+        if turns {
+            turned.of(moved, &rate, &more_on_bore, &out.bore_ring, (count, step));
+        }
+    }
+}
+
+/// Where the axes of journal and bore are apart, ε depends on θ of the journal by more than a constant row. This is what
+/// that adds to the derivatives by θ of the forces on the ring (θ, ε_x, ε_y), on θ through the row itself, and on the
+/// motions of the bore (a row of springs a motion).
+#[derive(Default)]
+pub(crate) struct TurnedRows {
+    pub(crate) ring: [f64; 3],
+    pub(crate) row: f64,
+    pub(crate) bore: Vec<f64>,
+}
+
+impl TurnedRows {
+    fn of(
+        &mut self,
+        moved: &PlaneState,
+        rate: &[[f64; 3]; 3],
+        more: &[f64],
+        bore: &[f64],
+        (count, step): (usize, f64),
+    ) {
+        let ([x, y], [_, along_x, along_y]) = (moved.apart.rate_slope, moved.ring_force);
+        self.ring = rate.map(|row| row[1] * x + row[2] * y);
+        // ∂²(A(−θ)Δ)/∂θ² = −A(−θ)Δ.
+        self.row = -(along_x * moved.apart.value[0] + along_y * moved.apart.value[1]);
+        self.bore.clear();
+        let n = count.max(1);
+        let by_ring = more.chunks_exact(3 * n).zip(bore.chunks_exact(3 * n));
+        self.bore.extend(by_ring.flat_map(|(more, own)| {
+            let rate = move |i: usize, j: usize| (more[i * n + j] - own[i * n + j]) / step;
+            (0..n).map(move |j| rate(1, j) * x + rate(2, j) * y)
+        }));
     }
 }
 
@@ -372,10 +457,4 @@ impl PlacedLaw {
 /// Σ coefficient · x.
 pub(crate) fn along(row: &[(usize, f64)], x: &[f64]) -> f64 {
     row.iter().map(|&(j, coefficient)| coefficient * x[j]).sum()
-}
-
-/// y = A x.
-pub(crate) fn multiply(matrix: &Matrix, x: &[f64], y: &mut [f64]) {
-    y.fill(0.0);
-    add_product(y, matrix, x);
 }

@@ -72,9 +72,9 @@ pub(crate) struct WorkAlong {
     along: Vec<f64>,
     at_rest: Vec<f64>,
     memory: LawMemory,
-    /// The turn of the journals when the step began, where they spin in their frame, and the measures at its end
+    /// The turn of each plane's journal when the step began, where it spins in its frame, and the measures at its end
     /// if they had not turned since: what drives a spin does its work on no coordinate.
-    spin: Option<Spin>,
+    spins: Vec<Option<Spin>>,
     without_spin: Vec<f64>,
     /// Energy made and the work on all springs of each bearing in the last step.
     bearings: Vec<Flow>,
@@ -97,7 +97,7 @@ impl WorkAlong {
             along: vec![0.0; forces],
             at_rest: vec![0.0; forces],
             memory: LawMemory::new(springs),
-            spin: state.spin,
+            spins: state.planes.iter().map(|own| own.spin).collect(),
             without_spin: vec![0.0; springs.most(|law| law.bound.kind.rows)],
             bearings: vec![Flow::default(); springs.bearings],
         }
@@ -109,7 +109,7 @@ impl WorkAlong {
             start.inputs.copy_from_slice(&law.inputs);
             start.forces.copy_from_slice(&law.forces);
         }
-        self.spin = state.spin;
+        self.spins.iter_mut().zip(&state.planes).for_each(|(spin, own)| *spin = own.spin);
     }
 
     /// The work of the step that ends at a state just evaluated, where the next one starts.
@@ -118,14 +118,19 @@ impl WorkAlong {
         self.bearings.fill(Flow::default());
         for (place, law) in springs.laws.iter().enumerate() {
             self.integrate(law, place, &state.laws[place]);
-            if let Some(spin) = self.spin {
-                state.measure_with(springs, place, spin, &mut self.without_spin);
+            if self.any_spins(law) {
+                state.measure_with(springs, place, &self.spins, &mut self.without_spin);
             }
             self.add(springs, place, &state.laws[place], &mut work);
         }
         self.bearings.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
         self.start(state);
         work
+    }
+
+    /// Whether a journal of a law spins in its frame.
+    fn any_spins(&self, law: &PlacedLaw) -> bool {
+        self.spins[law.planes.clone()].iter().any(Option::is_some)
     }
 
     /// Of the last step, one a bearing.
@@ -177,7 +182,7 @@ impl WorkAlong {
     fn add(&mut self, springs: &Springs, place: usize, end: &LawState, work: &mut SpringWork) {
         let law = &springs.laws[place];
         let (start, n) = (&self.starts[place], law.springs);
-        let moved_to = if self.spin.is_some() { &self.without_spin } else { &end.inputs };
+        let moved_to = if self.any_spins(law) { &self.without_spin } else { &end.inputs };
         for plane in &springs.planes[law.planes.clone()] {
             let mut flow = Flow::default();
             for j in plane.springs.clone() {

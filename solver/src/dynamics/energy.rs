@@ -15,17 +15,17 @@ use crate::bearing::work::{SpringWork, WorkAlong};
 /// leave and what steps made of the springs' energy.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct EnergyBalance {
-    /// Work of the external loads.
+    /// Work of the external loads, and of the couples that rotations take which are prescribed.
     pub work_in: f64,
     /// Kinetic energy gained.
     pub kinetic: f64,
-    /// Strain energy of shaft and support gained.
+    /// Strain energy of the bodies gained.
     pub strain: f64,
     /// Work done against the forces that the springs of bearings and stops would have at rest.
     pub spring_stored: f64,
     /// Work done against the rest of their forces: friction, films, dampers.
     pub spring_dissipated: f64,
-    /// Work done on the dampers of shaft and support.
+    /// Work done on the dampers of the bodies.
     pub dissipated: f64,
     /// Energy in play: kinetic and strain energy at the start, and what loads, dampers and springs moved since,
     /// summed without sign.
@@ -66,6 +66,13 @@ pub(crate) struct EnergyMeter {
     along: WorkAlong,
     load: Vec<f64>,
     damper: Vec<f64>,
+    /// Residuals of the rows of rotations that are given: their drives' couples with the sign changed.
+    drive: Vec<f64>,
+}
+
+/// Residuals of the rows of rotations that are given.
+fn drives<'s>(system: &'s System) -> &'s [f64] {
+    &system.residual[..system.machine.first_unknown()]
 }
 
 impl EnergyMeter {
@@ -85,6 +92,7 @@ impl EnergyMeter {
             along: WorkAlong::new(&system.machine.springs, &system.springs),
             load: system.load.clone(),
             damper: system.damper.clone(),
+            drive: drives(system).to_vec(),
         }
     }
 
@@ -94,12 +102,14 @@ impl EnergyMeter {
             let forces = before.iter().zip(after).map(|(a, b)| 0.5 * (a + b));
             forces.zip(start.q.iter().zip(&end.q)).map(|(force, (a, b))| force * (b - a)).sum()
         };
-        let work_in = moved(&self.load, &system.load);
+        let driven = moved(&self.drive, drives(system));
+        let work_in = moved(&self.load, &system.load) - driven;
         let dissipated = moved(&self.damper, &system.damper);
         self.sums.work_in += work_in;
         self.sums.dissipated += dissipated;
         self.load.copy_from_slice(&system.load);
         self.damper.copy_from_slice(&system.damper);
+        self.drive.copy_from_slice(drives(system));
         let work = self.along.end(&system.machine.springs, &system.springs);
         self.sums.springs.add_step(&work);
         let bearings = self.along.bearings();
@@ -135,5 +145,6 @@ impl EnergyMeter {
         self.along.start(&system.springs);
         self.load.copy_from_slice(&system.load);
         self.damper.copy_from_slice(&system.damper);
+        self.drive.copy_from_slice(drives(system));
     }
 }

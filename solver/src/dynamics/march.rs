@@ -14,8 +14,8 @@ use super::system::System;
 use crate::bearing::Worst;
 use crate::error::Error;
 use crate::history::History;
-use crate::linalg::{Lu, copy_block_from};
-use crate::machine::{Machine, Rotation};
+use crate::linalg::Lu;
+use crate::machine::{BodyPlace, Machine};
 
 /// How far and how a machine is marched.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,10 +32,30 @@ pub struct MarchOptions {
     pub cycle: Option<f64>,
     /// Whether to stop at the steady state.
     pub stop_when_steady: bool,
-    /// Initial η and η̇; empty for zero.
-    pub initial_shaft: [Vec<f64>; 2],
-    /// Initial θ̇ (rad/s).
-    pub initial_speed: f64,
+    /// How the bodies begin, in their order; those that are missing begin at rest.
+    pub initial: Vec<BodyStart>,
+}
+
+/// A body at t = 0.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct BodyStart {
+    /// θ̇ (rad/s), where it is an unknown.
+    pub speed: f64,
+    /// η, or x_b; empty for zero.
+    pub position: Vec<f64>,
+    /// Their rates; empty for zero.
+    pub velocity: Vec<f64>,
+}
+
+impl BodyStart {
+    fn write(&self, place: &BodyPlace, state: &mut State) {
+        let first = place.flexible.start;
+        state.q[first..first + self.position.len()].copy_from_slice(&self.position);
+        state.v[first..first + self.velocity.len()].copy_from_slice(&self.velocity);
+        if let Some(theta) = place.rotation {
+            state.v[theta] = self.speed;
+        }
+    }
 }
 
 /// Where a march is.
@@ -132,12 +152,10 @@ impl<'m> March<'m> {
         let size = machine.size();
         let mut system = System::new(machine);
         let mut state = State::new(size);
-        let [position, velocity] = &options.initial_shaft;
-        state.q[1..=position.len()].copy_from_slice(position);
-        state.v[1..=velocity.len()].copy_from_slice(velocity);
-        if machine.rotation == Rotation::Free {
-            state.v[0] = options.initial_speed;
+        for (start, place) in options.initial.iter().zip(machine.places()) {
+            start.write(place, &mut state);
         }
+        machine.set_given(0.0, &mut state.q, &mut state.v, &mut state.a);
         let started = accelerate(&mut system, &mut state)
             .and_then(|()| Meters::new(&mut system, options.newmark, options.time_step, &state));
         let meters = match started {
@@ -228,7 +246,8 @@ impl<'m> March<'m> {
     /// Each driver stops when a step starts at its target speed or beyond, for good.
     fn release_loads(&mut self) {
         for (load, released) in self.machine.loads.iter().zip(&mut self.system.released) {
-            *released |= load.reaches(self.state.v[0]);
+            let theta = self.machine.places()[load.body].rotation;
+            *released |= theta.is_some_and(|theta| load.reaches(self.state.v[theta]));
         }
     }
 
@@ -238,6 +257,8 @@ impl<'m> March<'m> {
         let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
         start.copy_from(&self.state);
         step.predict(&start, &mut self.state);
+        let State { q, v, a } = &mut self.state;
+        self.machine.set_given(t + dt, q, v, a);
         let report = self.newton.solve(&mut self.system, t + dt, &step, &mut self.state);
         self.last_iterations += report.iterations;
         let solved = match report.ending {
@@ -343,16 +364,23 @@ impl<'m> March<'m> {
 
 /// Sets the accelerations from M q̈ = r at q̈ = 0, all loads included.
 fn accelerate(system: &mut System, state: &mut State) -> Result<(), Error> {
-    let rows = 1 + system.machine.shaft.size();
     let first = system.machine.first_unknown();
     system.evaluate(0.0, state);
     state.a[first..].copy_from_slice(&system.residual[first..]);
-    let mut whole = vec![0.0; rows * rows];
-    system.shaft_mass(state, &mut whole);
-    let mut mass = Lu::new(rows - first);
-    copy_block_from(first, &whole, rows, mass.values_mut());
-    mass.factor_in_place()?;
-    mass.solve_in_place(&mut state.a[first..rows]);
+    for body in 0..system.turning.len() {
+        let own = &mut system.turning[body];
+        let (theta, flexible) = (own.theta(), own.place.flexible.clone());
+        let given = theta < first;
+        let block = own.unknown_mass(state, given);
+        let mut mass = Lu::new(block.rows);
+        mass.factor(&block.data)?;
+        let mut own: Vec<f64> = own.of(&state.a).skip(usize::from(given)).collect();
+        mass.solve_in_place(&mut own);
+        state.a[flexible].copy_from_slice(&own[usize::from(!given)..]);
+        if !given {
+            state.a[theta] = own[0];
+        }
+    }
     system.evaluate(0.0, state);
     Ok(())
 }

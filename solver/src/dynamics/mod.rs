@@ -14,12 +14,13 @@ mod small;
 mod spring_tangent;
 mod steady;
 mod system;
+mod turning;
 mod verdict;
 mod windows;
 
 pub use checkpoint::Checkpoint;
 pub use energy::EnergyBalance;
-pub use march::{Failure, March, MarchOptions, Outcome, Progress, march};
+pub use march::{BodyStart, Failure, March, MarchOptions, Outcome, Progress, march};
 pub use newmark::{Coefficients, Newmark, State};
 pub use newton::NewtonOptions;
 pub use quality::Quality;

@@ -318,15 +318,9 @@ impl Newton {
         if self.weights_dt == step.dt {
             return;
         }
-        let (shaft, support) = (&system.machine.shaft, &system.machine.support);
-        let rotation = std::iter::once(step.a2 * shaft.j0);
-        let bent = (0..shaft.size()).map(|j| {
-            step.a2 * shaft.mass[(j, j)] + step.a1 * shaft.damping[(j, j)] + shaft.stiffness[(j, j)]
-        });
-        let moved = (0..support.size())
-            .map(|i| step.a2 + step.a1 * support.damping[i] + support.stiffness[i]);
-        let diagonal = rotation.chain(bent).chain(moved).skip(self.first);
-        self.weights.iter_mut().zip(diagonal).for_each(|(weight, s)| *weight = 1.0 / s);
+        let diagonal = system.diagonal(step);
+        let own = self.weights.iter_mut().zip(&diagonal[self.first..]);
+        own.for_each(|(weight, s)| *weight = 1.0 / s);
         self.weights_dt = step.dt;
     }
 

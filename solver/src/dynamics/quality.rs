@@ -171,8 +171,8 @@ fn scattered(step: u64) -> u64 {
     hash ^ (hash >> 31)
 }
 
-/// The modes of the machine at rest, springs as they are at the start. θ takes part: it and the flexible shaft
-/// accelerate against each other. Motions of more than 6000 steps a period are left out, so that a shaft that
+/// The modes of the machine at rest, springs as they are at the start. Every θ takes part: it and its flexible body
+/// accelerate against each other. Motions of more than 6000 steps a period are left out, so that a body that
 /// turns is not measured by its angle.
 struct MachineModes {
     /// ωΔt < 1.
@@ -187,22 +187,12 @@ impl MachineModes {
     fn new(system: &mut System, dt: f64, state: &State) -> Result<Self, Error> {
         let machine = system.machine;
         let (size, first) = (machine.size(), machine.first_unknown());
-        let on_shaft = 1 + machine.shaft.size();
         let mut tangent = vec![0.0; size * size];
         system.tangent(system.time, state, &Coefficients::at_rest(), &mut tangent);
         let unknowns: Vec<usize> = (first..size).collect();
         let whole = Matrix { rows: size, cols: size, data: tangent };
         let stiffness = whole.select(&unknowns, &unknowns).symmetric_part();
-        let mut inertia = vec![0.0; on_shaft * on_shaft];
-        system.shaft_mass(state, &mut inertia);
-        let mass = Matrix::from_fn(size - first, size - first, |i, j| {
-            let (i, j) = (first + i, first + j);
-            if i < on_shaft && j < on_shaft {
-                inertia[j * on_shaft + i]
-            } else {
-                f64::from(u8::from(i == j))
-            }
-        });
+        let mass = system.mass(state).select(&unknowns, &unknowns);
         let eigen = generalised_symmetric_eigen(&stiffness, &mass)?;
         let all: Vec<usize> = (0..size - first).collect();
         let project = |within: &dyn Fn(f64) -> bool| {
@@ -210,7 +200,8 @@ impl MachineModes {
             let modes: Vec<usize> = modes.copied().collect();
             let vectors = eigen.vectors.select(&all, &modes);
             let rows = crate::linalg::multiply(mass.view(), vectors.view());
-            Projection { first, rows, change: vec![0.0; size - first] }
+            let angles = machine.rotations() - first;
+            Projection { first, angles, rows, change: vec![0.0; size - first] }
         };
         let fastest = eigen.values.iter().copied().fold(0.0, f64::max);
         Ok(MachineModes {
@@ -223,8 +214,9 @@ impl MachineModes {
 
 /// The part of a motion in some modes, in the norm of M.
 struct Projection {
-    /// Place of the first unknown.
+    /// Place of the first unknown, and how many angles are unknown; they are the first.
     first: usize,
+    angles: usize,
     /// Unknowns × modes.
     rows: Matrix,
     change: Vec<f64>,
@@ -254,9 +246,7 @@ impl Projection {
     }
 
     fn norm_without_angle(&mut self) -> f64 {
-        if self.first == 0 {
-            self.change[0] = 0.0;
-        }
+        self.change[..self.angles].fill(0.0);
         norm(&self.rows, &self.change)
     }
 }
@@ -276,14 +266,11 @@ fn largest_eigenvalue(system: &mut System, t: f64, state: &State) -> f64 {
     const ITERATIONS: usize = 100;
     let machine = system.machine;
     let (size, first) = (machine.size(), machine.first_unknown());
-    let rows = 1 + machine.shaft.size();
     system.evaluate(t, state);
     let mut stiffness = vec![0.0; size * size];
     system.tangent(t, state, &Coefficients::at_rest(), &mut stiffness);
-    let mut whole = vec![0.0; rows * rows];
-    system.shaft_mass(state, &mut whole);
-    let unknowns: Vec<usize> = (first..rows).collect();
-    let mass = Matrix { rows, cols: rows, data: whole }.select(&unknowns, &unknowns);
+    let unknowns: Vec<usize> = (first..size).collect();
+    let mass = system.mass(state).select(&unknowns, &unknowns);
     let mut cholesky = Cholesky::new(mass.rows);
     if cholesky.factor(&mass.data).is_err() {
         return f64::NAN;
@@ -303,7 +290,7 @@ fn largest_eigenvalue(system: &mut System, t: f64, state: &State) -> f64 {
             next.iter_mut().zip(column).for_each(|(sum, k)| *sum += k * x);
         }
         next[..first].fill(0.0);
-        cholesky.solve_in_place(&mut next[first..rows]);
+        cholesky.solve_in_place(&mut next[first..]);
         value = crate::linalg::dot(&next, &x);
         x = next;
     }
@@ -359,8 +346,7 @@ impl Histogram {
 mod tests {
     use super::super::small::machine;
     use super::*;
-    use crate::bearing::Springs;
-    use crate::machine::{Machine, Rotation};
+    use crate::machine::{Body, Machine, MachineParts, Rotation};
 
     #[test]
     fn a_fraction_of_the_values_is_found_to_a_fiftieth_of_a_decade() {
@@ -393,18 +379,30 @@ mod tests {
     fn without_springs(rotation: Rotation) -> Machine {
         let mut machine = machine(rotation);
         assert!(machine.springs.count() > 0);
-        let (shaft, support) = (&machine.shaft, &machine.support);
-        let none = Springs::new(&whirl_specs::CLEARANCES[0], Vec::new(), &[], shaft, support);
-        machine.springs = none.expect("no springs");
+        let motion = machine.motion;
+        let bodies = machine.bodies;
+        machine = Machine::new(MachineParts {
+            bodies,
+            motion,
+            clearance: &whirl_specs::CLEARANCES[0],
+            laws: Vec::new(),
+            bearings: Vec::new(),
+            loads: Vec::new(),
+        })
+        .expect("no springs");
         assert!(machine.springs.count() == 0);
-        machine.loads.clear();
         machine
     }
 
     #[test]
     fn the_step_that_makes_most_energy_is_kept_with_its_ends() {
         let mut machine = without_springs(Rotation::Held);
-        (machine.shaft.stiffness, machine.support.stiffness) = (Matrix::zeros(2, 2), vec![0.0; 2]);
+        let [Body::Turning { shaft, .. }, Body::Standing { support, .. }] =
+            machine.bodies.as_mut_slice()
+        else {
+            panic!("a shaft on a support")
+        };
+        (shaft.stiffness, support.stiffness) = (Matrix::zeros(2, 2), vec![0.0; 2]);
         let mut system = System::new(&machine);
         let states: Vec<State> =
             [1.0, 2.0, 4.0, 8.0].map(|q| State { q: vec![q; 5], ..State::new(5) }).into();
@@ -426,7 +424,11 @@ mod tests {
         for rotation in [Rotation::Free, Rotation::Held] {
             for stiff in 0..4 {
                 let mut machine = without_springs(rotation);
-                let (shaft, support) = (&mut machine.shaft, &mut machine.support);
+                let [Body::Turning { shaft, .. }, Body::Standing { support, .. }] =
+                    machine.bodies.as_mut_slice()
+                else {
+                    panic!("a shaft on a support")
+                };
                 let value = |place: usize| if place == stiff { 3e4 } else { 2e3 };
                 shaft.mass = Matrix::from_diagonal(&[2.0, 3.0]);
                 shaft.stiffness = Matrix::from_diagonal(&[2.0 * value(0), 3.0 * value(1)]);

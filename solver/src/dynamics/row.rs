@@ -2,7 +2,6 @@
 
 use super::newmark::State;
 use super::system::System;
-use crate::linalg::dot;
 use crate::loads::Position;
 
 /// Places of the journals' displacements in a row of a machine with so many bearings.
@@ -20,12 +19,14 @@ pub(super) fn write_row(
     row: &mut [f64],
 ) {
     let (machine, springs) = (system.machine, &system.springs);
-    let first = 1 + machine.shaft.size();
-    let (eta, support) = (&state.q[1..first], &state.q[first..]);
-    let position = Position::new(state.q[0]);
     let bearings = machine.monitors.len();
-    let mut torque_column = 3 + 6 * bearings;
-    let [theta, speed] = machine.spin(time).unwrap_or([state.q[0], state.v[0]]);
+    let mut other = 3 + 6 * bearings;
+    let turn = |body: usize| {
+        let theta = machine.places()[body].rotation;
+        machine.turn(body, time, theta.map_or([0.0; 2], |own| [state.q[own], state.v[own]]))
+    };
+    let mut turning = machine.turning().map(turn);
+    let [theta, speed] = turning.next().unwrap_or_default();
     row[..3].copy_from_slice(&[time, theta, speed]);
     for (k, monitor) in machine.monitors.iter().enumerate() {
         let mut force = [0.0; 2];
@@ -33,21 +34,32 @@ pub(super) fn write_row(
             force[0] += x;
             force[1] += y;
         }
-        let reaction = position.to_space(force);
-        let journal =
-            position.to_space([dot(&monitor.journal[0], eta), dot(&monitor.journal[1], eta)]);
+        let places = monitor.bodies.map(|body| &machine.places()[body]);
+        let [frame, of_bore] =
+            places.map(|place| Position::new(place.rotation.map_or(0.0, |theta| state.q[theta])));
+        let [coordinates, bore] = places.map(|place| &state.q[place.flexible.clone()]);
+        let [journal, bore] = monitor.displacements(coordinates, bore);
+        let reaction = frame.to_space(force);
+        let displacement = frame.to_space(journal);
+        let bore = of_bore.to_space([0, 1].map(|axis| bore[axis] + monitor.offset[axis]));
+        // The run-out turns with the journal, in whatever frame its coordinates stand.
+        let turned = Position::new(turn(monitor.bodies[0])[0]).to_space(monitor.run_out);
         for axis in 0..2 {
             let place = 3 + 2 * k + axis;
-            let bore = dot(&monitor.bore[axis], support);
+            let eccentricity = displacement[axis] + turned[axis] + monitor.apart[axis] - bore[axis];
             row[place] = reaction[axis];
-            row[place + 2 * bearings] = 1e6 * journal[axis];
-            row[place + 4 * bearings] = 1e6 * (journal[axis] - bore);
+            row[place + 2 * bearings] = 1e6 * displacement[axis];
+            row[place + 4 * bearings] = 1e6 * eccentricity;
         }
         if monitor.torque {
             let torques = monitor.planes.iter().map(|&plane| springs.plane_torque(plane));
-            row[torque_column] = torques.sum();
-            torque_column += 1;
+            row[other] = torques.sum();
+            other += 1;
         }
+    }
+    for own in turning {
+        row[other..other + 2].copy_from_slice(&own);
+        other += 2;
     }
     *row.last_mut().expect("columns") = iterations as f64;
 }

@@ -3,8 +3,7 @@
 use super::newmark::State;
 use super::newton::{CONTRACTION, NewtonOptions};
 use super::system::System;
-use crate::linalg::Matrix;
-use crate::shaft::Shaft;
+use super::turning::TurningBody;
 
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
 /// forces cancel, what is left of them is rounding of the state.
@@ -37,12 +36,13 @@ impl RowBounds {
 
     /// Twice what they can add to the bound of row `i`; of the row of θ nothing is known.
     fn allowed(&self, system: &System, state: &State, tolerance: f64, i: usize) -> f64 {
-        let products = match i.checked_sub(1) {
-            None => return f64::INFINITY,
-            Some(row) => match system.row_norms.get(row) {
-                Some(norms) => norms.iter().zip(&self.state).map(|(a, b)| a * b).sum(),
-                None => self.state[0],
-            },
+        let products = match (system.turning_at(i), system.machine.owner(i).coordinate) {
+            (_, None) => return f64::INFINITY,
+            (Some(body), Some(row)) => {
+                let norms = &system.turning[body].row_norms[row];
+                norms.iter().zip(&self.state).map(|(a, b)| a * b).sum()
+            }
+            (None, Some(_)) => self.state[0],
         };
         let reach = system.machine.springs.reach[i];
         let load: f64 = system.projected_loads(state, i).sum();
@@ -71,7 +71,7 @@ impl System<'_> {
         let first = self.machine.first_unknown();
         self.bound_rows(options);
         let mut worst = 0.0;
-        let mut mass_is_known = false;
+        let mut mass_is_known = None;
         let mut most = None;
         for i in first..self.residual.len() {
             let (r, bound) = (self.residual[i].abs(), self.row_bounds[i]);
@@ -86,11 +86,10 @@ impl System<'_> {
             if r > above {
                 return r / above;
             }
-            if !mass_is_known && i <= self.machine.shaft.size() {
-                let mut mass = std::mem::take(&mut self.shaft_block);
-                self.shaft_mass(state, &mut mass);
-                self.shaft_block = mass;
-                mass_is_known = true;
+            let body = self.turning_at(i);
+            if let Some(own) = body.filter(|_| body != mass_is_known) {
+                self.turning[own].evaluate_mass(state);
+                mass_is_known = body;
             }
             let (projected, products) = self.projected(state, predicted, i);
             let bound =
@@ -123,45 +122,43 @@ impl System<'_> {
         }
     }
 
-    /// Norms of row `i` of M, C and K of the shaft.
-    pub(super) fn row_norms(shaft: &Shaft) -> Vec<[f64; 3]> {
-        let matrices = [&shaft.mass, &shaft.damping, &shaft.stiffness];
-        let norm = |matrix: &Matrix, i: usize| {
-            let squares = (0..shaft.size()).map(|j| matrix[(i, j)].powi(2));
-            squares.sum::<f64>().sqrt()
-        };
-        (0..shaft.size()).map(|i| matrices.map(|matrix| norm(matrix, i))).collect()
+    /// The turning body whose coordinate stands at place `i` of q.
+    fn turning_at(&self, i: usize) -> Option<usize> {
+        let is_own = |own: &TurningBody| own.theta() == i || own.place.flexible.contains(&i);
+        self.turning.iter().position(is_own)
     }
 
-    /// The loads projected on row `i`; none on the support.
+    /// The loads projected on row `i`.
     fn projected_loads(&self, state: &State, i: usize) -> impl Iterator<Item = f64> {
-        let first = 1 + self.machine.shaft.size();
-        let loads = self.machine.loads.iter().zip(&self.released).filter(move |_| i < first);
-        loads.map(move |(load, released)| {
-            load.projected(load.factor(self.time, *released), &state.q[1..first], i)
+        let (machine, owner) = (self.machine, self.machine.owner(i));
+        let loads = machine.loads.iter().zip(&self.released);
+        loads.filter(move |(load, _)| load.body == owner.body).map(move |(load, released)| {
+            let flexible = machine.places()[load.body].flexible.clone();
+            let factor = load.factor(self.time, *released);
+            load.projected(factor, &state.q[flexible], owner.coordinate)
         })
     }
 
     /// Of row `i` the largest single force projected on it, and the sum of all products that stand in it.
-    /// The shaft's mass matrix must be in `shaft_block`.
+    /// The mass matrix of its body, if that turns, must be in the body's block.
     fn projected(&self, state: &State, predicted: &State, i: usize) -> (f64, f64) {
-        let machine = self.machine;
-        let (shaft, first) = (&machine.shaft, 1 + machine.shaft.size());
-        let (mut largest, mut sum) = self.springs.projected(&machine.springs, i);
-        if i >= first {
-            return (largest, sum + predicted.a[i].abs());
-        }
+        let owner = self.machine.owner(i);
+        let (mut largest, mut sum) = self.springs.projected(&self.machine.springs, owner, i);
         for force in self.projected_loads(state, i) {
             largest = f64::max(largest, force);
             sum += force;
         }
-        let mass = self.shaft_block.chunks_exact(first);
-        let accelerations = state.a.iter().zip(&predicted.a).map(|(a, b)| a.abs() + b.abs());
-        sum += mass.zip(accelerations).map(|(column, a)| column[i].abs() * a).sum::<f64>();
-        if let Some(row) = i.checked_sub(1) {
-            for j in 0..shaft.size() {
-                sum += (shaft.stiffness[(row, j)] * state.q[1 + j]).abs()
-                    + (shaft.damping[(row, j)] * state.v[1 + j]).abs();
+        let Some(body) = self.turning_at(i).map(|body| &self.turning[body]) else {
+            return (largest, sum + predicted.a[i].abs());
+        };
+        let row = owner.coordinate.map_or(0, |row| 1 + row);
+        let accelerations = body.of(&state.a).zip(body.of(&predicted.a));
+        let accelerations = accelerations.map(|(a, b)| a.abs() + b.abs());
+        sum += body.columns().zip(accelerations).map(|(own, a)| own[row].abs() * a).sum::<f64>();
+        if let Some(row) = owner.coordinate {
+            for (j, place) in body.place.flexible.clone().enumerate() {
+                sum += (body.shaft.stiffness[(row, j)] * state.q[place]).abs()
+                    + (body.shaft.damping[(row, j)] * state.v[place]).abs();
             }
         }
         (largest, sum)
@@ -220,9 +217,8 @@ mod tests {
 
     /// Every product that stands in a row but those of forces.
     fn products(system: &mut System, state: &State, predicted: &State) -> [f64; 5] {
-        let mut mass = vec![0.0; 9];
-        system.shaft_mass(state, &mut mass);
-        let shaft = &system.machine.shaft;
+        let mass = system.turning[0].unknown_mass(state, false).data;
+        let shaft = system.machine.shaft(0).expect("a shaft");
         let on_shaft = [0, 1, 2].map(|i| {
             let inertia =
                 (0..3).map(|j| mass[3 * j + i].abs() * (state.a[j].abs() + predicted.a[j].abs()));
@@ -274,7 +270,7 @@ mod tests {
                     system.residual.fill(0.0);
                     system.residual[i] = -r;
                     // Memory in which anything may stand.
-                    system.shaft_block.fill(f64::NAN);
+                    system.turning[0].spoil();
                     let found = system.row_error(&state, &predicted, &options);
                     let name = (i, residual_tolerance, force_tolerance);
                     let exact = if r <= seen { r / seen } else { r / own };

@@ -3,11 +3,11 @@
 use whirl_specs::{CLEARANCES, MOTIONS};
 
 use super::newmark::State;
-use crate::bearing::{Bearing, SpringLaw};
+use crate::bearing::{Bearing, Sides, SpringLaw};
 use crate::body::BodyNode;
 use crate::linalg::Matrix;
 use crate::loads::{Frame, Load, TimeFunction};
-use crate::machine::{Machine, MachineParts, Rotation};
+use crate::machine::{Body, Machine, MachineParts, Rotation};
 use crate::shaft::Shaft;
 use crate::support::Support;
 
@@ -80,6 +80,8 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
     let support = Support::lumped(4.0, [500.0, 800.0], [20.0, 28.0], &around);
     let bearing = |law: usize| Bearing {
         name: format!("bearing {law}"),
+        label: None,
+        sides: Sides::default(),
         journal: [0; 3],
         bore: [Vec::new(), (0..5).collect(), Vec::new()],
         clearance: 0.5,
@@ -89,10 +91,8 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
         law,
     };
     let parts = MachineParts {
-        shaft,
-        support,
+        bodies: vec![Body::turning("shaft", shaft, rotation), Body::standing("support", support)],
         motion: MOTIONS.iter().find(|own| own.origin.name == "consistent").expect("is shipped"),
-        rotation,
         clearance: &CLEARANCES[0],
         laws: vec![
             law([&["h"], &["Q"]], |z| vec![40.0 * z[0]]),
@@ -103,10 +103,11 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
         ],
         bearings: (0..3).map(bearing).collect(),
         loads: vec![Load {
+            body: 0,
             node,
             force: FORCE,
             time_function: TimeFunction::Constant,
-            frame: Frame::Shaft,
+            frame: Frame::Body,
         }],
     };
     Machine::new(parts).expect("a machine")

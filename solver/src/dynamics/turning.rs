@@ -1,0 +1,141 @@
+//! A turning body in the equations of the machine: its coordinates {θ, η} side by side, as the kernels of its motion
+//! have them, and their places in q.
+
+use whirl_specs::Motion;
+
+use super::newmark::{Coefficients, State};
+use super::system::motion_state;
+use crate::linalg::{Matrix, add_product, dot};
+use crate::machine::{BodyPlace, Machine};
+use crate::shaft::Shaft;
+
+/// A turning body with memory for its kernels.
+pub(super) struct TurningBody<'m> {
+    pub(super) shaft: &'m Shaft,
+    pub(super) place: &'m BodyPlace,
+    motion: &'static Motion,
+    tensors: Vec<&'m [f64]>,
+    workspace: Vec<f64>,
+    /// A value a coordinate, θ first.
+    row: Vec<f64>,
+    /// A matrix over the coordinates, column after column.
+    block: Vec<f64>,
+    /// Norms of the rows of M, C and K, a coordinate of η each.
+    pub(super) row_norms: Vec<[f64; 3]>,
+}
+
+impl<'m> TurningBody<'m> {
+    pub(super) fn new(machine: &'m Machine, shaft: &'m Shaft, place: &'m BodyPlace) -> Self {
+        let n = shaft.size();
+        let matrices = [&shaft.mass, &shaft.damping, &shaft.stiffness];
+        let norm =
+            |matrix: &Matrix, i: usize| (0..n).map(|j| matrix[(i, j)].powi(2)).sum::<f64>().sqrt();
+        TurningBody {
+            shaft,
+            place,
+            motion: machine.motion,
+            tensors: machine.tensors(shaft),
+            workspace: vec![0.0; (machine.motion.workspace)(n)],
+            row: vec![0.0; 1 + n],
+            block: vec![0.0; (1 + n) * (1 + n)],
+            row_norms: (0..n).map(|i| matrices.map(|matrix| norm(matrix, i))).collect(),
+        }
+    }
+
+    /// Place of θ in q.
+    pub(super) fn theta(&self) -> usize {
+        self.place.rotation.expect("a body that turns")
+    }
+
+    /// Writes Q_v − M q̈, and adds C q̇ and K q, at the places of the body.
+    pub(super) fn evaluate(
+        &mut self,
+        state: &State,
+        [inertia, damper, elastic]: [&mut Vec<f64>; 3],
+    ) {
+        let (motion, place) = (motion_state(state, self.place), self.place.flexible.clone());
+        (self.motion.inertia_force)(&self.tensors, &motion, &mut self.workspace, &mut self.row);
+        inertia[self.theta()] = self.row[0];
+        inertia[place.clone()].copy_from_slice(&self.row[1..]);
+        add_product(&mut damper[place.clone()], &self.shaft.damping, motion.eta_dot);
+        add_product(&mut elastic[place], &self.shaft.stiffness, motion.eta);
+    }
+
+    /// Adds a2 M + a1 C + K + PF − a1 P − B of the motion to a matrix over q, column after column.
+    pub(super) fn add_tangent(&mut self, state: &State, step: &Coefficients, out: &mut [f64]) {
+        let motion = motion_state(state, self.place);
+        let (workspace, block) = (&mut self.workspace, &mut self.block);
+        (self.motion.tangent)(&self.tensors, &motion, step.a1, step.a2, workspace, block);
+        let rows = 1 + self.shaft.size();
+        for j in 0..self.shaft.size() {
+            let column = &mut block[(1 + j) * rows + 1..(2 + j) * rows];
+            let parts = self.shaft.damping.col(j).iter().zip(self.shaft.stiffness.col(j));
+            column.iter_mut().zip(parts).for_each(|(sum, (c, k))| *sum += step.a1 * c + k);
+        }
+        self.add_block(out, state.q.len());
+    }
+
+    /// Adds what stands in the block to a matrix of `size` rows over q.
+    pub(super) fn add_block(&self, out: &mut [f64], size: usize) {
+        let (theta, place) = (self.theta(), self.place.flexible.clone());
+        let columns = std::iter::once(theta).chain(place.clone());
+        for (column, own) in columns.zip(self.block.chunks_exact(1 + place.len())) {
+            let out = &mut out[column * size..(column + 1) * size];
+            out[theta] += own[0];
+            out[place.clone()].iter_mut().zip(&own[1..]).for_each(|(sum, value)| *sum += value);
+        }
+    }
+
+    /// Writes the diagonal of a2 M + a1 C + K, undeformed, at the places of the body.
+    pub(super) fn diagonal(&self, step: &Coefficients, out: &mut [f64]) {
+        let shaft = self.shaft;
+        out[self.theta()] = step.a2 * shaft.j0;
+        for (j, place) in self.place.flexible.clone().enumerate() {
+            out[place] = step.a2 * shaft.mass[(j, j)]
+                + step.a1 * shaft.damping[(j, j)]
+                + shaft.stiffness[(j, j)];
+        }
+    }
+
+    /// Leaves M(q) of the body in its block.
+    pub(super) fn evaluate_mass(&mut self, state: &State) {
+        let motion = motion_state(state, self.place);
+        (self.motion.mass)(&self.tensors, &motion, &mut self.workspace, &mut self.block);
+    }
+
+    /// Leaves nothing in the block that could be taken for a matrix.
+    #[cfg(test)]
+    pub(super) fn spoil(&mut self) {
+        self.block.fill(f64::NAN);
+    }
+
+    /// The block that was evaluated last; its columns.
+    pub(super) fn columns(&self) -> impl Iterator<Item = &[f64]> {
+        self.block.chunks_exact(1 + self.shaft.size())
+    }
+
+    /// θ and η among values over q.
+    pub(super) fn of<'s>(&self, q: &'s [f64]) -> impl Iterator<Item = f64> + 's {
+        std::iter::once(q[self.theta()]).chain(q[self.place.flexible.clone()].iter().copied())
+    }
+
+    /// ½ q̇ᵀM q̇ of the body (J).
+    pub(super) fn kinetic_energy(&mut self, state: &State) -> f64 {
+        if let Some(energy) = self.motion.kinetic_energy {
+            let motion = motion_state(state, self.place);
+            return energy(&self.tensors, &motion, &mut self.workspace);
+        }
+        self.evaluate_mass(state);
+        let v: Vec<f64> = self.of(&state.v).collect();
+        0.5 * self.columns().zip(&v).map(|(column, v_j)| v_j * dot(column, &v)).sum::<f64>()
+    }
+
+    /// The block of M of the coordinates that are unknown, η alone where θ is given.
+    pub(super) fn unknown_mass(&mut self, state: &State, theta_is_given: bool) -> Matrix {
+        self.evaluate_mass(state);
+        let (first, rows) = (usize::from(theta_is_given), 1 + self.shaft.size());
+        Matrix::from_fn(rows - first, rows - first, |i, j| {
+            self.block[(first + j) * rows + first + i]
+        })
+    }
+}

@@ -1,0 +1,244 @@
+//! The machine: reduced bodies, the motion that couples their deformation to their rotation, bearings between any
+//! two of them, and loads.
+
+mod body;
+
+use whirl_specs::{Clearance, Motion};
+
+use body::Layout;
+pub(crate) use body::Owner;
+pub use body::{Body, BodyPlace, Rotation};
+
+use crate::bearing::{Bearing, SpringLaw, Springs, axis_motion};
+use crate::error::Error;
+use crate::linalg::dot;
+use crate::loads::Load;
+use crate::shaft::Shaft;
+
+/// What a machine is made from.
+pub struct MachineParts {
+    /// The bodies.
+    pub bodies: Vec<Body>,
+    /// How rotation and deformation of a turning body are coupled.
+    pub motion: &'static Motion,
+    /// The kernels of the clearance.
+    pub clearance: &'static Clearance,
+    /// The laws of the springs.
+    pub laws: Vec<Box<dyn SpringLaw>>,
+    /// Journals in their bores.
+    pub bearings: Vec<Bearing>,
+    /// External loads.
+    pub loads: Vec<Load>,
+}
+
+/// A machine ready to be marched. Its coordinates are q = {θ of every turning body, η or x_b of every body}.
+pub struct Machine {
+    /// The bodies.
+    pub bodies: Vec<Body>,
+    layout: Layout,
+    /// How rotation and deformation of a turning body are coupled.
+    pub motion: &'static Motion,
+    /// The springs of all bearings.
+    pub springs: Springs,
+    /// External loads.
+    pub loads: Vec<Load>,
+    /// The outputs of each bearing.
+    pub(crate) monitors: Vec<Monitor>,
+}
+
+/// How the outputs of a bearing are computed.
+pub(crate) struct Monitor {
+    /// What its columns are called by.
+    pub(crate) label: String,
+    /// Its planes of springs.
+    pub(crate) planes: Vec<usize>,
+    /// Whether its laws turn or brake the journal.
+    pub(crate) torque: bool,
+    /// The bodies of journal and bore.
+    pub(crate) bodies: [usize; 2],
+    /// Displacement of the middle journal node along x and y (frame of its body), as rows over the body's
+    /// coordinates.
+    pub(crate) journal: [Vec<f64>; 2],
+    /// Displacement of the bore's axis in the middle ring, as the laws see it: rows over the coordinates of its
+    /// body.
+    pub(crate) bore: [Vec<f64>; 2],
+    /// Run-out of the journal, offset of the bore (m; each in the frame of its body) and how far the body of the
+    /// journal stands from the axis of the bore (m, in space).
+    pub(crate) run_out: [f64; 2],
+    pub(crate) offset: [f64; 2],
+    pub(crate) apart: [f64; 2],
+}
+
+impl Machine {
+    /// Puts a machine together.
+    ///
+    /// # Errors
+    /// A bearing whose sides are one body, or none that there is; a law that takes what no spring has, bore nodes
+    /// without a spline, a motion that takes a tensor which a shaft does not have; a body that spins in a bore
+    /// that moves.
+    pub fn new(parts: MachineParts) -> Result<Self, Error> {
+        let MachineParts { bodies, motion, clearance, laws, bearings, loads } = parts;
+        for tensor in motion.tensors {
+            let mut shafts = bodies.iter().filter_map(shaft_of);
+            if shafts.any(|shaft| shaft.tensor(tensor.name).is_none()) {
+                return Err(Error::Machine(format!(
+                    "the motion {} takes a tensor called {}; a shaft has {}",
+                    motion.origin.name,
+                    tensor.name,
+                    Shaft::TENSORS
+                )));
+            }
+        }
+        for bearing in &bearings {
+            check_sides(bearing, &bodies)?;
+        }
+        if let Some(load) = loads.iter().find(|load| load.body >= bodies.len()) {
+            return Err(Error::Machine(format!(
+                "a load acts on body {}, which is none",
+                load.body
+            )));
+        }
+        let layout = Layout::new(&bodies);
+        let springs = Springs::new(clearance, laws, &bearings, &bodies, &layout.places)?;
+        let monitors = bearings
+            .iter()
+            .enumerate()
+            .map(|(number, bearing)| monitor(number, bearing, &bodies, &springs))
+            .collect();
+        Ok(Machine { bodies, layout, motion, springs, loads, monitors })
+    }
+
+    /// Number of coordinates that are marched: the 226 of the reference system.
+    pub fn active(&self) -> usize {
+        self.size() - self.first_unknown()
+    }
+
+    /// Place in q from which on coordinates are unknown: the rotations that are given stand before.
+    pub fn first_unknown(&self) -> usize {
+        self.layout.given
+    }
+
+    /// Number of rotations; they are the first coordinates.
+    pub(crate) fn rotations(&self) -> usize {
+        self.layout.rotations
+    }
+
+    /// Length of q.
+    pub fn size(&self) -> usize {
+        self.layout.owners.len()
+    }
+
+    /// Where the coordinates of each body stand in q.
+    pub fn places(&self) -> &[BodyPlace] {
+        &self.layout.places
+    }
+
+    /// What stands at a place of q.
+    pub(crate) fn owner(&self, place: usize) -> Owner {
+        self.layout.owners[place]
+    }
+
+    /// The shaft of a body that turns.
+    pub fn shaft(&self, body: usize) -> Option<&Shaft> {
+        self.bodies.get(body).and_then(shaft_of)
+    }
+
+    /// Bodies that turn, by their places, in their order.
+    pub fn turning(&self) -> impl Iterator<Item = usize> {
+        (0..self.bodies.len()).filter(|&body| self.layout.places[body].rotation.is_some())
+    }
+
+    /// Angle (rad) and speed (rad/s) of a body that turns, as people see it, at time `t` (s); `theta` is those of its
+    /// frame.
+    pub(crate) fn turn(&self, body: usize, t: f64, theta: [f64; 2]) -> [f64; 2] {
+        match self.bodies[body].rotation().and_then(|own| own.spin()) {
+            Some(speed) => [speed * t, speed],
+            None => theta,
+        }
+    }
+
+    /// Sets θ, θ̇ and θ̈ of the rotations that are given to what they are at time `t` (s).
+    pub(crate) fn set_given(&self, t: f64, q: &mut [f64], v: &mut [f64], a: &mut [f64]) {
+        for place in 0..self.layout.given {
+            let rotation = self.bodies[self.owner(place).body].rotation();
+            if let Some([angle, speed, rate]) = rotation.and_then(|own| own.given(t)) {
+                (q[place], v[place], a[place]) = (angle, speed, rate);
+            }
+        }
+    }
+
+    /// What coordinate `place` of q is.
+    pub(crate) fn coordinate(&self, place: usize) -> String {
+        let Owner { body, coordinate } = self.owner(place);
+        let body = &self.bodies[body];
+        match coordinate {
+            None => format!("rotation angle of the {}", body.name()),
+            Some(j) => format!("{}, {}", body.name(), body.coordinates()[j]),
+        }
+    }
+
+    /// The tensors of the motion for a shaft, in the motion's order.
+    pub(crate) fn tensors<'m>(&self, shaft: &'m Shaft) -> Vec<&'m [f64]> {
+        let tensor = |name| shaft.tensor(name).expect("checked when the machine was made");
+        self.motion.tensors.iter().map(|fact| tensor(fact.name)).collect()
+    }
+}
+
+fn shaft_of(body: &Body) -> Option<&Shaft> {
+    match body {
+        Body::Turning { shaft, .. } => Some(shaft),
+        Body::Standing { .. } => None,
+    }
+}
+
+/// Whether the sides of a bearing can be joined.
+fn check_sides(bearing: &Bearing, bodies: &[Body]) -> Result<(), Error> {
+    let wrong = |what: String| Err(Error::Machine(format!("{}: {what}", bearing.name)));
+    let [journal, bore] = bearing.sides.bodies;
+    let (Some(journal), Some(own)) = (bodies.get(journal), bodies.get(bore)) else {
+        return wrong("a side is on a body that there is not".to_owned());
+    };
+    if bearing.sides.bodies[0] == bore {
+        return wrong(format!("both sides are on {}; a bearing joins two bodies", own.name()));
+    }
+    let spins = |body: &Body| body.rotation().and_then(|rotation| rotation.spin()).is_some();
+    if spins(journal) && (own.size() > 0 || own.rotation().is_some()) || spins(own) {
+        return wrong("a body that spins in a frame at rest needs a rigid bore".to_owned());
+    }
+    let off_axis = bearing.sides.bore_axis != [0.0; 2];
+    if off_axis && own.rotation().is_some() {
+        let name = own.name();
+        return wrong(format!("the bore stands off the axis of {name}, which turns about it"));
+    }
+    Ok(())
+}
+
+fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs) -> Monitor {
+    let sides = &bearing.sides;
+    let [journal, bore] = sides.bodies.map(|body| &bodies[body]);
+    let node = &journal.nodes()[bearing.journal[1]];
+    let planes = springs.planes.iter().enumerate();
+    let planes = planes.filter(|(_, plane)| plane.bearing == number);
+    let planes: Vec<usize> = planes.map(|(place, _)| place).collect();
+    Monitor {
+        label: bearing.label.clone().unwrap_or_else(|| (number + 1).to_string()),
+        torque: planes.iter().any(|&plane| springs.gives_torque(plane)),
+        planes,
+        bodies: sides.bodies,
+        journal: [0, 1].map(|axis| (0..journal.size()).map(|j| node.shapes[(axis, j)]).collect()),
+        bore: axis_motion(&bearing.bore[1], bore.nodes(), bore.size(), sides.bore_axis),
+        run_out: sides.run_out[1],
+        offset: sides.offset[1],
+        apart: sides.apart,
+    }
+}
+
+impl Monitor {
+    /// Displacement of the journal in the frame of its body, and of the bore's axis in that of its own (m).
+    pub(crate) fn displacements(&self, journal: &[f64], bore: &[f64]) -> [[f64; 2]; 2] {
+        [
+            [0, 1].map(|axis| dot(&self.journal[axis], journal)),
+            [0, 1].map(|axis| dot(&self.bore[axis], bore)),
+        ]
+    }
+}
