@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use whirl_benches::hand;
-use whirl_solver::dynamics::{March, MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::dynamics::{BodyStart, March, MarchOptions, Newmark, NewtonOptions};
 use whirl_solver::machine::{Machine, MachineParts};
 
 /// Steps before the timing, so that the shaft turns and the springs switch.
@@ -17,8 +17,7 @@ fn options() -> MarchOptions {
         newton: NewtonOptions::default(),
         cycle: None,
         stop_when_steady: false,
-        initial_shaft: [Vec::new(), Vec::new()],
-        initial_speed: 0.0,
+        initial: vec![BodyStart::default()],
     }
 }
 

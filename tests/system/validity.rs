@@ -1,6 +1,6 @@
 //! The shipped cases of the reference system stay where their laws may be believed.
 
-use whirl_solver::dynamics::{March, MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::dynamics::{BodyStart, March, MarchOptions, Newmark, NewtonOptions};
 use whirl_solver::machine::Machine;
 
 /// Steps of each analysis, as its file has them, and its step in s.
@@ -25,8 +25,7 @@ fn the_reference_system_stays_within_its_films() {
             newton: NewtonOptions { force_tolerance: 1e-3, ..NewtonOptions::default() },
             cycle: None,
             stop_when_steady: false,
-            initial_shaft: [Vec::new(), Vec::new()],
-            initial_speed: 0.0,
+            initial: vec![BodyStart::default()],
         };
         let mut march = March::new(&machine, &options).unwrap_or_else(|e| panic!("{}", e.error));
         for _ in 0..steps {

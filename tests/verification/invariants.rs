@@ -130,7 +130,7 @@ fn a_spinning_shaft_displaced_as_a_whole_is_in_the_balance_of_the_centred_one() 
 
 /// Energy and angular momentum of the free shaft.
 fn kept(machine: &Machine, system: &mut System, state: &State) -> [f64; 2] {
-    let shaft = &machine.shaft;
+    let shaft = machine.bodies[0].shaft().expect("it turns");
     let tensors: Vec<&[f64]> =
         machine.motion.tensors.iter().map(|t| shaft.tensor(t.name).expect("a tensor")).collect();
     let mut workspace = vec![0.0; (machine.motion.workspace)(shaft.size())];
@@ -184,8 +184,8 @@ fn drifts_of_energy_and_angular_momentum_fall_as_the_square_of_the_step() {
     let span = 4.0 / bending;
     let drifts = |steps: usize| {
         let mut options = options(span / steps as f64, steps);
-        options.initial_shaft = [eta.clone(), eta_dot.clone()];
-        options.initial_speed = 300.0;
+        [options.initial[0].position, options.initial[0].velocity] = [eta.clone(), eta_dot.clone()];
+        options.initial[0].speed = 300.0;
         let mut march = March::new(&machine, &options).expect("starts");
         let mut system = System::new(&machine);
         let start = kept(&machine, &mut system, march.state());
@@ -340,9 +340,9 @@ fn a_marched_whirl_has_the_frequencies_of_rest_but_for_the_turning_frame() {
         let steps = 4000;
         let mut options = options(0.02 / rest, steps);
         let size = 1e-6;
-        options.initial_shaft =
+        [options.initial[0].position, options.initial[0].velocity] =
             [translation(&shaft, [size, 0.0]), translation(&shaft, [0.0, seen * size])];
-        options.initial_speed = speed;
+        options.initial[0].speed = speed;
         let outcome = march(&machine, &options, &mut |_| std::ops::ControlFlow::Continue(()));
         let history = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history;
         let column = |name: &str| history.column(name).expect("a column");

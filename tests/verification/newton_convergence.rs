@@ -5,16 +5,19 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use whirl_solver::Error;
-use whirl_solver::bearing::{Bearing, SpringLaw};
+use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::BodyNode;
-use whirl_solver::dynamics::{Failure, March, MarchOptions, NewtonOptions, Outcome, march};
+use whirl_solver::dynamics::{
+    BodyStart, Failure, March, MarchOptions, NewtonOptions, Outcome, march,
+};
 use whirl_solver::loads::{Frame, Load, TimeFunction};
-use whirl_solver::machine::{Machine, MachineParts, Rotation};
+use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
+use whirl_specs::CLEARANCES;
 
 use crate::small_shaft::{
-    CLEARANCE, JOURNALS, LawOf, bearings, free, journal, mesh, motion, options, shaft,
+    CLEARANCE, JOURNALS, LawOf, bearings, journal, mesh, motion, options, shaft,
 };
 
 /// A ring of nodes of a bore around z = 0.
@@ -44,7 +47,7 @@ fn on_hertz_springs(shaft: Shaft, share: f64) -> Machine {
     let shell: Vec<f64> = [-60.0, -30.0, 0.0, 30.0, 60.0].map(f64::to_radians).to_vec();
     let load = |node: usize, force: [f64; 3], time_function: TimeFunction| {
         let node: BodyNode = shaft.nodes[node].clone();
-        Load { node, force, time_function, frame: Frame::Space }
+        Load { body: 0, node, force, time_function, frame: Frame::Space }
     };
     // At rest each ring pushes with Σ Q cos ψ, which a constant load balances.
     let push = 1e8 * 1e-4_f64.powf(1.5) * shell.iter().map(|psi| psi.cos()).sum::<f64>();
@@ -58,11 +61,15 @@ fn on_hertz_springs(shaft: Shaft, share: f64) -> Machine {
         load(4, [3e4 * share, -5e3 * share, 0.0], pulse),
     ]);
     Machine::new(MachineParts {
-        support: Support::lumped(200.0, [2e8, 3e8], [1e4, 1e4], &positions),
         laws: vec![Box::new(law)],
         bearings: bearings(&shell, bore),
         loads,
-        ..free(shaft, motion("consistent"))
+        bodies: vec![
+            Body::turning("shaft", shaft, Rotation::Free),
+            Body::standing("support", Support::lumped(200.0, [2e8, 3e8], [1e4, 1e4], &positions)),
+        ],
+        motion: motion("consistent"),
+        clearance: &CLEARANCES[0],
     })
     .expect("a machine")
 }
@@ -76,7 +83,7 @@ fn full_newton_converges_quadratically_in_large_steps() {
         // A quarter of the load's period: none of it at the start, all of it at the end of the step, so that
         // the springs get several times stiffer in it.
         let mut options = options(1e-3, 1);
-        options.initial_speed = 400.0;
+        options.initial[0].speed = 400.0;
         options.newton = NewtonOptions { keep_factors: false, max_halvings: 0, ..options.newton };
         let mut march = March::new(&machine, &options).expect("starts");
         march.advance().unwrap_or_else(|error| panic!("{error}"));
@@ -119,6 +126,8 @@ fn between_stops() -> Machine {
         vec![Box::new(LawOf("right", stop(right))), Box::new(LawOf("left", stop(left)))];
     let bearing = |law: usize, angle: f64| Bearing {
         name: format!("stop {}", law + 1),
+        label: None,
+        sides: Sides::default(),
         journal: [0; 3],
         bore: [Vec::new(), Vec::new(), Vec::new()],
         clearance: GAP,
@@ -128,17 +137,26 @@ fn between_stops() -> Machine {
         law,
     };
     Machine::new(MachineParts {
-        rotation: Rotation::Held,
+        bodies: vec![
+            Body::turning("mass", Shaft::lumped(MASS, [0.0; 2], [0.0; 2], 0.0), Rotation::Held),
+            Body::standing("ground", Support::rigid(&[])),
+        ],
         laws,
         bearings: vec![bearing(0, 0.0), bearing(1, PI)],
-        ..free(Shaft::lumped(MASS, [0.0; 2], [0.0; 2], 0.0), motion("consistent"))
+        motion: motion("consistent"),
+        clearance: &CLEARANCES[0],
+        loads: Vec::new(),
     })
     .expect("a machine")
 }
 
 fn thrown(position: f64, speed: f64, steps: usize, newton: NewtonOptions) -> MarchOptions {
     MarchOptions {
-        initial_shaft: [vec![position, 0.0], vec![speed, 0.0]],
+        initial: vec![BodyStart {
+            speed: 0.0,
+            position: vec![position, 0.0],
+            velocity: vec![speed, 0.0],
+        }],
         newton,
         ..options(STEP, steps)
     }

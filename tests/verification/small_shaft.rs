@@ -1,11 +1,11 @@
 //! A short steel shaft in two bearings, made and reduced in a moment: 289 nodes, 21 coordinates.
 
 use whirl_benches::hand::elements::ELEMENTS;
-use whirl_solver::bearing::{Bearing, SpringLaw};
+use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::Constraints;
-use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions};
-use whirl_solver::machine::{MachineParts, Rotation};
+use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::machine::{Body, MachineParts, Rotation};
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::{Material, Mesh};
 use whirl_solver::shaft::Shaft;
@@ -97,10 +97,11 @@ pub(crate) fn motion(name: &str) -> &'static Motion {
 /// A free shaft: no bearings, no loads.
 pub(crate) fn free(shaft: Shaft, motion: &'static Motion) -> MachineParts {
     MachineParts {
-        shaft,
-        support: Support::rigid(&[]),
+        bodies: vec![
+            Body::turning("shaft", shaft, Rotation::Free),
+            Body::standing("support", Support::rigid(&[])),
+        ],
         motion,
-        rotation: Rotation::Free,
         clearance: &CLEARANCES[0],
         laws: Vec::new(),
         bearings: Vec::new(),
@@ -118,6 +119,8 @@ pub(crate) fn ring() -> Vec<f64> {
 pub(crate) fn bearings(angles: &[f64], bore: [[Vec<usize>; 3]; 2]) -> Vec<Bearing> {
     let bearing = |(number, bore): (usize, [Vec<usize>; 3])| Bearing {
         name: format!("bearing {}", number + 1),
+        label: None,
+        sides: Sides::default(),
         journal: journal(number),
         bore,
         clearance: CLEARANCE,
@@ -169,7 +172,6 @@ pub(crate) fn options(time_step: f64, steps: usize) -> MarchOptions {
         newton,
         cycle: None,
         stop_when_steady: false,
-        initial_shaft: [Vec::new(), Vec::new()],
-        initial_speed: 0.0,
+        initial: vec![BodyStart::default()],
     }
 }

@@ -218,7 +218,7 @@ mod tests {
     /// Every product that stands in a row but those of forces.
     fn products(system: &mut System, state: &State, predicted: &State) -> [f64; 5] {
         let mass = system.turning[0].unknown_mass(state, false).data;
-        let shaft = system.machine.shaft(0).expect("a shaft");
+        let shaft = system.machine.bodies[0].shaft().expect("a shaft");
         let on_shaft = [0, 1, 2].map(|i| {
             let inertia =
                 (0..3).map(|j| mass[3 * j + i].abs() * (state.a[j].abs() + predicted.a[j].abs()));

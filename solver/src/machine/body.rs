@@ -114,6 +114,22 @@ impl Body {
         }
     }
 
+    /// Its tensors, if it turns.
+    pub fn shaft(&self) -> Option<&Shaft> {
+        match self {
+            Body::Turning { shaft, .. } => Some(shaft),
+            Body::Standing { .. } => None,
+        }
+    }
+
+    /// Its oscillators, if it stands.
+    pub fn support(&self) -> Option<&Support> {
+        match self {
+            Body::Turning { .. } => None,
+            Body::Standing { support, .. } => Some(support),
+        }
+    }
+
     /// How it turns, if it does.
     pub fn rotation(&self) -> Option<Rotation> {
         match self {

@@ -79,7 +79,7 @@ impl Machine {
     pub fn new(parts: MachineParts) -> Result<Self, Error> {
         let MachineParts { bodies, motion, clearance, laws, bearings, loads } = parts;
         for tensor in motion.tensors {
-            let mut shafts = bodies.iter().filter_map(shaft_of);
+            let mut shafts = bodies.iter().filter_map(Body::shaft);
             if shafts.any(|shaft| shaft.tensor(tensor.name).is_none()) {
                 return Err(Error::Machine(format!(
                     "the motion {} takes a tensor called {}; a shaft has {}",
@@ -138,11 +138,6 @@ impl Machine {
         self.layout.owners[place]
     }
 
-    /// The shaft of a body that turns.
-    pub fn shaft(&self, body: usize) -> Option<&Shaft> {
-        self.bodies.get(body).and_then(shaft_of)
-    }
-
     /// Bodies that turn, by their places, in their order.
     pub fn turning(&self) -> impl Iterator<Item = usize> {
         (0..self.bodies.len()).filter(|&body| self.layout.places[body].rotation.is_some())
@@ -181,13 +176,6 @@ impl Machine {
     pub(crate) fn tensors<'m>(&self, shaft: &'m Shaft) -> Vec<&'m [f64]> {
         let tensor = |name| shaft.tensor(name).expect("checked when the machine was made");
         self.motion.tensors.iter().map(|fact| tensor(fact.name)).collect()
-    }
-}
-
-fn shaft_of(body: &Body) -> Option<&Shaft> {
-    match body {
-        Body::Turning { shaft, .. } => Some(shaft),
-        Body::Standing { .. } => None,
     }
 }
 

@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use whirl_solver::bearing::{Bearing, SpringLaw};
+use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring};
-use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, march};
+use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions, march};
 use whirl_solver::history::History;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
-use whirl_solver::machine::{Machine, MachineParts, Rotation};
+use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::mesh::Mesh;
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -102,10 +102,11 @@ impl ByHand {
         let loads = self.placed_loads(&shaft);
         let named = |motion: &&whirl_specs::Motion| motion.origin.name == self.motion;
         let machine = Machine::new(MachineParts {
-            shaft,
-            support,
+            bodies: vec![
+                Body::turning("shaft", shaft, Rotation::Free),
+                Body::standing("support", support),
+            ],
             motion: MOTIONS.iter().find(named).expect("a shipped motion"),
-            rotation: Rotation::Free,
             clearance: &CLEARANCES[0],
             laws: self.laws,
             bearings,
@@ -121,8 +122,7 @@ impl ByHand {
             },
             cycle: None,
             stop_when_steady: false,
-            initial_shaft: [Vec::new(), Vec::new()],
-            initial_speed: 0.0,
+            initial: vec![BodyStart::default()],
         };
         let machine = machine.expect("a machine");
         let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));
@@ -195,6 +195,8 @@ impl ByHand {
             let journal = [0, 1, 2].map(|end| 3 * place + end);
             let [left, _, right] = journal.map(|node| shaft.nodes[node].position[2]);
             placed.push(Bearing {
+                label: None,
+                sides: Sides::default(),
                 name: format!("bearing {place}"),
                 journal,
                 bore: [0, 1, 2].map(|_| rings.next().expect("three rings a bearing")),
@@ -220,7 +222,13 @@ impl ByHand {
             let [x, y] = own.force;
             for _ in own.sets.iter().flat_map(|set| self.shaft.node_set(set).expect("a set")) {
                 let node = nodes.next().expect("a node a load").clone();
-                placed.push(Load { node, force: [x, y, 0.0], time_function, frame: Frame::Space });
+                placed.push(Load {
+                    body: 0,
+                    node,
+                    force: [x, y, 0.0],
+                    time_function,
+                    frame: Frame::Space,
+                });
             }
         }
         if let Some((torque, target)) = self.drive {
@@ -230,10 +238,11 @@ impl ByHand {
             for (node, force) in [(top, force), (bottom, -force)] {
                 let time_function = TimeFunction::UntilSpeed { target };
                 placed.push(Load {
+                    body: 0,
                     node,
                     force: [0.0, force, 0.0],
                     time_function,
-                    frame: Frame::Shaft,
+                    frame: Frame::Body,
                 });
             }
         }

@@ -144,8 +144,8 @@ fn the_angular_momentum_changes_by_the_torque_of_the_law() {
         let machine = Machine::new(parts).expect("a machine");
         let steps = (0.02 / time_step).round() as usize;
         let mut options = options(time_step, steps);
-        options.initial_speed = 60.0;
-        options.initial_shaft =
+        options.initial[0].speed = 60.0;
+        [options.initial[0].position, options.initial[0].velocity] =
             [vec![1e-3; 2 * DISCS], (0..2 * DISCS).map(|i| 0.5 * (i as f64).cos()).collect()];
         // Torque about the axis of the fixed frame: e × F + M_z, from the formula alone.
         let torque = |state: &State| {
@@ -195,7 +195,7 @@ fn moments_are_measured_over_the_journals_radius() {
         parts.bearings = vec![Bearing { stations: vec![0.5], bore, journal_radius, ..bearing(0) }];
         let machine = Machine::new(parts).expect("a machine");
         let mut options = options(1e-3, 1);
-        options.initial_speed = 40.0;
+        options.initial[0].speed = 40.0;
         // One iteration is too few, and leaves its change of force behind.
         (options.newton.max_iterations, options.newton.max_halvings) = (1, 0);
         let go_on = &mut |_: &_| std::ops::ControlFlow::Continue(());

@@ -55,10 +55,11 @@ fn the_eccentricity_of_a_history_is_the_one_that_laws_see() {
     parts.laws = vec![Box::new(Linear)];
     parts.bearings = vec![Bearing { stations: vec![0.5], ..bearing(0) }];
     let sine = TimeFunction::Sine { frequency: 60.0, phase: 0.4 };
-    parts.loads = vec![force(&parts.shaft.nodes[2], [200.0, -300.0, 0.0], sine, Frame::Space)];
+    parts.loads =
+        vec![force(&parts.bodies[0].nodes()[2], [200.0, -300.0, 0.0], sine, Frame::Space)];
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(2e-4, 300);
-    options.initial_speed = 80.0;
+    options.initial[0].speed = 80.0;
     let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));
     let history = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history;
     let column = |name: &str| history.column(name).expect("a column");

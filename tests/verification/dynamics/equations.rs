@@ -16,12 +16,12 @@ fn busy(motion: &'static Motion) -> Machine {
     parts.laws = vec![boxed(&FILM)];
     parts.bearings = vec![bearing(0)];
     let sine = TimeFunction::Sine { frequency: 30.0, phase: 0.4 };
-    let mut driven = parts.shaft.nodes[0].clone();
+    let mut driven = parts.bodies[0].nodes()[0].clone();
     driven.position[0] = 0.03;
     parts.loads = vec![
-        force(&parts.shaft.nodes[2], [100.0, -40.0, 7.0], sine, Frame::Space),
-        force(&parts.shaft.nodes[4], [10.0, 30.0, 0.0], TimeFunction::Constant, Frame::Space),
-        force(&driven, [0.0, 60.0, 0.0], TimeFunction::UntilSpeed { target: 1e9 }, Frame::Shaft),
+        force(&parts.bodies[0].nodes()[2], [100.0, -40.0, 7.0], sine, Frame::Space),
+        force(&parts.bodies[0].nodes()[4], [10.0, 30.0, 0.0], TimeFunction::Constant, Frame::Space),
+        force(&driven, [0.0, 60.0, 0.0], TimeFunction::UntilSpeed { target: 1e9 }, Frame::Body),
     ];
     Machine::new(parts).expect("a machine")
 }
@@ -209,7 +209,8 @@ fn energies_are_those_of_the_parts() {
                 + 0.5 * DISC * (0..DISCS).map(speed).sum::<f64>()
                 + 0.5 * v[1 + n..].iter().map(|v| v * v).sum::<f64>();
             let bends = |k: usize| (q[k - 2] - 2.0 * q[k] + q[k + 2]).powi(2);
-            let springs = q[1 + n..].iter().zip(&machine.support.stiffness);
+            let springs =
+                q[1 + n..].iter().zip(&machine.bodies[1].support().expect("it stands").stiffness);
             let strain = 0.5 * 1e5 * (3..=n - 2).map(bends).sum::<f64>()
                 + 0.5 * springs.map(|(x, k)| k * x * x).sum::<f64>();
             let found = [system.kinetic_energy(&state), system.strain_energy(&state)];

@@ -32,16 +32,16 @@ fn full_newton_converges_quadratically_in_oil_films() {
             let sine = TimeFunction::Sine { frequency: 80.0, phase: 0.3 };
             parts.loads = vec![
                 force(
-                    &parts.shaft.nodes[2],
+                    &parts.bodies[0].nodes()[2],
                     [600.0, 200.0, 0.0],
                     TimeFunction::Constant,
                     Frame::Space,
                 ),
-                force(&parts.shaft.nodes[1], [0.0, 300.0, 0.0], sine, Frame::Space),
+                force(&parts.bodies[0].nodes()[1], [0.0, 300.0, 0.0], sine, Frame::Space),
             ];
             let machine = Machine::new(parts).expect("a machine");
             let mut options = options(1e-3, 12);
-            options.initial_speed = 300.0;
+            options.initial[0].speed = 300.0;
             options.newton.keep_factors = false;
             let mut march = March::new(&machine, &options).expect("starts");
             for _ in 0..options.steps {

@@ -1,7 +1,7 @@
 //! A free, undamped, spinning and bending shaft keeps its energy and angular momentum, as far as the time
 //! integration lets it.
 
-use whirl_solver::dynamics::{March, MarchOptions};
+use whirl_solver::dynamics::{BodyStart, March, MarchOptions};
 use whirl_solver::linalg::generalised_symmetric_eigen;
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
@@ -16,17 +16,24 @@ const SPEED: f64 = 60.0;
 fn thrown(time_step: f64, steps: usize) -> MarchOptions {
     let mut random = wild(3);
     let mut throw = |size: f64| (0..2 * DISCS).map(|_| size * random()).collect();
-    let initial_shaft = [throw(2e-2), throw(2.0)];
-    MarchOptions { initial_shaft, initial_speed: SPEED, ..options(time_step, steps) }
+    let [position, velocity] = [throw(2e-2), throw(2.0)];
+    let initial = vec![BodyStart { speed: SPEED, position, velocity }];
+    MarchOptions { initial, ..options(time_step, steps) }
 }
 
 /// Angular momentum about the axis.
 pub(crate) fn momentum(machine: &Machine, march: &March) -> f64 {
     let state = march.state();
-    let n = machine.shaft.size();
+    let n = machine.bodies[0].shaft().expect("it turns").size();
     let mut tensors = Vec::new();
     for tensor in machine.motion.tensors {
-        tensors.push(machine.shaft.tensor(tensor.name).expect("a tensor of the shaft"));
+        tensors.push(
+            machine.bodies[0]
+                .shaft()
+                .expect("it turns")
+                .tensor(tensor.name)
+                .expect("a tensor of the shaft"),
+        );
     }
     let motion = MotionState {
         theta: state.q[0],
@@ -95,8 +102,8 @@ fn a_whirling_shaft_on_springs_turns_at_rest_frequency_less_speed_when_marched()
         let eta_dot: Vec<f64> = (0..eta.len()).map(|i| (whirl - SPEED) * turn(i)).collect();
         let (dt, steps) = (2e-5, 20_000);
         let mut options = options(dt, steps);
-        options.initial_shaft = [eta.clone(), eta_dot];
-        options.initial_speed = SPEED;
+        [options.initial[0].position, options.initial[0].velocity] = [eta.clone(), eta_dot];
+        options.initial[0].speed = SPEED;
         let mut march = March::new(&machine, &options).expect("starts");
         let place = 1 + 2 * (DISCS / 2);
         let start = eta[place].atan2(eta[place - 1]);

@@ -50,7 +50,7 @@ static LINEAR_RING: Formula = Formula {
 fn run(parts: MachineParts, time_step: f64, steps: usize, speed: f64) -> History {
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(time_step, steps);
-    options.initial_speed = speed;
+    options.initial[0].speed = speed;
     let outcome = march(&machine, &options, &mut |_| std::ops::ControlFlow::Continue(()));
     outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history
 }
@@ -65,8 +65,13 @@ fn a_ring_does_what_its_springs_do_together() {
         parts.bearings = vec![Bearing { journal_radius: Some(RADIUS), ..bearing(0) }];
         let sine = TimeFunction::Sine { frequency: 40.0, phase: 0.3 };
         parts.loads = vec![
-            force(&parts.shaft.nodes[2], [80.0, -30.0, 0.0], sine, Frame::Space),
-            force(&parts.shaft.nodes[0], [0.0, 20.0, 0.0], TimeFunction::Constant, Frame::Shaft),
+            force(&parts.bodies[0].nodes()[2], [80.0, -30.0, 0.0], sine, Frame::Space),
+            force(
+                &parts.bodies[0].nodes()[0],
+                [0.0, 20.0, 0.0],
+                TimeFunction::Constant,
+                Frame::Body,
+            ),
         ];
         run(parts, 2e-4, 300, 60.0)
     };
@@ -122,8 +127,8 @@ fn friction_only_takes_energy_and_the_balance_closes() {
         let machine = Machine::new(parts).expect("a machine");
         let steps = (0.02 / time_step).round() as usize;
         let mut options = options(time_step, steps);
-        options.initial_speed = 40.0;
-        options.initial_shaft =
+        options.initial[0].speed = 40.0;
+        [options.initial[0].position, options.initial[0].velocity] =
             [vec![0.0; 2 * DISCS], (0..2 * DISCS).map(|i| 0.3 * (i as f64).sin()).collect()];
         let mut march = March::new(&machine, &options).expect("starts");
         let (mut last, mut worst) = (0.0, 0.0_f64);
@@ -208,9 +213,9 @@ fn dry_friction_brakes_the_shaft_and_drives_it_backward() {
     parts.bearings = vec![Bearing { stations: vec![0.5], bore: Default::default(), ..bearing(0) }];
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(2e-5, 4000);
-    options.initial_speed = 50.0;
-    options.initial_shaft[0] = (0..2 * DISCS).map(|i| [1.2e-3, 0.0][i % 2]).collect();
-    options.initial_shaft[1] = (0..2 * DISCS).map(|i| [0.0, -50.0 * 1.2e-3][i % 2]).collect();
+    options.initial[0].speed = 50.0;
+    options.initial[0].position = (0..2 * DISCS).map(|i| [1.2e-3, 0.0][i % 2]).collect();
+    options.initial[0].velocity = (0..2 * DISCS).map(|i| [0.0, -50.0 * 1.2e-3][i % 2]).collect();
     let outcome = march(&machine, &options, &mut |_| std::ops::ControlFlow::Continue(()));
     let history = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history;
     let column = |name| history.column(name).expect("a column");

@@ -35,7 +35,7 @@ impl Stop {
         let [mut x, mut v] = at(&march);
         let flowing = self.energy(x, v).abs().max(0.5 * self.mass * v * v);
         let (mut met, mut between) = (0, 0.0);
-        let mut history = History::for_bearings(1, &[]);
+        let mut history = History::for_bearings(&[("1", false)], &[]);
         for step in 0..options.steps {
             march.advance().unwrap_or_else(|error| panic!("{error}"));
             history.push(march.row());
@@ -112,7 +112,7 @@ fn a_mass_on_a_spring_strikes_a_stop() {
     parts.bearings = vec![stops("stop", 0.0, &[0.0], 0)];
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(1e-5, 40_000);
-    options.initial_shaft[1] = vec![1.0, 0.0];
+    options.initial[0].velocity = vec![1.0, 0.0];
     let stop = Stop { stiffness: 1e6, gap: 0.0, mass: 100.0, spring: 1e4, force: 0.0 };
     let history = stop.run(&machine, &options);
     let contacts = contacts(&history, 0.0);
@@ -133,13 +133,13 @@ fn a_thrown_mass_bounces_on_a_stop() {
     let mut parts =
         parts(Shaft::lumped(1.0, [0.0; 2], [0.0; 2], 0.0), Support::rigid(&[]), Rotation::Held);
     let weight =
-        force(&parts.shaft.nodes[0], [10.0, 0.0, 0.0], TimeFunction::Constant, Frame::Space);
+        force(&parts.bodies[0].nodes()[0], [10.0, 0.0, 0.0], TimeFunction::Constant, Frame::Space);
     parts.laws = vec![boxed(shipped("gap-linear-1e2"))];
     parts.bearings = vec![stops("floor", 2.0, &[0.0], 0)];
     parts.loads = vec![weight];
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(1e-4, 12_000);
-    options.initial_shaft[1] = vec![1.0, 0.0];
+    options.initial[0].velocity = vec![1.0, 0.0];
     let stop = Stop { stiffness: 100.0, gap: 2.0, mass: 1.0, spring: 0.0, force: 10.0 };
     let history = stop.run(&machine, &options);
     let first = contacts(&history, 2.0)[0];
@@ -196,7 +196,7 @@ impl Jeffcott {
         let frequency = speed / std::f64::consts::TAU;
         let turning = |phase: f64, direction: [f64; 3]| {
             let time_function = TimeFunction::Sine { frequency, phase };
-            force(&parts.shaft.nodes[0], direction, time_function, Frame::Space)
+            force(&parts.bodies[0].nodes()[0], direction, time_function, Frame::Space)
         };
         parts.loads = vec![
             turning(0.5 * std::f64::consts::PI, [unbalance, 0.0, 0.0]),
@@ -209,7 +209,8 @@ impl Jeffcott {
         // On the orbit, behind the unbalance by atan(dΩ / dynamic stiffness).
         let lag = (damping * speed).atan2(dynamic);
         let (x, y) = (Self::ORBIT * lag.cos(), -Self::ORBIT * lag.sin());
-        options.initial_shaft = [vec![x, y], vec![-speed * y, speed * x]];
+        [options.initial[0].position, options.initial[0].velocity] =
+            [vec![x, y], vec![-speed * y, speed * x]];
         let outcome = march(&machine, &options, &mut |_| std::ops::ControlFlow::Continue(()));
         let history = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history;
         ["X1_um", "Y1_um", "RX1_N", "RY1_N"]

@@ -15,12 +15,12 @@ mod spinning;
 mod torques;
 mod validity;
 
-use whirl_solver::bearing::{Bearing, SpringLaw};
+use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::BodyNode;
-use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions};
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
-use whirl_solver::machine::{MachineParts, Rotation};
+use whirl_solver::machine::{Body, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 use whirl_specs::{CLEARANCES, Law, MOTIONS, Motion, Origin, Variable};
@@ -112,6 +112,8 @@ pub(crate) fn bores() -> Support {
 pub(crate) fn bearing(law: usize) -> Bearing {
     Bearing {
         name: "bearing 1".to_owned(),
+        label: None,
+        sides: Sides::default(),
         journal: [1, 2, 3],
         bore: [(0..7).collect(), (7..14).collect(), (14..21).collect()],
         clearance: 1e-3,
@@ -126,6 +128,8 @@ pub(crate) fn bearing(law: usize) -> Bearing {
 pub(crate) fn stops(name: &str, gap: f64, angles: &[f64], law: usize) -> Bearing {
     Bearing {
         name: name.to_owned(),
+        label: None,
+        sides: Sides::default(),
         journal: [0; 3],
         bore: [Vec::new(), Vec::new(), Vec::new()],
         clearance: gap,
@@ -166,10 +170,8 @@ pub(crate) fn boxed(law: &'static Law) -> Box<dyn SpringLaw> {
 /// The parts of a machine without bearings or loads.
 pub(crate) fn parts(shaft: Shaft, support: Support, rotation: Rotation) -> MachineParts {
     MachineParts {
-        shaft,
-        support,
+        bodies: vec![Body::turning("shaft", shaft, rotation), Body::standing("support", support)],
         motion: motion("consistent"),
-        rotation,
         clearance: &CLEARANCES[0],
         laws: Vec::new(),
         bearings: Vec::new(),
@@ -184,7 +186,7 @@ pub(crate) fn force(
     time_function: TimeFunction,
     frame: Frame,
 ) -> Load {
-    Load { node: node.clone(), force, time_function, frame }
+    Load { body: 0, node: node.clone(), force, time_function, frame }
 }
 
 /// A march from rest, accurate to rounding.
@@ -200,7 +202,6 @@ pub(crate) fn options(time_step: f64, steps: usize) -> MarchOptions {
         },
         cycle: None,
         stop_when_steady: false,
-        initial_shaft: [Vec::new(), Vec::new()],
-        initial_speed: 0.0,
+        initial: vec![BodyStart::default()],
     }
 }

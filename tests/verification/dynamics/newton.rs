@@ -29,11 +29,15 @@ pub(super) fn converges_quadratically(law: Box<dyn SpringLaw>, journal_radius: O
     let mut parts = parts(discs(1e6), Support::rigid(&[]), Rotation::Free);
     parts.laws = vec![law];
     parts.bearings = vec![Bearing { bore: Default::default(), journal_radius, ..bearing(0) }];
-    parts.loads =
-        vec![force(&parts.shaft.nodes[2], [3e4, 1e4, 0.0], TimeFunction::Constant, Frame::Space)];
+    parts.loads = vec![force(
+        &parts.bodies[0].nodes()[2],
+        [3e4, 1e4, 0.0],
+        TimeFunction::Constant,
+        Frame::Space,
+    )];
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(5e-3, 3);
-    options.initial_speed = 100.0;
+    options.initial[0].speed = 100.0;
     options.newton.keep_factors = false;
     options.newton.max_halvings = 0;
     let mut march = March::new(&machine, &options).expect("starts");
@@ -85,7 +89,7 @@ fn beside_yielding_springs(mass: f64, angles: &[f64]) -> Machine {
 
 fn thrown(newton: NewtonOptions) -> MarchOptions {
     let mut options = options(1e-3, 1);
-    options.initial_shaft[1] = vec![0.01, 0.0];
+    options.initial[0].velocity = vec![0.01, 0.0];
     options.newton = newton;
     options
 }
@@ -156,7 +160,7 @@ fn the_halves_of_a_step_are_steps_of_their_own() {
     parts.laws = vec![boxed(&YIELDING)];
     parts.bearings = vec![stops("between springs", 1e-3, &[0.0, std::f64::consts::PI], 0)];
     let sine = TimeFunction::Sine { frequency: 400.0, phase: 0.9 };
-    parts.loads = vec![force(&parts.shaft.nodes[0], [40.0, 25.0, 0.0], sine, Frame::Space)];
+    parts.loads = vec![force(&parts.bodies[0].nodes()[0], [40.0, 25.0, 0.0], sine, Frame::Space)];
     let machine = Machine::new(parts).expect("a machine");
     let newton =
         NewtonOptions { line_search: false, keep_factors: false, ..options(1.0, 1).newton };
@@ -198,7 +202,7 @@ fn softening() -> Machine {
     parts.bearings = vec![stops("softening", 1e-3, &[0.0], 0)];
     // Slow beside the steps: yields within some of them, and not to and fro.
     let sine = TimeFunction::Sine { frequency: 10.0, phase: 0.0 };
-    parts.loads = vec![force(&parts.shaft.nodes[0], [1000.0, 0.0, 0.0], sine, Frame::Space)];
+    parts.loads = vec![force(&parts.bodies[0].nodes()[0], [1000.0, 0.0, 0.0], sine, Frame::Space)];
     Machine::new(parts).expect("a machine")
 }
 

@@ -16,7 +16,8 @@ use super::{force, parts, stops};
 
 fn run(machine: &Machine, time_step: f64, steps: usize, start: [f64; 2]) -> Outcome {
     let mut options = strict(time_step, steps);
-    options.initial_shaft = [vec![start[0], 0.0], vec![start[1], 0.0]];
+    [options.initial[0].position, options.initial[0].velocity] =
+        [vec![start[0], 0.0], vec![start[1], 0.0]];
     let outcome = march(machine, &options, &mut |_| ControlFlow::Continue(()));
     outcome.unwrap_or_else(|failure| panic!("{}", failure.error))
 }
@@ -47,7 +48,8 @@ fn energy_made_is_that_of_the_potential() {
     let machine = stop::machine();
     for time_step in [3e-5, 1e-5, 3e-6] {
         let mut options = strict(time_step, (0.3 / time_step) as usize);
-        options.initial_shaft = [vec![0.0; 2], vec![-1.0, 0.0]];
+        [options.initial[0].position, options.initial[0].velocity] =
+            [vec![0.0; 2], vec![-1.0, 0.0]];
         let mut march = March::new(&machine, &options).expect("starts");
         let depth = |x: f64| (x.abs() - stop::GAP).max(0.0);
         let (mut made, mut flowed, mut x) = ([0.0; 2], [0.0; 2], 0.0_f64);
@@ -109,7 +111,7 @@ fn what_rings_faster_than_the_step_is_not_sound() {
         assert!(found[0].remedy.contains("1.5e-3 s"), "{found:?}");
         let mut mass = parts(shaft(), Support::rigid(&[]), Rotation::Held);
         let slow = TimeFunction::Sine { frequency: 0.01 / time_step, phase: 0.0 };
-        mass.loads = vec![force(&mass.shaft.nodes[0], [1e3, 0.0, 0.0], slow, Frame::Space)];
+        mass.loads = vec![force(&mass.bodies[0].nodes()[0], [1e3, 0.0, 0.0], slow, Frame::Space)];
         let outcome = run(&Machine::new(mass).expect("a machine"), time_step, 3000, [0.0; 2]);
         assert_eq!(verdict(&outcome, time_step), [], "{:?}", outcome.quality);
     }
@@ -155,13 +157,14 @@ fn the_scale_of_forces_changes_no_motion() {
         let mut parts = parts(shaft, Support::rigid(&[]), Rotation::Held);
         parts.laws = vec![Box::new(law)];
         parts.bearings = vec![stops("above", 5e-4, &[0.0], 0), stops("below", 5e-4, &[PI], 0)];
-        let node = &parts.shaft.nodes[0];
+        let node = &parts.bodies[0].nodes()[0];
         parts.loads =
             vec![force(node, [-0.1 * mass, 0.0, 0.0], TimeFunction::Constant, Frame::Space)];
         let machine = Machine::new(parts).expect("a machine");
         let mut options = strict(9.4e-6, 20_000);
         options.newton = NewtonOptions { force_tolerance, ..NewtonOptions::default() };
-        options.initial_shaft = [vec![0.0; 2], vec![-0.01, 0.0]];
+        [options.initial[0].position, options.initial[0].velocity] =
+            [vec![0.0; 2], vec![-0.01, 0.0]];
         let mut march = March::new(&machine, &options).expect("starts");
         let mut path = Vec::new();
         while !march.is_done() {
@@ -198,7 +201,7 @@ fn a_force_that_is_no_number_is_not_accepted() {
     let machine = Machine::new(mass).expect("a machine");
     let mut options = strict(1e-4, 10);
     options.newton = NewtonOptions::default();
-    options.initial_shaft = [vec![0.0; 2], vec![0.1, 0.0]];
+    [options.initial[0].position, options.initial[0].velocity] = [vec![0.0; 2], vec![0.1, 0.0]];
     let error = March::new(&machine, &options).expect("starts").advance();
     assert!(matches!(error, Err(whirl_solver::Error::NoForce { bearing: 1, .. })), "{error:?}");
 }

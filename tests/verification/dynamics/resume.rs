@@ -1,7 +1,7 @@
 //! A march resumed from a checkpoint is the march that was never interrupted, bit for bit.
 
 use whirl_solver::bearing::Bearing;
-use whirl_solver::dynamics::{Checkpoint, March, MarchOptions};
+use whirl_solver::dynamics::{BodyStart, Checkpoint, March, MarchOptions};
 use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 
@@ -19,7 +19,7 @@ fn machine(target: f64) -> Machine {
     // Its measures are kept, too.
     parts.laws = vec![boxed(&MEASURED)];
     parts.bearings = vec![Bearing { clearance: 5e-4, ..bearing(0) }];
-    let node = |place: usize| parts.shaft.nodes[place].clone();
+    let node = |place: usize| parts.bodies[0].nodes()[place].clone();
     let sine = TimeFunction::Sine { frequency: 80.0, phase: 0.3 };
     let drive = TimeFunction::UntilSpeed { target };
     parts.loads = vec![
@@ -28,7 +28,7 @@ fn machine(target: f64) -> Machine {
     ];
     let mut arm = node(0);
     arm.position[0] = 0.1;
-    parts.loads.push(force(&arm, [0.0, 20.0, 0.0], drive, Frame::Shaft));
+    parts.loads.push(force(&arm, [0.0, 20.0, 0.0], drive, Frame::Body));
     Machine::new(parts).expect("a machine")
 }
 
@@ -45,7 +45,11 @@ fn target() -> f64 {
 }
 
 fn march_options() -> MarchOptions {
-    MarchOptions { cycle: Some(1.0 / 80.0), initial_speed: 30.0, ..options(1e-4, STEPS) }
+    MarchOptions {
+        cycle: Some(1.0 / 80.0),
+        initial: vec![BodyStart { speed: 30.0, ..BodyStart::default() }],
+        ..options(1e-4, STEPS)
+    }
 }
 
 /// Goes on to the end; the bits of all rows, and the checkpoints on the way as a file has them.

@@ -28,7 +28,7 @@ fn mass(law: Box<dyn SpringLaw>, rotation: Rotation, load: [f64; 3]) -> MachineP
     let angles = [0.3, 1.4, 2.5, 4.0, 5.2];
     let around = stops("around", 5e-5, &angles, 0);
     parts.bearings = vec![Bearing { journal_radius: Some(0.025), ..around }];
-    let node = &parts.shaft.nodes[0];
+    let node = &parts.bodies[0].nodes()[0];
     parts.loads = vec![force(node, load, TimeFunction::Constant, Frame::Space)];
     parts
 }
@@ -58,7 +58,8 @@ fn every_step_of_a_spinning_mass_is_solved() {
         let spinning = Rotation::Spinning { speed: 60.0 };
         let parts = mass(Box::new(pair.law), spinning, [-30.0, 20.0, 0.0]);
         let mut options = strict(1e-4, 500);
-        options.initial_shaft = [vec![1e-5, 0.0], vec![0.1, -0.2]];
+        [options.initial[0].position, options.initial[0].velocity] =
+            [vec![1e-5, 0.0], vec![0.1, -0.2]];
         audit(pair.law.name, parts, &[&pair.direct], &options);
     }
 }
@@ -104,7 +105,7 @@ fn a_spin_that_no_law_takes_changes_nothing() {
         parts.bearings[0].journal_radius = None;
         let machine = Machine::new(parts).expect("a machine");
         let mut options = strict(1e-4, 200);
-        options.initial_shaft[1] = vec![0.3, 0.1];
+        options.initial[0].velocity = vec![0.3, 0.1];
         let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));
         outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).history
     };
@@ -165,7 +166,8 @@ fn a_circular_whirl_makes_no_energy() {
     let radius = 5e-5;
     let omega = (1e4 + 4e12 * radius * radius).sqrt();
     let mut options = strict(0.05 / omega, 4000);
-    options.initial_shaft = [vec![radius, 0.0], vec![0.0, omega * radius]];
+    [options.initial[0].position, options.initial[0].velocity] =
+        [vec![radius, 0.0], vec![0.0, omega * radius]];
     let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));
     let quality = outcome.unwrap_or_else(|failure| panic!("{}", failure.error)).quality;
     assert!(quality.energy_made_share < 0.02, "{quality:?}");

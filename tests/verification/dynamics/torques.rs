@@ -28,7 +28,7 @@ fn every_bearing_that_brakes_has_the_torque_of_its_planes() {
     ];
     let machine = Machine::new(parts).expect("a machine");
     let mut options = options(1e-3, 5);
-    options.initial_speed = 40.0;
+    options.initial[0].speed = 40.0;
     let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(())).expect("marches");
     let history = outcome.history;
     let torques: Vec<&String> =

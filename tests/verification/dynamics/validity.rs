@@ -32,8 +32,8 @@ fn the_worst_values_are_those_of_the_steps() {
     ];
     let sine = |frequency| TimeFunction::Sine { frequency, phase: 0.4 };
     parts.loads = vec![
-        force(&parts.shaft.nodes[0], [300.0, 0.0, 0.0], sine(40.0), Frame::Space),
-        force(&parts.shaft.nodes[0], [0.0, 200.0, 0.0], sine(55.0), Frame::Space),
+        force(&parts.bodies[0].nodes()[0], [300.0, 0.0, 0.0], sine(40.0), Frame::Space),
+        force(&parts.bodies[0].nodes()[0], [0.0, 200.0, 0.0], sine(55.0), Frame::Space),
     ];
     let machine = Machine::new(parts).expect("a machine");
     let measures = machine.springs.measures();
@@ -104,7 +104,7 @@ fn every_spring_of_a_bearing_counts() {
     let wide = Bearing { clearance: 2e-3, stations: vec![0.5], ..bearing(0) };
     parts.bearings = vec![bearing(0), wide];
     parts.loads = vec![force(
-        &parts.shaft.nodes[2],
+        &parts.bodies[0].nodes()[2],
         [3.0, 1.0, 0.0],
         TimeFunction::Sine { frequency: 60.0, phase: 0.0 },
         Frame::Space,

@@ -72,7 +72,8 @@ pub(super) fn rows(
     t: f64,
     state: &State,
 ) -> Rows {
-    let shaft = &machine.shaft;
+    let shaft = machine.bodies[0].shaft().expect("it turns");
+    let support = machine.bodies[1].support().expect("it stands");
     let (n, size) = (shaft.size(), machine.size());
     let (theta, omega, alpha) = (state.q[0], state.v[0], state.a[0]);
     let (q, v, a) = (&state.q[1..=n], &state.v[1..=n], &state.a[1..=n]);
@@ -98,11 +99,11 @@ pub(super) fn rows(
         rows.term(1 + i, times(&shaft.damping, i, v).into_iter().map(|x| -x));
         rows.term(1 + i, times(&shaft.stiffness, i, q).into_iter().map(|x| -x));
     }
-    for i in 0..machine.support.size() {
+    for i in 0..support.size() {
         let place = 1 + n + i;
         rows.term(place, [-state.a[place]]);
-        rows.term(place, [-machine.support.damping[i] * state.v[place]]);
-        rows.term(place, [-machine.support.stiffness[i] * state.q[place]]);
+        rows.term(place, [-support.damping[i] * state.v[place]]);
+        rows.term(place, [-support.stiffness[i] * state.q[place]]);
     }
     let (sin, cos) = theta.sin_cos();
     let mut loads = vec![Vec::new(); size];
@@ -127,9 +128,9 @@ pub(super) fn rows(
         rows.term(i, products);
     }
     // What laws see as the speed of the journal.
-    let turns = match machine.rotation {
-        Rotation::Spinning { speed } => speed,
-        Rotation::Free | Rotation::Held => omega,
+    let turns = match machine.bodies[0].rotation() {
+        Some(Rotation::Spinning { speed }) => speed,
+        _ => omega,
     };
     let mut springs = vec![Vec::new(); size];
     for (bearing, law) in bearings {
@@ -147,10 +148,10 @@ pub(super) fn rows(
             // u̇ = A ε̇ + θ̇ ẑ×u.
             let u_dot = [rate[0] - omega * u[1], rate[1] + omega * u[0]];
             let bore_shape = |axis: usize, i: usize| match bearing.bore[1].first() {
-                Some(&node) => machine.support.nodes[node].shapes[(axis, i)],
+                Some(&node) => support.nodes[node].shapes[(axis, i)],
                 None => 0.0,
             };
-            let m = machine.support.size();
+            let m = support.size();
             let bore = |x: &[f64]| {
                 [0, 1].map(|k| (0..m).map(|i| bore_shape(k, i) * x[1 + n + i]).sum::<f64>())
             };
@@ -218,7 +219,7 @@ fn load_in_shaft(load: &Load, t: f64, [sin, cos]: [f64; 2]) -> [f64; 3] {
     };
     let [x, y, z] = load.force.map(|part| factor * part);
     match load.frame {
-        Frame::Shaft => [x, y, z],
+        Frame::Body => [x, y, z],
         Frame::Space => [cos * x + sin * y, -sin * x + cos * y, z],
     }
 }

@@ -181,14 +181,15 @@ fn every_step_of_a_mass_between_stops_is_solved() {
         // As fast as to cross the gap in a few steps, or to fly for many.
         let speed = gap / time_step * 10.0_f64.powf(2.0 * unit() - 1.5);
         let weight = mass * speed / time_step * 1e-2 * unit();
-        let node = &parts.shaft.nodes[0];
+        let node = &parts.bodies[0].nodes()[0];
         let shake = TimeFunction::Sine { frequency: 0.02 / time_step, phase: unit() };
         parts.loads = vec![
             force(node, [-weight, 0.0, 0.0], TimeFunction::Constant, Frame::Space),
             force(node, [weight * unit(), weight, 0.0], shake, Frame::Space),
         ];
         let mut options = strict(time_step, 400);
-        options.initial_shaft = [vec![0.0; 2], vec![-speed, speed * unit()]];
+        [options.initial[0].position, options.initial[0].velocity] =
+            [vec![0.0; 2], vec![-speed, speed * unit()]];
         let name = format!("mass {seed}: Δt√(k/m) = {ratio:.3}, law {}", PAIRS[place].law.name);
         halved += audit(&name, parts, &[&PAIRS[place].direct], &options);
     }
@@ -215,14 +216,14 @@ fn every_step_of_discs_in_a_moving_bore_is_solved() {
             parts.bearings =
                 vec![Bearing { clearance: 1e-4, journal_radius: radius, ..bearing(0) }];
             let sine = TimeFunction::Sine { frequency: 40.0 + 100.0 * unit(), phase: unit() };
-            let node = |k: usize| &parts.shaft.nodes[k];
+            let node = |k: usize| &parts.bodies[0].nodes()[k];
             parts.loads = vec![
                 force(node(2), [300.0 * unit(), -130.0, 0.0], sine, Frame::Space),
-                force(node(0), [5.0, 20.0 * unit(), 0.0], TimeFunction::Constant, Frame::Shaft),
+                force(node(0), [5.0, 20.0 * unit(), 0.0], TimeFunction::Constant, Frame::Body),
                 force(node(3), [-200.0, 0.0, 0.0], TimeFunction::Constant, Frame::Space),
             ];
             let mut options = strict(10.0_f64.powf(-3.0 - 1.5 * unit()), 300);
-            options.initial_speed = 300.0 * unit();
+            options.initial[0].speed = 300.0 * unit();
             let name = format!("discs, law {place}, {seed}");
             audit(&name, parts, &[&pair.direct], &options);
         }
@@ -241,7 +242,7 @@ fn every_step_of_a_meshed_shaft_is_solved() {
         let loads = vec![
             force(&node(1), [2e3, -3e2, 0.0], pulse, Frame::Space),
             force(&node(4), [-1e3, 0.0, 0.0], TimeFunction::Constant, Frame::Space),
-            force(&node(2), [0.0, 40.0, 0.0], TimeFunction::Constant, Frame::Shaft),
+            force(&node(2), [0.0, 40.0, 0.0], TimeFunction::Constant, Frame::Body),
         ];
         let free = small_shaft::free(shaft, small_shaft::motion("consistent"));
         let rigid = [const { [Vec::new(), Vec::new(), Vec::new()] }; 2];
@@ -251,7 +252,7 @@ fn every_step_of_a_meshed_shaft_is_solved() {
         });
         let parts = MachineParts { laws: vec![Box::new(pair.law)], bearings, loads, ..free };
         let mut options = strict(time_step, 400);
-        options.initial_speed = TAU * 50.0;
+        options.initial[0].speed = TAU * 50.0;
         let name = format!("meshed shaft, law {}", pair.law.name);
         audit(&name, parts, &[&pair.direct], &options);
     }

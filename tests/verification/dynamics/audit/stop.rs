@@ -21,7 +21,7 @@ pub(in super::super) fn machine() -> Machine {
     let mut parts = parts(shaft, Support::rigid(&[]), Rotation::Held);
     parts.laws = vec![Box::new(&STIFF)];
     parts.bearings = vec![stops("above", GAP, &[0.0], 0), stops("below", GAP, &[PI], 0)];
-    let node = &parts.shaft.nodes[0];
+    let node = &parts.bodies[0].nodes()[0];
     parts.loads = vec![force(node, [PUSH, 0.0, 0.0], TimeFunction::Constant, Frame::Space)];
     Machine::new(parts).expect("a machine")
 }
@@ -49,7 +49,8 @@ fn a_mass_between_stiff_stops_follows_its_closed_form() {
     let machine = machine();
     for (time_step, steps) in [(1e-3, 500), (1e-4, 5000), (1e-5, 50_000)] {
         let mut options = strict(time_step, steps);
-        options.initial_shaft = [vec![0.0; 2], vec![-1.0, 0.0]];
+        [options.initial[0].position, options.initial[0].velocity] =
+            [vec![0.0; 2], vec![-1.0, 0.0]];
         let mut march = March::new(&machine, &options).expect("starts");
         let mut last = [0.0, -1.0, PUSH];
         let mut farthest = 0.0_f64;
