@@ -2,6 +2,7 @@
 
 pub mod assembly;
 pub mod bearing;
+pub mod bodies;
 pub mod body;
 pub mod cache;
 pub mod constraints;

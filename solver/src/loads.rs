@@ -4,8 +4,8 @@
 //! Q_η = φᵀAᵀF and Q_θ = (A_θ(x0+u))·F, eq. (26); one fixed to the shaft gives Q_η = φᵀF and
 //! Q_θ = (x0+u) × F.
 
+use crate::bodies::BodyPlace;
 use crate::body::BodyNode;
-use crate::machine::BodyPlace;
 
 /// A force on a node of a body, constant in direction.
 #[derive(Debug, Clone, PartialEq)]

@@ -251,7 +251,7 @@ fn a_march_that_fails_says_where_and_keeps_what_it_had() {
     else {
         panic!("{}", failure.error)
     };
-    assert_eq!((*step, *iterations, worst_dof.as_str()), (3, 200, "shaft, mass x"));
+    assert_eq!((*step, *iterations, worst_dof.as_str()), (3, 200, "mass, mass x"));
     assert!((time - 3.0 * STEP).abs() < 1e-15 && *time_step == STEP);
     // An even iteration ends beyond the right stop, with 20 N and more where there was nothing.
     let [beyond_right, _] = cycle(start + 3.0 * STEP * speed);

@@ -3,10 +3,10 @@
 use whirl_specs::{BoreMotion, Clearance};
 
 use super::{Bearing, periodic_spline};
+use crate::bodies::Body;
 use crate::body::BodyNode;
 use crate::error::Error;
 use crate::linalg::Matrix;
-use crate::machine::Body;
 use crate::mesh::measure::mean_radius;
 
 /// The bore of a bearing: three rings of nodes, left, middle and right; a ring may be empty.

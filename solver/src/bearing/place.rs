@@ -9,10 +9,10 @@ use super::bore::{Bore, at_springs, between, journal_radius};
 use super::law::{BoundLaw, SpringLaw};
 use super::valid::Measures;
 use super::{Apart, Bearing, Bores, PlacedLaw, Plane, Springs};
+use crate::bodies::{Body, BodyPlace};
 use crate::body::BodyNode;
 use crate::error::Error;
 use crate::linalg::Matrix;
-use crate::machine::{Body, BodyPlace};
 
 impl Springs {
     /// Places the springs of all bearings between bodies whose coordinates stand at `places` in q.

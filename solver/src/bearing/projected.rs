@@ -1,8 +1,8 @@
 //! Single forces projected on the machine's coordinates.
 
 use super::{SpringState, Springs};
+use crate::bodies::Owner;
 use crate::linalg::largest_and_sum;
-use crate::machine::Owner;
 
 impl SpringState {
     /// Of coordinate `place` of q the largest single force projected on it, and the sum of |force| over all that act

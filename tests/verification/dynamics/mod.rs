@@ -8,6 +8,7 @@ mod films;
 mod free_shaft;
 mod friction;
 mod lumped;
+mod many;
 mod newton;
 mod quality;
 mod resume;

@@ -1,15 +1,12 @@
 //! The machine: reduced bodies, the motion that couples their deformation to their rotation, bearings between any
 //! two of them, and loads.
 
-mod body;
-
 use whirl_specs::{Clearance, Motion};
 
-use body::Layout;
-pub(crate) use body::Owner;
-pub use body::{Body, BodyPlace, Rotation};
+pub use crate::bodies::{Body, BodyPlace, Rotation};
 
 use crate::bearing::{Bearing, SpringLaw, Springs, axis_motion};
+use crate::bodies::{Layout, Owner};
 use crate::error::Error;
 use crate::linalg::dot;
 use crate::loads::Load;

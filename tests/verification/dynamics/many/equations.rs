@@ -1,0 +1,216 @@
+//! Residual and tangent of the machine of everything: against forces by virtual work, against its bodies alone, and
+//! against differences.
+
+use num_dual::Dual64;
+use whirl_solver::dynamics::{Coefficients, Newmark, State, System};
+use whirl_solver::machine::{Machine, MachineParts, Rotation};
+
+use super::super::wild;
+use super::{LAWS, everything, measures};
+
+/// A state in which nothing is small: angles and speeds of their size, displacements a part of the clearance.
+fn wild_state(machine: &Machine, seed: u64) -> State {
+    let mut random = wild(seed);
+    let mut state = State::new(machine.size());
+    for i in 0..machine.size() {
+        let length = if is_angle(machine, i) { 1.0 } else { 1e-4 };
+        state.q[i] = length * random();
+        state.v[i] = 100.0 * length * random();
+        state.a[i] = 1e4 * length * random();
+    }
+    state
+}
+
+fn is_angle(machine: &Machine, place: usize) -> bool {
+    machine.places().iter().any(|own| own.rotation == Some(place))
+}
+
+/// The forces of all bearings on q by virtual work: Σ F ∂(measure)/∂q, force by force.
+fn by_virtual_work(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<f64> {
+    let mut forces = vec![0.0; machine.size()];
+    let direction = |along: &[f64]| -> Vec<Dual64> {
+        state.q.iter().zip(along).map(|(q, v)| Dual64::new(*q, *v)).collect()
+    };
+    for own in &parts.bearings {
+        let law = LAWS[own.law];
+        let is_ring = law.outputs.contains(&"F_x");
+        let springs = if is_ring { 1 } else { own.angles.len() };
+        for station in &own.stations {
+            for spring in 0..springs {
+                let at =
+                    |along: &[f64]| measures(machine, own, *station, spring, &direction(along));
+                let moving = at(&state.v);
+                let [h, s, alpha, e_x, e_y] = moving.values;
+                let taken = |name: &&str| match *name {
+                    "h" => h.re,
+                    "h_dot" => h.eps,
+                    "v_t" => s.eps,
+                    "omega" => alpha.eps,
+                    "theta" => moving.theta.re,
+                    "psi" => own.angles[spring],
+                    "e_x" => e_x.re,
+                    "e_y" => e_y.re,
+                    "e_x_dot" => e_x.eps,
+                    "e_y_dot" => e_y.eps,
+                    other => panic!("{other} is no input"),
+                };
+                let inputs: Vec<Dual64> = law.inputs.iter().map(taken).map(Dual64::from).collect();
+                let given = (law.value)(&inputs);
+                for place in 0..machine.size() {
+                    let mut unit = vec![0.0; machine.size()];
+                    unit[place] = 1.0;
+                    let slopes = at(&unit).values.map(|own| own.eps);
+                    for (name, force) in law.outputs.iter().zip(&given) {
+                        let measure = ["Q", "T", "M_z", "F_x", "F_y"];
+                        let measure = measure.iter().position(|own| own == name).expect("known");
+                        forces[place] += force.re * slopes[measure];
+                    }
+                }
+            }
+        }
+    }
+    forces
+}
+
+#[test]
+fn bearings_act_on_both_bodies_by_virtual_work() {
+    let parts = everything();
+    let machine = Machine::new(everything()).expect("a machine");
+    let alone =
+        Machine::new(MachineParts { bearings: Vec::new(), ..everything() }).expect("bodies");
+    for seed in 1..5 {
+        let state = wild_state(&machine, seed);
+        let residual = |machine: &Machine| {
+            let mut system = System::new(machine);
+            system.evaluate(0.013, &state);
+            system.residual().to_vec()
+        };
+        let (all, without) = (residual(&machine), residual(&alone));
+        let exact = by_virtual_work(&machine, &parts, &state);
+        let largest = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        for (place, exact) in exact.iter().enumerate() {
+            let found = all[place] - without[place];
+            // What is subtracted rounds, too.
+            let error = 1e-12 * (largest + without[place].abs());
+            assert!((found - exact).abs() < error, "{seed} {place}: {found} for {exact}");
+        }
+    }
+}
+
+#[test]
+fn without_bearings_every_body_moves_as_it_does_alone() {
+    let parts = || MachineParts { bearings: Vec::new(), ..everything() };
+    let machine = Machine::new(parts()).expect("bodies");
+    let state = wild_state(&machine, 9);
+    let mut system = System::new(&machine);
+    system.evaluate(0.013, &state);
+    for (number, place) in machine.places().iter().enumerate() {
+        let mut own = parts();
+        own.bodies = vec![own.bodies.swap_remove(number)];
+        own.loads.retain(|load| load.body == number);
+        own.loads.iter_mut().for_each(|load| load.body = 0);
+        let alone = Machine::new(own).expect("a body");
+        let places: Vec<usize> = place.rotation.into_iter().chain(place.flexible.clone()).collect();
+        let of = |all: &[f64]| places.iter().map(|&place| all[place]).collect::<Vec<f64>>();
+        let mut by_itself = System::new(&alone);
+        let state = State { q: of(&state.q), v: of(&state.v), a: of(&state.a) };
+        by_itself.evaluate(0.013, &state);
+        assert_eq!(of(system.residual()), by_itself.residual(), "body {number}");
+    }
+}
+
+/// Of one step length: the largest difference between columns of the tangent and central differences of the residual,
+/// over the largest entry of each column.
+fn worst_column(machine: &Machine, state: &State, share: f64) -> Vec<f64> {
+    let (t, size) = (0.013, machine.size());
+    let (method, dt) = (Newmark { gamma: 0.55, beta: 0.3 }, 1e-3);
+    let (a1, a2) = (method.gamma / (method.beta * dt), 1.0 / (method.beta * dt * dt));
+    let step = Coefficients::new(method, dt);
+    let mut system = System::new(machine);
+    let mut tangent = vec![0.0; size * size];
+    system.evaluate(t, state);
+    system.tangent(t, state, &step, &mut tangent);
+    let column = |j: usize| {
+        let h = share * if is_angle(machine, j) { 1.0 } else { 1e-4 };
+        let mut side = |h: f64| {
+            let mut moved = state.clone();
+            moved.q[j] += h;
+            moved.v[j] += a1 * h;
+            moved.a[j] += a2 * h;
+            system.evaluate(t, &moved);
+            system.residual().to_vec()
+        };
+        let (above, below) = (side(h), side(-h));
+        let exact = &tangent[j * size..(j + 1) * size];
+        let scale = exact.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let errors = (0..size).map(|i| (exact[i] - (below[i] - above[i]) / (2.0 * h)).abs());
+        errors.fold(0.0, f64::max) / scale
+    };
+    (0..size).map(column).collect()
+}
+
+#[test]
+fn the_tangent_is_minus_the_derivative_of_the_residual() {
+    let machine = Machine::new(everything()).expect("a machine");
+    for seed in 1..4 {
+        let state = wild_state(&machine, seed);
+        let (coarse, fine) =
+            (worst_column(&machine, &state, 1e-2), worst_column(&machine, &state, 1e-3));
+        for (j, (coarse, fine)) in coarse.iter().zip(&fine).enumerate() {
+            assert!(*fine < 2e-5, "{seed} column {j}: {fine}");
+            assert!(*fine <= 0.02 * coarse + 1e-9, "{seed} column {j}: {coarse} {fine}");
+        }
+    }
+}
+
+/// The blocks of the bearings alone: what a machine with them has more than one without. Whatever the masses, an
+/// error in the derivative of a joint is one here.
+#[test]
+fn the_tangent_of_the_bearings_is_that_of_virtual_work() {
+    let parts = everything();
+    let machine = Machine::new(everything()).expect("a machine");
+    let alone =
+        Machine::new(MachineParts { bearings: Vec::new(), ..everything() }).expect("bodies");
+    let state = wild_state(&machine, 3);
+    let step = Coefficients::new(Newmark::default(), 1e-2);
+    let a1 = 2.0 / 1e-2;
+    let tangent = |machine: &Machine| {
+        let mut system = System::new(machine);
+        let mut tangent = vec![0.0; machine.size() * machine.size()];
+        system.evaluate(0.013, &state);
+        system.tangent(0.013, &state, &step, &mut tangent);
+        tangent
+    };
+    let (all, without) = (tangent(&machine), tangent(&alone));
+    let size = machine.size();
+    for j in 0..size {
+        let h = if is_angle(&machine, j) { 1e-4 } else { 1e-8 };
+        let side = |h: f64| {
+            let mut moved = state.clone();
+            moved.q[j] += h;
+            moved.v[j] += a1 * h;
+            by_virtual_work(&machine, &parts, &moved)
+        };
+        let (above, below) = (side(h), side(-h));
+        let exact: Vec<f64> = (0..size).map(|i| (below[i] - above[i]) / (2.0 * h)).collect();
+        let scale = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        assert!(scale > 0.0, "column {j}");
+        for (i, exact) in exact.iter().enumerate() {
+            let found = all[j * size + i] - without[j * size + i];
+            let rounding = 1e-12 * without[j * size + i].abs();
+            let error = (found - exact).abs();
+            assert!(error < 1e-6 * scale + rounding, "{i} {j}: {found} for {exact} of {scale}");
+        }
+    }
+}
+
+/// The row of a rotation that is prescribed is no unknown, and what is left in it the couple of its drive.
+#[test]
+fn prescribed_rotations_stand_before_the_unknowns() {
+    let machine = Machine::new(everything()).expect("a machine");
+    assert_eq!(machine.first_unknown(), 1);
+    assert_eq!(machine.places()[3].rotation, Some(0));
+    assert!(matches!(machine.bodies[3].rotation(), Some(Rotation::Prescribed { .. })));
+    assert_eq!(machine.size(), 3 + 10 + 2 + 4 + 10 + 2);
+    assert_eq!(machine.active(), machine.size() - 1);
+}

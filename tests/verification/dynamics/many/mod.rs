@@ -1,0 +1,249 @@
+//! Machines of several bodies: turning freely, as prescribed, or not at all, with bearings between any two of them.
+
+mod equations;
+mod floating_ring;
+mod invariants;
+
+use num_dual::{Dual64, DualNum};
+use whirl_solver::bearing::{Bearing, Sides, periodic_spline};
+use whirl_solver::body::BodyNode;
+use whirl_solver::linalg::Matrix;
+use whirl_solver::loads::{Frame, TimeFunction};
+use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
+use whirl_solver::shaft::Shaft;
+use whirl_solver::support::Support;
+use whirl_specs::CLEARANCES;
+
+use super::contacts::{FILM, Formula, RADIUS, RING, laws};
+use super::{bores, discs, force, motion, wild};
+
+/// Springs whose force is a curve.
+static CUBIC: Formula = Formula {
+    name: "cubic",
+    inputs: &["h"],
+    outputs: &["Q"],
+    value: |z| vec![(z[0] / -4e-4).exp() * 80.0 - z[0] * z[0] * z[0] * 1e9],
+};
+
+/// Springs with a damper.
+static DAMPED: Formula = Formula {
+    name: "damped",
+    inputs: &["h_dot", "h"],
+    outputs: &["Q"],
+    value: |z| vec![(z[1] / -5e-4).exp() * (z[0] * -0.3 + 1.0) * 50.0],
+};
+
+/// The laws of the machine of everything, by their places.
+const LAWS: [&Formula; 4] = [&FILM, &RING, &CUBIC, &DAMPED];
+
+/// Seven nodes unevenly around a bore, moved by `size` coordinates in any way.
+fn uneven(radius: f64, centre: [f64; 2], size: usize, seed: u64) -> Vec<BodyNode> {
+    let mut random = wild(seed);
+    let node = |angle: f64| {
+        let position = [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin(), 0.2];
+        BodyNode { position, shapes: Matrix::from_fn(3, size, |_, _| random()) }
+    };
+    [0.1, 0.8, 1.9, 2.7, 3.9, 4.6, 5.7].map(node).into()
+}
+
+/// Nodes all around a body that moves along x and y as one.
+fn around(radius: f64) -> Vec<[f64; 3]> {
+    (0..8)
+        .map(|k| std::f64::consts::TAU * f64::from(k) / 8.0)
+        .map(|angle| [radius * angle.cos(), radius * angle.sin(), 0.0])
+        .collect()
+}
+
+/// A rotor, a floating ring, a casing whose bores stand off its axis, a second rotor that is driven as prescribed, and
+/// a pedestal.
+fn bodies() -> Vec<Body> {
+    let mut second = discs(2e5);
+    let coordinates = second.size();
+    second.nodes.extend(uneven(0.05, [0.0; 2], coordinates, 11));
+    let mut casing = bores();
+    let shift = |node: &mut BodyNode| {
+        node.position[0] += CASING_AXIS[0];
+        node.position[1] += CASING_AXIS[1];
+    };
+    casing.nodes.iter_mut().for_each(shift);
+    let mut ring = vec![[0.0; 3]];
+    ring.extend(around(0.04));
+    let driven = Rotation::Prescribed { speed: 80.0, acceleration: -300.0 };
+    vec![
+        Body::turning("rotor", discs(1e5), Rotation::Free),
+        Body::turning("ring", Shaft::rigid(0.7, 1.3e-3, &ring), Rotation::Free),
+        Body::standing("casing", casing),
+        Body::turning("second", second, driven),
+        Body::standing("pedestal", Support::lumped(4.0, [500.0, 800.0], [20.0, 28.0], &ring)),
+    ]
+}
+
+/// Where the bores of the casing stand (m).
+const CASING_AXIS: [f64; 2] = [0.4, -0.3];
+
+/// Eight bearings of four laws, with offsets, run-outs, crooked bores and axes apart.
+fn bearings() -> Vec<Bearing> {
+    let row = |first: usize| (first..first + 7).collect::<Vec<usize>>();
+    let angles = |count: usize, first: f64| {
+        (0..count).map(|j| first + std::f64::consts::TAU * j as f64 / count as f64).collect()
+    };
+    let base = |place: usize, law: usize, bodies: [usize; 2]| Bearing {
+        name: format!("joint {place}"),
+        label: Some(format!("_{place}")),
+        sides: Sides { bodies, ..Sides::default() },
+        journal: [0; 3],
+        bore: [Vec::new(), (1..9).collect(), Vec::new()],
+        clearance: 1e-3,
+        journal_radius: Some(RADIUS),
+        stations: vec![0.5],
+        angles: angles(5, 0.3),
+        law,
+    };
+    let in_casing = |bearing: Bearing| Bearing {
+        bore: [row(0), row(7), row(14)],
+        sides: Sides { bore_axis: CASING_AXIS, ..bearing.sides.clone() },
+        journal: [1, 2, 3],
+        stations: vec![0.0, 0.3, 1.0],
+        angles: angles(11, 0.05),
+        ..bearing
+    };
+    let crooked = |sides: Sides| Sides {
+        run_out: [[1e-4, 2e-5], [-5e-5, 8e-5], [3e-5, -1e-4]],
+        offset: [[6e-5, -2e-5], [1e-5, 1e-4], [-7e-5, 4e-5]],
+        ..sides
+    };
+    let apart = |bearing: Bearing, apart: [f64; 2]| Bearing {
+        sides: Sides { apart, ..crooked(bearing.sides.clone()) },
+        ..bearing
+    };
+    let in_second =
+        |bearing: Bearing| Bearing { bore: [Vec::new(), row(5), Vec::new()], ..bearing };
+    let first = in_casing(base(0, 0, [0, 2]));
+    let driven = in_casing(base(3, 3, [3, 2]));
+    let ends = |node: usize, bearing: Bearing| Bearing { journal: [node; 3], ..bearing };
+    vec![
+        Bearing { sides: crooked(first.sides.clone()), ..first },
+        base(1, 1, [0, 1]),
+        base(2, 2, [1, 4]),
+        Bearing { sides: crooked(driven.sides.clone()), ..driven },
+        apart(ends(4, in_second(base(4, 0, [0, 3]))), [2e-4, -3e-4]),
+        apart(ends(8, in_second(base(5, 1, [2, 3]))), [-1e-4, 2e-4]),
+        Bearing {
+            bore: [Vec::new(), row(7), Vec::new()],
+            sides: Sides { bodies: [4, 2], bore_axis: CASING_AXIS, ..Sides::default() },
+            ..base(6, 3, [4, 2])
+        },
+        apart(base(7, 0, [3, 1]), [3e-4, 1e-4]),
+    ]
+}
+
+/// The machine of everything at once.
+fn everything() -> MachineParts {
+    let bodies = bodies();
+    let sine = TimeFunction::Sine { frequency: 30.0, phase: 0.4 };
+    let mut driven = bodies[0].nodes()[0].clone();
+    driven.position[0] = 0.03;
+    let mut loads = vec![
+        force(&bodies[0].nodes()[2], [100.0, -40.0, 7.0], sine, Frame::Space),
+        force(&driven, [0.0, 60.0, 0.0], TimeFunction::UntilSpeed { target: 1e9 }, Frame::Body),
+        force(&bodies[2].nodes()[3], [30.0, 20.0, 5.0], TimeFunction::Constant, Frame::Space),
+        force(&bodies[3].nodes()[1], [-10.0, 25.0, 0.0], sine, Frame::Space),
+    ];
+    (loads[2].body, loads[3].body) = (2, 3);
+    MachineParts {
+        bodies,
+        motion: motion("consistent"),
+        clearance: &CLEARANCES[0],
+        laws: laws(&LAWS),
+        bearings: bearings(),
+        loads,
+    }
+}
+
+/// How a spring or a ring of a bearing is seen: what laws take, and what their forces work on.
+struct Measures {
+    /// h, s, α, e_x, e_y.
+    values: [Dual64; 5],
+    theta: Dual64,
+}
+
+/// The measures at a spring of a bearing, from positions in space: of the centre of the journal and of the bore.
+fn measures(
+    machine: &Machine,
+    own: &Bearing,
+    station: f64,
+    spring: usize,
+    q: &[Dual64],
+) -> Measures {
+    let [a, b] = own.sides.bodies.map(|body| (&machine.bodies[body], &machine.places()[body]));
+    let angle = |place: Option<usize>| place.map_or(Dual64::from(0.0), |place| q[place]);
+    let (theta_a, theta_b) = (angle(a.1.rotation), angle(b.1.rotation));
+    let turn = |theta: Dual64, [x, y]: [Dual64; 2]| {
+        let (sin, cos) = theta.sin_cos();
+        [cos * x - sin * y, sin * x + cos * y]
+    };
+    let s = station;
+    let weights = [(2.0 * s - 1.0) * (s - 1.0), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)];
+    let moved = |side: &(&Body, &whirl_solver::machine::BodyPlace), node: usize, axis: usize| {
+        let shapes = &side.0.nodes()[node].shapes;
+        let place = side.1.flexible.clone();
+        let parts = place.enumerate().map(|(j, place)| q[place] * shapes[(axis, j)]);
+        parts.fold(Dual64::from(0.0), |sum, part| sum + part)
+    };
+    let between = |values: &[[f64; 2]; 3], axis: usize| -> f64 {
+        values.iter().zip(weights).map(|(own, weight)| weight * own[axis]).sum()
+    };
+    let centre = [0, 1].map(|axis| {
+        let nodes = own.journal.iter().zip(weights);
+        let parts = nodes.map(|(&node, weight)| moved(&a, node, axis) * weight);
+        parts.fold(Dual64::from(between(&own.sides.run_out, axis)), |sum, part| sum + part)
+    });
+    let centre = turn(theta_a, centre);
+    let [x, y] = turn(-theta_b, [0, 1].map(|axis| centre[axis] + own.sides.apart[axis]));
+    // The bore in its own frame: by a spline at the spring, by the rigid fit as a whole.
+    let psi = own.angles.get(spring).copied().unwrap_or(0.0);
+    let offset = [0, 1].map(|axis| Dual64::from(between(&own.sides.offset, axis)));
+    let (mut delta, mut axis_moved, mut turned) = (offset, offset, Dual64::from(0.0));
+    for (ring, weight) in own.bore.iter().zip(weights).filter(|(ring, _)| !ring.is_empty()) {
+        let at = |node: usize| {
+            let [x, y, _] = b.0.nodes()[node].position;
+            [x - own.sides.bore_axis[0], y - own.sides.bore_axis[1]]
+        };
+        let knots: Vec<f64> = ring.iter().map(|&node| at(node)[1].atan2(at(node)[0])).collect();
+        let spline = periodic_spline(&knots, &[psi]).expect("a spline");
+        let n = ring.len() as f64;
+        let mean = |of: &dyn Fn(usize) -> Dual64| {
+            ring.iter().fold(Dual64::from(0.0), |sum, &node| sum + of(node)) / n
+        };
+        let centroid = [0, 1].map(|k| mean(&|node| Dual64::from(at(node)[k])).re);
+        let plain = [0, 1].map(|k| mean(&|node| moved(&b, node, k)));
+        let arm = |node: usize| [0, 1].map(|k| at(node)[k] - centroid[k]);
+        let square: f64 = ring.iter().map(|&i| arm(i)[0].powi(2) + arm(i)[1].powi(2)).sum();
+        let beta = mean(&|node| {
+            let [x, y] = arm(node);
+            moved(&b, node, 1) * x - moved(&b, node, 0) * y
+        }) * (n / square);
+        turned += beta * weight;
+        axis_moved[0] += (plain[0] + beta * centroid[1]) * weight;
+        axis_moved[1] += (plain[1] - beta * centroid[0]) * weight;
+        for (knot, &node) in ring.iter().enumerate() {
+            for (axis, sum) in delta.iter_mut().enumerate() {
+                *sum += moved(&b, node, axis) * (weight * spline[(0, knot)]);
+            }
+        }
+    }
+    let (sin, cos) = psi.sin_cos();
+    let along = |[x, y]: [Dual64; 2]| x * cos + y * sin;
+    let across = |[x, y]: [Dual64; 2]| y * cos - x * sin;
+    let theta = theta_a - theta_b;
+    Measures {
+        values: [
+            along(delta) - along([x, y]) + own.clearance,
+            theta * RADIUS + across([x, y]) - across(delta),
+            theta - turned,
+            x - axis_moved[0],
+            y - axis_moved[1],
+        ],
+        theta,
+    }
+}
