@@ -5,7 +5,8 @@ use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::State;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
-use whirl_solver::machine::{Machine, Rotation};
+use whirl_solver::machine::{Body, BodyPlace, Machine, Rotation};
+use whirl_solver::shaft::Shaft;
 
 /// What a law takes at one place, in the fixed frame.
 #[derive(Default)]
@@ -36,11 +37,16 @@ struct Row {
 }
 
 /// The rows of a machine at one instant.
-pub(super) struct Rows(Vec<Row>);
+pub(in super::super) struct Rows(Vec<Row>);
 
 impl Rows {
+    /// Takes a force projected on row `i`.
+    pub(in super::super) fn project(&mut self, i: usize, force: f64) {
+        self.0[i].projected = self.0[i].projected.max(force);
+    }
+
     /// Adds a term of row `i`, made of products.
-    fn term(&mut self, i: usize, products: impl IntoIterator<Item = f64>) {
+    pub(in super::super) fn term(&mut self, i: usize, products: impl IntoIterator<Item = f64>) {
         let (mut value, row) = (0.0, &mut self.0[i]);
         for product in products {
             value += product;
@@ -54,7 +60,7 @@ impl Rows {
 /// At most 1 if every row of the unknowns is right at the end of a step, by the bound of the audit: |r| ≤ 1e-6 of
 /// the largest term + 1e-9 of the largest force projected + 32 ε Σ |terms|, those of the start of the step, from
 /// which its end follows, included.
-pub(super) fn worst_row(before: &Rows, after: &Rows, first: usize) -> f64 {
+pub(in super::super) fn worst_row(before: &Rows, after: &Rows, first: usize) -> f64 {
     let ratio = |(before, after): (&Row, &Row)| {
         let bound = 1e-6 * after.largest
             + 1e-9 * after.projected
@@ -63,6 +69,81 @@ pub(super) fn worst_row(before: &Rows, after: &Rows, first: usize) -> f64 {
     };
     let ratios = before.0[first..].iter().zip(&after.0[first..]).map(ratio);
     ratios.fold(0.0, |worst: f64, r| if r.is_nan() { f64::INFINITY } else { worst.max(r) })
+}
+
+/// The rows of a machine but for its bearings.
+pub(in super::super) fn without_bearings(machine: &Machine, t: f64, state: &State) -> Rows {
+    let mut rows = Rows(vec![Row::default(); machine.size()]);
+    for (body, place) in machine.bodies.iter().zip(machine.places()) {
+        match body {
+            Body::Turning { shaft, .. } => turning(shaft, place, state, &mut rows),
+            Body::Standing { support, .. } => {
+                for (i, place) in place.flexible.clone().enumerate() {
+                    rows.term(place, [-state.a[place]]);
+                    rows.term(place, [-support.damping[i] * state.v[place]]);
+                    rows.term(place, [-support.stiffness[i] * state.q[place]]);
+                }
+            }
+        }
+    }
+    let mut loads = vec![Vec::new(); machine.size()];
+    for load in &machine.loads {
+        let place = &machine.places()[load.body];
+        let theta = place.rotation.map_or(0.0, |theta| state.q[theta]);
+        let (sin, cos) = theta.sin_cos();
+        let force = load_in_body(load, t, [sin, cos]);
+        let shape = |axis: usize, j: usize| load.node.shapes[(axis, j)];
+        let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if let Some(theta) = place.rotation {
+            let moved = |axis: usize| {
+                place
+                    .flexible
+                    .clone()
+                    .enumerate()
+                    .map(move |(j, own)| shape(axis, j) * state.q[own])
+            };
+            let at = |axis: usize| load.node.position[axis] + moved(axis).sum::<f64>();
+            loads[theta].extend([at(0) * force[1], -at(1) * force[0]]);
+            rows.project(theta, size * at(0).hypot(at(1)));
+        }
+        for (j, own) in place.flexible.clone().enumerate() {
+            loads[own].extend([0, 1, 2].map(|axis| shape(axis, j) * force[axis]));
+            let reach = [0, 1, 2].map(|axis| shape(axis, j).powi(2)).iter().sum::<f64>().sqrt();
+            rows.project(own, size * reach);
+        }
+    }
+    for (i, products) in loads.into_iter().enumerate() {
+        rows.term(i, products);
+    }
+    rows
+}
+
+/// Adds the terms of a body that turns: kinetic energy ½ θ̇² J + θ̇ g·η̇ + ½ η̇ᵀMη̇ with J = J0 + 2 y0·η + ηᵀYη and
+/// g = g0 − Hη.
+fn turning(shaft: &Shaft, place: &BodyPlace, state: &State, rows: &mut Rows) {
+    let (n, theta, own) = (shaft.size(), place.rotation.expect("it turns"), place.flexible.clone());
+    let (omega, alpha) = (state.v[theta], state.a[theta]);
+    let (q, v, a) = (&state.q[own.clone()], &state.v[own.clone()], &state.a[own.clone()]);
+    let times = |m: &Matrix, i: usize, x: &[f64]| -> Vec<f64> {
+        (0..n).map(|j| m[(i, j)] * x[j]).collect()
+    };
+    let total = |products: &[f64]| products.iter().sum::<f64>();
+    let (y, h) = (&shaft.spin_inertia, &shaft.spin_coupling);
+    let arm: Vec<f64> = (0..n).map(|i| shaft.y0[i] + total(&times(y, i, q))).collect();
+    let g: Vec<f64> = (0..n).map(|i| shaft.g0[i] - total(&times(h, i, q))).collect();
+    let inertia = shaft.j0
+        + (0..n).map(|i| 2.0 * shaft.y0[i] * q[i] + q[i] * total(&times(y, i, q))).sum::<f64>();
+    let row: Vec<f64> = (0..n).map(|i| -g[i] * a[i]).collect();
+    rows.term(theta, row.into_iter().chain([-inertia * alpha]));
+    rows.term(theta, (0..n).map(|i| -2.0 * arm[i] * v[i] * omega));
+    for (i, place) in own.enumerate() {
+        let mass = times(&shaft.mass, i, a).into_iter().map(|x| -x);
+        rows.term(place, mass.chain([-g[i] * alpha]));
+        let coriolis = times(h, i, v).into_iter().map(|x| 2.0 * x * omega);
+        rows.term(place, coriolis.chain([arm[i] * omega * omega]));
+        rows.term(place, times(&shaft.damping, i, v).into_iter().map(|x| -x));
+        rows.term(place, times(&shaft.stiffness, i, q).into_iter().map(|x| -x));
+    }
 }
 
 /// The rows of a machine whose bearings stand in a support that moves as one mass.
@@ -75,58 +156,10 @@ pub(super) fn rows(
     let shaft = machine.bodies[0].shaft().expect("it turns");
     let support = machine.bodies[1].support().expect("it stands");
     let (n, size) = (shaft.size(), machine.size());
-    let (theta, omega, alpha) = (state.q[0], state.v[0], state.a[0]);
-    let (q, v, a) = (&state.q[1..=n], &state.v[1..=n], &state.a[1..=n]);
-    let mut rows = Rows(vec![Row::default(); size]);
-    let times = |m: &Matrix, i: usize, x: &[f64]| -> Vec<f64> {
-        (0..n).map(|j| m[(i, j)] * x[j]).collect()
-    };
-    let total = |products: &[f64]| products.iter().sum::<f64>();
-    // Kinetic energy ½ θ̇² J + θ̇ g·η̇ + ½ η̇ᵀMη̇ with J = J0 + 2 y0·η + ηᵀYη, g = g0 − Hη.
-    let (y, h) = (&shaft.spin_inertia, &shaft.spin_coupling);
-    let arm: Vec<f64> = (0..n).map(|i| shaft.y0[i] + total(&times(y, i, q))).collect();
-    let g: Vec<f64> = (0..n).map(|i| shaft.g0[i] - total(&times(h, i, q))).collect();
-    let inertia = shaft.j0
-        + (0..n).map(|i| 2.0 * shaft.y0[i] * q[i] + q[i] * total(&times(y, i, q))).sum::<f64>();
-    let row: Vec<f64> = (0..n).map(|i| -g[i] * a[i]).collect();
-    rows.term(0, row.into_iter().chain([-inertia * alpha]));
-    rows.term(0, (0..n).map(|i| -2.0 * arm[i] * v[i] * omega));
-    for i in 0..n {
-        let mass = times(&shaft.mass, i, a).into_iter().map(|x| -x);
-        rows.term(1 + i, mass.chain([-g[i] * alpha]));
-        let coriolis = times(h, i, v).into_iter().map(|x| 2.0 * x * omega);
-        rows.term(1 + i, coriolis.chain([arm[i] * omega * omega]));
-        rows.term(1 + i, times(&shaft.damping, i, v).into_iter().map(|x| -x));
-        rows.term(1 + i, times(&shaft.stiffness, i, q).into_iter().map(|x| -x));
-    }
-    for i in 0..support.size() {
-        let place = 1 + n + i;
-        rows.term(place, [-state.a[place]]);
-        rows.term(place, [-support.damping[i] * state.v[place]]);
-        rows.term(place, [-support.stiffness[i] * state.q[place]]);
-    }
+    let (theta, omega) = (state.q[0], state.v[0]);
+    let (q, v) = (&state.q[1..=n], &state.v[1..=n]);
+    let mut rows = without_bearings(machine, t, state);
     let (sin, cos) = theta.sin_cos();
-    let mut loads = vec![Vec::new(); size];
-    for load in &machine.loads {
-        let force = load_in_shaft(load, t, [sin, cos]);
-        let shape = |axis: usize, j: usize| load.node.shapes[(axis, j)];
-        let at = |axis: usize| {
-            load.node.position[axis] + (0..n).map(|j| shape(axis, j) * q[j]).sum::<f64>()
-        };
-        loads[0].extend([at(0) * force[1], -at(1) * force[0]]);
-        for j in 0..n {
-            loads[1 + j].extend([0, 1, 2].map(|axis| shape(axis, j) * force[axis]));
-        }
-        let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
-        rows.0[0].projected = rows.0[0].projected.max(size * at(0).hypot(at(1)));
-        for j in 0..n {
-            let reach = [0, 1, 2].map(|axis| shape(axis, j).powi(2)).iter().sum::<f64>().sqrt();
-            rows.0[1 + j].projected = rows.0[1 + j].projected.max(size * reach);
-        }
-    }
-    for (i, products) in loads.into_iter().enumerate() {
-        rows.term(i, products);
-    }
     // What laws see as the speed of the journal.
     let turns = match machine.bodies[0].rotation() {
         Some(Rotation::Spinning { speed }) => speed,
@@ -164,18 +197,18 @@ pub(super) fn rows(
                 springs[0].extend([u[0] * force[1], -u[1] * force[0], moment]);
                 let size = force[0].hypot(force[1]);
                 let reach = size * (radius + u[0].hypot(u[1])) + moment.abs();
-                rows.0[0].projected = rows.0[0].projected.max(reach);
+                rows.project(0, reach);
                 let turned = [cos * force[0] + sin * force[1], -sin * force[0] + cos * force[1]];
                 for j in 0..n {
                     springs[1 + j].extend([0, 1].map(|axis| shape(axis, j) * turned[axis]));
                     let reach = size * shape(0, j).hypot(shape(1, j));
-                    rows.0[1 + j].projected = rows.0[1 + j].projected.max(reach);
+                    rows.project(1 + j, reach);
                 }
                 for i in 0..m {
                     springs[1 + n + i]
                         .extend([0, 1].map(|axis| -bore_shape(axis, i) * force[axis]));
                     let reach = size * bore_shape(0, i).hypot(bore_shape(1, i));
-                    rows.0[1 + n + i].projected = rows.0[1 + n + i].projected.max(reach);
+                    rows.project(1 + n + i, reach);
                 }
             };
             match law {
@@ -208,8 +241,8 @@ pub(super) fn rows(
     rows
 }
 
-/// A load in the frame of the shaft (N).
-fn load_in_shaft(load: &Load, t: f64, [sin, cos]: [f64; 2]) -> [f64; 3] {
+/// A load in the frame of its body (N).
+fn load_in_body(load: &Load, t: f64, [sin, cos]: [f64; 2]) -> [f64; 3] {
     let factor = match load.time_function {
         TimeFunction::Constant => 1.0,
         TimeFunction::Sine { frequency, phase } => {

@@ -17,8 +17,8 @@ use whirl_solver::support::Support;
 use super::contacts::Formula;
 use super::{bearing, bores, discs, force, options, parts, stops, wild};
 use crate::small_shaft;
-pub(super) use evaluation::Direct;
-use evaluation::{LawInputs, rows, worst_row};
+pub(super) use evaluation::{Direct, without_bearings, worst_row};
+use evaluation::{LawInputs, rows};
 
 /// Steps in which no force may be missing at a spring.
 pub(super) fn strict(time_step: f64, steps: usize) -> MarchOptions {

@@ -2,9 +2,10 @@
 //! against differences.
 
 use num_dual::Dual64;
-use whirl_solver::dynamics::{Coefficients, Newmark, State, System};
+use whirl_solver::dynamics::{BodyStart, Coefficients, March, Newmark, State, System};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 
+use super::super::audit::{strict, without_bearings, worst_row};
 use super::super::wild;
 use super::{LAWS, everything, measures};
 
@@ -25,9 +26,9 @@ fn is_angle(machine: &Machine, place: usize) -> bool {
     machine.places().iter().any(|own| own.rotation == Some(place))
 }
 
-/// The forces of all bearings on q by virtual work: Σ F ∂(measure)/∂q, force by force.
-fn by_virtual_work(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<f64> {
-    let mut forces = vec![0.0; machine.size()];
+/// The forces of all bearings on q by virtual work: Σ F ∂(measure)/∂q; one product a force and a place of q.
+fn products(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<Vec<f64>> {
+    let mut products = vec![Vec::new(); machine.size()];
     let direction = |along: &[f64]| -> Vec<Dual64> {
         state.q.iter().zip(along).map(|(q, v)| Dual64::new(*q, *v)).collect()
     };
@@ -56,20 +57,52 @@ fn by_virtual_work(machine: &Machine, parts: &MachineParts, state: &State) -> Ve
                 };
                 let inputs: Vec<Dual64> = law.inputs.iter().map(taken).map(Dual64::from).collect();
                 let given = (law.value)(&inputs);
-                for place in 0..machine.size() {
+                for (place, products) in products.iter_mut().enumerate() {
                     let mut unit = vec![0.0; machine.size()];
                     unit[place] = 1.0;
                     let slopes = at(&unit).values.map(|own| own.eps);
                     for (name, force) in law.outputs.iter().zip(&given) {
                         let measure = ["Q", "T", "M_z", "F_x", "F_y"];
                         let measure = measure.iter().position(|own| own == name).expect("known");
-                        forces[place] += force.re * slopes[measure];
+                        products.push(force.re * slopes[measure]);
                     }
                 }
             }
         }
     }
-    forces
+    products
+}
+
+fn by_virtual_work(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<f64> {
+    products(machine, parts, state).iter().map(|own| own.iter().sum()).collect()
+}
+
+/// Every step that is accepted solves its equations, by an evaluation that shares nothing with the solver's.
+#[test]
+fn every_step_of_the_machine_of_everything_is_solved() {
+    let parts = everything();
+    let machine = Machine::new(everything()).expect("a machine");
+    let rows = |t: f64, state: &State| {
+        let mut rows = without_bearings(&machine, t, state);
+        for (place, products) in products(&machine, &parts, state).into_iter().enumerate() {
+            let largest = products.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+            rows.project(place, largest);
+            rows.term(place, products);
+        }
+        rows
+    };
+    let mut options = strict(5e-5, 150);
+    let start = |speed: f64| BodyStart { speed, ..BodyStart::default() };
+    options.initial = vec![start(50.0), start(-20.0)];
+    let mut march = March::new(&machine, &options).expect("starts");
+    let mut before = rows(0.0, march.state());
+    for step in 1..=options.steps {
+        march.advance().expect("the step converges");
+        let after = rows(step as f64 * options.time_step, march.state());
+        let worst = worst_row(&before, &after, machine.first_unknown());
+        assert!(worst <= 1.0, "step {step}: a row is {worst} times what it may be");
+        before = after;
+    }
 }
 
 #[test]

@@ -145,7 +145,7 @@ fn everything() -> MachineParts {
     driven.position[0] = 0.03;
     let mut loads = vec![
         force(&bodies[0].nodes()[2], [100.0, -40.0, 7.0], sine, Frame::Space),
-        force(&driven, [0.0, 60.0, 0.0], TimeFunction::UntilSpeed { target: 1e9 }, Frame::Body),
+        force(&driven, [0.0, 60.0, 0.0], TimeFunction::Constant, Frame::Body),
         force(&bodies[2].nodes()[3], [30.0, 20.0, 5.0], TimeFunction::Constant, Frame::Space),
         force(&bodies[3].nodes()[1], [-10.0, 25.0, 0.0], sine, Frame::Space),
     ];
