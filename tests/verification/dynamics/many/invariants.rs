@@ -2,7 +2,7 @@
 //! called the journal, where x points.
 
 use whirl_solver::bearing::{Bearing, Sides};
-use whirl_solver::dynamics::{BodyStart, March, MarchOptions, State};
+use whirl_solver::dynamics::{BodyStart, March, MarchOptions, State, System};
 use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
@@ -99,6 +99,64 @@ fn close(found: [f64; 6], exact: [f64; 6], scale: [f64; 3], share: f64, what: &s
     for ((found, exact), size) in found.into_iter().zip(exact).zip(sizes) {
         assert!((found - exact).abs() < share * size, "{what}: {found} for {exact}");
     }
+}
+
+/// What a joint does to both of its bodies, as forces and as moments about one point of space: nothing in all.
+#[test]
+fn forces_of_a_joint_on_both_bodies_cancel() {
+    let (offsets, apart) = ([[3e-5, -1e-5]; 3], [2e-4, -3e-4]);
+    for law in [0, 1] {
+        let joined = || {
+            let own = bearing(law, [0, 1]);
+            let sides = Sides { run_out: offsets, offset: offsets, apart, ..own.sides.clone() };
+            vec![Bearing { sides, ..own }]
+        };
+        let bodies = || -> Vec<Body> {
+            let body = |name| Body::turning(name, rigid(0.7, 1.3e-3), Rotation::Free);
+            ["one", "other"].map(body).into()
+        };
+        let residual = |bearings: Vec<Bearing>, state: &State| {
+            let machine = Machine::new(machine(bodies(), bearings)).expect("a machine");
+            let mut system = System::new(&machine);
+            system.evaluate(0.0, state);
+            system.residual().to_vec()
+        };
+        let mut state = State::new(6);
+        state.q = vec![0.4, -1.1, 5e-5, -2e-5, 3e-5, 7e-5];
+        state.v = vec![90.0, -30.0, 0.02, 0.05, -0.03, 0.04];
+        let (with, without) = (residual(joined(), &state), residual(Vec::new(), &state));
+        let forces: Vec<f64> = with.iter().zip(&without).map(|(a, b)| a - b).collect();
+        // In space: force, moment about the own axis less that of the force, about the axis of the other.
+        let mut sums = [0.0_f64; 3];
+        for body in 0..2 {
+            let (sin, cos) = state.q[body].sin_cos();
+            let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+            let force = turn([forces[2 + 2 * body], forces[3 + 2 * body]]);
+            let axis = if body == 0 { apart } else { [0.0; 2] };
+            sums[0] += force[0];
+            sums[1] += force[1];
+            sums[2] += forces[body] + axis[0] * force[1] - axis[1] * force[0];
+        }
+        let largest = forces[2..].iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        assert!(largest > 1.0, "{law}: {largest}");
+        for (sum, size) in sums.into_iter().zip([1.0, 1.0, 1e-3]) {
+            assert!(sum.abs() < 1e-10 * largest * size, "{law}: {sum} of {largest}");
+        }
+    }
+}
+
+/// The couple of a rotation that is prescribed does the work that films take.
+#[test]
+fn energy_balances_where_a_rotation_is_prescribed() {
+    let (parts, options) = turned(0.3);
+    let machine = Machine::new(parts).expect("a machine");
+    let mut march = March::new(&machine, &options).expect("starts");
+    while !march.is_done() {
+        march.advance().expect("the step converges");
+    }
+    let energy = march.energy();
+    assert!(energy.work_in.abs() > 1.0 && energy.spring_dissipated > 0.1, "{energy:?}");
+    assert!(energy.error_fraction() < 1e-4, "{energy:?}: {}", energy.error_fraction());
 }
 
 /// Two free rotors that nothing but a film joins keep momentum and angular momentum but for what steps make of them.
