@@ -84,6 +84,9 @@ pub struct Clearance {
     pub origin: Origin,
     /// The axial interpolation A₁, A₂, A₃ of eq. (13) at z/L_b.
     pub axial: fn(z_over_length: f64) -> [f64; 3],
+    /// Where the bodies of journal and bore turn about axes that are apart (m, in space): what that adds to
+    /// ε_x and ε_y at an angle of the journal's body, its derivatives by that angle, and theirs.
+    pub apart: fn(angle: f64, distance: [f64; 2]) -> [[f64; 2]; 3],
     /// Kinds of laws; that of normal forces Q(h, ḣ) first.
     pub contacts: &'static [Contact],
 }

@@ -121,9 +121,9 @@ fn motion(name: &str, scalars: &[String], others: &[String]) -> String {
 
 /// The shipped clearance with other names for its coordinates, definitions, measures, forces and kinds of laws.
 fn clearance(name: &str, words: &[String]) -> String {
-    const OWN: [&str; 20] = [
+    const OWN: [&str; 23] = [
         "psi", "c", "R", "theta", "eps_x", "eps_y", "delta", "tau", "b_x", "b_y", "beta", "u_x",
-        "u_y", "h", "s", "alpha", "e_x", "e_y", "T", "M_z",
+        "u_y", "h", "s", "alpha", "e_x", "e_y", "T", "M_z", "phi", "D_x", "D_y",
     ];
     let kinds = &words[OWN.len()..];
     let other = |word: &str| match OWN.iter().position(|own| *own == word) {
@@ -226,7 +226,7 @@ fn specs_of_hostile_names_compile() {
         .collect();
     // What kernels call their own things is short.
     free.sort_by_key(|word| word.len());
-    for (place, some) in free.chunks_exact(22).take(16).enumerate() {
+    for (place, some) in free.chunks_exact(25).take(14).enumerate() {
         let path = format!("specs/motion/clearance-{place}.toml");
         workspace.write(&path, &clearance(&format!("crate-{place}"), some));
     }

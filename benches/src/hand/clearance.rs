@@ -19,6 +19,7 @@ pub static CLEARANCE: Clearance = Clearance {
         hash: "",
     },
     axial,
+    apart,
     contacts: &[NORMAL],
 };
 
@@ -172,6 +173,12 @@ fn tangent(
         tangent.ring_ring[0][i] += moment;
         tangent.ring_ring[i][0] += moment;
     }
+}
+
+fn apart(angle: f64, [x, y]: [f64; 2]) -> [[f64; 2]; 3] {
+    let (sin, cos) = angle.sin_cos();
+    let [along, across] = [cos * x + sin * y, cos * y - sin * x];
+    [[along, across], [across, -along], [-along, -across]]
 }
 
 fn axial(s: f64) -> [f64; 3] {

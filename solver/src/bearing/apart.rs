@@ -1,20 +1,24 @@
-//! Journal and bore on axes that are apart: A(−θ)Δ, the distance Δ of their axes (fixed in space) as the body of the
-//! journal sees it, which turns by θ.
+//! Journal and bore on axes that are apart: Δ, the distance of their axes (fixed in space), as the body of the journal
+//! sees it, which turns by θ.
+
+use whirl_specs::Clearance;
 
 /// The axes of the bodies of a journal and of its bore.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub(crate) struct Apart {
+    pub(super) kernels: &'static Clearance,
     /// Place of θ of the journal's body in q; none if it does not turn.
     pub(crate) theta: Option<usize>,
     /// Δ (m).
     pub(super) delta: [f64; 2],
 }
 
-/// A(−θ)Δ at one instant, with its rates.
+/// What Δ adds to ε at one instant, with its rates.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Seen {
-    /// A(−θ)Δ (m).
+    /// What it adds (m), and ∂²/∂θ² of it.
     pub(crate) value: [f64; 2],
+    pub(crate) curvature: [f64; 2],
     /// ∂/∂θ of it (m).
     pub(crate) slope: [f64; 2],
     /// ∂(its rate)/∂θ (m/s).
@@ -25,10 +29,8 @@ impl Apart {
     /// At θ (rad) and θ̇ (rad/s), those in q and q̇.
     pub(super) fn seen(&self, q: &[f64], v: &[f64]) -> Seen {
         let [theta, speed] = self.theta.map_or([0.0; 2], |place| [q[place], v[place]]);
-        let ((sin, cos), [x, y]) = (theta.sin_cos(), self.delta);
-        let value = [cos * x + sin * y, -sin * x + cos * y];
-        let slope = [value[1], -value[0]];
-        Seen { value, slope, rate_slope: value.map(|part| -part * speed) }
+        let [value, slope, curvature] = (self.kernels.apart)(theta, self.delta);
+        Seen { value, slope, curvature, rate_slope: curvature.map(|part| part * speed) }
     }
 }
 
@@ -38,7 +40,8 @@ mod tests {
 
     #[test]
     fn slopes_are_those_of_differences() {
-        let apart = Apart { theta: Some(0), delta: [0.3, -0.7] };
+        let apart =
+            Apart { kernels: &whirl_specs::CLEARANCES[0], theta: Some(0), delta: [0.3, -0.7] };
         let (theta, speed, step) = (0.4, 2.5, 1e-6);
         let at = |theta: f64| apart.seen(&[theta], &[speed]);
         let (own, before, after) = (at(theta), at(theta - step), at(theta + step));

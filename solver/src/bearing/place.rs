@@ -69,7 +69,7 @@ impl Springs {
 
 /// Springs that stand so far.
 struct Placing<'a> {
-    kernels: &'a Clearance,
+    kernels: &'static Clearance,
     bodies: &'a [Body],
     places: &'a [BodyPlace],
     laws: Vec<PlacedLaw>,
@@ -193,8 +193,11 @@ impl Placing<'_> {
         let angle = journal.rotation.map(|place| (place, 1.0));
         let against = bore.rotation.map(|place| (place, -1.0));
         let [mut x, mut y] = eccentricity(bearing, weights, body.nodes(), &journal.flexible);
-        let apart = (sides.apart != [0.0; 2])
-            .then_some(Apart { theta: journal.rotation, delta: sides.apart });
+        let apart = (sides.apart != [0.0; 2]).then_some(Apart {
+            kernels: self.kernels,
+            theta: journal.rotation,
+            delta: sides.apart,
+        });
         if let Some(place) = apart.and_then(|own| own.theta) {
             x.push((place, 0.0));
             y.push((place, 0.0));

@@ -417,8 +417,8 @@ impl TurnedRows {
     ) {
         let ([x, y], [_, along_x, along_y]) = (moved.apart.rate_slope, moved.ring_force);
         self.ring = rate.map(|row| row[1] * x + row[2] * y);
-        // ∂²(A(−θ)Δ)/∂θ² = −A(−θ)Δ.
-        self.row = -(along_x * moved.apart.value[0] + along_y * moved.apart.value[1]);
+        let [curved_x, curved_y] = moved.apart.curvature;
+        self.row = along_x * curved_x + along_y * curved_y;
         self.bore.clear();
         let n = count.max(1);
         let by_ring = more.chunks_exact(3 * n).zip(bore.chunks_exact(3 * n));

@@ -27,6 +27,13 @@ impl Explained for ClearanceSpec {
                 show(weight)
             ));
         }
+        for (value, ring) in self.apart.values.into_iter().zip(&self.ring[1..]) {
+            page.item(&format!(
+                "added to {} where the axes of both bodies are apart (m) = {}",
+                ring.name,
+                show(value)
+            ));
+        }
         if self.measures.len() > 1 {
             page.heading("What else laws may depend on, and their other forces work on");
             for (name, value) in self.measures.iter().skip(1) {

@@ -21,6 +21,8 @@
 //! h = 'c - …'
 //! [axial]             # three functions of one variable, z over the length of the bearing
 //! s = ['…', '…', '…']
+//! [apart]             # axes of journal and bore that are apart: added to the ring's displacements, by the journal's angle
+//! phi = { D_x = '…', D_y = '…' }
 //! ```
 //!
 //! Laws that take or give more than Q(h, ḣ) need further measures of the motion:
@@ -107,7 +109,9 @@ pub struct ClearanceSpec {
     pub(crate) axial_variable: Coordinate,
     /// The axial functions in the graph.
     pub(crate) axial: [Id; RINGS],
-    /// Symbols and values of the measures and the axial functions, all SI.
+    /// What axes that are apart add to the ring's displacements.
+    pub(crate) apart: Apart,
+    /// Symbols and values of the measures, the axial functions and of axes that are apart, all SI.
     pub graph: Graph,
 }
 
@@ -124,6 +128,17 @@ pub(crate) enum BoreMotion {
     MeanY,
     /// All around, turning.
     MeanTurn,
+}
+
+/// Axes of journal and bore that are apart.
+#[derive(Debug, Clone)]
+pub(crate) struct Apart {
+    /// Angle of the journal's body.
+    pub(crate) angle: Coordinate,
+    /// How far its axis stands from that of the bore, in space.
+    pub(crate) distances: [Coordinate; 2],
+    /// What is added to the displacements of the ring.
+    pub(crate) values: [Id; 2],
 }
 
 /// A symbol of the spec.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::kinds::Measure;
-use super::{BORE, ClearanceSpec, Coordinate, RING, RINGS};
+use super::{Apart, BORE, ClearanceSpec, Coordinate, RING, RINGS};
 use crate::diagnostic::{Code, Diagnostics, Located, Source};
 use crate::document::schema::Described;
 use crate::document::{Document, Table, Value};
@@ -49,6 +49,7 @@ impl<'d> Reader<'d> {
         let definitions = self.definitions(&root);
         let clearance = self.clearance(&root);
         let axial = self.axial(&root);
+        let apart = self.apart(&root);
         let tangential = self.optional_coordinates(&root, "tangential", &[Dimension::LENGTH]);
         let bore_units = [Dimension::LENGTH, Dimension::LENGTH, Dimension::ANGLE];
         let bore = self.optional_coordinates(&root, "bore", &bore_units);
@@ -62,6 +63,7 @@ impl<'d> Reader<'d> {
         let one = |list: Option<Vec<Coordinate>>| list?.into_iter().next();
         let (clearance, formula, value) = clearance?;
         let (axial_variable, axial) = axial?;
+        let apart = apart?;
         let (tangential, bore) = (tangential?, bore?);
         let mut constants = constants?.into_iter();
         let mut spec = ClearanceSpec {
@@ -88,6 +90,7 @@ impl<'d> Reader<'d> {
             value,
             axial_variable,
             axial,
+            apart,
             graph: self.graph,
         };
         let measures: Vec<Measure> =
@@ -264,6 +267,43 @@ impl<'d> Reader<'d> {
         }
         table.finish();
         Some((variable, <[Id; RINGS]>::try_from(functions).ok()?))
+    }
+
+    /// The angle, the two distances, and what they add, each by the name of the distance along its axis.
+    fn apart(&mut self, root: &Table<'d>) -> Option<Apart> {
+        let table = root.table("apart")?;
+        let keys = table.names();
+        let [angle] = keys.as_slice() else {
+            let message = "`apart` names one angle, such as `phi = { D_x = '…', D_y = '…' }`";
+            table.error(Code::BAD_VALUE, table.span(), message.to_owned());
+            return None;
+        };
+        let values = table.table(angle.text())?;
+        let (angle, names) = (self.name(angle), values.names());
+        let [x, y] = names.as_slice() else {
+            let message = format!("two distances are needed, along x and y, not {}", names.len());
+            values.error(Code::BAD_VALUE, values.span(), message);
+            return None;
+        };
+        let distances = [self.name(x)?, self.name(y)?];
+        // The formulas are of these alone.
+        let others = (std::mem::take(&mut self.symbols), std::mem::take(&mut self.meanings));
+        let angle = angle.map(|name| self.declare(name, None, "rad", &Dimension::ANGLE));
+        let distances = distances.map(|name| self.declare(name, None, "m", &Dimension::LENGTH));
+        let formulas = [x, y].map(|key| {
+            let text = values.string(key.text())?;
+            let (_, value, dimension) = self.formula(&text)?;
+            if dimension.is_some_and(|own| !own.fits(&Dimension::LENGTH)) {
+                let message = "a displacement is a length".to_owned();
+                self.document.push(text.error_here(Code::DIMENSION, message));
+            }
+            Some(value)
+        });
+        (self.symbols, self.meanings) = others;
+        values.finish();
+        table.finish();
+        let [x, y] = formulas;
+        Some(Apart { angle: angle?, distances, values: [x?, y?] })
     }
 
     /// Parses, checks and lowers a formula of scalars.

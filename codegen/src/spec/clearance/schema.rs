@@ -21,6 +21,11 @@ const CLEARANCE: &[Key] = &[
     key("definitions", Named(&Formula), "names for parts of the formula"),
     needed("clearance", Named(&Formula), "the clearance"),
     needed("axial", Named(&Tuple(&Formula, 3)), "weights of the three rings over the length"),
+    needed(
+        "apart",
+        Named(&Named(&Formula)),
+        "by the angle of the journal's body: what two distances of its axis from that of the bore, fixed in space, add to the displacements of the ring",
+    ),
     key(
         "measures",
         Named(&Table(&[MEASURE])),

@@ -10,7 +10,7 @@ use quote::quote;
 use self::functions::Kernels;
 use self::program::{Sum, program};
 use super::ClearanceSpec;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Code, Diagnostics};
 use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::expression::Id;
 use crate::schedule::{Program, Request, ScheduleError, schedule as in_stages};
@@ -21,6 +21,7 @@ use crate::spec::kind::{Compiled, OfAnyKind, Other, SpecKind};
 pub(crate) struct Programs {
     value: Program,
     axial: Program,
+    apart: Program,
     /// Where there are more measures than the clearance.
     measures: Option<Program>,
     /// One a kind of law, with the sums over springs that it needs.
@@ -40,6 +41,7 @@ impl Compiled for ClearanceSpec {
             value: flat(self, &springs_own(self), &[(&self.clearance, self.value)])
                 .map_err(refused)?,
             axial: axial_program(self).map_err(refused)?,
+            apart: apart_program(self)?.map_err(refused)?,
             measures: measures_program(self).transpose().map_err(refused)?,
             kinds: kinds.collect::<Result<_, Diagnostics>>()?,
         })
@@ -47,7 +49,11 @@ impl Compiled for ClearanceSpec {
 
     fn emit(&self, programs: &Programs, _: &[Other<'_>]) -> String {
         let about = self.about();
-        let own = [value(self, &programs.value), axial(self, &programs.axial)];
+        let own = [
+            value(self, &programs.value),
+            axial(self, &programs.axial),
+            apart(self, &programs.apart),
+        ];
         let measures = programs.measures.as_ref().map(|program| measures(self, program));
         let kinds = self.contacts.iter().zip(&programs.kinds);
         let kinds: TokenStream = kinds
@@ -73,6 +79,7 @@ impl Compiled for ClearanceSpec {
                 pub const ENTRY: Clearance = Clearance {
                     origin: #origin,
                     axial,
+                    apart,
                     contacts: &[#(contacts::#entries::ENTRY),*],
                 };
             }
@@ -112,6 +119,27 @@ fn axial_program(spec: &ClearanceSpec) -> Result<Program, ScheduleError> {
     let variable = (spec.axial_variable.name.as_str(), spec.axial_variable.symbol);
     let outputs = [("A_1_", spec.axial[0]), ("A_2_", spec.axial[1]), ("A_3_", spec.axial[2])];
     in_stages(&mut spec.graph.clone(), &Request::flat(&[variable], &outputs))
+}
+
+/// What is added, its derivatives by the angle and theirs.
+fn apart_program(spec: &ClearanceSpec) -> Result<Result<Program, ScheduleError>, Diagnostics> {
+    let (own, mut graph) = (&spec.apart, spec.graph.clone());
+    let mut values = vec![own.values];
+    for order in 0..2 {
+        let mut slopes = [own.values[0]; 2];
+        for (slope, value) in slopes.iter_mut().zip(values[order]) {
+            *slope = graph.differentiate(value, own.angle.symbol).map_err(|error| {
+                let text = &spec.formula.text;
+                Diagnostics::from(text.error_here(Code::UNDEFINED, error.to_string()))
+            })?;
+        }
+        values.push(slopes);
+    }
+    let inputs = [&own.angle, &own.distances[0], &own.distances[1]];
+    let inputs = inputs.map(|own| (own.name.as_str(), own.symbol));
+    let names = ["x_", "y_", "by_angle_x_", "by_angle_y_", "twice_x_", "twice_y_"];
+    let outputs: Vec<(&str, Id)> = names.into_iter().zip(values.into_iter().flatten()).collect();
+    Ok(in_stages(&mut graph, &Request::flat(&inputs, &outputs)))
 }
 
 fn measures_program(spec: &ClearanceSpec) -> Option<Result<Program, ScheduleError>> {
@@ -160,6 +188,30 @@ fn axial(spec: &ClearanceSpec, program: &Program) -> TokenStream {
         pub fn axial(#name: f64) -> [f64; 3] {
             #(#statements)*
             [#(#results),*]
+        }
+    }
+}
+
+fn apart(spec: &ClearanceSpec, program: &Program) -> TokenStream {
+    let (angle, [x, y]) = (&spec.apart.angle.name, &spec.apart.distances);
+    let names = [angle, &x.name, &y.name].map(|name| identifier(name));
+    let [first, second, third] = names;
+    let statements = statements(program, 0, Numbers::Plain);
+    let results = program.outputs.iter().map(|o| operand(program, o.operand, Numbers::Plain));
+    let results: Vec<TokenStream> = results.collect();
+    let rows = results.chunks(2).map(|row| quote!([#(#row),*]));
+    let about = documented(&format!(
+        "What axes that are apart by ({}, {}) add to the displacements of the ring, its derivatives by {angle} and \
+         theirs; {}.",
+        x.name,
+        y.name,
+        program.total_counts()
+    ));
+    quote! {
+        #about
+        pub fn apart(#first: f64, [#second, #third]: [f64; 2]) -> [[f64; 2]; 3] {
+            #(#statements)*
+            [#(#rows),*]
         }
     }
 }
