@@ -2,12 +2,14 @@
 //! against differences.
 
 use num_dual::Dual64;
+use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::{BodyStart, Coefficients, March, Newmark, State, System};
+use whirl_solver::history::History;
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 
 use super::super::audit::{strict, without_bearings, worst_row};
 use super::super::wild;
-use super::{LAWS, everything, measures};
+use super::{LAWS, Measures, everything, measures};
 
 /// A state in which nothing is small: angles and speeds of their size, displacements a part of the clearance.
 fn wild_state(machine: &Machine, seed: u64) -> State {
@@ -26,6 +28,32 @@ fn is_angle(machine: &Machine, place: usize) -> bool {
     machine.places().iter().any(|own| own.rotation == Some(place))
 }
 
+/// Springs of a bearing in a plane, or one if its law acts once there.
+fn springs(own: &Bearing) -> usize {
+    if LAWS[own.law].outputs.contains(&"F_x") { 1 } else { own.angles.len() }
+}
+
+/// What the law of a bearing gives at a spring.
+fn given(own: &Bearing, spring: usize, moving: &Measures) -> Vec<Dual64> {
+    let [h, s, alpha, e_x, e_y] = moving.values;
+    let taken = |name: &&str| match *name {
+        "h" => h.re,
+        "h_dot" => h.eps,
+        "v_t" => s.eps,
+        "omega" => alpha.eps,
+        "theta" => moving.theta.re,
+        "psi" => own.angles[spring],
+        "e_x" => e_x.re,
+        "e_y" => e_y.re,
+        "e_x_dot" => e_x.eps,
+        "e_y_dot" => e_y.eps,
+        other => panic!("{other} is no input"),
+    };
+    let law = LAWS[own.law];
+    let inputs: Vec<Dual64> = law.inputs.iter().map(taken).map(Dual64::from).collect();
+    (law.value)(&inputs)
+}
+
 /// The forces of all bearings on q by virtual work: Σ F ∂(measure)/∂q; one product a force and a place of q.
 fn products(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<Vec<f64>> {
     let mut products = vec![Vec::new(); machine.size()];
@@ -34,29 +62,11 @@ fn products(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<Vec<f
     };
     for own in &parts.bearings {
         let law = LAWS[own.law];
-        let is_ring = law.outputs.contains(&"F_x");
-        let springs = if is_ring { 1 } else { own.angles.len() };
         for station in &own.stations {
-            for spring in 0..springs {
+            for spring in 0..springs(own) {
                 let at =
                     |along: &[f64]| measures(machine, own, *station, spring, &direction(along));
-                let moving = at(&state.v);
-                let [h, s, alpha, e_x, e_y] = moving.values;
-                let taken = |name: &&str| match *name {
-                    "h" => h.re,
-                    "h_dot" => h.eps,
-                    "v_t" => s.eps,
-                    "omega" => alpha.eps,
-                    "theta" => moving.theta.re,
-                    "psi" => own.angles[spring],
-                    "e_x" => e_x.re,
-                    "e_y" => e_y.re,
-                    "e_x_dot" => e_x.eps,
-                    "e_y_dot" => e_y.eps,
-                    other => panic!("{other} is no input"),
-                };
-                let inputs: Vec<Dual64> = law.inputs.iter().map(taken).map(Dual64::from).collect();
-                let given = (law.value)(&inputs);
+                let given = given(own, spring, &at(&state.v));
                 for (place, products) in products.iter_mut().enumerate() {
                     let mut unit = vec![0.0; machine.size()];
                     unit[place] = 1.0;
@@ -75,6 +85,76 @@ fn products(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<Vec<f
 
 fn by_virtual_work(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<f64> {
     products(machine, parts, state).iter().map(|own| own.iter().sum()).collect()
+}
+
+/// Forces, displacements and eccentricities of the history are those that laws give and see, in space; every rotation
+/// has its columns.
+#[test]
+fn outputs_are_what_the_laws_see() {
+    let parts = everything();
+    let machine = Machine::new(everything()).expect("a machine");
+    let mut options = strict(5e-5, 40);
+    let start = |speed: f64| BodyStart { speed, ..BodyStart::default() };
+    options.initial = vec![start(50.0), start(-20.0)];
+    let mut march = March::new(&machine, &options).expect("starts");
+    while !march.is_done() {
+        march.advance().expect("the step converges");
+    }
+    let state = march.state();
+    let mut history = History::for_machine(&machine);
+    history.push(march.row());
+    let column = |name: String| history.column(&name).unwrap_or_else(|| panic!("no {name}"))[0];
+    let q: Vec<Dual64> = state.q.iter().zip(&state.v).map(|(q, v)| Dual64::new(*q, *v)).collect();
+    let angle = |body: usize| machine.places()[body].rotation.map_or(0.0, |place| state.q[place]);
+    for (number, own) in parts.bearings.iter().enumerate() {
+        let turn = |theta: f64, [x, y]: [f64; 2]| {
+            [theta.cos() * x - theta.sin() * y, theta.sin() * x + theta.cos() * y]
+        };
+        let [journal, bore] = own.sides.bodies;
+        let mut force = [0.0; 2];
+        for station in &own.stations {
+            for spring in 0..springs(own) {
+                let given = given(own, spring, &measures(&machine, own, *station, spring, &q));
+                let psi = own.angles[spring];
+                for (name, value) in LAWS[own.law].outputs.iter().zip(&given) {
+                    let along = match *name {
+                        "Q" => [-psi.cos(), -psi.sin()],
+                        "T" => [-psi.sin(), psi.cos()],
+                        "F_x" => [1.0, 0.0],
+                        "F_y" => [0.0, 1.0],
+                        _ => [0.0; 2],
+                    };
+                    force = [0, 1].map(|axis| force[axis] + value.re * along[axis]);
+                }
+            }
+        }
+        let force = turn(angle(bore), force);
+        let [_, _, _, e_x, e_y] = measures(&machine, own, 0.5, 0, &q).values;
+        let eccentricity = turn(angle(bore), [e_x.re, e_y.re]).map(|e| 1e6 * e);
+        let node = &machine.bodies[journal].nodes()[own.journal[1]];
+        let place = machine.places()[journal].flexible.clone();
+        let moved = [0, 1].map(|axis| {
+            place.clone().enumerate().map(|(j, own)| node.shapes[(axis, j)] * state.q[own]).sum()
+        });
+        let displacement = turn(angle(journal), moved).map(|u| 1e6 * u);
+        for (axis, name) in ["X", "Y"].into_iter().enumerate() {
+            let pairs = [
+                (column(format!("R{name}_{number}_N")), force[axis]),
+                (column(format!("{name}_{number}_um")), displacement[axis]),
+                (column(format!("E{name}_{number}_um")), eccentricity[axis]),
+            ];
+            for (found, exact) in pairs {
+                let error = (found - exact).abs();
+                assert!(error < 1e-9 * (1.0 + exact.abs()), "{number} {name}: {found} {exact}");
+            }
+        }
+    }
+    assert_eq!(column("theta_rad".to_owned()), angle(0));
+    assert_eq!(column("theta_ring_rad".to_owned()), angle(1));
+    assert_eq!(column("theta_second_rad".to_owned()), angle(3));
+    let t = 40.0 * 5e-5;
+    assert!((angle(3) - (80.0 - 150.0 * t) * t).abs() < 1e-14);
+    assert_eq!(column("omega_second_rad_s".to_owned()), 80.0 - 300.0 * t);
 }
 
 /// Every step that is accepted solves its equations, by an evaluation that shares nothing with the solver's.
