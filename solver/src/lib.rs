@@ -12,6 +12,7 @@ pub mod history;
 pub mod linalg;
 pub mod loads;
 pub mod machine;
+pub mod measure;
 pub mod mesh;
 mod ordering;
 pub mod reduced;
