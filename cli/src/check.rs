@@ -9,7 +9,7 @@ use crate::arguments::CheckArguments;
 use crate::case::{Case, LawSource, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
-use crate::machine::{self, BodyPlan, MachinePlan};
+use crate::machine::{self, BodyPlan, MachinePlan, Plan};
 use crate::progress::{self, ProgressMode};
 use crate::report::table;
 use crate::{spec_file, streams};
@@ -20,6 +20,8 @@ macro_rules! line {
         writeln!($text, $($what)*).expect("text can be written")
     };
 }
+
+mod joined;
 
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
 /// file, says its report.
@@ -40,21 +42,28 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     // Meshes are read once, and warned of once.
     let plan = streams::warned(|warnings| machine::plan(&case, warnings))?;
     let laws = match (&case.system, &plan) {
-        (System::Rotor(rotor), Some(plan)) => {
+        (System::Rotor(rotor), Some(Plan::Rotor(plan))) => {
             say_rotor(&mut text, rotor, plan)?;
             plan.laws.clone()
         }
+        (System::Joined(_), Some(Plan::Joined(plan))) => {
+            plan.verify()?;
+            plan.laws.clone()
+        }
         (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
-        (System::Rotor(_), None) => Vec::new(),
+        (System::Rotor(_) | System::Joined(_), _) => Vec::new(),
     };
-    say_laws(&mut text, &laws);
-    say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
-    streams::warned(|warnings| {
+    let built = streams::warned(|warnings| {
         let cache = arguments.cache.open();
         let build = || machine::build(&case, plan.as_ref(), cache.as_ref(), warnings);
-        progress::during(ProgressMode::on_terminal(), "reducing shaft and support", build)
+        progress::during(ProgressMode::on_terminal(), case.reducing(), build)
     })?;
+    if let (System::Joined(joined), Some(Plan::Joined(plan))) = (&case.system, &plan) {
+        joined::say(&mut text, joined, plan, &built)?;
+    }
+    say_laws(&mut text, &laws);
+    say_march(&mut text, &case);
     Ok(text)
 }
 

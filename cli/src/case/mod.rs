@@ -1,5 +1,6 @@
 //! A case: what a case file says, in SI, checked as far as it can be without building the machine.
 
+mod joined;
 mod law;
 mod library;
 mod loads;
@@ -15,6 +16,10 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
 
+pub(crate) use joined::{
+    Dimensions, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad, MeshedBody, NamedBody,
+    Side as JointSide, Turning,
+};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::embedded_cases;
 pub(crate) use loads::Load;
@@ -49,12 +54,59 @@ pub(crate) struct Case {
 
 impl Case {
     /// What results call the supports, in order.
-    pub(crate) fn support_names(&self) -> Vec<String> {
+    pub(crate) fn supports(&self) -> Vec<SupportName> {
         let (word, count) = match &self.system {
             System::Rotor(rotor) => ("Support", rotor.bearings.len()),
             System::Lumped(lumped) => ("Stop", lumped.stops.len()),
+            System::Joined(joined) => {
+                return joined.joints.iter().map(|own| SupportName::joint(own.name.text())).collect();
+            }
         };
-        (1..=count).map(|k| format!("{word} {k}")).collect()
+        (1..=count).map(|k| SupportName::numbered(word, k)).collect()
+    }
+
+    /// What is done to its bodies, for a progress bar.
+    pub(crate) fn reducing(&self) -> &'static str {
+        match self.system {
+            System::Joined(_) => "reducing bodies",
+            _ => "reducing shaft and support",
+        }
+    }
+
+    /// Names of the bodies that turn, of a case that names bodies.
+    pub(crate) fn turning(&self) -> Vec<String> {
+        let System::Joined(joined) = &self.system else { return Vec::new() };
+        let turning = joined.bodies.iter().filter(|body| body.turning.is_some());
+        turning.map(|body| body.name.text().to_string()).collect()
+    }
+}
+
+/// What results call a support, a stop or a joint.
+#[derive(Debug, Clone)]
+pub(crate) struct SupportName {
+    /// In columns, between the quantity and its unit.
+    pub(crate) label: String,
+    /// In figures and tables.
+    pub(crate) title: String,
+    /// Within a sentence.
+    pub(crate) word: String,
+}
+
+impl SupportName {
+    /// One of many that have numbers, from 1.
+    pub(crate) fn numbered(word: &str, k: usize) -> SupportName {
+        let title = format!("{word} {k}");
+        SupportName { label: k.to_string(), word: title.to_lowercase(), title }
+    }
+
+    fn joint(name: &str) -> SupportName {
+        let (label, word) = (format!("_{name}"), format!("joint {name}"));
+        SupportName { label, title: name.to_string(), word }
+    }
+
+    /// A column, such as `RX1_N` of `RX_N`, or `RX_front_N`.
+    pub(crate) fn column(&self, quantity: &str, unit: &str) -> String {
+        format!("{quantity}{}_{unit}", self.label)
     }
 }
 
@@ -65,6 +117,8 @@ pub(crate) enum System {
     Rotor(Box<Rotor>),
     /// One mass between stops.
     Lumped(Lumped),
+    /// Bodies by name, and what joins them.
+    Joined(Box<JoinedMachine>),
 }
 
 /// Numbers of the figures in the paper, for titles; a figure without number is drawn all the same.
