@@ -18,6 +18,7 @@ pub mod reduced;
 pub mod reduction;
 pub mod shaft;
 pub mod sparse;
+mod stiffening;
 pub mod support;
 
 pub use error::Error;
