@@ -1,6 +1,7 @@
 //! From meshes and kernels to histories: assembly, reduction, Newmark–Newton.
 
 pub mod assembly;
+pub mod attached;
 pub mod bearing;
 pub mod bodies;
 pub mod body;

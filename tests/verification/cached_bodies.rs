@@ -44,6 +44,7 @@ fn body() -> Body {
         springs: vec![GroundSpring { name: "foot".to_owned(), dof: 30, stiffness: 1e6 }],
         damping: Rayleigh { alpha: 0.0, beta: 1e-5 },
         nodes: ends.to_vec(),
+        stiffening: false,
         memory: 1 << 30,
     };
     let mesh = MeshParts {

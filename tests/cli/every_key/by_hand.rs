@@ -75,6 +75,7 @@ fn body(mesh: &Mesh, which: usize, own: &ByHand, held: Held, nodes: Vec<usize>) 
         springs: held.springs,
         damping: Rayleigh { alpha: 0.0, beta: own.damping[which] },
         nodes,
+        stiffening: false,
         memory: 1 << 30,
     }
 }

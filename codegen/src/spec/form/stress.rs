@@ -15,6 +15,8 @@ use crate::expression::{Graph, Id, Rational, normal};
 pub struct Stress {
     /// The form that gives it.
     pub form: String,
+    /// Symbols of its components in the form.
+    pub(crate) symbols: [[Id; 3]; 3],
     /// Symbols of ∂w_j/∂x_l, `[j][l]`.
     pub(crate) slopes: [[Id; 3]; 3],
     /// σ_ik over those, the material and the coefficients: `[i][k]`, symmetric.
@@ -86,7 +88,7 @@ pub(super) fn resolve(
             let scalar =
                 scalar.iter().map(|(parts, id)| (*parts, graph.substitute(*id, &by))).collect();
             let of = stress.form.text().to_owned();
-            form.stress = Some(Stress { form: of, slopes, components, scalar });
+            form.stress = Some(Stress { form: of, symbols: stress.symbols, slopes, components, scalar });
         }
     }
     errors.into_result(())
