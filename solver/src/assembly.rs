@@ -19,9 +19,25 @@ const LISTED: usize = 5;
 /// # Errors
 /// [`Error::MissingForm`], [`Error::MissingProperty`], or [`Error::InvertedCells`] naming the cells.
 pub fn assemble(mesh: &Mesh, form: &str) -> Result<SparseMatrix, Error> {
+    assemble_under(mesh, form, &[])
+}
+
+/// The same of a form under the stress of a displacement: `stiffening`, ∫ σ_ij ∂_i u · ∂_j v dV. `displacement`: 3·nodes (m);
+/// other forms do not read it.
+///
+/// # Errors
+/// As [`assemble`].
+///
+/// # Panics
+/// If the form is one under a stress and the displacement has fewer values.
+pub fn assemble_under(
+    mesh: &Mesh,
+    form: &str,
+    displacement: &[f64],
+) -> Result<SparseMatrix, Error> {
     let kernels = kernels(mesh, form)?;
     let mut scatter = Scatter::new(mesh, common_structure(&kernels));
-    evaluate(mesh, &kernels, |block, cell, values| scatter.add(block, cell, values))?;
+    evaluate(mesh, &kernels, displacement, |block, cell, values| scatter.add(block, cell, values))?;
     Ok(scatter.finish())
 }
 
@@ -45,7 +61,7 @@ pub struct MassProperties {
 pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
     let kernels = kernels(mesh, "mass")?;
     let (mut mass, mut volume, mut first, mut second) = (0.0, 0.0, [0.0; 3], [[0.0; 3]; 3]);
-    evaluate(mesh, &kernels, |block, cell, values| {
+    evaluate(mesh, &kernels, &[], |block, cell, values| {
         let entry = Entries { structure: block.kernel.structure, nodes: cell.len(), values };
         let mut cell_mass = 0.0;
         for (a, &node) in cell.iter().enumerate() {
@@ -109,6 +125,7 @@ fn kernels<'a>(mesh: &'a Mesh, form: &str) -> Result<Vec<BlockKernel<'a>>, Error
 fn evaluate(
     mesh: &Mesh,
     kernels: &[BlockKernel],
+    displacement: &[f64],
     mut take: impl FnMut(&BlockKernel, &[usize], CellMatrix),
 ) -> Result<(), Error> {
     let mut inverted = Vec::new();
@@ -116,14 +133,19 @@ fn evaluate(
     for block in kernels {
         let nodes = block.block.element.nodes;
         let stored = block.kernel.structure.len(nodes);
-        let mut coordinates = Vec::with_capacity(BATCH * nodes * 3);
+        let mut coordinates = Vec::with_capacity(2 * BATCH * nodes * 3);
         let mut matrices = Batch::storage(BATCH, stored);
         let mut jacobians = vec![0.0; BATCH];
         let batches = block.block.connectivity.chunks(BATCH * nodes);
         for (connectivity, labels) in batches.zip(block.block.labels.chunks(BATCH)) {
             let cells = labels.len();
             coordinates.clear();
-            coordinates.extend(connectivity.iter().flat_map(|&node| mesh.nodes()[node]));
+            for cell in connectivity.chunks_exact(nodes) {
+                coordinates.extend(cell.iter().flat_map(|&node| mesh.nodes()[node]));
+                if block.kernel.under_stress {
+                    coordinates.extend(cell.iter().flat_map(|&n| &displacement[3 * n..][..3]));
+                }
+            }
             let jacobians = &mut jacobians[..cells];
             (block.kernel.evaluate)(&coordinates, &block.material, &mut matrices, jacobians);
             for (&jacobian, &label) in jacobians.iter().zip(labels) {

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::linalg::{Matrix, multiply};
 use crate::mesh::Mesh;
 use crate::reduction::{CraigBampton, Solid};
+use crate::sparse::SparseMatrix;
 
 /// Rayleigh damping C = αM + βK.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -53,25 +54,43 @@ pub struct BodySpec {
     pub damping: Rayleigh,
     /// Nodes whose motion is wanted, by index.
     pub nodes: Vec<usize>,
+    /// Whether the centrifugal load stiffens the body against its deformation, if it turns.
+    pub stiffening: bool,
     /// Bytes that a factor of K may take.
     pub memory: usize,
 }
 
+/// K with the springs to ground, and M; 3·nodes.
+pub(crate) struct Assembled {
+    pub(crate) stiffness: SparseMatrix,
+    pub(crate) mass: SparseMatrix,
+}
+
+impl Assembled {
+    /// The body to be reduced.
+    pub(crate) fn solid<'a>(&'a self, mesh: &'a Mesh, memory: usize) -> Solid<'a> {
+        let Assembled { stiffness, mass } = self;
+        Solid { stiffness, mass, coordinates: mesh.nodes(), memory }
+    }
+}
+
 impl BodySpec {
-    /// Reduces a mesh.
+    /// The matrices of a mesh.
     ///
     /// # Errors
-    /// As [`assemble`] and [`Solid::craig_bampton`]; a dof retained twice.
-    pub(crate) fn reduce(&self, mesh: &Mesh) -> Result<CraigBampton, Error> {
+    /// As [`assemble`]; a dof retained twice.
+    pub(crate) fn assemble(&self, mesh: &Mesh) -> Result<Assembled, Error> {
         self.check(mesh)?;
         let stiffness = add_ground_springs(&assemble(mesh, "stiffness")?, &self.springs)?;
-        let mass = assemble(mesh, "mass")?;
-        let solid = Solid {
-            stiffness: &stiffness,
-            mass: &mass,
-            coordinates: mesh.nodes(),
-            memory: self.memory,
-        };
+        Ok(Assembled { stiffness, mass: assemble(mesh, "mass")? })
+    }
+
+    /// Reduces a mesh with its matrices.
+    ///
+    /// # Errors
+    /// As [`Solid::craig_bampton`].
+    pub(crate) fn reduce(&self, mesh: &Mesh, body: &Assembled) -> Result<CraigBampton, Error> {
+        let solid = body.solid(mesh, self.memory);
         let dofs: Vec<usize> = self.retained.iter().map(|retained| retained.dof).collect();
         Ok(solid.craig_bampton(&dofs, self.modes).map_err(|error| error.with_labels(mesh))?)
     }

@@ -1,6 +1,7 @@
 //! From meshes and kernels to histories: assembly, reduction, Newmark–Newton.
 
 pub mod assembly;
+pub mod attached;
 pub mod bearing;
 pub mod bodies;
 pub mod body;
@@ -20,6 +21,7 @@ pub mod reduction;
 pub mod rigid;
 pub mod shaft;
 pub mod sparse;
+mod stiffening;
 pub mod support;
 
 pub use error::Error;

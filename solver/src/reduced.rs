@@ -13,6 +13,7 @@ use crate::linalg::Matrix;
 use crate::mesh::Mesh;
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
+use crate::stiffening::stiffening;
 
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -34,31 +35,37 @@ pub(crate) struct SpinTensors {
     /// φᵀYφ and φᵀHφ.
     pub(crate) inertia: Matrix,
     pub(crate) coupling: Matrix,
+    /// φᵀGφ; zero where rotation does not stiffen.
+    pub(crate) stiffening: Matrix,
 }
 
 impl SpinTensors {
-    /// Of a reduction with its Y and H, and the positions x0 of its nodes (m).
+    /// Of a reduction with its Y and H, G if rotation stiffens, and the positions x0 of its nodes (m).
     pub(crate) fn new(
         reduction: &CraigBampton,
         inertia: &SparseMatrix,
         coupling: &SparseMatrix,
+        stiffening: Option<&SparseMatrix>,
         positions: &[[f64; 3]],
     ) -> SpinTensors {
-        let x0: Vec<f64> = positions.iter().flatten().copied().collect();
-        let applied = |matrix: &SparseMatrix| {
-            let mut product = vec![0.0; x0.len()];
-            matrix.multiply(&x0, &mut product);
-            product
-        };
-        let (y_x0, h_x0) = (applied(inertia), applied(coupling));
+        let x0 = positions.as_flattened();
+        let (y_x0, h_x0) = (applied(inertia, x0), applied(coupling, x0));
+        let size = reduction.coordinates();
         SpinTensors {
             j0: x0.iter().zip(&y_x0).map(|(x, y)| x * y).sum(),
             y0: reduction.shapes.apply_transpose(&y_x0),
             h0: reduction.shapes.apply_transpose(&h_x0),
             inertia: reduction.reduce(inertia),
             coupling: reduction.reduce(coupling),
+            stiffening: stiffening.map_or(Matrix::zeros(size, size), |g| reduction.reduce(g)),
         }
     }
+}
+
+fn applied(matrix: &SparseMatrix, x: &[f64]) -> Vec<f64> {
+    let mut product = vec![0.0; x.len()];
+    matrix.multiply(x, &mut product);
+    product
 }
 
 /// A reduced body with the shapes of the nodes that its mesh has sets of, not counting a set of all nodes.
@@ -74,17 +81,22 @@ pub struct Reduced {
 
 impl Reduced {
     /// Reduces a mesh. Of the spec it takes the retained dofs, the modes, the springs and the nodes: those, and the
-    /// nodes of all sets of the mesh, can be output.
+    /// nodes of all sets of the mesh, can be output. A turning body that rotation stiffens depends on the constraints, too.
     ///
     /// # Errors
-    /// As `BodySpec::reduce`.
+    /// Of the spec and the mesh, and of the linear algebra: see [`crate::error::ReductionError`].
     pub fn new(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
-        let whole = spec.reduce(mesh)?;
+        let body = spec.assemble(mesh)?;
+        let whole = spec.reduce(mesh, &body)?;
         let spin = match kind {
             BodyKind::Shaft => {
                 let (inertia, coupling) =
                     (assemble(mesh, "spin_inertia")?, assemble(mesh, "spin_coupling")?);
-                Some(SpinTensors::new(&whole, &inertia, &coupling, mesh.nodes()))
+                let load = applied(&inertia, mesh.nodes().as_flattened());
+                let under_load = || stiffening(mesh, spec, &body, &whole, &load);
+                let under_load = spec.stiffening.then(under_load).transpose()?;
+                let stiffening = under_load.as_ref();
+                Some(SpinTensors::new(&whole, &inertia, &coupling, stiffening, mesh.nodes()))
             }
             BodyKind::Support => None,
         };
@@ -108,9 +120,15 @@ impl Reduced {
         let blocks: Vec<_> = mesh.blocks().iter().map(block).collect();
         let materials: Vec<_> =
             mesh.materials().iter().map(|material| material.properties.clone()).collect();
+        // What is held while the centrifugal load acts.
+        let stiffens = kind == BodyKind::Shaft && spec.stiffening;
+        let equations = spec.constraints.equations().iter();
+        let held: Option<Vec<_>> =
+            stiffens.then(|| equations.map(|equation| equation.terms.clone()).collect());
         let program = (PROGRAM, instruction_set());
         let body = (mesh.nodes(), blocks, materials);
-        Key::of(&(program, kind, body, retained, spec.modes, springs, output_nodes(mesh, spec)))
+        let nodes = output_nodes(mesh, spec);
+        Key::of(&(program, kind, body, retained, spec.modes, springs, nodes, held))
     }
 
     pub(crate) fn node(&self, active: &Coordinates, place: usize) -> BodyNode {

@@ -12,7 +12,7 @@ use crate::sparse::SparseMatrix;
 
 /// A flexible shaft in the frame that turns with it by θ (about z), reduced to n coordinates η.
 ///
-/// Its kinetic energy is T = ½ θ̇² (J0 + 2 y0·η + ηᵀYη) + θ̇ (g0 − Hη)·η̇ + ½ η̇ᵀMη̇.
+/// Its kinetic energy is T = ½ θ̇² (J0 + 2 y0·η + ηᵀWη) + θ̇ (g0 − Hη)·η̇ + ½ η̇ᵀMη̇.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Shaft {
     /// J0 = x0ᵀY x0 (kg·m²): moment of inertia of the undeformed shaft about z.
@@ -31,6 +31,9 @@ pub struct Shaft {
     pub spin_inertia: Matrix,
     /// H = φᵀHφ, n × n, skew.
     pub spin_coupling: Matrix,
+    /// W = Y − G, n × n, symmetric, with G = φᵀGφ the stiffness by the centrifugal stress at θ̇ = 1; Y where that is left
+    /// out.
+    pub spin_net: Matrix,
     /// Frequencies of the fixed-interface modes (Hz), in a frame at rest.
     pub hertz: Vec<f64>,
     /// What each coordinate is, such as `mode 1 (527.1 Hz)` or `JOURNAL1_LEFT x`; n names.
@@ -48,6 +51,8 @@ pub struct ShaftParts<'a> {
     pub spin_inertia: &'a SparseMatrix,
     /// H = ∫ρ Nᵀ A_θᵀA N dV, 3·nodes.
     pub spin_coupling: &'a SparseMatrix,
+    /// G = ∫ σ⁰_ij ∂_i N · ∂_j N dV, 3·nodes, if rotation stiffens.
+    pub spin_stiffening: Option<&'a SparseMatrix>,
     /// Node coordinates (m) about the axis of rotation, x = y = 0.
     pub positions: &'a [[f64; 3]],
     /// Active coordinates after elimination of constraints.
@@ -76,7 +81,7 @@ impl Reduced {
 
 impl Shaft {
     /// Names of the tensors, for messages.
-    pub(crate) const TENSORS: &str = "J0, y0, g0, M, Y and H";
+    pub(crate) const TENSORS: &str = "J0, y0, g0, M, Y, W and H";
 
     /// Reduces the mesh of a shaft.
     ///
@@ -92,6 +97,7 @@ impl Shaft {
             parts.reduction,
             parts.spin_inertia,
             parts.spin_coupling,
+            parts.spin_stiffening,
             parts.positions,
         );
         let nodes = parts
@@ -112,6 +118,8 @@ impl Shaft {
         let to_active = |forces: &[f64]| active.transform.apply_transpose(forces);
         let mass = congruence(&reduction.mass, &active.transform).symmetric_part();
         let stiffness = congruence(&reduction.stiffness, &active.transform).symmetric_part();
+        let spin_inertia = congruence(&spin.inertia, &active.transform).symmetric_part();
+        let stiffening = congruence(&spin.stiffening, &active.transform).symmetric_part();
         Shaft {
             j0: spin.j0,
             y0: to_active(&spin.y0),
@@ -120,7 +128,8 @@ impl Shaft {
             damping: damping.matrix(&mass, &stiffness),
             mass,
             stiffness,
-            spin_inertia: congruence(&spin.inertia, &active.transform).symmetric_part(),
+            spin_net: difference(&spin_inertia, &stiffening),
+            spin_inertia,
             spin_coupling: congruence(&spin.coupling, &active.transform).skew_part(),
             hertz: reduction.hertz.clone(),
             coordinates: active.names.clone(),
@@ -147,6 +156,7 @@ impl Shaft {
             damping: Matrix::from_diagonal(&damping),
             spin_inertia: Matrix::from_diagonal(&[mass, mass]),
             spin_coupling: Matrix { rows: 2, cols: 2, data: vec![0.0, -mass, mass, 0.0] },
+            spin_net: Matrix::from_diagonal(&[mass, mass]),
             hertz: Vec::new(),
             coordinates: vec!["mass x".to_owned(), "mass y".to_owned()],
             nodes: vec![BodyNode { position: [0.0, 0.0, position], shapes }],
@@ -168,12 +178,18 @@ impl Shaft {
         }
     }
 
+    /// G = Y − W, n × n: the stiffness by the centrifugal stress at θ̇ = 1.
+    pub fn spin_stiffening(&self) -> Matrix {
+        difference(&self.spin_inertia, &self.spin_net)
+    }
+
     /// Number of coordinates n.
     pub fn size(&self) -> usize {
         self.coordinates.len()
     }
 
-    /// The constant tensor called `name` in the motion specs (`J0`, `y0`, `g0`, `M`, `Y`, `H`), matrices
+    /// The constant tensor called `name` in the motion specs (`J0`, `y0`, `g0`, `M`, `Y`, `W`, `H`),
+    /// matrices
     /// column after column; `None` for another name.
     pub fn tensor(&self, name: &str) -> Option<&[f64]> {
         Some(match name {
@@ -182,8 +198,13 @@ impl Shaft {
             "g0" => &self.g0,
             "M" => &self.mass.data,
             "Y" => &self.spin_inertia.data,
+            "W" => &self.spin_net.data,
             "H" => &self.spin_coupling.data,
             _ => return None,
         })
     }
+}
+
+fn difference(a: &Matrix, b: &Matrix) -> Matrix {
+    Matrix::from_fn(a.rows, a.cols, |i, j| a[(i, j)] - b[(i, j)])
 }

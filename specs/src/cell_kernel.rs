@@ -33,7 +33,8 @@ impl Structure {
 
 /// Computes the matrices of a block of cells.
 ///
-/// `coordinates`: cells × nodes × 3, in m. `material`: the values named by [`FormKernel::material`], SI.
+/// `coordinates`: cells × nodes × 3, in m; of a form under a stress ([`FormKernel::under_stress`]) cells × 2·nodes × 3,
+/// the displacements of a cell's nodes behind their coordinates. `material`: the values named by [`FormKernel::material`], SI.
 /// `matrices`: ⌈cells/8⌉ × [`Structure::len`], eight cells side by side, so that registers are stored as they are;
 /// [`CellMatrix`] reads those of one cell, and what stands where no cell is has no meaning. `jacobians`: cells; the
 /// smallest det J over the cell's quadrature points, so that the caller can name an inverted cell (det J ≤ 0; its
@@ -44,12 +45,15 @@ pub type CellKernel =
 /// One bilinear form on one element.
 #[derive(Debug, Clone, Copy)]
 pub struct FormKernel {
-    /// Name of the form in its spec: `stiffness`, `mass`, `spin_inertia` (Y), `spin_coupling` (H).
+    /// Name of the form in its spec: `stiffness`, `stiffening` (G), `mass`, `spin_inertia` (Y), `spin_coupling` (H).
     pub form: &'static str,
     /// Material properties in the order the kernel takes them, such as `E`, `nu`, `rho`.
     pub material: &'static [Variable],
     /// Storage of a cell's matrix.
     pub structure: Structure,
+    /// Whether the form is one under the stress of a displacement, of which it is linear: then the displacements of the
+    /// nodes of every cell (m) are given behind their coordinates.
+    pub under_stress: bool,
     /// Floating-point operations a cell as the kernel's text has them, a·b + c counted as two.
     pub flops: usize,
     /// The kernel.
@@ -58,12 +62,13 @@ pub struct FormKernel {
 
 impl FormKernel {
     /// The matrix of one cell, [`Structure::len`] values, and its smallest det J. `coordinates`: those of its nodes and no
-    /// more (nodes × 3, m).
+    /// more (nodes × 3, m), with the displacements behind them where there is a stress.
     ///
     /// # Panics
     /// If there are fewer coordinates or properties than the kernel takes.
     pub fn of_cell(&self, coordinates: &[f64], material: &[f64]) -> (Vec<f64>, f64) {
-        let stored = self.structure.len(coordinates.len() / 3);
+        let given = if self.under_stress { 2 } else { 1 };
+        let stored = self.structure.len(coordinates.len() / (3 * given));
         let (mut matrices, mut jacobians) = (Batch::storage(1, stored), [0.0]);
         (self.evaluate)(coordinates, material, &mut matrices, &mut jacobians);
         (CellMatrix::new(&matrices, stored, 0).values().collect(), jacobians[0])

@@ -38,6 +38,56 @@ pub fn condense<L: Register, const N: usize, const M: usize>(
     take_off(&mut own, &mut coupling, condensed);
 }
 
+/// The parameters α of the modes that follow the displacement of the nodes: K_aa α = −K_au u. `whole`: the upper triangle
+/// by rows of the matrix of 3·NODES + M degrees of freedom, of which [`condense`] takes the last M; M = 3·MODES.
+/// Not a number where K_aa is not positive definite.
+#[inline(always)]
+pub fn follow<L: Register, const NODES: usize, const M: usize, const MODES: usize>(
+    whole: &Matrix<L>,
+    displacement: &[[L; 3]; NODES],
+) -> [[L; 3]; MODES] {
+    const { assert!(M == 3 * MODES) };
+    let (nodal, size) = (3 * NODES, 3 * NODES + M);
+    let zero = L::splat(0.0);
+    let (mut own, mut right) = ([[zero; M]; M], [zero; M]);
+    for p in 0..M {
+        for q in p..M {
+            own[p][q] = whole.get(diagonal(size, nodal + p) + q - p);
+        }
+    }
+    for (r, u) in displacement.as_flattened().iter().enumerate() {
+        let row = diagonal(size, r) - r + nodal;
+        for p in 0..M {
+            right[p] = whole.get(row + p).neg_mul_add(*u, right[p]);
+        }
+    }
+    // K_aa = UᵀU: forward, and then back.
+    for p in 0..M {
+        for before in 0..p {
+            let above = own[before];
+            for q in p..M {
+                own[p][q] = above[p].neg_mul_add(above[q], own[p][q]);
+            }
+            right[p] = above[p].neg_mul_add(right[before], right[p]);
+        }
+        let inverse = L::splat(1.0) / own[p][p].sqrt();
+        own[p][p] = inverse;
+        for q in p + 1..M {
+            own[p][q] = own[p][q] * inverse;
+        }
+        right[p] = right[p] * inverse;
+    }
+    for p in (0..M).rev() {
+        for q in p + 1..M {
+            right[p] = own[p][q].neg_mul_add(right[q], right[p]);
+        }
+        right[p] = right[p] * own[p][p];
+    }
+    let mut modes = [[zero; 3]; MODES];
+    modes.as_flattened_mut().copy_from_slice(&right);
+    modes
+}
+
 /// K_uu − K_ua K_aa⁻¹ K_au by the Cholesky factor of K_aa. `own`: the upper triangle of K_aa; `coupling`: K_ua by
 /// rows, whose number is a multiple of three; `matrix`: the upper triangle by rows of K_uu. Not a number where
 /// K_aa is not positive definite.
@@ -237,6 +287,27 @@ mod tests {
         for (found, (i, j)) in condensed.iter().zip(expected) {
             // Some dozens of roundings of numbers up to 12.
             assert!((found - full[i][j]).abs() < 12.0 * 64.0 * f64::EPSILON, "{i} {j}: {found}");
+        }
+    }
+
+    #[test]
+    fn modes_follow_the_nodes() {
+        // Two nodes and two modes.
+        let entry = |i: usize, j: usize| match i == j {
+            true => 12.0,
+            false => ((3 * i.min(j) + i.max(j)) as f64).sin(),
+        };
+        let stored: Vec<f64> = (0..12).flat_map(|i| (i..12).map(move |j| entry(i, j))).collect();
+        let mut memory = Batch::storage(1, stored.len());
+        let mut whole = Matrix::new(&mut memory, 0);
+        whole.set(0, &stored);
+        let u = [[1.0, -2.0, 3.0], [0.5, 4.0, -1.0]];
+        let modes = follow::<f64, 2, 6, 2>(&whole, &u);
+        // No force on the parameters.
+        let all: Vec<f64> = u.as_flattened().iter().chain(modes.as_flattened()).copied().collect();
+        for p in 6..12 {
+            let force: f64 = (0..12).map(|j| entry(p, j) * all[j]).sum();
+            assert!(force.abs() < 12.0 * 64.0 * f64::EPSILON, "{p}: {force}");
         }
     }
 

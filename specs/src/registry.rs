@@ -247,7 +247,7 @@ pub enum Symmetry {
 /// A constant tensor that a motion takes, such as Ȳ.
 #[derive(Debug, Clone, Copy)]
 pub struct Tensor {
-    /// Name in the spec: `J0`, `y0`, `g0`, `M`, `Y`, `H`.
+    /// Name in the spec: `J0`, `y0`, `g0`, `M`, `Y`, `W`, `H`.
     pub name: &'static str,
     /// Shape.
     pub shape: TensorShape,

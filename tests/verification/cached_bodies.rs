@@ -44,6 +44,7 @@ fn body() -> Body {
         springs: vec![GroundSpring { name: "foot".to_owned(), dof: 30, stiffness: 1e6 }],
         damping: Rayleigh { alpha: 0.0, beta: 1e-5 },
         nodes: ends.to_vec(),
+        stiffening: false,
         memory: 1 << 30,
     };
     let mesh = MeshParts {
@@ -65,7 +66,7 @@ type Change = (&'static str, fn(&mut Body));
 
 #[test]
 fn every_ingredient_of_a_body_is_in_its_key() {
-    let changes: [Change; 17] = [
+    let changes: [Change; 18] = [
         ("the kind of body", |b| b.kind = BodyKind::Support),
         ("a node along x, by a rounding", |b| b.mesh.nodes[7][0] = b.mesh.nodes[7][0].next_up()),
         ("a node along z", |b| b.mesh.nodes[7][2] = b.mesh.nodes[7][2].next_up()),
@@ -86,6 +87,7 @@ fn every_ingredient_of_a_body_is_in_its_key() {
         ("the order of the retained dofs", |b| b.spec.retained.swap(0, 1)),
         ("one retained dof less", |b| b.spec.retained.truncate(4)),
         ("the modes", |b| b.spec.modes += 1),
+        ("the stiffening", |b| b.spec.stiffening = true),
         ("the stiffness of a ground spring", |b| b.spec.springs[0].stiffness = 2e6),
         ("where a ground spring stands", |b| b.spec.springs[0].dof += 1),
         ("no ground spring", |b| b.spec.springs.clear()),

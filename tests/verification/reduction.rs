@@ -255,6 +255,7 @@ fn a_shaft_turned_or_shifted_as_a_whole_has_the_inertia_of_a_rigid_body() {
         reduction: &reduction,
         spin_inertia: &spin_inertia,
         spin_coupling: &spin_coupling,
+        spin_stiffening: None,
         positions: &beam.coordinates,
         active: &active,
         damping,

@@ -91,6 +91,7 @@ fn reference_shaft() {
         springs: Vec::new(),
         damping: Rayleigh { alpha: 0.0, beta: 1e-4 },
         nodes: vec![mesh.single_node("DRIVE_TOP").unwrap()],
+        stiffening: false,
         memory: PLENTY,
     };
     let shaft = Shaft::from_mesh(&mesh, &spec).unwrap();
@@ -142,6 +143,7 @@ fn reference_support() {
         springs: ground_springs(&mesh),
         damping: Rayleigh { alpha: 0.0, beta: 1e-4 },
         nodes: bore.to_vec(),
+        stiffening: false,
         memory: PLENTY,
     };
     let support = Support::from_mesh(&mesh, &spec).unwrap();
@@ -167,6 +169,7 @@ fn a_dof_retained_twice_is_named() {
         springs: Vec::new(),
         damping: Rayleigh::default(),
         nodes: Vec::new(),
+        stiffening: false,
         memory: PLENTY,
     };
     let message = Shaft::from_mesh(&mesh, &spec).unwrap_err().to_string();

@@ -73,6 +73,7 @@ pub(crate) fn shaft(mesh: &Mesh) -> Shaft {
         springs: Vec::new(),
         damping: Rayleigh::default(),
         nodes,
+        stiffening: false,
         memory: 1 << 30,
     };
     Shaft::from_mesh(mesh, &spec).expect("a shaft")

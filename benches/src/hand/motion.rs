@@ -25,7 +25,7 @@ pub static MOTION: Motion = Motion {
         tensor("y0", TensorShape::Vector, Symmetry::None),
         tensor("g0", TensorShape::Vector, Symmetry::None),
         tensor("M", TensorShape::Matrix, Symmetry::Symmetric),
-        tensor("Y", TensorShape::Matrix, Symmetry::Symmetric),
+        tensor("W", TensorShape::Matrix, Symmetry::Symmetric),
         tensor("H", TensorShape::Matrix, Symmetry::Skew),
     ],
     workspace,

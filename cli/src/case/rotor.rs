@@ -112,6 +112,8 @@ pub(crate) struct Shaft {
     pub(crate) body: Body<SolidShaft>,
     /// How rotation is coupled to deformation.
     pub(crate) motion: &'static Motion,
+    /// Whether the centrifugal stress stiffens it.
+    pub(crate) stiffening: bool,
     /// Set of one node held along z.
     pub(crate) axial_restraint: Located,
 }

@@ -113,6 +113,7 @@ const SHAFT: &[Key] = &[
     key("dimensions", Table(&[SHAFT_DIMENSIONS]), "a mesh made from a few dimensions"),
     merged("axial_restraint", Text, "set of one node held along z").like("\"NAME_OF_A_NODE_SET\""),
     key("motion", MOTION, "how rotation is coupled to deformation"),
+    key("stiffening", Flag, "false leaves out the stiffness by the centrifugal stress"),
 ];
 
 const SHAFT_DIMENSIONS: &[Key] = &[

@@ -196,6 +196,7 @@ impl OnShaft {
         let mut own =
             OnShaft { shaft: body, journals: Vec::new(), drive: [0; 2], loads: Vec::new() };
         let shaft = &mut own.shaft;
+        shaft.spec.stiffening = case.stiffening;
         for BearingOutline { sets: [sets, _], .. } in &outline.bearings {
             let mut journal = [0; 3];
             for (place, set) in sets.iter().take(3).enumerate() {

@@ -71,6 +71,7 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
         damping: matrix(13.0, 3.0, 17.0),
         spin_inertia: matrix(1.5, 0.2, 2.5),
         spin_coupling: Matrix { rows: 2, cols: 2, data: vec![0.0, -0.7, 0.7, 0.0] },
+        spin_net: matrix(1.2, 0.4, 1.9),
         hertz: Vec::new(),
         coordinates: vec!["mode 1".to_owned(), "mode 2".to_owned()],
         nodes: vec![node.clone()],

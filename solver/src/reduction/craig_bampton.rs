@@ -2,7 +2,9 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, transpose_multiply};
+use crate::linalg::{
+    LinearAlgebraError, LowerTriangle, Matrix, SparseCholesky, transpose_multiply,
+};
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
@@ -146,6 +148,28 @@ impl Solid<'_> {
         Ok(reduced)
     }
 
+    /// The displacement under `force` (N, 3·nodes) with the retained dofs held; 3·nodes values, in m.
+    ///
+    /// # Errors
+    /// As [`Solid::craig_bampton`], but that motions which nothing stops are named by a dof only.
+    pub(crate) fn held(
+        &self,
+        retained: &[usize],
+        force: &[f64],
+    ) -> Result<Vec<f64>, ReductionError> {
+        let partition = Partition::new(self.mass.size(), retained)?;
+        let whole = lower(self.stiffness, "stiffness")?;
+        let order = self.order(&whole, &partition.inner);
+        let factor = SparseCholesky::new(&partition.inner(&whole), &order, self.memory)?;
+        let mut inner: Vec<f64> = partition.inner.iter().map(|&dof| force[dof]).collect();
+        factor.solve_in_place(&mut inner);
+        let mut displacement = vec![0.0; force.len()];
+        for (&dof, value) in partition.inner.iter().zip(inner) {
+            displacement[dof] = value;
+        }
+        Ok(displacement)
+    }
+
     /// The `count` lowest modes of the body with no dof held, rigid motions first.
     ///
     /// # Errors
@@ -193,7 +217,7 @@ impl Solid<'_> {
     }
 }
 
-fn lower<'a>(
+pub(super) fn lower<'a>(
     matrix: &'a SparseMatrix,
     name: &'static str,
 ) -> Result<Cow<'a, LowerTriangle>, ReductionError> {

@@ -9,7 +9,7 @@ mod sturm;
 
 pub use craig_bampton::{CraigBampton, Solid};
 pub use modes::{Modes, Pencil, hertz};
-pub(crate) use rigid::{Row, free_motions};
+pub(crate) use rigid::{Row, free_motions, free_shapes};
 
 use crate::error::{FreeMotion, ReductionError};
 use crate::mesh::Mesh;

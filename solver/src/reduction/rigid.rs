@@ -1,6 +1,7 @@
 //! Rigid motions of a body, and those that nothing stops.
 
-use crate::error::FreeMotion;
+use super::craig_bampton::{Solid, lower};
+use crate::error::{FreeMotion, ReductionError};
 
 use crate::linalg::{
     LinearAlgebraError, LowerTriangle, Matrix, multiply, symmetric_eigen, transpose_multiply,
@@ -66,6 +67,16 @@ impl RigidMotions {
         stiffness: &LowerTriangle,
         rows: &[Row],
     ) -> Result<Vec<FreeMotion>, LinearAlgebraError> {
+        let free = self.combinations(stiffness, rows)?;
+        Ok((0..free.cols).map(|j| self.describe(free.col(j))).collect())
+    }
+
+    /// The same as combinations of the six: 6 × as many.
+    fn combinations(
+        &self,
+        stiffness: &LowerTriangle,
+        rows: &[Row],
+    ) -> Result<Matrix, LinearAlgebraError> {
         let rows = Matrix::from_fn(rows.len(), 6, |i, j| {
             rows[i].iter().map(|&(dof, c)| c * self.shapes[(dof, j)]).sum()
         });
@@ -78,8 +89,7 @@ impl RigidMotions {
         stiffness.multiply(&moves.data, &mut forces.data);
         let stiffest = stiffness.diagonal().into_iter().fold(0.0, f64::max);
         let energy = transpose_multiply(moves.view(), forces.view());
-        let free = multiply(loose.view(), small(&energy, NEGLIGIBLE * stiffest)?.view());
-        Ok((0..free.cols).map(|j| self.describe(free.col(j))).collect())
+        Ok(multiply(loose.view(), small(&energy, NEGLIGIBLE * stiffest)?.view()))
     }
 
     /// The motions that move anything, as columns: all six but for nodes on a line, or one alone.
@@ -154,6 +164,18 @@ pub(crate) fn free_motions(
         return RigidMotions::new(coordinates).free(stiffness, rows);
     }
     Ok(free)
+}
+
+/// The rigid motions of a body as a whole that make every one of `rows` zero and strain nothing: 3·nodes × as many, linearly
+/// independent.
+///
+/// # Errors
+/// A stiffness that is not symmetric by its structure, or with values that are not finite.
+pub(crate) fn free_shapes(solid: &Solid, rows: &[Row]) -> Result<Matrix, ReductionError> {
+    let stiffness = lower(solid.stiffness, "stiffness")?;
+    let motions = RigidMotions::new(solid.coordinates);
+    let free = motions.combinations(&stiffness, rows)?;
+    Ok(multiply(motions.shapes.view(), free.view()))
 }
 
 /// Loose parts that are reported.

@@ -25,6 +25,7 @@ pub(super) struct ByHand {
     pub(super) damping: [f64; 2],
     pub(super) motion: &'static str,
     pub(super) axial_restraint: &'static str,
+    pub(super) stiffening: bool,
     /// Set, direction (0, 1, 2), N/m.
     pub(super) ground_springs: Vec<(&'static str, usize, f64)>,
     pub(super) laws: Vec<Box<dyn SpringLaw>>,
@@ -75,6 +76,7 @@ fn body(mesh: &Mesh, which: usize, own: &ByHand, held: Held, nodes: Vec<usize>) 
         springs: held.springs,
         damping: Rayleigh { alpha: 0.0, beta: own.damping[which] },
         nodes,
+        stiffening: which == 0 && own.stiffening,
         memory: 1 << 30,
     }
 }

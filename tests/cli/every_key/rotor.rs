@@ -207,6 +207,7 @@ fn a_generated_rotor_is_what_its_case_says() {
         damping: [3e-6, 2e-5],
         motion: "hu2003",
         axial_restraint: "JOURNAL2_RIGHT",
+        stiffening: true,
         ground_springs: vec![
             ("GROUND_SPRINGS", 1, 2.3e6),
             ("BORE2_LEFT", 2, 4.1e5),
@@ -285,6 +286,7 @@ fn a_read_rotor_is_what_its_case_says() {
         damping: [4e-6, 7e-6],
         motion: "consistent",
         axial_restraint: "JOURNAL4_LEFT",
+        stiffening: false,
         ground_springs: vec![("GROUND_SPRINGS", 1, 1.9e8)],
         laws: vec![film(), Box::new(Cubic)],
         bearings: vec![

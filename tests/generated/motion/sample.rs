@@ -62,7 +62,7 @@ impl Shaft {
             "y0" => self.y0.as_slice(),
             "g0" => self.g0.as_slice(),
             "M" => self.m.as_slice(),
-            "Y" => self.y.as_slice(),
+            "Y" | "W" => self.y.as_slice(),
             "H" => self.h.as_slice(),
             other => panic!("no tensor {other}"),
         };

@@ -72,6 +72,7 @@ pub(crate) fn discs(bending: f64) -> Shaft {
         g0: vec![0.0; n],
         damping: Matrix::zeros(n, n),
         spin_inertia: mass.clone(),
+        spin_net: mass.clone(),
         mass,
         stiffness,
         spin_coupling,

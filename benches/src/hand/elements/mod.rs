@@ -101,6 +101,7 @@ const fn stiffness(evaluate: CellKernel, flops: usize) -> FormKernel {
             Variable { name: "nu", unit: "1", title: "Poisson's ratio" },
         ],
         structure: Structure::Symmetric,
+        under_stress: false,
         flops,
         evaluate,
     }
@@ -116,6 +117,7 @@ const fn scalar(
         form,
         material: &[Variable { name: "rho", unit: "kg/m^3", title: "density" }],
         structure: Structure::Kronecker { pattern },
+        under_stress: false,
         flops,
         evaluate,
     }

@@ -21,9 +21,11 @@ pub(super) fn shaft(store: FileStore, file: &Table, materials: &Materials) -> Op
 fn read_shaft(store: FileStore, table: &Table, materials: &Materials) -> Option<Shaft> {
     let body = body(store, table, materials, solid_shaft);
     let motion = motion(table);
+    let stiffening = table.optional_boolean("stiffening").unwrap_or(true);
     Some(Shaft {
         axial_restraint: table.text_or_none("axial_restraint"),
         motion: motion.or_else(default_motion)?,
+        stiffening,
         body: body?,
     })
 }

@@ -41,6 +41,7 @@ impl BodyPlan {
             springs: Vec::new(),
             damping: Rayleigh { alpha: 0.0, beta: case.damping },
             nodes: Vec::new(),
+            stiffening: false,
             memory: FACTOR_MEMORY,
         };
         let (held_by, made_from) = (held_by.clone(), case.mesh.place());

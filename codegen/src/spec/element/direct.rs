@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use super::{ElementSpec, ModeJacobian};
 use crate::expression::Id;
-use crate::spec::form::{Form, FormSpec};
+use crate::spec::form::{Form, FormSpec, Stress};
 
 /// The matrix of a form on one cell.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,33 +26,114 @@ struct AtPoint {
     basis: Vec<[f64; 4]>,
 }
 
-/// Evaluates a form on the cell with the given nodes (m) and material (SI, by name).
+/// Evaluates a form on the cell with the given nodes (m) and material (SI, by name). `displacement`: of the nodes (m),
+/// whose stress a form may be under; others do not read it.
 pub fn evaluate(
     element: &ElementSpec,
     spec: &FormSpec,
     form: &Form,
-    nodes: &[[f64; 3]],
+    [nodes, displacement]: [&[[f64; 3]]; 2],
     material: &BTreeMap<String, f64>,
 ) -> CellMatrix {
-    let (points, least_det) = points(element, &form.name, nodes);
-    let functions = points.first().map_or(0, |point| point.basis.len());
-    let total = 3 * functions;
-    let mut entries = vec![0.0; total * total];
-    let coefficients = coefficients(spec, form, material);
-    for point in &points {
-        for (place, coefficient) in form.bilinear.keys().zip(&coefficients) {
-            for (a, test) in point.basis.iter().enumerate() {
-                for (b, trial) in point.basis.iter().enumerate() {
-                    entries[(3 * a + place.i) * total + 3 * b + place.j] +=
-                        point.weight * coefficient * test[place.test] * trial[place.trial];
-                }
-            }
+    let (points, least_det) = points(element, form.integrated_as(), nodes);
+    if let Some(stress) = &form.stress {
+        let given = spec.forms.iter().find(|form| form.name == stress.form);
+        let moves = given.map(|form| {
+            let whole = summed(spec, form, &points, material);
+            follow(&whole, displacement)
+        });
+        let mut stressed = vec![0.0; 9 * nodes.len() * nodes.len()];
+        for point in &points {
+            let slopes = slopes(point, moves.as_deref().unwrap_or_default());
+            let coefficients = under_stress(spec, form, stress, &slopes, material);
+            add(&mut stressed, nodes.len(), form, point, &coefficients);
         }
+        return CellMatrix { size: 3 * nodes.len(), entries: stressed, least_det };
     }
-    let size = 3 * nodes.len();
+    let mut entries = summed(spec, form, &points, material);
+    let (total, size) = (entries.len().isqrt(), 3 * nodes.len());
     condense(&mut entries, total, size);
     let entries = entries.chunks(total).take(size).flat_map(|row| &row[..size]).copied().collect();
     CellMatrix { size, entries, least_det }
+}
+
+/// The matrix of all functions.
+fn summed(
+    spec: &FormSpec,
+    form: &Form,
+    points: &[AtPoint],
+    material: &BTreeMap<String, f64>,
+) -> Vec<f64> {
+    let functions = points.first().map_or(0, |point| point.basis.len());
+    let mut entries = vec![0.0; 9 * functions * functions];
+    let coefficients = coefficients(spec, form, material);
+    points.iter().for_each(|point| add(&mut entries, functions, form, point, &coefficients));
+    entries
+}
+
+/// Adds what a point gives the first functions.
+fn add(entries: &mut [f64], functions: usize, form: &Form, point: &AtPoint, coefficients: &[f64]) {
+    let (total, basis) = (3 * functions, &point.basis[..functions]);
+    for (place, coefficient) in form.bilinear.keys().zip(coefficients) {
+        for (a, test) in basis.iter().enumerate() {
+            for (b, trial) in basis.iter().enumerate() {
+                entries[(3 * a + place.i) * total + 3 * b + place.j] +=
+                    point.weight * coefficient * test[place.test] * trial[place.trial];
+            }
+        }
+    }
+}
+
+/// Displacements of the nodes, then the parameters of the modes, on which no force acts: by Gauss without pivoting.
+fn follow(whole: &[f64], displacement: &[[f64; 3]]) -> Vec<f64> {
+    let (total, nodal) = (whole.len().isqrt(), displacement.as_flattened());
+    let mut moves = nodal.to_vec();
+    let own = nodal.len()..total;
+    let mut matrix: Vec<Vec<f64>> =
+        own.clone().map(|i| whole[i * total..(i + 1) * total][own.clone()].to_vec()).collect();
+    let mut right: Vec<f64> = own
+        .map(|i| -nodal.iter().enumerate().map(|(j, u)| whole[i * total + j] * u).sum::<f64>())
+        .collect();
+    for pivot in 0..right.len() {
+        for row in 0..right.len() {
+            if row != pivot {
+                let factor = matrix[row][pivot] / matrix[pivot][pivot];
+                let above = matrix[pivot].clone();
+                matrix[row].iter_mut().zip(above).for_each(|(a, b)| *a -= factor * b);
+                right[row] -= factor * right[pivot];
+            }
+        }
+    }
+    moves.extend((0..right.len()).map(|p| right[p] / matrix[p][p]));
+    moves
+}
+
+/// ∂w_j/∂x_l at `[j][l]`.
+fn slopes(point: &AtPoint, moves: &[f64]) -> [[f64; 3]; 3] {
+    let functions = || point.basis.iter().zip(moves.chunks(3));
+    from_fn(|j| from_fn(|l| functions().map(|(basis, w)| basis[1 + l] * w[j]).sum()))
+}
+
+/// Coefficients of a form under the stress of these slopes.
+fn under_stress(
+    spec: &FormSpec,
+    form: &Form,
+    stress: &Stress,
+    slopes: &[[f64; 3]; 3],
+    material: &BTreeMap<String, f64>,
+) -> Vec<f64> {
+    let (mut symbols, mut values) = known(spec, material);
+    symbols.extend(stress.slopes.as_flattened());
+    values.extend(slopes.as_flattened());
+    let components = stress.components.as_flattened();
+    let found = spec.graph.bytecode(&symbols, components).values(&values);
+    // The six symbols of the components, each once.
+    for place in [0, 1, 2, 4, 5, 8] {
+        symbols.push(stress.symbols.as_flattened()[place]);
+        values.push(found[place]);
+    }
+    let all: Vec<Id> = form.bilinear.values().copied().collect();
+    spec.graph.bytecode(&symbols, &all).values(&values)
 }
 
 /// ∫ ∂M/∂(x, y, z) of every enhanced mode over a cell; zero if a patch of such cells passes under constant
@@ -128,6 +209,13 @@ fn condense(entries: &mut [f64], total: usize, size: usize) {
 }
 
 fn coefficients(spec: &FormSpec, form: &Form, material: &BTreeMap<String, f64>) -> Vec<f64> {
+    let (symbols, values) = known(spec, material);
+    let all: Vec<Id> = form.bilinear.values().copied().collect();
+    spec.graph.bytecode(&symbols, &all).values(&values)
+}
+
+/// Symbols of material and coefficients, with their values.
+fn known(spec: &FormSpec, material: &BTreeMap<String, f64>) -> (Vec<Id>, Vec<f64>) {
     let (mut symbols, mut values) = (Vec::new(), Vec::new());
     for property in &spec.material {
         symbols.push(property.symbol);
@@ -137,6 +225,5 @@ fn coefficients(spec: &FormSpec, form: &Form, material: &BTreeMap<String, f64>) 
         values.push(spec.graph.bytecode(&symbols, &[coefficient.value]).value(&values));
         symbols.push(coefficient.symbol);
     }
-    let all: Vec<Id> = form.bilinear.values().copied().collect();
-    spec.graph.bytecode(&symbols, &all).values(&values)
+    (symbols, values)
 }

@@ -32,7 +32,7 @@ impl SpecKind for ElementSpec {
     fn check(&self, all: &[&OfAnyKind]) -> Result<(), Diagnostics> {
         let forms: Vec<&Form> = of_forms(all).flat_map(|set| &set.forms).collect();
         check_enhanced(self, &forms)?;
-        demand::prove(self, forms.iter().map(|form| (form.name.as_str(), form.products())))
+        demand::prove(self, forms.iter().map(|form| (form.integrated_as(), form.products())))
     }
 }
 

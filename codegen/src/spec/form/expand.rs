@@ -34,6 +34,8 @@ pub struct Names {
     pub scalars: BTreeMap<String, Id>,
     /// Constant matrices.
     pub(crate) matrices: BTreeMap<String, [[Rational; 3]; 3]>,
+    /// Stresses, as symbols of their components.
+    pub(crate) stresses: BTreeMap<String, [[Id; 3]; 3]>,
 }
 
 /// Functions of the form language, with the number of their arguments.
@@ -184,10 +186,14 @@ impl Expansion<'_> {
                 matrix.each_ref().map(|row| row.each_ref().map(|x| self.graph.number(x.clone()))),
             ));
         }
+        if let Some(stress) = self.names.stresses.get(name) {
+            return Ok(Value::Matrix(*stress));
+        }
         let known: Vec<&str> = ["u", "v"]
             .into_iter()
             .chain(self.names.scalars.keys().map(String::as_str))
             .chain(self.names.matrices.keys().map(String::as_str))
+            .chain(self.names.stresses.keys().map(String::as_str))
             .collect();
         let text = &self.formula.text;
         let error = text.error(Code::UNKNOWN_NAME, span.clone(), format!("unknown name `{name}`"));
@@ -246,6 +252,7 @@ impl Expansion<'_> {
                 let message = "a vector can only be scaled by what does not depend on u or v";
                 return self.error(Code::FORM, &term.span, message);
             }
+            let stressed = self.stressed(&part.value) || self.stressed(&total.value);
             let value = match (part.value, total.value, side) {
                 (Value::Scalar(a), other, Side::Against) if part.degrees == [0, 0] => {
                     if self.graph.is_zero(a) {
@@ -269,6 +276,10 @@ impl Expansion<'_> {
                     let value = self.applied(&m, a);
                     Value::Field(value, from_fn(|k| from_fn(|l| columns[l][k])))
                 }
+                (Value::Matrix(a), Value::Matrix(b), _) => {
+                    let columns: [[Id; 3]; 3] = from_fn(|l| self.applied(&a, from_fn(|k| b[k][l])));
+                    Value::Matrix(from_fn(|k| from_fn(|l| columns[l][k])))
+                }
                 (a, b, _) => {
                     let message = format!("{} times {} is not defined", a.called(), b.called());
                     let help = "write `dot(a, b)` of vectors, `inner(A, B)` of matrices, and only \
@@ -277,9 +288,25 @@ impl Expansion<'_> {
                     return Err(Box::new(error.help(help)));
                 }
             };
+            if stressed && matches!(value, Value::Field(..)) {
+                let message = "a vector can only be scaled by what is constant over a cell, which a \
+                               stress is not";
+                return self.error(Code::FORM, &term.span, message);
+            }
             total = Subterm { value, degrees };
         }
         Ok(total)
+    }
+
+    /// Whether a stress occurs, which differs from point to point.
+    fn stressed(&self, value: &Value) -> bool {
+        let symbols = || self.names.stresses.values().flatten().flatten();
+        let depends = |id: &Id| symbols().any(|symbol| self.graph.depends(*id, *symbol));
+        match value {
+            Value::Scalar(id) => depends(id),
+            Value::Field(value, _) => value.iter().any(depends),
+            Value::Matrix(matrix) => matrix.iter().flatten().any(depends),
+        }
     }
 
     fn applied(&mut self, matrix: &[[Id; 3]; 3], x: [Id; 3]) -> [Id; 3] {

@@ -16,25 +16,34 @@
 //! [matrices]                 # constant, 3 × 3
 //! D = [[0, -1, 0], [1, 0, 0], [0, 0, 0]]
 //!
+//! [stresses]                 # what a form makes of a displacement that the kernel is given
+//! sigma = "stiffness"
+//!
 //! [forms]                    # u: trial (columns), v: test (rows)
 //! stiffness = 'lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))'
+//! stiffening = 'inner(sigma, transpose(grad(u))*grad(v))'
 //! ```
 //!
 //! A form is made of numbers, material, coefficients, `u`, `v`, constant matrices times them, `div`,
-//! `grad`, `eps` (the symmetric part of `grad`), `trace`, `transpose`, `inner` of matrices and `dot` of
-//! vectors.
+//! `grad`, `eps` (the symmetric part of `grad`), `trace`, `transpose`, products of matrices, `inner` of matrices and
+//! `dot` of vectors.
+//!
+//! The stress of a form a(u, v) is the matrix σ with a(w, v) = ∫ σ : grad(v) dV for all v: derived from the form, not
+//! declared. w is the displacement of the cell's nodes, and of the cell's own modes as they follow it in that form.
 
 mod expand;
 mod explain;
 pub(super) mod kernels;
 mod kind;
 mod schema;
+mod stress;
 mod structure;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 pub use expand::{Bilinear, Names, Place};
+pub use stress::Stress;
 pub use structure::{Pattern, Structure};
 
 use num_traits::One;
@@ -47,6 +56,7 @@ use crate::formula::{Meaning, dimension, lower, parse};
 use crate::spec::read::{self, Head};
 use crate::units::Unit;
 use expand::expand;
+use stress::Named;
 use structure::structure;
 
 /// Forms over one material, ready to be emitted: see the module for the file.
@@ -107,6 +117,8 @@ pub struct Form {
     pub(crate) bilinear: Bilinear,
     /// What was found in them.
     pub(crate) structure: Structure,
+    /// The stress in it, if there is one.
+    pub stress: Option<Stress>,
 }
 
 /// Which part of a basis function occurs in a product.
@@ -124,6 +136,12 @@ impl Form {
         let part = |place: usize| if place == 0 { BasisPart::Value } else { BasisPart::Gradient };
         self.bilinear.keys().map(|place| (part(place.test), part(place.trial))).collect()
     }
+
+    /// The form at whose points, and with whose modes, it is integrated: itself, or the one that gives its stress, so that
+    /// stress and load balance.
+    pub fn integrated_as(&self) -> &str {
+        self.stress.as_ref().map_or(&self.name, |stress| &stress.form)
+    }
 }
 
 impl FormSpec {
@@ -140,8 +158,10 @@ impl FormSpec {
 
     /// Properties that a form uses, in the order of the file.
     pub(crate) fn material_of(&self, form: &Form) -> Vec<&Property> {
+        let of_stress = form.stress.iter().flat_map(|stress| stress.components.iter().flatten());
+        let ids: Vec<Id> = form.bilinear.values().chain(of_stress).copied().collect();
         let uses = |symbol: Id| {
-            form.bilinear.values().any(|id| {
+            ids.iter().any(|id| {
                 self.graph.depends(*id, symbol)
                     || self.coefficients.iter().any(|c| {
                         self.graph.depends(*id, c.symbol) && self.graph.depends(c.value, symbol)
@@ -166,7 +186,8 @@ impl Reader<'_> {
         if let Some(table) = root.optional_table("matrices") {
             self.matrices(table);
         }
-        let forms = root.table("forms").map(|table| self.forms(table));
+        let stresses = root.optional_table("stresses").map(|table| self.stresses(table));
+        let forms = root.table("forms").map(|table| self.forms(table, &stresses.unwrap_or_default()));
         root.finish();
         if self.document.has_errors() {
             return None;
@@ -190,6 +211,7 @@ impl Reader<'_> {
             matches!(name, "u" | "v")
                 || self.names.scalars.contains_key(name)
                 || self.names.matrices.contains_key(name)
+                || self.names.stresses.contains_key(name)
         };
         read::name(self.document, key, |name| match taken(&name) {
             true => Err(format!("the name `{name}` is taken")),
@@ -282,7 +304,21 @@ impl Reader<'_> {
         table.finish();
     }
 
-    fn forms(&mut self, table: Table<'_>) -> Vec<Form> {
+    /// Names of stresses, and of the forms that they are of.
+    fn stresses(&mut self, table: Table<'_>) -> Vec<Named> {
+        let mut stresses = Vec::new();
+        for key in table.names() {
+            let (name, form) = (self.take(&key), table.string(key.text()));
+            let (Some(name), Some(form)) = (name, form) else { continue };
+            let symbols = stress::symbols(&mut self.graph, &name);
+            self.names.stresses.insert(name, symbols);
+            stresses.push(Named { form, symbols });
+        }
+        table.finish();
+        stresses
+    }
+
+    fn forms(&mut self, table: Table<'_>, stresses: &[Named]) -> Vec<Form> {
         let mut forms = Vec::new();
         for key in table.names() {
             let Some(text) = table.string(key.text()) else { continue };
@@ -307,7 +343,7 @@ impl Reader<'_> {
                 }
                 Ok(bilinear) => {
                     let structure = structure(&mut self.graph, &bilinear);
-                    forms.push(Form { name, text, bilinear, structure });
+                    forms.push(Form { name, text, bilinear, structure, stress: None });
                 }
                 Err(errors) => self.document.append(errors),
             }
@@ -317,6 +353,9 @@ impl Reader<'_> {
             table.error(Code::MISSING_KEY, table.span(), message);
         }
         table.finish();
+        if let Err(errors) = stress::resolve(&mut self.graph, stresses, &mut forms) {
+            self.document.append(errors);
+        }
         forms
     }
 }

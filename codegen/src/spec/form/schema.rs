@@ -15,6 +15,7 @@ const FORM: &[Key] = &[
     needed("material", Named(&Table(&[PROPERTY])), "properties of the material"),
     key("coefficients", Named(&Formula), "formulas over the material"),
     key("matrices", Named(&Tuple(&Tuple(&Number, 3), 3)), "constant 3 × 3 matrices"),
+    key("stresses", Named(&Text), "the form of gradients whose stress each is"),
     needed("forms", Named(&Formula), "bilinear in u (trial, columns) and v (test, rows)"),
 ];
 

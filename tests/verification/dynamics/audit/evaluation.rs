@@ -128,7 +128,7 @@ fn turning(shaft: &Shaft, place: &BodyPlace, state: &State, rows: &mut Rows) {
         (0..n).map(|j| m[(i, j)] * x[j]).collect()
     };
     let total = |products: &[f64]| products.iter().sum::<f64>();
-    let (y, h) = (&shaft.spin_inertia, &shaft.spin_coupling);
+    let (y, h) = (&shaft.spin_net, &shaft.spin_coupling);
     let arm: Vec<f64> = (0..n).map(|i| shaft.y0[i] + total(&times(y, i, q))).collect();
     let g: Vec<f64> = (0..n).map(|i| shaft.g0[i] - total(&times(h, i, q))).collect();
     let inertia = shaft.j0

@@ -37,10 +37,13 @@ impl CellForm<'_> {
         tables.elsewhere = self.same_kernel.is_some();
         let Body { workspace, matrix, text, about, flops } = match by_values(self.form, pairs) {
             true => self.values_only(pairs, tables),
+            false if pairs.under_stress => self.under_stress(pairs, tables),
             false => self.general(pairs, tables),
         };
         let flops = flops + pairs.once_flops();
-        let (nodes, len) = (count(self.element.nodes.len()), count(self.stored()));
+        // Behind the positions of the nodes come their displacements, where there is a stress.
+        let given = if pairs.under_stress { 2 } else { 1 };
+        let (nodes, len) = (count(given * self.element.nodes.len()), count(self.stored()));
         let properties = count(pairs.material.len());
         let function = identifier(&self.form.name);
         let about = documented(&self.header(&about, flops));
@@ -123,23 +126,27 @@ impl CellForm<'_> {
         let material: Vec<String> = (self.spec.material_of(form).iter())
             .map(|property| format!("{} ({})", property.name, property.unit))
             .collect();
+        let given = match &form.stress {
+            Some(stress) => format!(", then their displacements × 3 (m), whose stress is that of `{}`", stress.form),
+            None => String::new(),
+        };
         format!(
             "`{}`: ∫ `{}` dV (`{}`), rows from v, columns from u, of every cell of a block \
-             ([`crate::CellKernel`]).\n\nA cell: {nodes} nodes × 3 (m); {}; {matrix}; the smallest det J.\n\nRule: {}. {about} Together \
+             ([`crate::CellKernel`]).\n\nA cell: {nodes} nodes × 3 (m){given}; {}; {matrix}; the smallest det J.\n\nRule: {}. {about} Together \
              {flops} operations a cell, a multiplication with the addition behind it counted as two; {} \
              bytes read, {} written.",
             form.name,
             form.text.text(),
             self.spec.file.path.display(),
             material.join(", "),
-            self.element.rule(&form.name).title,
-            8 * 3 * nodes,
+            self.element.rule(form.integrated_as()).title,
+            8 * 3 * nodes * if form.stress.is_some() { 2 } else { 1 },
             8 * (stored + 1),
         )
     }
 
     pub(super) fn table(&self, tables: &mut Tables) -> &Table {
-        let form = &self.form.name;
+        let form = self.form.integrated_as();
         let table = self.element.table(form);
         let (points, nodes) = (count(table.weights.len()), count(self.element.nodes.len()));
         let Tangents { rows, columns } = Tangents::new(&table.slopes);
@@ -170,7 +177,7 @@ impl CellForm<'_> {
         let rows = Tangents::new(&table.slopes).rows;
         match Linear::new(&rows) {
             None => {
-                let name = tables.named("TANGENTS", &self.form.name);
+                let name = tables.named("TANGENTS", self.form.integrated_as());
                 let text = quote!(cells::tangents(x, &#name, &mut workspace.tangents););
                 (text, 6 * self.element.nodes.len() * rows.len())
             }
@@ -197,7 +204,7 @@ impl CellForm<'_> {
 
     /// Inside a loop over q, declares `at` from the tangents.
     pub(super) fn jacobian(&self, tables: &Tables, tangents: &TokenStream) -> TokenStream {
-        let columns = tables.named("COLUMNS", &self.form.name);
+        let columns = tables.named("COLUMNS", self.form.integrated_as());
         quote! {
             let [xi, eta, zeta] = #columns[q];
             let at = cells::Jacobian::new([#tangents[xi], #tangents[eta], #tangents[zeta]]);

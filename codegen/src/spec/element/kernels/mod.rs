@@ -4,6 +4,7 @@ mod basis;
 mod cell;
 mod linear;
 mod modes;
+mod stressed;
 mod table;
 mod values;
 
@@ -45,8 +46,8 @@ impl Compiled for ElementSpec {
         let (mut entries, mut known) = (Vec::new(), Vec::new());
         for (spec, pairs, _) in &forms {
             for (form, pairs) in spec.forms.iter().zip(*pairs) {
-                let same_kernel = before().find(|other| other.integrates_as(self, &form.name));
-                let point = &points[&form.name];
+                let same_kernel = before().find(|other| other.integrates_as(self, form.integrated_as()));
+                let point = &points[form.integrated_as()];
                 let cell = CellForm { element: self, spec, form, pairs, point, same_kernel };
                 let (text, flops) = cell.functions(&mut tables, &mut known);
                 functions.extend(text);
@@ -125,6 +126,7 @@ fn heading(element: &ElementSpec, about: &About) -> String {
 fn entry(cell: &CellForm, flops: usize) -> TokenStream {
     let (name, flops) = (&cell.form.name, Literal::usize_unsuffixed(flops));
     let function = identifier(name);
+    let under_stress = cell.form.stress.is_some();
     let material = (cell.spec.material_of(cell.form).into_iter())
         .map(|p| variable(&p.name, &p.unit.dimension().si_unit(), &p.title));
     let structure = match &cell.form.structure {
@@ -143,6 +145,7 @@ fn entry(cell: &CellForm, flops: usize) -> TokenStream {
             form: #name,
             material: &[#(#material),*],
             structure: #structure,
+            under_stress: #under_stress,
             flops: #flops,
             evaluate: #function,
         }

@@ -33,7 +33,7 @@ impl<'a> Block<'a> {
     pub(super) fn new(form: &'a Form, pairs: &'a Pairs) -> Self {
         let statements = statements(&pairs.program, PAIR, Numbers::Fused);
         let result = match form.structure {
-            Structure::Kronecker { .. } => pairs.outputs()[0].clone(),
+            Structure::Kronecker { .. } if !pairs.under_stress => pairs.outputs()[0].clone(),
             _ => pairs.block(),
         };
         let body = quote!(#(#statements)* #result);
@@ -54,10 +54,11 @@ impl<'a> Block<'a> {
         let Block { form, pairs, once, body } = self;
         let material: Vec<Ident> = pairs.material.iter().map(|name| identifier(name)).collect();
         let (length, parts) = (count(once.len()), count(pairs.parts().len()));
-        let sums = pairs.parts().iter().map(|i| {
-            let row = pairs.parts().iter().map(|j| match pairs.moments.contains(&(*i, *j)) {
-                true => identifier(&Pairs::name((*i, *j))),
-                false => format_ident!("_"),
+        let taken = pairs.taken();
+        let sums = taken.iter().map(|row| {
+            let row = row.iter().map(|name| match name {
+                Some(name) if names(body).contains(name) => identifier(name),
+                _ => format_ident!("_"),
             });
             quote!([#(#row),*])
         });
@@ -72,14 +73,20 @@ impl<'a> Block<'a> {
             pairs.once_counts()
         );
         let (result, what) = match form.structure {
-            Structure::Kronecker { .. } => (quote!(L), "the entry"),
-            _ => (quote!([[L; 3]; 3]), "the components"),
+            _ if pairs.under_stress => (
+                quote!([[L; 3]; 3]),
+                "the coefficients of products of gradients at a point by the slopes of the displacement",
+            ),
+            Structure::Kronecker { .. } => (
+                quote!(L),
+                "the entry of a pair of basis functions by the sums of their products over the points",
+            ),
+            _ => (
+                quote!([[L; 3]; 3]),
+                "the components of a pair of basis functions by the sums of their products over the points",
+            ),
         };
-        let about = format!(
-            "`{}`: {what} of a pair of basis functions by the sums of their products over the points: {}.",
-            form.name,
-            pairs.pair_counts()
-        );
+        let about = format!("`{}`: {what}: {}.", form.name, pairs.pair_counts());
         let (about_once, about) = (documented(&about_once), documented(&about));
         let properties_count = count(material.len());
         quote! {

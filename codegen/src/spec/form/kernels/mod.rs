@@ -83,6 +83,10 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     let block_of_form = Block::new(form, pairs);
     let (block, both, length) =
         (block_name(form), block_of_form.functions(spec), count(block_of_form.once.len()));
+    if pairs.under_stress {
+        let under_stress = under_stress(form, pairs, &length);
+        return quote!(#both #under_stress);
+    }
     let loops = match &form.structure {
         Structure::Kronecker { .. } => each_pair(
             pairs,
@@ -143,6 +147,40 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
                 }
             }
             L::shared(Pairs { basis, points, once, matrix })
+        }
+    }
+}
+
+/// The same of a form under a stress, which differs from point to point.
+fn under_stress(form: &Form, pairs: &Pairs, length: &impl quote::ToTokens) -> TokenStream {
+    let (name, block) = (pairs_name(form), block_name(form));
+    let about = documented(&format!(
+        "`{}`: ∫ `{}` dV, rows from v, columns from u, for every pair of the first basis functions of a cell, under the \
+         stress of a displacement.\n\nbasis: functions × points × (∂N/∂x, ∂N/∂y, ∂N/∂z), each times √(w det J); roots: \
+         √(w det J). displacement: of all functions, those of the nodes and those of modes; the functions of the nodes \
+         have a row in the matrix. once: what [`{}`] gives. matrix: a symmetric matrix with one row a node, times a \
+         constant 3 × 3 pattern: upper triangle by rows.\n\nA point: the slopes of the displacement, then {}. A pair: \
+         sums over the points.",
+        form.name,
+        form.text.text(),
+        once_name(form),
+        pairs.pair_counts(),
+    ));
+    quote! {
+        #about
+        #[inline(always)]
+        pub fn #name<L: Register, const POINTS: usize>(
+            basis: &[[[L; 3]; POINTS]],
+            roots: &[L; POINTS],
+            displacement: [&[[L; 3]]; 2],
+            once: [L; #length],
+            matrix: Matrix<L>,
+        ) {
+            let mut coefficients = [[[L::splat(0.0); 3]; 3]; POINTS];
+            for q in 0..cells::looped(POINTS) {
+                coefficients[q] = #block(cells::slopes(basis, roots, displacement, q), once);
+            }
+            cells::weighted_sums(&basis[..displacement[0].len()], &coefficients, matrix);
         }
     }
 }

@@ -10,6 +10,7 @@ use quote::quote;
 use crate::emit::{Numbers, identifier, operand, statements};
 use crate::expression::{Graph, Id, Rational};
 use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule};
+use crate::spec::form::stress::slope;
 use crate::spec::form::{Form, FormSpec, Structure};
 
 /// Once a cell.
@@ -29,6 +30,9 @@ pub(crate) struct Pairs {
     /// Stages [`MATERIAL`], over material and coefficients, and [`PAIR`]; outputs: the nine components by rows, or the scalar entry of a
     /// Kronecker structure.
     pub(in crate::spec) program: Program,
+    /// Whether the coefficients follow from a stress, point by point: then the second stage is over the slopes of the
+    /// displacement, and its outputs are the coefficients of the products of gradients, by rows.
+    pub(in crate::spec) under_stress: bool,
 }
 
 impl Pairs {
@@ -46,36 +50,29 @@ impl Pairs {
             Structure::Kronecker { scalar, .. } => scalar.keys().copied().collect(),
             _ => form.bilinear.keys().map(|place| (place.test, place.trial)).collect(),
         };
-        let sums: BTreeMap<(usize, usize), Id> =
-            moments.iter().map(|moment| (*moment, graph.scalar(&Self::name(*moment)))).collect();
+        // What comes in at every pair, or at every point.
+        let mut symbols: Vec<(String, Id)> = Vec::new();
         let mut outputs = Vec::new();
-        let mut output = |graph: &mut Graph, name: String, terms: Vec<(Id, Id)>| {
-            let mut products = vec![(graph.integer(0), Rational::one())];
-            for (coefficient, sum) in terms {
-                products.push((graph.mul(coefficient, sum), Rational::one()));
+        if let Some(stress) = &form.stress {
+            for (j, l) in (0..9).map(|n| (n / 3, n % 3)) {
+                symbols.push((slope(j, l), stress.slopes[j][l]));
+                let zero = graph.integer(0);
+                let expression = *stress.scalar.get(&(1 + j, 1 + l)).unwrap_or(&zero);
+                outputs.push(Output { name: Self::component(j, l), expression });
             }
-            let expression = graph.sum(&products);
-            outputs.push(Output { name, expression });
-        };
-        match &form.structure {
-            Structure::Kronecker { scalar, .. } => {
-                let terms = scalar.iter().map(|(moment, c)| (*c, sums[moment])).collect();
-                output(&mut graph, "s".to_owned(), terms);
-            }
-            _ => {
-                for i in 0..3 {
-                    for j in 0..3 {
-                        let here = form.bilinear.iter().filter(|(p, _)| (p.i, p.j) == (i, j));
-                        let terms = here.map(|(p, c)| (*c, sums[&(p.test, p.trial)])).collect();
-                        let name = format!("k_{}{}", Self::PARTS[1 + i], Self::PARTS[1 + j]);
-                        output(&mut graph, name, terms);
-                    }
-                }
-            }
+        } else {
+            let sums: BTreeMap<(usize, usize), Id> = moments
+                .iter()
+                .map(|moment| (*moment, graph.scalar(&Self::name(*moment))))
+                .collect();
+            symbols.extend(sums.iter().map(|(moment, symbol)| (Self::name(*moment), *symbol)));
+            outputs = Self::of_sums(&mut graph, form, &sums);
         }
         let properties = spec.material_of(form);
         let material: Vec<String> = properties.iter().map(|p| p.name.clone()).collect();
-        let uses = |symbol: Id| form.bilinear.values().any(|id| graph.depends(*id, symbol));
+        let of_stress = form.stress.iter().flat_map(|stress| stress.scalar.values());
+        let values: Vec<Id> = form.bilinear.values().chain(of_stress).copied().collect();
+        let uses = |symbol: Id| values.iter().any(|id| graph.depends(*id, symbol));
         let used: Vec<_> = spec.coefficients.iter().filter(|c| uses(c.symbol)).collect();
         let input = |name: String, symbol: Id, stage| Input { name, symbol, stage };
         let mut inputs = Vec::new();
@@ -91,13 +88,57 @@ impl Pairs {
             names: Vec::new(),
         };
         inputs.extend(used.iter().map(|c| input(c.name.clone(), c.symbol, MATERIAL)));
-        inputs.extend(sums.iter().map(|(m, symbol)| input(Self::name(*m), *symbol, PAIR)));
+        inputs.extend(symbols.into_iter().map(|(name, symbol)| input(name, symbol, PAIR)));
         let coefficients = schedule(&mut graph.clone(), &request)?;
         let pairs = if moments.len() > 1 { 36.0 } else { 27.0 };
         let stages = vec![Stage::new("material", &[], 1.0), Stage::new("pair", &[MATERIAL], pairs)];
         let request = Request { stages, inputs, outputs, names: Vec::new() };
         let program = schedule(&mut graph, &request)?;
-        Ok(Pairs { moments: moments.into_iter().collect(), material, coefficients, program })
+        let moments = moments.into_iter().collect();
+        let under_stress = form.stress.is_some();
+        Ok(Pairs { moments, material, coefficients, program, under_stress })
+    }
+
+    /// The components of a pair over the sums.
+    fn of_sums(
+        graph: &mut Graph,
+        form: &Form,
+        sums: &BTreeMap<(usize, usize), Id>,
+    ) -> Vec<Output> {
+        let mut outputs = Vec::new();
+        let mut output = |graph: &mut Graph, name: String, terms: Vec<(Id, Id)>| {
+            let mut products = vec![(graph.integer(0), Rational::one())];
+            for (coefficient, sum) in terms {
+                products.push((graph.mul(coefficient, sum), Rational::one()));
+            }
+            let expression = graph.sum(&products);
+            outputs.push(Output { name, expression });
+        };
+        if let Structure::Kronecker { scalar, .. } = &form.structure {
+            let terms = scalar.iter().map(|(moment, c)| (*c, sums[moment])).collect();
+            output(graph, "s".to_owned(), terms);
+            return outputs;
+        }
+        for (i, j) in (0..9).map(|n| (n / 3, n % 3)) {
+            let here = form.bilinear.iter().filter(|(p, _)| (p.i, p.j) == (i, j));
+            let terms = here.map(|(p, c)| (*c, sums[&(p.test, p.trial)])).collect();
+            output(graph, Self::component(i, j), terms);
+        }
+        outputs
+    }
+
+    /// Name of component (i, j) of what the second stage gives.
+    fn component(i: usize, j: usize) -> String {
+        format!("k_{}{}", Self::PARTS[1 + i], Self::PARTS[1 + j])
+    }
+
+    /// What the second stage takes: rows of names, where they are used.
+    pub(in crate::spec) fn taken(&self) -> Vec<Vec<Option<String>>> {
+        let name = |i: usize, j: usize| match self.under_stress {
+            true => Some(slope(i - 1, j - 1)),
+            false => self.moments.contains(&(i, j)).then(|| Self::name((i, j))),
+        };
+        self.parts().iter().map(|i| self.parts().iter().map(|j| name(*i, *j)).collect()).collect()
     }
 
     /// The parts that the basis functions are filled with, in their order: values where they occur, and gradients.

@@ -1,0 +1,144 @@
+//! Stiffening by rotation: G = ∫ σ⁰_ij ∂_i u · ∂_j v dV, with σ⁰ the stress under the centrifugal load of θ̇ = 1.
+
+use crate::assembly::assemble_under;
+use crate::body::{Assembled, BodySpec};
+use crate::error::{Error, ReductionError};
+use crate::linalg::{
+    Cholesky, LinearAlgebraError, Matrix, congruence, dot, multiply, symmetric_eigen,
+    transpose_multiply,
+};
+use crate::mesh::Mesh;
+use crate::reduction::{CraigBampton, Solid, free_shapes};
+use crate::sparse::SparseMatrix;
+
+/// G of a body (N per (rad/s)² and m), 3·nodes.
+///
+/// `load`: Y x0 (N per (rad/s)²), 3·nodes.
+///
+/// # Errors
+/// As [`displacement`] and [`assemble_under`].
+pub(crate) fn stiffening(
+    mesh: &Mesh,
+    spec: &BodySpec,
+    body: &Assembled,
+    reduction: &CraigBampton,
+    load: &[f64],
+) -> Result<SparseMatrix, Error> {
+    let under_load = displacement(mesh, spec, body, reduction, load)?;
+    assemble_under(mesh, "stiffening", &under_load)
+}
+
+/// K u⁰ = load, with the constraints of the spec; m per (rad/s)².
+///
+/// A motion that nothing stops is free of load: what the load does on it is taken off as the inertia of that motion,
+/// which strains nothing where all of the body is off the axis alike. A load in balance is left as it is. Then the motion
+/// itself is chosen to be none, which makes no stress.
+///
+/// # Errors
+/// Constraints that contradict each other; a body of which a part is loose.
+fn displacement(
+    mesh: &Mesh,
+    spec: &BodySpec,
+    body: &Assembled,
+    reduction: &CraigBampton,
+    load: &[f64],
+) -> Result<Vec<f64>, Error> {
+    let modes = reduction.modes();
+    let retained = &reduction.retained;
+    let solid = body.solid(mesh, spec.memory);
+    let free = free_motions(&solid, spec)?;
+    let load = balanced(load, &free, body)?;
+
+    // Equations of the retained dofs alone, which the constraints are on.
+    let transform = spec.active(reduction)?.transform;
+    let transform = Matrix::from_fn(retained.len(), transform.cols - modes, |i, j| {
+        transform[(modes + i, modes + j)]
+    });
+    let condensed = Matrix::from_fn(retained.len(), retained.len(), |i, j| {
+        reduction.stiffness[(modes + i, modes + j)]
+    });
+    let forces = &reduction.shapes.apply_transpose(&load)[modes..];
+    let mut active = transform.apply_transpose(forces);
+    let mut stiffness = congruence(&condensed, &transform).symmetric_part();
+    support(&mut stiffness, &transform, &free, retained)?;
+    if !active.is_empty() {
+        let mut factor = Cholesky::new(active.len());
+        factor.factor(&stiffness.data).map_err(failed)?;
+        factor.solve_in_place(&mut active);
+    }
+
+    let mut shifts = vec![0.0; modes];
+    shifts.extend(transform.apply(&active));
+    let inner = solid.held(retained, &load)?;
+    let follows = reduction.shapes.apply(&shifts);
+    Ok(follows.iter().zip(&inner).map(|(a, b)| a + b).collect())
+}
+
+/// Orthonormal rigid motions that nothing stops: 3·nodes × as many.
+fn free_motions(solid: &Solid, spec: &BodySpec) -> Result<Matrix, Error> {
+    let retained = |place: usize| spec.retained[place].dof;
+    let equations = spec.constraints.equations().iter();
+    let rows: Vec<_> = equations
+        .map(|equation| equation.terms.iter().map(|&(place, c)| (retained(place), c)).collect())
+        .collect();
+    let motions = free_shapes(solid, &rows)?;
+    let gram = transpose_multiply(motions.view(), motions.view()).symmetric_part();
+    let eigen = symmetric_eigen(&gram).map_err(failed)?;
+    let scaled = Matrix::from_fn(gram.rows, gram.cols, |i, j| {
+        eigen.vectors[(i, j)] / eigen.values[j].sqrt()
+    });
+    Ok(multiply(motions.view(), scaled.view()))
+}
+
+/// The load less the inertia of the free motions that does the same work on them.
+fn balanced(load: &[f64], free: &Matrix, body: &Assembled) -> Result<Vec<f64>, Error> {
+    let mut balanced = load.to_vec();
+    if free.cols == 0 {
+        return Ok(balanced);
+    }
+    let mut inertia = Matrix::zeros(free.rows, free.cols);
+    body.mass.multiply(&free.data, &mut inertia.data);
+    let mass = transpose_multiply(free.view(), inertia.view()).symmetric_part();
+    let mut acceleration = free.apply_transpose(load);
+    let mut factor = Cholesky::new(free.cols);
+    factor.factor(&mass.data).map_err(failed)?;
+    factor.solve_in_place(&mut acceleration);
+    for (value, taken) in balanced.iter_mut().zip(inertia.apply(&acceleration)) {
+        *value -= taken;
+    }
+    Ok(balanced)
+}
+
+/// Adds stiffness against the free motions, as much as the body's own: of a load in balance they carry nothing.
+fn support(
+    stiffness: &mut Matrix,
+    transform: &Matrix,
+    free: &Matrix,
+    retained: &[usize],
+) -> Result<(), Error> {
+    if free.cols == 0 || stiffness.rows == 0 {
+        return Ok(());
+    }
+    let moves = Matrix::from_fn(retained.len(), free.cols, |i, j| free[(retained[i], j)]);
+    // Motions that the constraints leave have coordinates: the least squares of T a = moves.
+    let mut coordinates = transpose_multiply(transform.view(), moves.view());
+    let gram = transpose_multiply(transform.view(), transform.view());
+    let mut factor = Cholesky::new(gram.rows);
+    factor.factor(&gram.data).map_err(failed)?;
+    factor.solve_in_place(&mut coordinates.data);
+    let n = stiffness.rows;
+    let mean = (0..n).map(|i| stiffness[(i, i)]).sum::<f64>() / n as f64;
+    for motion in coordinates.data.chunks_exact(n) {
+        let scale = mean / dot(motion, motion);
+        for j in 0..n {
+            for i in 0..n {
+                stiffness[(i, j)] += scale * motion[i] * motion[j];
+            }
+        }
+    }
+    Ok(())
+}
+
+fn failed(error: LinearAlgebraError) -> Error {
+    Error::Reduction(ReductionError::LinearAlgebra(error))
+}
