@@ -30,7 +30,7 @@ impl RigidBody {
     /// As a body that turns, with nodes at `positions` (m, from its axis).
     pub fn turning(&self, positions: &[[f64; 3]]) -> Shaft {
         let (mass, polar) = (self.mass, self.polar_inertia);
-        // What M, Y and H have of each pair of coordinates.
+        // What M, Y − G, and Y and H have of each pair of coordinates.
         let mut pairs = vec![[mass, mass, mass]];
         if let Some(own) = self.transverse_inertia {
             pairs.push([own, own - polar, own - 0.5 * polar]);
@@ -52,7 +52,8 @@ impl RigidBody {
             mass: diagonal(0),
             stiffness: Matrix::zeros(n, n),
             damping: Matrix::zeros(n, n),
-            spin_inertia: diagonal(1),
+            spin_inertia: diagonal(2),
+            spin_net: diagonal(1),
             spin_coupling: coupling,
             hertz: Vec::new(),
             coordinates: self.names(),

@@ -123,7 +123,7 @@ impl Shaft {
     fn tensors(&self, motion: &Motion) -> Vec<&[f64]> {
         let names = ["J0", "y0", "g0", "M", "Y", "H"];
         // Without stiffening Y − G is Y.
-        let known = |name| if name == "W" { "Y" } else { name };
+        let known = |name: &'static str| if name == "W" { "Y" } else { name };
         let place = |name: &str| names.iter().position(|own| *own == known(name)).expect("known tensor");
         motion.tensors.iter().map(|tensor| self.tensors[place(tensor.name)].as_slice()).collect()
     }
