@@ -9,7 +9,7 @@ use crate::arguments::CheckArguments;
 use crate::case::{Case, LawSource, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
-use crate::machine::{self, BodyPlan, MachinePlan};
+use crate::machine::{self, BodyPlan, MachinePlan, Plan};
 use crate::progress::{self, ProgressMode};
 use crate::report::table;
 use crate::{spec_file, streams};
@@ -40,12 +40,16 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     // Meshes are read once, and warned of once.
     let plan = streams::warned(|warnings| machine::plan(&case, warnings))?;
     let laws = match (&case.system, &plan) {
-        (System::Rotor(rotor), Some(plan)) => {
+        (System::Rotor(rotor), Some(Plan::Rotor(plan))) => {
             say_rotor(&mut text, rotor, plan)?;
             plan.laws.clone()
         }
+        (System::Joined(_), Some(Plan::Joined(plan))) => {
+            plan.verify()?;
+            plan.laws.clone()
+        }
         (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
-        (System::Rotor(_), None) => Vec::new(),
+        (System::Rotor(_) | System::Joined(_), _) => Vec::new(),
     };
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);

@@ -35,8 +35,9 @@ impl Identity {
         parts.extend(
             built.law_hashes.iter().map(|(name, hash)| (format!("the law `{name}`"), hash.clone())),
         );
-        for (body, key) in built.bodies.iter().flat_map(|bodies| &bodies.content) {
-            parts.push((format!("the mesh of the {body}, or what is made of it"), key.hex()));
+        for body in built.bodies.iter().flat_map(|facts| &facts.bodies) {
+            let what = format!("the mesh of the {}, or what is made of it", body.name);
+            parts.push((what, body.content.hex()));
         }
         Identity(parts)
     }

@@ -139,7 +139,7 @@ fn times(built: &Built, marched: &Marched, start: Instant) -> Times {
 fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String {
     let names = case.support_names();
     let table = match case.system {
-        System::Rotor(_) => supports(&names, &summary.supports),
+        System::Rotor(_) | System::Joined(_) => supports(&names, &summary.supports),
         System::Lumped(_) => stops(&names, &summary.supports),
     };
     let steady = match summary.steady_time() {

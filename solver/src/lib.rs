@@ -16,6 +16,7 @@ pub mod mesh;
 mod ordering;
 pub mod reduced;
 pub mod reduction;
+pub mod rigid;
 pub mod shaft;
 pub mod sparse;
 pub mod support;

@@ -56,8 +56,14 @@ impl NamedLaw {
     }
 
     /// What is wrong where the law takes a value from its bearing that nothing gives.
-    pub(crate) fn lacking(&self, set: &[SetParameter], facts: &BearingFacts) -> Vec<Diagnostic> {
-        parameters::lacking(self, set, facts)
+    /// `place`: where to say it.
+    pub(crate) fn lacking(
+        &self,
+        set: &[SetParameter],
+        facts: &BearingFacts,
+        place: &str,
+    ) -> Vec<Diagnostic> {
+        parameters::lacking(self, set, facts, place)
     }
 }
 
@@ -84,6 +90,33 @@ impl LawSource {
             LawSource::File(spec) => spec.acts,
             LawSource::Given(law) => law.spec.acts,
         }
+    }
+
+    /// Names of what the law takes and gives.
+    fn names(&self) -> Vec<String> {
+        let of = |spec: &LawSpec| {
+            let inputs = spec.inputs.iter().map(|own| own.name.clone());
+            inputs.chain(spec.outputs.iter().map(|own| own.name.clone())).collect()
+        };
+        match self {
+            LawSource::BuiltIn(law) => {
+                let all = law.inputs.iter().chain(law.outputs);
+                all.map(|own| own.name.to_string()).collect()
+            }
+            LawSource::File(spec) => of(spec),
+            LawSource::Given(law) => of(&law.spec),
+        }
+    }
+
+    /// Whether the law turns or brakes the journal: by a moment, or by a force at its surface.
+    pub(crate) fn gives_torque(&self) -> bool {
+        self.names().iter().any(|name| name == "M_z" || name == "T")
+    }
+
+    /// What of the law needs the radius of the journal, if anything does.
+    pub(crate) fn at_surface(&self) -> Option<&'static str> {
+        let names = self.names();
+        ["v_t", "T"].into_iter().find(|name| names.iter().any(|own| own == name))
     }
 
     /// The spec, read again for a built-in law.

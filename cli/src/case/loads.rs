@@ -22,7 +22,8 @@ pub(super) fn read(file: &Table) -> Vec<Load> {
     file.tables("load").into_iter().map(|table| table.read(read_one)).collect()
 }
 
-fn read_one(load: &Table) -> Load {
+/// The load that a table describes.
+pub(super) fn read_one(load: &Table) -> Load {
     if load.has("phase") && !load.has("frequency") {
         let message = "a load without `frequency` is constant: its `phase` has no effect";
         let help = "add `frequency = \"37.5 Hz\"`, or leave `phase` out";

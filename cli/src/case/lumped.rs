@@ -96,15 +96,20 @@ fn read_mass(mass: &Table, stops: Vec<Stop>) -> Option<Lumped> {
     })
 }
 
+/// On which side a stop stands.
+pub(super) fn side(table: &Table) -> Side {
+    match table.optional_word("side") {
+        Some("around") => Side::Around,
+        Some("below") => Side::Below,
+        _ => Side::Above,
+    }
+}
+
 /// What messages call the values of a stop.
 const KEYS: Keys = Keys { clearance: "gap" };
 
 fn stop(store: FileStore, table: &Table) -> Option<Stop> {
-    let side = match table.optional_word("side") {
-        Some("around") => Side::Around,
-        Some("below") => Side::Below,
-        _ => Side::Above,
-    };
+    let side = side(table);
     let law = law::read(store, table);
     let set = parameters::read(table);
     let exactly = |key| table.exact_quantity(key).as_ref().map(parameters::exactly);
@@ -144,7 +149,7 @@ fn stop(store: FileStore, table: &Table) -> Option<Stop> {
 
 /// The radial clearance that the case gives the law of a ring, in m; a `gap` that the law has no use for is
 /// noted.
-fn around(table: &Table, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rational> {
+pub(super) fn around(table: &Table, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rational> {
     let gap = gap?;
     let of = |parameter: &Parameter| {
         matches!(
@@ -181,7 +186,7 @@ fn clearance_of(law: &LawSource) -> f64 {
 }
 
 /// Notes a law of springs around the mass, or one of rings on one side of it.
-fn fits(stop: &Table, side: Side, law: &NamedLaw) {
+pub(super) fn fits(stop: &Table, side: Side, law: &NamedLaw) {
     let acts = law.source.acts();
     let wanted = if side == Side::Around { Acts::Ring } else { Acts::Spring };
     if acts != wanted {

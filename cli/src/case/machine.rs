@@ -9,7 +9,11 @@ use whirl_codegen::diagnostic::{Code, suggest};
 use whirl_codegen::document::Table;
 use whirl_specs::{MOTIONS, Motion};
 
-use self::materials::Materials;
+pub(super) use self::bodies::{
+    body as meshed, ground_springs, ring_support, solid_shaft,
+};
+pub(super) use self::drive::read_one as drive;
+pub(super) use self::materials::Materials;
 use super::library::FileStore;
 use super::loads;
 use super::rotor::RotorDraft;
@@ -47,6 +51,6 @@ fn called(name: &str) -> Option<&'static Motion> {
 }
 
 /// In place of one that is not there, which has been noted.
-fn default_motion() -> Option<&'static Motion> {
+pub(super) fn default_motion() -> Option<&'static Motion> {
     called(DEFAULT_MOTION)
 }

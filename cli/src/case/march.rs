@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 
-use super::SystemDraft;
+use super::{Load, SystemDraft};
 use super::schema::MOST_STEPS;
 
 /// How a case is marched in time.
@@ -133,8 +133,15 @@ fn natural_cycle(system: &SystemDraft) -> Option<(f64, &'static str)> {
 
 /// The period of the loads of which `chosen` gives the frequency from those of two.
 fn period(system: &SystemDraft, chosen: fn(f64, f64) -> f64) -> Option<(f64, &'static str)> {
-    let SystemDraft::Rotor(rotor) = system else { return None };
-    let frequency = rotor.loads.iter().filter_map(|load| load.frequency).reduce(chosen)?;
+    let loads: Vec<&Load> = match system {
+        SystemDraft::Rotor(rotor) => rotor.loads.iter().collect(),
+        SystemDraft::Lumped(_) => Vec::new(),
+        SystemDraft::Joined(joined) => {
+            let loads = joined.iter().flat_map(|joined| &joined.loads);
+            loads.map(|own| &own.load).collect()
+        }
+    };
+    let frequency = loads.iter().filter_map(|load| load.frequency).reduce(chosen)?;
     Some((1.0 / frequency, "a period of the loads"))
 }
 
@@ -146,6 +153,10 @@ fn revolutions(system: &SystemDraft) -> Option<(f64, &'static str)> {
             let aims = drive.acts && drive.target_speed != 0.0;
             let two = 2.0 * TAU / drive.target_speed.abs();
             aims.then_some((two, "a cycle of two revolutions"))
+        }
+        SystemDraft::Joined(joined) => {
+            let fastest = joined.as_ref()?.speeds().into_iter().reduce(f64::max)?;
+            Some((2.0 * TAU / fastest, "a cycle of two revolutions"))
         }
         SystemDraft::Lumped(lumped) => {
             let unbalance = lumped.as_ref()?.unbalance?;

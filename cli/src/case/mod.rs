@@ -1,5 +1,6 @@
 //! A case: what a case file says, in SI, checked as far as it can be without building the machine.
 
+mod joined;
 mod law;
 mod library;
 mod loads;
@@ -15,6 +16,10 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
 
+pub(crate) use joined::{
+    Dimensions, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad, MeshedBody, NamedBody,
+    Side as JointSide, Turning,
+};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::embedded_cases;
 pub(crate) use loads::Load;
@@ -53,6 +58,9 @@ impl Case {
         let (word, count) = match &self.system {
             System::Rotor(rotor) => ("Support", rotor.bearings.len()),
             System::Lumped(lumped) => ("Stop", lumped.stops.len()),
+            System::Joined(joined) => {
+                return joined.joints.iter().map(|joint| joint.name.text().to_string()).collect();
+            }
         };
         (1..=count).map(|k| format!("{word} {k}")).collect()
     }
@@ -65,6 +73,8 @@ pub(crate) enum System {
     Rotor(Box<Rotor>),
     /// One mass between stops.
     Lumped(Lumped),
+    /// Bodies by name, and what joins them.
+    Joined(Box<JoinedMachine>),
 }
 
 /// Numbers of the figures in the paper, for titles; a figure without number is drawn all the same.

@@ -21,6 +21,19 @@ pub(crate) struct SetParameter {
     value: Quantity,
 }
 
+impl SetParameter {
+    /// One that another key of the case sets, at its place.
+    pub(super) fn new(name: &str, place: &Located, value: Quantity) -> SetParameter {
+        SetParameter { name: name.to_owned(), key: place.clone(), place: place.clone(), value }
+    }
+
+    /// Whether this coefficient of a bushing, such as `k_xy`, gives a force along an axis.
+    pub(super) fn acts_along(&self, axis: &str) -> bool {
+        let direction = self.name.split_once('_').map_or("", |(_, direction)| direction);
+        direction.starts_with(axis) && self.value.si() != 0.0
+    }
+}
+
 /// What is known of a bearing or a stop that laws can take from it: exactly, SI.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct BearingFacts {
@@ -245,11 +258,13 @@ pub(super) fn given(
     given
 }
 
-/// Parameters that the law takes from its bearing, of which neither the case nor a mesh gives a value.
+/// Parameters that the law takes from its bearing, of which neither the case nor a mesh gives a value; `place` is where
+/// to say it.
 pub(super) fn lacking(
     law: &NamedLaw,
     set: &[SetParameter],
     facts: &BearingFacts,
+    place: &str,
 ) -> Vec<Diagnostic> {
     let mut errors = Vec::new();
     for parameter in law.source.parameters() {
@@ -263,7 +278,7 @@ pub(super) fn lacking(
             law.name.text(),
             of.word().replace('_', " ")
         );
-        let help = format!("add `{key} = \"…\"` to the bearing, or to `[springs]` for all");
+        let help = format!("add `{key} = \"…\"` to {place}");
         errors.push(law.name.error_here(Code::MISSING_KEY, message).help(help));
     }
     errors

@@ -9,7 +9,7 @@ use whirl_codegen::document::{Document, Table};
 
 use super::library::{FileStore, load};
 use super::{
-    Case, Figures, Lumped, MarchSettings, RotorDraft, System, law, lumped, machine, march,
+    Case, Figures, JoinedMachine, Lumped, MarchSettings, RotorDraft, System, law, lumped, machine, march,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -40,6 +40,8 @@ pub(crate) enum SystemDraft {
     Rotor(Box<RotorDraft>),
     /// One mass, if enough of it is right.
     Lumped(Option<Lumped>),
+    /// Bodies by name, if all of them are right.
+    Joined(Option<Box<JoinedMachine>>),
 }
 
 impl SystemDraft {
@@ -47,6 +49,7 @@ impl SystemDraft {
         match self {
             SystemDraft::Rotor(draft) => draft.finish().map(|own| System::Rotor(Box::new(own))),
             SystemDraft::Lumped(lumped) => lumped.map(System::Lumped),
+            SystemDraft::Joined(joined) => joined.map(System::Joined),
         }
     }
 }
@@ -110,6 +113,11 @@ const OF_A_MACHINE: [&str; 7] =
     ["material", "shaft", "support", "springs", "bearing", "drive", "load"];
 
 fn system(store: FileStore, file: &Table) -> SystemDraft {
+    match JoinedMachine::is_in(file) {
+        Some(true) => return SystemDraft::Joined(JoinedMachine::read(store, file).map(Box::new)),
+        None => return SystemDraft::Joined(None),
+        Some(false) => {}
+    }
     if !file.gives("mass") {
         return SystemDraft::Rotor(Box::new(machine::read(store, file)));
     }

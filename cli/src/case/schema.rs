@@ -10,6 +10,7 @@ use whirl_codegen::units::Dimension;
 use whirl_specs::MOTIONS;
 
 use super::Case;
+use super::joined::schema as joined;
 
 impl Described for Case {
     const TITLE: &'static str = "case or machine";
@@ -18,7 +19,7 @@ impl Described for Case {
 
 macro_rules! measures {
     ($($name:ident: $dimension:ident, $example:literal, $range:ident;)*) => {
-        $(const $name: Shape = Quantity(Measure {
+        $(pub(super) const $name: Shape = Quantity(Measure {
             dimension: Dimension::$dimension,
             example: $example,
             range: Range::$range,
@@ -37,13 +38,20 @@ measures! {
     TIME: TIME, "7.4e-5 s", Positive;
     DURATION: TIME, "0.1 s", Positive;
     DAMPING_TIME: TIME, "1e-4 s", NotNegative;
+    INERTIA: INERTIA, "0.02 kg*m^2", Positive;
     STIFFNESS: STIFFNESS, "1e8 N/m", NotNegative;
+    CROSS_STIFFNESS: STIFFNESS, "1e7 N/m", Any;
+    CROSS_DAMPING: DAMPING, "1e4 N*s/m", Any;
+    TORSIONAL_STIFFNESS: TORQUE, "1e4 N*m/rad", NotNegative;
+    TORSIONAL_DAMPING: TORSIONAL_DAMPING, "10 N*m*s/rad", NotNegative;
     DAMPING: DAMPING, "20 N*s/m", NotNegative;
     FORCE: FORCE, "1000 N", Any;
     TOLERANCE: FORCE, "1e-3 N", Positive;
     TORQUE: TORQUE, "109 N*m", Any;
     TARGET_SPEED: ANGULAR_SPEED, "4500 rpm", Any;
     SPEED: ANGULAR_SPEED, "4500 rpm", Positive;
+    TURNING_SPEED: ANGULAR_SPEED, "3000 rpm", Any;
+    ACCELERATION: ANGULAR_ACCELERATION, "600 rpm/s", Any;
     FREQUENCY: FREQUENCY, "37.5 Hz", Positive;
     ANGLE: ANGLE, "90 deg", Any;
 }
@@ -53,18 +61,18 @@ pub(super) const MOST_STEPS: usize = 10_000_000;
 /// Springs of a bearing in all its rings.
 pub(super) const MOST_SPRINGS: usize = 10_000;
 /// Modes of a body.
-const MOST_MODES: usize = 2_000;
+pub(super) const MOST_MODES: usize = 2_000;
 /// Cells or layers along one direction.
-const MOST_CELLS: usize = 10_000;
+pub(super) const MOST_CELLS: usize = 10_000;
 
 /// Names in a list, or one alone.
-const NAMES: Shape = Either(&[Text, List(&Text)]);
+pub(super) const NAMES: Shape = Either(&[Text, List(&Text)]);
 /// Left, middle and right.
 const SETS: Shape = Tuple(&Text, 3);
-const MOTION: Shape = Registered(motions);
+pub(super) const MOTION: Shape = Registered(motions);
 /// Quantities with their units, or pure numbers.
-const PARAMETERS: Shape = Named(&Either(&[Text, Number]));
-const PARAMETERS_EXAMPLE: &str = "{ mu = \"12 mPa*s\" }";
+pub(super) const PARAMETERS: Shape = Named(&Either(&[Text, Number]));
+pub(super) const PARAMETERS_EXAMPLE: &str = "{ mu = \"12 mPa*s\" }";
 
 const CASE: &[Key] = &[
     key("include", NAMES, "files whose keys hold where this one says nothing"),
@@ -77,6 +85,10 @@ const CASE: &[Key] = &[
     key("bearing", List(&Table(&[BEARING, SPRINGS])), "where the shaft runs in the support"),
     key("drive", Table(&[DRIVE]), "what turns the shaft"),
     key("load", List(&Table(&[LOAD])), "forces on the shaft"),
+    key("body", Named(&Table(&[joined::BODY])), "bodies by name, instead of shaft and support"),
+    key("joint", Named(&Table(&[joined::JOINT])), "what joins two bodies, or a body and the ground"),
+    key("drives", Named(&Table(&[joined::DRIVE])), "what turns bodies"),
+    key("loads", Named(&Table(&[joined::LOAD])), "forces on bodies"),
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
     key("stop", List(&Table(&[STOP])), "what the mass may strike"),
     merged("march", Table(&[MARCH]), "steps in time"),
@@ -148,7 +160,7 @@ const SUPPORT_CELLS: &[Key] = &[
     key("radial", Count(1, MOST_CELLS), "cells over the ring's wall"),
 ];
 
-const GROUND_SPRING: &[Key] = &[
+pub(super) const GROUND_SPRING: &[Key] = &[
     needed("set", Text, "node set").like("\"NAME_OF_A_NODE_SET\""),
     key("direction", Words(&["x", "y", "z"]), "x if left out"),
     needed("stiffness", STIFFNESS, "of each node"),

@@ -109,6 +109,11 @@ fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
             );
             wanted.extend(rotor.drive.acts.then_some(("rotation", named.rotation)));
         }
+        System::Joined(joined) => {
+            wanted.extend(["eccentricity-stretched", "eccentricity"].map(|stem| (stem, None)));
+            let turns = joined.bodies.iter().any(|body| body.turning.is_some());
+            wanted.extend(turns.then_some(("rotation", None)));
+        }
         System::Lumped(_) => wanted.push(("displacement", None)),
     }
     wanted
@@ -123,7 +128,7 @@ fn figure(
     history: &HistoryFile,
 ) -> io::Result<Option<Figure>> {
     let span = match &case.system {
-        System::Rotor(_) => Span::fitting(history, case.march.cycle)?,
+        System::Rotor(_) | System::Joined(_) => Span::fitting(history, case.march.cycle)?,
         System::Lumped(_) => Span::All,
     };
     let titles = case.support_names();

@@ -63,7 +63,7 @@ pub(super) fn bodies(
 }
 
 /// A body, a hash of its content, and whether it comes from the cache.
-fn reduced(
+pub(super) fn reduced(
     kind: BodyKind,
     plan: &BodyPlan,
     cache: Option<&Cache>,

@@ -9,18 +9,55 @@ use super::plan::MachinePlan;
 use crate::case::{Bearing, BearingFacts, LawSource, NamedLaw, Rotor, rounded};
 use crate::errors::Failure;
 
+/// What meshes say of a bearing.
+pub(super) struct Measured {
+    /// Positions of the nodes of its bore about the axis, m.
+    pub(super) bore: Vec<[f64; 2]>,
+    /// z of the left and the right end of its journal, m.
+    pub(super) ends: [f64; 2],
+}
+
+/// The law of every bearing of a shaft in its support.
+///
+/// # Errors
+/// As [`laws_of`].
+pub(super) fn laws(rotor: &Rotor, plan: &MachinePlan) -> Result<Vec<LawSource>, Failure> {
+    let measured = |place: usize| {
+        let nodes = plan.bores[place].iter().flatten().map(|&own| plan.support.spec.nodes[own]);
+        let [left, _, right] = plan.journals[place].map(|own| {
+            let node = plan.shaft.spec.nodes[own];
+            plan.shaft.mesh.nodes()[node][2]
+        });
+        Measured {
+            bore: nodes
+                .map(|node| {
+                    let [x, y, _] = plan.support.mesh.nodes()[node];
+                    [x, y]
+                })
+                .collect(),
+            ends: [left, right],
+        }
+    };
+    let bearings = rotor.bearings.iter().enumerate();
+    let bearings = bearings.map(|(place, bearing)| (bearing, measured(place))).collect();
+    laws_of(bearings, "the bearing, or to `[springs]` for all")
+}
+
 /// The law of every bearing. What the case does not say of a bearing is measured on the meshes: the radius of its
-/// bore, and its length between the ends of the journal.
+/// bore, and its length between the ends of the journal. `place`: where a case says what is missing.
 ///
 /// # Errors
 /// A value that nothing gives; whatever is wrong with a law once it has these values.
-pub(super) fn laws(rotor: &Rotor, plan: &MachinePlan) -> Result<Vec<LawSource>, Failure> {
+pub(super) fn laws_of(
+    bearings: Vec<(&Bearing, Measured)>,
+    place: &str,
+) -> Result<Vec<LawSource>, Failure> {
     // Bearings that are alike share their law.
     let mut read: Vec<(&Bearing, BearingFacts, LawSource)> = Vec::new();
-    let mut laws = Vec::with_capacity(rotor.bearings.len());
+    let mut laws = Vec::with_capacity(bearings.len());
     let mut errors = Diagnostics::new();
-    for (place, bearing) in rotor.bearings.iter().enumerate() {
-        let facts = facts(bearing, place, plan);
+    for (bearing, measured) in bearings {
+        let facts = facts(bearing, &measured);
         let known = read.iter().find(|(other, own, _)| {
             let alike = other.law.source.name() == bearing.law.source.name();
             alike && *own == facts && other.parameters == bearing.parameters
@@ -29,7 +66,7 @@ pub(super) fn laws(rotor: &Rotor, plan: &MachinePlan) -> Result<Vec<LawSource>, 
             laws.push(law.clone());
             continue;
         }
-        let lacking = bearing.law.lacking(&bearing.parameters, &facts);
+        let lacking = bearing.law.lacking(&bearing.parameters, &facts, place);
         if !lacking.is_empty() {
             lacking.into_iter().for_each(|error| errors.push(error));
             continue;
@@ -46,10 +83,11 @@ pub(super) fn laws(rotor: &Rotor, plan: &MachinePlan) -> Result<Vec<LawSource>, 
 }
 
 /// What is known of a bearing from the case and the meshes.
-fn facts(bearing: &Bearing, place: usize, plan: &MachinePlan) -> BearingFacts {
+fn facts(bearing: &Bearing, measured: &Measured) -> BearingFacts {
     let mut facts = bearing.facts.clone();
     if facts.value(BearingValue::BoreRadius).is_none() {
-        facts.bore_radius = bore_radius(place, plan);
+        let radius = rounded(mean_radius(measured.bore.iter().copied()));
+        facts.bore_radius = radius.filter(|radius| *radius > Rational::from(0));
     }
     if let (None, Some(bore), Some(clearance)) =
         (&facts.journal_radius, &facts.bore_radius, &facts.radial_clearance)
@@ -57,22 +95,8 @@ fn facts(bearing: &Bearing, place: usize, plan: &MachinePlan) -> BearingFacts {
         facts.journal_radius = Some(bore - clearance);
     }
     if facts.length.is_none() {
-        let [left, _, right] = plan.journals[place].map(|own| {
-            let node = plan.shaft.spec.nodes[own];
-            plan.shaft.mesh.nodes()[node][2]
-        });
+        let [left, right] = measured.ends;
         facts.length = rounded((right - left).abs()).filter(|length| *length > Rational::from(0));
     }
     facts
-}
-
-/// Mean distance of the nodes of a bore from the axis, m.
-fn bore_radius(place: usize, plan: &MachinePlan) -> Option<Rational> {
-    let support = &plan.support;
-    let nodes = plan.bores[place].iter().flatten().map(|&own| support.spec.nodes[own]);
-    let points = nodes.map(|node| {
-        let [x, y, _] = support.mesh.nodes()[node];
-        [x, y]
-    });
-    rounded(mean_radius(points)).filter(|radius| *radius > Rational::from(0))
 }

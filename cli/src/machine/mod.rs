@@ -1,6 +1,7 @@
 //! From a case to a machine that can be marched: meshes, sets, reduced bodies, springs, loads.
 
 mod bodies;
+mod joined;
 mod laws;
 mod lumped;
 mod meshes;
@@ -13,6 +14,7 @@ use whirl_solver::cache::{Cache, Key};
 use whirl_solver::dynamics::BodyStart;
 use whirl_solver::machine::{Machine, MachineParts};
 
+pub(crate) use joined::{JoinedPlan, PlannedBody};
 pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
 
 use crate::case::{self, Case, LawSource, System, SystemDraft};
@@ -36,20 +38,32 @@ pub(crate) struct Built {
 
 /// Facts about the reduced bodies.
 pub(crate) struct BodyFacts {
-    /// The shaft.
-    pub(crate) shaft: Counts,
-    /// The support.
-    pub(crate) support: Counts,
-    /// Fixed-interface frequencies of the shaft, Hz.
-    pub(crate) shaft_hertz: Vec<f64>,
-    /// Fixed-interface frequencies of the support, Hz.
-    pub(crate) support_hertz: Vec<f64>,
-    /// Hashes of what each body and its output nodes depend on.
-    pub(crate) content: Vec<(&'static str, Key)>,
+    /// Each of them.
+    pub(crate) bodies: Vec<BodyFact>,
     /// Wall time of reading, assembling and reducing, s.
     pub(crate) wall: f64,
     /// Whether the reduced bodies were found in the cache.
     pub(crate) cached: bool,
+}
+
+/// Facts about a reduced body.
+pub(crate) struct BodyFact {
+    /// Its name.
+    pub(crate) name: String,
+    /// Its sizes.
+    pub(crate) counts: Counts,
+    /// Fixed-interface frequencies, Hz.
+    pub(crate) hertz: Vec<f64>,
+    /// A hash of what it and its output nodes depend on.
+    pub(crate) content: Key,
+}
+
+/// What is to be built of a case.
+pub(crate) enum Plan {
+    /// A shaft in its support.
+    Rotor(Box<MachinePlan>),
+    /// Bodies by name.
+    Joined(Box<JoinedPlan>),
 }
 
 /// Sizes of a body, as in the paper's Table 1.
@@ -88,14 +102,12 @@ pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failu
 ///
 /// # Errors
 /// Whatever is wrong with meshes and sets.
-pub(crate) fn plan(
-    case: &Case,
-    warnings: &mut Vec<String>,
-) -> Result<Option<MachinePlan>, Failure> {
-    match &case.system {
-        System::Rotor(rotor) => MachinePlan::new(rotor, warnings).map(Some),
-        System::Lumped(_) => Ok(None),
-    }
+pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Plan>, Failure> {
+    Ok(match &case.system {
+        System::Rotor(rotor) => Some(Plan::Rotor(Box::new(MachinePlan::new(rotor, warnings)?))),
+        System::Joined(joined) => Some(Plan::Joined(Box::new(JoinedPlan::new(joined, warnings)?))),
+        System::Lumped(_) => None,
+    })
 }
 
 /// Builds the machine of a case from its [`plan`]; reduced bodies come from the cache where it has them.
@@ -104,20 +116,28 @@ pub(crate) fn plan(
 /// Whatever is wrong with constraints and laws.
 pub(crate) fn build(
     case: &Case,
-    plan: Option<&MachinePlan>,
+    plan: Option<&Plan>,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
     match (&case.system, plan) {
-        (System::Rotor(rotor), Some(plan)) => rotor::build(rotor, plan, cache, warnings),
-        (System::Rotor(rotor), None) => {
+        (System::Rotor(rotor), Some(Plan::Rotor(plan))) => {
+            rotor::build(rotor, plan, cache, warnings)
+        }
+        (System::Rotor(rotor), _) => {
             rotor::build(rotor, &MachinePlan::new(rotor, warnings)?, cache, warnings)
+        }
+        (System::Joined(joined), Some(Plan::Joined(plan))) => {
+            joined::build(joined, plan, cache, warnings)
+        }
+        (System::Joined(joined), _) => {
+            joined::build(joined, &JoinedPlan::new(joined, warnings)?, cache, warnings)
         }
         (System::Lumped(lumped), _) => lumped::build(lumped),
     }
 }
 
-/// What the machine of a case of a shaft on a support is made from; nothing of a lumped case.
+/// What the machine of a case with meshes or named bodies is made from; nothing of a lumped case.
 ///
 /// # Errors
 /// As [`build`].
@@ -129,6 +149,10 @@ pub(crate) fn parts(
         System::Rotor(rotor) => {
             let plan = MachinePlan::new(rotor, warnings)?;
             Ok(Some(rotor::assemble(rotor, &plan, None, warnings)?.parts))
+        }
+        System::Joined(joined) => {
+            let plan = JoinedPlan::new(joined, warnings)?;
+            Ok(Some(joined::assemble(joined, &plan, None, warnings)?.parts))
         }
         System::Lumped(_) => Ok(None),
     }

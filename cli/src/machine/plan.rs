@@ -2,7 +2,7 @@
 //! of the case.
 
 mod body;
-mod geometry;
+pub(super) mod geometry;
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
@@ -17,7 +17,7 @@ use crate::case::{self, LawSource, Rotor, RotorDraft};
 use crate::errors::Failure;
 
 /// Letters of the components of a dof.
-const AXES: [&str; 3] = ["x", "y", "z"];
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Both bodies before their reduction.
 pub(crate) struct MachinePlan {
@@ -72,11 +72,11 @@ pub(crate) struct Outline<'a> {
 }
 
 /// A bearing as far as a case says it.
-struct BearingOutline<'a> {
+pub(super) struct BearingOutline<'a> {
     /// Sets of the journal and of the bore.
-    sets: [&'a [Located]; 2],
+    pub(super) sets: [&'a [Located]; 2],
     /// The bearing, if all that it must have is there.
-    whole: Option<&'a case::Bearing>,
+    pub(super) whole: Option<&'a case::Bearing>,
 }
 
 impl<'a> From<&'a Rotor> for Outline<'a> {

@@ -1,6 +1,7 @@
 //! The machine of a shaft on a support.
 
 use whirl_solver::bearing::{Bearing, Sides};
+use whirl_solver::body::BodyNode;
 use whirl_solver::cache::Cache;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
@@ -9,7 +10,7 @@ use whirl_solver::shaft::Shaft;
 use super::bodies::bodies;
 use super::plan::MachinePlan;
 use super::springs::{Laws, angles, clearance, explain};
-use super::{BodyFacts, Built};
+use super::{BodyFact, BodyFacts, Built};
 use crate::case::{self, LawSource, Rotor};
 use crate::errors::Failure;
 
@@ -52,12 +53,18 @@ pub(super) fn assemble(
     let mut placed = Laws::default();
     let bearings = bearings(rotor, plan, &bodies.shaft, &mut placed)?;
     let loads = loads(rotor, plan, &bodies.shaft);
+    let [first, second] = bodies.content;
+    let fact = |name: &str, counts, hertz: &[f64], content| BodyFact {
+        name: name.to_owned(),
+        counts,
+        hertz: hertz.to_vec(),
+        content,
+    };
     let facts = BodyFacts {
-        shaft: plan.shaft.counts(),
-        support: plan.support.counts(),
-        shaft_hertz: bodies.shaft.hertz.clone(),
-        support_hertz: bodies.support.hertz.clone(),
-        content: ["shaft", "support"].into_iter().zip(bodies.content).collect(),
+        bodies: vec![
+            fact("shaft", plan.shaft.counts(), &bodies.shaft.hertz, first),
+            fact("support", plan.support.counts(), &bodies.support.hertz, second),
+        ],
         wall: bodies.wall,
         cached: bodies.cached,
     };
@@ -85,6 +92,7 @@ fn bearings(
     let mut bearings = Vec::with_capacity(rotor.bearings.len());
     for (place, bearing) in rotor.bearings.iter().enumerate() {
         let journal = plan.journals[place];
+        let ends = [journal[0], journal[2]].map(|n| shaft.nodes[n].position[2]);
         bearings.push(Bearing {
             name: format!("bearing {}", place + 1),
             label: None,
@@ -93,10 +101,7 @@ fn bearings(
             bore: plan.bores[place].clone(),
             clearance: bearing.radial_clearance,
             journal_radius: bearing.journal_radius,
-            stations: stations(
-                bearing,
-                [journal[0], journal[2]].map(|n| shaft.nodes[n].position[2]),
-            ),
+            stations: stations(bearing, ends),
             angles: angles(bearing.springs),
             law: laws.place(&plan.laws[place])?,
         });
@@ -106,7 +111,7 @@ fn bearings(
 
 /// Rings of springs by their distance from the left end over the length; `ends` are the z of the ends. A bearing
 /// in one plane has its only ring there, which the middle is.
-fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
+pub(super) fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
     match bearing.stations.as_slice() {
         [] => vec![0.0, 0.5, 1.0],
         [_] if left == right => vec![0.5],
@@ -115,37 +120,35 @@ fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
 }
 
 fn loads(rotor: &Rotor, plan: &MachinePlan, shaft: &Shaft) -> Vec<Load> {
-    let mut loads = Vec::new();
-    for (load, places) in rotor.loads.iter().zip(&plan.loads) {
-        let time_function = match load.frequency {
-            Some(frequency) => TimeFunction::Sine { frequency, phase: load.phase },
-            None => TimeFunction::Constant,
-        };
-        let mut force = [0.0; 3];
-        force[load.direction] = load.force;
-        let at = |&place: &usize| Load {
-            body: 0,
-            node: shaft.nodes[place].clone(),
-            force,
-            time_function,
-            frame: Frame::Space,
-        };
-        loads.extend(places.iter().map(at));
-    }
-    loads.extend(couple(rotor, plan, shaft));
-    loads
+    let both = rotor.loads.iter().zip(&plan.loads);
+    let loads = both.flat_map(|(load, places)| {
+        places.iter().map(|&place| fixed_in_space(load, 0, &shaft.nodes[place]))
+    });
+    let nodes = plan.drive.map(|place| &shaft.nodes[place]);
+    loads.chain(couple(&rotor.drive, 0, nodes)).collect()
 }
 
-/// The driving couple: ±F along y of the shaft's frame at the driven nodes, F = torque / distance along x.
-fn couple(rotor: &Rotor, plan: &MachinePlan, shaft: &Shaft) -> Vec<Load> {
-    if !rotor.drive.acts {
+/// The force of a load on a node of a body.
+pub(super) fn fixed_in_space(load: &case::Load, body: usize, node: &BodyNode) -> Load {
+    let time_function = match load.frequency {
+        Some(frequency) => TimeFunction::Sine { frequency, phase: load.phase },
+        None => TimeFunction::Constant,
+    };
+    let mut force = [0.0; 3];
+    force[load.direction] = load.force;
+    Load { body, node: node.clone(), force, time_function, frame: Frame::Space }
+}
+
+/// The driving couple: ±F along y of the body's frame at the driven nodes, F = torque / distance along x.
+pub(super) fn couple(drive: &case::Drive, body: usize, nodes: [&BodyNode; 2]) -> Vec<Load> {
+    if !drive.acts {
         return Vec::new();
     }
-    let [top, bottom] = plan.drive.map(|place| &shaft.nodes[place]);
-    let force = rotor.drive.torque / (top.position[0] - bottom.position[0]);
-    let time_function = TimeFunction::UntilSpeed { target: rotor.drive.target_speed };
-    let half = |node: &whirl_solver::body::BodyNode, force| Load {
-        body: 0,
+    let [top, bottom] = nodes;
+    let force = drive.torque / (top.position[0] - bottom.position[0]);
+    let time_function = TimeFunction::UntilSpeed { target: drive.target_speed };
+    let half = |node: &BodyNode, force| Load {
+        body,
         node: node.clone(),
         force: [0.0, force, 0.0],
         time_function,

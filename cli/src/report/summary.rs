@@ -5,6 +5,7 @@ use std::io;
 
 use serde::Serialize;
 use whirl_solver::dynamics::{EnergyBalance, Outcome};
+use whirl_solver::machine::{Body, BodyPlace};
 use whirl_specs::{CLEARANCES, ELEMENTS};
 
 use super::{VerdictFacts, last_cycle};
@@ -22,7 +23,7 @@ pub(crate) struct Summary {
     kernels: BTreeMap<String, String>,
     counts: CountFacts,
     #[serde(skip_serializing_if = "Option::is_none")]
-    fixed_interface_hz: Option<Frequencies>,
+    fixed_interface_hz: Option<BTreeMap<String, Vec<f64>>>,
     /// Whether the results can be believed.
     pub(crate) verdict: VerdictFacts,
     march: MarchFacts,
@@ -49,21 +50,14 @@ struct CaseFacts {
 
 #[derive(Debug, Serialize)]
 struct CountFacts {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    shaft: Option<Counts>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    support: Option<Counts>,
-    /// θ and the Craig–Bampton coordinates of both bodies.
+    /// Of what is reduced, by name.
+    #[serde(flatten)]
+    bodies: BTreeMap<String, Counts>,
+    /// Rotations that are unknown, and the Craig–Bampton coordinates of all bodies.
     coordinates: usize,
     /// Those left by the constraints.
     active: usize,
     springs: usize,
-}
-
-#[derive(Debug, Serialize)]
-struct Frequencies {
-    shaft: Vec<f64>,
-    support: Vec<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -305,17 +299,26 @@ fn kernels(built: &Built) -> BTreeMap<String, String> {
 
 fn counts(built: &Built) -> CountFacts {
     let bodies = built.bodies.as_ref();
-    let both = bodies.map(|b| b.shaft.craig_bampton_dofs + b.support.craig_bampton_dofs);
-    let active = built.machine.active();
+    let machine = &built.machine;
+    let fact = |name: &str| bodies?.bodies.iter().find(|body| body.name == name);
+    // What is reduced counts with all its Craig–Bampton coordinates.
+    let whole = |(body, place): (&Body, &BodyPlace)| {
+        let reduced = fact(body.name()).map(|own| own.counts.craig_bampton_dofs);
+        reduced.unwrap_or(place.flexible.len())
+    };
+    let all = machine.bodies.iter().zip(machine.places()).map(whole).sum::<usize>();
+    let active = machine.active();
+    let unknown = machine.turning().count() - machine.first_unknown();
     CountFacts {
-        shaft: bodies.map(|bodies| bodies.shaft),
-        support: bodies.map(|bodies| bodies.support),
-        coordinates: both.map_or(active, |both| 1 + both),
+        bodies: bodies.map_or_else(BTreeMap::new, |facts| {
+            facts.bodies.iter().map(|own| (own.name.clone(), own.counts)).collect()
+        }),
+        coordinates: unknown + all,
         active,
         springs: built.machine.springs.count(),
     }
 }
 
-fn frequencies(bodies: &BodyFacts) -> Frequencies {
-    Frequencies { shaft: bodies.shaft_hertz.clone(), support: bodies.support_hertz.clone() }
+fn frequencies(facts: &BodyFacts) -> BTreeMap<String, Vec<f64>> {
+    facts.bodies.iter().map(|body| (body.name.clone(), body.hertz.clone())).collect()
 }

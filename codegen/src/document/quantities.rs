@@ -16,10 +16,12 @@ impl Table<'_> {
 
     /// A quantity as it is written, if given.
     pub fn exact_quantity(&self, key: &str) -> Option<Quantity> {
-        match self.entry(key, |shape| matches!(shape, Shape::Quantity(_)))? {
-            (node, Shape::Quantity(measure)) => self.quantity_of(key, node, measure),
+        let (node, shape) = self.entry(key, |shape| matches!(shape, Shape::Quantity(_)))?;
+        let measure = shape.alternatives().iter().find_map(|shape| match shape {
+            Shape::Quantity(measure) => Some(measure),
             _ => None,
-        }
+        })?;
+        self.quantity_of(key, node, measure)
     }
 
     /// A quantity in SI, or one.
@@ -39,6 +41,48 @@ impl Table<'_> {
         };
         let quantity = |item| self.quantity_of(key, item, measure).map(|quantity| quantity.si());
         list.iter().filter_map(quantity).collect()
+    }
+
+    /// Two quantities, such as x and y, if given; SI.
+    pub fn quantity_pair(&self, key: &str) -> Option<[f64; 2]> {
+        let is_pair = |shape: &Shape| matches!(shape, Shape::Tuple(Shape::Quantity(_), 2));
+        match self.entry(key, is_pair)? {
+            (node, Shape::Tuple(Shape::Quantity(measure), 2)) => self.pair_of(key, node, measure),
+            _ => None,
+        }
+    }
+
+    /// Pairs of quantities in a list, or one alone; SI. None if the key is not given or a value is wrong.
+    pub fn quantity_pairs(&self, key: &str) -> Option<Vec<[f64; 2]>> {
+        let is_list = |shape: &Shape| matches!(shape, Shape::List(Shape::Either(_)));
+        let (node, shape) = self.entry(key, is_list)?;
+        let measures = shape.of_items()?.alternatives().iter();
+        let measure = measures.filter_map(|shape| match shape {
+            Shape::Quantity(measure) => Some(measure),
+            _ => None,
+        });
+        let measure = measure.last()?;
+        match &node.content {
+            Content::List(list) if list.iter().all(|item| item.is_list()) && !list.is_empty() => {
+                list.iter().map(|item| self.pair_of(key, item, measure)).collect()
+            }
+            _ => Some(vec![self.pair_of(key, node, measure)?]),
+        }
+    }
+
+    fn pair_of(&self, key: &str, node: &Node, measure: &Measure) -> Option<[f64; 2]> {
+        match &node.content {
+            Content::List(list) if list.len() == 2 => {
+                let [first, second] =
+                    [0, 1].map(|place| self.quantity_of(key, &list[place], measure));
+                Some([first?.si(), second?.si()])
+            }
+            _ => {
+                let example = format!("[\"{0}\", \"{0}\"]", measure.example);
+                self.wrong(key, node, "two quantities, along x and y", &example);
+                None
+            }
+        }
     }
 
     fn quantity_of(&self, key: &str, node: &Node, measure: &Measure) -> Option<Quantity> {

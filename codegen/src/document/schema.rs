@@ -128,7 +128,7 @@ pub(crate) const HEAD: &[Key] = &[
 
 impl Shape {
     /// The shapes that a value may have.
-    fn alternatives(&self) -> &[Shape] {
+    pub(crate) fn alternatives(&self) -> &[Shape] {
         match self {
             Shape::Either(shapes) => shapes,
             one => std::slice::from_ref(one),

@@ -188,6 +188,11 @@ impl Node {
         Node { place, content }
     }
 
+    /// Whether it is an array.
+    pub(super) fn is_list(&self) -> bool {
+        matches!(self.content, Content::List(_))
+    }
+
     fn each(&self, name: String, show: &mut dyn FnMut(String, &Node)) {
         match &self.content {
             Content::Table(inner) => {

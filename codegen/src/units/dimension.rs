@@ -60,8 +60,12 @@ impl Dimension {
     pub(crate) const VISCOSITY: Dimension = Dimension::of(-1, 1, -1);
     /// kg/m³.
     pub const DENSITY: Dimension = Dimension::of(-3, 1, 0);
+    /// rad/s².
+    pub const ANGULAR_ACCELERATION: Dimension = Dimension::of(0, 0, -2).with(ANGLE, 1);
+    /// N·m·s, of a damper between two rotations.
+    pub const TORSIONAL_DAMPING: Dimension = Dimension::of(2, 1, -1);
     /// kg·m².
-    pub(crate) const INERTIA: Dimension = Dimension::of(2, 1, 0);
+    pub const INERTIA: Dimension = Dimension::of(2, 1, 0);
 
     const fn of(length: i32, mass: i32, time: i32) -> Self {
         Dimension {
@@ -225,6 +229,7 @@ const KNOWN: &[(Dimension, &str, &str)] = &[
     (Dimension::VISCOSITY, "a viscosity", "0.02 Pa*s"),
     (Dimension::DENSITY, "a density", "7860 kg/m^3"),
     (Dimension::INERTIA, "a moment of inertia", "1 kg*m^2"),
+    (Dimension::ANGULAR_ACCELERATION, "an angular acceleration", "600 rpm/s"),
 ];
 
 const SYMBOLS: &[(Dimension, &str)] = &[

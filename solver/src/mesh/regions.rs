@@ -79,6 +79,18 @@ impl Mesh {
         Mesh::new(parts)
     }
 
+    /// The mesh moved by so much along x and y (m).
+    ///
+    /// # Errors
+    /// As [`Mesh::new`]: positions beyond all numbers.
+    pub fn moved(self, by: [f64; 2]) -> Result<Mesh, Error> {
+        let mut parts = self.parts;
+        for node in &mut parts.nodes {
+            (node[0], node[1]) = (node[0] + by[0], node[1] + by[1]);
+        }
+        Mesh::new(parts)
+    }
+
     /// The part of each node: nodes of one cell are in one part, which are counted from 0 in the order of
     /// their first nodes.
     pub fn parts(&self) -> Vec<usize> {

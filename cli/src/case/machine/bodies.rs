@@ -35,6 +35,12 @@ pub(super) fn support(store: FileStore, file: &Table, materials: &Materials) -> 
 
 fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Option<Support> {
     let body = body(store, table, materials, ring_support);
+    let ground_springs = ground_springs(table);
+    Some(Support { mounts: table.text_or_none("mounts"), ground_springs, body: body? })
+}
+
+/// The springs of a body to the ground.
+pub(in crate::case) fn ground_springs(table: &Table) -> Vec<GroundSpring> {
     let ground_spring = |spring: &Table| GroundSpring {
         set: spring.text_or_none("set"),
         direction: match spring.optional_word("direction") {
@@ -44,16 +50,12 @@ fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Optio
         },
         stiffness: spring.quantity_or_one("stiffness"),
     };
-    let ground_springs = table.tables("ground_spring").into_iter();
-    Some(Support {
-        mounts: table.text_or_none("mounts"),
-        ground_springs: ground_springs.map(|table| table.read(ground_spring)).collect(),
-        body: body?,
-    })
+    let springs = table.tables("ground_spring").into_iter();
+    springs.map(|table| table.read(ground_spring)).collect()
 }
 
 /// What both tables may say.
-fn body<D>(
+pub(in crate::case) fn body<D>(
     store: FileStore,
     table: &Table,
     materials: &Materials,
@@ -127,7 +129,7 @@ fn no_material() -> Material {
     Material { name: String::new(), properties: BTreeMap::new() }
 }
 
-fn solid_shaft(table: &Table, material: Material) -> SolidShaft {
+pub(in crate::case) fn solid_shaft(table: &Table, material: Material) -> SolidShaft {
     let section = |cells: &Table| {
         let usual = SectionCells::default();
         SectionCells {
@@ -148,7 +150,7 @@ fn solid_shaft(table: &Table, material: Material) -> SolidShaft {
     }
 }
 
-fn ring_support(table: &Table, material: Material) -> RingSupport {
+pub(in crate::case) fn ring_support(table: &Table, material: Material) -> RingSupport {
     let section = |cells: &Table| {
         let usual = SupportCells::default();
         let count = |key, usual| cells.optional_count(key).unwrap_or(usual);

@@ -7,17 +7,19 @@ use super::super::rotor::Drive;
 
 /// The table `[drive]`.
 pub(super) fn drive(file: &Table) -> Option<Drive> {
-    let read = |table: &Table| {
-        leads_to_its_target(table);
-        Drive {
-            top: table.text_or_none("top"),
-            bottom: table.text_or_none("bottom"),
-            torque: table.quantity_or_one("torque"),
-            target_speed: table.quantity_or_one("target_speed"),
-            acts: table.optional_boolean("acts").unwrap_or(true),
-        }
-    };
-    file.table("drive").map(|table| table.read(read))
+    file.table("drive").map(|table| table.read(read_one))
+}
+
+/// The couple that a table describes.
+pub(in crate::case) fn read_one(table: &Table) -> Drive {
+    leads_to_its_target(table);
+    Drive {
+        top: table.text_or_none("top"),
+        bottom: table.text_or_none("bottom"),
+        torque: table.quantity_or_one("torque"),
+        target_speed: table.quantity_or_one("target_speed"),
+        acts: table.optional_boolean("acts").unwrap_or(true),
+    }
 }
 
 /// Notes a couple that never brings the shaft to the target speed: it starts at rest.

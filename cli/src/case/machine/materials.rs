@@ -9,7 +9,7 @@ use whirl_solver::mesh::Material;
 use super::super::rotor::Region;
 
 /// The materials of a case.
-pub(super) struct Materials {
+pub(in crate::case) struct Materials {
     known: BTreeMap<String, Material>,
     /// Whether these are all that the case describes.
     all_read: bool,
@@ -17,7 +17,7 @@ pub(super) struct Materials {
 
 impl Materials {
     /// Reads the tables `[material.NAME]`.
-    pub(super) fn read(file: &Table) -> Materials {
+    pub(in crate::case) fn read(file: &Table) -> Materials {
         let before = file.errors();
         let tables = file.named_tables("material");
         // Of materials that are no tables, nothing more is said where they are named.

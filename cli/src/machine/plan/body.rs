@@ -33,7 +33,7 @@ pub(crate) struct BodyPlan {
 }
 
 impl BodyPlan {
-    pub(super) fn new<D>(mesh: Mesh, case: &case::Body<D>, held_by: &Located) -> Self {
+    pub(in crate::machine) fn new<D>(mesh: Mesh, case: &case::Body<D>, held_by: &Located) -> Self {
         let spec = BodySpec {
             retained: Vec::new(),
             modes: case.modes,
@@ -176,13 +176,13 @@ impl BodyPlan {
     }
 
     /// Notes a spring from a node to the ground.
-    pub(super) fn spring(&mut self, set: &Located, spring: GroundSpring) {
+    pub(in crate::machine) fn spring(&mut self, set: &Located, spring: GroundSpring) {
         self.spec.springs.push(spring);
         self.sprung.push(set.clone());
     }
 
     /// Checks for cells turned inside out and for motions that nothing stops.
-    pub(super) fn verify(&self) -> Result<(), Error> {
+    pub(in crate::machine) fn verify(&self) -> Result<(), Error> {
         let elastic = assemble(&self.mesh, "stiffness")?;
         let stiffness = add_ground_springs(&elastic, &self.spec.springs)?;
         let mut held = Constraints::new();
@@ -197,7 +197,7 @@ impl BodyPlan {
     }
 
     /// Retains a dof; its place among the retained ones.
-    pub(super) fn retain(&mut self, set: &Located, node: usize, axis: usize) -> usize {
+    pub(in crate::machine) fn retain(&mut self, set: &Located, node: usize, axis: usize) -> usize {
         let dof = 3 * node + axis;
         let retained = &mut self.spec.retained;
         if let Some(place) = retained.iter().position(|known| known.dof == dof) {
@@ -208,13 +208,13 @@ impl BodyPlan {
     }
 
     /// Asks for the motion of a node; its place among the output nodes.
-    pub(super) fn output_node(&mut self, node: usize) -> usize {
+    pub(in crate::machine) fn output_node(&mut self, node: usize) -> usize {
         self.spec.nodes.push(node);
         self.spec.nodes.len() - 1
     }
 
     /// Notes more coordinates than there is memory for dense matrices of.
-    pub(super) fn bound(&self, errors: &mut Diagnostics) {
+    pub(in crate::machine) fn bound(&self, errors: &mut Diagnostics) {
         let kept = self.spec.retained.len();
         if kept + self.spec.modes > MOST_KEPT {
             let message = format!(
@@ -228,7 +228,7 @@ impl BodyPlan {
     }
 
     /// Nodes of a set, one at least; what is wrong with it is noted, and none are given.
-    pub(super) fn nodes(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
+    pub(in crate::machine) fn nodes(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
         let nodes = self.members(set, errors);
         if nodes.is_empty() && self.mesh.node_set(set.text()).is_ok() {
             let message =
@@ -268,7 +268,7 @@ impl BodyPlan {
     }
 
     /// The only node of a set; what is wrong with it is noted.
-    pub(super) fn node(&self, set: &Located, errors: &mut Diagnostics) -> Option<usize> {
+    pub(in crate::machine) fn node(&self, set: &Located, errors: &mut Diagnostics) -> Option<usize> {
         let nodes = self.members(set, errors);
         let origin = self.mesh.origin();
         if nodes.len() != 1 && self.mesh.node_set(set.text()).is_ok() {
@@ -287,7 +287,7 @@ impl BodyPlan {
 
     /// The ends of the driven section move alike along y, which ties the flexible shaft to the frame that
     /// turns with it; their places among the output nodes.
-    pub(super) fn tie(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> [usize; 2] {
+    pub(in crate::machine) fn tie(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> [usize; 2] {
         let nodes = [&drive.top, &drive.bottom].map(|set| self.node(set, errors));
         if nodes[0].is_some() && nodes[0] == nodes[1] {
             let message = "the driven nodes `top` and `bottom` are the same node";

@@ -1,14 +1,16 @@
 //! What a case joins is compared with where it stands: bearings, driven nodes, loads. The solver takes sets
 //! at their word, so that a bore beside its journal would carry it all the same.
 
-mod bearing;
+pub(in crate::machine) mod bearing;
 mod place;
 mod sets;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::Mesh;
 
-use self::place::{mm, nodes_of, single};
+pub(in crate::machine) use self::place::{mm, nodes_of};
+
+use self::place::single;
 use super::{BearingOutline, Outline};
 use crate::case;
 
@@ -82,7 +84,7 @@ fn twice(
 }
 
 /// Driven nodes between which a couple of forces along y has no arm, or tilts the section.
-fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut Diagnostics) {
+pub(in crate::machine) fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut Diagnostics) {
     let (Some(top), Some(bottom)) = (single(shaft, &drive.top), single(shaft, &drive.bottom))
     else {
         return;
@@ -121,7 +123,7 @@ fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut Diagnostics) {
 }
 
 /// Nodes that would carry the force of one load twice.
-fn loaded_twice(load: &case::Load, shaft: &Mesh, errors: &mut Diagnostics) {
+pub(in crate::machine) fn loaded_twice(load: &case::Load, shaft: &Mesh, errors: &mut Diagnostics) {
     for (second, set) in load.sets.iter().enumerate() {
         let Some(nodes) = nodes_of(shaft, set) else { continue };
         let shared = load.sets[..second].iter().find_map(|first| {

@@ -18,7 +18,7 @@ const AXES: f64 = 0.01;
 const SECTION_DIGITS: f64 = 2e-4;
 
 /// Notes whatever in a bearing does not fit together.
-pub(super) fn compare(
+pub(in crate::machine) fn compare(
     place: usize,
     outline: &BearingOutline,
     shaft: Option<&Mesh>,

@@ -4,7 +4,7 @@ use whirl_codegen::diagnostic::Located;
 use whirl_solver::mesh::Mesh;
 
 /// Nodes of a set that is there and has some.
-pub(super) fn nodes_of<'a>(mesh: &'a Mesh, set: &Located) -> Option<&'a [usize]> {
+pub(in crate::machine) fn nodes_of<'a>(mesh: &'a Mesh, set: &Located) -> Option<&'a [usize]> {
     mesh.node_set(set.text()).ok().filter(|nodes| !nodes.is_empty())
 }
 
@@ -23,7 +23,7 @@ pub(super) fn digits(mesh: &Mesh) -> f64 {
 }
 
 /// A length in mm, to the nanometre.
-pub(super) fn mm(metres: f64) -> String {
+pub(in crate::machine) fn mm(metres: f64) -> String {
     // Adding zero takes the sign off what rounds to it.
     format!("{} mm", (1e9 * metres).round() / 1e6 + 0.0)
 }

@@ -42,6 +42,11 @@ impl Comparison<'_, '_> {
         if let (Some(bore), Some(true)) = (bore, one_bore) {
             match journal {
                 Some(journal) => self.alike("journal", "bore", &journal.sets[0]),
+                None if self.whole.stations.len() == 1 => {
+                    let (z, radius) = (bore.planes()[1], bore.radii()[0]);
+                    self.one_ring(bore, z, radius);
+                    return Length::OnePlane(z, radius);
+                }
                 None => self.one_set(&bore.sets[0], bore.planes()[1]),
             }
             return Length::Wrong;

@@ -1,0 +1,164 @@
+//! The table `[body.NAME]`.
+
+use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::document::Table;
+use whirl_solver::mesh::Material;
+use whirl_specs::Motion;
+
+use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning};
+use crate::case::library::FileStore;
+use crate::case::machine::{self, Materials};
+
+/// What a table says of a body.
+pub(super) struct BodyDraft {
+    /// Its name, and the body if enough of it is right.
+    pub(super) body: (Located, Option<NamedBody>),
+    /// How its rotation is coupled to deformation, where the case says it.
+    pub(super) motion: Option<(Located, &'static Motion)>,
+}
+
+/// Keys of a rigid body.
+const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffness"];
+/// Keys of a body with a mesh.
+const MESHED: [&str; 8] = [
+    "mesh",
+    "dimensions",
+    "material",
+    "regions",
+    "modes",
+    "held",
+    "axial_restraint",
+    "section",
+];
+
+pub(super) fn read(
+    store: FileStore,
+    table: &Table,
+    name: &Located,
+    materials: &Materials,
+) -> BodyDraft {
+    let before = table.errors();
+    let turns = table.optional_word("turns");
+    let turning = turns.and_then(|turns| turning(table, turns));
+    let axis = table.quantity_pair("axis").unwrap_or_default();
+    let motion = match table.gives("motion") {
+        true => machine::motion(table).map(|motion| (table.written("motion"), motion)),
+        false => None,
+    };
+    let meshed = MESHED.into_iter().find(|key| table.gives(key));
+    let rigid = RIGID.into_iter().find(|key| table.gives(key));
+    let turned = turns.is_some_and(|turns| turns != "no");
+    let form = match (meshed, rigid) {
+        (Some(meshed), Some(rigid)) => {
+            let message = format!("`{rigid}` is of a rigid body, and `{meshed}` of one with a mesh");
+            let help = "keep one of them: a mesh has its own mass";
+            table.push(table.written(rigid).error_here(Code::BAD_VALUE, message).help(help));
+            MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
+            ["z", "damping", "ground_spring"].iter().for_each(|key| table.pass_over(key));
+            None
+        }
+        (Some(_), None) => read_meshed(store, table, materials, turned).map(Form::Meshed),
+        (None, Some(_)) => Some(Form::Rigid(read_rigid(table, turned))),
+        (None, None) => {
+            let help = "add `mesh = \"body.inp\"`, a table of `dimensions`, or the `mass` of a rigid body";
+            table.absent("mesh", help);
+            MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
+            ["z", "damping", "ground_spring"].iter().for_each(|key| table.pass_over(key));
+            None
+        }
+    };
+    let right = table.errors() == before && turns.is_some();
+    let name = name.clone();
+    let body = form.filter(|_| right).map(|form| {
+        let turning = turning.filter(|_| turned);
+        NamedBody { name: name.clone(), turning, axis, form }
+    });
+    BodyDraft { body: (name, body), motion }
+}
+
+fn turning(table: &Table, turns: &str) -> Option<Turning> {
+    let or_zero = |key| table.quantity(key).unwrap_or(0.0);
+    match turns {
+        "free" => Some(Turning::Free { initial_speed: or_zero("initial_speed") }),
+        "prescribed" => {
+            table.demand("speed");
+            let (speed, acceleration) = (or_zero("speed"), or_zero("acceleration"));
+            Some(Turning::Prescribed { speed, acceleration })
+        }
+        _ => None,
+    }
+}
+
+fn read_meshed(
+    store: FileStore,
+    table: &Table,
+    materials: &Materials,
+    turns: bool,
+) -> Option<Box<MeshedBody>> {
+    table.demand("modes");
+    let body = machine::meshed(store, table, materials, |dimensions, material| {
+        made(dimensions, material, turns)
+    });
+    let axial_restraint = table.optional_string("axial_restraint");
+    let held = if turns { Vec::new() } else { table.texts("held") };
+    let section = match table.texts("section").as_slice() {
+        [top, bottom] if turns => Some([top.clone(), bottom.clone()]),
+        _ => None,
+    };
+    if turns && axial_restraint.is_none() {
+        table.demand("axial_restraint");
+    }
+    let ground_springs = if turns { Vec::new() } else { machine::ground_springs(table) };
+    Some(Box::new(MeshedBody { body: body?, held, ground_springs, axial_restraint, section }))
+}
+
+/// Dimensions of a shaft or of a support.
+fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
+    const SHAFT: [&str; 6] = [
+        "length",
+        "diameter",
+        "supports",
+        "support_length",
+        "layers_in_support",
+        "layers_between",
+    ];
+    const SUPPORT: [&str; 11] = [
+        "start",
+        "length",
+        "height",
+        "width",
+        "pedestal_height",
+        "rings",
+        "ring_length",
+        "ring_thickness",
+        "bore_radius",
+        "layers_in_ring",
+        "layers_between",
+    ];
+    let needed: &[&str] = if turns { &SHAFT } else { &SUPPORT };
+    needed.iter().for_each(|key| table.demand(key));
+    match turns {
+        true => Dimensions::Shaft(machine::solid_shaft(table, material)),
+        false => Dimensions::Support(machine::ring_support(table, material)),
+    }
+}
+
+fn read_rigid(table: &Table, turns: bool) -> RigidBody {
+    table.demand("mass");
+    if turns {
+        table.demand("polar_inertia");
+    }
+    // What stands in space beside a body that turns is a joint to the ground.
+    let to_ground = |key: &str| -> [f64; 2] {
+        let read = |table: &Table| ["x", "y"].map(|axis| table.quantity(axis).unwrap_or(0.0));
+        if turns { [0.0; 2] } else { table.in_table(key, read).unwrap_or_default() }
+    };
+    RigidBody {
+        mass: table.quantity_or_one("mass"),
+        polar_inertia: if turns { table.quantity_or_one("polar_inertia") } else { 0.0 },
+        transverse_inertia: table.quantity("transverse_inertia"),
+        z: table.quantity("z"),
+        stiffness: to_ground("stiffness"),
+        damping: to_ground("damping"),
+    }
+}

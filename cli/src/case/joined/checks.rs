@@ -1,0 +1,178 @@
+//! What bodies and joints say together.
+
+use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::document::Table;
+use whirl_specs::Motion;
+
+use super::{Drive, Form, JoinedMachine, Joint, JointKind, NamedBody, Side, Turning};
+use crate::case::machine;
+
+/// The motion of all bodies, which is one.
+pub(super) fn one_motion(
+    file: &Table,
+    motions: Vec<(Located, &'static Motion)>,
+) -> Option<&'static Motion> {
+    let Some((_, first)) = motions.first() else { return machine::default_motion() };
+    for (place, motion) in &motions {
+        if motion.origin.name != first.origin.name {
+            let message = "all bodies of a machine have one `motion`";
+            let help = format!("write \"{}\" here, too, or another one everywhere", first.origin.name);
+            file.push(place.error_here(Code::BAD_VALUE, message).help(help));
+        }
+    }
+    Some(first)
+}
+
+/// Notes what does not fit together.
+pub(super) fn check(file: &Table, machine: &JoinedMachine) {
+    let mut checks = Checks { file, machine };
+    machine.joints.iter().for_each(|joint| checks.joint(joint));
+    machine.drives.iter().enumerate().for_each(|(place, own)| checks.drive(place, own));
+    (0..machine.bodies.len()).for_each(|body| checks.body(body));
+}
+
+struct Checks<'a, 'd> {
+    file: &'a Table<'d>,
+    machine: &'a JoinedMachine,
+}
+
+impl Checks<'_, '_> {
+    fn note(&mut self, at: &Located, message: String, help: &str) {
+        self.file.push(at.error_here(Code::BAD_VALUE, message).help(help));
+    }
+
+    fn joint(&mut self, joint: &Joint) {
+        for side in &joint.sides {
+            self.side(joint, side);
+        }
+        let turns = |side: &Side| {
+            side.body.is_some_and(|body| self.machine.bodies[body].turning.is_some())
+        };
+        let [first, second] = joint.sides.each_ref().map(turns);
+        let [of_first, of_second] = joint.sides.each_ref().map(|side| side.place.clone());
+        if joint.kind == JointKind::Bushing && second {
+            let message = format!(
+                "the second side of a bushing stands still, but `{}` turns: its stiffness would turn with it",
+                of_second.text()
+            );
+            let help = match first {
+                true => "name a body that does not turn, or write a `bearing` between the two",
+                false => "swap the two sides",
+            };
+            self.note(&of_second, message, help);
+        }
+        if joint.kind == JointKind::Coupling && !first {
+            let message = format!("`{}` does not turn: a coupling joins rotations", of_first.text());
+            let help = match second {
+                true => "swap the two sides",
+                false => "name a body that turns",
+            };
+            self.note(&of_first, message, help);
+        }
+    }
+
+    /// Whether a side says where it is as its body needs it.
+    fn side(&mut self, joint: &Joint, side: &Side) {
+        let Some(body) = side.body else { return };
+        let (name, coupling) = (side.place.text(), joint.kind == JointKind::Coupling);
+        match self.machine.bodies[body].form {
+            Form::Meshed(_) if side.z.is_some() => {
+                let message = format!("`{name}` has a mesh: a side on it is named by node sets");
+                self.note(&side.place, message, "write `sets = [\"…\"]` in place of `z`");
+            }
+            Form::Meshed(_) if side.sets.is_empty() && !coupling => {
+                let message = format!("a side on `{name}`, which has a mesh, names its node sets");
+                self.note(&side.place, message, "add `sets = [\"…\"]` beside `body`");
+            }
+            Form::Rigid(_) if !side.sets.is_empty() => {
+                let message = format!("`{name}` is rigid and has no node sets");
+                self.note(&side.place, message, "write `z = \"…\"` in place of `sets`");
+            }
+            _ => {}
+        }
+    }
+
+    fn drive(&mut self, place: usize, drive: &Drive) {
+        let mut earlier = self.machine.drives[..place].iter();
+        if let Some(first) = earlier.find(|own| own.body == drive.body) {
+            let message = format!(
+                "`{}` is driven already, by `{}`: a rotation has one drive",
+                drive.place.text(),
+                first.name.text()
+            );
+            self.note(&drive.place, message, "take one of them out, or add up their torques");
+        }
+    }
+
+    fn body(&mut self, place: usize) {
+        let body = &self.machine.bodies[place];
+        let joins = |joint: &&Joint| joint.sides.iter().any(|side| side.body == Some(place));
+        let joints: Vec<&Joint> = self.machine.joints.iter().filter(joins).collect();
+        let name = body.name.text();
+        if joints.is_empty() && !grounded(body) {
+            let message = format!("no joint names the body `{name}`: nothing holds it");
+            let help = "name it in a table `[joint.NAME]`, or take it out";
+            return self.note(&body.name.clone(), message, help);
+        }
+        let own = |axis: usize| match &body.form {
+            Form::Meshed(_) => grounded(body),
+            Form::Rigid(rigid) => rigid.stiffness[axis] > 0.0 || rigid.damping[axis] > 0.0,
+        };
+        for (axis, letter) in ["x", "y"].into_iter().enumerate() {
+            if !own(axis) && !joints.iter().any(|joint| acts_along(joint, axis)) {
+                let message = format!("nothing acts on the motion of `{name}` along {letter}");
+                let help = "add a bearing or a bushing on it, or a stiffness to the ground if it does not turn";
+                self.note(&body.name.clone(), message, help);
+            }
+        }
+        let across: Vec<&&Joint> =
+            joints.iter().filter(|joint| joint.kind != JointKind::Coupling).collect();
+        let tilts =
+            matches!(&body.form, Form::Rigid(rigid) if rigid.transverse_inertia.is_some());
+        if tilts && !across.is_empty() && across.len() < 2 && !long(across[0]) {
+            let message = format!("nothing acts on the tilts of `{name}`: its only joint is in one plane");
+            let help = "leave `transverse_inertia` out, add a joint at another z, or list `stations` along the joint";
+            self.note(&body.name.clone(), message, help);
+        }
+        let Some(Turning::Free { initial_speed }) = body.turning else { return };
+        let driven = self.machine.drives.iter().any(|drive| drive.body == place);
+        if initial_speed == 0.0 && !driven && !joints.iter().any(|joint| turns(joint)) {
+            let message = format!("nothing acts on the rotation of `{name}`");
+            let help = "add a drive `[drives.NAME]`, an `initial_speed` or a law with a torque, or write \
+                        `turns = \"no\"`";
+            self.note(&body.name.clone(), message, help);
+        }
+    }
+}
+
+/// Whether a body stands on the ground by itself.
+fn grounded(body: &NamedBody) -> bool {
+    match &body.form {
+        Form::Meshed(meshed) => !meshed.held.is_empty() || !meshed.ground_springs.is_empty(),
+        Form::Rigid(rigid) => rigid.stiffness.iter().all(|stiffness| *stiffness > 0.0),
+    }
+}
+
+/// Whether a joint acts on motions along x or y.
+fn acts_along(joint: &Joint, axis: usize) -> bool {
+    match joint.kind {
+        JointKind::Bearing => true,
+        JointKind::Stop => joint.angle.is_none() || axis == 0,
+        JointKind::Coupling => false,
+        JointKind::Bushing => {
+            let letter = ["x", "y"][axis];
+            joint.bearing.parameters.iter().any(|set| set.acts_along(letter))
+        }
+    }
+}
+
+/// Whether a joint acts on tilts by itself.
+fn long(joint: &Joint) -> bool {
+    joint.bearing.stations.len() > 1
+        || joint.bearing.stations.is_empty() && joint.sides.iter().any(|side| side.sets.len() == 3)
+}
+
+/// Whether a joint turns or brakes what it joins.
+fn turns(joint: &Joint) -> bool {
+    joint.bearing.law.source.gives_torque()
+}

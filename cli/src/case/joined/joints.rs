@@ -1,0 +1,287 @@
+//! The table `[joint.NAME]`.
+
+use std::f64::consts::PI;
+
+use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::document::Table;
+use whirl_codegen::rational::nearest;
+use whirl_codegen::spec::law::{Acts, BearingValue};
+use whirl_codegen::units::Quantity;
+
+use super::names::{self, GROUND};
+use super::{Joint, JointKind, Side};
+use crate::case::law::{self, NamedLaw};
+use crate::case::library::FileStore;
+use crate::case::lumped;
+use crate::case::parameters::{self, BearingFacts, Keys, SetParameter};
+use crate::case::rotor::Bearing;
+use crate::case::schema::MOST_SPRINGS;
+
+pub(super) fn read(
+    store: FileStore,
+    table: &Table,
+    name: &Located,
+    known: &[Located],
+) -> Option<Joint> {
+    let kind = match table.optional_word("kind")? {
+        "stop" => JointKind::Stop,
+        "bushing" => JointKind::Bushing,
+        "coupling" => JointKind::Coupling,
+        _ => JointKind::Bearing,
+    };
+    let (called, [first, second]) = kind.words();
+    let sides = [side(table, first, known), side(table, second, known)];
+    let parts = match kind {
+        JointKind::Bearing => bearing(store, table),
+        JointKind::Stop => stop(store, table),
+        JointKind::Bushing => bushing(table),
+        JointKind::Coupling => coupling(table),
+    };
+    let of_bearing = matches!(kind, JointKind::Bearing | JointKind::Stop);
+    let rings = |key: &str| if of_bearing { three(table, key) } else { Some([[0.0; 2]; 3]) };
+    let (run_out, offset) = (rings("run_out"), rings("offset"));
+    let [Some(journal), Some(bore)] = sides else { return None };
+    if journal.body.is_none() {
+        let message = format!("the ground is the `{second}` of a {called}, not its `{first}`");
+        let help = format!("swap the two: forces on the `{first}` are what results show");
+        table.push(journal.place.error_here(Code::BAD_VALUE, message).help(help));
+        return None;
+    }
+    if journal.body == bore.body {
+        let message = format!("both sides of this {called} are on `{}`", bore.place.text());
+        let help = "a joint joins two bodies, or a body and the ground";
+        table.push(bore.place.error_here(Code::BAD_VALUE, message).help(help));
+        return None;
+    }
+    let Parts { springs, law, parameters, mut facts, clearance, stations, angle } = parts?;
+    let sets = |side: &Side| match side.sets.as_slice() {
+        [one] => vec![one.clone(); 3],
+        sets => sets.to_vec(),
+    };
+    let planes = [&journal, &bore].into_iter().any(|side| side.sets.len() == 3);
+    let rings = if stations.is_empty() { 1 + 2 * usize::from(planes) } else { stations.len() };
+    facts.springs = Some(springs.saturating_mul(rings));
+    if springs.saturating_mul(rings) > MOST_SPRINGS {
+        let message = format!("this joint has more than {MOST_SPRINGS} springs in all its rings");
+        let help = "lower `springs`, or list fewer `stations`";
+        table.push(table.heading().error(Code::BAD_VALUE, message).help(help));
+        return None;
+    }
+    let bearing = Bearing {
+        journal: sets(&journal),
+        bore: sets(&bore),
+        springs,
+        stations,
+        radial_clearance: clearance,
+        journal_radius: facts.journal_radius.as_ref().map(nearest),
+        law,
+        parameters,
+        facts,
+        table: name.clone(),
+        places: table.places(),
+    };
+    let (name, sides) = (name.clone(), [journal, bore]);
+    Some(Joint { name, kind, sides, bearing, angle, run_out: run_out?, offset: offset? })
+}
+
+/// One side; the second one is the ground if it is left out.
+fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
+    let second = matches!(key, "bore" | "second");
+    if !second {
+        table.demand(key);
+    }
+    let Some(own) = table.optional_table(key) else {
+        let place = table.heading().text(GROUND);
+        let ground = Side { body: None, place, sets: Vec::new(), z: None };
+        return (second && !table.has(key)).then_some(ground);
+    };
+    own.read(|side| {
+        let (sets, z) = (side.texts("sets"), side.quantity("z"));
+        let place = side.optional_string("body")?;
+        let ground = place.text() == GROUND;
+        let body = if ground { None } else { Some(names::body(side, &place, known, second)?) };
+        if ground && side.has("sets") {
+            let message = "the ground has no node sets: it is a rigid bore around the journal";
+            let help = "leave `sets` out";
+            side.push(side.written("sets").error_here(Code::BAD_VALUE, message).help(help));
+        }
+        if !matches!(sets.len(), 0 | 1 | 3) {
+            let message = format!("a side has one set, or three, not {}", sets.len());
+            let help = "name the sets at the left end, in the middle and at the right end, or one";
+            side.push(side.written("sets").error_here(Code::BAD_VALUE, message).help(help));
+        }
+        Some(Side { body, place, sets, z })
+    })
+}
+
+/// What a joint of any kind has.
+struct Parts {
+    springs: usize,
+    law: NamedLaw,
+    parameters: Vec<SetParameter>,
+    facts: BearingFacts,
+    clearance: f64,
+    stations: Vec<f64>,
+    angle: Option<f64>,
+}
+
+/// What messages call the values of a bearing and of a stop.
+const OF_BEARING: Keys = Keys { clearance: "radial_clearance" };
+const OF_STOP: Keys = Keys { clearance: "gap" };
+
+fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
+    table.demand("law");
+    let law = law::read(store, table);
+    let parameters = parameters::read(table);
+    let springs = table.optional_count("springs");
+    let clearance = table.exact_quantity("radial_clearance");
+    let exactly = |quantity: Option<Quantity>| quantity.as_ref().map(parameters::exactly);
+    let mut facts = BearingFacts {
+        radial_clearance: clearance.as_ref().map(parameters::exactly),
+        journal_radius: exactly(table.exact_quantity("journal_radius")),
+        length: exactly(table.exact_quantity("length")),
+        ..BearingFacts::default()
+    };
+    let stations = table.quantities("stations");
+    let law = law?;
+    let each = law.source.acts() == Acts::Spring;
+    if each {
+        table.demand("springs");
+    }
+    let of_clearance = |value: BearingValue| {
+        matches!(value, BearingValue::RadialClearance | BearingValue::DiametralClearance)
+    };
+    let known = law.source.parameters();
+    if each || known.iter().any(|own| own.bearing.is_some_and(of_clearance)) {
+        table.demand("radial_clearance");
+    }
+    let before = table.errors();
+    parameters::check(table, &law, &parameters, OF_BEARING, &mut facts);
+    (table.errors() == before).then(|| Parts {
+        springs: springs.unwrap_or(1),
+        law,
+        parameters,
+        facts,
+        clearance: clearance.map_or(0.0, |clearance| clearance.si()),
+        stations,
+        angle: None,
+    })
+}
+
+fn stop(store: FileStore, table: &Table) -> Option<Parts> {
+    let side = lumped::side(table);
+    table.demand("law");
+    let law = law::read(store, table);
+    let parameters = parameters::read(table);
+    let exactly = |key| table.exact_quantity(key).as_ref().map(parameters::exactly);
+    let mut facts = BearingFacts {
+        journal_radius: exactly("journal_radius"),
+        length: exactly("length"),
+        ..BearingFacts::default()
+    };
+    let gap = table.exact_quantity("gap");
+    let before = table.errors();
+    match (side, &law) {
+        (lumped::Side::Around, Some(law)) => {
+            facts.radial_clearance = lumped::around(table, law, gap.as_ref());
+        }
+        (lumped::Side::Around, None) => {}
+        _ => table.demand("gap"),
+    }
+    let law = law?;
+    lumped::fits(table, side, &law);
+    parameters::check(table, &law, &parameters, OF_STOP, &mut facts);
+    let around = facts.radial_clearance.as_ref().map_or(0.0, nearest);
+    (table.errors() == before).then(|| Parts {
+        springs: 1,
+        law,
+        parameters,
+        facts,
+        clearance: match side {
+            lumped::Side::Around => around,
+            _ => gap.map_or(1.0, |gap| gap.si()),
+        },
+        stations: Vec::new(),
+        angle: match side {
+            lumped::Side::Above => Some(0.0),
+            lumped::Side::Below => Some(PI),
+            lumped::Side::Around => None,
+        },
+    })
+}
+
+/// Directions of force and motion, as keys of bushings and parameters of their law call them.
+const DIRECTIONS: [&str; 4] = ["xx", "xy", "yx", "yy"];
+
+fn bushing(table: &Table) -> Option<Parts> {
+    let mut set = Vec::with_capacity(8);
+    for (key, letter, zero) in [("stiffness", "k", "0 N/m"), ("damping", "c", "0 N*s/m")] {
+        let before = table.errors();
+        let values = |own: &Table| DIRECTIONS.map(|direction| {
+            let place = own.written(direction);
+            (place, own.exact_quantity(direction))
+        });
+        let given = table.in_table(key, values);
+        if table.errors() > before {
+            return None;
+        }
+        for (place, direction) in DIRECTIONS.iter().enumerate() {
+            let (at, value) = given.as_ref().map_or((table.written(key), None), |own| own[place].clone());
+            let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
+            set.push(SetParameter::new(&format!("{letter}_{direction}"), &at, value));
+        }
+    }
+    if !table.has("stiffness") && !table.has("damping") {
+        table.demand("stiffness");
+    }
+    shipped(table, "bushing", set)
+}
+
+fn coupling(table: &Table) -> Option<Parts> {
+    table.demand("stiffness");
+    let mut set = Vec::with_capacity(2);
+    for (key, name, zero) in [("stiffness", "k", "0 N*m/rad"), ("damping", "c", "0 N*m*s/rad")] {
+        let before = table.errors();
+        let value = table.exact_quantity(key);
+        if table.errors() > before {
+            return None;
+        }
+        let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
+        set.push(SetParameter::new(name, &table.written(key), value));
+    }
+    shipped(table, "coupling", set)
+}
+
+/// A joint whose law is shipped.
+fn shipped(table: &Table, name: &str, parameters: Vec<SetParameter>) -> Option<Parts> {
+    let name = table.heading().text(name);
+    let law = NamedLaw { source: law::find(FileStore::Embedded, table, &name)?, name };
+    Some(Parts {
+        springs: 1,
+        law,
+        parameters,
+        facts: BearingFacts::default(),
+        clearance: 0.0,
+        stations: Vec::new(),
+        angle: None,
+    })
+}
+
+/// One place for all rings, or one each.
+fn three(table: &Table, key: &str) -> Option<[[f64; 2]; 3]> {
+    if !table.has(key) {
+        return Some([[0.0; 2]; 3]);
+    }
+    match table.quantity_pairs(key)?.as_slice() {
+        [one] => Some([*one; 3]),
+        [left, middle, right] => Some([*left, *middle, *right]),
+        other => {
+            let message = format!("`{key}` has one place, or three, not {}", other.len());
+            let help = format!(
+                "such as `{key} = [\"0 mm\", \"0.1 mm\"]`, or a list of three of these: left, middle, right"
+            );
+            table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+            None
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! A machine of bodies by name, and of what joins them: the tables `[body.NAME]`, `[joint.NAME]`, `[drives.NAME]` and
+//! `[loads.NAME]`.
+
+mod bodies;
+mod checks;
+mod forces;
+mod joints;
+mod names;
+pub(super) mod schema;
+
+use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::document::Table;
+use whirl_solver::error::Error;
+use whirl_solver::mesh;
+use whirl_solver::mesh::shaft::SolidShaft;
+use whirl_solver::mesh::support::RingSupport;
+use whirl_specs::{Element, Motion};
+
+use super::library::FileStore;
+use super::loads;
+use super::machine::Materials;
+use super::rotor::{self, Bearing, GroundSpring};
+
+/// Keys that make a file one of named bodies.
+const NAMED: [&str; 4] = ["body", "joint", "drives", "loads"];
+/// Keys of one shaft on one support, and of one mass.
+const SHORT: [&str; 8] =
+    ["shaft", "support", "springs", "bearing", "drive", "load", "mass", "stop"];
+
+/// Bodies, and what joins, drives and loads them.
+#[derive(Debug, Clone)]
+pub(crate) struct JoinedMachine {
+    /// In the order of the file.
+    pub(crate) bodies: Vec<NamedBody>,
+    /// In the order of the file.
+    pub(crate) joints: Vec<Joint>,
+    /// At most one a body.
+    pub(crate) drives: Vec<Drive>,
+    /// Forces fixed in space.
+    pub(crate) loads: Vec<Load>,
+    /// How rotation and deformation are coupled, alike in all bodies that turn.
+    pub(crate) motion: &'static Motion,
+}
+
+/// A body.
+#[derive(Debug, Clone)]
+pub(crate) struct NamedBody {
+    /// Its name, at its table.
+    pub(crate) name: Located,
+    /// How it turns, if it does.
+    pub(crate) turning: Option<Turning>,
+    /// x and y of its axis, m.
+    pub(crate) axis: [f64; 2],
+    /// What it is made of.
+    pub(crate) form: Form,
+}
+
+/// How a body turns.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Turning {
+    /// As its couples make it, from a speed at t = 0 (rad/s).
+    Free {
+        /// rad/s.
+        initial_speed: f64,
+    },
+    /// As it is told.
+    Prescribed {
+        /// At t = 0, rad/s.
+        speed: f64,
+        /// rad/s².
+        acceleration: f64,
+    },
+}
+
+/// What a body is made of.
+#[derive(Debug, Clone)]
+pub(crate) enum Form {
+    /// A mesh, which is reduced.
+    Meshed(Box<MeshedBody>),
+    /// Numbers.
+    Rigid(RigidBody),
+}
+
+/// A body with a mesh.
+#[derive(Debug, Clone)]
+pub(crate) struct MeshedBody {
+    /// Its mesh, and how it is reduced.
+    pub(crate) body: rotor::Body<Dimensions>,
+    /// Sets of nodes held in all directions.
+    pub(crate) held: Vec<Located>,
+    /// Springs to the ground.
+    pub(crate) ground_springs: Vec<GroundSpring>,
+    /// Set of one node held along z.
+    pub(crate) axial_restraint: Option<Located>,
+    /// Sets of one node at opposite ends of a diameter, whose section turns with the frame.
+    pub(crate) section: Option<[Located; 2]>,
+}
+
+/// A rigid body.
+#[derive(Debug, Clone)]
+pub(crate) struct RigidBody {
+    /// kg.
+    pub(crate) mass: f64,
+    /// About its axis, kg·m².
+    pub(crate) polar_inertia: f64,
+    /// About x and y through its centre, kg·m²; a body without does not tilt.
+    pub(crate) transverse_inertia: Option<f64>,
+    /// z of its centre, m, if the case says it.
+    pub(crate) z: Option<f64>,
+    /// To the ground along x and y, N/m.
+    pub(crate) stiffness: [f64; 2],
+    /// To the ground along x and y, N·s/m.
+    pub(crate) damping: [f64; 2],
+}
+
+/// Dimensions from which a mesh is made.
+#[derive(Debug, Clone)]
+pub(crate) enum Dimensions {
+    /// Of a solid shaft.
+    Shaft(SolidShaft),
+    /// Of rings below a beam.
+    Support(RingSupport),
+}
+
+impl Dimensions {
+    /// The mesh.
+    ///
+    /// # Errors
+    /// Dimensions of which none can be made.
+    pub(crate) fn mesh(&self, elements: &[&'static Element]) -> Result<mesh::Mesh, Error> {
+        match self {
+            Dimensions::Shaft(shaft) => shaft.mesh(elements),
+            Dimensions::Support(support) => support.mesh(elements),
+        }
+    }
+}
+
+/// What joins two bodies, or a body and the ground: the values of a bearing, whose law a bushing and a coupling bring
+/// with them.
+#[derive(Debug, Clone)]
+pub(crate) struct Joint {
+    /// Its name, at its table.
+    pub(crate) name: Located,
+    /// What it is.
+    pub(crate) kind: JointKind,
+    /// The journal, or the first side; the bore, or the second side.
+    pub(crate) sides: [Side; 2],
+    /// Its law and what the case says of it; the sets are those of the sides.
+    pub(crate) bearing: Bearing,
+    /// Angle of the only spring of a stop on one side, rad.
+    pub(crate) angle: Option<f64>,
+    /// Of the journal at the left end, the middle and the right end, m.
+    pub(crate) run_out: [[f64; 2]; 3],
+    /// Of the bore at the same, m.
+    pub(crate) offset: [[f64; 2]; 3],
+}
+
+/// Kinds of joints.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum JointKind {
+    /// A journal in its bore.
+    Bearing,
+    /// What strikes.
+    Stop,
+    /// Stiffness and damping in the plane.
+    Bushing,
+    /// Stiffness and damping between two rotations.
+    Coupling,
+}
+
+impl JointKind {
+    /// What messages call it, and its sides.
+    pub(crate) fn words(self) -> (&'static str, [&'static str; 2]) {
+        match self {
+            JointKind::Bearing => ("bearing", ["journal", "bore"]),
+            JointKind::Stop => ("stop", ["journal", "bore"]),
+            JointKind::Bushing => ("bushing", ["first", "second"]),
+            JointKind::Coupling => ("coupling", ["first", "second"]),
+        }
+    }
+}
+
+/// One side of a joint.
+#[derive(Debug, Clone)]
+pub(crate) struct Side {
+    /// The body, by its place; none for the ground.
+    pub(crate) body: Option<usize>,
+    /// Where the case names it, or the joint.
+    pub(crate) place: Located,
+    /// Node sets on it: none, one or three.
+    pub(crate) sets: Vec<Located>,
+    /// z on a rigid body, m, if the case says it.
+    pub(crate) z: Option<f64>,
+}
+
+/// A couple that acts until a speed is reached.
+#[derive(Debug, Clone)]
+pub(crate) struct Drive {
+    /// Its name, at its table.
+    pub(crate) name: Located,
+    /// The body, by its place.
+    pub(crate) body: usize,
+    /// Where the case names it.
+    pub(crate) place: Located,
+    /// The couple; on a rigid body without sets.
+    pub(crate) couple: rotor::Drive,
+}
+
+/// A force on nodes of a body, fixed in space.
+#[derive(Debug, Clone)]
+pub(crate) struct Load {
+    /// The body, by its place.
+    pub(crate) body: usize,
+    /// Where the case names it.
+    pub(crate) place: Located,
+    /// z on a rigid body, m, if the case says it.
+    pub(crate) z: Option<f64>,
+    /// The force, and the sets of a mesh that carry it.
+    pub(crate) load: loads::Load,
+}
+
+impl JoinedMachine {
+    /// Whether a file is one of named bodies; none if it has short forms beside them, which has been noted.
+    pub(super) fn is_in(file: &Table) -> Option<bool> {
+        let named = NAMED.into_iter().find(|key| file.gives(key));
+        let short = SHORT.into_iter().find(|key| file.gives(key));
+        let (Some(named), Some(short)) = (named, short) else { return Some(named.is_some()) };
+        let of_list = matches!(short, "bearing" | "load" | "stop");
+        let heading = if of_list { format!("[[{short}]]") } else { format!("[{short}]") };
+        let message = format!(
+            "`{heading}` is a short form of a machine of its own, and `[{named}.NAME]` names bodies and joints: a file \
+             has one form or the other"
+        );
+        let help = match short {
+            "shaft" | "support" | "mass" => "describe it in a table `[body.NAME]`",
+            "drive" => "describe it in a table `[drives.NAME]`",
+            "load" => "describe it in a table `[loads.NAME]`",
+            _ => "describe it in a table `[joint.NAME]`, with the values of `[springs]` in each",
+        };
+        file.push(file.written(short).error_here(Code::BAD_VALUE, message).help(help));
+        // Which of both is meant, is open: neither is read as if it were.
+        NAMED.iter().chain(&SHORT).chain(&["material"]).for_each(|key| file.pass_over(key));
+        None
+    }
+
+    /// The machine, if all of it is right.
+    pub(super) fn read(store: FileStore, file: &Table) -> Option<JoinedMachine> {
+        let before = file.errors();
+        let materials = Materials::read(file);
+        let (mut bodies, mut motions) = (Vec::new(), Vec::new());
+        for (name, table) in names::in_order(file, "body") {
+            let read = table.read(|table| bodies::read(store, table, &name, &materials));
+            bodies.push(read.body);
+            motions.extend(read.motion);
+        }
+        if bodies.is_empty() && !file.has("body") {
+            file.absent("body", "add a table `[body.NAME]` for each body of the machine");
+        }
+        let known: Vec<Located> = bodies.iter().map(|(name, _)| name.clone()).collect();
+        let bodies: Option<Vec<NamedBody>> = bodies.into_iter().map(|(_, own)| own).collect();
+        let turns = |body: usize| bodies.as_ref().map(|all| &all[body]);
+        let joints = names::in_order(file, "joint");
+        let labels: Vec<Located> = joints.iter().map(|(name, _)| name.clone()).collect();
+        names::distinct(file, "body", &known);
+        names::distinct(file, "joint", &labels);
+        let joints = joints.into_iter().map(|(name, table)| {
+            table.read(|table| joints::read(store, table, &name, &known))
+        });
+        let joints: Vec<Option<Joint>> = joints.collect();
+        let drives = names::in_order(file, "drives").into_iter().map(|(name, table)| {
+            table.read(|table| forces::drive(table, &name, &known, turns))
+        });
+        let drives: Vec<Option<Drive>> = drives.collect();
+        let loads = names::in_order(file, "loads").into_iter();
+        let loads = loads.map(|(_, table)| table.read(|table| forces::load(table, &known, turns)));
+        let loads: Vec<Option<Load>> = loads.collect();
+        let motion = checks::one_motion(file, motions);
+        if file.errors() > before {
+            return None;
+        }
+        let machine = JoinedMachine {
+            bodies: bodies?,
+            joints: joints.into_iter().collect::<Option<_>>()?,
+            drives: drives.into_iter().collect::<Option<_>>()?,
+            loads: loads.into_iter().collect::<Option<_>>()?,
+            motion: motion?,
+        };
+        checks::check(file, &machine);
+        Some(machine)
+    }
+
+    /// Speeds about which revolutions are counted: those that drives aim at, and that are prescribed (rad/s).
+    pub(super) fn speeds(&self) -> Vec<f64> {
+        let aims = self.drives.iter().filter(|drive| drive.couple.acts);
+        let aims = aims.map(|drive| drive.couple.target_speed);
+        let given = self.bodies.iter().filter_map(|body| match body.turning {
+            Some(Turning::Prescribed { speed, .. }) => Some(speed),
+            _ => None,
+        });
+        aims.chain(given).map(f64::abs).filter(|speed| *speed > 0.0).collect()
+    }
+}

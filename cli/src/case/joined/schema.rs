@@ -1,0 +1,168 @@
+//! What the tables `[body.NAME]`, `[joint.NAME]`, `[drives.NAME]` and `[loads.NAME]` may say.
+
+use whirl_codegen::document::schema::Shape::{
+    Count, Either, Flag, List, Named, Table, Text, Tuple, Words,
+};
+use whirl_codegen::document::schema::{Key, Shape, key, merged};
+
+use crate::case::schema::{
+    ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, FORCE,
+    FREQUENCY, GROUND_SPRING, INERTIA, LENGTH, MASS, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION,
+    NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, STIFFNESS, TARGET_SPEED, TORQUE,
+    TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
+};
+
+/// A place in the plane.
+const PLACE: Shape = Tuple(&POSITION, 2);
+/// One place for all planes, or one each at the left end, the middle and the right end.
+const PLACES: Shape = List(&Either(&[POSITION, PLACE]));
+/// An example of either.
+const PLACE_EXAMPLE: &str = "[\"0 mm\", \"0 mm\"]";
+
+pub(crate) const BODY: &[Key] = &[
+    merged("turns", Words(&["free", "prescribed", "no"]), "whether it turns about its axis"),
+    key("axis", PLACE, "x and y of its axis, 0 if left out").like(PLACE_EXAMPLE),
+    key("mesh", Text, "an Abaqus or CalculiX input file in m, Pa, kg/m³"),
+    key(
+        "dimensions",
+        Table(&[DIMENSIONS]),
+        "a mesh made from a few dimensions: a shaft if the body turns, else a support",
+    ),
+    key("material", Text, "a material, of a mesh file where it has no sections"),
+    key("regions", Named(&Text), "materials by the names of element sets, in place of the mesh's"),
+    key("modes", Count(0, MOST_MODES), "fixed-interface modes kept"),
+    key(
+        "damping",
+        Either(&[DAMPING_TIME, Table(&[PLANE_DAMPING])]),
+        "C = damping · K of a mesh; of a rigid body to the ground, by x and y",
+    ),
+    key("held", NAMES, "node sets held in x, y and z").like("[\"MOUNTS\"]"),
+    key("ground_spring", List(&Table(&[GROUND_SPRING])), "springs to the ground"),
+    key("axial_restraint", Text, "set of one node held along z").like("\"NAME_OF_A_NODE_SET\""),
+    key(
+        "section",
+        Tuple(&Text, 2),
+        "sets of one node at opposite ends of a diameter: the section that turns with the frame",
+    )
+    .like("[\"TOP\", \"BOTTOM\"]"),
+    key("mass", MASS, "of a rigid body"),
+    key("polar_inertia", INERTIA, "about the axis, of a rigid body that turns"),
+    key("transverse_inertia", INERTIA, "about x and y through its centre; it may tilt then"),
+    key("z", POSITION, "of its centre of mass"),
+    key("stiffness", Table(&[PLANE_STIFFNESS]), "of a rigid body to the ground, by x and y"),
+    key("speed", TURNING_SPEED, "of a prescribed rotation at t = 0"),
+    key("acceleration", ACCELERATION, "of a prescribed rotation, 0 if left out"),
+    key("initial_speed", TURNING_SPEED, "of a free rotation at t = 0"),
+    key("motion", MOTION, "how rotation is coupled to deformation"),
+];
+
+const PLANE_STIFFNESS: &[Key] = &[key("x", STIFFNESS, "along x"), key("y", STIFFNESS, "along y")];
+
+const PLANE_DAMPING: &[Key] = &[key("x", DAMPING, "along x"), key("y", DAMPING, "along y")];
+
+const DIMENSIONS: &[Key] = &[
+    key("length", LENGTH, "of the shaft, or of the beam"),
+    key("diameter", LENGTH, "of the shaft"),
+    key("supports", List(&POSITION), "z of the middles of the shaft's supports"),
+    key("support_length", LENGTH, "along z"),
+    key("layers_in_support", Count(1, MOST_CELLS), "cells along a support"),
+    key("layers_between", Count(1, MOST_CELLS), "cells along z between supports or rings"),
+    key("loads", List(&POSITION), "z of loaded nodes on the centre line"),
+    key("start", POSITION, "z of the beam's end"),
+    key("height", LENGTH, "of the beam"),
+    key("width", LENGTH, "of the beam"),
+    key("pedestal_height", LENGTH, "between beam and ring"),
+    key("rings", List(&POSITION), "z of the middles of the rings"),
+    key("ring_length", LENGTH, "along z"),
+    key("ring_thickness", LENGTH, "of the wall"),
+    key("bore_radius", LENGTH, "of the bore"),
+    key("layers_in_ring", Count(1, MOST_CELLS), "cells along a ring"),
+    key("cells", Table(&[CELLS]), "cells of the section"),
+];
+
+const CELLS: &[Key] = &[
+    key("sectors", Count(1, MOST_CELLS), "cells around the shaft"),
+    key("rings", Count(1, MOST_CELLS), "cells from the centre of the shaft outwards"),
+    key("height", Count(1, MOST_CELLS), "cells over the height of the beam"),
+    key("width", Count(1, MOST_CELLS), "cells over the width of the beam"),
+    key("pedestal", Count(1, MOST_CELLS), "cells over the height of the pedestal"),
+    key("around", Count(1, MOST_CELLS), "cells around the ring"),
+    key("radial", Count(1, MOST_CELLS), "cells over the ring's wall"),
+];
+
+pub(crate) const JOINT: &[Key] = &[
+    merged("kind", Words(&["bearing", "stop", "bushing", "coupling"]), "what joins the bodies"),
+    key("journal", Table(&[SIDE]), "of a bearing or a stop: what runs in the bore"),
+    key("bore", Table(&[SIDE]), "of a bearing or a stop: what it runs in; the ground if left out"),
+    key("first", Table(&[SIDE]), "of a bushing or a coupling"),
+    key("second", Table(&[SIDE]), "of a bushing or a coupling; the ground if left out"),
+    key("law", Text, "the name of a law, or the path of a law file").like("\"ocvirk\""),
+    key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
+    key("springs", Count(3, MOST_SPRINGS), "in a ring, of a law that acts spring by spring")
+        .like("24"),
+    key("radial_clearance", CLEARANCE, "of the undeformed bearing"),
+    key("journal_radius", LENGTH, "for slip and for laws; that of the bore less the clearance if left out"),
+    key("length", LENGTH, "along the axis, for laws; between the ends of the journal if left out"),
+    key("stations", List(&POSITION), "z of the rings of springs"),
+    key("run_out", PLACES, "of the journal, fixed in its body; or one at the left end, the middle, the right end")
+        .like(PLACE_EXAMPLE),
+    key("offset", PLACES, "of the bore, fixed in its body; or one at the left end, the middle, the right end")
+        .like(PLACE_EXAMPLE),
+    key(
+        "side",
+        Words(&["above", "below", "around"]),
+        "of a stop: towards greater or smaller x, or all around",
+    ),
+    key("gap", POSITION, "of a stop: clearance at x = 0; all around, the radial clearance"),
+    key(
+        "stiffness",
+        Either(&[TORSIONAL_STIFFNESS, Table(&[BUSHING_STIFFNESS])]),
+        "of a coupling; of a bushing, by direction of force and displacement",
+    )
+    .like("{ xx = \"1e8 N/m\", yy = \"1e8 N/m\" }"),
+    key(
+        "damping",
+        Either(&[TORSIONAL_DAMPING, Table(&[BUSHING_DAMPING])]),
+        "of a coupling; of a bushing, by direction of force and speed",
+    )
+    .like("{ xx = \"2e4 N*s/m\", yy = \"2e4 N*s/m\" }"),
+];
+
+const SIDE: &[Key] = &[
+    merged("body", Text, "its name, or \"ground\"").like("\"rotor\""),
+    key("sets", NAMES, "one node set, or three: left, middle, right").like("[\"J1\"]"),
+    key("z", POSITION, "on a rigid body, where the other side does not say it"),
+];
+
+const BUSHING_STIFFNESS: &[Key] = &[
+    key("xx", CROSS_STIFFNESS, "force along x against a displacement along x"),
+    key("xy", CROSS_STIFFNESS, "force along x against a displacement along y"),
+    key("yx", CROSS_STIFFNESS, "force along y against a displacement along x"),
+    key("yy", CROSS_STIFFNESS, "force along y against a displacement along y"),
+];
+
+const BUSHING_DAMPING: &[Key] = &[
+    key("xx", CROSS_DAMPING, "force along x against a speed along x"),
+    key("xy", CROSS_DAMPING, "force along x against a speed along y"),
+    key("yx", CROSS_DAMPING, "force along y against a speed along x"),
+    key("yy", CROSS_DAMPING, "force along y against a speed along y"),
+];
+
+pub(crate) const DRIVE: &[Key] = &[
+    merged("body", Text, "the name of a body that turns freely").like("\"rotor\""),
+    key("top", Text, "set of one node, on a mesh").like("\"DRIVE_TOP\""),
+    key("bottom", Text, "set of one node, on a mesh").like("\"DRIVE_BOTTOM\""),
+    merged("torque", TORQUE, "until the target speed is reached; negative turns the other way"),
+    merged("target_speed", TARGET_SPEED, "of the body, with the sign of the torque"),
+    key("acts", Flag, "false leaves the body without a drive"),
+];
+
+pub(crate) const LOAD: &[Key] = &[
+    merged("body", Text, "the name of a body").like("\"rotor\""),
+    key("sets", NAMES, "node sets of a mesh; every node carries the force").like("[\"LOAD1\"]"),
+    key("z", POSITION, "on a rigid body; at its centre if left out"),
+    key("direction", Words(&["x", "y"]), "fixed in space; x if left out"),
+    merged("force", FORCE, "on each node"),
+    key("frequency", FREQUENCY, "of F sin(2πft + φ); a constant force without it"),
+    key("phase", ANGLE, "φ"),
+];

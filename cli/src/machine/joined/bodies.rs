@@ -1,0 +1,183 @@
+//! Bodies before their reduction: meshes with what is held and retained, and rigid bodies with their nodes.
+
+use whirl_codegen::diagnostic::{Diagnostics, Located};
+use whirl_solver::constraints::GroundSpring;
+use whirl_solver::rigid::RigidBody;
+
+use super::section;
+use super::{meshed, section_of, turns};
+use crate::case::{self, Dimensions, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody};
+use crate::errors::Failure;
+use crate::machine::meshes;
+use crate::machine::plan::{AXES, BodyPlan};
+
+/// A body before its reduction, if it needs one.
+pub(crate) enum PlannedBody {
+    /// A mesh.
+    Meshed(Box<BodyPlan>),
+    /// Numbers.
+    Rigid(RigidPlan),
+}
+
+/// A rigid body, and the nodes that joints and loads need on it.
+pub(crate) struct RigidPlan {
+    /// Its numbers.
+    pub(crate) body: RigidBody,
+    /// Positions of its nodes, m.
+    pub(crate) nodes: Vec<[f64; 3]>,
+}
+
+impl RigidPlan {
+    /// Adds a node; its place.
+    pub(super) fn node(&mut self, position: [f64; 3]) -> usize {
+        self.nodes.push(position);
+        self.nodes.len() - 1
+    }
+
+    /// √(inertia / mass), where a couple has its forces (m).
+    fn radius_of_gyration(&self) -> f64 {
+        (self.body.polar_inertia / self.body.mass).sqrt()
+    }
+}
+
+/// The bodies of a case: those with a mesh stand with their own axis at x = y = 0 where they turn.
+pub(super) fn plan(
+    joined: &JoinedMachine,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<PlannedBody>, Failure> {
+    let (mut bodies, mut errors, mut rest) = (Vec::new(), Diagnostics::new(), None);
+    for body in &joined.bodies {
+        match planned(body, warnings) {
+            Ok(own) => bodies.push(own),
+            Err(Failure::Input(found)) => errors.append(found),
+            Err(other) => rest = rest.or(Some(other)),
+        }
+    }
+    errors.into_result(())?;
+    rest.map_or(Ok(bodies), Err)
+}
+
+fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, Failure> {
+    let own = match &body.form {
+        Form::Rigid(rigid) => {
+            let [x, y] = if body.turning.is_some() { [0.0; 2] } else { body.axis };
+            let rigid = RigidBody {
+                mass: rigid.mass,
+                polar_inertia: rigid.polar_inertia,
+                transverse_inertia: rigid.transverse_inertia,
+                centre: [x, y, rigid.z.unwrap_or(0.0)],
+                stiffness: rigid.stiffness,
+                damping: rigid.damping,
+            };
+            let mut own = RigidPlan { body: rigid, nodes: Vec::new() };
+            if body.turning.is_some() {
+                // How far the body reaches, by which couples are compared with forces.
+                let radius = own.radius_of_gyration();
+                own.node([radius, 0.0, rigid.centre[2]]);
+            }
+            return Ok(PlannedBody::Rigid(own));
+        }
+        Form::Meshed(own) => own,
+    };
+    let mesh = meshes::mesh(&own.body, Dimensions::mesh, warnings)?;
+    let mesh = match body.turning.is_some() && body.axis != [0.0; 2] {
+        true => mesh.moved(body.axis.map(|x| -x))?,
+        false => mesh,
+    };
+    let held_by = own.axial_restraint.as_ref().or(own.held.first()).unwrap_or(&body.name);
+    Ok(PlannedBody::Meshed(Box::new(BodyPlan::new(mesh, &own.body, held_by))))
+}
+
+impl PlannedBody {
+    /// The nodes between which a couple acts: their places.
+    pub(super) fn driven(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> [usize; 2] {
+        match self {
+            PlannedBody::Meshed(plan) => plan.tie(drive, errors),
+            PlannedBody::Rigid(own) => {
+                let (radius, z) = (own.radius_of_gyration(), own.body.centre[2]);
+                [radius, -radius].map(|x| own.node([x, 0.0, z]))
+            }
+        }
+    }
+
+    /// The nodes that carry a load: their places.
+    pub(super) fn loaded(&mut self, load: &JoinedLoad, errors: &mut Diagnostics) -> Vec<usize> {
+        match self {
+            PlannedBody::Meshed(plan) => {
+                let sets = load.load.sets.iter();
+                let nodes: Vec<usize> = sets.flat_map(|set| plan.nodes(set, errors)).collect();
+                nodes.into_iter().map(|node| plan.output_node(node)).collect()
+            }
+            PlannedBody::Rigid(own) => {
+                let [x, y, z] = own.body.centre;
+                vec![own.node([x, y, load.z.unwrap_or(z)])]
+            }
+        }
+    }
+
+    /// Holds a mesh: its held sets, its springs, its place along z, and the section that turns with its frame.
+    pub(super) fn hold(&mut self, place: usize, joined: &JoinedMachine, errors: &mut Diagnostics) {
+        let PlannedBody::Meshed(plan) = self else { return };
+        let Some(case) = meshed(joined, place) else { return };
+        if let Some(axial) = &case.axial_restraint {
+            let node = plan.node(axial, errors).unwrap_or(0);
+            let held = plan.retain(axial, node, 2);
+            plan.spec.constraints.fix(format!("axial_restraint ({} z)", axial.text()), held);
+        }
+        if turns(joined, place) {
+            tie(plan, place, case, joined, errors);
+        } else {
+            clamp(plan, case, errors);
+        }
+        plan.bound(errors);
+    }
+}
+
+/// Ties the flexible body to the frame that turns with it, where no drive does so.
+fn tie(
+    plan: &mut BodyPlan,
+    place: usize,
+    case: &MeshedBody,
+    joined: &JoinedMachine,
+    errors: &mut Diagnostics,
+) {
+    let driven = joined.drives.iter().any(|drive| drive.body == place);
+    match &case.section {
+        _ if driven => {}
+        Some(sets) => {
+            plan.tie(&section_of(sets), errors);
+        }
+        None => section::tie(plan, &joined.bodies[place].name, errors),
+    }
+}
+
+/// Holds nodes in all directions, and springs them to the ground.
+fn clamp(plan: &mut BodyPlan, case: &MeshedBody, errors: &mut Diagnostics) {
+    for set in &case.held {
+        for node in plan.nodes(set, errors) {
+            for (axis, letter) in AXES.iter().enumerate() {
+                let held = plan.retain(set, node, axis);
+                let label = plan.mesh.labels()[node];
+                let name = format!("held ({letter} of node {label} of {})", set.text());
+                plan.spec.constraints.fix(name, held);
+            }
+        }
+    }
+    for spring in &case.ground_springs {
+        for node in plan.nodes(&spring.set, errors) {
+            let axis = AXES[spring.direction];
+            let own = GroundSpring {
+                name: format!("ground spring ({} {axis})", spring.set.text()),
+                dof: 3 * node + spring.direction,
+                stiffness: spring.stiffness,
+            };
+            plan.spring(&spring.set, own);
+        }
+    }
+}
+
+/// Retains x and y of a node.
+pub(super) fn retain_in_plane(plan: &mut BodyPlan, name: &Located, node: usize) {
+    plan.retain(name, node, 0);
+    plan.retain(name, node, 1);
+}

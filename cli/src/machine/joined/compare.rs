@@ -1,0 +1,41 @@
+//! Joints compared with the meshes on which they stand.
+
+use std::borrow::Cow;
+
+use whirl_codegen::diagnostic::Diagnostics;
+use whirl_solver::mesh::Mesh;
+
+use super::PlannedBody;
+use super::joints::PlannedJoint;
+use super::turns;
+use crate::case::{JoinedMachine, JointKind};
+use crate::errors::Failure;
+use crate::machine::plan::BearingOutline;
+use crate::machine::plan::geometry::bearing;
+
+/// Notes whatever does not stand where it should: journals off the axis, bores beside them, radii that do not fit.
+pub(super) fn compare(
+    joined: &JoinedMachine,
+    joints: &[PlannedJoint],
+    bodies: &[PlannedBody],
+    errors: &mut Diagnostics,
+) -> Result<(), Failure> {
+    for (place, (joint, own)) in joined.joints.iter().zip(joints).enumerate() {
+        if !matches!(joint.kind, JointKind::Bearing | JointKind::Stop) {
+            continue;
+        }
+        let of_journal = joined.bodies[own.sides.bodies[0]].axis;
+        let about = |body: usize| -> Result<Option<Cow<Mesh>>, Failure> {
+            let Some(PlannedBody::Meshed(plan)) = bodies.get(body) else { return Ok(None) };
+            Ok(Some(match turns(joined, body) || of_journal == [0.0; 2] {
+                true => Cow::Borrowed(&plan.mesh),
+                false => Cow::Owned(plan.mesh.clone().moved(of_journal.map(|x| -x))?),
+            }))
+        };
+        let (journal, bore) = (about(own.sides.bodies[0])?, about(own.sides.bodies[1])?);
+        let sets = [own.bearing.journal.as_slice(), own.bearing.bore.as_slice()];
+        let outline = BearingOutline { sets, whole: Some(&own.bearing) };
+        bearing::compare(place, &outline, journal.as_deref(), bore.as_deref(), errors);
+    }
+    Ok(())
+}

@@ -1,0 +1,267 @@
+//! Where the sides of joints stand on their bodies.
+
+use std::f64::consts::TAU;
+
+use whirl_codegen::diagnostic::{Code, Diagnostics};
+use whirl_solver::bearing::Sides;
+
+use super::bodies::retain_in_plane;
+use super::{PlannedBody, at, meshed, turns};
+use crate::case::{self, JoinedMachine, Joint, JointKind, JointSide};
+use crate::machine::laws::Measured;
+use crate::machine::plan::geometry::{mm, nodes_of};
+use crate::machine::plan::BodyPlan;
+
+/// Nodes around the bore of a rigid body, which move with it.
+const AROUND: usize = 8;
+/// Sides are apart along the axis by at most this part of the joint's length or of its radius.
+const PLANES: f64 = 0.05;
+
+/// A joint on its bodies.
+pub(super) struct PlannedJoint {
+    /// The bearing, with its station where it is in one plane.
+    pub(super) bearing: case::Bearing,
+    /// The bodies, and how their axes stand to each other.
+    pub(super) sides: Sides,
+    /// Places among the output nodes of the first body.
+    pub(super) journal: [usize; 3],
+    /// Places among the output nodes of the second body; none of the ground.
+    pub(super) bore: [Vec<usize>; 3],
+    /// z of the left end, the middle and the right end, m.
+    pub(super) z: [f64; 3],
+}
+
+impl PlannedJoint {
+    /// What meshes say of it.
+    pub(super) fn measured(&self, bodies: &[PlannedBody]) -> Measured {
+        let [x, y] = self.sides.bore_axis;
+        let bore = match bodies.get(self.sides.bodies[1]) {
+            Some(PlannedBody::Meshed(plan)) => {
+                let nodes = self.bore.iter().flatten().map(|&place| plan.spec.nodes[place]);
+                let positions = nodes.map(|node| plan.mesh.nodes()[node]);
+                positions.map(|position| [position[0] - x, position[1] - y]).collect()
+            }
+            _ => Vec::new(),
+        };
+        Measured { bore, ends: [self.z[0], self.z[2]] }
+    }
+}
+
+/// Places a joint; what is wrong is noted, and a joint that cannot be placed is none.
+pub(super) fn place(
+    joint: &Joint,
+    joined: &JoinedMachine,
+    bodies: &mut [PlannedBody],
+    errors: &mut Diagnostics,
+) -> Option<PlannedJoint> {
+    let ground = joined.bodies.len();
+    let [first, second] = joint.sides.each_ref().map(|side| side.body.unwrap_or(ground));
+    let (z, mut bearing) = (planes(joint, bodies, errors)?, joint.bearing.clone());
+    if z[0] == z[2] && bearing.stations.is_empty() {
+        bearing.stations = vec![z[1]];
+    }
+    let axis = |body: usize| joined.bodies.get(body).map_or([0.0; 2], |own| own.axis);
+    let bore_turns = joint.sides[1].body.is_some_and(|body| turns(joined, body));
+    let (own, other) = (axis(first), axis(second));
+    let coupling = joint.kind == JointKind::Coupling;
+    let mut sides = Sides { bodies: [first, second], ..Sides::default() };
+    match bore_turns {
+        true if coupling => {}
+        true => sides.apart = [own[0] - other[0], own[1] - other[1]],
+        false => sides.bore_axis = own,
+    }
+    let journal = journal(joint, joined, &mut bodies[first], z, errors)?;
+    if joint.kind == JointKind::Bushing {
+        // Where it stands, and not on the axis of a body: its second side may turn a little.
+        let [x, y] = position(&bodies[first], journal[1]);
+        let turned = turns(joined, first);
+        sides.bore_axis = if turned { [own[0] + x, own[1] + y] } else { [x, y] };
+    }
+    let bore = match bodies.get_mut(second) {
+        Some(body) if !coupling => {
+            bore(joint, joined, body, (z, sides.bore_axis), errors)?
+        }
+        _ => [const { Vec::new() }; 3],
+    };
+    let rigid = !matches!(bodies.get(second), Some(PlannedBody::Meshed(_)));
+    if let (true, None, Some(what)) =
+        (rigid, bearing.journal_radius, bearing.law.source.at_surface())
+    {
+        let name = &bearing.law.name;
+        let message = format!(
+            "the law `{}` needs the journal's radius for `{what}`, but the joint gives none and its bore has no mesh",
+            name.text()
+        );
+        let help = "add `journal_radius = \"25 mm\"`, with the radius that the journal has";
+        errors.push(name.error_here(Code::MISSING_KEY, message).help(help));
+    }
+    Some(PlannedJoint { bearing, sides, journal, bore, z })
+}
+
+/// z of the left end, the middle and the right end.
+fn planes(joint: &Joint, bodies: &[PlannedBody], errors: &mut Diagnostics) -> Option<[f64; 3]> {
+    let [of_journal, of_bore] = joint.sides.each_ref().map(|side| on_mesh(side, bodies));
+    let stations = &joint.bearing.stations;
+    let given = joint.sides.each_ref().map(|side| side.z);
+    let centre = |side: &JointSide| match &bodies[side.body?] {
+        PlannedBody::Rigid(own) => Some(own.body.centre[2]),
+        PlannedBody::Meshed(_) => None,
+    };
+    let z = of_journal.or(of_bore).unwrap_or_else(|| {
+        let ends = stations.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, &z| {
+            [ends[0].min(z), ends[1].max(z)]
+        });
+        if stations.len() > 1 {
+            return [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]];
+        }
+        let own = given[0].or(given[1]).or(stations.first().copied());
+        [own.or_else(|| centre(&joint.sides[0])).unwrap_or(0.0); 3]
+    });
+    let radius = joint.bearing.journal_radius.unwrap_or(0.0);
+    let allowed = (PLANES * (z[2] - z[0]).abs().max(radius)).max(1e-6);
+    for side in &joint.sides {
+        let Some(own) = side.z else { continue };
+        let apart = (own - z[1]).abs();
+        if apart > allowed && joint.kind != JointKind::Coupling {
+            let message = format!(
+                "the sides of this joint are {} apart along the axis: at z = {} on `{}`, and at {}",
+                mm(apart),
+                mm(own),
+                side.place.text(),
+                mm(z[1])
+            );
+            let help = format!("write `z = \"{}\"`, or leave it out", mm(z[1]));
+            errors.push(side.place.error_here(Code::BAD_VALUE, message).help(help));
+            return None;
+        }
+    }
+    Some(z)
+}
+
+/// z of the sets of a side on a mesh: their means.
+fn on_mesh(side: &JointSide, bodies: &[PlannedBody]) -> Option<[f64; 3]> {
+    let PlannedBody::Meshed(plan) = &bodies[side.body?] else { return None };
+    let z = |set| {
+        let nodes = nodes_of(&plan.mesh, set)?;
+        let sum: f64 = nodes.iter().map(|&node| plan.mesh.nodes()[node][2]).sum();
+        Some(sum / nodes.len() as f64)
+    };
+    match side.sets.as_slice() {
+        [one] => Some([z(one)?; 3]),
+        [left, middle, right] => Some([z(left)?, z(middle)?, z(right)?]),
+        _ => None,
+    }
+}
+
+/// The nodes of the first side.
+fn journal(
+    joint: &Joint,
+    joined: &JoinedMachine,
+    body: &mut PlannedBody,
+    z: [f64; 3],
+    errors: &mut Diagnostics,
+) -> Option<[usize; 3]> {
+    let side = &joint.sides[0];
+    let plan = match body {
+        PlannedBody::Rigid(own) => {
+            let [x, y, _] = own.body.centre;
+            return Some(match z[0] == z[2] {
+                true => [own.node([x, y, z[1]]); 3],
+                false => z.map(|z| own.node([x, y, z])),
+            });
+        }
+        PlannedBody::Meshed(plan) => plan,
+    };
+    if joint.kind == JointKind::Coupling {
+        let axial = meshed(joined, side.body?)?.axial_restraint.as_ref();
+        let node = plan.node(side.sets.first().or(axial)?, errors)?;
+        return Some([plan.output_node(node); 3]);
+    }
+    let mut journal = [0; 3];
+    for (place, set) in joint.bearing.journal.iter().take(3).enumerate() {
+        let known = joint.bearing.journal[..place].iter().position(|own| own.text() == set.text());
+        if let Some(known) = known {
+            journal[place] = journal[known];
+            continue;
+        }
+        let node = plan.node(set, errors)?;
+        retain_in_plane(plan, set, node);
+        journal[place] = plan.output_node(node);
+    }
+    Some(journal)
+}
+
+/// The nodes of the second side, around `axis` in the planes at `z`.
+fn bore(
+    joint: &Joint,
+    joined: &JoinedMachine,
+    body: &mut PlannedBody,
+    (z, axis): ([f64; 3], [f64; 2]),
+    errors: &mut Diagnostics,
+) -> Option<[Vec<usize>; 3]> {
+    let side = &joint.sides[1];
+    let plan = match body {
+        PlannedBody::Rigid(own) => {
+            let bearing = &joint.bearing;
+            let radius = bearing.journal_radius.unwrap_or(0.0) + bearing.radial_clearance;
+            // Of what has no radius, any will do: the nodes move alike.
+            let radius = if radius > 0.0 { radius } else { 1e-3 };
+            let mut ring = |z: f64| -> Vec<usize> {
+                let node = |k: usize| {
+                    let (sin, cos) = (TAU * k as f64 / AROUND as f64).sin_cos();
+                    [axis[0] + radius * cos, axis[1] + radius * sin, z]
+                };
+                (0..AROUND).map(|k| own.node(node(k))).collect()
+            };
+            return Some(match z[0] == z[2] {
+                true => {
+                    let all = ring(z[1]);
+                    [all.clone(), all.clone(), all]
+                }
+                false => z.map(&mut ring),
+            });
+        }
+        PlannedBody::Meshed(plan) => plan,
+    };
+    let case = meshed(joined, side.body?)?;
+    let loose = case.held.is_empty() && case.ground_springs.is_empty();
+    let mut bore = [const { Vec::new() }; 3];
+    for (place, set) in joint.bearing.bore.iter().take(3).enumerate() {
+        let known = joint.bearing.bore[..place].iter().position(|own| own.text() == set.text());
+        if let Some(known) = known {
+            bore[place] = bore[known].clone();
+            continue;
+        }
+        let nodes = plan.nodes(set, errors);
+        if nodes.is_empty() {
+            return None;
+        }
+        if loose {
+            retain_ends(plan, joint, &nodes);
+        }
+        bore[place] = nodes.into_iter().map(|node| plan.output_node(node)).collect();
+    }
+    Some(bore)
+}
+
+/// Retains two nodes of a bore that are far apart: nothing but its joints holds the body.
+fn retain_ends(plan: &mut BodyPlan, joint: &Joint, nodes: &[usize]) {
+    let at_node = |node: usize| plan.mesh.nodes()[node];
+    let distance = |a: [f64; 3], b: [f64; 3]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let first = nodes[0];
+    let from_first = |node: &usize| distance(at_node(*node), at_node(first));
+    let far = nodes.iter().max_by(|a, b| from_first(a).total_cmp(&from_first(b)));
+    for node in [first, far.copied().unwrap_or(first)] {
+        let name = at(&joint.name, format!("node {}", plan.mesh.labels()[node]));
+        retain_in_plane(plan, &name, node);
+    }
+}
+
+/// x and y of an output node.
+fn position(body: &PlannedBody, place: usize) -> [f64; 2] {
+    let [x, y, _] = match body {
+        PlannedBody::Meshed(plan) => plan.mesh.nodes()[plan.spec.nodes[place]],
+        PlannedBody::Rigid(own) => own.nodes[place],
+    };
+    [x, y]
+}

@@ -1,0 +1,260 @@
+//! The machine of bodies by name.
+
+mod bodies;
+mod compare;
+mod joints;
+mod section;
+
+use std::time::Instant;
+
+use whirl_codegen::diagnostic::{Diagnostics, Located};
+use whirl_solver::bearing::{Bearing, Sides};
+use whirl_solver::body::BodyNode;
+use whirl_solver::cache::Cache;
+use whirl_solver::dynamics::BodyStart;
+use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
+use whirl_solver::reduced::BodyKind;
+use whirl_solver::support::Support;
+
+pub(crate) use self::bodies::PlannedBody;
+use self::joints::PlannedJoint;
+use super::laws::laws_of;
+use super::plan::geometry;
+use super::springs::{Laws, angles, clearance, explain};
+use super::{BodyFact, BodyFacts, Built, bodies as reduced_bodies, rotor};
+use crate::case::{self, Form, JoinedMachine, LawSource, Turning};
+use crate::errors::Failure;
+
+/// Bodies, joints, drives and loads before the reduction of what has a mesh.
+pub(crate) struct JoinedPlan {
+    /// In the order of the case.
+    pub(crate) bodies: Vec<PlannedBody>,
+    /// In the order of the case.
+    joints: Vec<PlannedJoint>,
+    /// Places of the driven nodes among the output nodes of their bodies, a drive each: top, bottom.
+    drives: Vec<[usize; 2]>,
+    /// Places of the loaded nodes among the output nodes of their bodies, a load each.
+    loads: Vec<Vec<usize>>,
+    /// The laws with the values with which the joints use them, a joint each.
+    pub(crate) laws: Vec<LawSource>,
+}
+
+impl JoinedPlan {
+    /// Reads or makes the meshes, finds the sets that the case names, and places the joints.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the meshes, every set that is missing or of the wrong size, what does not fit
+    /// together, and what is wrong with laws.
+    pub(crate) fn new(
+        joined: &JoinedMachine,
+        warnings: &mut Vec<String>,
+    ) -> Result<JoinedPlan, Failure> {
+        let mut errors = Diagnostics::new();
+        let mut bodies = bodies::plan(joined, warnings)?;
+        let mut joints = Vec::with_capacity(joined.joints.len());
+        for joint in &joined.joints {
+            joints.extend(joints::place(joint, joined, &mut bodies, &mut errors));
+        }
+        if joints.len() == joined.joints.len() {
+            compare::compare(joined, &joints, &bodies, &mut errors)?;
+        }
+        let (mut drives, mut loads) = (Vec::new(), Vec::new());
+        for drive in &joined.drives {
+            let body = &mut bodies[drive.body];
+            if let PlannedBody::Meshed(plan) = &*body {
+                geometry::driven(&drive.couple, &plan.mesh, &mut errors);
+            }
+            drives.push(body.driven(&drive.couple, &mut errors));
+        }
+        for load in &joined.loads {
+            let body = &mut bodies[load.body];
+            if let PlannedBody::Meshed(plan) = &*body {
+                geometry::loaded_twice(&load.load, &plan.mesh, &mut errors);
+            }
+            loads.push(body.loaded(load, &mut errors));
+        }
+        for (place, body) in bodies.iter_mut().enumerate() {
+            body.hold(place, joined, &mut errors);
+        }
+        errors.into_result(())?;
+        let measured = joints.iter().map(|joint| (&joint.bearing, joint.measured(&bodies)));
+        let laws = laws_of(measured.collect(), "the joint")?;
+        Ok(JoinedPlan { bodies, joints, drives, loads, laws })
+    }
+
+    /// Checks for what would keep the bodies from being reduced, without reducing them.
+    ///
+    /// # Errors
+    /// Cells turned inside out, motions that nothing stops.
+    pub(crate) fn verify(&self) -> Result<(), Failure> {
+        let mut errors = Diagnostics::new();
+        for body in &self.bodies {
+            let PlannedBody::Meshed(plan) = body else { continue };
+            match plan.verify().map_err(|error| plan.explain(error)) {
+                Ok(()) => {}
+                Err(Failure::Input(found)) => errors.append(found),
+                Err(other) => return Err(other),
+            }
+        }
+        Ok(errors.into_result(())?)
+    }
+}
+
+pub(super) fn build(
+    joined: &JoinedMachine,
+    plan: &JoinedPlan,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<Built, Failure> {
+    let Assembled { parts, laws, law_hashes, facts } = assemble(joined, plan, cache, warnings)?;
+    let initial = joined.bodies.iter().map(|body| BodyStart {
+        speed: match body.turning {
+            Some(Turning::Free { initial_speed }) => initial_speed,
+            _ => 0.0,
+        },
+        ..BodyStart::default()
+    });
+    Ok(Built {
+        machine: Machine::new(parts).map_err(|error| {
+            let law = |place: usize| &joined.joints[place].bearing.law.name;
+            explain(error, law, |place| joined.joints[place].bearing.bore.as_slice())
+        })?,
+        initial: initial.collect(),
+        clearances: joined.joints.iter().map(|own| own.bearing.radial_clearance).collect(),
+        laws,
+        law_hashes,
+        bodies: facts,
+    })
+}
+
+/// What a machine is made from, and what results say about it.
+pub(super) struct Assembled {
+    pub(super) parts: MachineParts,
+    laws: Vec<LawSource>,
+    law_hashes: Vec<(String, String)>,
+    facts: Option<BodyFacts>,
+}
+
+/// Reduces the bodies and places springs and loads.
+pub(super) fn assemble(
+    joined: &JoinedMachine,
+    plan: &JoinedPlan,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<Assembled, Failure> {
+    let (mut bodies, facts) = reduced(joined, plan, cache, warnings)?;
+    bodies.push(Body::standing("ground", Support::rigid(&[])));
+    let mut placed = Laws::default();
+    let mut bearings = Vec::with_capacity(joined.joints.len());
+    for ((joint, own), law) in joined.joints.iter().zip(&plan.joints).zip(&plan.laws) {
+        let springs = own.bearing.springs;
+        bearings.push(Bearing {
+            name: format!("{} {}", joint.kind.words().0, joint.name.text()),
+            label: Some(format!("_{}", joint.name.text())),
+            sides: Sides { run_out: joint.run_out, offset: joint.offset, ..own.sides.clone() },
+            journal: own.journal,
+            bore: own.bore.clone(),
+            clearance: own.bearing.radial_clearance,
+            journal_radius: own.bearing.journal_radius,
+            stations: rotor::stations(&own.bearing, [own.z[0], own.z[2]]),
+            angles: joint.angle.map_or_else(|| angles(springs), |angle| vec![angle]),
+            law: placed.place(law)?,
+        });
+    }
+    let node = |body: usize, place: usize| -> &BodyNode { &bodies[body].nodes()[place] };
+    let mut loads = Vec::new();
+    for (load, places) in joined.loads.iter().zip(&plan.loads) {
+        let fixed = |&place| rotor::fixed_in_space(&load.load, load.body, node(load.body, place));
+        loads.extend(places.iter().map(fixed));
+    }
+    for (drive, places) in joined.drives.iter().zip(&plan.drives) {
+        let nodes = places.map(|place| node(drive.body, place));
+        loads.extend(rotor::couple(&drive.couple, drive.body, nodes));
+    }
+    let (laws, law_hashes) = (placed.used(), placed.hashes());
+    let parts = MachineParts {
+        bodies,
+        motion: joined.motion,
+        clearance: clearance(),
+        laws: placed.into_laws(),
+        bearings,
+        loads,
+    };
+    Ok(Assembled { parts, laws, law_hashes, facts })
+}
+
+/// The bodies, each from the cache if it is there, and facts about those with a mesh.
+fn reduced(
+    joined: &JoinedMachine,
+    plan: &JoinedPlan,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<(Vec<Body>, Option<BodyFacts>), Failure> {
+    let start = Instant::now();
+    let (mut bodies, mut facts, mut cached) = (Vec::new(), Vec::new(), true);
+    for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
+        let name = body.name.text();
+        let rotation = body.turning.map(|turning| match turning {
+            Turning::Free { .. } => Rotation::Free,
+            Turning::Prescribed { speed, acceleration } => {
+                Rotation::Prescribed { speed, acceleration }
+            }
+        });
+        let plan = match (own, rotation) {
+            (PlannedBody::Meshed(plan), _) => plan,
+            (PlannedBody::Rigid(rigid), Some(rotation)) => {
+                let shaft = rigid.body.turning(&rigid.nodes);
+                bodies.push(Body::turning(name, shaft, rotation));
+                continue;
+            }
+            (PlannedBody::Rigid(rigid), None) => {
+                bodies.push(Body::standing(name, rigid.body.standing(&rigid.nodes)));
+                continue;
+            }
+        };
+        let kind = if rotation.is_some() { BodyKind::Shaft } else { BodyKind::Support };
+        let (found, content, known) = reduced_bodies::reduced(kind, plan, cache, warnings)?;
+        cached &= known;
+        let explained = |error| plan.explain(error);
+        let made = match rotation {
+            Some(rotation) => {
+                Body::turning(name, found.shaft(&plan.spec).map_err(explained)?, rotation)
+            }
+            None => Body::standing(name, found.support(&plan.spec).map_err(explained)?),
+        };
+        let hertz = match &made {
+            Body::Turning { shaft, .. } => shaft.hertz.clone(),
+            Body::Standing { support, .. } => support.hertz.clone(),
+        };
+        let (name, counts) = (name.to_owned(), plan.counts());
+        facts.push(BodyFact { name, counts, hertz, content });
+        bodies.push(made);
+    }
+    let wall = start.elapsed().as_secs_f64();
+    let facts = (!facts.is_empty()).then_some(BodyFacts { bodies: facts, wall, cached });
+    Ok((bodies, facts))
+}
+
+/// Text at the place of another.
+fn at(place: &Located, text: String) -> Located {
+    Located::new(place.source(), place.span(), text)
+}
+
+/// The set of a driven section, or of one that the case names.
+fn section_of(sets: &[Located; 2]) -> case::Drive {
+    let [top, bottom] = sets.clone();
+    case::Drive { top, bottom, torque: 0.0, target_speed: 0.0, acts: false }
+}
+
+/// Whether a body turns.
+fn turns(joined: &JoinedMachine, body: usize) -> bool {
+    joined.bodies[body].turning.is_some()
+}
+
+/// The mesh of a body, as the case says it.
+fn meshed(joined: &JoinedMachine, body: usize) -> Option<&case::MeshedBody> {
+    match &joined.bodies[body].form {
+        Form::Meshed(meshed) => Some(meshed),
+        Form::Rigid(_) => None,
+    }
+}

@@ -1,0 +1,90 @@
+//! The section of a turning mesh whose mean rotation is that of its frame, where neither a drive nor the case names it.
+
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+
+use super::at;
+use crate::machine::plan::BodyPlan;
+
+/// Nodes are opposite if one is the mirror image of the other to this part of their distance from the axis.
+const OPPOSITE: f64 = 1e-3;
+
+/// Ties two opposite nodes: they move alike along the tangent, at the z at which the body is held.
+pub(super) fn tie(plan: &mut BodyPlan, name: &Located, errors: &mut Diagnostics) {
+    let held = plan.spec.retained.last().map_or(0, |retained| retained.dof / 3);
+    let Some([top, bottom]) = opposite(plan.mesh.nodes(), plan.mesh.nodes()[held][2]) else {
+        let message = format!(
+            "{} has no two nodes at opposite ends of a diameter by which its rotation could be told",
+            plan.mesh.origin()
+        );
+        let help = "name two: `section = [\"TOP\", \"BOTTOM\"]`, sets of one node each";
+        errors.push(name.error_here(Code::BAD_VALUE, message).help(help));
+        return;
+    };
+    let [x, y, _] = plan.mesh.nodes()[top];
+    let radius = x.hypot(y);
+    let mut terms = Vec::new();
+    for (node, sign) in [(top, 1.0), (bottom, -1.0)] {
+        let label = at(name, format!("node {}", plan.mesh.labels()[node]));
+        for (axis, part) in [(0, -y / radius), (1, x / radius)] {
+            if part.abs() > OPPOSITE {
+                terms.push((plan.retain(&label, node, axis), sign * part));
+            }
+        }
+    }
+    plan.spec.constraints.equation(format!("torsion of {}", name.text()), terms);
+}
+
+/// Two opposite nodes, far from the axis, in the plane nearest to `z` that has some; along x if there are such.
+fn opposite(nodes: &[[f64; 3]], z: f64) -> Option<[usize; 2]> {
+    let farthest = nodes.iter().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);
+    let mut order: Vec<usize> = (0..nodes.len())
+        .filter(|&node| nodes[node][0] > 0.0 && nodes[node][0].hypot(nodes[node][1]) > 0.1 * farthest)
+        .collect();
+    // Nearest plane first, then along x, then far out; z to a thousandth of the radius, as planes are only flat to
+    // the digits of meshes.
+    let plane = |node: usize| ((nodes[node][2] - z).abs() / (OPPOSITE * farthest)).round();
+    let slant = |node: usize| (nodes[node][1] / nodes[node][0]).abs();
+    let radius = |node: usize| nodes[node][0].hypot(nodes[node][1]);
+    order.sort_by(|&a, &b| {
+        plane(a)
+            .total_cmp(&plane(b))
+            .then((slant(a) > OPPOSITE).cmp(&(slant(b) > OPPOSITE)))
+            .then(radius(b).total_cmp(&radius(a)))
+            .then(a.cmp(&b))
+    });
+    // A mesh without opposite nodes near the plane has none elsewhere, most likely.
+    const TRIED: usize = 200;
+    order.iter().take(TRIED).find_map(|&top| {
+        let [x, y, z] = nodes[top];
+        let allowed = OPPOSITE * radius(top);
+        let near = |other: &[f64; 3]| {
+            (other[0] + x).abs() <= allowed
+                && (other[1] + y).abs() <= allowed
+                && (other[2] - z).abs() <= allowed
+        };
+        Some([top, nodes.iter().position(near)?])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::opposite;
+
+    #[test]
+    fn opposite_nodes_stand_along_x_in_the_nearest_plane() {
+        let nodes = [
+            [0.0, 0.0, 0.1],
+            [0.02, 0.02, 0.1],
+            [-0.02, -0.02, 0.1],
+            [0.03, 0.0, 0.1],
+            [-0.03, 0.0, 0.1],
+            [0.03, 0.0, 0.5],
+            [-0.03, 0.0, 0.5],
+        ];
+        assert_eq!(opposite(&nodes, 0.12), Some([3, 4]));
+        assert_eq!(opposite(&nodes, 0.5), Some([5, 6]));
+        assert_eq!(opposite(&nodes[..3], 0.5), Some([1, 2]));
+        assert_eq!(opposite(&nodes[..2], 0.5), None);
+        assert_eq!(opposite(&[], 0.5), None);
+    }
+}
