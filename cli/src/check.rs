@@ -21,6 +21,8 @@ macro_rules! line {
     };
 }
 
+mod joined;
+
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
 /// file, says its report.
 ///
@@ -51,14 +53,17 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
         (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
         (System::Rotor(_) | System::Joined(_), _) => Vec::new(),
     };
-    say_laws(&mut text, &laws);
-    say_march(&mut text, &case);
     // What only shows when the bodies are reduced and the springs placed.
-    streams::warned(|warnings| {
+    let built = streams::warned(|warnings| {
         let cache = arguments.cache.open();
         let build = || machine::build(&case, plan.as_ref(), cache.as_ref(), warnings);
-        progress::during(ProgressMode::on_terminal(), "reducing shaft and support", build)
+        progress::during(ProgressMode::on_terminal(), case.reducing(), build)
     })?;
+    if let (System::Joined(joined), Some(Plan::Joined(plan))) = (&case.system, &plan) {
+        joined::say(&mut text, joined, plan, &built)?;
+    }
+    say_laws(&mut text, &laws);
+    say_march(&mut text, &case);
     Ok(text)
 }
 

@@ -62,7 +62,7 @@ fn build(case: &Case, arguments: &CacheArguments, show: ProgressMode) -> Result<
     let cache = arguments.open();
     streams::warned(|warnings| {
         let build = || machine::build(case, None, cache.as_ref(), warnings);
-        progress::during(show, "reducing shaft and support", build)
+        progress::during(show, case.reducing(), build)
     })
 }
 
@@ -137,7 +137,7 @@ fn times(built: &Built, marched: &Marched, start: Instant) -> Times {
 
 /// What a run leaves on the terminal.
 fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String {
-    let names = case.support_names();
+    let names: Vec<String> = case.supports().into_iter().map(|own| own.title).collect();
     let table = match case.system {
         System::Rotor(_) | System::Joined(_) => supports(&names, &summary.supports),
         System::Lumped(_) => stops(&names, &summary.supports),

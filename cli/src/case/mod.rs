@@ -54,15 +54,59 @@ pub(crate) struct Case {
 
 impl Case {
     /// What results call the supports, in order.
-    pub(crate) fn support_names(&self) -> Vec<String> {
+    pub(crate) fn supports(&self) -> Vec<SupportName> {
         let (word, count) = match &self.system {
             System::Rotor(rotor) => ("Support", rotor.bearings.len()),
             System::Lumped(lumped) => ("Stop", lumped.stops.len()),
             System::Joined(joined) => {
-                return joined.joints.iter().map(|joint| joint.name.text().to_string()).collect();
+                return joined.joints.iter().map(|own| SupportName::joint(own.name.text())).collect();
             }
         };
-        (1..=count).map(|k| format!("{word} {k}")).collect()
+        (1..=count).map(|k| SupportName::numbered(word, k)).collect()
+    }
+
+    /// What is done to its bodies, for a progress bar.
+    pub(crate) fn reducing(&self) -> &'static str {
+        match self.system {
+            System::Joined(_) => "reducing bodies",
+            _ => "reducing shaft and support",
+        }
+    }
+
+    /// Names of the bodies that turn, of a case that names bodies.
+    pub(crate) fn turning(&self) -> Vec<String> {
+        let System::Joined(joined) = &self.system else { return Vec::new() };
+        let turning = joined.bodies.iter().filter(|body| body.turning.is_some());
+        turning.map(|body| body.name.text().to_string()).collect()
+    }
+}
+
+/// What results call a support, a stop or a joint.
+#[derive(Debug, Clone)]
+pub(crate) struct SupportName {
+    /// In columns, between the quantity and its unit.
+    pub(crate) label: String,
+    /// In figures and tables.
+    pub(crate) title: String,
+    /// Within a sentence.
+    pub(crate) word: String,
+}
+
+impl SupportName {
+    /// One of many that have numbers, from 1.
+    pub(crate) fn numbered(word: &str, k: usize) -> SupportName {
+        let title = format!("{word} {k}");
+        SupportName { label: k.to_string(), word: title.to_lowercase(), title }
+    }
+
+    fn joint(name: &str) -> SupportName {
+        let (label, word) = (format!("_{name}"), format!("joint {name}"));
+        SupportName { label, title: name.to_string(), word }
+    }
+
+    /// A column, such as `RX1_N` of `RX_N`, or `RX_front_N`.
+    pub(crate) fn column(&self, quantity: &str, unit: &str) -> String {
+        format!("{quantity}{}_{unit}", self.label)
     }
 }
 

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use std::io;
 
 use super::figure::{Dot, Figure, Line, Panel, Style};
+use crate::case::SupportName;
 use crate::history::{Bucket, HistoryFile, Thinned};
 use crate::report::last_cycle;
 
@@ -89,20 +90,20 @@ impl Rows<'_> {
 /// RX and RY of every support, a panel each.
 pub(crate) fn reactions(
     history: &HistoryFile,
-    supports: &[String],
+    supports: &[SupportName],
     span: Span,
 ) -> io::Result<Figure> {
     let rows = span.rows(history)?;
-    let columns = |k: usize| [format!("RX{k}_N"), format!("RY{k}_N")];
-    let names: Vec<String> = (1..=supports.len()).flat_map(columns).collect();
+    let columns = |own: &SupportName| ["RX", "RY"].map(|quantity| own.column(quantity, "N"));
+    let names: Vec<String> = supports.iter().flat_map(columns).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let mut curves = rows.curves(&names)?.into_iter();
     let mut line = |name: &str, style| {
         let points = curves.next().expect("a curve a column");
         Line { points, style, name: name.to_string() }
     };
-    let panel = |title: &String| Panel {
-        title: title.clone(),
+    let panel = |own: &SupportName| Panel {
+        title: own.title.clone(),
         x: rows.label().to_string(),
         y: "force on the shaft (N)".to_string(),
         x_scale: rows.scale(span),
@@ -120,7 +121,7 @@ pub(crate) fn reactions(
 /// (`clearances` in µm), and a dot where the keyphasor sees the shaft (θ a multiple of 360°).
 pub(crate) fn eccentricities(
     history: &HistoryFile,
-    supports: &[String],
+    supports: &[SupportName],
     clearances: &[f64],
     span: Span,
 ) -> io::Result<Figure> {
@@ -135,15 +136,18 @@ pub(crate) fn eccentricities(
             ("Eccentricity of the journals in the last cycle", "EY, lateral (µm); rotation ↺")
         }
     };
-    let orbits = orbits(&rows, supports.len())?;
-    let panel = |((title, &clearance), (points, dots)): ((&String, &f64), Orbit)| {
+    let orbits = orbits(&rows, supports)?;
+    let panel = |((own, &clearance), (points, dots)): ((&SupportName, &f64), Orbit)| {
         let name = "centre of the journal".to_string();
         let dot = |at| Dot { at, name: "keyphasor, θ = 0°".to_string() };
         Panel {
-            title: title.clone(),
+            title: own.title.clone(),
             x: lateral.to_string(),
             y: "EX, vertical (µm)".to_string(),
-            lines: vec![circle(clearance), Line { points, style: Style::First, name }],
+            lines: circle(clearance)
+                .into_iter()
+                .chain([Line { points, style: Style::First, name }])
+                .collect(),
             dots: dots.into_iter().map(dot).collect(),
             equal_axes: true,
             x_scale: None,
@@ -159,10 +163,11 @@ pub(crate) fn eccentricities(
 /// Points (EY, EX) of a journal, and those at which the keyphasor sees the shaft, the last ones if they are many.
 type Orbit = (Vec<(f64, f64)>, VecDeque<(f64, f64)>);
 
-fn orbits(rows: &Rows, supports: usize) -> io::Result<Vec<Orbit>> {
+fn orbits(rows: &Rows, supports: &[SupportName]) -> io::Result<Vec<Orbit>> {
     const MOST_DOTS: usize = 256;
-    let columns = |k: usize| [format!("EY{k}_um"), format!("EX{k}_um")];
-    let names: Vec<String> = (1..=supports).flat_map(columns).collect();
+    let columns = |own: &SupportName| ["EY", "EX"].map(|quantity| own.column(quantity, "um"));
+    let names: Vec<String> = supports.iter().flat_map(columns).collect();
+    let supports = supports.len();
     let mut all = vec!["t_s", "theta_rad"];
     all.extend(names.iter().map(String::as_str));
     let mut curves: Vec<Thinned> = (0..supports).map(|_| Thinned::default()).collect();
@@ -211,17 +216,18 @@ pub(crate) fn stretched(orbits: &Figure) -> Figure {
     }
 }
 
-fn circle(radius: f64) -> Line {
+/// The clearance, where there is one: a bushing has none.
+fn circle(radius: f64) -> Option<Line> {
     const CORNERS: usize = 180;
     let corner = |i: usize| {
         let (sin, cos) = (TAU * i as f64 / CORNERS as f64).sin_cos();
         (radius * cos, radius * sin)
     };
-    Line {
+    (radius > 0.0).then(|| Line {
         points: (0..=CORNERS).map(corner).collect(),
         style: Style::Limit,
         name: "radial clearance".to_string(),
-    }
+    })
 }
 
 /// Displacement along x of the first journal against time, in mm.
@@ -239,26 +245,42 @@ pub(crate) fn displacement(history: &HistoryFile) -> io::Result<Figure> {
     Ok(Figure { title, panels: vec![panel], columns: 1 })
 }
 
-/// Angle and speed of rotation against time.
-pub(crate) fn rotation(history: &HistoryFile) -> io::Result<Figure> {
+/// Angle and speed of rotation against time: of the shaft, or of each of `bodies`, two panels each.
+pub(crate) fn rotation(history: &HistoryFile, bodies: &[String]) -> io::Result<Figure> {
     let rows = Span::All.rows(history)?;
-    let panel = |(mut points, (title, y, scale)): (Vec<(f64, f64)>, (&str, &str, f64))| {
+    let shaft = ["shaft".to_string()];
+    let bodies = if bodies.is_empty() { &shaft } else { bodies };
+    let of = |body: &str| match bodies.len() {
+        1 => String::new(),
+        _ => format!(" of {body}"),
+    };
+    let (mut panels, mut names) = (Vec::new(), Vec::new());
+    for (place, body) in bodies.iter().enumerate() {
+        // The columns of the first one carry no name.
+        let label = if place == 0 { String::new() } else { format!("_{body}") };
+        for (title, y, quantity, scale) in [
+            ("Angle of rotation", "angle (revolutions)", "theta{}_rad", 1.0 / TAU),
+            ("Speed of rotation", "speed (rpm)", "omega{}_rad_s", 60.0 / TAU),
+        ] {
+            names.push(quantity.replace("{}", &label));
+            panels.push((format!("{title}{}", of(body)), y, scale, body));
+        }
+    }
+    let panel = |(mut points, (title, y, scale, body)): (Vec<(f64, f64)>, (_, &str, f64, &String))| {
         points.iter_mut().for_each(|point| point.1 *= scale);
         Panel {
-            title: title.to_string(),
+            title,
             x: rows.label().to_string(),
             y: y.to_string(),
-            lines: vec![Line { points, style: Style::First, name: "shaft".to_string() }],
+            lines: vec![Line { points, style: Style::First, name: body.clone() }],
             ..Panel::default()
         }
     };
-    let panels = [
-        ("Angle of rotation", "angle (revolutions)", 1.0 / TAU),
-        ("Speed of rotation", "speed (rpm)", 60.0 / TAU),
-    ];
-    let curves = rows.curves(&["theta_rad", "omega_rad_s"])?;
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let curves = rows.curves(&names)?;
+    let what = if bodies.len() == 1 { "of the shaft" } else { "of the bodies" };
     Ok(Figure {
-        title: "Rotation of the shaft".to_string(),
+        title: format!("Rotation {what}"),
         panels: curves.into_iter().zip(panels).map(panel).collect(),
         columns: 2,
     })

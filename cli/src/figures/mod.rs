@@ -131,7 +131,7 @@ fn figure(
         System::Rotor(_) | System::Joined(_) => Span::fitting(history, case.march.cycle)?,
         System::Lumped(_) => Span::All,
     };
-    let titles = case.support_names();
+    let titles = case.supports();
     let laws = drawn_laws(case, built);
     let empty = if stem == "laws" { laws.is_empty() } else { titles.is_empty() };
     if empty {
@@ -145,7 +145,7 @@ fn figure(
         "eccentricity" => orbits()?,
         "eccentricity-stretched" if span == Span::All => return Ok(None),
         "eccentricity-stretched" => histories::stretched(&orbits()?),
-        "rotation" => histories::rotation(history)?,
+        "rotation" => histories::rotation(history, &case.turning())?,
         _ => histories::displacement(history)?,
     }))
 }
@@ -170,6 +170,7 @@ mod tests {
     use super::histories::{Span, eccentricities, reactions, rotation};
     use super::laws::laws;
     use super::{NAMES, draw, figure::Figure, guarded};
+    use crate::case::SupportName;
     use crate::history::{HistoryFile, HistoryWriter};
     use crate::report::last_cycle;
     use whirl_solver::history::History;
@@ -196,8 +197,8 @@ mod tests {
         (folder, history)
     }
 
-    fn names() -> Vec<String> {
-        vec!["Support 1".to_string()]
+    fn names() -> Vec<SupportName> {
+        vec![SupportName::numbered("Support", 1)]
     }
 
     fn decodes(figure: &Figure) {
@@ -217,7 +218,7 @@ mod tests {
             decodes(&reactions(&history, &names(), span).unwrap());
             decodes(&eccentricities(&history, &names(), &[35.687], span).unwrap());
         }
-        decodes(&rotation(&history).unwrap());
+        decodes(&rotation(&history, &[]).unwrap());
     }
 
     #[test]
@@ -273,7 +274,7 @@ mod tests {
         writer.finish().unwrap();
         let history = HistoryFile::open(&path).unwrap();
         let column = |name: &str| names.iter().position(|own| own == name).expect("a column");
-        let titles = ["Support 1", "Support 2"].map(str::to_owned);
+        let titles = [1, 2].map(|k| SupportName::numbered("Support", k));
         let span = Span::LastCycle(0.1);
         let steps = 200..=300;
         let near = |found: (f64, f64), expected: (f64, f64)| {

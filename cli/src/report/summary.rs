@@ -9,7 +9,7 @@ use whirl_solver::machine::{Body, BodyPlace};
 use whirl_specs::{CLEARANCES, ELEMENTS};
 
 use super::{VerdictFacts, last_cycle};
-use crate::case::Case;
+use crate::case::{Case, SupportName, System};
 use crate::history::HistoryFile;
 use crate::machine::{BodyFacts, Built, Counts};
 use crate::version;
@@ -53,6 +53,8 @@ struct CountFacts {
     /// Of what is reduced, by name.
     #[serde(flatten)]
     bodies: BTreeMap<String, Counts>,
+    #[serde(rename = "bodies", skip_serializing_if = "BTreeMap::is_empty")]
+    named: BTreeMap<String, Counts>,
     /// Rotations that are unknown, and the Craig–Bampton coordinates of all bodies.
     coordinates: usize,
     /// Those left by the constraints.
@@ -79,6 +81,9 @@ struct MarchFacts {
 #[derive(Debug, Serialize)]
 pub(crate) struct SupportSummary {
     pub(crate) support: usize,
+    /// Of a joint that has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    joint: Option<String>,
     #[serde(rename = "RX_N")]
     pub(crate) rx: Statistics,
     #[serde(rename = "RY_N")]
@@ -94,15 +99,22 @@ pub(crate) struct SupportSummary {
 }
 
 impl SupportSummary {
-    /// Columns of support `k` (from 1).
-    fn columns(k: usize) -> [String; 6] {
-        let names = ["RX_N", "RY_N", "X_um", "Y_um", "EX_um", "EY_um"];
-        names.map(|name| name.replace('_', &format!("{k}_")))
+    /// Columns of a support.
+    fn columns(support: &SupportName) -> [String; 6] {
+        let both = |unit, names: [&str; 2]| names.map(|name| support.column(name, unit));
+        let [force, place, eccentricity] =
+            [both("N", ["RX", "RY"]), both("um", ["X", "Y"]), both("um", ["EX", "EY"])];
+        let [[rx, ry], [x, y], [ex, ey]] = [force, place, eccentricity];
+        [rx, ry, x, y, ex, ey]
     }
 
-    /// Sums up `supports` supports over the last `cycle` seconds of a history.
-    fn all(history: &HistoryFile, supports: usize, cycle: f64) -> io::Result<Vec<Self>> {
-        let names: Vec<String> = (1..=supports).flat_map(SupportSummary::columns).collect();
+    /// Sums up all supports over the last `cycle` seconds of a history; `named`: whether they have names of their own.
+    fn all(
+        history: &HistoryFile,
+        (supports, named): (&[SupportName], bool),
+        cycle: f64,
+    ) -> io::Result<Vec<Self>> {
+        let names: Vec<String> = supports.iter().flat_map(SupportSummary::columns).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let mut signals = vec![Signal::default(); names.len()];
         let columns: Vec<&str> = std::iter::once("t_s").chain(names).collect();
@@ -120,6 +132,7 @@ impl SupportSummary {
             signals.iter().map(|signal| signal.statistics(covered, rest)).collect();
         let of = |(place, own): (usize, &[Statistics])| SupportSummary {
             support: place + 1,
+            joint: named.then(|| supports[place].title.clone()),
             rx: own[0],
             ry: own[1],
             x: own[2],
@@ -217,16 +230,17 @@ impl Summary {
         time: Times,
         error: Option<String>,
     ) -> io::Result<Summary> {
-        let cycle = case.march.cycle;
+        let (cycle, supports) = (case.march.cycle, case.supports());
+        let named = matches!(case.system, System::Joined(_));
         Ok(Summary {
             case: case_facts(case, built),
             version: version::PACKAGE,
             commit: version::COMMIT,
             kernels: kernels(built),
-            counts: counts(built),
+            counts: counts(built, named),
             fixed_interface_hz: built.bodies.as_ref().map(frequencies),
             verdict: VerdictFacts::new(
-                (&built.machine, &case.support_names()),
+                (&built.machine, &supports),
                 outcome,
                 case.march.time_step,
                 (!converged).then_some([steps, case.march.steps]),
@@ -241,7 +255,7 @@ impl Summary {
                 factorisations: outcome.factorisations,
                 halved_steps: outcome.halved_steps,
             },
-            supports: SupportSummary::all(history, built.clearances.len(), cycle)?,
+            supports: SupportSummary::all(history, (&supports, named), cycle)?,
             cycle_s: cycle,
             steady_state: SteadyFacts {
                 checked: case.march.steady_cycle().is_some(),
@@ -297,7 +311,7 @@ fn kernels(built: &Built) -> BTreeMap<String, String> {
     hashes
 }
 
-fn counts(built: &Built) -> CountFacts {
+fn counts(built: &Built, named: bool) -> CountFacts {
     let bodies = built.bodies.as_ref();
     let machine = &built.machine;
     let fact = |name: &str| bodies?.bodies.iter().find(|body| body.name == name);
@@ -309,10 +323,14 @@ fn counts(built: &Built) -> CountFacts {
     let all = machine.bodies.iter().zip(machine.places()).map(whole).sum::<usize>();
     let active = machine.active();
     let unknown = machine.turning().count() - machine.first_unknown();
+    let counts = bodies.map_or_else(BTreeMap::new, |facts| {
+        facts.bodies.iter().map(|own| (own.name.clone(), own.counts)).collect()
+    });
+    // Names of users stand in a table of their own, so that none is taken for another count.
+    let (bodies, named) = if named { (BTreeMap::new(), counts) } else { (counts, BTreeMap::new()) };
     CountFacts {
-        bodies: bodies.map_or_else(BTreeMap::new, |facts| {
-            facts.bodies.iter().map(|own| (own.name.clone(), own.counts)).collect()
-        }),
+        bodies,
+        named,
         coordinates: unknown + all,
         active,
         springs: built.machine.springs.count(),

@@ -5,6 +5,8 @@ use whirl_solver::bearing::{Measure, Worst};
 use whirl_solver::dynamics::{Finding, Outcome, findings};
 use whirl_solver::machine::Machine;
 
+use crate::case::SupportName;
+
 /// The verdict of a run in summary.json.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct VerdictFacts {
@@ -41,7 +43,7 @@ impl VerdictFacts {
     /// Of a march of steps of `time_step` s; `diverged`: the steps that were done and those asked for, where the
     /// march ended in one that does not converge; `places` names the supports or stops.
     pub(crate) fn new(
-        (machine, places): (&Machine, &[String]),
+        (machine, places): (&Machine, &[SupportName]),
         outcome: &Outcome,
         time_step: f64,
         diverged: Option<[usize; 2]>,
@@ -87,7 +89,7 @@ impl VerdictFacts {
 }
 
 impl FindingFacts {
-    fn of_steps(finding: Finding, places: &[String]) -> Self {
+    fn of_steps(finding: Finding, places: &[SupportName]) -> Self {
         let Finding { what, bearing, value, limit, unit, remedy } = finding;
         let place = bearing.map(|bearing| format!(" (at {})", named(places, bearing)));
         let what = what + &place.unwrap_or_default();
@@ -107,7 +109,7 @@ impl FindingFacts {
     }
 
     /// A law that was used where it may not be believed; `value` in SI.
-    fn beyond(measure: &Measure, value: f64, time: f64, places: &[String]) -> Self {
+    fn beyond(measure: &Measure, value: f64, time: f64, places: &[SupportName]) -> Self {
         let validity = &measure.validity;
         let [least, most] = validity.limits;
         let limit = if value < least { least } else { most };
@@ -134,10 +136,9 @@ impl FindingFacts {
 }
 
 /// The name of a support or stop, such as `support 2`.
-fn named(places: &[String], bearing: usize) -> String {
-    places
-        .get(bearing)
-        .map_or_else(|| format!("bearing {}", bearing + 1), |name| name.to_lowercase())
+fn named(places: &[SupportName], bearing: usize) -> String {
+    let name = places.get(bearing).map(|place| place.word.clone());
+    name.unwrap_or_else(|| format!("bearing {}", bearing + 1))
 }
 
 /// Three digits, in scientific notation where that is shorter.

@@ -153,6 +153,9 @@ fn read_rigid(table: &Table, turns: bool) -> RigidBody {
         let read = |table: &Table| ["x", "y"].map(|axis| table.quantity(axis).unwrap_or(0.0));
         if turns { [0.0; 2] } else { table.in_table(key, read).unwrap_or_default() }
     };
+    if table.has("transverse_inertia") {
+        table.demand("z");
+    }
     RigidBody {
         mass: table.quantity_or_one("mass"),
         polar_inertia: if turns { table.quantity_or_one("polar_inertia") } else { 0.0 },

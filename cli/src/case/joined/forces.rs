@@ -36,6 +36,7 @@ pub(super) fn drive<'a>(
 /// The force of a table.
 pub(super) fn load<'a>(
     table: &Table,
+    name: &Located,
     known: &[Located],
     body_of: impl Fn(usize) -> Option<&'a NamedBody>,
 ) -> Option<Load> {
@@ -55,7 +56,7 @@ pub(super) fn load<'a>(
         }
         Form::Rigid(_) => no_mesh(table, "sets", own),
     }
-    Some(Load { body, place, z, load })
+    Some(Load { name: name.clone(), body, z, load })
 }
 
 /// Notes a node set of a body that has no mesh.

@@ -209,10 +209,10 @@ pub(crate) struct Drive {
 /// A force on nodes of a body, fixed in space.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
+    /// Its name, at its table.
+    pub(crate) name: Located,
     /// The body, by its place.
     pub(crate) body: usize,
-    /// Where the case names it.
-    pub(crate) place: Located,
     /// z on a rigid body, m, if the case says it.
     pub(crate) z: Option<f64>,
     /// The force, and the sets of a mesh that carry it.
@@ -272,7 +272,9 @@ impl JoinedMachine {
         });
         let drives: Vec<Option<Drive>> = drives.collect();
         let loads = names::in_order(file, "loads").into_iter();
-        let loads = loads.map(|(_, table)| table.read(|table| forces::load(table, &known, turns)));
+        let loads = loads.map(|(name, table)| {
+            table.read(|table| forces::load(table, &name, &known, turns))
+        });
         let loads: Vec<Option<Load>> = loads.collect();
         let motion = checks::one_motion(file, motions);
         if file.errors() > before {

@@ -1,0 +1,156 @@
+//! What `whirl check` says of bodies by name and of what joins them.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use whirl_solver::assembly::mass_properties;
+use whirl_text::rounded;
+
+use crate::case::{JoinedMachine, Joint, JointKind, Turning};
+use crate::errors::Failure;
+use crate::machine::{Built, JoinedPlan, PlannedBody};
+use crate::report::table;
+
+/// Frequencies of a body that are said.
+const FIRST: usize = 5;
+
+/// Bodies, joints, drives and loads; `built` has the frequencies.
+pub(super) fn say(
+    text: &mut String,
+    joined: &JoinedMachine,
+    plan: &JoinedPlan,
+    built: &Built,
+) -> Result<(), Failure> {
+    text.push_str(&masses(joined, plan)?);
+    text.push('\n');
+    text.push_str(&sizes(plan, joined));
+    let facts = built.bodies.iter().flat_map(|facts| &facts.bodies);
+    for body in facts.filter(|body| !body.hertz.is_empty()) {
+        let first: Vec<String> = body.hertz.iter().take(FIRST).map(|f| format!("{f:.2}")).collect();
+        let more = if body.hertz.len() > FIRST { ", …" } else { "" };
+        line!(
+            text,
+            "natural frequencies of {}, its retained nodes held: {}{more} Hz",
+            body.name,
+            first.join(", ")
+        );
+    }
+    line!(text, "{} active coordinates", built.machine.active());
+    for (joint, law) in joined.joints.iter().zip(&plan.laws) {
+        line!(text, "{}", of_joint(joint, &law.name()));
+    }
+    for drive in joined.drives.iter().filter(|drive| drive.couple.acts) {
+        line!(
+            text,
+            "drive {} on {}: {} N m until {} rpm",
+            drive.name.text(),
+            drive.place.text(),
+            drive.couple.torque,
+            rpm(drive.couple.target_speed)
+        );
+    }
+    for own in &joined.loads {
+        let sets: Vec<&str> = own.load.sets.iter().map(|set| set.text()).collect();
+        let place = if sets.is_empty() { String::new() } else { format!(" at {}", sets.join(", ")) };
+        let time_function = match own.load.frequency {
+            Some(frequency) => format!("sine of {frequency} Hz"),
+            None => "constant".to_string(),
+        };
+        let direction = ["x", "y"][own.load.direction];
+        line!(
+            text,
+            "load {} on {}{place}: {} N along {direction}, {time_function}",
+            own.name.text(),
+            joined.bodies[own.body].name.text(),
+            own.load.force
+        );
+    }
+    line!(text, "motion: {}", joined.motion.origin.title);
+    Ok(())
+}
+
+fn rpm(speed: f64) -> f64 {
+    rounded(speed * 60.0 / TAU, 10)
+}
+
+fn of_joint(joint: &Joint, law: &str) -> String {
+    let (kind, [first, second]) = joint.kind.words();
+    let [a, b] = joint.sides.each_ref().map(|side| side.place.text());
+    let clearance = match joint.kind {
+        JointKind::Bearing | JointKind::Stop if joint.bearing.radial_clearance != 0.0 => {
+            format!(", c = {} µm", rounded(1e6 * joint.bearing.radial_clearance, 10))
+        }
+        _ => String::new(),
+    };
+    format!("{kind} {}: {first} {a}, {second} {b}{clearance}, law {law}", joint.name.text())
+}
+
+/// The table of masses and inertias.
+fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> {
+    let heads = [
+        "",
+        "turns",
+        "mass (kg)",
+        "centre z (mm)",
+        "polar inertia (kg m²)",
+        "transverse inertia (kg m²)",
+    ];
+    let mut rows = vec![heads.map(str::to_string).to_vec()];
+    for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
+        let turns = match body.turning {
+            None => "no".to_string(),
+            Some(Turning::Free { .. }) => "free".to_string(),
+            Some(Turning::Prescribed { speed, .. }) => format!("{} rpm", rpm(speed)),
+        };
+        let [mass, z, polar, transverse] = match own {
+            PlannedBody::Rigid(rigid) => {
+                let polar = body.turning.map(|_| rigid.body.polar_inertia);
+                let own = &rigid.body;
+                [Some(own.mass), Some(own.centre[2]), polar, own.transverse_inertia]
+            }
+            PlannedBody::Meshed(meshed) => {
+                let own = mass_properties(&meshed.mesh)?;
+                let ([x, y, z], second) = (own.centre, own.second_moment);
+                // About its axis where it turns, else about its centre, as across it.
+                let polar = second[0][0] + second[1][1]
+                    - if body.turning.is_some() { 0.0 } else { own.mass * (x * x + y * y) };
+                let across = second[1][1] + second[2][2] - own.mass * (y * y + z * z);
+                [Some(own.mass), Some(z), Some(polar), Some(across)]
+            }
+        };
+        let shown = |value: Option<f64>, scale: f64| {
+            value.map_or("–".to_string(), |value| rounded(scale * value, 6).to_string())
+        };
+        rows.push(vec![
+            body.name.text().to_string(),
+            turns,
+            shown(mass, 1.0),
+            shown(z, 1e3),
+            shown(polar, 1.0),
+            shown(transverse, 1.0),
+        ]);
+    }
+    Ok(table(&rows))
+}
+
+/// The table of what is reduced.
+fn sizes(plan: &JoinedPlan, joined: &JoinedMachine) -> String {
+    let heads = ["", "elements", "nodes", "physical dofs", "retained dofs", "modes", "active"];
+    let mut rows = vec![heads.map(str::to_string).to_vec()];
+    for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
+        let PlannedBody::Meshed(own) = own else { continue };
+        let counts = own.counts();
+        let mut row = vec![body.name.text().to_string()];
+        let numbers = [
+            counts.elements,
+            counts.nodes,
+            counts.physical_dofs,
+            counts.retained_dofs,
+            counts.modes,
+            own.active(),
+        ];
+        row.extend(numbers.iter().map(ToString::to_string));
+        rows.push(row);
+    }
+    if rows.len() == 1 { String::new() } else { table(&rows) + "\n" }
+}
