@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod bad_machine;
+mod bodies;
 mod cached;
 mod eccentricity;
 mod every_key;

@@ -125,12 +125,10 @@ impl Checks<'_, '_> {
                 self.note(&body.name.clone(), message, help);
             }
         }
-        let across: Vec<&&Joint> =
-            joints.iter().filter(|joint| joint.kind != JointKind::Coupling).collect();
         let tilts =
             matches!(&body.form, Form::Rigid(rigid) if rigid.transverse_inertia.is_some());
-        if tilts && !across.is_empty() && across.len() < 2 && !long(across[0]) {
-            let message = format!("nothing acts on the tilts of `{name}`: its only joint is in one plane");
+        if tilts && in_one_plane(&joints) {
+            let message = format!("nothing acts on the tilts of `{name}`: its joints are in one plane");
             let help = "leave `transverse_inertia` out, add a joint at another z, or list `stations` along the joint";
             self.note(&body.name.clone(), message, help);
         }
@@ -164,6 +162,23 @@ fn acts_along(joint: &Joint, axis: usize) -> bool {
             joint.bearing.parameters.iter().any(|set| set.acts_along(letter))
         }
     }
+}
+
+/// Whether joints are in one plane as far as the case says where they are.
+fn in_one_plane(joints: &[&Joint]) -> bool {
+    let across = || joints.iter().filter(|joint| joint.kind != JointKind::Coupling);
+    if across().any(|joint| long(joint)) {
+        return false;
+    }
+    // Sets stand where their mesh has them.
+    let unknown = |joint: &&&Joint| joint.sides.iter().any(|side| !side.sets.is_empty());
+    let z = |joint: &&Joint| {
+        let given = joint.sides.iter().find_map(|side| side.z);
+        given.or(joint.bearing.stations.first().copied()).unwrap_or(0.0)
+    };
+    let mut known = across().filter(|joint| !unknown(joint)).map(z);
+    let apart = known.next().is_some_and(|first| known.any(|other| (other - first).abs() > 1e-6));
+    !apart && across().filter(unknown).count() + usize::from(across().any(|own| !unknown(&own))) < 2
 }
 
 /// Whether a joint acts on tilts by itself.

@@ -87,8 +87,8 @@ pub(super) fn read(
 /// One side; the second one is the ground if it is left out.
 fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
     let second = matches!(key, "bore" | "second");
-    if !second {
-        table.demand(key);
+    if !second && !table.has(key) {
+        table.absent(key, &format!("add `{key} = {{ body = \"NAME\" }}`"));
     }
     let Some(own) = table.optional_table(key) else {
         let place = table.heading().text(GROUND);
@@ -214,7 +214,7 @@ fn stop(store: FileStore, table: &Table) -> Option<Parts> {
 const DIRECTIONS: [&str; 4] = ["xx", "xy", "yx", "yy"];
 
 fn bushing(table: &Table) -> Option<Parts> {
-    let mut set = Vec::with_capacity(8);
+    let (mut set, mut right) = (Vec::with_capacity(8), true);
     for (key, letter, zero) in [("stiffness", "k", "0 N/m"), ("damping", "c", "0 N*s/m")] {
         let before = table.errors();
         let values = |own: &Table| DIRECTIONS.map(|direction| {
@@ -222,9 +222,7 @@ fn bushing(table: &Table) -> Option<Parts> {
             (place, own.exact_quantity(direction))
         });
         let given = table.in_table(key, values);
-        if table.errors() > before {
-            return None;
-        }
+        right &= table.errors() == before;
         for (place, direction) in DIRECTIONS.iter().enumerate() {
             let (at, value) = given.as_ref().map_or((table.written(key), None), |own| own[place].clone());
             let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
@@ -232,24 +230,25 @@ fn bushing(table: &Table) -> Option<Parts> {
         }
     }
     if !table.has("stiffness") && !table.has("damping") {
-        table.demand("stiffness");
+        let help = "add `stiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }`";
+        table.absent("stiffness", help);
     }
-    shipped(table, "bushing", set)
+    right.then(|| shipped(table, "bushing", set)).flatten()
 }
 
 fn coupling(table: &Table) -> Option<Parts> {
-    table.demand("stiffness");
-    let mut set = Vec::with_capacity(2);
+    if !table.has("stiffness") {
+        table.absent("stiffness", "add `stiffness = \"1e4 N*m/rad\"`");
+    }
+    let (mut set, mut right) = (Vec::with_capacity(2), true);
     for (key, name, zero) in [("stiffness", "k", "0 N*m/rad"), ("damping", "c", "0 N*m*s/rad")] {
         let before = table.errors();
         let value = table.exact_quantity(key);
-        if table.errors() > before {
-            return None;
-        }
+        right &= table.errors() == before;
         let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
         set.push(SetParameter::new(name, &table.written(key), value));
     }
-    shipped(table, "coupling", set)
+    right.then(|| shipped(table, "coupling", set)).flatten()
 }
 
 /// A joint whose law is shipped.

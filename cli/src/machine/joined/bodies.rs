@@ -40,7 +40,7 @@ impl RigidPlan {
     }
 }
 
-/// The bodies of a case: those with a mesh stand with their own axis at x = y = 0 where they turn.
+/// The bodies of a case: meshes that turn with their own axis at x = y = 0, all else in space.
 pub(super) fn plan(
     joined: &JoinedMachine,
     warnings: &mut Vec<String>,
@@ -80,10 +80,13 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
         Form::Meshed(own) => own,
     };
     let mesh = meshes::mesh(&own.body, Dimensions::mesh, warnings)?;
-    let mesh = match body.turning.is_some() && body.axis != [0.0; 2] {
-        true => mesh.moved(body.axis.map(|x| -x))?,
-        false => mesh,
+    // Meshes of files stand in space, those made from dimensions about their own axis.
+    let by = match (&own.body.mesh, body.turning.is_some()) {
+        (case::Mesh::File(_), true) => body.axis.map(|x| -x),
+        (case::Mesh::Generated(_), false) => body.axis,
+        _ => [0.0; 2],
     };
+    let mesh = if by == [0.0; 2] { mesh } else { mesh.moved(by)? };
     let held_by = own.axial_restraint.as_ref().or(own.held.first()).unwrap_or(&body.name);
     Ok(PlannedBody::Meshed(Box::new(BodyPlan::new(mesh, &own.body, held_by))))
 }

@@ -1,0 +1,203 @@
+//! Bodies with meshes: a cup that turns around a rotor or stands, and the reference system by names.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use super::{march, run};
+use crate::workbench::{SHORT, Workbench};
+
+/// Half the breadth of the cup, and of its hole (mm).
+const OUTER: i32 = 20;
+const INNER: i32 = 10;
+/// z from which the cup is hollow (mm).
+const BOTTOM: i32 = 50;
+
+/// A square cup as an input file: solid from z = 0 to 50 mm, a square hole from there to 150 mm; its axis at (x, y) mm.
+fn cup([x, y]: [i32; 2]) -> String {
+    let (step, layer) = (10, 25);
+    let mut nodes: BTreeMap<[i32; 3], usize> = BTreeMap::new();
+    let mut cells = Vec::new();
+    for z in (0..150).step_by(layer) {
+        for a in (-OUTER..OUTER).step_by(step as usize) {
+            for b in (-OUTER..OUTER).step_by(step as usize) {
+                let hole = |at: i32| (-INNER..INNER).contains(&at);
+                if z >= BOTTOM && hole(a) && hole(b) {
+                    continue;
+                }
+                let corner = |i: i32, j: i32, k: i32| [a + i * step, b + j * step, z + k * layer as i32];
+                let base = [[0, 0], [1, 0], [1, 1], [0, 1]];
+                let cell = [0, 1].map(|k| base.map(|[i, j]| corner(i, j, k))).concat();
+                let places: Vec<usize> = cell
+                    .into_iter()
+                    .map(|node| {
+                        let next = nodes.len() + 1;
+                        *nodes.entry(node).or_insert(next)
+                    })
+                    .collect();
+                cells.push(places);
+            }
+        }
+    }
+    let mut text = "*NODE\n".to_owned();
+    for ([a, b, z], label) in &nodes {
+        let [a, b, z] = [a + x, b + y, *z].map(|mm| 1e-3 * f64::from(mm));
+        writeln!(text, "{label}, {a:e}, {b:e}, {z:e}").expect("text");
+    }
+    text += "*ELEMENT, TYPE=C3D8I, ELSET=ALL\n";
+    for (label, cell) in cells.iter().enumerate() {
+        let cell: Vec<String> = cell.iter().map(ToString::to_string).collect();
+        writeln!(text, "{}, {}", label + 1, cell.join(", ")).expect("text");
+    }
+    let around = |node: &[i32; 3], z: i32| node[2] == z && node[0].abs().max(node[1].abs()) == INNER;
+    for (name, of) in [
+        ("END", Box::new(|node: &[i32; 3]| *node == [0, 0, 0]) as Box<dyn Fn(&[i32; 3]) -> bool>),
+        ("BASE", Box::new(|node: &[i32; 3]| *node == [0, 0, BOTTOM])),
+        ("BORE", Box::new(move |node: &[i32; 3]| around(node, 100))),
+        ("BORE_LEFT", Box::new(move |node: &[i32; 3]| around(node, 75))),
+        ("BORE_RIGHT", Box::new(move |node: &[i32; 3]| around(node, 125))),
+        ("FOOT1", Box::new(|node: &[i32; 3]| *node == [-OUTER, -OUTER, 0])),
+        ("FOOT2", Box::new(|node: &[i32; 3]| *node == [-OUTER, OUTER, 0])),
+        ("FOOT3", Box::new(|node: &[i32; 3]| *node == [-OUTER, -OUTER, 150])),
+        ("FOOT4", Box::new(|node: &[i32; 3]| *node == [-OUTER, OUTER, 150])),
+    ] {
+        let labels = nodes.iter().filter(|(node, _)| of(node));
+        let labels: Vec<String> = labels.map(|(_, label)| label.to_string()).collect();
+        writeln!(text, "*NSET, NSET={name}\n{}", labels.join(",\n")).expect("text");
+    }
+    text
+}
+
+const STEEL: &str = r#"
+[material.steel]
+youngs_modulus = "200 GPa"
+poissons_ratio = 0.3
+density = "7860 kg/m^3"
+"#;
+
+/// A rotor in the hole of the cup.
+fn rotor(axis: &str, film: &str) -> String {
+    format!(
+        r#"
+[body.rotor]
+turns = "prescribed"
+speed = "3000 rpm"
+axis = {axis}
+mass = "0.1 kg"
+polar_inertia = "2e-5 kg*m^2"
+
+[joint.film]
+kind = "bearing"
+journal = {{ body = "rotor" }}
+bore = {{ body = "cup", {film} }}
+law = "ocvirk"
+parameters = {{ mu = "20 mPa*s" }}
+radial_clearance = "50 um"
+journal_radius = "9.9 mm"
+length = "10 mm"
+"#
+    )
+}
+
+/// The film turns the cup, which bushings hold: its angular momentum is what the film has given, wherever the axis
+/// of both stands, and with one ring of nodes in its bore or three.
+#[test]
+fn a_cup_with_a_mesh_is_turned_by_the_film_in_it() {
+    let mut speeds = Vec::new();
+    for (axis, at, sets) in [
+        ("[\"0 mm\", \"0 mm\"]", [0, 0], "sets = \"BORE\""),
+        ("[\"30 mm\", \"-40 mm\"]", [30, -40], "sets = \"BORE\""),
+        ("[\"0 mm\", \"0 mm\"]", [0, 0], "sets = [\"BORE_LEFT\", \"BORE\", \"BORE_RIGHT\"]"),
+    ] {
+        let case = format!(
+            r#"title = "x"
+{STEEL}
+[body.cup]
+turns = "free"
+axis = {axis}
+mesh = "cup.inp"
+material = "steel"
+modes = 6
+damping = "1e-5 s"
+axial_restraint = "END"
+
+[joint.end]
+kind = "bushing"
+first = {{ body = "cup", sets = "END" }}
+stiffness = {{ xx = "1e7 N/m", yy = "1e7 N/m" }}
+damping = {{ xx = "1e3 N*s/m", yy = "1e3 N*s/m" }}
+
+[joint.base]
+kind = "bushing"
+first = {{ body = "cup", sets = "BASE" }}
+stiffness = {{ xx = "1e7 N/m", yy = "1e7 N/m" }}
+damping = {{ xx = "1e3 N*s/m", yy = "1e3 N*s/m" }}
+{}
+[loads.push]
+body = "rotor"
+force = "1 N"
+{}"#,
+            rotor(axis, sets),
+            march("1e-4 s", 1000)
+        );
+        let done = run(&case, &[("cup.inp", &cup(at))]);
+        let torque = done.history.column("MZ_film_Nm");
+        let given = |column: &[f64]| -> f64 {
+            column.windows(2).map(|pair| -0.5e-4 * (pair[0] + pair[1])).sum()
+        };
+        let said = done.bench.whirl(&["check", "case.toml"]).stdout;
+        let line = said.lines().find(|line| line.starts_with("cup ")).expect("the cup");
+        let polar: f64 = line.split_whitespace().nth(4).expect("an inertia").parse().expect("kg m²");
+        let speed = done.history.column("omega_rad_s");
+        let gained = polar * (speed[speed.len() - 1] - speed[0]);
+        assert!((gained / given(torque) - 1.0).abs() < 0.01, "{gained} for {}", given(torque));
+        assert!(gained > 0.0 && (done.last("RX_film_N") + 1.0).abs() < 0.05);
+        speeds.push(speed[speed.len() - 1]);
+    }
+    for speed in &speeds[1..] {
+        assert!((speed / speeds[0] - 1.0).abs() < 1e-3, "{speeds:?}");
+    }
+}
+
+/// A cup that nothing but its feet holds carries the rotor: what they feel is the load.
+#[test]
+fn a_casing_on_bushings_hands_the_load_to_its_feet() {
+    let mut case = format!(
+        "title = \"x\"\n{STEEL}\n[body.cup]\nturns = \"no\"\nmesh = \"cup.inp\"\nmaterial = \"steel\"\nmodes = 6\n\
+         damping = \"1e-5 s\"\naxial_restraint = \"END\"\n{}\n[loads.push]\nbody = \"rotor\"\nforce = \"-50 N\"\n{}",
+        rotor("[\"0 mm\", \"0 mm\"]", "sets = \"BORE\""),
+        march("1e-4 s", 2000)
+    );
+    for foot in 1..=4 {
+        write!(
+            case,
+            "\n[joint.foot{foot}]\nkind = \"bushing\"\nfirst = {{ body = \"cup\", sets = \"FOOT{foot}\" }}\n\
+             stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n\
+             damping = {{ xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }}\n"
+        )
+        .expect("text");
+    }
+    let done = run(&case, &[("cup.inp", &cup([0, 0]))]);
+    let feet = |unit: &str| -> f64 { (1..=4).map(|foot| done.last(&format!("{unit}_foot{foot}_N"))).sum() };
+    assert!((done.last("RX_film_N") - 50.0).abs() < 0.1, "{}", done.last("RX_film_N"));
+    assert!((feet("RX") - 50.0).abs() < 0.1, "{}", feet("RX"));
+    // The load acts two thirds of the way to the far feet.
+    let far = done.last("RX_foot3_N") + done.last("RX_foot4_N");
+    assert!((far - 100.0 / 3.0).abs() < 0.2, "{far}");
+}
+
+/// The reference system by names has the same history to the last bit.
+#[test]
+fn the_reference_system_by_names_has_the_same_history() {
+    let done = run(include_str!("reference.toml"), &[]);
+    let bench = Workbench::new().file("case.toml", SHORT);
+    assert_eq!(bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]).status, 0);
+    let (named, short) = (done.bench.history_text("out"), bench.history_text("out"));
+    let rows = |text: &str| text.split_once('\n').map(|(_, rows)| rows.to_owned());
+    assert_eq!(rows(&named), rows(&short));
+    assert!(named.starts_with("t_s,theta_rad,omega_rad_s,RX_1_N,RY_1_N,RX_2_N"));
+    let [named, short] = [&done.bench, &bench].map(|bench| bench.summary("out"));
+    assert_eq!(named["counts"]["bodies"]["shaft"], short["counts"]["shaft"]);
+    assert_eq!(named["counts"]["active"], short["counts"]["active"]);
+    assert_eq!(named["counts"]["coordinates"], short["counts"]["coordinates"]);
+    assert_eq!(named["fixed_interface_hz"], short["fixed_interface_hz"]);
+}
