@@ -212,14 +212,28 @@ fn sample(schema: &Value) -> Value {
     }
 }
 
-/// Takes out every key of one of the names.
+/// Takes out every key of one of the names; of those with a slash, the one there, or sets it to a word.
 fn without(value: &mut Value, names: &[&str]) {
+    for name in names.iter().filter(|name| name.starts_with('/')) {
+        let (path, word) = name.split_once('=').map_or((*name, None), |(path, w)| (path, Some(w)));
+        let (table, key) = path.rsplit_once('/').expect("a slash");
+        let Some(table) = value.pointer_mut(table).and_then(Value::as_object_mut) else { continue };
+        match word {
+            Some(word) => table.insert(key.to_string(), json!(word)),
+            None => table.remove(key),
+        };
+    }
+    let names: Vec<&str> = names.iter().filter(|name| !name.starts_with('/')).copied().collect();
+    without_all(value, &names);
+}
+
+fn without_all(value: &mut Value, names: &[&str]) {
     match value {
         Value::Object(table) => {
             names.iter().for_each(|name| drop(table.remove(*name)));
-            table.values_mut().for_each(|value| without(value, names));
+            table.values_mut().for_each(|value| without_all(value, names));
         }
-        Value::Array(items) => items.iter_mut().for_each(|value| without(value, names)),
+        Value::Array(items) => items.iter_mut().for_each(|value| without_all(value, names)),
         _ => {}
     }
 }
@@ -244,9 +258,47 @@ fn variants(kind: &str) -> &'static [&'static [&'static str]] {
         "element" => &[&["points"], &["rule"]],
         "motion" => &[&["kinetic_energy"], &["mass", "quadratic_velocity", "PF", "B", "P"]],
         "case" => &[
-            &["include", "mass", "stop", "mesh"],
-            &["include", "mass", "stop", "dimensions"],
-            &["include", "shaft", "support", "springs", "bearing", "drive", "load", "material"],
+            &["include", "mass", "stop", "mesh", "body", "joint", "drives", "loads"],
+            &["include", "mass", "stop", "dimensions", "body", "joint", "drives", "loads"],
+            &[
+                "include", "shaft", "support", "springs", "bearing", "drive", "load", "material", "body", "joint",
+                "drives", "loads",
+            ],
+            // Bodies by name: each of the ways in which one turns, with each kind of joint.
+            &[
+                "include", "/shaft", "/support", "/springs", "/bearing", "/drive", "/load", "/mass", "/stop",
+                "/body/chosen/turns=free", "dimensions", "/body/chosen/mass", "polar_inertia", "transverse_inertia",
+                "/body/chosen/z", "/body/chosen/stiffness", "/body/chosen/damping", "/body/chosen/speed",
+                "acceleration", "held", "ground_spring", "/joint/chosen/kind=bearing", "first", "second", "side",
+                "gap", "/joint/chosen/stiffness", "/joint/chosen/damping",
+            ],
+            &[
+                "include", "/shaft", "/support", "/springs", "/bearing", "/drive", "/load", "/mass", "/stop",
+                "/body/chosen/turns=prescribed", "mesh", "dimensions", "/body/chosen/material", "regions", "modes",
+                "/body/chosen/stiffness", "/body/chosen/damping", "initial_speed", "held", "ground_spring",
+                "axial_restraint", "section", "/joint/chosen/kind=stop", "first", "second",
+                "/joint/chosen/springs", "radial_clearance", "stations", "/joint/chosen/stiffness",
+                "/joint/chosen/damping",
+            ],
+            &[
+                "include", "/shaft", "/support", "/springs", "/bearing", "/drive", "/load", "/mass", "/stop",
+                "/body/chosen/turns=no", "mesh", "diameter", "supports", "support_length", "layers_in_support",
+                "/body/chosen/dimensions/loads", "sectors", "/body/chosen/dimensions/cells/rings",
+                "/body/chosen/mass", "polar_inertia", "transverse_inertia", "/body/chosen/z",
+                "/body/chosen/stiffness", "/body/chosen/damping", "/body/chosen/speed", "acceleration",
+                "initial_speed", "section", "/joint/chosen/kind=bushing", "journal", "bore", "/joint/chosen/law",
+                "parameters", "/joint/chosen/springs", "radial_clearance", "journal_radius",
+                "/joint/chosen/length", "stations", "run_out", "offset", "side", "gap",
+            ],
+            &[
+                "include", "/shaft", "/support", "/springs", "/bearing", "/drive", "/load", "/mass", "/stop",
+                "/body/chosen/turns=no", "mesh", "dimensions", "/body/chosen/material", "regions", "modes", "held",
+                "ground_spring", "axial_restraint", "section", "polar_inertia", "/body/chosen/speed",
+                "acceleration", "initial_speed", "/joint/chosen/kind=coupling", "journal", "bore",
+                "/joint/chosen/law", "parameters", "/joint/chosen/springs", "radial_clearance", "journal_radius",
+                "/joint/chosen/length", "stations", "run_out", "offset", "side", "gap",
+                "/joint/chosen/stiffness", "/joint/chosen/damping",
+            ],
         ],
         _ => &[&[]],
     }

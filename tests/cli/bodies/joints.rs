@@ -127,7 +127,7 @@ fn a_drive_turns_a_rigid_body_up_to_its_target() {
     let speed = done.history.column("omega_rad_s");
     assert!((speed[99] / (-3.0 / 3e-3 * 100.0 * 1e-4) - 1.0).abs() < 1e-6, "{}", speed[99]);
     let target = -600.0 * TAU / 60.0;
-    assert!((done.last("omega_rad_s") - target).abs() < 0.11, "{}", done.last("omega_rad_s"));
+    assert!((done.last("omega_rad_s") - target).abs() < 0.16, "{}", done.last("omega_rad_s"));
 }
 
 /// A block that falls on a stop comes to rest where the stop carries it.

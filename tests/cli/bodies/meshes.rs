@@ -94,6 +94,7 @@ parameters = {{ mu = "20 mPa*s" }}
 radial_clearance = "50 um"
 journal_radius = "9.9 mm"
 length = "10 mm"
+stations = ["100 mm"]
 "#
     )
 }
@@ -103,11 +104,9 @@ length = "10 mm"
 #[test]
 fn a_cup_with_a_mesh_is_turned_by_the_film_in_it() {
     let mut speeds = Vec::new();
-    for (axis, at, sets) in [
-        ("[\"0 mm\", \"0 mm\"]", [0, 0], "sets = \"BORE\""),
-        ("[\"30 mm\", \"-40 mm\"]", [30, -40], "sets = \"BORE\""),
-        ("[\"0 mm\", \"0 mm\"]", [0, 0], "sets = [\"BORE_LEFT\", \"BORE\", \"BORE_RIGHT\"]"),
-    ] {
+    let (one, three) = ("sets = \"BORE\"", "sets = [\"BORE_LEFT\", \"BORE\", \"BORE_RIGHT\"]");
+    let (here, there) = ("[\"0 mm\", \"0 mm\"]", "[\"30 mm\", \"-40 mm\"]");
+    for (axis, at, sets) in [(here, [0, 0], one), (there, [30, -40], one), (here, [0, 0], three)] {
         let case = format!(
             r#"title = "x"
 {STEEL}
@@ -153,9 +152,8 @@ force = "1 N"
         assert!(gained > 0.0 && (done.last("RX_film_N") + 1.0).abs() < 0.05);
         speeds.push(speed[speed.len() - 1]);
     }
-    for speed in &speeds[1..] {
-        assert!((speed / speeds[0] - 1.0).abs() < 1e-3, "{speeds:?}");
-    }
+    let apart = |speed: f64| (speed / speeds[0] - 1.0).abs();
+    assert!(apart(speeds[1]) < 1e-6 && apart(speeds[2]) < 1e-3, "{speeds:?}");
 }
 
 /// A cup that nothing but its feet holds carries the rotor: what they feel is the load.
