@@ -141,10 +141,13 @@ mod tests {
         let (tilt, rate, speed) = ([3e-4, -2e-4], [5e-2, 7e-2], 40.0);
         let (eta, eta_dot) = ([0.0, 0.0, tilt[0], tilt[1]], [0.0, 0.0, rate[0], rate[1]]);
         let product = |matrix: &Matrix, a: &[f64; 4], b: &[f64; 4]| -> f64 {
-            (0..4).flat_map(|i| (0..4).map(move |j| (i, j))).map(|(i, j)| a[i] * matrix[(i, j)] * b[j]).sum()
+            (0..4)
+                .flat_map(|i| (0..4).map(move |j| (i, j)))
+                .map(|(i, j)| a[i] * matrix[(i, j)] * b[j])
+                .sum()
         };
         // g = g0 − Hη, so that g·η̇ = −η̇ᵀHη.
-        let found = 0.5 * speed * speed * product(&shaft.spin_inertia, &eta, &eta)
+        let found = 0.5 * speed * speed * product(&shaft.spin_net, &eta, &eta)
             - speed * product(&shaft.spin_coupling, &eta_dot, &eta)
             + 0.5 * product(&shaft.mass, &eta_dot, &eta_dot);
         let own = body.transverse_inertia.unwrap_or_default();

@@ -130,6 +130,7 @@ pub(crate) fn resolve(beside: &Source, path: &str) -> PathBuf {
 const INSTEAD: &[(&str, &[&str])] = &[
     ("shaft", &["mesh", "dimensions"]),
     ("support", &["mesh", "dimensions"]),
+    ("body.*", &["mesh", "dimensions", "mass"]),
     ("march", &["steps", "duration"]),
 ];
 

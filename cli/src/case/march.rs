@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 
-use super::{Load, SystemDraft};
 use super::schema::MOST_STEPS;
+use super::{Load, SystemDraft};
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]

@@ -59,7 +59,11 @@ impl Case {
             System::Rotor(rotor) => ("Support", rotor.bearings.len()),
             System::Lumped(lumped) => ("Stop", lumped.stops.len()),
             System::Joined(joined) => {
-                return joined.joints.iter().map(|own| SupportName::joint(own.name.text())).collect();
+                return joined
+                    .joints
+                    .iter()
+                    .map(|own| SupportName::joint(own.name.text()))
+                    .collect();
             }
         };
         (1..=count).map(|k| SupportName::numbered(word, k)).collect()

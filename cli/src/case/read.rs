@@ -9,7 +9,8 @@ use whirl_codegen::document::{Document, Table};
 
 use super::library::{FileStore, load};
 use super::{
-    Case, Figures, JoinedMachine, Lumped, MarchSettings, RotorDraft, System, law, lumped, machine, march,
+    Case, Figures, JoinedMachine, Lumped, MarchSettings, RotorDraft, System, law, lumped, machine,
+    march,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.

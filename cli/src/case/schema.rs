@@ -86,7 +86,11 @@ const CASE: &[Key] = &[
     key("drive", Table(&[DRIVE]), "what turns the shaft"),
     key("load", List(&Table(&[LOAD])), "forces on the shaft"),
     key("body", Named(&Table(&[joined::BODY])), "bodies by name, instead of shaft and support"),
-    key("joint", Named(&Table(&[joined::JOINT])), "what joins two bodies, or a body and the ground"),
+    key(
+        "joint",
+        Named(&Table(&[joined::JOINT])),
+        "what joins two bodies, or a body and the ground",
+    ),
     key("drives", Named(&Table(&[joined::DRIVE])), "what turns bodies"),
     key("loads", Named(&Table(&[joined::LOAD])), "forces on bodies"),
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),

@@ -51,7 +51,8 @@ pub(super) fn say(
     }
     for own in &joined.loads {
         let sets: Vec<&str> = own.load.sets.iter().map(|set| set.text()).collect();
-        let place = if sets.is_empty() { String::new() } else { format!(" at {}", sets.join(", ")) };
+        let place =
+            if sets.is_empty() { String::new() } else { format!(" at {}", sets.join(", ")) };
         let time_function = match own.load.frequency {
             Some(frequency) => format!("sine of {frequency} Hz"),
             None => "constant".to_string(),

@@ -11,6 +11,7 @@ use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
 
 pub(crate) use self::body::BodyPlan;
+pub(super) use self::body::HoldingWords;
 use super::laws::laws;
 use super::meshes;
 use crate::case::{self, LawSource, Rotor, RotorDraft};

@@ -135,9 +135,9 @@ impl Tree {
     }
 
     /// Takes what `self` does not say from `included`, tables within tables likewise. `instead` lists keys
-    /// that exclude each other, by the name of their table at the top of a file: of these, one that `self`
-    /// says replaces what `included` says.
-    pub fn merge(&mut self, included: Tree, instead: &[(&str, &[&str])]) {
+    /// that exclude each other, by the name of their table at the top of a file, such as `shaft`, or of every table in
+    /// it, such as `body.*`: of these, one that `self` says replaces what `included` says.
+    pub fn merge<'a>(&mut self, included: Tree, instead: &[(&'a str, &'a [&'a str])]) {
         for (key, (place, node)) in included.entries {
             let Some((_, own)) = self.entries.get_mut(&key) else {
                 self.entries.insert(key, (place, node));
@@ -146,7 +146,7 @@ impl Tree {
             if let (Content::Table(own), Content::Table(mut other)) =
                 (&mut own.content, node.content)
             {
-                for (_, keys) in instead.iter().filter(|(name, _)| *name == key) {
+                for (_, keys) in instead.iter().filter(|(name, _)| [&key, "*"].contains(name)) {
                     if keys.iter().any(|key| own.entries.contains_key(*key)) {
                         other.entries.retain(|key, _| {
                             own.entries.contains_key(key) || !keys.contains(&key.as_str())
@@ -154,7 +154,12 @@ impl Tree {
                     }
                 }
                 // Names of tables within tables are not those of the top.
-                own.merge(other, &[]);
+                let head = format!("{key}.");
+                let inner = |(name, keys): &(&'a str, &'a [&'a str])| {
+                    Some((name.strip_prefix(&head)?, *keys))
+                };
+                let within: Vec<(&str, &[&str])> = instead.iter().filter_map(inner).collect();
+                own.merge(other, &within);
             }
         }
     }

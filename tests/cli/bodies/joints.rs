@@ -28,7 +28,8 @@ damping = { xx = "400 N*s/m", yy = "400 N*s/m" }
 /// A load off the middle tilts the body: each bushing takes its share of it.
 #[test]
 fn bushings_share_a_load_by_its_lever() {
-    let load = "[loads.pull]\nbody = \"motor\"\nz = \"150 mm\"\ndirection = \"y\"\nforce = \"100 N\"\n";
+    let load =
+        "[loads.pull]\nbody = \"motor\"\nz = \"150 mm\"\ndirection = \"y\"\nforce = \"100 N\"\n";
     let speed = "turns = \"free\"\ninitial_speed = \"60 rpm\"";
     let case = format!("title = \"x\"\n{MOTOR}{load}{}", march("1e-4 s", 4000));
     let done = run(&case.replace("turns = \"free\"", speed), &[]);
@@ -121,7 +122,8 @@ stiffness = {{ xx = "1e6 N/m", yy = "1e6 N/m" }}
 /// θ̈ = M/J until the target is reached.
 #[test]
 fn a_drive_turns_a_rigid_body_up_to_its_target() {
-    let drive = "[drives.mains]\nbody = \"motor\"\ntorque = \"-3 N*m\"\ntarget_speed = \"-600 rpm\"\n";
+    let drive =
+        "[drives.mains]\nbody = \"motor\"\ntorque = \"-3 N*m\"\ntarget_speed = \"-600 rpm\"\n";
     let case = format!("title = \"x\"\n{MOTOR}{drive}{}", march("1e-4 s", 1000));
     let done = run(&case, &[]);
     let speed = done.history.column("omega_rad_s");

@@ -13,7 +13,7 @@ const INNER: i32 = 10;
 const BOTTOM: i32 = 50;
 
 /// A square cup as an input file: solid from z = 0 to 50 mm, a square hole from there to 150 mm; its axis at (x, y) mm.
-fn cup([x, y]: [i32; 2]) -> String {
+pub(crate) fn cup([x, y]: [i32; 2]) -> String {
     let (step, layer) = (10, 25);
     let mut nodes: BTreeMap<[i32; 3], usize> = BTreeMap::new();
     let mut cells = Vec::new();
@@ -24,7 +24,8 @@ fn cup([x, y]: [i32; 2]) -> String {
                 if z >= BOTTOM && hole(a) && hole(b) {
                     continue;
                 }
-                let corner = |i: i32, j: i32, k: i32| [a + i * step, b + j * step, z + k * layer as i32];
+                let corner =
+                    |i: i32, j: i32, k: i32| [a + i * step, b + j * step, z + k * layer as i32];
                 let base = [[0, 0], [1, 0], [1, 1], [0, 1]];
                 let cell = [0, 1].map(|k| base.map(|[i, j]| corner(i, j, k))).concat();
                 let places: Vec<usize> = cell
@@ -48,13 +49,16 @@ fn cup([x, y]: [i32; 2]) -> String {
         let cell: Vec<String> = cell.iter().map(ToString::to_string).collect();
         writeln!(text, "{}, {}", label + 1, cell.join(", ")).expect("text");
     }
-    let around = |node: &[i32; 3], z: i32| node[2] == z && node[0].abs().max(node[1].abs()) == INNER;
+    let around =
+        |node: &[i32; 3], z: i32| node[2] == z && node[0].abs().max(node[1].abs()) == INNER;
     for (name, of) in [
         ("END", Box::new(|node: &[i32; 3]| *node == [0, 0, 0]) as Box<dyn Fn(&[i32; 3]) -> bool>),
         ("BASE", Box::new(|node: &[i32; 3]| *node == [0, 0, BOTTOM])),
         ("BORE", Box::new(move |node: &[i32; 3]| around(node, 100))),
         ("BORE_LEFT", Box::new(move |node: &[i32; 3]| around(node, 75))),
         ("BORE_RIGHT", Box::new(move |node: &[i32; 3]| around(node, 125))),
+        ("TOP", Box::new(|node: &[i32; 3]| *node == [OUTER, 0, 0])),
+        ("LOW", Box::new(|node: &[i32; 3]| *node == [-OUTER, 0, 0])),
         ("FOOT1", Box::new(|node: &[i32; 3]| *node == [-OUTER, -OUTER, 0])),
         ("FOOT2", Box::new(|node: &[i32; 3]| *node == [-OUTER, OUTER, 0])),
         ("FOOT3", Box::new(|node: &[i32; 3]| *node == [-OUTER, -OUTER, 150])),
@@ -145,7 +149,8 @@ force = "1 N"
         };
         let said = done.bench.whirl(&["check", "case.toml"]).stdout;
         let line = said.lines().find(|line| line.starts_with("cup ")).expect("the cup");
-        let polar: f64 = line.split_whitespace().nth(4).expect("an inertia").parse().expect("kg m²");
+        let polar: f64 =
+            line.split_whitespace().nth(4).expect("an inertia").parse().expect("kg m²");
         let speed = done.history.column("omega_rad_s");
         let gained = polar * (speed[speed.len() - 1] - speed[0]);
         assert!((gained / given(torque) - 1.0).abs() < 0.01, "{gained} for {}", given(torque));
@@ -175,7 +180,9 @@ fn a_casing_on_bushings_hands_the_load_to_its_feet() {
         .expect("text");
     }
     let done = run(&case, &[("cup.inp", &cup([0, 0]))]);
-    let feet = |unit: &str| -> f64 { (1..=4).map(|foot| done.last(&format!("{unit}_foot{foot}_N"))).sum() };
+    let feet = |unit: &str| -> f64 {
+        (1..=4).map(|foot| done.last(&format!("{unit}_foot{foot}_N"))).sum()
+    };
     assert!((done.last("RX_film_N") - 50.0).abs() < 0.1, "{}", done.last("RX_film_N"));
     assert!((feet("RX") - 50.0).abs() < 0.1, "{}", feet("RX"));
     // The load acts two thirds of the way to the far feet.

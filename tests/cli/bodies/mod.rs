@@ -1,7 +1,7 @@
 //! Machines of named bodies, run by the binary: what they do, and what is said of them.
 
 mod joints;
-mod meshes;
+pub(crate) mod meshes;
 mod rings;
 
 use whirl_tests::History;

@@ -87,7 +87,8 @@ fn every_rotation_is_drawn() {
         .file("case.toml", &ring(10.0, 10.0, "", &march("1e-4 s", 600)));
     let outcome = bench.whirl(&["run", "case.toml", "--out", "out"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    let text = |name: &str| std::fs::read_to_string(bench.path("out").join(name)).expect("a figure");
+    let text =
+        |name: &str| std::fs::read_to_string(bench.path("out").join(name)).expect("a figure");
     let rotation = text("rotation.svg");
     for title in ["Angle of rotation of rotor", "Speed of rotation of ring"] {
         assert!(rotation.contains(title), "{title}");

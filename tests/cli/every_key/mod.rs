@@ -17,11 +17,12 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 9] = [
+const FILES: [(&str, &str); 10] = [
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
     ("mass.toml", include_str!("mass.toml")),
+    ("named.toml", include_str!("named.toml")),
     ("film.toml", include_str!("film.toml")),
     ("wall.toml", include_str!("wall.toml")),
     ("buffer.toml", include_str!("buffer.toml")),
@@ -30,7 +31,7 @@ const FILES: [(&str, &str); 9] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 4] = ["generated.toml", "base.toml", "read.toml", "mass.toml"];
+const CASES: [&str; 5] = ["generated.toml", "base.toml", "read.toml", "mass.toml", "named.toml"];
 
 #[test]
 fn no_key_is_left_out() {
@@ -46,6 +47,20 @@ fn no_key_is_left_out() {
     let unused: Vec<&String> = known.difference(&used).collect();
     assert!(unused.is_empty(), "no case under tests/cli/every_key has {unused:?}");
     assert!(known.len() > 80, "the schema has keys");
+}
+
+/// What named bodies do is held to other machines and to formulas in `bodies`; here all of their keys stand together.
+#[test]
+fn every_key_of_named_bodies_runs() {
+    let cup = crate::bodies::meshes::cup([0, 0]);
+    let found = Results::of("named", &[("cup.inp", cup)]);
+    assert_eq!(found.history.rows(), 500);
+    let speed = std::f64::consts::TAU / 60.0 * (120.0 + 600.0 * 0.01);
+    assert!((found.history.last("omega_motor_rad_s") / speed - 1.0).abs() < 1e-9);
+    let joints = found.summary["supports"].as_array().expect("a list");
+    let names: Vec<&str> = joints.iter().filter_map(|joint| joint["joint"].as_str()).collect();
+    assert_eq!(names[..3], ["left", "right", "cup-near"]);
+    assert!(found.figure("rotation").contains("Speed of rotation of cup"));
 }
 
 /// The schemas one level down, each with what it adds to the path of a key.

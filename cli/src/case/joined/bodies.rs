@@ -20,16 +20,8 @@ pub(super) struct BodyDraft {
 /// Keys of a rigid body.
 const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffness"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 8] = [
-    "mesh",
-    "dimensions",
-    "material",
-    "regions",
-    "modes",
-    "held",
-    "axial_restraint",
-    "section",
-];
+const MESHED: [&str; 8] =
+    ["mesh", "dimensions", "material", "regions", "modes", "held", "axial_restraint", "section"];
 
 pub(super) fn read(
     store: FileStore,
@@ -50,7 +42,8 @@ pub(super) fn read(
     let turned = turns.is_some_and(|turns| turns != "no");
     let form = match (meshed, rigid) {
         (Some(meshed), Some(rigid)) => {
-            let message = format!("`{rigid}` is of a rigid body, and `{meshed}` of one with a mesh");
+            let message =
+                format!("`{rigid}` is of a rigid body, and `{meshed}` of one with a mesh");
             let help = "keep one of them: a mesh has its own mass";
             table.push(table.written(rigid).error_here(Code::BAD_VALUE, message).help(help));
             MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
@@ -60,7 +53,8 @@ pub(super) fn read(
         (Some(_), None) => read_meshed(store, table, materials, turned).map(Form::Meshed),
         (None, Some(_)) => Some(Form::Rigid(read_rigid(table, turned))),
         (None, None) => {
-            let help = "add `mesh = \"body.inp\"`, a table of `dimensions`, or the `mass` of a rigid body";
+            let help =
+                "add `mesh = \"body.inp\"`, a table of `dimensions`, or the `mass` of a rigid body";
             table.absent("mesh", help);
             MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
             ["z", "damping", "ground_spring"].iter().for_each(|key| table.pass_over(key));
@@ -109,19 +103,21 @@ fn read_meshed(
         table.demand("axial_restraint");
     }
     let ground_springs = if turns { Vec::new() } else { machine::ground_springs(table) };
-    Some(Box::new(MeshedBody { body: body?, held, ground_springs, axial_restraint, section }))
+    let stiffening = turns && table.optional_boolean("stiffening").unwrap_or(true);
+    Some(Box::new(MeshedBody {
+        body: body?,
+        held,
+        ground_springs,
+        axial_restraint,
+        section,
+        stiffening,
+    }))
 }
 
 /// Dimensions of a shaft or of a support.
 fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
-    const SHAFT: [&str; 6] = [
-        "length",
-        "diameter",
-        "supports",
-        "support_length",
-        "layers_in_support",
-        "layers_between",
-    ];
+    const SHAFT: [&str; 6] =
+        ["length", "diameter", "supports", "support_length", "layers_in_support", "layers_between"];
     const SUPPORT: [&str; 11] = [
         "start",
         "length",

@@ -16,7 +16,8 @@ pub(super) fn one_motion(
     for (place, motion) in &motions {
         if motion.origin.name != first.origin.name {
             let message = "all bodies of a machine have one `motion`";
-            let help = format!("write \"{}\" here, too, or another one everywhere", first.origin.name);
+            let help =
+                format!("write \"{}\" here, too, or another one everywhere", first.origin.name);
             file.push(place.error_here(Code::BAD_VALUE, message).help(help));
         }
     }
@@ -45,9 +46,8 @@ impl Checks<'_, '_> {
         for side in &joint.sides {
             self.side(joint, side);
         }
-        let turns = |side: &Side| {
-            side.body.is_some_and(|body| self.machine.bodies[body].turning.is_some())
-        };
+        let turns =
+            |side: &Side| side.body.is_some_and(|body| self.machine.bodies[body].turning.is_some());
         let [first, second] = joint.sides.each_ref().map(turns);
         let [of_first, of_second] = joint.sides.each_ref().map(|side| side.place.clone());
         if joint.kind == JointKind::Bushing && second {
@@ -62,7 +62,8 @@ impl Checks<'_, '_> {
             self.note(&of_second, message, help);
         }
         if joint.kind == JointKind::Coupling && !first {
-            let message = format!("`{}` does not turn: a coupling joins rotations", of_first.text());
+            let message =
+                format!("`{}` does not turn: a coupling joins rotations", of_first.text());
             let help = match second {
                 true => "swap the two sides",
                 false => "name a body that turns",
@@ -93,6 +94,16 @@ impl Checks<'_, '_> {
     }
 
     fn drive(&mut self, place: usize, drive: &Drive) {
+        if let Form::Meshed(meshed) = &self.machine.bodies[drive.body].form
+            && let Some([top, _]) = &meshed.section
+        {
+            let message = format!(
+                "`{}` is driven by `{}`, whose section turns with the frame: another one cannot",
+                drive.place.text(),
+                drive.name.text()
+            );
+            self.note(&top.clone(), message, "leave `section` out");
+        }
         let mut earlier = self.machine.drives[..place].iter();
         if let Some(first) = earlier.find(|own| own.body == drive.body) {
             let message = format!(
@@ -125,10 +136,10 @@ impl Checks<'_, '_> {
                 self.note(&body.name.clone(), message, help);
             }
         }
-        let tilts =
-            matches!(&body.form, Form::Rigid(rigid) if rigid.transverse_inertia.is_some());
+        let tilts = matches!(&body.form, Form::Rigid(rigid) if rigid.transverse_inertia.is_some());
         if tilts && in_one_plane(&joints) {
-            let message = format!("nothing acts on the tilts of `{name}`: its joints are in one plane");
+            let message =
+                format!("nothing acts on the tilts of `{name}`: its joints are in one plane");
             let help = "leave `transverse_inertia` out, add a joint at another z, or list `stations` along the joint";
             self.note(&body.name.clone(), message, help);
         }

@@ -49,7 +49,8 @@ pub(super) fn load<'a>(
         Form::Meshed(_) => {
             table.demand("sets");
             if table.has("z") {
-                let message = format!("`{}` has a mesh: its loaded nodes are named by sets", place.text());
+                let message =
+                    format!("`{}` has a mesh: its loaded nodes are named by sets", place.text());
                 let help = "write `sets = [\"…\"]` in place of `z`";
                 table.push(table.written("z").error_here(Code::BAD_VALUE, message).help(help));
             }

@@ -217,14 +217,17 @@ fn bushing(table: &Table) -> Option<Parts> {
     let (mut set, mut right) = (Vec::with_capacity(8), true);
     for (key, letter, zero) in [("stiffness", "k", "0 N/m"), ("damping", "c", "0 N*s/m")] {
         let before = table.errors();
-        let values = |own: &Table| DIRECTIONS.map(|direction| {
-            let place = own.written(direction);
-            (place, own.exact_quantity(direction))
-        });
+        let values = |own: &Table| {
+            DIRECTIONS.map(|direction| {
+                let place = own.written(direction);
+                (place, own.exact_quantity(direction))
+            })
+        };
         let given = table.in_table(key, values);
         right &= table.errors() == before;
         for (place, direction) in DIRECTIONS.iter().enumerate() {
-            let (at, value) = given.as_ref().map_or((table.written(key), None), |own| own[place].clone());
+            let (at, value) =
+                given.as_ref().map_or((table.written(key), None), |own| own[place].clone());
             let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
             set.push(SetParameter::new(&format!("{letter}_{direction}"), &at, value));
         }

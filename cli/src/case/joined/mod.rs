@@ -94,6 +94,8 @@ pub(crate) struct MeshedBody {
     pub(crate) axial_restraint: Option<Located>,
     /// Sets of one node at opposite ends of a diameter, whose section turns with the frame.
     pub(crate) section: Option<[Located; 2]>,
+    /// Whether the centrifugal stress stiffens it, if it turns.
+    pub(crate) stiffening: bool,
 }
 
 /// A rigid body.
@@ -263,18 +265,17 @@ impl JoinedMachine {
         let labels: Vec<Located> = joints.iter().map(|(name, _)| name.clone()).collect();
         names::distinct(file, "body", &known);
         names::distinct(file, "joint", &labels);
-        let joints = joints.into_iter().map(|(name, table)| {
-            table.read(|table| joints::read(store, table, &name, &known))
-        });
+        let joints = joints
+            .into_iter()
+            .map(|(name, table)| table.read(|table| joints::read(store, table, &name, &known)));
         let joints: Vec<Option<Joint>> = joints.collect();
-        let drives = names::in_order(file, "drives").into_iter().map(|(name, table)| {
-            table.read(|table| forces::drive(table, &name, &known, turns))
-        });
+        let drives = names::in_order(file, "drives")
+            .into_iter()
+            .map(|(name, table)| table.read(|table| forces::drive(table, &name, &known, turns)));
         let drives: Vec<Option<Drive>> = drives.collect();
         let loads = names::in_order(file, "loads").into_iter();
-        let loads = loads.map(|(name, table)| {
-            table.read(|table| forces::load(table, &name, &known, turns))
-        });
+        let loads = loads
+            .map(|(name, table)| table.read(|table| forces::load(table, &name, &known, turns)));
         let loads: Vec<Option<Load>> = loads.collect();
         let motion = checks::one_motion(file, motions);
         if file.errors() > before {

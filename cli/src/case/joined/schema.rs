@@ -54,6 +54,11 @@ pub(crate) const BODY: &[Key] = &[
     key("acceleration", ACCELERATION, "of a prescribed rotation, 0 if left out"),
     key("initial_speed", TURNING_SPEED, "of a free rotation at t = 0"),
     key("motion", MOTION, "how rotation is coupled to deformation"),
+    key(
+        "stiffening",
+        Flag,
+        "of a mesh that turns: false leaves out the stiffness by the centrifugal stress",
+    ),
 ];
 
 const PLANE_STIFFNESS: &[Key] = &[key("x", STIFFNESS, "along x"), key("y", STIFFNESS, "along y")];
@@ -101,13 +106,25 @@ pub(crate) const JOINT: &[Key] = &[
     key("springs", Count(3, MOST_SPRINGS), "in a ring, of a law that acts spring by spring")
         .like("24"),
     key("radial_clearance", CLEARANCE, "of the undeformed bearing"),
-    key("journal_radius", LENGTH, "for slip and for laws; that of the bore less the clearance if left out"),
+    key(
+        "journal_radius",
+        LENGTH,
+        "for slip and for laws; that of the bore less the clearance if left out",
+    ),
     key("length", LENGTH, "along the axis, for laws; between the ends of the journal if left out"),
     key("stations", List(&POSITION), "z of the rings of springs"),
-    key("run_out", PLACES, "of the journal, fixed in its body; or one at the left end, the middle, the right end")
-        .like(PLACE_EXAMPLE),
-    key("offset", PLACES, "of the bore, fixed in its body; or one at the left end, the middle, the right end")
-        .like(PLACE_EXAMPLE),
+    key(
+        "run_out",
+        PLACES,
+        "of the journal, fixed in its body; or one at the left end, the middle, the right end",
+    )
+    .like(PLACE_EXAMPLE),
+    key(
+        "offset",
+        PLACES,
+        "of the bore, fixed in its body; or one at the left end, the middle, the right end",
+    )
+    .like(PLACE_EXAMPLE),
     key(
         "side",
         Words(&["above", "below", "around"]),

@@ -9,7 +9,7 @@ use super::{meshed, section_of, turns};
 use crate::case::{self, Dimensions, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody};
 use crate::errors::Failure;
 use crate::machine::meshes;
-use crate::machine::plan::{AXES, BodyPlan};
+use crate::machine::plan::{AXES, BodyPlan, HoldingWords};
 
 /// A body before its reduction, if it needs one.
 pub(crate) enum PlannedBody {
@@ -88,7 +88,18 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     };
     let mesh = if by == [0.0; 2] { mesh } else { mesh.moved(by)? };
     let held_by = own.axial_restraint.as_ref().or(own.held.first()).unwrap_or(&body.name);
-    Ok(PlannedBody::Meshed(Box::new(BodyPlan::new(mesh, &own.body, held_by))))
+    let plan = BodyPlan::new(mesh, &own.body, held_by);
+    let springs = match body.turning {
+        None => format!(
+            ", add a spring `[[body.{}.ground_spring]]`, or join it at more nodes",
+            body.name.text()
+        ),
+        Some(_) => {
+            " or join it at more places: bearings and bushings retain the nodes of their sets"
+                .to_owned()
+        }
+    };
+    Ok(PlannedBody::Meshed(Box::new(plan.saying(HoldingWords { springs, held: "held" }))))
 }
 
 impl PlannedBody {

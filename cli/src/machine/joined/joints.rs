@@ -9,8 +9,8 @@ use super::bodies::retain_in_plane;
 use super::{PlannedBody, at, meshed, turns};
 use crate::case::{self, JoinedMachine, Joint, JointKind, JointSide};
 use crate::machine::laws::Measured;
-use crate::machine::plan::geometry::{mm, nodes_of};
 use crate::machine::plan::BodyPlan;
+use crate::machine::plan::geometry::{mm, nodes_of};
 
 /// Nodes around the bore of a rigid body, which move with it.
 const AROUND: usize = 8;
@@ -78,9 +78,7 @@ pub(super) fn place(
         sides.bore_axis = if turned { [own[0] + x, own[1] + y] } else { [x, y] };
     }
     let bore = match bodies.get_mut(second) {
-        Some(body) if !coupling => {
-            bore(joint, joined, body, (z, sides.bore_axis), errors)?
-        }
+        Some(body) if !coupling => bore(joint, joined, body, (z, sides.bore_axis), errors)?,
         _ => [const { Vec::new() }; 3],
     };
     let rigid = !matches!(bodies.get(second), Some(PlannedBody::Meshed(_)));
@@ -108,15 +106,18 @@ fn planes(joint: &Joint, bodies: &[PlannedBody], errors: &mut Diagnostics) -> Op
         PlannedBody::Meshed(_) => None,
     };
     let z = of_journal.or(of_bore).unwrap_or_else(|| {
-        let ends = stations.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, &z| {
-            [ends[0].min(z), ends[1].max(z)]
-        });
+        let ends = stations
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |ends, &z| [ends[0].min(z), ends[1].max(z)]);
         if stations.len() > 1 {
             return [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]];
         }
         let own = given[0].or(given[1]).or(stations.first().copied());
         [own.or_else(|| centre(&joint.sides[0])).unwrap_or(0.0); 3]
     });
+    if let (JointKind::Bushing, Some(own), Some(other)) = (joint.kind, of_journal, of_bore) {
+        apart_on_meshes(joint, [own[1], other[1]], bodies, errors)?;
+    }
     let radius = joint.bearing.journal_radius.unwrap_or(0.0);
     let allowed = (PLANES * (z[2] - z[0]).abs().max(radius)).max(1e-6);
     for side in &joint.sides {
@@ -136,6 +137,32 @@ fn planes(joint: &Joint, bodies: &[PlannedBody], errors: &mut Diagnostics) -> Op
         }
     }
     Some(z)
+}
+
+/// Notes sides of a bushing that stand at different z on their meshes, to a hundredth of the first one's length.
+fn apart_on_meshes(
+    joint: &Joint,
+    z: [f64; 2],
+    bodies: &[PlannedBody],
+    errors: &mut Diagnostics,
+) -> Option<()> {
+    let [first, second] = &joint.sides;
+    let PlannedBody::Meshed(plan) = &bodies[first.body?] else { return Some(()) };
+    let along = || plan.mesh.nodes().iter().map(|node| node[2]);
+    let length = along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min);
+    if (z[0] - z[1]).abs() <= 0.01 * length {
+        return Some(());
+    }
+    let message = format!(
+        "the sides of this joint are {} apart along the axis: at z = {} on `{}`, and at {}",
+        mm((z[0] - z[1]).abs()),
+        mm(z[1]),
+        second.place.text(),
+        mm(z[0])
+    );
+    let help = "name sets that stand at the same z";
+    errors.push(second.place.error_here(Code::BAD_VALUE, message).help(help));
+    None
 }
 
 /// z of the sets of a side on a mesh: their means.

@@ -38,7 +38,9 @@ pub(super) fn tie(plan: &mut BodyPlan, name: &Located, errors: &mut Diagnostics)
 fn opposite(nodes: &[[f64; 3]], z: f64) -> Option<[usize; 2]> {
     let farthest = nodes.iter().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);
     let mut order: Vec<usize> = (0..nodes.len())
-        .filter(|&node| nodes[node][0] > 0.0 && nodes[node][0].hypot(nodes[node][1]) > 0.1 * farthest)
+        .filter(|&node| {
+            nodes[node][0] > 0.0 && nodes[node][0].hypot(nodes[node][1]) > 0.1 * farthest
+        })
         .collect();
     // Nearest plane first, then along x, then far out; z to a thousandth of the radius, as planes are only flat to
     // the digits of meshes.

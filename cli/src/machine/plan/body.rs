@@ -30,6 +30,25 @@ pub(crate) struct BodyPlan {
     made_from: Located,
     /// The set of each of its springs to the ground, as the case says it.
     sprung: Vec<Located>,
+    /// How messages say what holds a body.
+    words: HoldingWords,
+}
+
+/// How messages say what holds a body.
+#[derive(Debug, Clone)]
+pub(in crate::machine) struct HoldingWords {
+    /// What to do against a motion that is free, after "hold more nodes".
+    pub(in crate::machine) springs: String,
+    /// The key of nodes that are held.
+    pub(in crate::machine) held: &'static str,
+}
+
+impl Default for HoldingWords {
+    /// Those of a shaft on a support.
+    fn default() -> Self {
+        let springs = " or, on the support, add a spring `[[support.ground_spring]]`".to_owned();
+        HoldingWords { springs, held: "mounts" }
+    }
 }
 
 impl BodyPlan {
@@ -45,7 +64,13 @@ impl BodyPlan {
             memory: FACTOR_MEMORY,
         };
         let (held_by, made_from) = (held_by.clone(), case.mesh.place());
-        BodyPlan { mesh, spec, held_by, made_from, sprung: Vec::new() }
+        let words = HoldingWords::default();
+        BodyPlan { mesh, spec, held_by, made_from, sprung: Vec::new(), words }
+    }
+
+    /// The body with other words for what holds it.
+    pub(in crate::machine) fn saying(self, words: HoldingWords) -> Self {
+        BodyPlan { words, ..self }
     }
 
     /// Sizes of the body, as in the paper's Table 1.
@@ -93,7 +118,8 @@ impl BodyPlan {
                     format!(", or check E = {:e} Pa of `{}`", modulus(softest), softest.name)
                 });
                 let help = format!(
-                    "write a stiffness of {most:.0e} N/m at most, name the set in `mounts` if it is to be held{made}"
+                    "write a stiffness of {most:.0e} N/m at most, name the set in `{}` if it is to be held{made}",
+                    self.words.held
                 );
                 let at = self.sprung.get(place).unwrap_or(&self.held_by);
                 Diagnostics::from(at.error_here(Code::BAD_VALUE, message).help(help)).into()
@@ -127,8 +153,8 @@ impl BodyPlan {
         }
         if !whole.is_empty() {
             let message = format!("{origin} can still move freely: {}", whole.join("; "));
-            let help = "against each of these motions hold more nodes or, on the support, add a spring \
-                        `[[support.ground_spring]]`";
+            let help =
+                format!("against each of these motions hold more nodes{}", self.words.springs);
             errors.push(self.held_by.error_here(Code::BAD_VALUE, message).help(help));
         }
         errors
@@ -269,7 +295,11 @@ impl BodyPlan {
     }
 
     /// The only node of a set; what is wrong with it is noted.
-    pub(in crate::machine) fn node(&self, set: &Located, errors: &mut Diagnostics) -> Option<usize> {
+    pub(in crate::machine) fn node(
+        &self,
+        set: &Located,
+        errors: &mut Diagnostics,
+    ) -> Option<usize> {
         let nodes = self.members(set, errors);
         let origin = self.mesh.origin();
         if nodes.len() != 1 && self.mesh.node_set(set.text()).is_ok() {
@@ -288,7 +318,11 @@ impl BodyPlan {
 
     /// The ends of the driven section move alike along y, which ties the flexible shaft to the frame that
     /// turns with it; their places among the output nodes.
-    pub(in crate::machine) fn tie(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> [usize; 2] {
+    pub(in crate::machine) fn tie(
+        &mut self,
+        drive: &case::Drive,
+        errors: &mut Diagnostics,
+    ) -> [usize; 2] {
         let nodes = [&drive.top, &drive.bottom].map(|set| self.node(set, errors));
         if nodes[0].is_some() && nodes[0] == nodes[1] {
             let message = "the driven nodes `top` and `bottom` are the same node";

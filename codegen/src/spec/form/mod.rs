@@ -187,7 +187,8 @@ impl Reader<'_> {
             self.matrices(table);
         }
         let stresses = root.optional_table("stresses").map(|table| self.stresses(table));
-        let forms = root.table("forms").map(|table| self.forms(table, &stresses.unwrap_or_default()));
+        let forms =
+            root.table("forms").map(|table| self.forms(table, &stresses.unwrap_or_default()));
         root.finish();
         if self.document.has_errors() {
             return None;
