@@ -17,8 +17,8 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::Source;
 
 pub(crate) use joined::{
-    Dimensions, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad, MeshedBody, NamedBody,
-    Side as JointSide, Turning,
+    Attached, Carried, Dimensions, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad,
+    MeshedBody, NamedBody, Side as JointSide, Turning,
 };
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::embedded_cases;

@@ -5,7 +5,7 @@ use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 use whirl_specs::Motion;
 
-use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning};
+use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached};
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
 
@@ -20,8 +20,17 @@ pub(super) struct BodyDraft {
 /// Keys of a rigid body.
 const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffness"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 8] =
-    ["mesh", "dimensions", "material", "regions", "modes", "held", "axial_restraint", "section"];
+const MESHED: [&str; 9] = [
+    "mesh",
+    "dimensions",
+    "material",
+    "regions",
+    "modes",
+    "held",
+    "axial_restraint",
+    "section",
+    "stiffening",
+];
 
 pub(super) fn read(
     store: FileStore,
@@ -61,11 +70,12 @@ pub(super) fn read(
             None
         }
     };
+    let attached = attached::read(table, turned, meshed.is_some());
     let right = table.errors() == before && turns.is_some();
     let name = name.clone();
     let body = form.filter(|_| right).map(|form| {
         let turning = turning.filter(|_| turned);
-        NamedBody { name: name.clone(), turning, axis, form }
+        NamedBody { name: name.clone(), turning, axis, form, attached }
     });
     BodyDraft { body: (name, body), motion }
 }

@@ -1,6 +1,7 @@
 //! A machine of bodies by name, and of what joins them: the tables `[body.NAME]`, `[joint.NAME]`, `[drives.NAME]` and
 //! `[loads.NAME]`.
 
+mod attached;
 mod bodies;
 mod checks;
 mod forces;
@@ -16,6 +17,7 @@ use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::{Element, Motion};
 
+pub(crate) use self::attached::{Attached, Carried};
 use super::library::FileStore;
 use super::loads;
 use super::machine::Materials;
@@ -53,6 +55,8 @@ pub(crate) struct NamedBody {
     pub(crate) axis: [f64; 2],
     /// What it is made of.
     pub(crate) form: Form,
+    /// What it carries beside that, if it turns.
+    pub(crate) attached: Vec<Attached>,
 }
 
 /// How a body turns.

@@ -53,12 +53,28 @@ pub(crate) const BODY: &[Key] = &[
     key("speed", TURNING_SPEED, "of a prescribed rotation at t = 0"),
     key("acceleration", ACCELERATION, "of a prescribed rotation, 0 if left out"),
     key("initial_speed", TURNING_SPEED, "of a free rotation at t = 0"),
+    key("disc", Named(&Table(&[DISC])), "rigid discs on a mesh that turns, by name"),
+    key("unbalance", Named(&Table(&[UNBALANCE])), "of a body that turns, by name"),
     key("motion", MOTION, "how rotation is coupled to deformation"),
     key(
         "stiffening",
         Flag,
         "of a mesh that turns: false leaves out the stiffness by the centrifugal stress",
     ),
+];
+
+const DISC: &[Key] = &[
+    merged("mass", MASS, "of the disc"),
+    merged("polar_inertia", INERTIA, "about the axis"),
+    merged("transverse_inertia", INERTIA, "about a diameter"),
+    key("z", POSITION, "of the section that carries it"),
+];
+
+const UNBALANCE: &[Key] = &[
+    merged("mass", MASS, "out of balance; it adds to no inertia"),
+    merged("radius", LENGTH, "at which it turns"),
+    key("angle", ANGLE, "from x of the turning frame, 0 if left out"),
+    key("z", POSITION, "of the section that carries it"),
 ];
 
 const PLANE_STIFFNESS: &[Key] = &[key("x", STIFFNESS, "along x"), key("y", STIFFNESS, "along y")];

@@ -88,7 +88,8 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     };
     let mesh = if by == [0.0; 2] { mesh } else { mesh.moved(by)? };
     let held_by = own.axial_restraint.as_ref().or(own.held.first()).unwrap_or(&body.name);
-    let plan = BodyPlan::new(mesh, &own.body, held_by);
+    let mut plan = BodyPlan::new(mesh, &own.body, held_by);
+    plan.spec.stiffening = own.stiffening;
     let springs = match body.turning {
         None => format!(
             ", add a spring `[[body.{}.ground_spring]]`, or join it at more nodes",

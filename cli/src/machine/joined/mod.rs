@@ -1,5 +1,6 @@
 //! The machine of bodies by name.
 
+mod attached;
 mod bodies;
 mod compare;
 mod joints;
@@ -16,6 +17,7 @@ use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::reduced::BodyKind;
 use whirl_solver::support::Support;
 
+use self::attached::{PlannedAttached, attach};
 pub(crate) use self::bodies::PlannedBody;
 use self::joints::PlannedJoint;
 use super::laws::laws_of;
@@ -29,6 +31,8 @@ use crate::errors::Failure;
 pub(crate) struct JoinedPlan {
     /// In the order of the case.
     pub(crate) bodies: Vec<PlannedBody>,
+    /// What each body carries.
+    attached: Vec<Vec<PlannedAttached>>,
     /// In the order of the case.
     joints: Vec<PlannedJoint>,
     /// Places of the driven nodes among the output nodes of their bodies, a drive each: top, bottom.
@@ -51,6 +55,9 @@ impl JoinedPlan {
     ) -> Result<JoinedPlan, Failure> {
         let mut errors = Diagnostics::new();
         let mut bodies = bodies::plan(joined, warnings)?;
+        let carried = joined.bodies.iter().zip(&mut bodies);
+        let attached =
+            carried.map(|(own, body)| attached::plan(&own.attached, body, &mut errors)).collect();
         let mut joints = Vec::with_capacity(joined.joints.len());
         for joint in &joined.joints {
             joints.extend(joints::place(joint, joined, &mut bodies, &mut errors));
@@ -79,7 +86,7 @@ impl JoinedPlan {
         errors.into_result(())?;
         let measured = joints.iter().map(|joint| (&joint.bearing, joint.measured(&bodies)));
         let laws = laws_of(measured.collect(), "the joint")?;
-        Ok(JoinedPlan { bodies, joints, drives, loads, laws })
+        Ok(JoinedPlan { bodies, attached, joints, drives, loads, laws })
     }
 
     /// Checks for what would keep the bodies from being reduced, without reducing them.
@@ -192,7 +199,8 @@ fn reduced(
 ) -> Result<(Vec<Body>, Option<BodyFacts>), Failure> {
     let start = Instant::now();
     let (mut bodies, mut facts, mut cached) = (Vec::new(), Vec::new(), true);
-    for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
+    let carried = plan.bodies.iter().zip(&plan.attached);
+    for (body, (own, attached)) in joined.bodies.iter().zip(carried) {
         let name = body.name.text();
         let rotation = body.turning.map(|turning| match turning {
             Turning::Free { .. } => Rotation::Free,
@@ -203,7 +211,7 @@ fn reduced(
         let plan = match (own, rotation) {
             (PlannedBody::Meshed(plan), _) => plan,
             (PlannedBody::Rigid(rigid), Some(rotation)) => {
-                let shaft = rigid.body.turning(&rigid.nodes);
+                let shaft = attach(rigid.body.turning(&rigid.nodes), attached);
                 bodies.push(Body::turning(name, shaft, rotation));
                 continue;
             }
@@ -217,9 +225,11 @@ fn reduced(
         cached &= known;
         let explained = |error| plan.explain(error);
         let made = match rotation {
-            Some(rotation) => {
-                Body::turning(name, found.shaft(&plan.spec).map_err(explained)?, rotation)
-            }
+            Some(rotation) => Body::turning(
+                name,
+                attach(found.shaft(&plan.spec).map_err(explained)?, attached),
+                rotation,
+            ),
             None => Body::standing(name, found.support(&plan.spec).map_err(explained)?),
         };
         let hertz = match &made {

@@ -1,0 +1,70 @@
+//! What a body that turns carries beside its mesh: `[body.NAME.disc.NAME]` and `[body.NAME.unbalance.NAME]`.
+
+use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::document::Table;
+
+use super::names;
+
+/// What is carried, and where.
+#[derive(Debug, Clone)]
+pub(crate) struct Attached {
+    /// Its name, at its table.
+    pub(crate) name: Located,
+    /// z of the section that carries it, m.
+    pub(crate) z: f64,
+    /// What it is.
+    pub(crate) what: Carried,
+}
+
+/// What a section carries.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Carried {
+    /// A rigid disc, its centre of mass on the axis.
+    Disc {
+        /// kg.
+        mass: f64,
+        /// About the axis, kg·m².
+        polar_inertia: f64,
+        /// About a diameter, kg·m².
+        transverse_inertia: f64,
+    },
+    /// Mass times eccentricity along x and y of the turning frame, kg·m.
+    Unbalance([f64; 2]),
+}
+
+/// What a body that turns carries, discs first; those on another one are noted.
+pub(super) fn read(table: &Table, turns: bool, meshed: bool) -> Vec<Attached> {
+    let mut all = Vec::new();
+    for (name, own) in names::in_order(table, "disc") {
+        all.push(own.read(|own| {
+            own.demand("z");
+            let what = Carried::Disc {
+                mass: own.quantity_or_one("mass"),
+                polar_inertia: own.quantity_or_one("polar_inertia"),
+                transverse_inertia: own.quantity_or_one("transverse_inertia"),
+            };
+            Attached { name, z: own.quantity("z").unwrap_or(0.0), what }
+        }));
+    }
+    if let (Some(disc), false) = (all.first(), turns && meshed) {
+        let message = "a disc is carried by a mesh that turns".to_owned();
+        let help = "a rigid body has its inertia in `mass`, `polar_inertia` and `transverse_inertia`; \
+                    on a body that does not turn it is a part of the mesh";
+        table.push(disc.name.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    for (name, own) in names::in_order(table, "unbalance") {
+        if !turns {
+            let message = "an unbalance is of a body that turns".to_owned();
+            let help = "take it out, or let the body turn";
+            table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        all.push(own.read(|own| {
+            own.demand("z");
+            let moment = own.quantity_or_one("mass") * own.quantity_or_one("radius");
+            let (sin, cos) = own.quantity("angle").unwrap_or(0.0).sin_cos();
+            let what = Carried::Unbalance([moment * cos, moment * sin]);
+            Attached { name, z: own.quantity("z").unwrap_or(0.0), what }
+        }));
+    }
+    all
+}

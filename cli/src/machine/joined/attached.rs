@@ -1,0 +1,108 @@
+//! Discs and unbalance on the sections of a body that turns.
+
+use whirl_codegen::diagnostic::{Code, Diagnostics};
+use whirl_solver::attached::{Disc, Unbalance};
+use whirl_solver::body::BodyNode;
+use whirl_solver::linalg::Matrix;
+use whirl_solver::measure::MeanMotion;
+use whirl_solver::shaft::Shaft;
+
+use super::PlannedBody;
+use super::bodies::retain_in_plane;
+use crate::case::{Attached, Carried};
+use crate::machine::plan::BodyPlan;
+use crate::machine::plan::geometry::mm;
+
+/// Nodes stand in one section to this part of the body's length.
+const FLAT: f64 = 1e-5;
+/// A section is at most this part of the body's length away from where it is looked for.
+const NEAR: f64 = 0.01;
+
+/// Something on a section, and the section's nodes among the output nodes of the body.
+pub(crate) struct PlannedAttached {
+    own: Attached,
+    nodes: Vec<usize>,
+}
+
+/// Finds the sections, and retains their centres where there are nodes.
+pub(super) fn plan(
+    attached: &[Attached],
+    body: &mut PlannedBody,
+    errors: &mut Diagnostics,
+) -> Vec<PlannedAttached> {
+    let mut all = Vec::with_capacity(attached.len());
+    for own in attached {
+        let nodes = match body {
+            PlannedBody::Meshed(plan) => section(own, plan, errors),
+            PlannedBody::Rigid(rigid) => vec![rigid.node([0.0, 0.0, own.z])],
+        };
+        all.push(PlannedAttached { own: own.clone(), nodes });
+    }
+    all
+}
+
+/// The nodes of the section nearest to where something is.
+fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Vec<usize> {
+    let nodes = plan.mesh.nodes();
+    let ends = nodes.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, node| {
+        [ends[0].min(node[2]), ends[1].max(node[2])]
+    });
+    let length = ends[1] - ends[0];
+    let away = |node: &[f64; 3]| (node[2] - own.z).abs();
+    let nearest = nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).copied();
+    let Some(nearest) = nearest.filter(|node| away(node) <= NEAR * length) else {
+        let message = format!(
+            "no section of {} is at z = {}; it has nodes from {} to {}",
+            plan.mesh.origin(),
+            mm(own.z),
+            mm(ends[0]),
+            mm(ends[1])
+        );
+        let help = match nearest {
+            Some(node) => format!("the nearest nodes are at `z = \"{}\"`", mm(node[2])),
+            None => "the mesh has no nodes".to_owned(),
+        };
+        errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));
+        return Vec::new();
+    };
+    let flat = |node: &[f64; 3]| (node[2] - nearest[2]).abs() <= FLAT * length;
+    let found: Vec<usize> = (0..nodes.len()).filter(|&node| flat(&nodes[node])).collect();
+    let on_axis = |&&node: &&usize| {
+        let [x, y, _] = plan.mesh.nodes()[node];
+        x.hypot(y) <= FLAT * length
+    };
+    if let (Some(&centre), Carried::Disc { .. }) = (found.iter().find(on_axis), own.what) {
+        retain_in_plane(plan, &own.name, centre);
+    }
+    found.into_iter().map(|node| plan.output_node(node)).collect()
+}
+
+/// The shaft with all that it carries.
+pub(super) fn attach(mut shaft: Shaft, attached: &[PlannedAttached]) -> Shaft {
+    for PlannedAttached { own, nodes } in attached {
+        let weighted: Vec<(&BodyNode, f64)> =
+            nodes.iter().map(|&place| (&shaft.nodes[place], 1.0)).collect();
+        let Some(mean) = MeanMotion::of(&weighted) else { continue };
+        let centre = mean.node_at([0.0, 0.0, own.z]);
+        shaft = match own.what {
+            Carried::Unbalance(moment) => {
+                shaft.with_unbalance(&Unbalance { moment, node: &centre })
+            }
+            Carried::Disc { mass, polar_inertia, transverse_inertia } => {
+                let rows = |first: usize, count: usize| {
+                    Matrix::from_fn(count, mean.rotation.cols, |i, j| mean.rotation[(first + i, j)])
+                };
+                let (tilt, twist) = (rows(0, 2), rows(2, 1));
+                shaft.with_disc(&Disc {
+                    mass,
+                    polar_inertia,
+                    diametral_inertia: transverse_inertia,
+                    displacement: &centre.shapes,
+                    tilt: &tilt,
+                    twist: Some(&twist.data),
+                })
+            }
+        };
+    }
+    shaft
+}
