@@ -68,9 +68,9 @@ fn turning(shaft: &Shaft, speed: f64) -> Vec<f64> {
     frequencies(&m, &(h * (-2.0 * speed)), &(k - w * (speed * speed)))
 }
 
-/// Rows of the mean motion of nodes (places in the shaft's): x, y, z, and the tilts about x and y.
-fn mean_motion(shaft: &Shaft, places: &[usize]) -> [DVector<f64>; 5] {
-    let mut rows = [0; 5].map(|_| DVector::zeros(shaft.size()));
+/// Rows of the mean motion of nodes (places in the shaft's): x, y, z, and the turns about x, y and z.
+fn mean_motion(shaft: &Shaft, places: &[usize]) -> [DVector<f64>; 6] {
+    let mut rows = [0; 6].map(|_| DVector::zeros(shaft.size()));
     let mut squares = [0.0; 2];
     for &place in places {
         let node = &shaft.nodes[place];
@@ -82,10 +82,12 @@ fn mean_motion(shaft: &Shaft, places: &[usize]) -> [DVector<f64>; 5] {
         // w = α y − β x.
         rows[3] += shapes.row(2).transpose() * y;
         rows[4] -= shapes.row(2).transpose() * x;
+        rows[5] += shapes.row(1).transpose() * x - shapes.row(0).transpose() * y;
         squares[0] += y * y;
         squares[1] += x * x;
     }
     rows[3] /= squares[0];
     rows[4] /= squares[1];
+    rows[5] /= squares[0] + squares[1];
     rows
 }

@@ -28,7 +28,7 @@ fn mesh() -> Mesh {
         supports: DISCS.map(|[z, ..]| z).to_vec(),
         support_length: 0.04,
         layers_in_support: 2,
-        layers_between: 10,
+        layers_between: 24,
         loads: Vec::new(),
         section: SectionCells::default(),
         material: steel(DENSITY),
@@ -58,9 +58,12 @@ impl Plane {
             .collect();
         let [top, bottom] =
             ["DRIVE_TOP", "DRIVE_BOTTOM"].map(|set| mesh.single_node(set).expect("a node"));
-        // The axial dof is held, the turn of the driven end, too.
+        // The axial dof is held, the turn of the driven end, too. Sections of discs tilt as planes, for which all of their
+        // axial dofs are kept: a moment on one of them alone would dent the section.
         let mut dofs = vec![3 * centre[0] + 2, 3 * top + 1, 3 * bottom + 1];
         dofs.extend([0, 1].iter().flat_map(|axis| centre.iter().map(move |node| 3 * node + axis)));
+        let discs: Vec<Vec<usize>> = DISCS.iter().map(|[z, ..]| section(*z)).collect();
+        dofs.extend(discs.iter().flatten().map(|node| 3 * node + 2));
         let stations = [0.0, LENGTH].into_iter().chain(DISCS.map(|[z, ..]| z));
         let sections: Vec<Vec<usize>> = stations.map(section).collect();
         let mut spec = spec(&dofs, 1, 0, sections.concat());
@@ -75,7 +78,7 @@ impl Plane {
             })
             .collect();
         for (places, [_, thickness, outer]) in places[2..].iter().zip(DISCS) {
-            let [x, y, z, alpha, beta] = mean_motion(&shaft, places).map(|row| row.transpose());
+            let [x, y, z, alpha, beta, _] = mean_motion(&shaft, places).map(|row| row.transpose());
             let square = outer.powi(2) + RADIUS.powi(2);
             let mass = DENSITY * PI * (outer.powi(2) - RADIUS.powi(2)) * thickness;
             shaft = shaft.with_disc(&Disc {
@@ -87,13 +90,24 @@ impl Plane {
                 twist: None,
             });
         }
-        // The tied dofs follow the others: what is left are x and y of the centre line, which are alike.
-        let (n, size) = (centre.len(), shaft.size());
-        assert_eq!(size, 2 * n + 1);
+        // The tied dofs follow the others: what is left are the planes of x and of y, which are alike.
+        let (line, n, size) = (centre.len(), centre.len() + discs.len(), shaft.size());
+        let mut own = DMatrix::zeros(size, 2 * n);
+        for axis in [0, 1] {
+            own.view_mut((1 + axis * line, axis * n), (line, line)).fill_with_identity();
+            let mut row = 1 + 2 * line;
+            for (place, disc) in discs.iter().enumerate() {
+                for &node in disc {
+                    own[(row, axis * n + line + place)] = mesh.nodes()[node][axis];
+                    row += 1;
+                }
+            }
+            assert_eq!(row, size);
+        }
         let k = dense(&shaft.stiffness);
-        let mut transform = DMatrix::zeros(size, 2 * n);
-        transform.view_mut((1, 0), (2 * n, 2 * n)).fill_with_identity();
-        transform.row_mut(0).copy_from(&(k.view((0, 1), (1, 2 * n)) / -k[(0, 0)]));
+        let follows = k.row(0) * &own / -k[(0, 0)];
+        let mut transform = own;
+        transform.row_mut(0).copy_from(&follows);
         let part = |matrix: &whirl_solver::linalg::Matrix, column: usize| {
             let whole = transform.transpose() * dense(matrix) * &transform;
             let wanted = whole.view((0, column), (n, n)).into_owned();
