@@ -123,9 +123,9 @@ impl Shaft {
     fn tensors(&self, motion: &Motion) -> Vec<&[f64]> {
         let names = ["J0", "y0", "g0", "M", "Y", "H"];
         // Without stiffening Y − G is Y.
-        let known = |name: &'static str| if name == "W" { "Y" } else { name };
-        let place = |name: &'static str| {
-            names.iter().position(|own| *own == known(name)).expect("known tensor")
+        let place = |name: &str| {
+            let own = if name == "W" { "Y" } else { name };
+            names.iter().position(|known| *known == own).expect("known tensor")
         };
         motion.tensors.iter().map(|tensor| self.tensors[place(tensor.name)].as_slice()).collect()
     }

@@ -7,6 +7,7 @@ mod dropped;
 mod files;
 mod gradients;
 mod patches;
+mod stress;
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

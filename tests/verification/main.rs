@@ -21,3 +21,4 @@ mod reduction;
 mod reference_kernels;
 mod reference_modes;
 mod small_shaft;
+mod stiffening;

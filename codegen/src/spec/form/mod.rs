@@ -354,7 +354,9 @@ impl Reader<'_> {
             table.error(Code::MISSING_KEY, table.span(), message);
         }
         table.finish();
-        if let Err(errors) = stress::resolve(&mut self.graph, stresses, &mut forms) {
+        // A form that is wrong is missing, which has been noted.
+        if !self.document.has_errors()
+            && let Err(errors) = stress::resolve(&mut self.graph, stresses, &mut forms) {
             self.document.append(errors);
         }
         forms

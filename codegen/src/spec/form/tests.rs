@@ -7,6 +7,14 @@ use crate::spec::form::Place;
 const ELASTICITY: &str = include_str!("../../../../specs/forms/elasticity.toml");
 const INERTIA: &str = include_str!("../../../../specs/forms/inertia.toml");
 
+/// Without the stress and the form under it.
+fn stiffness_alone() -> String {
+    let (before, rest) = ELASTICITY.split_once("# The stress that").unwrap();
+    let (_, forms) = rest.split_once("\n\n").unwrap();
+    let (stiffness, _) = forms.split_once("# sigma_ij").unwrap();
+    format!("{before}{stiffness}")
+}
+
 fn read(text: &str) -> Result<FormSpec, Vec<String>> {
     let file = Source::new("f.toml", text);
     FormSpec::read(&file).map_err(|errors| errors.iter().map(ToString::to_string).collect())
@@ -66,7 +74,7 @@ fn other_structures_are_told_apart() {
         ("mu*div(u)*trace(grad(D*v))", "Full"),
         ("mu*dot(u + D*u, v)", "Full"),
     ] {
-        let file = ELASTICITY.replace("lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))", text);
+        let file = stiffness_alone().replace("lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))", text);
         let file =
             file.replace("[forms]", "[matrices]\nD = [[0, -1, 0], [1, 0, 0], [0, 0, 0]]\n[forms]");
         let found = match read(&file) {
@@ -95,8 +103,55 @@ fn slips_of_the_pen_are_named() {
         ("stiffness =", "Stiffness =", "`Stiffness` cannot be a form's name"),
         ("[material.nu]", "[material.u]", "the name `u` is taken"),
     ] {
-        let changed = ELASTICITY.replace(from, to);
+        let changed = stiffness_alone().replace(from, to);
         let found = read(&changed).err().unwrap_or_default();
+        assert!(found.iter().any(|error| error.contains(expected)), "{expected}: {found:?}");
+    }
+}
+
+#[test]
+fn the_stress_is_derived_from_the_form() {
+    let mut spec = read(ELASTICITY).unwrap();
+    let form = spec.forms[1].clone();
+    let stress = form.stress.clone().expect("a stress");
+    assert_eq!((form.integrated_as(), stress.form.as_str()), ("stiffness", "stiffness"));
+    let Structure::Kronecker { pattern: found, .. } = &form.structure else {
+        panic!("{:?}", form.structure);
+    };
+    assert_eq!(**found, pattern([[1, 0, 0], [0, 1, 0], [0, 0, 1]]));
+    let [lambda, mu] = [0, 1].map(|place| spec.coefficients[place].symbol);
+    let w = stress.slopes;
+    let graph = &mut spec.graph;
+    // σ = λ tr(ε) 1 + 2 μ ε.
+    let one = Rational::one();
+    let div = graph.sum(&[0, 1, 2].map(|k| (w[k][k], one.clone())));
+    for (i, k) in (0..9).map(|n| (n / 3, n % 3)) {
+        let both = graph.add(w[i][k], w[k][i]);
+        let mut expected = graph.mul(mu, both);
+        if i == k {
+            let spread = graph.mul(lambda, div);
+            expected = graph.add(expected, spread);
+        }
+        assert!(normal::equal(graph, stress.components[i][k], expected), "{i} {k}");
+        assert!(normal::equal(graph, stress.scalar[&(1 + i, 1 + k)], expected), "{i} {k}");
+    }
+    let material: Vec<_> = spec.material_of(&form).iter().map(|p| p.name.as_str()).collect();
+    assert_eq!(material, ["E", "nu"]);
+}
+
+#[test]
+fn stresses_that_are_none_are_named() {
+    let under = "inner(sigma, transpose(grad(u))*grad(v))";
+    for (from, to, expected) in [
+        ("sigma = \"stiffness\"", "sigma = \"stifness\"", "there is no form `stifness` here"),
+        ("sigma = \"stiffness\"", "sigma = \"stiffening\"", "has a stress in it itself"),
+        (under, "dot(sigma*u, v)", "constant over a cell"),
+        (under, "trace(sigma)*dot(u, v)", "one scalar matrix of gradients"),
+        (under, "trace(sigma)*div(u)*div(v)", "one scalar matrix of gradients"),
+        ("2*mu*inner(eps(u), eps(v))", "mu*inner(grad(u), grad(v))", "is not symmetric: no stress"),
+        ("2*mu*inner(eps(u), eps(v))", "mu*dot(u, v)", "it is not made of gradients alone"),
+    ] {
+        let found = read(&ELASTICITY.replace(from, to)).err().unwrap_or_default();
         assert!(found.iter().any(|error| error.contains(expected)), "{expected}: {found:?}");
     }
 }

@@ -25,7 +25,7 @@ impl CellForm<'_> {
         with_values: bool,
         aligned: Option<&Aligned>,
     ) -> (TokenStream, usize) {
-        let form = &self.form.name;
+        let form = self.form.integrated_as();
         let enhanced = self.element.enhanced_in(form);
         let nodes = self.element.nodes.len();
         let modes = enhanced.map_or(0, |enhanced| enhanced.modes.len());
@@ -136,7 +136,8 @@ impl CellForm<'_> {
             }
             Some(_) => {
                 let jacobian = self.jacobian(tables, &quote!(workspace.tangents));
-                let keep_root = with_values.then(|| quote!(workspace.roots[q] = #root;));
+                let with_roots = with_values || self.form.stress.is_some();
+                let keep_root = with_roots.then(|| quote!(workspace.roots[q] = #root;));
                 quote! {
                     let mut least_det = L::splat(f64::INFINITY);
                     #mode_maps

@@ -36,7 +36,7 @@ impl CellForm<'_> {
         products: &Products,
         (mut sums, mut tangents): (Linear, Linear),
     ) -> Body {
-        let form = self.form.integrated_as();
+        let form = &self.form.name;
         let scale = tangents.take_scale();
         // det J over that of the tangents without their scale.
         let volume = scale.map(|scale| scale.powi(3));
@@ -103,7 +103,7 @@ impl CellForm<'_> {
 
     /// A loop over the pairs of nodes and one over the points.
     fn in_loops(&self, pairs: &Pairs, tables: &mut Tables, table: &Table) -> Body {
-        let form = self.form.integrated_as();
+        let form = &self.form.name;
         let (nodes, points) = (self.element.nodes.len(), table.weights.len());
         let (tangents, tangent_flops) = self.tangents(tables, table);
         let (columns, shapes) = (tables.named("COLUMNS", form), tables.named("SHAPES", form));
