@@ -113,6 +113,13 @@ impl LawSource {
         self.names().iter().any(|name| name == "M_z" || name == "T")
     }
 
+    /// Whether the law takes rates of the journal but no speed: in a bore that turns it damps against the bore.
+    pub(crate) fn damps_against_bore(&self) -> bool {
+        let names = self.names();
+        let takes = |name: &str| names.iter().any(|own| own == name);
+        ["h_dot", "e_x_dot", "e_y_dot"].into_iter().any(takes) && !takes("omega")
+    }
+
     /// What of the law needs the radius of the journal, if anything does.
     pub(crate) fn at_surface(&self) -> Option<&'static str> {
         let names = self.names();

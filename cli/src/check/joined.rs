@@ -38,6 +38,16 @@ pub(super) fn say(
     line!(text, "{} active coordinates", built.machine.active());
     for (joint, law) in joined.joints.iter().zip(&plan.laws) {
         line!(text, "{}", of_joint(joint, &law.name()));
+        let turns = |body: usize| joined.bodies[body].turning.is_some();
+        let turning = joint.sides[1].body.filter(|body| turns(*body));
+        if let Some(bore) = turning.filter(|_| law.damps_against_bore()) {
+            line!(
+                text,
+                "  its law takes rates without omega, and its bore turns with {}: this is rotating damping, which \
+                 destabilises above a critical speed",
+                joined.bodies[bore].name.text()
+            );
+        }
     }
     for drive in joined.drives.iter().filter(|drive| drive.couple.acts) {
         line!(
