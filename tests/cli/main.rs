@@ -13,6 +13,7 @@ mod good_runs;
 mod hostile;
 mod law_values;
 mod lost_work;
+mod machines;
 mod messages;
 mod mutants;
 mod new;

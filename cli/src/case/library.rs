@@ -25,8 +25,11 @@ embedded![
     "hu2003-4.toml",
     "hu2003-5.toml",
     "hu2003.machine.toml",
+    "overhung-disc.toml",
     "sdnd101.toml",
     "sdnd108.toml",
+    "turbocharger.toml",
+    "two-spool.toml",
 ];
 
 /// Folder under which the built-in files are shown in messages.

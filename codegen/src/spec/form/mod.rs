@@ -356,7 +356,8 @@ impl Reader<'_> {
         table.finish();
         // A form that is wrong is missing, which has been noted.
         if !self.document.has_errors()
-            && let Err(errors) = stress::resolve(&mut self.graph, stresses, &mut forms) {
+            && let Err(errors) = stress::resolve(&mut self.graph, stresses, &mut forms)
+        {
             self.document.append(errors);
         }
         forms
