@@ -56,12 +56,10 @@ impl Table<'_> {
     pub fn quantity_pairs(&self, key: &str) -> Option<Vec<[f64; 2]>> {
         let is_list = |shape: &Shape| matches!(shape, Shape::List(Shape::Either(_)));
         let (node, shape) = self.entry(key, is_list)?;
-        let measures = shape.of_items()?.alternatives().iter();
-        let measure = measures.filter_map(|shape| match shape {
+        let measure = shape.of_items()?.alternatives().iter().find_map(|shape| match shape {
             Shape::Quantity(measure) => Some(measure),
             _ => None,
-        });
-        let measure = measure.last()?;
+        })?;
         match &node.content {
             Content::List(list) if list.iter().all(|item| item.is_list()) && !list.is_empty() => {
                 list.iter().map(|item| self.pair_of(key, item, measure)).collect()
