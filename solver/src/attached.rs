@@ -167,9 +167,7 @@ mod tests {
     /// T of the tensors.
     fn energy(shaft: &Shaft, speed: f64, eta: &[f64], rate: &[f64]) -> f64 {
         let product = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
-        let j = shaft.j0
-            + 2.0 * product(&shaft.y0, eta)
-            + product(eta, &shaft.spin_net.apply(eta));
+        let j = shaft.j0 + 2.0 * product(&shaft.y0, eta) + product(eta, &shaft.spin_net.apply(eta));
         let g = product(&shaft.g0, rate) - product(rate, &shaft.spin_coupling.apply(eta));
         let own = product(rate, &shaft.mass.apply(rate));
         0.5 * speed * speed * j + speed * g + 0.5 * own
@@ -200,8 +198,7 @@ mod tests {
         let step = 1e-4;
         let one = |(point, mass): &([f64; 3], f64)| {
             let (before, after) = (place(point, -step), place(point, step));
-            let square: f64 =
-                (0..3).map(|i| ((after[i] - before[i]) / (2.0 * step)).powi(2)).sum();
+            let square: f64 = (0..3).map(|i| ((after[i] - before[i]) / (2.0 * step)).powi(2)).sum();
             0.5 * mass * square
         };
         points.iter().map(one).sum()
@@ -211,12 +208,16 @@ mod tests {
     fn states() -> Vec<([f64; 5], [f64; 5])> {
         let small = 2e-3;
         let unit = |j: usize, size: f64| std::array::from_fn(|i| if i == j { size } else { 0.0 });
-        let mut states: Vec<([f64; 5], [f64; 5])> = (0..5).map(|j| (unit(j, small), [0.0; 5])).collect();
+        let mut states: Vec<([f64; 5], [f64; 5])> =
+            (0..5).map(|j| (unit(j, small), [0.0; 5])).collect();
         states.extend((0..5).map(|j| ([0.0; 5], unit(j, small))));
         for (i, j) in [(0, 1), (1, 0), (2, 3), (3, 2), (0, 3), (2, 4)] {
             states.push((unit(i, small), unit(j, small)));
         }
-        states.push(([0.7, -0.4, 0.9, 0.5, -0.3].map(|v| small * v), [0.5, 0.8, -0.6, 0.7, 0.4].map(|v| small * v)));
+        states.push((
+            [0.7, -0.4, 0.9, 0.5, -0.3].map(|v| small * v),
+            [0.5, 0.8, -0.6, 0.7, 0.4].map(|v| small * v),
+        ));
         states
     }
 

@@ -61,7 +61,8 @@ fn generated(element: &Element, form: &str, nodes: &[[f64; 3]]) -> (DMatrix<f64>
 /// A displacement of nodes that is no rigid motion and strains no two points alike.
 fn displacement(nodes: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let wild = |[x, y, z]: &[f64; 3]| {
-        [3.0 * x + 2.0 * x * y - z, y * z - 0.5 * x, 4.0 * z - x * z + 0.7 * x * x].map(|u| 1e-3 * u)
+        [3.0 * x + 2.0 * x * y - z, y * z - 0.5 * x, 4.0 * z - x * z + 0.7 * x * x]
+            .map(|u| 1e-3 * u)
     };
     nodes.iter().map(wild).collect()
 }

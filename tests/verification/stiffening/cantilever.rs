@@ -41,7 +41,12 @@ fn beam() -> Mesh {
         origin: "beam".to_owned(),
         labels: (1..=nodes.len() as u64).collect(),
         nodes,
-        blocks: vec![Block { element, material: 0, labels: (1..=cells as u64).collect(), connectivity }],
+        blocks: vec![Block {
+            element,
+            material: 0,
+            labels: (1..=cells as u64).collect(),
+            connectivity,
+        }],
         materials: vec![steel(DENSITY)],
         node_sets: BTreeMap::new(),
         element_sets: BTreeMap::new(),

@@ -46,7 +46,12 @@ fn altered(mesh: &Mesh, change: impl FnOnce(&mut MeshParts)) -> Mesh {
 }
 
 /// η of a rigid motion: modes rest, the retained dofs follow.
-fn rigid(shaft: &Shaft, dofs: &[usize], modes: usize, motion: impl Fn(usize) -> [f64; 3]) -> DVector<f64> {
+fn rigid(
+    shaft: &Shaft,
+    dofs: &[usize],
+    modes: usize,
+    motion: impl Fn(usize) -> [f64; 3],
+) -> DVector<f64> {
     DVector::from_fn(shaft.size(), |j, _| match j.checked_sub(modes) {
         Some(j) => motion(dofs[j] / 3)[dofs[j] % 3],
         None => 0.0,
@@ -72,7 +77,8 @@ fn a_free_disc_that_tilts_has_y_less_g_of_its_moments_of_inertia() {
     let mesh = altered(&mesh, |parts| parts.nodes.iter_mut().for_each(|x| x[2] -= middle));
     let dofs = three(&mesh);
     let shaft = Shaft::from_mesh(&mesh, &spec(&dofs, 0, 3, Vec::new())).expect("a body");
-    let (mass, polar) = (std::f64::consts::PI * RADIUS.powi(2) * THICKNESS * DENSITY, RADIUS.powi(2) / 2.0);
+    let (mass, polar) =
+        (std::f64::consts::PI * RADIUS.powi(2) * THICKNESS * DENSITY, RADIUS.powi(2) / 2.0);
     let (polar, diametral) = (mass * polar, mass * (polar / 2.0 + THICKNESS.powi(2) / 12.0));
     let own = mass_properties(&mesh).expect("a mass").second_moment;
     let [y, g] = [&shaft.spin_inertia, &shaft.spin_stiffening()].map(dense);
@@ -106,7 +112,11 @@ fn a_disc_off_the_axis_is_stressed_as_one_on_it() {
     let [centred, off] = [&centred, &off].map(stiffening);
     // Shapes of modes may differ in their signs, so that those of the retained dofs are compared.
     let [centred, off] = [centred, off].map(|g| g.view((3, 3), (9, 9)).into_owned());
-    assert!((&centred - &off).amax() < 1e-6 * centred.amax(), "{}", (&centred - &off).amax() / centred.amax());
+    assert!(
+        (&centred - &off).amax() < 1e-6 * centred.amax(),
+        "{}",
+        (&centred - &off).amax() / centred.amax()
+    );
 }
 
 /// A disc at the end of a thin shaft, z from 0 to 0.3 m.
@@ -169,15 +179,16 @@ fn an_overhung_disc_whirls_as_its_moments_of_inertia_say() {
     };
     let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
     let root = nodes(&|x| near(x[2], 0.0));
-    let ends = nodes(&|x| near(x[0], 0.0) && near(x[1], 0.0) && (near(x[2], 0.28) || near(x[2], 0.3)));
+    let ends =
+        nodes(&|x| near(x[0], 0.0) && near(x[1], 0.0) && (near(x[2], 0.28) || near(x[2], 0.3)));
     // Points that turn with the disc.
     let rim = nodes(&|x| near(x[2], 0.29) && near(x[1], 0.0) && x[0].abs() > 0.055);
     assert_eq!((root.len(), ends.len(), rim.len()), (9, 2, 2));
     let held = root.iter().flat_map(|node| [3 * node, 3 * node + 1, 3 * node + 2]);
-    let dofs: Vec<usize> =
-        held.chain(ends.iter().flat_map(|node| [3 * node, 3 * node + 1]))
-            .chain(rim.iter().map(|node| 3 * node + 1))
-            .collect();
+    let dofs: Vec<usize> = held
+        .chain(ends.iter().flat_map(|node| [3 * node, 3 * node + 1]))
+        .chain(rim.iter().map(|node| 3 * node + 1))
+        .collect();
     let middle = nodes(&|x| near(x[2], 0.29));
     let spec = spec(&dofs, 27, 16, middle.clone());
     let meshed = Shaft::from_mesh(&mesh, &spec).expect("a body");
@@ -185,7 +196,8 @@ fn an_overhung_disc_whirls_as_its_moments_of_inertia_say() {
     let light = altered(&mesh, |parts| {
         *parts.materials[1].properties.get_mut("rho").expect("a density") *= 1e-4;
     });
-    let (all, rest) = (mass_properties(&mesh).expect("a mass"), mass_properties(&light).expect("a mass"));
+    let (all, rest) =
+        (mass_properties(&mesh).expect("a mass"), mass_properties(&light).expect("a mass"));
     let second = |i: usize| all.second_moment[i][i] - rest.second_moment[i][i];
     let mass = all.mass - rest.mass;
     let about = second(2) - mass * 0.29_f64.powi(2);

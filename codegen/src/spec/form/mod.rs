@@ -187,7 +187,8 @@ impl Reader<'_> {
             self.matrices(table);
         }
         let stresses = root.optional_table("stresses").map(|table| self.stresses(table));
-        let forms = root.table("forms").map(|table| self.forms(table, &stresses.unwrap_or_default()));
+        let forms =
+            root.table("forms").map(|table| self.forms(table, &stresses.unwrap_or_default()));
         root.finish();
         if self.document.has_errors() {
             return None;
@@ -355,7 +356,8 @@ impl Reader<'_> {
         table.finish();
         // A form that is wrong is missing, which has been noted.
         if !self.document.has_errors()
-            && let Err(errors) = stress::resolve(&mut self.graph, stresses, &mut forms) {
+            && let Err(errors) = stress::resolve(&mut self.graph, stresses, &mut forms)
+        {
             self.document.append(errors);
         }
         forms

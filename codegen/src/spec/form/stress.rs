@@ -37,9 +37,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Symbols of the components of the stress called `name`.
 pub(super) fn symbols(graph: &mut Graph, name: &str) -> [[Id; 3]; 3] {
-    from_fn(|i| {
-        from_fn(|k| graph.scalar(&format!("{name}_{}{}_", AXES[i.min(k)], AXES[i.max(k)])))
-    })
+    from_fn(|i| from_fn(|k| graph.scalar(&format!("{name}_{}{}_", AXES[i.min(k)], AXES[i.max(k)]))))
 }
 
 /// Name of the derivative of component j along axis l.
@@ -66,8 +64,10 @@ pub(super) fn resolve(
                 continue;
             }
         };
-        let by: BTreeMap<Id, Id> =
-            (0..9).map(|n| (n / 3, n % 3)).map(|(i, k)| (stress.symbols[i][k], components[i][k])).collect();
+        let by: BTreeMap<Id, Id> = (0..9)
+            .map(|n| (n / 3, n % 3))
+            .map(|(i, k)| (stress.symbols[i][k], components[i][k]))
+            .collect();
         for (form, _) in forms.iter_mut().zip(used).filter(|(_, used)| *used) {
             let scalar = match &form.structure {
                 Structure::Kronecker { scalar, .. }
@@ -88,7 +88,8 @@ pub(super) fn resolve(
             let scalar =
                 scalar.iter().map(|(parts, id)| (*parts, graph.substitute(*id, &by))).collect();
             let of = stress.form.text().to_owned();
-            form.stress = Some(Stress { form: of, symbols: stress.symbols, slopes, components, scalar });
+            form.stress =
+                Some(Stress { form: of, symbols: stress.symbols, slopes, components, scalar });
         }
     }
     errors.into_result(())

@@ -74,7 +74,8 @@ fn other_structures_are_told_apart() {
         ("mu*div(u)*trace(grad(D*v))", "Full"),
         ("mu*dot(u + D*u, v)", "Full"),
     ] {
-        let file = stiffness_alone().replace("lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))", text);
+        let file =
+            stiffness_alone().replace("lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))", text);
         let file =
             file.replace("[forms]", "[matrices]\nD = [[0, -1, 0], [1, 0, 0], [0, 0, 0]]\n[forms]");
         let found = match read(&file) {

@@ -127,7 +127,10 @@ impl CellForm<'_> {
             .map(|property| format!("{} ({})", property.name, property.unit))
             .collect();
         let given = match &form.stress {
-            Some(stress) => format!(", then their displacements × 3 (m), whose stress is that of `{}`", stress.form),
+            Some(stress) => format!(
+                ", then their displacements × 3 (m), whose stress is that of `{}`",
+                stress.form
+            ),
             None => String::new(),
         };
         format!(

@@ -46,7 +46,8 @@ impl Compiled for ElementSpec {
         let (mut entries, mut known) = (Vec::new(), Vec::new());
         for (spec, pairs, _) in &forms {
             for (form, pairs) in spec.forms.iter().zip(*pairs) {
-                let same_kernel = before().find(|other| other.integrates_as(self, form.integrated_as()));
+                let same_kernel =
+                    before().find(|other| other.integrates_as(self, form.integrated_as()));
                 let point = &points[form.integrated_as()];
                 let cell = CellForm { element: self, spec, form, pairs, point, same_kernel };
                 let (text, flops) = cell.functions(&mut tables, &mut known);

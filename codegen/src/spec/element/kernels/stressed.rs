@@ -41,7 +41,8 @@ impl CellForm<'_> {
             let whole = count(3 * total * (3 * total + 1) / 2);
             // The matrix of the form that gives the stress, as far as the modes need it: rarely, so all of it.
             flops += 2 * 9 * points * total * (total + 1) / 2 + 2 * 9 * modes * (nodes + 3 * modes);
-            about += &format!(" The {modes} modes follow the displacement as in `{}`.", stress.name);
+            about +=
+                &format!(" The {modes} modes follow the displacement as in `{}`.", stress.name);
             (
                 quote!([Batch; #whole]),
                 quote! {

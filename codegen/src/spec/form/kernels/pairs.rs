@@ -100,11 +100,7 @@ impl Pairs {
     }
 
     /// The components of a pair over the sums.
-    fn of_sums(
-        graph: &mut Graph,
-        form: &Form,
-        sums: &BTreeMap<(usize, usize), Id>,
-    ) -> Vec<Output> {
+    fn of_sums(graph: &mut Graph, form: &Form, sums: &BTreeMap<(usize, usize), Id>) -> Vec<Output> {
         let mut outputs = Vec::new();
         let mut output = |graph: &mut Graph, name: String, terms: Vec<(Id, Id)>| {
             let mut products = vec![(graph.integer(0), Rational::one())];
