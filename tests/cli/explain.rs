@@ -112,7 +112,7 @@ fn forms_motions_and_clearances_show_what_was_derived() {
             &["symmetric, 3n × 3n", "k_xy = lambda*dNa_dx*dNb_dy + mu*dNb_dx*dNa_dy"][..],
         ),
         ("inertia", &["⊗ [[0, 1, 0], [-1, 0, 0], [0, 0, 0]]", "s_ab = rho*Na*Nb"]),
-        ("consistent", &["B.eta.eta = theta_dot^2*Y", "PF.theta.theta = PF.eta.theta = 0"]),
+        ("consistent", &["B.eta.eta = theta_dot^2*W", "PF.theta.theta = PF.eta.theta = 0"]),
         (
             "journal",
             &[
