@@ -53,6 +53,7 @@ impl Rotation {
 
 /// A body of a machine. Positions of its nodes count from its own axis.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "a machine has a handful of bodies")]
 pub enum Body {
     /// One with a frame that turns about its axis, parallel to z.
     Turning {

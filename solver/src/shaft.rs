@@ -163,21 +163,6 @@ impl Shaft {
         }
     }
 
-    /// A rigid body whose centre of mass is on its axis: coordinates are its displacements x and y.
-    ///
-    /// `mass`: kg; `polar_inertia`: about the axis, kg·m²; its nodes at `positions` (m) all move with it.
-    pub fn rigid(mass: f64, polar_inertia: f64, positions: &[[f64; 3]]) -> Shaft {
-        let point = Shaft::lumped(mass, [0.0; 2], [0.0; 2], 0.0);
-        let shapes = &point.nodes[0].shapes;
-        let node = |&position: &[f64; 3]| BodyNode { position, shapes: shapes.clone() };
-        Shaft {
-            j0: polar_inertia,
-            coordinates: vec!["x".to_owned(), "y".to_owned()],
-            nodes: positions.iter().map(node).collect(),
-            ..point
-        }
-    }
-
     /// G = Y − W, n × n: the stiffness by the centrifugal stress at θ̇ = 1.
     pub fn spin_stiffening(&self) -> Matrix {
         difference(&self.spin_inertia, &self.spin_net)

@@ -12,6 +12,7 @@ mod elements;
 mod formulas;
 mod generated_meshes;
 mod invariants;
+mod jeffcott;
 mod laws;
 mod layers;
 mod mesh_input;

@@ -76,8 +76,8 @@ fn mean_motion(shaft: &Shaft, places: &[usize]) -> [DVector<f64>; 6] {
         let node = &shaft.nodes[place];
         let shapes = dense(&node.shapes);
         let [x, y, _] = node.position;
-        for axis in 0..3 {
-            rows[axis] += shapes.row(axis).transpose() / places.len() as f64;
+        for (axis, row) in rows[..3].iter_mut().enumerate() {
+            *row += shapes.row(axis).transpose() / places.len() as f64;
         }
         // w = α y − β x.
         rows[3] += shapes.row(2).transpose() * y;

@@ -51,7 +51,7 @@ fn machine([journal, ring]: [f64; 2], held: f64) -> Machine {
     };
     let body = |mass: f64, inertia: f64, radius: f64| Shaft {
         stiffness: whirl_solver::linalg::Matrix::from_diagonal(&[held; 2]),
-        ..Shaft::rigid(mass, inertia, &nodes(radius))
+        ..super::rigid(mass, inertia, &nodes(radius))
     };
     let driven = Rotation::Prescribed { speed: SPEED, acceleration: 0.0 };
     let bearing =

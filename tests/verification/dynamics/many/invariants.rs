@@ -33,7 +33,7 @@ static FILM: Formula = Formula {
 fn rigid(mass: f64, inertia: f64) -> Shaft {
     let mut nodes = vec![[0.0; 3]];
     nodes.extend(around(0.04));
-    Shaft::rigid(mass, inertia, &nodes)
+    super::rigid(mass, inertia, &nodes)
 }
 
 fn bearing(law: usize, bodies: [usize; 2]) -> Bearing {

@@ -10,6 +10,7 @@ use whirl_solver::body::BodyNode;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
+use whirl_solver::rigid::RigidBody;
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 use whirl_specs::CLEARANCES;
@@ -54,6 +55,19 @@ fn around(radius: f64) -> Vec<[f64; 3]> {
         .collect()
 }
 
+/// A rigid body of a mass (kg) and a moment of inertia about its axis (kg·m²), with nodes at `positions` (m).
+fn rigid(mass: f64, polar_inertia: f64, positions: &[[f64; 3]]) -> Shaft {
+    let body = RigidBody {
+        mass,
+        polar_inertia,
+        transverse_inertia: None,
+        centre: [0.0; 3],
+        stiffness: [0.0; 2],
+        damping: [0.0; 2],
+    };
+    body.turning(positions)
+}
+
 /// A rotor, a floating ring, a casing whose bores stand off its axis, a second rotor that is driven as prescribed, and
 /// a pedestal.
 fn bodies() -> Vec<Body> {
@@ -71,7 +85,7 @@ fn bodies() -> Vec<Body> {
     let driven = Rotation::Prescribed { speed: 80.0, acceleration: -300.0 };
     vec![
         Body::turning("rotor", discs(1e5), Rotation::Free),
-        Body::turning("ring", Shaft::rigid(0.7, 1.3e-3, &ring), Rotation::Free),
+        Body::turning("ring", rigid(0.7, 1.3e-3, &ring), Rotation::Free),
         Body::standing("casing", casing),
         Body::turning("second", second, driven),
         Body::standing("pedestal", Support::lumped(4.0, [500.0, 800.0], [20.0, 28.0], &ring)),
