@@ -263,20 +263,21 @@ pub(crate) fn rotation(history: &HistoryFile, bodies: &[String]) -> io::Result<F
             ("Speed of rotation", "speed (rpm)", "omega{}_rad_s", 60.0 / TAU),
         ] {
             names.push(quantity.replace("{}", &label));
-            panels.push((format!("{title}{}", of(body)), y, scale, body));
+            // Titles say which body, where there are several.
+            let name = if bodies.len() == 1 { body } else { "rotation" };
+            panels.push((format!("{title}{}", of(body)), y, scale, name));
         }
     }
-    let panel =
-        |(mut points, (title, y, scale, body)): (Vec<(f64, f64)>, (_, &str, f64, &String))| {
-            points.iter_mut().for_each(|point| point.1 *= scale);
-            Panel {
-                title,
-                x: rows.label().to_string(),
-                y: y.to_string(),
-                lines: vec![Line { points, style: Style::First, name: body.clone() }],
-                ..Panel::default()
-            }
-        };
+    let panel = |(mut points, (title, y, scale, name)): (Vec<(f64, f64)>, (_, &str, f64, &str))| {
+        points.iter_mut().for_each(|point| point.1 *= scale);
+        Panel {
+            title,
+            x: rows.label().to_string(),
+            y: y.to_string(),
+            lines: vec![Line { points, style: Style::First, name: name.to_owned() }],
+            ..Panel::default()
+        }
+    };
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let curves = rows.curves(&names)?;
     let what = if bodies.len() == 1 { "of the shaft" } else { "of the bodies" };
