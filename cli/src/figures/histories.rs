@@ -79,11 +79,17 @@ impl Rows<'_> {
         Ok(curves.into_iter().map(Thinned::finish).collect())
     }
 
-    /// An axis in eighths of two revolutions where the shaft turns forward.
+    /// An axis in eighths of two revolutions, or in whole ones where there are many, where the shaft turns forward.
     fn scale(&self, span: Span) -> Option<(f64, f64)> {
-        const STEP: f64 = 90.0;
-        let end = (self.turned.to_degrees() / STEP).ceil() * STEP;
-        (span != Span::All && end > 0.0).then_some((end, STEP))
+        /// Labels that have room.
+        const MOST: f64 = 12.0;
+        let decades =
+            (0..9).flat_map(|power| [2.0, 5.0, 10.0].map(|k| 360.0 * k * 10_f64.powi(power)));
+        let mut steps = [90.0, 180.0, 360.0].into_iter().chain(decades);
+        let turned = self.turned.to_degrees();
+        let step = steps.find(|step| turned <= MOST * step)?;
+        let end = (turned / step).ceil() * step;
+        (span != Span::All && end > 0.0).then_some((end, step))
     }
 }
 
