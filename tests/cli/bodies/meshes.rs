@@ -206,3 +206,51 @@ fn the_reference_system_by_names_has_the_same_history() {
     assert_eq!(named["counts"]["coordinates"], short["counts"]["coordinates"]);
     assert_eq!(named["fixed_interface_hz"], short["fixed_interface_hz"]);
 }
+
+/// A shaft held at one end to the frame that turns, as a blade to its hub: gravity does not act, and nothing moves it but
+/// the unbalance of its free end, which bends it outwards as a force of m r Ω² bends a cantilever.
+#[test]
+fn what_is_held_to_the_turning_frame_bends_outwards() {
+    let case = format!(
+        "title = \"held\"\n[material.steel]\nyoungs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\n\
+         density = \"7860 kg/m^3\"\n[body.blade]\nturns = \"prescribed\"\nspeed = \"600 rpm\"\n\
+         material = \"steel\"\nmodes = 6\ndamping = \"2e-3 s\"\nheld = [\"ROOT\"]\nmesh = \"blade.inp\"\n\
+         [body.blade.unbalance.tip]\nmass = \"10 g\"\nradius = \"20 mm\"\nz = \"100 mm\"\n\
+         [joint.guard]\nkind = \"bushing\"\nfirst = {{ body = \"blade\", sets = \"TIP\" }}\n\
+         stiffness = {{ xx = \"1 N/m\", yy = \"1 N/m\" }}\n{}",
+        march("1e-3 s", 300)
+    );
+    let done = run(&case, &[("blade.inp", &blade())]);
+    let speed = 600.0 * std::f64::consts::PI / 30.0;
+    let force = 0.01 * 0.02 * speed * speed;
+    // F L³/(3 E I) of a square of 10 mm.
+    let bent = force * 0.1_f64.powi(3) / (3.0 * 200e9 * 0.01_f64.powi(4) / 12.0);
+    let found = done.last("X_guard_um").hypot(done.last("Y_guard_um"));
+    assert!((found / (1e6 * bent) - 1.0).abs() < 0.02, "{found} µm for {} µm", 1e6 * bent);
+}
+
+/// A bar of 10 × 10 × 100 mm along z about the axis, of 2 × 2 × 10 hexahedra with incompatible modes.
+fn blade() -> String {
+    let mut text = String::from("*NODE, NSET=ALL\n");
+    let node = |i: usize, j: usize, k: usize| 1 + i + 3 * j + 9 * k;
+    for k in 0..=10 {
+        for j in 0..3 {
+            for i in 0..3 {
+                let [x, y] = [i, j].map(|n| 0.005 * n as f64 - 0.005);
+                text += &format!("{}, {x}, {y}, {}\n", node(i, j, k), 0.01 * k as f64);
+            }
+        }
+    }
+    text += "*ELEMENT, TYPE=C3D8I, ELSET=EALL\n";
+    for (place, (i, j, k)) in
+        (0..10).flat_map(|k| (0..4).map(move |n| (n % 2, n / 2, k))).enumerate()
+    {
+        let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
+        let nodes = [0, 1].map(|up| corners.map(|(a, b)| node(i + a, j + b, k + up).to_string()));
+        text += &format!("{}, {}\n", place + 1, nodes.concat().join(", "));
+    }
+    let root: Vec<String> = (1..=9).map(|n| n.to_string()).collect();
+    text +=
+        &format!("*NSET, NSET=ROOT\n{}\n*NSET, NSET=TIP\n{}\n", root.join(", "), node(1, 1, 10));
+    text
+}

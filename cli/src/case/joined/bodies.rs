@@ -104,12 +104,12 @@ fn read_meshed(
         made(dimensions, material, turns)
     });
     let axial_restraint = table.optional_string("axial_restraint");
-    let held = if turns { Vec::new() } else { table.texts("held") };
+    let held = table.texts("held");
     let section = match table.texts("section").as_slice() {
         [top, bottom] if turns => Some([top.clone(), bottom.clone()]),
         _ => None,
     };
-    if turns && axial_restraint.is_none() {
+    if turns && axial_restraint.is_none() && held.is_empty() {
         table.demand("axial_restraint");
     }
     let ground_springs = if turns { Vec::new() } else { machine::ground_springs(table) };

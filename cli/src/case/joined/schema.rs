@@ -36,7 +36,8 @@ pub(crate) const BODY: &[Key] = &[
         Either(&[DAMPING_TIME, Table(&[PLANE_DAMPING])]),
         "C = damping · K of a mesh; of a rigid body to the ground, by x and y",
     ),
-    key("held", NAMES, "node sets held in x, y and z").like("[\"MOUNTS\"]"),
+    key("held", NAMES, "node sets held in x, y and z, or to the frame that turns")
+        .like("[\"MOUNTS\"]"),
     key("ground_spring", List(&Table(&[GROUND_SPRING])), "springs to the ground"),
     key("axial_restraint", Text, "set of one node held along z").like("\"NAME_OF_A_NODE_SET\""),
     key(

@@ -139,10 +139,10 @@ impl PlannedBody {
             let held = plan.retain(axial, node, 2);
             plan.spec.constraints.fix(format!("axial_restraint ({} z)", axial.text()), held);
         }
-        if turns(joined, place) {
+        clamp(plan, case, errors);
+        // What is held to the frame turns with it.
+        if turns(joined, place) && case.held.is_empty() {
             tie(plan, place, case, joined, errors);
-        } else {
-            clamp(plan, case, errors);
         }
         plan.bound(errors);
     }
