@@ -137,11 +137,15 @@ mod tests {
                         let mut height = Algebraic::default();
                         for axis in 0..3 {
                             height.add(&point.at[axis], &normal[axis]);
-                            height.add(&Algebraic::rational(face.origin[axis].clone()), &-&normal[axis]);
+                            height.add(
+                                &Algebraic::rational(face.origin[axis].clone()),
+                                &-&normal[axis],
+                            );
                         }
                         assert!(height.is_zero(), "{name}");
                     }
-                    let exact = if face.corners == 4 { Rational::from(4) } else { Rational::new(1, 2) };
+                    let exact =
+                        if face.corners == 4 { Rational::from(4) } else { Rational::new(1, 2) };
                     assert_eq!(area.as_rational(), Some(exact), "{name}");
                 }
                 let scale = if face.corners == 4 { Rational::from(4) } else { Rational::new(1, 2) };

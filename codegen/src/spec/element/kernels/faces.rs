@@ -18,12 +18,14 @@ pub(super) fn entries(element: &ElementSpec) -> Vec<TokenStream> {
     for face in cell.faces() {
         let rule = face.rule(element.complete);
         let table = Table::new(cell, &element.shape, &[], &rule);
-        let table = table.expect("functions that have values within the cell have them on its faces");
+        let table =
+            table.expect("functions that have values within the cell have them on its faces");
         let present = |a: &usize| table.values.iter().any(|point| point[*a].abs() > VANISHES);
         let nodes: Vec<usize> = (0..element.nodes.len()).filter(present).collect();
-        let along = face.along.each_ref().map(|along| {
-            along.each_ref().map(|x| x.to_f64().expect("a small number"))
-        });
+        let along = face
+            .along
+            .each_ref()
+            .map(|along| along.each_ref().map(|x| x.to_f64().expect("a small number")));
         let points = (0..table.weights.len()).map(|q| {
             let weight = number(table.weights[q]);
             let values: Vec<f64> = nodes.iter().map(|&a| table.values[q][a]).collect();
