@@ -6,11 +6,11 @@ use std::collections::BTreeSet;
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::assemble;
-use crate::body::{BodyNode, BodySpec, Coordinates};
+use crate::body::{BodyMeasure, BodyNode, BodySpec, Coordinates};
 use crate::cache::{Key, PROGRAM, instruction_set};
 use crate::error::Error;
 use crate::linalg::Matrix;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, NodeSetMean};
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
 
@@ -73,8 +73,8 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// Reduces a mesh. Of the spec it takes the retained dofs, the modes, the springs and the nodes: those, and the
-    /// nodes of all sets of the mesh, can be output.
+    /// Reduces a mesh. Of the spec it takes what is retained and held, the modes, the springs and the nodes: those, and
+    /// the nodes and means of all sets of the mesh, can be output.
     ///
     /// # Errors
     /// As `BodySpec::reduce`.
@@ -99,7 +99,8 @@ impl Reduced {
     /// The key of [`Reduced::new`]: the same for whatever gives the same bits, another for everything else, another
     /// program included.
     pub fn key(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Key {
-        let retained: Vec<usize> = spec.retained.iter().map(|retained| retained.dof).collect();
+        let retained: Vec<_> = spec.retained.iter().map(|retained| &retained.terms).collect();
+        let held: BTreeSet<usize> = spec.held.iter().copied().collect();
         let springs: Vec<(usize, f64)> =
             spec.springs.iter().map(|spring| (spring.dof, spring.stiffness)).collect();
         let block = |block: &crate::mesh::Block| {
@@ -110,17 +111,28 @@ impl Reduced {
             mesh.materials().iter().map(|material| material.properties.clone()).collect();
         let program = (PROGRAM, instruction_set());
         let body = (mesh.nodes(), blocks, materials);
-        Key::of(&(program, kind, body, retained, spec.modes, springs, output_nodes(mesh, spec)))
+        let interface = (retained, held, spec.modes, springs);
+        Key::of(&(program, kind, body, interface, output_nodes(mesh, spec)))
     }
 
     pub(crate) fn node(&self, active: &Coordinates, place: usize) -> BodyNode {
         BodyNode::new(&self.reduction, active, &self.positions, place)
     }
 
+    /// The means of the spec.
+    pub(crate) fn measures(&self, active: &Coordinates, spec: &BodySpec) -> Vec<BodyMeasure> {
+        let place = |node| self.place(node);
+        let measure = |mean| BodyMeasure::new(&self.reduction, active, mean, place);
+        spec.means.iter().map(measure).collect()
+    }
+
     /// Places of the output nodes among those with shapes.
     pub(crate) fn places(&self, spec: &BodySpec) -> impl Iterator<Item = usize> {
-        let place = |node| self.nodes.binary_search(node).expect("its shapes are kept");
-        spec.nodes.iter().map(place)
+        spec.nodes.iter().map(|&node| self.place(node))
+    }
+
+    fn place(&self, node: usize) -> usize {
+        self.nodes.binary_search(&node).expect("its shapes are kept")
     }
 }
 
@@ -128,6 +140,7 @@ impl Reduced {
 fn output_nodes(mesh: &Mesh, spec: &BodySpec) -> Vec<usize> {
     // A set of all nodes, such as many a mesher writes, says nothing of any of them.
     let sets = mesh.node_sets().values().filter(|nodes| nodes.len() < mesh.nodes().len());
-    let all: BTreeSet<usize> = sets.flatten().chain(&spec.nodes).copied().collect();
+    let means = spec.means.iter().flat_map(NodeSetMean::nodes);
+    let all: BTreeSet<usize> = sets.flatten().chain(&spec.nodes).chain(means).copied().collect();
     all.into_iter().collect()
 }

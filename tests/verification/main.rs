@@ -14,6 +14,7 @@ mod generated_meshes;
 mod invariants;
 mod laws;
 mod layers;
+mod measures;
 mod mesh_input;
 mod missed_modes;
 mod newton_convergence;

@@ -47,7 +47,7 @@ pub(crate) fn shaft(mesh: &Mesh) -> Shaft {
     let mut retained = Vec::new();
     let mut retain = |set: &str, axis: usize| {
         let dof = 3 * mesh.single_node(set).expect("a set of the mesh") + axis;
-        retained.push(Retained { dof, name: format!("{set} {}", ["x", "y", "z"][axis]) });
+        retained.push(Retained::dof(dof, format!("{set} {}", ["x", "y", "z"][axis])));
         retained.len() - 1
     };
     let mut nodes = Vec::new();
@@ -68,11 +68,13 @@ pub(crate) fn shaft(mesh: &Mesh) -> Shaft {
     constraints.equation("drive", [(top, 1.0), (bottom, -1.0)]);
     let spec = BodySpec {
         retained,
+        held: Vec::new(),
         modes: 8,
         constraints,
         springs: Vec::new(),
         damping: Rayleigh::default(),
         nodes,
+        means: Vec::new(),
         memory: 1 << 30,
     };
     Shaft::from_mesh(mesh, &spec).expect("a shaft")

@@ -70,11 +70,13 @@ fn body(mesh: &Mesh, which: usize, own: &ByHand, held: Held, nodes: Vec<usize>) 
     assert!(nodes.iter().all(|&node| node < mesh.nodes().len()));
     BodySpec {
         retained: held.retained,
+        held: Vec::new(),
         modes: own.modes[which],
         constraints: held.constraints,
         springs: held.springs,
         damping: Rayleigh { alpha: 0.0, beta: own.damping[which] },
         nodes,
+        means: Vec::new(),
         memory: 1 << 30,
     }
 }
@@ -89,7 +91,7 @@ struct Held {
 
 impl Held {
     fn retain(&mut self, node: usize, axis: usize) -> usize {
-        self.retained.push(Retained { dof: 3 * node + axis, name: format!("{node} {axis}") });
+        self.retained.push(Retained::dof(3 * node + axis, format!("{node} {axis}")));
         self.retained.len() - 1
     }
 }

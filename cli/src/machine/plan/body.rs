@@ -36,11 +36,13 @@ impl BodyPlan {
     pub(super) fn new<D>(mesh: Mesh, case: &case::Body<D>, held_by: &Located) -> Self {
         let spec = BodySpec {
             retained: Vec::new(),
+            held: Vec::new(),
             modes: case.modes,
             constraints: Constraints::new(),
             springs: Vec::new(),
             damping: Rayleigh { alpha: 0.0, beta: case.damping },
             nodes: Vec::new(),
+            means: Vec::new(),
             memory: FACTOR_MEMORY,
         };
         let (held_by, made_from) = (held_by.clone(), case.mesh.place());
@@ -186,7 +188,10 @@ impl BodyPlan {
         let elastic = assemble(&self.mesh, "stiffness")?;
         let stiffness = add_ground_springs(&elastic, &self.spec.springs)?;
         let mut held = Constraints::new();
-        self.spec.retained.iter().for_each(|retained| held.fix(&retained.name, retained.dof));
+        for retained in &self.spec.retained {
+            held.equation(&*retained.name, retained.terms.iter().copied());
+        }
+        self.spec.held.iter().for_each(|&dof| held.fix(self.held_by.text(), dof));
         match free_motions(self.mesh.nodes(), &stiffness, &held)? {
             motions if motions.is_empty() => Ok(()),
             motions => {
@@ -200,10 +205,10 @@ impl BodyPlan {
     pub(super) fn retain(&mut self, set: &Located, node: usize, axis: usize) -> usize {
         let dof = 3 * node + axis;
         let retained = &mut self.spec.retained;
-        if let Some(place) = retained.iter().position(|known| known.dof == dof) {
+        if let Some(place) = retained.iter().position(|known| known.single() == Some(dof)) {
             return place;
         }
-        retained.push(Retained { dof, name: format!("{} {}", set.text(), AXES[axis]) });
+        retained.push(Retained::dof(dof, format!("{} {}", set.text(), AXES[axis])));
         retained.len() - 1
     }
 
