@@ -135,12 +135,8 @@ mod tests {
                         area.add(&point.weight, &Rational::from(1));
                         // All points lie in one plane.
                         let mut height = Algebraic::default();
-                        for axis in 0..3 {
-                            height.add(&point.at[axis], &normal[axis]);
-                            height.add(
-                                &Algebraic::rational(face.origin[axis].clone()),
-                                &-&normal[axis],
-                            );
+                        for ((at, origin), n) in point.at.iter().zip(&face.origin).zip(&normal) {
+                            height.add(&at.minus(&Algebraic::rational(origin.clone())), n);
                         }
                         assert!(height.is_zero(), "{name}");
                     }
