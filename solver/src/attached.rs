@@ -161,6 +161,7 @@ mod tests {
             hertz: Vec::new(),
             coordinates: ["x", "y", "α", "β", "γ"].map(str::to_owned).to_vec(),
             nodes: Vec::new(),
+            measures: Vec::new(),
         }
     }
 

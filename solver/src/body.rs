@@ -1,15 +1,16 @@
 //! What the reduced shaft and the reduced support have in common: from a mesh to active coordinates.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::assemble;
 use crate::constraints::{Constraints, Elimination, GroundSpring, add_ground_springs};
 use crate::error::Error;
+use crate::error::ReductionError;
 use crate::linalg::{Matrix, multiply};
-use crate::mesh::Mesh;
-use crate::reduction::{CraigBampton, Solid};
+use crate::mesh::{MeanComponent, Mesh, NodeSetMean};
+use crate::reduction::{CraigBampton, Interface, Row, Solid};
 use crate::sparse::SparseMatrix;
 
 /// Rayleigh damping C = αM + βK.
@@ -30,20 +31,42 @@ impl Rayleigh {
     }
 }
 
-/// A dof that stays a coordinate of the reduced body.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// A motion that stays a coordinate of the reduced body: a dof, or a mean of dofs.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Retained {
-    /// 3·node + component.
-    pub dof: usize,
+    /// Σ cᵢ uᵢ over dofs i = 3·node + component, as (i, cᵢ).
+    pub terms: Row,
     /// What it is called, such as `JOURNAL1_LEFT x`.
     pub name: String,
+}
+
+impl Retained {
+    /// A dof, 3·node + component.
+    pub fn dof(dof: usize, name: impl Into<String>) -> Retained {
+        Retained { terms: vec![(dof, 1.0)], name: name.into() }
+    }
+
+    /// A component of the mean motion of a node set.
+    pub fn mean(mean: &NodeSetMean, motion: MeanComponent, name: impl Into<String>) -> Retained {
+        Retained { terms: mean.row(motion), name: name.into() }
+    }
+
+    /// The dof that this is; `None` of a mean.
+    pub fn single(&self) -> Option<usize> {
+        match self.terms[..] {
+            [(dof, 1.0)] => Some(dof),
+            _ => None,
+        }
+    }
 }
 
 /// How a mesh is reduced to a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodySpec {
-    /// Dofs retained, in the order of their coordinates.
+    /// Dofs and means retained, in the order of their coordinates.
     pub retained: Vec<Retained>,
+    /// Dofs that do not move, 3·node + component: they are no coordinates, and cost nothing.
+    pub held: Vec<usize>,
     /// Number of fixed-interface modes.
     pub modes: usize,
     /// Constraints on the retained dofs, by their place in `retained`.
@@ -56,6 +79,8 @@ pub struct BodySpec {
     pub nodes: Vec<usize>,
     /// Whether the centrifugal load stiffens the body against its deformation, if it turns.
     pub stiffening: bool,
+    /// Node sets whose mean motion is wanted.
+    pub means: Vec<NodeSetMean>,
     /// Bytes that a factor of K may take.
     pub memory: usize,
 }
@@ -78,7 +103,7 @@ impl BodySpec {
     /// The matrices of a mesh.
     ///
     /// # Errors
-    /// As [`assemble`]; a dof retained twice.
+    /// As [`assemble`]; a dof retained twice, or retained and held.
     pub(crate) fn assemble(&self, mesh: &Mesh) -> Result<Assembled, Error> {
         self.check(mesh)?;
         let stiffness = add_ground_springs(&assemble(mesh, "stiffness")?, &self.springs)?;
@@ -88,11 +113,30 @@ impl BodySpec {
     /// Reduces a mesh with its matrices.
     ///
     /// # Errors
-    /// As [`Solid::craig_bampton`].
+    /// As [`Solid::reduce`].
     pub(crate) fn reduce(&self, mesh: &Mesh, body: &Assembled) -> Result<CraigBampton, Error> {
+        let rows = self.rows();
         let solid = body.solid(mesh, self.memory);
-        let dofs: Vec<usize> = self.retained.iter().map(|retained| retained.dof).collect();
-        Ok(solid.craig_bampton(&dofs, self.modes).map_err(|error| error.with_labels(mesh))?)
+        solid.reduce(&self.interface(&rows), self.modes).map_err(|error| match error {
+            ReductionError::Follows { place } => {
+                let name = &self.retained[place].name;
+                let what = format!(
+                    "{name} follows from what else is retained or held: take one of them out"
+                );
+                Error::Mesh { origin: mesh.origin().to_owned(), what }
+            }
+            error => error.with_labels(mesh).into(),
+        })
+    }
+
+    /// The retained motions, as rows over dofs.
+    pub(crate) fn rows(&self) -> Vec<Row> {
+        self.retained.iter().map(|retained| retained.terms.clone()).collect()
+    }
+
+    /// What is retained, as [`BodySpec::rows`] gives it, and what is held.
+    pub(crate) fn interface<'a>(&'a self, rows: &'a [Row]) -> Interface<'a> {
+        Interface { retained: rows, held: &self.held }
     }
 
     /// The coordinates of a reduction that the constraints leave.
@@ -108,12 +152,24 @@ impl BodySpec {
 
     fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         let wrong = |what| Err(Error::Mesh { origin: mesh.origin().to_owned(), what });
+        let held: BTreeSet<usize> = self.held.iter().copied().collect();
+        if held.last().is_some_and(|&dof| dof >= mesh.dof_count()) {
+            return wrong("a held dof is not a dof of the mesh".to_owned());
+        }
         let mut seen: BTreeMap<usize, &str> = BTreeMap::new();
-        for Retained { dof, name } in &self.retained {
-            if *dof >= mesh.dof_count() {
+        for retained in &self.retained {
+            let name = &retained.name;
+            if retained.terms.iter().any(|(dof, _)| *dof >= mesh.dof_count()) {
                 return wrong(format!("the retained dof {name} is not a dof of the mesh"));
             }
-            if let Some(first) = seen.insert(*dof, name) {
+            if retained.terms.is_empty() {
+                return wrong(format!("{name} cannot be retained: its nodes stand on the axis"));
+            }
+            let Some(dof) = retained.single() else { continue };
+            if held.contains(&dof) {
+                return wrong(format!("{name} is retained and held: take one of them out"));
+            }
+            if let Some(first) = seen.insert(dof, name) {
                 return wrong(match first == name {
                     true => format!("{name} is retained twice: take one of them out"),
                     false => {

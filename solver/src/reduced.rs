@@ -10,7 +10,8 @@ use crate::body::{BodyNode, BodySpec, Coordinates};
 use crate::cache::{Key, PROGRAM, instruction_set};
 use crate::error::Error;
 use crate::linalg::Matrix;
-use crate::mesh::Mesh;
+use crate::measure::MeanMotion;
+use crate::mesh::{Mesh, NodeSetMean};
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
 use crate::stiffening::stiffening;
@@ -80,8 +81,9 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// Reduces a mesh. Of the spec it takes the retained dofs, the modes, the springs and the nodes: those, and the
-    /// nodes of all sets of the mesh, can be output. A turning body that rotation stiffens depends on the constraints, too.
+    /// Reduces a mesh. Of the spec it takes what is retained and held, the modes, the springs and the nodes: those, and
+    /// the nodes and means of all sets of the mesh, can be output. A turning body that rotation stiffens depends on the
+    /// constraints, too.
     ///
     /// # Errors
     /// Of the spec and the mesh, and of the linear algebra: see [`crate::error::ReductionError`].
@@ -111,7 +113,8 @@ impl Reduced {
     /// The key of [`Reduced::new`]: the same for whatever gives the same bits, another for everything else, another
     /// program included.
     pub fn key(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Key {
-        let retained: Vec<usize> = spec.retained.iter().map(|retained| retained.dof).collect();
+        let retained: Vec<_> = spec.retained.iter().map(|retained| &retained.terms).collect();
+        let held: BTreeSet<usize> = spec.held.iter().copied().collect();
         let springs: Vec<(usize, f64)> =
             spec.springs.iter().map(|spring| (spring.dof, spring.stiffness)).collect();
         let block = |block: &crate::mesh::Block| {
@@ -123,22 +126,33 @@ impl Reduced {
         // What is held while the centrifugal load acts.
         let stiffens = kind == BodyKind::Shaft && spec.stiffening;
         let equations = spec.constraints.equations().iter();
-        let held: Option<Vec<_>> =
+        let held_while_turning: Option<Vec<_>> =
             stiffens.then(|| equations.map(|equation| equation.terms.clone()).collect());
         let program = (PROGRAM, instruction_set());
         let body = (mesh.nodes(), blocks, materials);
         let nodes = output_nodes(mesh, spec);
-        Key::of(&(program, kind, body, retained, spec.modes, springs, nodes, held))
+        let interface = (retained, held, spec.modes, springs);
+        Key::of(&(program, kind, body, interface, nodes, held_while_turning))
     }
 
     pub(crate) fn node(&self, active: &Coordinates, place: usize) -> BodyNode {
         BodyNode::new(&self.reduction, active, &self.positions, place)
     }
 
+    /// The means of the spec.
+    pub(crate) fn measures(&self, active: &Coordinates, spec: &BodySpec) -> Vec<MeanMotion> {
+        let place = |node| self.place(node);
+        let measure = |mean| MeanMotion::new(&self.reduction, active, mean, place);
+        spec.means.iter().map(measure).collect()
+    }
+
     /// Places of the output nodes among those with shapes.
     pub(crate) fn places(&self, spec: &BodySpec) -> impl Iterator<Item = usize> {
-        let place = |node| self.nodes.binary_search(node).expect("its shapes are kept");
-        spec.nodes.iter().map(place)
+        spec.nodes.iter().map(|&node| self.place(node))
+    }
+
+    fn place(&self, node: usize) -> usize {
+        self.nodes.binary_search(&node).expect("its shapes are kept")
     }
 }
 
@@ -146,6 +160,7 @@ impl Reduced {
 fn output_nodes(mesh: &Mesh, spec: &BodySpec) -> Vec<usize> {
     // A set of all nodes, such as many a mesher writes, says nothing of any of them.
     let sets = mesh.node_sets().values().filter(|nodes| nodes.len() < mesh.nodes().len());
-    let all: BTreeSet<usize> = sets.flatten().chain(&spec.nodes).copied().collect();
+    let means = spec.means.iter().flat_map(NodeSetMean::nodes);
+    let all: BTreeSet<usize> = sets.flatten().chain(&spec.nodes).chain(means).copied().collect();
     all.into_iter().collect()
 }

@@ -58,6 +58,7 @@ impl RigidBody {
             hertz: Vec::new(),
             coordinates: self.names(),
             nodes: positions.iter().map(|&position| self.node(position, &[1.0; 4])).collect(),
+            measures: Vec::new(),
         }
     }
 
@@ -77,6 +78,7 @@ impl RigidBody {
             hertz: Vec::new(),
             coordinates: self.names(),
             nodes: positions.iter().map(|&position| self.node(position, &scales)).collect(),
+            measures: Vec::new(),
         }
     }
 

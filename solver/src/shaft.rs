@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh};
 use crate::error::Error;
 use crate::linalg::{Matrix, congruence};
+use crate::measure::MeanMotion;
 use crate::mesh::Mesh;
 use crate::reduced::{BodyKind, Reduced, SpinTensors};
 use crate::reduction::CraigBampton;
@@ -40,6 +41,8 @@ pub struct Shaft {
     pub coordinates: Vec<String>,
     /// The nodes asked for, in that order.
     pub nodes: Vec<BodyNode>,
+    /// The means asked for, in that order.
+    pub measures: Vec<MeanMotion>,
 }
 
 /// What a [`Shaft`] is made from.
@@ -75,7 +78,9 @@ impl Reduced {
         let spin = self.spin.as_ref().expect("a shaft is reduced with its spin");
         let active = spec.active(&self.reduction)?;
         let nodes = self.places(spec).map(|node| self.node(&active, node)).collect();
-        Ok(Shaft::from_spin(&self.reduction, spin, &active, spec.damping, nodes))
+        let measures = self.measures(&active, spec);
+        let shaft = Shaft::from_spin(&self.reduction, spin, &active, spec.damping, nodes);
+        Ok(Shaft { measures, ..shaft })
     }
 }
 
@@ -134,6 +139,7 @@ impl Shaft {
             hertz: reduction.hertz.clone(),
             coordinates: active.names.clone(),
             nodes,
+            measures: Vec::new(),
         }
     }
 
@@ -160,6 +166,7 @@ impl Shaft {
             hertz: Vec::new(),
             coordinates: vec!["mass x".to_owned(), "mass y".to_owned()],
             nodes: vec![BodyNode { position: [0.0, 0.0, position], shapes }],
+            measures: Vec::new(),
         }
     }
 

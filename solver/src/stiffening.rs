@@ -8,7 +8,7 @@ use crate::linalg::{
     transpose_multiply,
 };
 use crate::mesh::Mesh;
-use crate::reduction::{CraigBampton, Solid, free_shapes};
+use crate::reduction::{CraigBampton, Row, Solid, free_shapes};
 use crate::sparse::SparseMatrix;
 
 /// G of a body (N per (rad/s)² and m), 3·nodes.
@@ -69,18 +69,20 @@ fn displacement(
 
     let mut shifts = vec![0.0; modes];
     shifts.extend(transform.apply(&active));
-    let inner = solid.held(retained, &load)?;
+    let inner = solid.held(&spec.interface(&spec.rows()), &load)?;
     let follows = reduction.shapes.apply(&shifts);
     Ok(follows.iter().zip(&inner).map(|(a, b)| a + b).collect())
 }
 
 /// Orthonormal rigid motions that nothing stops: 3·nodes × as many.
 fn free_motions(solid: &Solid, spec: &BodySpec) -> Result<Matrix, Error> {
-    let retained = |place: usize| spec.retained[place].dof;
+    let term = |&(place, factor): &(usize, f64)| {
+        spec.retained[place].terms.iter().map(move |&(dof, c)| (dof, factor * c))
+    };
     let equations = spec.constraints.equations().iter();
-    let rows: Vec<_> = equations
-        .map(|equation| equation.terms.iter().map(|&(place, c)| (retained(place), c)).collect())
-        .collect();
+    let constrained = equations.map(|equation| equation.terms.iter().flat_map(term).collect());
+    let held = spec.held.iter().map(|&dof| vec![(dof, 1.0)]);
+    let rows: Vec<Row> = constrained.chain(held).collect();
     let motions = free_shapes(solid, &rows)?;
     let gram = transpose_multiply(motions.view(), motions.view()).symmetric_part();
     let eigen = symmetric_eigen(&gram).map_err(failed)?;
@@ -114,12 +116,14 @@ fn support(
     stiffness: &mut Matrix,
     transform: &Matrix,
     free: &Matrix,
-    retained: &[usize],
+    retained: &[Row],
 ) -> Result<(), Error> {
     if free.cols == 0 || stiffness.rows == 0 {
         return Ok(());
     }
-    let moves = Matrix::from_fn(retained.len(), free.cols, |i, j| free[(retained[i], j)]);
+    let moves = Matrix::from_fn(retained.len(), free.cols, |i, j| {
+        retained[i].iter().map(|&(dof, c)| c * free[(dof, j)]).sum()
+    });
     // Motions that the constraints leave have coordinates: the least squares of T a = moves.
     let mut coordinates = transpose_multiply(transform.view(), moves.view());
     let gram = transpose_multiply(transform.view(), transform.view());

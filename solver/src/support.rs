@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::linalg::{
     LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply,
 };
+use crate::measure::MeanMotion;
 use crate::mesh::Mesh;
 use crate::reduced::{BodyKind, Reduced};
 use crate::reduction::{CraigBampton, hertz};
@@ -25,6 +26,8 @@ pub struct Support {
     pub coordinates: Vec<String>,
     /// The nodes asked for, in that order.
     pub nodes: Vec<BodyNode>,
+    /// The means asked for, in that order.
+    pub measures: Vec<MeanMotion>,
 }
 
 impl Reduced {
@@ -38,7 +41,9 @@ impl Reduced {
     pub fn support(&self, spec: &BodySpec) -> Result<Support, Error> {
         let active = spec.active(&self.reduction)?;
         let nodes: Vec<usize> = self.places(spec).collect();
-        Ok(Support::new(&self.reduction, &active, spec.damping, &self.positions, &nodes)?)
+        let nodes = nodes.iter().map(|&node| self.node(&active, node)).collect();
+        let measures = self.measures(&active, spec);
+        Ok(Support::new(&self.reduction, &active, spec.damping, nodes, measures)?)
     }
 }
 
@@ -54,7 +59,7 @@ impl Support {
     /// The support of a reduction. Where retained dofs stay free after elimination, its modes are
     /// those of the reduced body with these dofs free, otherwise the fixed-interface modes themselves.
     ///
-    /// `positions`: node coordinates (m); `nodes`: those whose motion is wanted, by index.
+    /// `nodes`, `measures`: those wanted, over the active coordinates.
     ///
     /// # Errors
     /// The mass of the reduction is not positive definite.
@@ -62,18 +67,16 @@ impl Support {
         reduction: &CraigBampton,
         active: &Coordinates,
         damping: Rayleigh,
-        positions: &[[f64; 3]],
-        nodes: &[usize],
+        mut nodes: Vec<BodyNode>,
+        mut measures: Vec<MeanMotion>,
     ) -> Result<Support, LinearAlgebraError> {
-        let mut nodes: Vec<BodyNode> =
-            nodes.iter().map(|&node| BodyNode::new(reduction, active, positions, node)).collect();
         let mass = congruence(&reduction.mass, &active.transform);
         let stiffness = congruence(&reduction.stiffness, &active.transform);
         let n = mass.rows;
         if mass == Matrix::identity(n) && is_diagonal(&stiffness) {
             let squares = (0..n).map(|i| stiffness[(i, i)]).collect();
             let support = Support::oscillators(squares, damping, active.names.clone(), nodes);
-            return Ok(Support { hertz: reduction.hertz.clone(), ..support });
+            return Ok(Support { hertz: reduction.hertz.clone(), measures, ..support });
         }
         let mut eigen =
             generalised_symmetric_eigen(&stiffness.symmetric_part(), &mass.symmetric_part())?;
@@ -88,11 +91,16 @@ impl Support {
         for node in &mut nodes {
             node.shapes = multiply(node.shapes.view(), eigen.vectors.view());
         }
+        for measure in &mut measures {
+            for rows in [&mut measure.displacement, &mut measure.rotation] {
+                *rows = multiply(rows.view(), eigen.vectors.view());
+            }
+        }
         // A rigid motion's ω² is 0 but for rounding, of either sign.
         let squares: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0)).collect();
         let frequencies: Vec<f64> = squares.iter().map(|&square| hertz(square)).collect();
         let support = Support::oscillators(squares, damping, mode_names(&frequencies), nodes);
-        Ok(Support { hertz: reduction.hertz.clone(), ..support })
+        Ok(Support { hertz: reduction.hertz.clone(), measures, ..support })
     }
 
     /// A support that does not move: no coordinates, and nodes at `positions` (m).
@@ -127,6 +135,7 @@ impl Support {
                 .iter()
                 .map(|&position| BodyNode { position, shapes: shapes.clone() })
                 .collect(),
+            measures: Vec::new(),
         }
     }
 
@@ -147,6 +156,7 @@ impl Support {
             hertz: Vec::new(),
             coordinates,
             nodes,
+            measures: Vec::new(),
         }
     }
 }
@@ -166,11 +176,17 @@ mod tests {
             Matrix { rows: 3, cols: 3, data: vec![1.0, 0.0, 0.3, 0.0, 1.0, -0.2, 0.3, -0.2, 2.0] };
         CraigBampton {
             hertz: vec![10.0, 20.0],
-            retained: vec![1],
+            retained: vec![vec![(1, 1.0)]],
             shapes: Matrix::from_fn(3, 3, |i, j| 1.0 + (i * 3 + j) as f64),
             mass,
             stiffness: Matrix::from_diagonal(&[4e3, 1.6e4, 9e3]),
         }
+    }
+
+    /// With the one node there is.
+    fn oscillators(reduction: &CraigBampton, active: &Coordinates, damping: Rayleigh) -> Support {
+        let node = BodyNode::new(reduction, active, &[[0.0; 3]], 0);
+        Support::new(reduction, active, damping, vec![node], Vec::new()).unwrap()
     }
 
     fn coordinates(columns: &[usize]) -> Coordinates {
@@ -184,8 +200,7 @@ mod tests {
     #[test]
     fn held_retained_dofs_leave_the_fixed_interface_modes() {
         let damping = Rayleigh { alpha: 2.0, beta: 1e-4 };
-        let support =
-            Support::new(&reduction(), &coordinates(&[0, 1]), damping, &[[0.0; 3]], &[0]).unwrap();
+        let support = oscillators(&reduction(), &coordinates(&[0, 1]), damping);
         assert_eq!(support.stiffness, [4e3, 1.6e4]);
         assert_eq!(support.damping, [2.4, 3.6]);
         assert_eq!(support.coordinates, ["a", "b"]);
@@ -195,8 +210,7 @@ mod tests {
     #[test]
     fn oscillators_answer_a_force_as_the_coupled_body_does() {
         let (reduction, active) = (reduction(), coordinates(&[0, 1, 2]));
-        let support =
-            Support::new(&reduction, &active, Rayleigh::default(), &[[0.0; 3]], &[0]).unwrap();
+        let support = oscillators(&reduction, &active, Rayleigh::default());
         // Displacement of the node along x under a unit force there, at rest and at high frequency.
         let row: Vec<f64> = (0..3).map(|j| reduction.shapes[(0, j)]).collect();
         let answer = |matrix: &Matrix| {
@@ -207,10 +221,10 @@ mod tests {
             crate::linalg::dot(&row, &x)
         };
         let shapes = &support.nodes[0].shapes;
-        let oscillators = |weigh: &dyn Fn(f64) -> f64| -> f64 {
+        let sum = |weigh: &dyn Fn(f64) -> f64| -> f64 {
             (0..3).map(|j| shapes[(0, j)].powi(2) * weigh(support.stiffness[j])).sum()
         };
-        let (soft, light) = (oscillators(&|k| 1.0 / k), oscillators(&|_| 1.0));
+        let (soft, light) = (sum(&|k| 1.0 / k), sum(&|_| 1.0));
         assert!((soft / answer(&reduction.stiffness) - 1.0).abs() < 1e-12);
         assert!((light / answer(&reduction.mass) - 1.0).abs() < 1e-12);
     }

@@ -25,6 +25,8 @@ pub struct Element {
     pub vtk: u8,
     /// `vtk_order[i]` is the node of this element at place i of a VTK cell.
     pub vtk_order: &'static [usize],
+    /// Faces of the cell.
+    pub faces: &'static [Face],
     /// One kernel a form.
     pub forms: &'static [FormKernel],
 }
@@ -34,6 +36,26 @@ impl Element {
     pub fn form(&self, form: &str) -> Option<&'static FormKernel> {
         self.forms.iter().find(|kernel| kernel.form == form)
     }
+}
+
+/// A face of an element, with its functions at the points of a rule over the face's coordinates s, t.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Face {
+    /// Nodes of the element whose functions do not vanish on the face.
+    pub nodes: &'static [usize],
+    /// The points.
+    pub points: &'static [FacePoint],
+}
+
+/// A point of a face. ∂x/∂s × ∂x/∂t points out of the cell, and is as long as the face has area for s and t.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FacePoint {
+    /// Weight; the weights of all points sum to the area over s and t.
+    pub weight: f64,
+    /// N_a for every node of the face.
+    pub values: &'static [f64],
+    /// ∂N_a/∂s and ∂N_a/∂t for every node of the face.
+    pub slopes: &'static [[f64; 2]],
 }
 
 /// Computes a law and its derivatives over a row of springs.

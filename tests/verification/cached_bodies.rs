@@ -38,13 +38,15 @@ fn body() -> Body {
     let mut constraints = Constraints::new();
     constraints.fix("axial", 4);
     let spec = BodySpec {
-        retained: retained.map(|dof| Retained { dof, name: format!("dof {dof}") }).collect(),
+        retained: retained.map(|dof| Retained::dof(dof, format!("dof {dof}"))).collect(),
+        held: Vec::new(),
         modes: 4,
         constraints,
         springs: vec![GroundSpring { name: "foot".to_owned(), dof: 30, stiffness: 1e6 }],
         damping: Rayleigh { alpha: 0.0, beta: 1e-5 },
         nodes: ends.to_vec(),
         stiffening: false,
+        means: Vec::new(),
         memory: 1 << 30,
     };
     let mesh = MeshParts {
@@ -83,7 +85,7 @@ fn every_ingredient_of_a_body_is_in_its_key() {
         ("E", |b| *property(b, "E") *= 1.0 + f64::EPSILON),
         ("nu", |b| *property(b, "nu") *= 1.0 + f64::EPSILON),
         ("rho", |b| *property(b, "rho") *= 1.0 + f64::EPSILON),
-        ("a retained dof", |b| b.spec.retained[1].dof += 30),
+        ("a retained dof", |b| b.spec.retained[1].terms[0].0 += 30),
         ("the order of the retained dofs", |b| b.spec.retained.swap(0, 1)),
         ("one retained dof less", |b| b.spec.retained.truncate(4)),
         ("the modes", |b| b.spec.modes += 1),

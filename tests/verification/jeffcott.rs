@@ -4,10 +4,8 @@ use std::ops::ControlFlow;
 
 use whirl_solver::attached::Unbalance;
 use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
-use whirl_solver::body::BodyNode;
 use whirl_solver::dynamics::{MarchOptions, Outcome, march};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
-use whirl_solver::measure::MeanMotion;
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 use whirl_specs::CLEARANCES;
@@ -64,10 +62,7 @@ fn rotor() -> (Shaft, f64) {
     let n = plain.size();
     let mass = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
     let mass: f64 = mass.map(|(i, j)| moved[i] * plain.mass[(i, j)] * moved[j]).sum();
-    let middle = plain.nodes[6..].iter().filter(|node| (node.position[2] - 0.2).abs() < 1e-9);
-    let middle: Vec<(&BodyNode, f64)> = middle.map(|node| (node, 1.0)).collect();
-    let mean = MeanMotion::of(&middle).expect("a section in the middle");
-    let node = mean.node_at([0.0, 0.0, 0.2]);
+    let node = plain.measures[0].node_at([0.0, 0.0, 0.2]);
     let moment = [UNBALANCE * ANGLE.cos(), UNBALANCE * ANGLE.sin()];
     (plain.with_unbalance(&Unbalance { moment, node: &node }), mass)
 }

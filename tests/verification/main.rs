@@ -15,6 +15,7 @@ mod invariants;
 mod jeffcott;
 mod laws;
 mod layers;
+mod measures;
 mod mesh_input;
 mod missed_modes;
 mod newton_convergence;

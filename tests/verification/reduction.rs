@@ -228,7 +228,8 @@ fn rigid_coordinates(
     motion: impl Fn([f64; 3]) -> [f64; 3],
 ) -> Vec<f64> {
     let mut coordinates = vec![0.0; reduced.modes()];
-    coordinates.extend(reduced.retained.iter().map(|&dof| motion(positions[dof / 3])[dof % 3]));
+    coordinates
+        .extend(reduced.retained.iter().map(|row| motion(positions[row[0].0 / 3])[row[0].0 % 3]));
     coordinates
 }
 

@@ -33,7 +33,7 @@ fn dofs(mesh: &Mesh, list: &[(&str, &str)]) -> Vec<Retained> {
         for &node in mesh.node_set(set).unwrap() {
             for component in components.chars() {
                 let dof = 3 * node + "xyz".find(component).unwrap();
-                dofs.push(Retained { dof, name: format!("{set} {component}") });
+                dofs.push(Retained::dof(dof, format!("{set} {component}")));
             }
         }
     }
@@ -41,7 +41,7 @@ fn dofs(mesh: &Mesh, list: &[(&str, &str)]) -> Vec<Retained> {
 }
 
 fn indices(retained: &[Retained]) -> Vec<usize> {
-    retained.iter().map(|retained| retained.dof).collect()
+    retained.iter().filter_map(Retained::single).collect()
 }
 
 fn shaft_retained(mesh: &Mesh) -> Vec<Retained> {
@@ -57,7 +57,10 @@ fn shaft_retained(mesh: &Mesh) -> Vec<Retained> {
 fn ground_springs(mesh: &Mesh) -> Vec<GroundSpring> {
     dofs(mesh, &[("GROUND_SPRINGS", "y")])
         .into_iter()
-        .map(|Retained { dof, name }| GroundSpring { name, dof, stiffness: 1e8 })
+        .map(|spring| {
+            let dof = spring.single().expect("a dof");
+            GroundSpring { name: spring.name, dof, stiffness: 1e8 }
+        })
         .collect()
 }
 
@@ -86,12 +89,14 @@ fn reference_shaft() {
     constraints.equation("torsion", [(25, 1.0), (26, -1.0)]);
     let spec = BodySpec {
         retained,
+        held: Vec::new(),
         modes: 50,
         constraints,
         springs: Vec::new(),
         damping: Rayleigh { alpha: 0.0, beta: 1e-4 },
         nodes: vec![mesh.single_node("DRIVE_TOP").unwrap()],
         stiffening: false,
+        means: Vec::new(),
         memory: PLENTY,
     };
     let shaft = Shaft::from_mesh(&mesh, &spec).unwrap();
@@ -138,12 +143,14 @@ fn reference_support() {
     let bore = mesh.node_set("BORE1_LEFT").unwrap();
     let spec = BodySpec {
         retained,
+        held: Vec::new(),
         modes: 150,
         constraints: mounts,
         springs: ground_springs(&mesh),
         damping: Rayleigh { alpha: 0.0, beta: 1e-4 },
         nodes: bore.to_vec(),
         stiffening: false,
+        means: Vec::new(),
         memory: PLENTY,
     };
     let support = Support::from_mesh(&mesh, &spec).unwrap();
@@ -164,12 +171,14 @@ fn a_dof_retained_twice_is_named() {
     retained.push(again);
     let spec = BodySpec {
         retained,
+        held: Vec::new(),
         modes: 1,
         constraints: Constraints::new(),
         springs: Vec::new(),
         damping: Rayleigh::default(),
         nodes: Vec::new(),
         stiffening: false,
+        means: Vec::new(),
         memory: PLENTY,
     };
     let message = Shaft::from_mesh(&mesh, &spec).unwrap_err().to_string();

@@ -7,7 +7,7 @@ use whirl_solver::constraints::Constraints;
 use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions};
 use whirl_solver::machine::{Body, MachineParts, Rotation};
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
-use whirl_solver::mesh::{Material, Mesh};
+use whirl_solver::mesh::{Material, Mesh, NodeSetMean};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 use whirl_specs::{CLEARANCES, MOTIONS, Motion};
@@ -47,7 +47,7 @@ pub(crate) fn shaft(mesh: &Mesh) -> Shaft {
     let mut retained = Vec::new();
     let mut retain = |set: &str, axis: usize| {
         let dof = 3 * mesh.single_node(set).expect("a set of the mesh") + axis;
-        retained.push(Retained { dof, name: format!("{set} {}", ["x", "y", "z"][axis]) });
+        retained.push(Retained::dof(dof, format!("{set} {}", ["x", "y", "z"][axis])));
         retained.len() - 1
     };
     let mut nodes = Vec::new();
@@ -63,17 +63,21 @@ pub(crate) fn shaft(mesh: &Mesh) -> Shaft {
     nodes.extend(0..mesh.nodes().len());
     let axial = retain("JOURNAL1_MIDDLE", 2);
     let (top, bottom) = (retain("DRIVE_TOP", 1), retain("DRIVE_BOTTOM", 1));
+    let in_the_middle = |&node: &usize| (mesh.nodes()[node][2] - 0.2).abs() < 1e-9;
+    let middle: Vec<usize> = (0..mesh.nodes().len()).filter(in_the_middle).collect();
     let mut constraints = Constraints::new();
     constraints.fix("axial", axial);
     constraints.equation("drive", [(top, 1.0), (bottom, -1.0)]);
     let spec = BodySpec {
         retained,
+        held: Vec::new(),
         modes: 8,
         constraints,
         springs: Vec::new(),
         damping: Rayleigh::default(),
         nodes,
         stiffening: false,
+        means: vec![NodeSetMean::new(mesh, &middle).expect("a section in the middle")],
         memory: 1 << 30,
     };
     Shaft::from_mesh(mesh, &spec).expect("a shaft")

@@ -71,8 +71,9 @@ pub(super) fn reduced(
 ) -> Result<(Reduced, Key, bool), Failure> {
     let (mesh, spec) = (&plan.mesh, &plan.spec);
     let key = Reduced::key(kind, mesh, spec);
-    // Which nodes are output nodes, as what is applied to the body afterwards.
-    let content = Key::of(&(key.hex(), &spec.nodes));
+    // Which nodes and means are output, as what is applied to the body afterwards.
+    let means: Vec<_> = spec.means.iter().map(|mean| (mean.nodes(), mean.weights())).collect();
+    let content = Key::of(&(key.hex(), &spec.nodes, means));
     if let Some(found) = cache.and_then(|cache| cache.load(&key)) {
         return Ok((found, content, true));
     }

@@ -243,14 +243,8 @@ fn place_support(
         }
         bores.push(bore);
     }
-    for node in support.nodes(mounts, errors) {
-        for (axis, letter) in AXES.iter().enumerate() {
-            let held = support.retain(mounts, node, axis);
-            let label = support.mesh.labels()[node];
-            let name = format!("mounts ({letter} of node {label})");
-            support.spec.constraints.fix(name, held);
-        }
-    }
+    let held = support.nodes(mounts, errors);
+    support.hold("mounts", mounts, &held);
     for spring in &case.ground_springs {
         for node in support.nodes(&spring.set, errors) {
             let axis = AXES[spring.direction];

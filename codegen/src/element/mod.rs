@@ -2,6 +2,7 @@
 
 pub(crate) mod algebraic;
 mod cell;
+pub(crate) mod face;
 pub(crate) mod polynomial;
 pub(crate) mod quadrature;
 pub(crate) mod rules;

@@ -75,6 +75,7 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
         hertz: Vec::new(),
         coordinates: vec!["mode 1".to_owned(), "mode 2".to_owned()],
         nodes: vec![node.clone()],
+        measures: Vec::new(),
     };
     let around: Vec<[f64; 3]> =
         (0..5).map(|i| f64::from(i).sin_cos()).map(|(y, x)| [x, y, 0.0]).collect();

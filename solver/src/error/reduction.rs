@@ -42,6 +42,14 @@ pub enum ReductionError {
         /// Dofs of the body.
         dofs: usize,
     },
+    /// A retained motion follows from those before it and from what is held.
+    #[error(
+        "retained motion {place} follows from others that are retained or held: take one of them out"
+    )]
+    Follows {
+        /// Its place among the retained ones, from 0.
+        place: usize,
+    },
     /// With the retained dofs held the body can still move without being strained.
     #[error(
         "with its retained dofs held the body can still move freely: {}; hold or retain a dof, or add a spring, against each of these motions",

@@ -6,12 +6,14 @@
 pub mod inp;
 mod layers;
 mod material;
+mod mean;
 pub mod measure;
 mod regions;
 pub mod shaft;
 pub mod support;
 
 pub use material::{ImplausibleProperty, Material};
+pub use mean::{MeanComponent, NodeSetMean};
 pub(crate) use regions::connected;
 
 use std::collections::BTreeMap;

@@ -9,6 +9,7 @@ use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
 use super::modes::{Modes, Pencil};
+use super::partition::{Interface, Partition};
 use super::rigid::{Row, free_motions};
 use crate::error::{FreeMotion, ReductionError};
 
@@ -31,10 +32,11 @@ pub struct Solid<'a> {
 pub struct CraigBampton {
     /// Frequencies of the fixed-interface modes (Hz), ascending.
     pub hertz: Vec<f64>,
-    /// Retained dofs, in the order of their coordinates.
-    pub retained: Vec<usize>,
+    /// Retained motions Σ cᵢ uᵢ over dofs i, in the order of their coordinates.
+    pub retained: Vec<Row>,
     /// φ = [X Y; 0 I]: displacement of each dof (3·nodes rows) by a unit of each coordinate; the modes
-    /// X come first, then the constraint modes Y.
+    /// X come first, then the constraint modes Y. Rows of held dofs are zero, rows of dofs whose place a retained mean
+    /// takes follow from the others.
     pub shapes: Matrix,
     /// M̄ = φᵀMφ.
     pub mass: Matrix,
@@ -67,7 +69,7 @@ impl CraigBampton {
 }
 
 impl Solid<'_> {
-    /// The Craig–Bampton reduction with `modes` fixed-interface modes.
+    /// The Craig–Bampton reduction with `modes` fixed-interface modes and these dofs retained.
     ///
     /// # Errors
     /// See [`ReductionError`].
@@ -76,19 +78,36 @@ impl Solid<'_> {
         retained: &[usize],
         modes: usize,
     ) -> Result<CraigBampton, ReductionError> {
-        let partition = Partition::new(self.mass.size(), retained)?;
+        let retained: Vec<Row> = retained.iter().map(|&dof| vec![(dof, 1.0)]).collect();
+        self.reduce(&Interface { retained: &retained, held: &[] }, modes)
+    }
+
+    /// The Craig–Bampton reduction with `modes` fixed-interface modes: those with the retained motions and the held dofs at
+    /// zero. Held dofs have no coordinates, and cost no constraint modes.
+    ///
+    /// # Errors
+    /// See [`ReductionError`].
+    pub fn reduce(
+        &self,
+        interface: &Interface,
+        modes: usize,
+    ) -> Result<CraigBampton, ReductionError> {
+        let retained = interface.retained;
+        let partition = Partition::new(self.mass.size(), interface)?;
         let whole = lower(self.stiffness, "stiffness")?;
-        let held: Vec<Row> = retained.iter().map(|&dof| vec![(dof, 1.0)]).collect();
+        let held = interface.held.iter().map(|&dof| vec![(dof, 1.0)]);
+        let held: Vec<Row> = retained.iter().map(of_order_one).chain(held).collect();
         let motions = free_motions(self.coordinates, &whole, &held)?;
         if !motions.is_empty() {
             return Err(ReductionError::Mechanism { motions });
         }
-        let stiffness = partition.inner(&whole);
-        let mass = partition.inner(&*lower(self.mass, "mass")?);
-        let order = self.order(&whole, &partition.inner);
+        let parted = partition.part(&whole);
+        let stiffness = &parted.inner;
+        let mass = partition.part(&*lower(self.mass, "mass")?).inner;
+        let order = self.elimination(&whole, &partition);
         let components: Vec<usize> = partition.inner.iter().map(|dof| dof % 3).collect();
         let pencil = Pencil {
-            stiffness: &stiffness,
+            stiffness,
             mass: &mass,
             order: &order,
             components: &components,
@@ -112,7 +131,7 @@ impl Solid<'_> {
             return Err(loose(row));
         }
 
-        let (coupling, held) = partition.coupling(&whole);
+        let (coupling, held) = partition.coupling(&whole, &parted);
         let mut constraint = coupling.clone();
         constraint.data.iter_mut().for_each(|value| *value = -*value);
         factor.solve_in_place(&mut constraint.data);
@@ -148,26 +167,22 @@ impl Solid<'_> {
         Ok(reduced)
     }
 
-    /// The displacement under `force` (N, 3·nodes) with the retained dofs held; 3·nodes values, in m.
+    /// The displacement under `force` (N, 3·nodes) with the retained motions and the held dofs at zero; 3·nodes values, in m.
     ///
     /// # Errors
-    /// As [`Solid::craig_bampton`], but that motions which nothing stops are named by a dof only.
+    /// As [`Solid::reduce`], but that motions which nothing stops are named by a dof only.
     pub(crate) fn held(
         &self,
-        retained: &[usize],
+        interface: &Interface,
         force: &[f64],
     ) -> Result<Vec<f64>, ReductionError> {
-        let partition = Partition::new(self.mass.size(), retained)?;
+        let partition = Partition::new(self.mass.size(), interface)?;
         let whole = lower(self.stiffness, "stiffness")?;
-        let order = self.order(&whole, &partition.inner);
-        let factor = SparseCholesky::new(&partition.inner(&whole), &order, self.memory)?;
-        let mut inner: Vec<f64> = partition.inner.iter().map(|&dof| force[dof]).collect();
+        let order = self.elimination(&whole, &partition);
+        let factor = SparseCholesky::new(&partition.part(&whole).inner, &order, self.memory)?;
+        let mut inner = partition.inner_load(force);
         factor.solve_in_place(&mut inner);
-        let mut displacement = vec![0.0; force.len()];
-        for (&dof, value) in partition.inner.iter().zip(inner) {
-            displacement[dof] = value;
-        }
-        Ok(displacement)
+        Ok(partition.displacement(&inner))
     }
 
     /// The `count` lowest modes of the body with no dof held, rigid motions first.
@@ -186,6 +201,15 @@ impl Solid<'_> {
             memory: self.memory,
         };
         pencil.free_modes(count)
+    }
+
+    /// Order of elimination of the inner dofs. A mean couples its dofs with each other: they come last, where the factor
+    /// is dense anyway.
+    fn elimination(&self, whole: &LowerTriangle, partition: &Partition) -> Vec<usize> {
+        let in_means = partition.in_means();
+        let order = self.order(whole, &partition.inner).into_iter();
+        let (first, last): (Vec<usize>, Vec<usize>) = order.partition(|&dof| !in_means[dof]);
+        [first, last].concat()
     }
 
     /// Order of elimination of the dofs listed (ascending), as places in that list.
@@ -217,6 +241,12 @@ impl Solid<'_> {
     }
 }
 
+/// A row divided by the sum of its coefficients' absolute values.
+fn of_order_one(row: &Row) -> Row {
+    let sum: f64 = row.iter().map(|(_, c)| c.abs()).sum();
+    row.iter().map(|&(dof, c)| (dof, c / sum)).collect()
+}
+
 pub(super) fn lower<'a>(
     matrix: &'a SparseMatrix,
     name: &'static str,
@@ -231,84 +261,4 @@ fn moves_freely(fixed: &Modes, pencil: &Pencil) -> Option<usize> {
     }
     let shape = fixed.vectors.col(0);
     (0..shape.len()).max_by(|&a, &b| shape[a].abs().total_cmp(&shape[b].abs()))
-}
-
-/// The dofs of a body, parted into the retained and the inner ones.
-struct Partition {
-    /// Inner dofs, ascending.
-    inner: Vec<usize>,
-    retained: Vec<usize>,
-    /// For each dof, its place among the inner ones (`Ok`) or the retained ones (`Err`).
-    place: Vec<Result<usize, usize>>,
-}
-
-impl Partition {
-    fn new(dofs: usize, retained: &[usize]) -> Result<Self, ReductionError> {
-        let mut place = vec![Ok(0); dofs];
-        for (index, &dof) in retained.iter().enumerate() {
-            match place.get_mut(dof) {
-                Some(slot @ Ok(_)) => *slot = Err(index),
-                _ => {
-                    return Err(ReductionError::Retained {
-                        dof,
-                        node: dof / 3,
-                        component: dof % 3,
-                        dofs,
-                    });
-                }
-            }
-        }
-        let inner: Vec<usize> = (0..dofs).filter(|&dof| place[dof].is_ok()).collect();
-        for (index, &dof) in inner.iter().enumerate() {
-            place[dof] = Ok(index);
-        }
-        Ok(Partition { inner, retained: retained.to_vec(), place })
-    }
-
-    /// The block of the inner dofs.
-    fn inner(&self, whole: &LowerTriangle) -> LowerTriangle {
-        LowerTriangle::from_columns(self.inner.len(), |j| {
-            whole
-                .column(self.inner[j])
-                .filter_map(|(row, value)| Some((self.place[row].ok()?, value)))
-        })
-    }
-
-    /// The blocks (inner, retained) and (retained, retained).
-    fn coupling(&self, whole: &LowerTriangle) -> (Matrix, Matrix) {
-        let count = self.retained.len();
-        let mut coupling = Matrix::zeros(self.inner.len(), count);
-        let mut held = Matrix::zeros(count, count);
-        for column in 0..whole.size {
-            for (row, value) in whole.column(column) {
-                match (self.place[row], self.place[column]) {
-                    (Ok(i), Err(j)) | (Err(j), Ok(i)) => coupling[(i, j)] = value,
-                    (Err(i), Err(j)) => {
-                        held[(i, j)] = value;
-                        held[(j, i)] = value;
-                    }
-                    (Ok(_), Ok(_)) => {}
-                }
-            }
-        }
-        (coupling, held)
-    }
-
-    /// φ = [X Y; 0 I], rows in the body's numbering.
-    fn shapes(&self, modes: &Matrix, constraint: &Matrix) -> Matrix {
-        let (count, dofs) = (modes.cols, self.place.len());
-        let mut shapes = Matrix::zeros(dofs, count + self.retained.len());
-        for (place, &dof) in self.inner.iter().enumerate() {
-            for j in 0..count {
-                shapes[(dof, j)] = modes[(place, j)];
-            }
-            for j in 0..self.retained.len() {
-                shapes[(dof, count + j)] = constraint[(place, j)];
-            }
-        }
-        for (j, &dof) in self.retained.iter().enumerate() {
-            shapes[(dof, count + j)] = 1.0;
-        }
-        shapes
-    }
 }

@@ -4,12 +4,15 @@ mod convention;
 mod craig_bampton;
 mod lanczos;
 mod modes;
+mod partition;
 mod rigid;
 mod sturm;
 
 pub use craig_bampton::{CraigBampton, Solid};
 pub use modes::{Modes, Pencil, hertz};
-pub(crate) use rigid::{Row, free_motions, free_shapes};
+pub use partition::Interface;
+pub use rigid::Row;
+pub(crate) use rigid::{free_motions, free_shapes};
 
 use crate::error::{FreeMotion, ReductionError};
 use crate::mesh::Mesh;

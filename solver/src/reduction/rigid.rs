@@ -126,10 +126,10 @@ impl RigidMotions {
     }
 }
 
-/// Σ cᵢ uᵢ over dofs i, of order 1.
-pub(crate) type Row = Vec<(usize, f64)>;
+/// Σ cᵢ uᵢ over dofs i, as (i, cᵢ).
+pub type Row = Vec<(usize, f64)>;
 
-/// The rigid motions of a body that make every one of `rows` zero and strain nothing. Of a mesh in several
+/// The rigid motions of a body that make every one of `rows` (whose coefficients are of order 1) zero and strain nothing. Of a mesh in several
 /// parts each is checked alone, too: one that nothing holds is reported as a part, but for the largest.
 pub(crate) fn free_motions(
     coordinates: &[[f64; 3]],

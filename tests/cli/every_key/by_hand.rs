@@ -71,12 +71,14 @@ fn body(mesh: &Mesh, which: usize, own: &ByHand, held: Held, nodes: Vec<usize>) 
     assert!(nodes.iter().all(|&node| node < mesh.nodes().len()));
     BodySpec {
         retained: held.retained,
+        held: Vec::new(),
         modes: own.modes[which],
         constraints: held.constraints,
         springs: held.springs,
         damping: Rayleigh { alpha: 0.0, beta: own.damping[which] },
         nodes,
         stiffening: which == 0 && own.stiffening,
+        means: Vec::new(),
         memory: 1 << 30,
     }
 }
@@ -91,7 +93,7 @@ struct Held {
 
 impl Held {
     fn retain(&mut self, node: usize, axis: usize) -> usize {
-        self.retained.push(Retained { dof: 3 * node + axis, name: format!("{node} {axis}") });
+        self.retained.push(Retained::dof(3 * node + axis, format!("{node} {axis}")));
         self.retained.len() - 1
     }
 }

@@ -78,6 +78,7 @@ pub(crate) fn discs(bending: f64) -> Shaft {
         spin_coupling,
         coordinates: (0..n).map(|i| format!("disc {} {}", i / 2 + 1, ["x", "y"][i % 2])).collect(),
         nodes: (0..DISCS).map(node).collect(),
+        measures: Vec::new(),
     }
 }
 
@@ -107,6 +108,7 @@ pub(crate) fn bores() -> Support {
         damping: vec![1.0, 2.0, 5.0, 9.0],
         coordinates: (1..=4).map(|i| format!("mode {i}")).collect(),
         nodes,
+        measures: Vec::new(),
     }
 }
 

@@ -25,7 +25,9 @@ fn spec(dofs: &[usize], held: usize, modes: usize, nodes: Vec<usize>) -> BodySpe
     let mut constraints = Constraints::new();
     (0..held).for_each(|place| constraints.fix(format!("hold {place}"), place));
     BodySpec {
-        retained: dofs.iter().map(|&dof| Retained { dof, name: format!("dof {dof}") }).collect(),
+        retained: dofs.iter().map(|&dof| Retained::dof(dof, format!("dof {dof}"))).collect(),
+        held: Vec::new(),
+        means: Vec::new(),
         modes,
         constraints,
         springs: Vec::new(),

@@ -2,9 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::attached::{Disc, Unbalance};
-use whirl_solver::body::BodyNode;
 use whirl_solver::linalg::Matrix;
-use whirl_solver::measure::MeanMotion;
 use whirl_solver::shaft::Shaft;
 
 use super::PlannedBody;
@@ -18,10 +16,18 @@ const FLAT: f64 = 1e-5;
 /// A section is at most this part of the body's length away from where it is looked for.
 const NEAR: f64 = 0.01;
 
-/// Something on a section, and the section's nodes among the output nodes of the body.
+/// Something on a section.
 pub(crate) struct PlannedAttached {
     own: Attached,
-    nodes: Vec<usize>,
+    at: Place,
+}
+
+/// Where a body carries something.
+enum Place {
+    /// One of the output nodes of a rigid body.
+    Node(usize),
+    /// One of the mean motions of a mesh.
+    Section(usize),
 }
 
 /// Finds the sections, and retains their centres where there are nodes.
@@ -32,17 +38,17 @@ pub(super) fn plan(
 ) -> Vec<PlannedAttached> {
     let mut all = Vec::with_capacity(attached.len());
     for own in attached {
-        let nodes = match body {
-            PlannedBody::Meshed(plan) => section(own, plan, errors),
-            PlannedBody::Rigid(rigid) => vec![rigid.node([0.0, 0.0, own.z])],
+        let at = match body {
+            PlannedBody::Meshed(plan) => section(own, plan, errors).map(Place::Section),
+            PlannedBody::Rigid(rigid) => Some(Place::Node(rigid.node([0.0, 0.0, own.z]))),
         };
-        all.push(PlannedAttached { own: own.clone(), nodes });
+        all.extend(at.map(|at| PlannedAttached { own: own.clone(), at }));
     }
     all
 }
 
-/// The nodes of the section nearest to where something is.
-fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Vec<usize> {
+/// The mean motion of the section nearest to where something is.
+fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Option<usize> {
     let nodes = plan.mesh.nodes();
     let ends = nodes.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, node| {
         [ends[0].min(node[2]), ends[1].max(node[2])]
@@ -63,7 +69,7 @@ fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Vec
             None => "the mesh has no nodes".to_owned(),
         };
         errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));
-        return Vec::new();
+        return None;
     };
     let flat = |node: &[f64; 3]| (node[2] - nearest[2]).abs() <= FLAT * length;
     let found: Vec<usize> = (0..nodes.len()).filter(|&node| flat(&nodes[node])).collect();
@@ -74,21 +80,24 @@ fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Vec
     if let (Some(&centre), Carried::Disc { .. }) = (found.iter().find(on_axis), own.what) {
         retain_in_plane(plan, &own.name, centre);
     }
-    found.into_iter().map(|node| plan.output_node(node)).collect()
+    Some(plan.mean(&found))
 }
 
 /// The shaft with all that it carries.
-pub(super) fn attach(mut shaft: Shaft, attached: &[PlannedAttached]) -> Shaft {
-    for PlannedAttached { own, nodes } in attached {
-        let weighted: Vec<(&BodyNode, f64)> =
-            nodes.iter().map(|&place| (&shaft.nodes[place], 1.0)).collect();
-        let Some(mean) = MeanMotion::of(&weighted) else { continue };
-        let centre = mean.node_at([0.0, 0.0, own.z]);
-        shaft = match own.what {
-            Carried::Unbalance(moment) => {
+pub(super) fn attach(shaft: Shaft, attached: &[PlannedAttached]) -> Shaft {
+    attached.iter().fold(shaft, |shaft, PlannedAttached { own, at }| {
+        let (centre, mean) = match at {
+            Place::Node(place) => (shaft.nodes[*place].clone(), None),
+            Place::Section(place) => {
+                let mean = shaft.measures[*place].clone();
+                (mean.node_at([0.0, 0.0, own.z]), Some(mean))
+            }
+        };
+        match (own.what, mean) {
+            (Carried::Unbalance(moment), _) => {
                 shaft.with_unbalance(&Unbalance { moment, node: &centre })
             }
-            Carried::Disc { mass, polar_inertia, transverse_inertia } => {
+            (Carried::Disc { mass, polar_inertia, transverse_inertia }, Some(mean)) => {
                 let rows = |first: usize, count: usize| {
                     Matrix::from_fn(count, mean.rotation.cols, |i, j| mean.rotation[(first + i, j)])
                 };
@@ -102,7 +111,8 @@ pub(super) fn attach(mut shaft: Shaft, attached: &[PlannedAttached]) -> Shaft {
                     twist: Some(&twist.data),
                 })
             }
-        };
-    }
-    shaft
+            // The case refuses a disc on a rigid body.
+            (Carried::Disc { .. }, None) => shaft,
+        }
+    })
 }

@@ -169,14 +169,8 @@ fn tie(
 /// Holds nodes in all directions, and springs them to the ground.
 fn clamp(plan: &mut BodyPlan, case: &MeshedBody, errors: &mut Diagnostics) {
     for set in &case.held {
-        for node in plan.nodes(set, errors) {
-            for (axis, letter) in AXES.iter().enumerate() {
-                let held = plan.retain(set, node, axis);
-                let label = plan.mesh.labels()[node];
-                let name = format!("held ({letter} of node {label} of {})", set.text());
-                plan.spec.constraints.fix(name, held);
-            }
-        }
+        let held = plan.nodes(set, errors);
+        plan.hold("held", set, &held);
     }
     for spring in &case.ground_springs {
         for node in plan.nodes(&spring.set, errors) {

@@ -37,8 +37,7 @@ impl PlannedJoint {
         let [x, y] = self.sides.bore_axis;
         let bore = match bodies.get(self.sides.bodies[1]) {
             Some(PlannedBody::Meshed(plan)) => {
-                let nodes = self.bore.iter().flatten().map(|&place| plan.spec.nodes[place]);
-                let positions = nodes.map(|node| plan.mesh.nodes()[node]);
+                let positions = self.bore.iter().flatten().map(|&place| plan.position(place));
                 positions.map(|position| [position[0] - x, position[1] - y]).collect()
             }
             _ => Vec::new(),
@@ -211,9 +210,11 @@ fn journal(
             journal[place] = journal[known];
             continue;
         }
-        let node = plan.node(set, errors)?;
-        retain_in_plane(plan, set, node);
-        journal[place] = plan.output_node(node);
+        let nodes = plan.nodes(set, errors);
+        if nodes.is_empty() {
+            return None;
+        }
+        journal[place] = plan.output_in_plane(set, &nodes);
     }
     Some(journal)
 }
@@ -287,7 +288,7 @@ fn retain_ends(plan: &mut BodyPlan, joint: &Joint, nodes: &[usize]) {
 /// x and y of an output node.
 fn position(body: &PlannedBody, place: usize) -> [f64; 2] {
     let [x, y, _] = match body {
-        PlannedBody::Meshed(plan) => plan.mesh.nodes()[plan.spec.nodes[place]],
+        PlannedBody::Meshed(plan) => plan.position(place),
         PlannedBody::Rigid(own) => own.nodes[place],
     };
     [x, y]

@@ -225,12 +225,16 @@ fn reduced(
         cached &= known;
         let explained = |error| plan.explain(error);
         let made = match rotation {
-            Some(rotation) => Body::turning(
-                name,
-                attach(found.shaft(&plan.spec).map_err(explained)?, attached),
-                rotation,
-            ),
-            None => Body::standing(name, found.support(&plan.spec).map_err(explained)?),
+            Some(rotation) => {
+                let mut shaft = found.shaft(&plan.spec).map_err(explained)?;
+                shaft.nodes = plan.outputs(&shaft.nodes, &shaft.measures);
+                Body::turning(name, attach(shaft, attached), rotation)
+            }
+            None => {
+                let mut support = found.support(&plan.spec).map_err(explained)?;
+                support.nodes = plan.outputs(&support.nodes, &support.measures);
+                Body::standing(name, support)
+            }
         };
         let hertz = match &made {
             Body::Turning { shaft, .. } => shaft.hertz.clone(),

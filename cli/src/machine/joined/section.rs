@@ -2,6 +2,8 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 
+use whirl_solver::body::Retained;
+
 use super::at;
 use crate::machine::plan::BodyPlan;
 
@@ -10,8 +12,9 @@ const OPPOSITE: f64 = 1e-3;
 
 /// Ties two opposite nodes: they move alike along the tangent, at the z at which the body is held.
 pub(super) fn tie(plan: &mut BodyPlan, name: &Located, errors: &mut Diagnostics) {
-    let held = plan.spec.retained.last().map_or(0, |retained| retained.dof / 3);
-    let Some([top, bottom]) = opposite(plan.mesh.nodes(), plan.mesh.nodes()[held][2]) else {
+    let last = plan.spec.retained.iter().rev().find_map(Retained::single);
+    let z = plan.mesh.nodes()[last.unwrap_or(0) / 3][2];
+    let Some([top, bottom]) = opposite(plan.mesh.nodes(), z) else {
         let message = format!(
             "{} has no two nodes at opposite ends of a diameter by which its rotation could be told",
             plan.mesh.origin()

@@ -2,11 +2,12 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::assemble;
-use whirl_solver::body::{BodySpec, Rayleigh, Retained};
+use whirl_solver::body::{BodyNode, BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
 use whirl_solver::error::Error;
 use whirl_solver::error::{FreeMotion, ReductionError};
-use whirl_solver::mesh::{Cell, Material, Mesh};
+use whirl_solver::measure::MeanMotion;
+use whirl_solver::mesh::{Cell, Material, MeanComponent, Mesh, NodeSetMean};
 
 use super::AXES;
 use crate::case;
@@ -24,6 +25,8 @@ pub(crate) struct BodyPlan {
     pub(crate) mesh: Mesh,
     /// How it is reduced; its nodes are the output nodes, whose motion is wanted.
     pub(crate) spec: BodySpec,
+    /// What joints and loads see of it: their places are those of the nodes of the reduced body.
+    points: Vec<Point>,
     /// What holds it, as the case says it.
     held_by: Located,
     /// What it is made from, as the case says it.
@@ -51,21 +54,32 @@ impl Default for HoldingWords {
     }
 }
 
+/// What a joint or a load sees of a mesh.
+#[derive(Debug, Clone, Copy)]
+enum Point {
+    /// One of the nodes of the spec.
+    Node(usize),
+    /// The centre of one of its means.
+    Mean(usize),
+}
+
 impl BodyPlan {
     pub(in crate::machine) fn new<D>(mesh: Mesh, case: &case::Body<D>, held_by: &Located) -> Self {
         let spec = BodySpec {
             retained: Vec::new(),
+            held: Vec::new(),
             modes: case.modes,
             constraints: Constraints::new(),
             springs: Vec::new(),
             damping: Rayleigh { alpha: 0.0, beta: case.damping },
             nodes: Vec::new(),
             stiffening: false,
+            means: Vec::new(),
             memory: FACTOR_MEMORY,
         };
         let (held_by, made_from) = (held_by.clone(), case.mesh.place());
         let words = HoldingWords::default();
-        BodyPlan { mesh, spec, held_by, made_from, sprung: Vec::new(), words }
+        BodyPlan { mesh, spec, points: Vec::new(), held_by, made_from, sprung: Vec::new(), words }
     }
 
     /// The body with other words for what holds it.
@@ -75,7 +89,9 @@ impl BodyPlan {
 
     /// Sizes of the body, as in the paper's Table 1.
     pub(crate) fn counts(&self) -> Counts {
-        let (physical, retained) = (self.mesh.dof_count(), self.spec.retained.len());
+        // Held dofs are dofs of the interface, too.
+        let retained = self.spec.retained.len() + self.spec.held.len();
+        let physical = self.mesh.dof_count();
         Counts {
             elements: self.mesh.cell_count(),
             nodes: self.mesh.nodes().len(),
@@ -213,7 +229,10 @@ impl BodyPlan {
         let elastic = assemble(&self.mesh, "stiffness")?;
         let stiffness = add_ground_springs(&elastic, &self.spec.springs)?;
         let mut held = Constraints::new();
-        self.spec.retained.iter().for_each(|retained| held.fix(&retained.name, retained.dof));
+        for retained in &self.spec.retained {
+            held.equation(&*retained.name, retained.terms.iter().copied());
+        }
+        self.spec.held.iter().for_each(|&dof| held.fix(self.held_by.text(), dof));
         match free_motions(self.mesh.nodes(), &stiffness, &held)? {
             motions if motions.is_empty() => Ok(()),
             motions => {
@@ -223,21 +242,91 @@ impl BodyPlan {
         }
     }
 
+    /// Holds nodes in all directions; `key`: of the case, that names the set.
+    pub(in crate::machine) fn hold(&mut self, key: &str, set: &Located, nodes: &[usize]) {
+        for &node in nodes {
+            for (axis, letter) in AXES.iter().enumerate() {
+                let dof = 3 * node + axis;
+                let retained = self.spec.retained.iter();
+                match retained.map(Retained::single).position(|known| known == Some(dof)) {
+                    None => self.spec.held.push(dof),
+                    Some(place) => {
+                        let label = self.mesh.labels()[node];
+                        let name = format!("{key} ({letter} of node {label} of {})", set.text());
+                        self.spec.constraints.fix(name, place);
+                    }
+                }
+            }
+        }
+        self.spec.held.sort_unstable();
+        self.spec.held.dedup();
+    }
+
     /// Retains a dof; its place among the retained ones.
     pub(in crate::machine) fn retain(&mut self, set: &Located, node: usize, axis: usize) -> usize {
         let dof = 3 * node + axis;
         let retained = &mut self.spec.retained;
-        if let Some(place) = retained.iter().position(|known| known.dof == dof) {
+        if let Some(place) = retained.iter().position(|known| known.single() == Some(dof)) {
             return place;
         }
-        retained.push(Retained { dof, name: format!("{} {}", set.text(), AXES[axis]) });
+        retained.push(Retained::dof(dof, format!("{} {}", set.text(), AXES[axis])));
         retained.len() - 1
     }
 
-    /// Asks for the motion of a node; its place among the output nodes.
+    /// Asks for the motion of a node; its place among the output points.
     pub(in crate::machine) fn output_node(&mut self, node: usize) -> usize {
         self.spec.nodes.push(node);
-        self.spec.nodes.len() - 1
+        self.points.push(Point::Node(self.spec.nodes.len() - 1));
+        self.points.len() - 1
+    }
+
+    /// Asks for the mean motion of nodes that the mesh has, one at least; its place among the means.
+    pub(in crate::machine) fn mean(&mut self, nodes: &[usize]) -> usize {
+        let mean = NodeSetMean::new(&self.mesh, nodes).expect("nodes of the mesh");
+        self.spec.means.push(mean);
+        self.spec.means.len() - 1
+    }
+
+    /// The output point of nodes: of one its motion, of several their mean motion, whose displacements in the plane are
+    /// retained; its place.
+    pub(in crate::machine) fn output_in_plane(&mut self, set: &Located, nodes: &[usize]) -> usize {
+        if let [node] = nodes {
+            self.retain(set, *node, 0);
+            self.retain(set, *node, 1);
+            return self.output_node(*node);
+        }
+        let mean = self.mean(nodes);
+        for (axis, letter) in AXES.iter().enumerate().take(2) {
+            let name = format!("mean of {} {letter}", set.text());
+            let component = MeanComponent::Displacement(axis);
+            let retained = Retained::mean(&self.spec.means[mean], component, name);
+            if self.spec.retained.iter().all(|known| known.terms != retained.terms) {
+                self.spec.retained.push(retained);
+            }
+        }
+        self.points.push(Point::Mean(mean));
+        self.points.len() - 1
+    }
+
+    /// Where an output point is (m), undeformed.
+    pub(in crate::machine) fn position(&self, place: usize) -> [f64; 3] {
+        match self.points[place] {
+            Point::Node(node) => self.mesh.nodes()[self.spec.nodes[node]],
+            Point::Mean(mean) => self.spec.means[mean].centre(),
+        }
+    }
+
+    /// The output points of the body.
+    pub(in crate::machine) fn outputs(
+        &self,
+        nodes: &[BodyNode],
+        measures: &[MeanMotion],
+    ) -> Vec<BodyNode> {
+        let point = |point: &Point| match *point {
+            Point::Node(node) => nodes[node].clone(),
+            Point::Mean(mean) => measures[mean].node_at(measures[mean].centre),
+        };
+        self.points.iter().map(point).collect()
     }
 
     /// Notes more coordinates than there is memory for dense matrices of.

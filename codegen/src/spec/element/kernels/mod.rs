@@ -2,6 +2,7 @@
 
 mod basis;
 mod cell;
+mod faces;
 mod linear;
 mod modes;
 mod stressed;
@@ -72,7 +73,7 @@ impl Compiled for ElementSpec {
         kernel::text(quote! {
             #heading
             pub mod #name {
-                use crate::{#(#called,)* Element, FormKernel, Origin, Structure, Variable};
+                use crate::{#(#called,)* Element, Face, FacePoint, FormKernel, Origin, Structure, Variable};
                 #functions
                 #registered
             }
@@ -172,6 +173,7 @@ fn registered(
     let (abaqus_order, vtk_order) = (order(&element.abaqus_order), order(&element.vtk_order));
     let abaqus = element.abaqus.iter().map(|kind| kind.text());
     let vtk = Literal::u8_unsuffixed(element.vtk);
+    let faces = faces::entries(element);
     quote! {
         /// The entry of the registry.
         pub const ENTRY: Element = Element {
@@ -182,6 +184,7 @@ fn registered(
             abaqus_order: #abaqus_order,
             vtk: #vtk,
             vtk_order: #vtk_order,
+            faces: &[#(#faces),*],
             forms: &[#(#entries),*],
         };
     }

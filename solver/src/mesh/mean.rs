@@ -1,0 +1,220 @@
+//! The mean motion of a set of nodes.
+
+use std::collections::BTreeSet;
+
+use super::{Block, Mesh};
+use crate::error::Error;
+use crate::linalg::{Matrix, symmetric_eigen};
+
+/// A set has no turn about an axis about which its second moment is less than this part of the largest: its nodes then
+/// stand on the axis but for rounding.
+const ON_AXIS: f64 = 1e-12;
+
+/// The rigid motion u = d + ω × (x − c) that fits the motion of a set of nodes best: it makes Σ w |u_a − u(x_a)|² least.
+///
+/// With c = Σ w x_a the displacement d at c is Σ w u_a, and the small rotation ω solves J ω = Σ w r_a × u_a with
+/// r_a = x_a − c and J = Σ w (|r_a|² 1 − r_a r_aᵀ).
+#[derive(Debug, Clone, PartialEq)]
+pub struct NodeSetMean {
+    /// The nodes that have a weight, ascending.
+    nodes: Vec<usize>,
+    /// w: one a node of `nodes`; they sum to 1.
+    weights: Vec<f64>,
+    /// c (m).
+    centre: [f64; 3],
+    /// Area of the faces (m²); none where the set has no whole face.
+    area: Option<f64>,
+    /// r_a (m), one a node of `nodes`.
+    arms: Vec<[f64; 3]>,
+    /// J⁻¹ (1/m²), without the axes that [`NodeSetMean::turns_about`] excludes.
+    inverse: [[f64; 3]; 3],
+    /// Unit vectors along these axes.
+    undefined: Vec<[f64; 3]>,
+}
+
+/// A component of a mean motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MeanComponent {
+    /// Displacement along x, y, z (0, 1, 2), in m.
+    Displacement(usize),
+    /// Small rotation about x, y, z (0, 1, 2), in rad.
+    Rotation(usize),
+}
+
+impl MeanComponent {
+    /// Displacements along x, y, z, then rotations about them.
+    pub const ALL: [MeanComponent; 6] = [
+        MeanComponent::Displacement(0),
+        MeanComponent::Displacement(1),
+        MeanComponent::Displacement(2),
+        MeanComponent::Rotation(0),
+        MeanComponent::Rotation(1),
+        MeanComponent::Rotation(2),
+    ];
+}
+
+impl NodeSetMean {
+    /// The mean of a set of nodes, given by index in any order.
+    ///
+    /// Each node is weighted by its part of the area of the faces of cells that have all their nodes in the set: ∫ N_a dA
+    /// over every such face, once where two cells share it. All nodes weigh the same where the set has no whole face: a
+    /// line, or loose nodes.
+    ///
+    /// # Errors
+    /// No nodes, or one that is not there.
+    pub fn new(mesh: &Mesh, nodes: &[usize]) -> Result<NodeSetMean, Error> {
+        let wrong = |what: String| Error::Mesh { origin: mesh.origin().to_owned(), what };
+        let positions = mesh.nodes();
+        if nodes.is_empty() {
+            return Err(wrong("a set without nodes has no mean motion".to_owned()));
+        }
+        let mut inside = vec![false; positions.len()];
+        for &node in nodes {
+            *inside.get_mut(node).ok_or_else(|| wrong(format!("there is no node {node}")))? = true;
+        }
+        let areas = areas(mesh, &inside);
+        let total: f64 = areas.iter().sum();
+        let area = (total > 0.0).then_some(total);
+        let has = |&node: &usize| match area {
+            // Corners of six-node triangles have none, but for rounding.
+            Some(area) => areas[node].abs() > 1e-12 * area,
+            None => inside[node],
+        };
+        let nodes: Vec<usize> = (0..positions.len()).filter(has).collect();
+        let weights: Vec<f64> = match area {
+            Some(area) => nodes.iter().map(|&node| areas[node] / area).collect(),
+            None => vec![1.0 / nodes.len() as f64; nodes.len()],
+        };
+        let own: Vec<[f64; 3]> = nodes.iter().map(|&node| positions[node]).collect();
+        Ok(NodeSetMean::weighted(nodes, weights, &own, area)?)
+    }
+
+    fn weighted(
+        nodes: Vec<usize>,
+        weights: Vec<f64>,
+        positions: &[[f64; 3]],
+        area: Option<f64>,
+    ) -> Result<NodeSetMean, crate::linalg::LinearAlgebraError> {
+        let mean = |axis: usize| weights.iter().zip(positions).map(|(w, x)| w * x[axis]).sum();
+        let centre: [f64; 3] = [0, 1, 2].map(mean);
+        let arms: Vec<[f64; 3]> =
+            positions.iter().map(|x| [0, 1, 2].map(|axis| x[axis] - centre[axis])).collect();
+        let moment = Matrix::from_fn(3, 3, |i, j| {
+            let square = |r: &[f64; 3]| r.iter().map(|x| x * x).sum::<f64>();
+            let term = |r: &[f64; 3]| if i == j { square(r) - r[i] * r[j] } else { -r[i] * r[j] };
+            weights.iter().zip(&arms).map(|(w, r)| w * term(r)).sum()
+        });
+        let eigen = symmetric_eigen(&moment)?;
+        let largest = eigen.values[2].max(0.0);
+        let mut inverse = [[0.0; 3]; 3];
+        let mut undefined = Vec::new();
+        for (k, &value) in eigen.values.iter().enumerate() {
+            let axis = eigen.vectors.col(k);
+            if value <= ON_AXIS * largest {
+                undefined.push([axis[0], axis[1], axis[2]]);
+                continue;
+            }
+            for (row, &x) in inverse.iter_mut().zip(axis) {
+                row.iter_mut().zip(axis).for_each(|(entry, &y)| *entry += x * y / value);
+            }
+        }
+        Ok(NodeSetMean { nodes, weights, centre, area, arms, inverse, undefined })
+    }
+
+    /// The nodes that have a weight, ascending.
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    /// Weight of each of these nodes; they sum to 1.
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// The point c (m) whose displacement is the mean displacement.
+    pub fn centre(&self) -> [f64; 3] {
+        self.centre
+    }
+
+    /// Area of the set's faces (m²); `None` where it has no whole face.
+    pub fn area(&self) -> Option<f64> {
+        self.area
+    }
+
+    /// Whether the set shows a turn about x, y or z (0, 1, 2): nodes on a line show none about the line, and one node shows
+    /// none at all.
+    pub fn turns_about(&self, axis: usize) -> bool {
+        self.undefined.iter().all(|line| line[axis].abs() < 1e-6)
+    }
+
+    /// Σ cᵢ uᵢ over dofs i = 3·node + component that gives a component of the mean motion. A rotation that the set does not
+    /// show (see [`NodeSetMean::turns_about`]) counts as zero.
+    pub fn row(&self, motion: MeanComponent) -> Vec<(usize, f64)> {
+        let nodes = self.nodes.iter().zip(&self.weights).zip(&self.arms);
+        match motion {
+            MeanComponent::Displacement(axis) => {
+                nodes.map(|((node, w), _)| (3 * node + axis, *w)).collect()
+            }
+            // ω_axis = Σ_a w (J⁻¹)_axis · (r × u) = Σ_a w ((J⁻¹)_axis × r) · u.
+            MeanComponent::Rotation(axis) => {
+                let [a, b, c] = self.inverse[axis];
+                let terms = nodes.flat_map(|((&node, w), [x, y, z])| {
+                    let cross = [b * z - c * y, c * x - a * z, a * y - b * x];
+                    cross.into_iter().enumerate().map(move |(i, value)| (3 * node + i, w * value))
+                });
+                terms.filter(|&(_, value)| value != 0.0).collect()
+            }
+        }
+    }
+}
+
+/// ∫ N_a dA (m²) for every node of the mesh, over the faces all of whose nodes are `inside`, each once.
+fn areas(mesh: &Mesh, inside: &[bool]) -> Vec<f64> {
+    let mut areas = vec![0.0; inside.len()];
+    let mut known: BTreeSet<Vec<usize>> = BTreeSet::new();
+    for block in mesh.blocks() {
+        for cell in block.cells() {
+            if cell.iter().filter(|&&node| inside[node]).count() < 3 {
+                continue;
+            }
+            add_faces(mesh, block, cell, inside, &mut known, &mut areas);
+        }
+    }
+    areas
+}
+
+fn add_faces(
+    mesh: &Mesh,
+    block: &Block,
+    cell: &[usize],
+    inside: &[bool],
+    known: &mut BTreeSet<Vec<usize>>,
+    areas: &mut [f64],
+) {
+    for face in block.element.faces {
+        let nodes: Vec<usize> = face.nodes.iter().map(|&place| cell[place]).collect();
+        if !nodes.iter().all(|&node| inside[node]) {
+            continue;
+        }
+        let mut sorted = nodes.clone();
+        sorted.sort_unstable();
+        if !known.insert(sorted) {
+            continue;
+        }
+        for point in face.points {
+            let mut tangents = [[0.0; 3]; 2];
+            for (&node, slope) in nodes.iter().zip(point.slopes) {
+                for (tangent, slope) in tangents.iter_mut().zip(slope) {
+                    let position = mesh.nodes()[node];
+                    tangent.iter_mut().zip(position).for_each(|(sum, x)| *sum += slope * x);
+                }
+            }
+            let [[a, b, c], [x, y, z]] = tangents;
+            let normal = [b * z - c * y, c * x - a * z, a * y - b * x];
+            let area = point.weight * normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+            for (&node, value) in nodes.iter().zip(point.values) {
+                areas[node] += area * value;
+            }
+        }
+    }
+}
