@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::body::BodyNode;
+use crate::measure::MeanMotion;
 use crate::shaft::Shaft;
 use crate::support::Support;
 
@@ -104,6 +105,14 @@ impl Body {
         match self {
             Body::Turning { shaft, .. } => &shaft.nodes,
             Body::Standing { support, .. } => &support.nodes,
+        }
+    }
+
+    /// Its mean motions.
+    pub fn measures(&self) -> &[MeanMotion] {
+        match self {
+            Body::Turning { shaft, .. } => &shaft.measures,
+            Body::Standing { support, .. } => &support.measures,
         }
     }
 

@@ -66,6 +66,9 @@ pub struct Sides {
     pub run_out: [[f64; 2]; 3],
     /// b0: offset or tilt of the bore at the same three (m), fixed in its body.
     pub offset: [[f64; 2]; 3],
+    /// Sections of both bodies whose turn against the frame of their body adds to the angle between them, as places in the
+    /// measures of the bodies; the frames alone count where there is none.
+    pub sections: [Option<usize>; 2],
 }
 
 impl Default for Sides {
@@ -77,6 +80,7 @@ impl Default for Sides {
             bore_axis: [0.0; 2],
             run_out: [[0.0; 2]; 3],
             offset: [[0.0; 2]; 3],
+            sections: [None; 2],
         }
     }
 }
@@ -89,7 +93,7 @@ pub(crate) struct Plane {
     pub(crate) bearing: usize,
     /// Its springs among those of the law; one if the law acts once a plane.
     pub(crate) springs: Range<usize>,
-    /// The angle of the journal against the bore, and the displacement ε_x and ε_y of the journal in the frame of its
+    /// The angle of the journal, or of its section, against the bore, and the displacement ε_x and ε_y of the journal in the frame of its
     /// body, as Σ coefficient · q. Where the axes are apart the last terms of ε are of θ of the journal, and change.
     pub(crate) rows: [Vec<(usize, f64)>; 3],
     /// The axes of both bodies, where they are apart.

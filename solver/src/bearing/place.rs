@@ -190,8 +190,16 @@ impl Placing<'_> {
         let [journal, bore] = sides.bodies.map(|body| &self.places[body]);
         let body = &self.bodies[sides.bodies[0]];
         let weights = (self.kernels.axial)(station);
-        let angle = journal.rotation.map(|place| (place, 1.0));
-        let against = bore.rotation.map(|place| (place, -1.0));
+        let mut angle: Vec<(usize, f64)> = Vec::new();
+        for ((side, own), sign) in [journal, bore].into_iter().enumerate().zip([1.0, -1.0]) {
+            angle.extend(own.rotation.map(|place| (place, sign)));
+            angle.extend(sides.sections[side].into_iter().flat_map(|section| {
+                let rotation = &self.bodies[sides.bodies[side]].measures()[section].rotation;
+                let twist = own.flexible.clone().enumerate();
+                twist.map(move |(j, place)| (place, sign * rotation[(2, j)]))
+            }));
+        }
+        angle.retain(|&(_, coefficient)| coefficient != 0.0);
         let [mut x, mut y] = eccentricity(bearing, weights, body.nodes(), &journal.flexible);
         let apart = (sides.apart != [0.0; 2]).then_some(Apart {
             kernels: self.kernels,
@@ -206,7 +214,7 @@ impl Placing<'_> {
             law: self.laws.len(),
             bearing: number,
             springs,
-            rows: [angle.into_iter().chain(against).collect(), x, y],
+            rows: [angle, x, y],
             apart,
             run_out: between(&sides.run_out, weights),
             spin: body.rotation().and_then(|rotation| rotation.spin()),
@@ -284,12 +292,18 @@ fn reach(
     let mut squares: Vec<f64> = (0..arms.cols)
         .map(|j| planes.iter().zip(arms.col(j)).map(|(plane, arm)| count(plane) * arm * arm).sum())
         .collect();
+    let rotations: Vec<usize> = places.iter().filter_map(|own| own.rotation).collect();
     for (body, place) in places.iter().enumerate() {
         let Some(rotation) = place.rotation else { continue };
         let arm = |node: &BodyNode| node.position[0].hypot(node.position[1]);
         let arm = bodies[body].nodes().iter().map(arm).fold(0.0, f64::max);
         let own = planes.iter().filter(|own| bearings[own.bearing].sides.bodies.contains(&body));
         squares[rotation] = arm * arm * own.map(count).sum::<f64>();
+    }
+    for plane in planes {
+        // A moment counts as a force at this arm.
+        let twist = plane.rows[0].iter().filter(|(place, _)| !rotations.contains(place));
+        twist.for_each(|&(place, part)| squares[place] += (plane.arm * part).powi(2));
     }
     for own in bores {
         for (j, place) in own.place.clone().enumerate() {

@@ -25,9 +25,10 @@ impl SpringState {
             }
         }
         for (number, (plane, moved)) in springs.planes.iter().zip(&self.planes).enumerate() {
-            let turns = plane.rows[0].iter().any(|(own, _)| *own == place);
+            let angle = plane.rows[0].iter().find(|(own, _)| *own == place);
+            let turns = angle.map_or(0.0, |(_, part)| part.abs());
             let moves = springs.arms[(number, place)];
-            if !turns && moves == 0.0 {
+            if turns == 0.0 && moves == 0.0 {
                 continue;
             }
             let law = &springs.laws[plane.law];
@@ -36,13 +37,11 @@ impl SpringState {
             let own = law.forces_of(&self.laws[plane.law]).zip(&law.bound.forces);
             for ((is_moment, forces), force) in own {
                 let at_surface = law.bound.kind.forces[*force].radius;
-                let arm = match turns {
-                    true if is_moment => 1.0,
-                    true if at_surface => plane.radius + distance,
-                    true => distance,
-                    false if is_moment => 0.0,
-                    false => moves,
+                let around = match at_surface {
+                    true => plane.radius + distance,
+                    false => distance,
                 };
+                let arm = if is_moment { turns } else { turns * around + moves };
                 let forces = &forces[plane.springs.clone()];
                 add(largest_and_sum(forces.len(), |j| arm * forces[j]));
             }

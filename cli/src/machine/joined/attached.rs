@@ -7,12 +7,11 @@ use whirl_solver::shaft::Shaft;
 
 use super::PlannedBody;
 use super::bodies::retain_in_plane;
+use super::section::{FLAT, ends, nodes_at};
 use crate::case::{Attached, Carried};
 use crate::machine::plan::BodyPlan;
 use crate::machine::plan::geometry::mm;
 
-/// Nodes stand in one section to this part of the body's length.
-const FLAT: f64 = 1e-5;
 /// A section is at most this part of the body's length away from where it is looked for.
 const NEAR: f64 = 0.01;
 
@@ -50,9 +49,7 @@ pub(super) fn plan(
 /// The mean motion of the section nearest to where something is.
 fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Option<usize> {
     let nodes = plan.mesh.nodes();
-    let ends = nodes.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, node| {
-        [ends[0].min(node[2]), ends[1].max(node[2])]
-    });
+    let ends = ends(&plan.mesh);
     let length = ends[1] - ends[0];
     let away = |node: &[f64; 3]| (node[2] - own.z).abs();
     let nearest = nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).copied();
@@ -71,8 +68,7 @@ fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Opt
         errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));
         return None;
     };
-    let flat = |node: &[f64; 3]| (node[2] - nearest[2]).abs() <= FLAT * length;
-    let found: Vec<usize> = (0..nodes.len()).filter(|&node| flat(&nodes[node])).collect();
+    let found = nodes_at(&plan.mesh, nearest[2]);
     let on_axis = |&&node: &&usize| {
         let [x, y, _] = plan.mesh.nodes()[node];
         x.hypot(y) <= FLAT * length

@@ -4,8 +4,10 @@ use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::Sides;
+use whirl_solver::mesh::MeanComponent;
 
 use super::bodies::retain_in_plane;
+use super::section::nodes_at;
 use super::{PlannedBody, at, meshed, turns};
 use crate::case::{self, JoinedMachine, Joint, JointKind, JointSide};
 use crate::machine::laws::Measured;
@@ -68,6 +70,13 @@ pub(super) fn place(
         true if coupling => {}
         true => sides.apart = [own[0] - other[0], own[1] - other[1]],
         false => sides.bore_axis = own,
+    }
+    if coupling {
+        for (place, side) in joint.sides.iter().enumerate() {
+            if let Some(PlannedBody::Meshed(plan)) = side.body.map(|body| &mut bodies[body]) {
+                sides.sections[place] = turning_section(side, plan, errors);
+            }
+        }
     }
     let journal = journal(joint, joined, &mut bodies[first], z, errors)?;
     if joint.kind == JointKind::Bushing {
@@ -179,6 +188,34 @@ fn on_mesh(side: &JointSide, bodies: &[PlannedBody]) -> Option<[f64; 3]> {
     }
 }
 
+/// The section on which a side of a coupling stands, as a place among the means; none where the case names no set. Its
+/// turn is retained.
+fn turning_section(
+    side: &JointSide,
+    plan: &mut BodyPlan,
+    errors: &mut Diagnostics,
+) -> Option<usize> {
+    let set = side.sets.first()?;
+    let nodes = match plan.nodes(set, errors).as_slice() {
+        [] => return None,
+        [one] => nodes_at(&plan.mesh, plan.mesh.nodes()[*one][2]),
+        nodes => nodes.to_vec(),
+    };
+    let place = plan.mean(&nodes);
+    if !plan.spec.means[place].turns_about(2) {
+        let message = format!(
+            "the nodes of `{}` stand on the axis of {}: they show no turn about it",
+            set.text(),
+            plan.mesh.origin()
+        );
+        let help = "name a set of the nodes of a section, or leave `sets` out for the section that turns with the frame";
+        errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
+        return None;
+    }
+    plan.retain_mean(set, place, MeanComponent::Rotation(2));
+    Some(place)
+}
+
 /// The nodes of the first side.
 fn journal(
     joint: &Joint,
@@ -200,7 +237,7 @@ fn journal(
     };
     if joint.kind == JointKind::Coupling {
         let axial = meshed(joined, side.body?)?.axial_restraint.as_ref();
-        let node = plan.node(side.sets.first().or(axial)?, errors)?;
+        let node = *plan.nodes(side.sets.first().or(axial)?, errors).first()?;
         return Some([plan.output_node(node); 3]);
     }
     let mut journal = [0; 3];

@@ -1,4 +1,5 @@
-//! The section of a turning mesh whose mean rotation is that of its frame, where neither a drive nor the case names it.
+//! Sections of meshes: all nodes at a z, and the one of a turning mesh whose mean rotation is that of its frame, where
+//! neither a drive nor the case names it.
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 
@@ -6,9 +7,27 @@ use whirl_solver::body::Retained;
 
 use super::at;
 use crate::machine::plan::BodyPlan;
+use whirl_solver::mesh::Mesh;
 
 /// Nodes are opposite if one is the mirror image of the other to this part of their distance from the axis.
 const OPPOSITE: f64 = 1e-3;
+
+/// Nodes stand in one section to this part of the body's length.
+pub(super) const FLAT: f64 = 1e-5;
+
+/// First and last z of a mesh (m).
+pub(super) fn ends(mesh: &Mesh) -> [f64; 2] {
+    mesh.nodes().iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, node| {
+        [ends[0].min(node[2]), ends[1].max(node[2])]
+    })
+}
+
+/// The nodes at `z` (m).
+pub(super) fn nodes_at(mesh: &Mesh, z: f64) -> Vec<usize> {
+    let [first, last] = ends(mesh);
+    let flat = |node: &usize| (mesh.nodes()[*node][2] - z).abs() <= FLAT * (last - first);
+    (0..mesh.nodes().len()).filter(flat).collect()
+}
 
 /// Ties two opposite nodes: they move alike along the tangent, at the z at which the body is held.
 pub(super) fn tie(plan: &mut BodyPlan, name: &Located, errors: &mut Diagnostics) {

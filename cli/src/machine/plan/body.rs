@@ -296,16 +296,29 @@ impl BodyPlan {
             return self.output_node(*node);
         }
         let mean = self.mean(nodes);
-        for (axis, letter) in AXES.iter().enumerate().take(2) {
-            let name = format!("mean of {} {letter}", set.text());
-            let component = MeanComponent::Displacement(axis);
-            let retained = Retained::mean(&self.spec.means[mean], component, name);
-            if self.spec.retained.iter().all(|known| known.terms != retained.terms) {
-                self.spec.retained.push(retained);
-            }
+        for axis in 0..2 {
+            self.retain_mean(set, mean, MeanComponent::Displacement(axis));
         }
         self.points.push(Point::Mean(mean));
         self.points.len() - 1
+    }
+
+    /// Retains a component of one of the means, which are those of `set`.
+    pub(in crate::machine) fn retain_mean(
+        &mut self,
+        set: &Located,
+        mean: usize,
+        component: MeanComponent,
+    ) {
+        let (what, axis) = match component {
+            MeanComponent::Displacement(axis) => ("mean", axis),
+            MeanComponent::Rotation(axis) => ("mean turn", axis),
+        };
+        let name = format!("{what} of {} {}", set.text(), AXES[axis]);
+        let retained = Retained::mean(&self.spec.means[mean], component, name);
+        if self.spec.retained.iter().all(|known| known.terms != retained.terms) {
+            self.spec.retained.push(retained);
+        }
     }
 
     /// Where an output point is (m), undeformed.

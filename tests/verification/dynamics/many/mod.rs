@@ -3,6 +3,7 @@
 mod equations;
 mod floating_ring;
 mod invariants;
+mod torsion;
 
 use num_dual::{Dual64, DualNum};
 use whirl_solver::bearing::{Bearing, Sides, periodic_spline};
@@ -10,6 +11,7 @@ use whirl_solver::body::BodyNode;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
+use whirl_solver::measure::MeanMotion;
 use whirl_solver::rigid::RigidBody;
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -34,8 +36,29 @@ static DAMPED: Formula = Formula {
     value: |z| vec![(z[1] / -5e-4).exp() * (z[0] * -0.3 + 1.0) * 50.0],
 };
 
+/// A bushing with cross terms.
+static BUSHING: Formula = Formula {
+    name: "bushing",
+    inputs: &["e_x", "e_y", "e_x_dot", "e_y_dot"],
+    outputs: &["F_x", "F_y"],
+    value: |z| {
+        vec![
+            z[0] * -3e5 - z[1] * 2e5 - z[2] * 70.0 + z[3] * 20.0,
+            z[0] * 1e5 - z[1] * 4e5 - z[2] * 30.0 - z[3] * 90.0,
+        ]
+    },
+};
+
+/// A torsional coupling.
+static COUPLING: Formula = Formula {
+    name: "coupling",
+    inputs: &["omega", "theta"],
+    outputs: &["F_x", "F_y", "M_z"],
+    value: |z| vec![z[0] * 0.0, z[0] * 0.0, z[1] * -400.0 - z[0] * 3.0],
+};
+
 /// The laws of the machine of everything, by their places.
-const LAWS: [&Formula; 4] = [&FILM, &RING, &CUBIC, &DAMPED];
+const LAWS: [&Formula; 6] = [&FILM, &RING, &CUBIC, &DAMPED, &BUSHING, &COUPLING];
 
 /// Seven nodes unevenly around a bore, moved by `size` coordinates in any way.
 fn uneven(radius: f64, centre: [f64; 2], size: usize, seed: u64) -> Vec<BodyNode> {
@@ -68,12 +91,25 @@ fn rigid(mass: f64, polar_inertia: f64, positions: &[[f64; 3]]) -> Shaft {
     body.turning(positions)
 }
 
+/// A section that turns with `size` coordinates in any way.
+fn section(size: usize, seed: u64) -> MeanMotion {
+    let mut random = wild(seed);
+    MeanMotion {
+        centre: [0.0; 3],
+        displacement: Matrix::zeros(3, size),
+        rotation: Matrix::from_fn(3, size, |_, _| 20.0 * random()),
+    }
+}
+
 /// A rotor, a floating ring, a casing whose bores stand off its axis, a second rotor that is driven as prescribed, and
 /// a pedestal.
 fn bodies() -> Vec<Body> {
     let mut second = discs(2e5);
     let coordinates = second.size();
     second.nodes.extend(uneven(0.05, [0.0; 2], coordinates, 11));
+    second.measures.push(section(coordinates, 12));
+    let mut rotor = discs(1e5);
+    rotor.measures.push(section(rotor.size(), 13));
     let mut casing = bores();
     let shift = |node: &mut BodyNode| {
         node.position[0] += CASING_AXIS[0];
@@ -84,7 +120,7 @@ fn bodies() -> Vec<Body> {
     ring.extend(around(0.04));
     let driven = Rotation::Prescribed { speed: 80.0, acceleration: -300.0 };
     vec![
-        Body::turning("rotor", discs(1e5), Rotation::Free),
+        Body::turning("rotor", rotor, Rotation::Free),
         Body::turning("ring", rigid(0.7, 1.3e-3, &ring), Rotation::Free),
         Body::standing("casing", casing),
         Body::turning("second", second, driven),
@@ -95,7 +131,8 @@ fn bodies() -> Vec<Body> {
 /// Where the bores of the casing stand (m).
 const CASING_AXIS: [f64; 2] = [0.4, -0.3];
 
-/// Eight bearings of four laws, with offsets, run-outs, crooked bores and axes apart.
+/// Eight bearings of four laws, with offsets, run-outs, crooked bores and axes apart; a bushing, and a coupling of two
+/// sections.
 fn bearings() -> Vec<Bearing> {
     let row = |first: usize| (first..first + 7).collect::<Vec<usize>>();
     let angles = |count: usize, first: f64| {
@@ -148,6 +185,16 @@ fn bearings() -> Vec<Bearing> {
             ..base(6, 3, [4, 2])
         },
         apart(base(7, 0, [3, 1]), [3e-4, 1e-4]),
+        Bearing {
+            bore: [Vec::new(), row(14), Vec::new()],
+            sides: Sides { bodies: [0, 2], bore_axis: CASING_AXIS, ..Sides::default() },
+            ..ends(3, base(8, 4, [0, 2]))
+        },
+        Bearing {
+            bore: [const { Vec::new() }; 3],
+            sides: Sides { sections: [Some(0); 2], bodies: [0, 3], ..Sides::default() },
+            ..base(9, 5, [0, 3])
+        },
     ]
 }
 
@@ -249,7 +296,15 @@ fn measures(
     let (sin, cos) = psi.sin_cos();
     let along = |[x, y]: [Dual64; 2]| x * cos + y * sin;
     let across = |[x, y]: [Dual64; 2]| y * cos - x * sin;
-    let theta = theta_a - theta_b;
+    let twist = |side: &(&Body, &whirl_solver::machine::BodyPlace), section: Option<usize>| {
+        let Some(section) = section else { return Dual64::from(0.0) };
+        let rotation = &side.0.measures()[section].rotation;
+        let parts = side.1.flexible.clone().enumerate();
+        let parts = parts.map(|(j, place)| q[place] * rotation[(2, j)]);
+        parts.fold(Dual64::from(0.0), |sum, part| sum + part)
+    };
+    let [of_a, of_b] = own.sides.sections;
+    let theta = theta_a + twist(&a, of_a) - theta_b - twist(&b, of_b);
     Measures {
         values: [
             along(delta) - along([x, y]) + own.clearance,
