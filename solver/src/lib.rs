@@ -19,6 +19,7 @@ mod ordering;
 pub mod reduced;
 pub mod reduction;
 pub mod rigid;
+mod rotating;
 pub mod shaft;
 pub mod sparse;
 mod stiffening;

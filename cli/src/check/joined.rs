@@ -6,7 +6,7 @@ use std::fmt::Write;
 use whirl_solver::assembly::mass_properties;
 use whirl_text::rounded;
 
-use crate::case::{JoinedMachine, Joint, JointKind, Turning};
+use crate::case::{Attached, Carried, JoinedMachine, Joint, JointKind, Turning};
 use crate::errors::Failure;
 use crate::machine::{Built, JoinedPlan, PlannedBody};
 use crate::report::table;
@@ -34,6 +34,7 @@ pub(super) fn say(
             body.name,
             first.join(", ")
         );
+        turning(text, joined, built, &body.name)?;
     }
     line!(text, "{} active coordinates", built.machine.active());
     for (joint, law) in joined.joints.iter().zip(&plan.laws) {
@@ -80,6 +81,39 @@ pub(super) fn say(
     Ok(())
 }
 
+/// What turning at its top speed makes of the natural frequencies of a body.
+fn turning(
+    text: &mut String,
+    joined: &JoinedMachine,
+    built: &Built,
+    name: &str,
+) -> Result<(), Failure> {
+    let Some(place) = joined.bodies.iter().position(|body| body.name.text() == name) else {
+        return Ok(());
+    };
+    let (speed, shaft) = (joined.top_speed(place), built.machine.bodies[place].shaft());
+    let Some(shaft) = shaft.filter(|_| speed > 0.0) else { return Ok(()) };
+    let found = shaft.frequencies_at(speed).map_err(whirl_solver::Error::from)?;
+    let of_speed = format!("  with all that it carries, turning at {} rpm", rpm(speed));
+    let Some(found) = found else {
+        line!(text, "{of_speed}: the centrifugal force overcomes its stiffness");
+        return Ok(());
+    };
+    let at_rest = shaft.frequencies_at(0.0).map_err(whirl_solver::Error::from)?;
+    let listed = |all: &[f64]| -> String {
+        let first: Vec<String> = all.iter().take(FIRST).map(|f| format!("{f:.2}")).collect();
+        first.join(", ")
+    };
+    line!(
+        text,
+        "{of_speed}, in its own frame: {}{} Hz; at rest: {} Hz",
+        listed(&found),
+        if found.len() > FIRST { ", …" } else { "" },
+        listed(&at_rest.unwrap_or_default())
+    );
+    Ok(())
+}
+
 fn rpm(speed: f64) -> f64 {
     rounded(speed * 60.0 / TAU, 10)
 }
@@ -96,7 +130,30 @@ fn of_joint(joint: &Joint, law: &str) -> String {
     format!("{kind} {}: {first} {a}, {second} {b}{clearance}, law {law}", joint.name.text())
 }
 
-/// The table of masses and inertias.
+/// Mass, z of the centre, polar and transverse inertia of a body with what it carries.
+fn carrying(attached: &[Attached], own: [Option<f64>; 4]) -> [Option<f64>; 4] {
+    let ([Some(mass), Some(z), ..], polar, transverse) = (own, own[2], own[3]) else { return own };
+    // Mass, z, polar and transverse inertia about its own centre.
+    let parts = attached.iter().filter_map(|own| match own.what {
+        Carried::Disc { mass, polar_inertia, transverse_inertia } => {
+            Some([mass, own.z, polar_inertia, transverse_inertia])
+        }
+        Carried::Mass { mass, place: [x, y] } => {
+            let square = mass * (x * x + y * y);
+            Some([mass, own.z, square, 0.5 * square])
+        }
+        Carried::Unbalance(_) => None,
+    });
+    let parts: Vec<[f64; 4]> = parts.collect();
+    let total = mass + parts.iter().map(|[mass, ..]| mass).sum::<f64>();
+    let centre = (mass * z + parts.iter().map(|[mass, z, ..]| mass * z).sum::<f64>()) / total;
+    let polar = polar.map(|own| own + parts.iter().map(|part| part[2]).sum::<f64>());
+    let moved = |mass: f64, z: f64| mass * (z - centre).powi(2);
+    let across = parts.iter().map(|[mass, z, _, own]| own + moved(*mass, *z)).sum::<f64>();
+    [Some(total), Some(centre), polar, transverse.map(|own| own + moved(mass, z) + across)]
+}
+
+/// The table of masses and inertias, all that bodies carry included.
 fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> {
     let heads = [
         "",
@@ -129,6 +186,7 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
                 [Some(own.mass), Some(z), Some(polar), Some(across)]
             }
         };
+        let [mass, z, polar, transverse] = carrying(&body.attached, [mass, z, polar, transverse]);
         let shown = |value: Option<f64>, scale: f64| {
             value.map_or("–".to_string(), |value| rounded(scale * value, 6).to_string())
         };

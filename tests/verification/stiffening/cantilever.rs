@@ -79,5 +79,12 @@ fn a_rotating_cantilever_flaps_as_the_table_says() {
             println!("{turn}: {found} {expected}");
             assert!((found / expected - 1.0).abs() < 5e-3, "{turn}: {found} {expected}");
         }
+        // Among all modes, Coriolis forces included, which flapping does not know.
+        let all = shaft.frequencies_at(speed).unwrap().expect("a stiff beam");
+        for expected in expected {
+            let near =
+                |own: &f64| (own * std::f64::consts::TAU * unit / expected - 1.0).abs() < 5e-3;
+            assert!(all.iter().any(near), "{turn}: {expected} is not in {all:?}");
+        }
     }
 }

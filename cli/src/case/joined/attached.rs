@@ -1,4 +1,5 @@
-//! What a body that turns carries beside its mesh: `[body.NAME.disc.NAME]` and `[body.NAME.unbalance.NAME]`.
+//! What a body that turns carries beside its mesh: `[body.NAME.disc.NAME]`, `[body.NAME.added.NAME]` and
+//! `[body.NAME.unbalance.NAME]`.
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
@@ -28,6 +29,13 @@ pub(crate) enum Carried {
         /// About a diameter, kg·m².
         transverse_inertia: f64,
     },
+    /// A point mass.
+    Mass {
+        /// kg.
+        mass: f64,
+        /// Along x and y of the turning frame, m.
+        place: [f64; 2],
+    },
     /// Mass times eccentricity along x and y of the turning frame, kg·m.
     Unbalance([f64; 2]),
 }
@@ -52,19 +60,27 @@ pub(super) fn read(table: &Table, turns: bool, meshed: bool) -> Vec<Attached> {
                     on a body that does not turn it is a part of the mesh";
         table.push(disc.name.error_here(Code::BAD_VALUE, message).help(help));
     }
-    for (name, own) in names::in_order(table, "unbalance") {
-        if !turns {
-            let message = "an unbalance is of a body that turns".to_owned();
-            let help = "take it out, or let the body turn";
-            table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+    for (key, called) in [("added", "an added mass"), ("unbalance", "an unbalance")] {
+        for (name, own) in names::in_order(table, key) {
+            if !turns {
+                let message = format!("{called} is of a body that turns");
+                let help = "take it out, or let the body turn";
+                table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+            }
+            all.push(own.read(|own| {
+                own.demand("z");
+                let mass = own.quantity_or_one("mass");
+                let (sin, cos) = own.quantity("angle").unwrap_or(0.0).sin_cos();
+                let what = if key == "added" {
+                    let radius = own.quantity("radius").unwrap_or(0.0);
+                    Carried::Mass { mass, place: [radius * cos, radius * sin] }
+                } else {
+                    let moment = mass * own.quantity_or_one("radius");
+                    Carried::Unbalance([moment * cos, moment * sin])
+                };
+                Attached { name, z: own.quantity("z").unwrap_or(0.0), what }
+            }));
         }
-        all.push(own.read(|own| {
-            own.demand("z");
-            let moment = own.quantity_or_one("mass") * own.quantity_or_one("radius");
-            let (sin, cos) = own.quantity("angle").unwrap_or(0.0).sin_cos();
-            let what = Carried::Unbalance([moment * cos, moment * sin]);
-            Attached { name, z: own.quantity("z").unwrap_or(0.0), what }
-        }));
     }
     all
 }

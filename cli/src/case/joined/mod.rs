@@ -296,6 +296,17 @@ impl JoinedMachine {
         Some(machine)
     }
 
+    /// The largest speed that the case gives a body: of its drive, at its start, or as prescribed at t = 0 (rad/s).
+    pub(crate) fn top_speed(&self, body: usize) -> f64 {
+        let aims = self.drives.iter().filter(|drive| drive.body == body && drive.couple.acts);
+        let given = match self.bodies[body].turning {
+            Some(Turning::Prescribed { speed, .. }) => speed,
+            Some(Turning::Free { initial_speed }) => initial_speed,
+            None => 0.0,
+        };
+        aims.map(|drive| drive.couple.target_speed.abs()).fold(given.abs(), f64::max)
+    }
+
     /// Speeds about which revolutions are counted: those that drives aim at, and that are prescribed (rad/s).
     pub(super) fn speeds(&self) -> Vec<f64> {
         let aims = self.drives.iter().filter(|drive| drive.couple.acts);

@@ -55,6 +55,7 @@ pub(crate) const BODY: &[Key] = &[
     key("acceleration", ACCELERATION, "of a prescribed rotation, 0 if left out"),
     key("initial_speed", TURNING_SPEED, "of a free rotation at t = 0"),
     key("disc", Named(&Table(&[DISC])), "rigid discs on a mesh that turns, by name"),
+    key("added", Named(&Table(&[ADDED])), "point masses on a body that turns, by name"),
     key("unbalance", Named(&Table(&[UNBALANCE])), "of a body that turns, by name"),
     key("motion", MOTION, "how rotation is coupled to deformation"),
     key(
@@ -68,6 +69,13 @@ const DISC: &[Key] = &[
     merged("mass", MASS, "of the disc"),
     merged("polar_inertia", INERTIA, "about the axis"),
     merged("transverse_inertia", INERTIA, "about a diameter"),
+    key("z", POSITION, "of the section that carries it"),
+];
+
+const ADDED: &[Key] = &[
+    merged("mass", MASS, "of the point"),
+    key("radius", LENGTH, "of the point, 0 if left out"),
+    key("angle", ANGLE, "of the point, from x of the turning frame, 0 if left out"),
     key("z", POSITION, "of the section that carries it"),
 ];
 

@@ -1,8 +1,9 @@
 //! Discs and unbalance on the sections of a body that turns.
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
-use whirl_solver::attached::{Disc, Unbalance};
+use whirl_solver::attached::{Disc, PointMass, Unbalance};
 use whirl_solver::linalg::Matrix;
+use whirl_solver::mesh::MeanComponent;
 use whirl_solver::shaft::Shaft;
 
 use super::PlannedBody;
@@ -39,7 +40,10 @@ pub(super) fn plan(
     for own in attached {
         let at = match body {
             PlannedBody::Meshed(plan) => section(own, plan, errors).map(Place::Section),
-            PlannedBody::Rigid(rigid) => Some(Place::Node(rigid.node([0.0, 0.0, own.z]))),
+            PlannedBody::Rigid(rigid) => {
+                let [x, y] = off_axis(own);
+                Some(Place::Node(rigid.node([x, y, own.z])))
+            }
         };
         all.extend(at.map(|at| PlannedAttached { own: own.clone(), at }));
     }
@@ -76,22 +80,40 @@ fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Opt
     if let (Some(&centre), Carried::Disc { .. }) = (found.iter().find(on_axis), own.what) {
         retain_in_plane(plan, &own.name, centre);
     }
-    Some(plan.mean(&found))
+    let mean = plan.mean(&found);
+    if let Carried::Mass { .. } = own.what {
+        for axis in 0..2 {
+            plan.retain_mean(&own.name, mean, MeanComponent::Displacement(axis));
+        }
+    }
+    Some(mean)
+}
+
+/// x and y of the point of a section that moves with what it carries (m).
+fn off_axis(own: &Attached) -> [f64; 2] {
+    match own.what {
+        Carried::Mass { place, .. } => place,
+        Carried::Disc { .. } | Carried::Unbalance(_) => [0.0; 2],
+    }
 }
 
 /// The shaft with all that it carries.
 pub(super) fn attach(shaft: Shaft, attached: &[PlannedAttached]) -> Shaft {
     attached.iter().fold(shaft, |shaft, PlannedAttached { own, at }| {
+        let [x, y] = off_axis(own);
         let (centre, mean) = match at {
             Place::Node(place) => (shaft.nodes[*place].clone(), None),
             Place::Section(place) => {
                 let mean = shaft.measures[*place].clone();
-                (mean.node_at([0.0, 0.0, own.z]), Some(mean))
+                (mean.node_at([x, y, own.z]), Some(mean))
             }
         };
         match (own.what, mean) {
             (Carried::Unbalance(moment), _) => {
                 shaft.with_unbalance(&Unbalance { moment, node: &centre })
+            }
+            (Carried::Mass { mass, .. }, _) => {
+                shaft.with_point_mass(&PointMass { mass, node: &centre })
             }
             (Carried::Disc { mass, polar_inertia, transverse_inertia }, Some(mean)) => {
                 let rows = |first: usize, count: usize| {
