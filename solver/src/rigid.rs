@@ -1,15 +1,21 @@
-//! Rigid bodies given by numbers: displacements of the centre along x and y and, where it may tilt, two tilts.
+//! Rigid bodies, given by numbers or taken from a mesh: displacements of the centre along x and y and, where it may tilt,
+//! two tilts.
 //!
-//! A body that turns has its coordinates in the frame that turns with it. With tilts α about x and β about y, the
-//! frame turning at θ̇, T = ½I_d((α̇ − θ̇β)² + (β̇ + θ̇α)²) + ½I_p(θ̇²(1 − α² − β²) − θ̇(αβ̇ − βα̇)) to second order, so
-//! that J gets (I_d − I_p)(α² + β²), and g gets (I_d − ½I_p)(−β, α).
+//! A body that turns has its coordinates in the frame that turns with it. A point at (ξ, η, ζ) from the centre moves by
+//! (u + βζ, v − αζ, αη − βξ) with tilts α about x and β about y, and by (αβη − β²ξ, αβξ − α²η)/2 of second order towards
+//! the axis, so that with S = ∫ρ (ξ, η, ζ)(ξ, η, ζ)ᵀ dV and the centre at (a, b) from the axis J gets S_zz − S_yy of α² and
+//! S_zz − S_xx of β², 2 S_xy of αβ, and y0 and g0 get m a, m b, S_xz and S_yz.
 
+use crate::assembly::mass_properties;
 use crate::body::BodyNode;
+use crate::error::Error;
 use crate::linalg::Matrix;
+use crate::measure::MeanMotion;
+use crate::mesh::Mesh;
 use crate::shaft::Shaft;
 use crate::support::Support;
 
-/// A rigid body.
+/// A rigid body by numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidBody {
     /// m (kg), > 0.
@@ -29,52 +35,106 @@ pub struct RigidBody {
 impl RigidBody {
     /// As a body that turns, with nodes at `positions` (m, from its axis).
     pub fn turning(&self, positions: &[[f64; 3]]) -> Shaft {
-        let (mass, polar) = (self.mass, self.polar_inertia);
-        // What M, Y − G, and Y and H have of each pair of coordinates.
-        let mut pairs = vec![[mass, mass, mass]];
-        if let Some(own) = self.transverse_inertia {
-            pairs.push([own, own - polar, own - 0.5 * polar]);
-        }
-        let n = 2 * pairs.len();
-        let diagonal = |which: usize| {
-            let values: Vec<f64> = pairs.iter().flat_map(|own| [own[which]; 2]).collect();
-            Matrix::from_diagonal(&values)
-        };
-        let mut coupling = Matrix::zeros(n, n);
-        for (pair, own) in pairs.iter().enumerate() {
-            let (x, y) = (2 * pair, 2 * pair + 1);
-            (coupling[(x, y)], coupling[(y, x)]) = (own[2], -own[2]);
-        }
-        Shaft {
-            j0: polar,
-            y0: vec![0.0; n],
-            g0: vec![0.0; n],
-            mass: diagonal(0),
-            stiffness: Matrix::zeros(n, n),
-            damping: Matrix::zeros(n, n),
-            spin_inertia: diagonal(2),
-            spin_net: diagonal(1),
-            spin_coupling: coupling,
-            hertz: Vec::new(),
-            coordinates: self.names(),
-            nodes: positions.iter().map(|&position| self.node(position, &[1.0; 4])).collect(),
-            measures: Vec::new(),
-        }
+        self.inertia().turning(positions)
     }
 
     /// As a body that does not turn, with nodes at `positions` (m).
     pub fn standing(&self, positions: &[[f64; 3]]) -> Support {
-        let own = self.transverse_inertia.unwrap_or(1.0);
-        let inertias = [self.mass, self.mass, own, own];
-        let scales = inertias.map(|inertia| 1.0 / inertia.sqrt());
-        let n = self.names().len();
+        self.inertia().standing(positions, self.stiffness, self.damping)
+    }
+
+    fn inertia(&self) -> RigidInertia {
+        let half = 0.5 * self.polar_inertia;
+        let along = self.transverse_inertia.map_or(0.0, |own| own - half);
+        RigidInertia {
+            mass: self.mass,
+            centre: self.centre,
+            second: [[half, 0.0, 0.0], [0.0, half, 0.0], [0.0, 0.0, along]],
+            tilts: self.transverse_inertia.is_some(),
+        }
+    }
+}
+
+/// Mass, centre and second moments of a rigid body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidInertia {
+    /// m (kg).
+    pub mass: f64,
+    /// Its centre (m).
+    pub centre: [f64; 3],
+    /// S (kg·m²), about the centre.
+    pub second: [[f64; 3]; 3],
+    /// Whether the body may tilt.
+    pub tilts: bool,
+}
+
+impl RigidInertia {
+    /// Of a mesh that tilts, but does not deform.
+    ///
+    /// # Errors
+    /// As [`mass_properties`].
+    pub fn of(mesh: &Mesh) -> Result<RigidInertia, Error> {
+        let own = mass_properties(mesh)?;
+        let second = [0, 1, 2].map(|i| {
+            [0, 1, 2].map(|j| own.second_moment[i][j] - own.mass * own.centre[i] * own.centre[j])
+        });
+        Ok(RigidInertia { mass: own.mass, centre: own.centre, second, tilts: true })
+    }
+
+    /// As a body that turns, with nodes at `positions` (m, from its axis).
+    pub fn turning(&self, positions: &[[f64; 3]]) -> Shaft {
+        let &RigidInertia { mass, centre: [a, b, _], second, .. } = self;
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = second;
+        let n = self.size();
+        let first = |values: [f64; 4]| values[..n].to_vec();
+        let matrix = |entries: [[f64; 4]; 4]| Matrix::from_fn(n, n, |i, j| entries[i][j]);
+        let pairs = |lateral: f64, tilts: [[f64; 2]; 2]| {
+            let [[p, q], [r, s]] = tilts;
+            matrix([
+                [lateral, 0.0, 0.0, 0.0],
+                [0.0, lateral, 0.0, 0.0],
+                [0.0, 0.0, p, q],
+                [0.0, 0.0, r, s],
+            ])
+        };
+        Shaft {
+            j0: xx + yy + mass * (a * a + b * b),
+            y0: first([mass * a, mass * b, -yz, xz]),
+            g0: first([-mass * b, mass * a, -xz, -yz]),
+            mass: pairs(mass, [[zz + yy, -xy], [-xy, zz + xx]]),
+            stiffness: Matrix::zeros(n, n),
+            damping: Matrix::zeros(n, n),
+            spin_inertia: pairs(mass, [[zz, 0.0], [0.0, zz]]),
+            spin_net: pairs(mass, [[zz - yy, xy], [xy, zz - xx]]),
+            spin_coupling: matrix([
+                [0.0, mass, 0.0, 0.0],
+                [-mass, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, zz],
+                [0.0, 0.0, -zz, 0.0],
+            ]),
+            hertz: Vec::new(),
+            coordinates: self.names(),
+            nodes: positions.iter().map(|&position| self.node(position, &UNIT)).collect(),
+            measures: Vec::new(),
+        }
+    }
+
+    /// As a body that does not turn, with nodes at `positions` (m), and to the ground along x and y `stiffness` (N/m) and
+    /// `damping` (N·s/m).
+    pub fn standing(
+        &self,
+        positions: &[[f64; 3]],
+        stiffness: [f64; 2],
+        damping: [f64; 2],
+    ) -> Support {
+        let scales = self.to_unit_mass();
         let by_mass = |values: [f64; 2]| {
             let values = [values[0] / self.mass, values[1] / self.mass, 0.0, 0.0];
-            values[..n].to_vec()
+            values[..self.size()].to_vec()
         };
         Support {
-            stiffness: by_mass(self.stiffness),
-            damping: by_mass(self.damping),
+            stiffness: by_mass(stiffness),
+            damping: by_mass(damping),
             hertz: Vec::new(),
             coordinates: self.names(),
             nodes: positions.iter().map(|&position| self.node(position, &scales)).collect(),
@@ -82,21 +142,58 @@ impl RigidBody {
         }
     }
 
-    fn names(&self) -> Vec<String> {
-        let all = ["centre x", "centre y", "tilt about x", "tilt about y"];
-        let count = if self.transverse_inertia.is_some() { 4 } else { 2 };
-        all[..count].iter().map(|&name| name.to_owned()).collect()
+    /// The motions of sections with these centres (m), of a body that turns or one that stands.
+    pub fn measures(&self, centres: &[[f64; 3]], turns: bool) -> Vec<MeanMotion> {
+        let by = if turns { UNIT } else { self.to_unit_mass() };
+        let n = self.size();
+        let rotation =
+            Matrix::from_fn(3, n, |i, j| if self.tilts && i < 2 { by[2 + i][j] } else { 0.0 });
+        let measure = |&centre: &[f64; 3]| MeanMotion {
+            centre,
+            displacement: self.node(centre, &by).shapes,
+            rotation: rotation.clone(),
+        };
+        centres.iter().map(measure).collect()
     }
 
-    /// A node that moves with the body; `scales`: displacement or tilt by a unit of each coordinate.
-    fn node(&self, position: [f64; 3], scales: &[f64; 4]) -> BodyNode {
+    fn size(&self) -> usize {
+        if self.tilts { 4 } else { 2 }
+    }
+
+    fn names(&self) -> Vec<String> {
+        let all = ["centre x", "centre y", "tilt about x", "tilt about y"];
+        all[..self.size()].iter().map(|&name| name.to_owned()).collect()
+    }
+
+    /// Displacements of the centre and tilts by a unit of each of the coordinates in which M is the identity: row by row.
+    fn to_unit_mass(&self) -> [[f64; 4]; 4] {
+        let [[xx, xy, _], [_, yy, _], [.., zz]] = self.second;
+        let lateral = 1.0 / self.mass.sqrt();
+        // The inverse of Lᵀ, with L Lᵀ the block of the tilts.
+        let first = (zz + yy).sqrt();
+        let below = -xy / first;
+        let last = (zz + xx - below * below).sqrt();
+        [
+            [lateral, 0.0, 0.0, 0.0],
+            [0.0, lateral, 0.0, 0.0],
+            [0.0, 0.0, 1.0 / first, -below / (first * last)],
+            [0.0, 0.0, 0.0, 1.0 / last],
+        ]
+    }
+
+    /// A node that moves with the body; `by`: displacements of the centre and tilts by a unit of each coordinate.
+    fn node(&self, position: [f64; 3], by: &[[f64; 4]; 4]) -> BodyNode {
         let [x, y, z] = [0, 1, 2].map(|axis| position[axis] - self.centre[axis]);
         let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -z, y], [z, 0.0, -x]];
-        let n = self.names().len();
-        let shapes = Matrix::from_fn(3, n, |i, j| scales[j] * columns[j][i]);
+        let n = self.size();
+        let shapes = Matrix::from_fn(3, n, |i, j| (0..n).map(|k| columns[k][i] * by[k][j]).sum());
         BodyNode { position, shapes }
     }
 }
+
+/// Displacements of the centre and tilts as coordinates themselves.
+const UNIT: [[f64; 4]; 4] =
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
 #[cfg(test)]
 mod tests {
@@ -158,5 +255,96 @@ mod tests {
             - speed * (tilt[0] * rate[1] - tilt[1] * rate[0]);
         let exact = 0.5 * own * across + 0.5 * body.polar_inertia * along;
         assert!((found / exact - 1.0).abs() < 1e-12, "{found} for {exact}");
+    }
+
+    /// Point masses anywhere about any centre, turned by tilts of finite size and at a speed: their energy has the
+    /// tensors as its derivatives.
+    #[test]
+    fn the_tensors_are_those_of_its_points() {
+        let points: [([f64; 3], f64); 4] = [
+            ([0.3, -0.1, 0.4], 1.5),
+            ([-0.2, 0.25, -0.1], 2.0),
+            ([0.1, 0.4, 0.7], 0.7),
+            ([-0.3, -0.2, 0.2], 1.1),
+        ];
+        let mass: f64 = points.iter().map(|(_, m)| m).sum();
+        let centre = [0, 1, 2].map(|i| points.iter().map(|(x, m)| m * x[i]).sum::<f64>() / mass);
+        let arm = |x: &[f64; 3], i: usize| x[i] - centre[i];
+        let second = [0, 1, 2].map(|i| {
+            [0, 1, 2].map(|j| points.iter().map(|(x, m)| m * arm(x, i) * arm(x, j)).sum())
+        });
+        let shaft = RigidInertia { mass, centre, second, tilts: true }.turning(&[]);
+        let energy = |eta: [f64; 4], rate: [f64; 4], speed: f64| -> f64 {
+            let product =
+                |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+            let j = shaft.j0
+                + 2.0 * product(&shaft.y0, &eta)
+                + product(&eta, &shaft.spin_net.apply(&eta));
+            let g = product(&shaft.g0, &rate) - product(&rate, &shaft.spin_coupling.apply(&eta));
+            0.5 * speed * speed * j + speed * g + 0.5 * product(&rate, &shaft.mass.apply(&rate))
+        };
+        // x = centre + u + r + ω × r + ½ ω × (ω × r), and its rate in the frame that turns.
+        let exact = |eta: [f64; 4], rate: [f64; 4], speed: f64| -> f64 {
+            let cross = |a: [f64; 3], b: [f64; 3]| {
+                [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+            };
+            let (tilt, tilt_rate) = ([eta[2], eta[3], 0.0], [rate[2], rate[3], 0.0]);
+            let points = points.iter().map(|(x, m)| {
+                let r = [0, 1, 2].map(|i| arm(x, i));
+                let (once, twice) = (cross(tilt, r), cross(tilt, cross(tilt, r)));
+                let (own, a, b) = (
+                    cross(tilt_rate, r),
+                    cross(tilt_rate, cross(tilt, r)),
+                    cross(tilt, cross(tilt_rate, r)),
+                );
+                let shift = [eta[0], eta[1], 0.0];
+                let moving = [rate[0], rate[1], 0.0];
+                let place = [0, 1, 2].map(|i| x[i] + shift[i] + once[i] + 0.5 * twice[i]);
+                let velocity = [0, 1, 2].map(|i| moving[i] + own[i] + 0.5 * (a[i] + b[i]));
+                let turned =
+                    [velocity[0] - speed * place[1], velocity[1] + speed * place[0], velocity[2]];
+                0.5 * m * turned.iter().map(|v| v * v).sum::<f64>()
+            });
+            points.sum()
+        };
+        // To second order in all that is small; g and M hold to first order of η, as the shaft's tensors do.
+        let (eta, rate) = ([3e-4, -2e-4, 4e-4, 1e-4], [0.02, 0.05, -0.03, 0.04]);
+        let scaled = |values: [f64; 4], by: f64| values.map(|value| by * value);
+        for (eta, rate, speed) in [
+            (eta, [0.0; 4], 30.0),
+            (scaled(eta, -1.0), [0.0; 4], 30.0),
+            ([0.0; 4], rate, 30.0),
+            ([0.0; 4], rate, 0.0),
+        ] {
+            let zero = exact([0.0; 4], [0.0; 4], speed);
+            let (found, wanted) = (energy(eta, rate, speed) - zero, exact(eta, rate, speed) - zero);
+            assert!((found - wanted).abs() < 1e-6 * wanted.abs(), "{found} for {wanted}");
+        }
+        // H by what the energy has of both η and its rate, and changes its sign if they change places. (What does not is a
+        // rate itself, by displacements of second order, which g leaves out.)
+        let mixed = |energy: &dyn Fn([f64; 4], [f64; 4], f64) -> f64, eta, rate| {
+            let of = |a: f64, b: f64| energy(scaled(eta, a), scaled(rate, b), 30.0);
+            of(1.0, 1.0) - of(1.0, -1.0) - of(-1.0, 1.0) + of(-1.0, -1.0)
+        };
+        let skew = |energy: &dyn Fn([f64; 4], [f64; 4], f64) -> f64| {
+            let small = scaled(rate, 0.02);
+            mixed(energy, eta, small) - mixed(energy, small, eta)
+        };
+        let (found, wanted) = (skew(&energy), skew(&exact));
+        assert!((found - wanted).abs() < 1e-6 * wanted.abs(), "{found} for {wanted}");
+    }
+
+    /// In its coordinates a standing body has mass one.
+    #[test]
+    fn tilts_of_a_standing_body_have_mass_one() {
+        let second = [[0.5, 0.2, 0.1], [0.2, 0.7, -0.3], [0.1, -0.3, 0.9]];
+        let own = RigidInertia { mass: 3.0, centre: [0.0; 3], second, tilts: true };
+        let by = own.to_unit_mass();
+        let mass = own.turning(&[]).mass;
+        for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+            let parts = (0..16).map(|k| by[k / 4][i] * mass[(k / 4, k % 4)] * by[k % 4][j]);
+            let exact = f64::from(u8::from(i == j));
+            assert!((parts.sum::<f64>() - exact).abs() < 1e-14, "{i} {j}");
+        }
     }
 }

@@ -208,6 +208,9 @@ fn sizes(plan: &JoinedPlan, joined: &JoinedMachine) -> String {
     let mut rows = vec![heads.map(str::to_string).to_vec()];
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
         let PlannedBody::Meshed(own) = own else { continue };
+        if own.rigid {
+            continue;
+        }
         let counts = own.counts();
         let mut row = vec![body.name.text().to_string()];
         let numbers = [

@@ -254,3 +254,70 @@ fn blade() -> String {
         &format!("*NSET, NSET=ROOT\n{}\n*NSET, NSET=TIP\n{}\n", root.join(", "), node(1, 1, 10));
     text
 }
+
+/// A mesh taken as rigid is the body of its numbers, turning or standing, its sets being places on it: a node, and a ring
+/// whose mean motion counts.
+#[test]
+fn a_mesh_taken_as_rigid_is_the_body_of_its_numbers() {
+    let [outer, inner] = [OUTER, INNER].map(|half| 2e-3 * f64::from(half));
+    let (base, walls) = (0.05, 0.1);
+    let area = outer.powi(2) - inner.powi(2);
+    let masses = [7860.0 * outer.powi(2) * base, 7860.0 * area * walls];
+    let mass = masses[0] + masses[1];
+    let centre = (masses[0] * 0.5 * base + masses[1] * (base + 0.5 * walls)) / mass;
+    let polar = 7860.0 * (outer.powi(4) * base + (outer.powi(4) - inner.powi(4)) * walls) / 6.0;
+    let along =
+        |mass: f64, z: f64, length: f64| mass * (length * length / 12.0 + (z - centre).powi(2));
+    let across = 0.5 * polar
+        + along(masses[0], 0.5 * base, base)
+        + along(masses[1], base + 0.5 * walls, walls);
+    let case = |turns: &str, body: &str, first: &str, last: &str| {
+        let joint = |name: &str, at: &str| {
+            format!(
+                "[joint.{name}]\nkind = \"bushing\"\nfirst = {{ body = \"cup\", {at} }}\n\
+                 stiffness = {{ xx = \"1e6 N/m\", yy = \"2e6 N/m\" }}\n\
+                 damping = {{ xx = \"400 N*s/m\", yy = \"300 N*s/m\" }}\n"
+            )
+        };
+        format!(
+            "title = \"x\"\n{STEEL}[body.cup]\n{turns}\naxis = [\"3 mm\", \"-2 mm\"]\n{body}\n{}{}\
+             [loads.pull]\nbody = \"cup\"\n{first}\nforce = \"90 N\"\nfrequency = \"40 Hz\"\n{}",
+            joint("near", first),
+            joint("far", last),
+            march("1e-4 s", 400)
+        )
+    };
+    let numbers = |polar: &str| {
+        format!(
+            "mass = \"{mass} kg\"\n{polar}transverse_inertia = \"{across} kg*m^2\"\nz = \"{centre} m\""
+        )
+    };
+    let mesh = cup([3, -2]);
+    for (turns, polar) in [
+        (
+            "turns = \"free\"\ninitial_speed = \"3000 rpm\"",
+            format!("polar_inertia = \"{polar} kg*m^2\"\n"),
+        ),
+        ("turns = \"no\"", String::new()),
+    ] {
+        let by_mesh = "mesh = \"cup.inp\"\nmaterial = \"steel\"\nrigid = true";
+        let meshed = case(turns, by_mesh, "sets = [\"END\"]", "sets = [\"BORE\"]");
+        let meshed = run(&meshed, &[("cup.inp", &mesh)]);
+        let rigid = case(turns, &numbers(&polar), "z = \"0 mm\"", "z = \"100 mm\"");
+        let rigid = run(&rigid, &[]);
+        let mut most: f64 = 0.0;
+        for joint in ["near", "far"] {
+            for column in ["RX", "RY"].map(|name| format!("{name}_{joint}_N")) {
+                let (found, exact) =
+                    (meshed.history.column(&column), rigid.history.column(&column));
+                let largest = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+                let error = found.iter().zip(exact).map(|(a, b)| (a - b).abs());
+                let error = error.fold(0.0, f64::max);
+                // Newton stops at 1e-3 N.
+                assert!(error < 1e-4, "{column}: {error} of {largest}");
+                most = most.max(largest);
+            }
+        }
+        assert!(most > 50.0, "{most}");
+    }
+}

@@ -20,9 +20,10 @@ pub(super) struct BodyDraft {
 /// Keys of a rigid body.
 const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffness"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 9] = [
+const MESHED: [&str; 10] = [
     "mesh",
     "dimensions",
+    "rigid",
     "material",
     "regions",
     "modes",
@@ -30,6 +31,17 @@ const MESHED: [&str; 9] = [
     "axial_restraint",
     "section",
     "stiffening",
+];
+
+/// Keys of a mesh that a rigid one has not, and what to do instead.
+const OF_FLEXIBLE: [(&str, &str); 7] = [
+    ("modes", "leave it out"),
+    ("damping", "leave it out: a rigid body has no deformation to damp"),
+    ("stiffening", "leave it out: it is exact for a rigid body"),
+    ("axial_restraint", "leave it out: a rigid body does not move along z"),
+    ("section", "leave it out: all sections of a rigid body turn alike"),
+    ("held", "leave the body out, and let its joints name the ground"),
+    ("ground_spring", "join the body to the ground by a `bushing`"),
 ];
 
 pub(super) fn read(
@@ -99,7 +111,17 @@ fn read_meshed(
     materials: &Materials,
     turns: bool,
 ) -> Option<Box<MeshedBody>> {
-    table.demand("modes");
+    let rigid = table.optional_boolean("rigid").unwrap_or(false);
+    if rigid {
+        for (key, help) in OF_FLEXIBLE {
+            if table.has(key) {
+                let message = format!("`{key}` is of a body that deforms, and this one is rigid");
+                table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+            }
+        }
+    } else {
+        table.demand("modes");
+    }
     let body = machine::meshed(store, table, materials, |dimensions, material| {
         made(dimensions, material, turns)
     });
@@ -109,7 +131,7 @@ fn read_meshed(
         [top, bottom] if turns => Some([top.clone(), bottom.clone()]),
         _ => None,
     };
-    if turns && axial_restraint.is_none() && held.is_empty() {
+    if turns && !rigid && axial_restraint.is_none() && held.is_empty() {
         table.demand("axial_restraint");
     }
     let ground_springs = if turns { Vec::new() } else { machine::ground_springs(table) };
@@ -121,6 +143,7 @@ fn read_meshed(
         axial_restraint,
         section,
         stiffening,
+        rigid,
     }))
 }
 

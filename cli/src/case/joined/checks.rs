@@ -136,12 +136,18 @@ impl Checks<'_, '_> {
                 self.note(&body.name.clone(), message, help);
             }
         }
-        let tilts = matches!(&body.form, Form::Rigid(rigid) if rigid.transverse_inertia.is_some());
+        let (tilts, without) = match &body.form {
+            Form::Rigid(rigid) => {
+                (rigid.transverse_inertia.is_some(), "leave `transverse_inertia` out, ")
+            }
+            Form::Meshed(meshed) => (meshed.rigid, ""),
+        };
         if tilts && in_one_plane(&joints) {
             let message =
                 format!("nothing acts on the tilts of `{name}`: its joints are in one plane");
-            let help = "leave `transverse_inertia` out, add a joint at another z, or list `stations` along the joint";
-            self.note(&body.name.clone(), message, help);
+            let help =
+                format!("{without}add a joint at another z, or list `stations` along the joint");
+            self.note(&body.name.clone(), message, &help);
         }
         let Some(Turning::Free { initial_speed }) = body.turning else { return };
         let driven = self.machine.drives.iter().any(|drive| drive.body == place);

@@ -100,6 +100,8 @@ pub(crate) struct MeshedBody {
     pub(crate) section: Option<[Located; 2]>,
     /// Whether the centrifugal stress stiffens it, if it turns.
     pub(crate) stiffening: bool,
+    /// Whether it is taken as rigid, and not reduced.
+    pub(crate) rigid: bool,
 }
 
 /// A rigid body.

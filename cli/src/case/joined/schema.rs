@@ -46,6 +46,7 @@ pub(crate) const BODY: &[Key] = &[
         "sets of one node at opposite ends of a diameter: the section that turns with the frame",
     )
     .like("[\"TOP\", \"BOTTOM\"]"),
+    key("rigid", Flag, "true takes a mesh as a rigid body that moves in the plane and tilts"),
     key("mass", MASS, "of a rigid body"),
     key("polar_inertia", INERTIA, "about the axis, of a rigid body that turns"),
     key("transverse_inertia", INERTIA, "about x and y through its centre; it may tilt then"),

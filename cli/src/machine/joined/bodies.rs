@@ -90,6 +90,7 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     let held_by = own.axial_restraint.as_ref().or(own.held.first()).unwrap_or(&body.name);
     let mut plan = BodyPlan::new(mesh, &own.body, held_by);
     plan.spec.stiffening = own.stiffening;
+    plan.rigid = own.rigid;
     let springs = match body.turning {
         None => format!(
             ", add a spring `[[body.{}.ground_spring]]`, or join it at more nodes",
@@ -133,6 +134,9 @@ impl PlannedBody {
     /// Holds a mesh: its held sets, its springs, its place along z, and the section that turns with its frame.
     pub(super) fn hold(&mut self, place: usize, joined: &JoinedMachine, errors: &mut Diagnostics) {
         let PlannedBody::Meshed(plan) = self else { return };
+        if plan.rigid {
+            return;
+        }
         let Some(case) = meshed(joined, place) else { return };
         if let Some(axial) = &case.axial_restraint {
             let node = plan.node(axial, errors).unwrap_or(0);

@@ -14,14 +14,17 @@ use whirl_solver::body::BodyNode;
 use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::BodyStart;
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
+use whirl_solver::mesh::NodeSetMean;
 use whirl_solver::reduced::BodyKind;
+use whirl_solver::rigid::RigidInertia;
+use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use self::attached::{PlannedAttached, attach};
 pub(crate) use self::bodies::PlannedBody;
 use self::joints::PlannedJoint;
 use super::laws::laws_of;
-use super::plan::geometry;
+use super::plan::{BodyPlan, geometry};
 use super::springs::{Laws, angles, clearance, explain};
 use super::{BodyFact, BodyFacts, Built, bodies as reduced_bodies, rotor};
 use crate::case::{self, Form, JoinedMachine, LawSource, Turning};
@@ -97,6 +100,9 @@ impl JoinedPlan {
         let mut errors = Diagnostics::new();
         for body in &self.bodies {
             let PlannedBody::Meshed(plan) = body else { continue };
+            if plan.rigid {
+                continue;
+            }
             match plan.verify().map_err(|error| plan.explain(error)) {
                 Ok(()) => {}
                 Err(Failure::Input(found)) => errors.append(found),
@@ -220,6 +226,10 @@ fn reduced(
                 continue;
             }
         };
+        if plan.rigid {
+            bodies.push(rigid(name, plan, rotation, attached)?);
+            continue;
+        }
         let kind = if rotation.is_some() { BodyKind::Shaft } else { BodyKind::Support };
         let (found, content, known) = reduced_bodies::reduced(kind, plan, cache, warnings)?;
         cached &= known;
@@ -247,6 +257,32 @@ fn reduced(
     let wall = start.elapsed().as_secs_f64();
     let facts = (!facts.is_empty()).then_some(BodyFacts { bodies: facts, wall, cached });
     Ok((bodies, facts))
+}
+
+/// A mesh taken as rigid.
+fn rigid(
+    name: &str,
+    plan: &BodyPlan,
+    rotation: Option<Rotation>,
+    attached: &[PlannedAttached],
+) -> Result<Body, Failure> {
+    let inertia = RigidInertia::of(&plan.mesh).map_err(|error| plan.explain(error))?;
+    let positions: Vec<[f64; 3]> =
+        plan.spec.nodes.iter().map(|&node| plan.mesh.nodes()[node]).collect();
+    let centres: Vec<[f64; 3]> = plan.spec.means.iter().map(NodeSetMean::centre).collect();
+    let measures = inertia.measures(&centres, rotation.is_some());
+    Ok(match rotation {
+        Some(rotation) => {
+            let shaft = inertia.turning(&positions);
+            let nodes = plan.outputs(&shaft.nodes, &measures);
+            Body::turning(name, attach(Shaft { nodes, measures, ..shaft }, attached), rotation)
+        }
+        None => {
+            let support = inertia.standing(&positions, [0.0; 2], [0.0; 2]);
+            let nodes = plan.outputs(&support.nodes, &measures);
+            Body::standing(name, Support { nodes, measures, ..support })
+        }
+    })
 }
 
 /// Text at the place of another.

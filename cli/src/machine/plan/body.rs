@@ -31,6 +31,8 @@ pub(crate) struct BodyPlan {
     held_by: Located,
     /// What it is made from, as the case says it.
     made_from: Located,
+    /// Whether it is rigid, and nothing of it is reduced.
+    pub(crate) rigid: bool,
     /// The set of each of its springs to the ground, as the case says it.
     sprung: Vec<Located>,
     /// How messages say what holds a body.
@@ -79,7 +81,16 @@ impl BodyPlan {
         };
         let (held_by, made_from) = (held_by.clone(), case.mesh.place());
         let words = HoldingWords::default();
-        BodyPlan { mesh, spec, points: Vec::new(), held_by, made_from, sprung: Vec::new(), words }
+        BodyPlan {
+            mesh,
+            spec,
+            points: Vec::new(),
+            held_by,
+            made_from,
+            rigid: false,
+            sprung: Vec::new(),
+            words,
+        }
     }
 
     /// The body with other words for what holds it.
