@@ -263,7 +263,7 @@ const NAMED: [&str; 4] = [
      /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring axial_restraint section \
      stiffening /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping",
-    "/body/chosen/turns=no mesh diameter supports support_length layers_in_support \
+    "/body/chosen/turns=no mesh diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
      /body/chosen/dimensions/loads sectors /body/chosen/dimensions/cells/rings /body/chosen/mass \
      polar_inertia transverse_inertia /body/chosen/z /body/chosen/stiffness /body/chosen/damping \
      /body/chosen/speed acceleration initial_speed section stiffening /joint/chosen/kind=bushing journal bore \

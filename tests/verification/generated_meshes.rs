@@ -4,10 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
 use whirl_benches::hand::elements::ELEMENTS;
-use whirl_solver::assembly::mass_properties;
+use whirl_solver::assembly::{assemble, mass_properties};
+use whirl_solver::mesh::crank::CrankThrow;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 use whirl_solver::mesh::{Block, Material, Mesh};
+use whirl_solver::reduction::Solid;
 
 use crate::bodies::reference;
 
@@ -243,4 +245,69 @@ fn impossible_dimensions_are_named() {
         error,
         "nu of tin = 0.5 is not between −1 and 0.5: give a number between these, such as 0.3"
     );
+}
+
+fn crank() -> CrankThrow {
+    CrankThrow {
+        throw: 0.055,
+        diameter: 0.05,
+        support_length: 0.03,
+        pin_diameter: 0.044,
+        pin_length: 0.028,
+        web_width: 0.07,
+        web_thickness: 0.018,
+        layers_in_support: 4,
+        layers_between: 2,
+        section: SectionCells { sectors: 16, rings: 3 },
+        material: steel(),
+    }
+}
+
+/// Mass and centre are those of polygons and plates, all cells hang together, and a body without supports has six rigid
+/// motions.
+#[test]
+fn a_crank_has_the_mass_and_the_centre_of_its_parts() {
+    let own = crank();
+    let mesh = own.mesh(&ELEMENTS).unwrap();
+    let rim = mesh.nodes()[mesh.single_node("DRIVE_TOP").unwrap()][0];
+    let area = |radius: f64| 8.0 * radius * radius * (PI / 8.0).sin();
+    let pin = rim * own.pin_diameter / own.diameter;
+    let plate = own.web_width * (own.throw + own.web_width);
+    let volumes = [
+        2.0 * own.support_length * area(rim),
+        own.pin_length * area(pin),
+        2.0 * own.web_thickness * plate,
+    ];
+    let body = mass_properties(&mesh).unwrap();
+    let volume: f64 = volumes.iter().sum();
+    assert!((body.mass / (7860.0 * volume) - 1.0).abs() < 1e-12);
+    let x = (volumes[1] * own.throw + volumes[2] * 0.5 * own.throw) / volume;
+    let z = own.support_length + own.web_thickness + 0.5 * own.pin_length;
+    for (found, exact) in body.centre.iter().zip([x, 0.0, z]) {
+        assert!((found - exact).abs() < 1e-12, "{found} {exact}");
+    }
+    assert_eq!(mesh.nodes()[mesh.single_node("PIN_MIDDLE").unwrap()], [0.055, 0.0, z]);
+    let (stiffness, mass) =
+        (assemble(&mesh, "stiffness").unwrap(), assemble(&mesh, "mass").unwrap());
+    let solid =
+        Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: 1 << 30 };
+    let hertz = solid.free_modes(7).unwrap().hertz();
+    assert!(hertz[5] < 1e-2 * hertz[6] && hertz[6] > 500.0, "{hertz:?}");
+}
+
+#[test]
+fn dimensions_of_a_crank_that_cannot_be_are_named() {
+    let message = |crank: CrankThrow| crank.mesh(&ELEMENTS).unwrap_err().to_string();
+    let section = SectionCells { sectors: 12, rings: 3 };
+    for (wrong, expected) in [
+        (CrankThrow { throw: 0.04, ..crank() }, "throw"),
+        (CrankThrow { web_width: 0.05, ..crank() }, "web_width"),
+        (CrankThrow { pin_length: f64::NAN, ..crank() }, "pin_length"),
+        (CrankThrow { layers_in_support: 3, ..crank() }, "layers_in_support"),
+        (CrankThrow { layers_between: usize::MAX, ..crank() }, "too many cells"),
+        (CrankThrow { section, ..crank() }, "cells.sectors"),
+    ] {
+        let found = message(wrong);
+        assert!(found.contains(expected), "{expected}: {found}");
+    }
 }

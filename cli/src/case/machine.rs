@@ -9,7 +9,9 @@ use whirl_codegen::diagnostic::{Code, suggest};
 use whirl_codegen::document::Table;
 use whirl_specs::{MOTIONS, Motion};
 
-pub(super) use self::bodies::{body as meshed, ground_springs, ring_support, solid_shaft};
+pub(super) use self::bodies::{
+    body as meshed, crank_throw, ground_springs, ring_support, solid_shaft,
+};
 pub(super) use self::drive::read_one as drive;
 pub(super) use self::materials::Materials;
 use super::library::FileStore;

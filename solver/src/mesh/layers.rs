@@ -29,7 +29,7 @@ pub(super) fn length(metres: f64) -> String {
 }
 
 /// Most cells of a generated mesh: far more than a march has use for, and less than a gigabyte.
-const MOST_CELLS: usize = 1_000_000;
+pub(super) const MOST_CELLS: usize = 1_000_000;
 
 /// Every length positive and finite.
 pub(super) fn positive(lengths: &[(&str, f64)]) -> Result<(), Error> {

@@ -202,7 +202,7 @@ pub(super) fn from_abaqus(element: &'static Element, nodes: &[usize], first_labe
 /// About a diameter a polygon of n corners at a has (2 + cos 2π/n)/12 · a², a circle r²/4. The reference
 /// model gives the octagon's coefficient to four digits, 0.2256; so does this, for every n, so that its
 /// shaft is met to rounding.
-fn corner_radius(r: f64, corners: usize) -> f64 {
+pub(super) fn corner_radius(r: f64, corners: usize) -> f64 {
     let coefficient = (2.0 + (2.0 * PI / corners as f64).cos()) / 12.0;
     let coefficient = (1e4 * coefficient).round() / 1e4;
     r * (0.25 / coefficient).sqrt()

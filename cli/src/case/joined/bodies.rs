@@ -147,7 +147,7 @@ fn read_meshed(
     }))
 }
 
-/// Dimensions of a shaft or of a support.
+/// Dimensions of a shaft, of a crank or of a support.
 fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
     const SHAFT: [&str; 6] =
         ["length", "diameter", "supports", "support_length", "layers_in_support", "layers_between"];
@@ -164,11 +164,28 @@ fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
         "layers_in_ring",
         "layers_between",
     ];
-    let needed: &[&str] = if turns { &SHAFT } else { &SUPPORT };
+    const CRANK: [&str; 9] = [
+        "throw",
+        "diameter",
+        "support_length",
+        "pin_diameter",
+        "pin_length",
+        "web_width",
+        "web_thickness",
+        "layers_in_support",
+        "layers_between",
+    ];
+    let crank = turns && table.has("throw");
+    let needed: &[&str] = match (crank, turns) {
+        (true, _) => &CRANK,
+        (_, true) => &SHAFT,
+        _ => &SUPPORT,
+    };
     needed.iter().for_each(|key| table.demand(key));
-    match turns {
-        true => Dimensions::Shaft(machine::solid_shaft(table, material)),
-        false => Dimensions::Support(machine::ring_support(table, material)),
+    match (crank, turns) {
+        (true, _) => Dimensions::Crank(machine::crank_throw(table, material)),
+        (_, true) => Dimensions::Shaft(machine::solid_shaft(table, material)),
+        _ => Dimensions::Support(machine::ring_support(table, material)),
     }
 }
 

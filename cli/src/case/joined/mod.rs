@@ -13,6 +13,7 @@ use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::error::Error;
 use whirl_solver::mesh;
+use whirl_solver::mesh::crank::CrankThrow;
 use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::{Element, Motion};
@@ -126,6 +127,8 @@ pub(crate) struct RigidBody {
 pub(crate) enum Dimensions {
     /// Of a solid shaft.
     Shaft(SolidShaft),
+    /// Of one throw of a crankshaft.
+    Crank(CrankThrow),
     /// Of rings below a beam.
     Support(RingSupport),
 }
@@ -138,6 +141,7 @@ impl Dimensions {
     pub(crate) fn mesh(&self, elements: &[&'static Element]) -> Result<mesh::Mesh, Error> {
         match self {
             Dimensions::Shaft(shaft) => shaft.mesh(elements),
+            Dimensions::Crank(crank) => crank.mesh(elements),
             Dimensions::Support(support) => support.mesh(elements),
         }
     }

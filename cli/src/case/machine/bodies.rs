@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
+use whirl_solver::mesh::crank::CrankThrow;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
@@ -131,14 +132,31 @@ fn no_material() -> Material {
     Material { name: String::new(), properties: BTreeMap::new() }
 }
 
+fn section(cells: &Table) -> SectionCells {
+    let usual = SectionCells::default();
+    SectionCells {
+        sectors: cells.optional_count("sectors").unwrap_or(usual.sectors),
+        rings: cells.optional_count("rings").unwrap_or(usual.rings),
+    }
+}
+
+pub(in crate::case) fn crank_throw(table: &Table, material: Material) -> CrankThrow {
+    CrankThrow {
+        throw: table.quantity_or_one("throw"),
+        diameter: table.quantity_or_one("diameter"),
+        support_length: table.quantity_or_one("support_length"),
+        pin_diameter: table.quantity_or_one("pin_diameter"),
+        pin_length: table.quantity_or_one("pin_length"),
+        web_width: table.quantity_or_one("web_width"),
+        web_thickness: table.quantity_or_one("web_thickness"),
+        layers_in_support: table.count_or_one("layers_in_support"),
+        layers_between: table.count_or_one("layers_between"),
+        section: table.in_table("cells", section).unwrap_or_default(),
+        material,
+    }
+}
+
 pub(in crate::case) fn solid_shaft(table: &Table, material: Material) -> SolidShaft {
-    let section = |cells: &Table| {
-        let usual = SectionCells::default();
-        SectionCells {
-            sectors: cells.optional_count("sectors").unwrap_or(usual.sectors),
-            rings: cells.optional_count("rings").unwrap_or(usual.rings),
-        }
-    };
     SolidShaft {
         length: table.quantity_or_one("length"),
         diameter: table.quantity_or_one("diameter"),
