@@ -13,6 +13,8 @@ pub struct Disc<'a> {
     pub polar_inertia: f64,
     /// I_d, about a diameter (kg·m²).
     pub diametral_inertia: f64,
+    /// z of its centre (m).
+    pub z: f64,
     /// Displacement of its centre along x, y, z by a unit of each coordinate: 3 × n.
     pub displacement: &'a Matrix,
     /// Its turns about x and y (rad) by a unit of each coordinate: 2 × n.
@@ -49,7 +51,7 @@ impl Shaft {
     /// # Panics
     /// If the rows are not of n values.
     pub fn with_disc(mut self, disc: &Disc) -> Shaft {
-        let &Disc { mass, polar_inertia, diametral_inertia, displacement, tilt, twist } = disc;
+        let &Disc { mass, polar_inertia, diametral_inertia, z, displacement, tilt, twist } = disc;
         let row = |matrix: &Matrix, i: usize| -> Vec<f64> {
             (0..matrix.cols).map(|j| matrix[(i, j)]).collect()
         };
@@ -57,6 +59,8 @@ impl Shaft {
         let tilts = [row(tilt, 0), row(tilt, 1)];
         let axial = diametral_inertia - 0.5 * polar_inertia;
         self.j0 += polar_inertia;
+        let centre = BodyNode { position: [0.0, 0.0, z], shapes: displacement.clone() };
+        self.centre_of_mass.add(mass, &centre);
         self.add_mass(mass, &[&lateral[0], &lateral[1], &row(displacement, 2)]);
         self.add_lateral(mass, [&lateral[0], &lateral[1]]);
         self.add_mass(diametral_inertia, &[&tilts[0], &tilts[1]]);
@@ -75,7 +79,7 @@ impl Shaft {
         self
     }
 
-    /// The shaft with a point mass: J0, y0, g0, M, Y and H. Its centrifugal force stresses the body, too, which counts
+    /// The shaft with a point mass: J0, y0, g0, M, Y, H and the centre of mass. Its centrifugal force stresses the body, too, which counts
     /// where the body is reduced and not here.
     ///
     /// # Panics
@@ -87,21 +91,29 @@ impl Shaft {
         self.j0 += mass * (x * x + y * y);
         self.add_mass(mass, &[&row_x, &row_y, &row_z]);
         self.add_lateral(mass, [&row_x, &row_y]);
-        self.with_unbalance(&Unbalance { moment: [mass * x, mass * y], node })
+        self.centre_of_mass.add(mass, node);
+        self.add_moment(&Unbalance { moment: [mass * x, mass * y], node });
+        self
     }
 
-    /// The shaft with unbalance: y0 and g0 only.
+    /// The shaft with unbalance: y0, g0 and the place of the centre of mass only.
     ///
     /// # Panics
     /// If the node is of another body.
     pub fn with_unbalance(mut self, unbalance: &Unbalance) -> Shaft {
+        self.add_moment(unbalance);
+        self.centre_of_mass.shift(unbalance.moment);
+        self
+    }
+
+    /// y0 and g0 by what is out of balance.
+    fn add_moment(&mut self, unbalance: &Unbalance) {
         let &Unbalance { moment: [u_x, u_y], node } = unbalance;
         let [row_x, row_y] = [0, 1].map(|i| row_of(node, i));
         for (j, (x, y)) in row_x.iter().zip(&row_y).enumerate() {
             self.y0[j] += u_x * x + u_y * y;
             self.g0[j] += u_x * y - u_y * x;
         }
-        self
     }
 
     /// M by a mass or moment of inertia with these motions.
@@ -142,6 +154,7 @@ fn add_product(matrix: &mut Matrix, factor: f64, left: &[f64], right: &[f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gravity::CentreOfMass;
 
     const MASS: f64 = 7.0;
 
@@ -162,6 +175,7 @@ mod tests {
             coordinates: ["x", "y", "α", "β", "γ"].map(str::to_owned).to_vec(),
             nodes: Vec::new(),
             measures: Vec::new(),
+            centre_of_mass: CentreOfMass::none(5),
         }
     }
 
@@ -239,10 +253,13 @@ mod tests {
             mass: MASS,
             polar_inertia: 2.0 * lateral,
             diametral_inertia: lateral + 2.0 * MASS / 6.0 * height * height,
+            z: 0.2,
             displacement: &displacement,
             tilt: &tilt,
             twist: Some(&[0.0, 0.0, 0.0, 0.0, 1.0]),
         });
+        let centre = &shaft.centre_of_mass;
+        assert_eq!((centre.mass, centre.node.position), (MASS, [0.0, 0.0, 0.2]));
         let speed = 1.0;
         let still = rigid(&points, speed, &[0.0; 5], &[0.0; 5]);
         for (eta, rate) in states() {

@@ -1,14 +1,17 @@
 //! The bodies of a machine, and where their coordinates stand in q.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::body::BodyNode;
+use crate::gravity::CentreOfMass;
 use crate::measure::MeanMotion;
+use crate::schedule::Schedule;
 use crate::shaft::Shaft;
 use crate::support::Support;
 
 /// How the frame of a turning body turns.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Rotation {
     /// θ follows from its equation of motion.
     Free,
@@ -21,6 +24,8 @@ pub enum Rotation {
         /// α (rad/s²).
         acceleration: f64,
     },
+    /// θ over time as it is told; its row as of a prescribed one.
+    Scheduled(Arc<Schedule>),
     /// The frame of the body stands still, and the body turns in it from angle 0: its coordinates are those
     /// of points that do not turn with it, such as the centre of a mass, while laws get the angle and the
     /// speed.
@@ -33,13 +38,14 @@ pub enum Rotation {
 impl Rotation {
     /// θ (rad), θ̇ (rad/s) and θ̈ (rad/s²) of the frame at time `t` (s); none of a rotation that is free.
     pub(crate) fn given(&self, t: f64) -> Option<[f64; 3]> {
-        match *self {
+        match self {
             Rotation::Free => None,
             Rotation::Held | Rotation::Spinning { .. } => Some([0.0; 3]),
             Rotation::Prescribed { speed, acceleration } => {
                 let angle = (speed + 0.5 * acceleration * t) * t;
-                Some([angle, speed + acceleration * t, acceleration])
+                Some([angle, speed + acceleration * t, *acceleration])
             }
+            Rotation::Scheduled(schedule) => Some(schedule.at(t)),
         }
     }
 
@@ -47,8 +53,13 @@ impl Rotation {
     pub(crate) fn spin(&self) -> Option<f64> {
         match *self {
             Rotation::Spinning { speed } => Some(speed),
-            Rotation::Free | Rotation::Held | Rotation::Prescribed { .. } => None,
+            _ => None,
         }
+    }
+
+    /// Whether a couple makes the frame turn as it is told.
+    pub(crate) fn takes_a_couple(&self) -> bool {
+        matches!(self, Rotation::Prescribed { .. } | Rotation::Scheduled(_))
     }
 }
 
@@ -124,6 +135,14 @@ impl Body {
         }
     }
 
+    /// Its mass, and where that is.
+    pub fn centre_of_mass(&self) -> &CentreOfMass {
+        match self {
+            Body::Turning { shaft, .. } => &shaft.centre_of_mass,
+            Body::Standing { support, .. } => &support.centre_of_mass,
+        }
+    }
+
     /// Its tensors, if it turns.
     pub fn shaft(&self) -> Option<&Shaft> {
         match self {
@@ -141,9 +160,9 @@ impl Body {
     }
 
     /// How it turns, if it does.
-    pub fn rotation(&self) -> Option<Rotation> {
+    pub fn rotation(&self) -> Option<&Rotation> {
         match self {
-            Body::Turning { rotation, .. } => Some(*rotation),
+            Body::Turning { rotation, .. } => Some(rotation),
             Body::Standing { .. } => None,
         }
     }

@@ -18,18 +18,20 @@ impl History {
     /// The columns of a machine: time, angle and speed of the first body that turns, then for every bearing the
     /// reaction on the journal (fixed frame, N), the displacement of the journal's middle node (fixed frame, µm), its
     /// eccentricity against the bore (µm); then the torque on the journal about its own centre (N·m) for the bearings
-    /// whose laws give one, angle and speed of the other bodies that turn, the Newton iterations of the step.
+    /// whose laws give one, angle and speed of the other bodies that turn, the couples (N·m) that turn bodies as they are
+    /// told, the Newton iterations of the step.
     pub fn for_machine(machine: &Machine) -> Self {
         let monitors = machine.monitors.iter();
         let bearings: Vec<(&str, bool)> =
             monitors.map(|own| (own.label.as_str(), own.torque)).collect();
         let others = machine.turning().skip(1).map(|body| machine.bodies[body].name());
-        History::for_bearings(&bearings, &others.collect::<Vec<&str>>())
+        let driven: Vec<&str> = machine.driven().map(|body| machine.bodies[body].name()).collect();
+        History::for_bearings(&bearings, &others.collect::<Vec<&str>>(), &driven)
     }
 
     /// The columns as [`History::for_machine`] has them, of bearings with their labels and whether they have a torque,
-    /// and of the bodies that turn beside the first.
-    pub fn for_bearings(bearings: &[(&str, bool)], turning: &[&str]) -> Self {
+    /// of the bodies that turn beside the first, and of those that turn as they are told.
+    pub fn for_bearings(bearings: &[(&str, bool)], turning: &[&str], driven: &[&str]) -> Self {
         let mut names: Vec<String> =
             ["t_s", "theta_rad", "omega_rad_s"].map(str::to_owned).to_vec();
         for (prefix, unit) in [("R", "N"), ("", "um"), ("E", "um")] {
@@ -44,6 +46,7 @@ impl History {
             names.push(format!("theta_{body}_rad"));
             names.push(format!("omega_{body}_rad_s"));
         }
+        names.extend(driven.iter().map(|body| format!("M_{body}_Nm")));
         names.push("iterations".to_owned());
         History::new(names)
     }

@@ -1,43 +1,48 @@
-//! External loads on a body: fixed in space, or turning with it.
+//! External loads on a body, forces and couples: fixed in space, or turning with it.
 //!
 //! A force F fixed in space at a node with body-frame displacement u and initial position x0 gives
 //! Q_η = φᵀAᵀF and Q_θ = (A_θ(x0+u))·F, eq. (26); one fixed to the shaft gives Q_η = φᵀF and
-//! Q_θ = (x0+u) × F.
+//! Q_θ = (x0+u) × F. A couple M on a section that turns by Ψη against its frame gives Q_η = ΨᵀAᵀM, or ΨᵀM, and Q_θ = M_z:
+//! turns are small, so that θ turns every section about z of space.
+
+pub use crate::time_function::{Onset, Release, TimeFunction};
 
 use crate::bodies::BodyPlace;
 use crate::body::BodyNode;
+use crate::linalg::Matrix;
+use crate::time_function::{Instant, Slope};
 
-/// A force on a node of a body, constant in direction.
+/// A force on a node of a body, or a couple on a turn of it, constant in direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
     /// The body, by its place in the machine.
     pub body: usize,
-    /// The node.
-    pub node: BodyNode,
-    /// Amplitude (N) along x, y, z.
-    pub force: [f64; 3],
+    /// What acts, and where.
+    pub action: Action,
     /// How it varies.
     pub time_function: TimeFunction,
+    /// From when on it acts.
+    pub onset: Onset,
     /// In which frame its direction is constant.
     pub frame: Frame,
 }
 
-/// How a load varies in time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum TimeFunction {
-    /// Constant from t = 0.
-    Constant,
-    /// sin(2π f t + φ).
-    Sine {
-        /// f (Hz).
-        frequency: f64,
-        /// φ (rad).
-        phase: f64,
+/// What a load does.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Action {
+    /// A force on a point of the body.
+    Force {
+        /// Where it acts.
+        node: BodyNode,
+        /// Amplitude (N) along x, y, z.
+        force: [f64; 3],
     },
-    /// Constant until a step starts with θ̇ at the target or beyond it, as seen from rest; zero from then on.
-    UntilSpeed {
-        /// Target of θ̇ (rad/s); negative where the shaft is driven that way.
-        target: f64,
+    /// A couple.
+    Couple {
+        /// Turns about x, y, z (rad), against the frame of the body, by a unit of each coordinate: 3 × n.
+        turn: Matrix,
+        /// Amplitude (N·m) about x, y, z.
+        couple: [f64; 3],
     },
 }
 
@@ -50,86 +55,161 @@ pub enum Frame {
     Body,
 }
 
+impl Action {
+    /// Amplitude along x, y, z.
+    fn amplitude(&self) -> [f64; 3] {
+        match self {
+            Action::Force { force, .. } => *force,
+            Action::Couple { couple, .. } => *couple,
+        }
+    }
+
+    /// How far a unit of each coordinate moves or turns what the load acts on.
+    fn shapes(&self) -> &Matrix {
+        match self {
+            Action::Force { node, .. } => &node.shapes,
+            Action::Couple { turn, .. } => turn,
+        }
+    }
+}
+
 impl Load {
-    /// The factor on the amplitude at time `t` (s); `released` once the target speed was reached.
-    pub(crate) fn factor(&self, t: f64, released: bool) -> f64 {
-        match self.time_function {
-            TimeFunction::Constant => 1.0,
-            TimeFunction::Sine { frequency, phase } => {
-                (std::f64::consts::TAU * frequency * t + phase).sin()
-            }
-            TimeFunction::UntilSpeed { .. } => f64::from(!released),
+    /// A force on a node, from t = 0.
+    pub fn force(
+        body: usize,
+        node: BodyNode,
+        force: [f64; 3],
+        time_function: TimeFunction,
+        frame: Frame,
+    ) -> Load {
+        let action = Action::Force { node, force };
+        Load { body, action, time_function, onset: Onset::Start, frame }
+    }
+
+    /// A couple on a turn, from t = 0.
+    pub fn couple(
+        body: usize,
+        turn: Matrix,
+        couple: [f64; 3],
+        time_function: TimeFunction,
+        frame: Frame,
+    ) -> Load {
+        let action = Action::Couple { turn, couple };
+        Load { body, action, time_function, onset: Onset::Start, frame }
+    }
+
+    /// The load from another time on.
+    pub fn from(self, onset: Onset) -> Load {
+        Load { onset, ..self }
+    }
+
+    /// The factor on the amplitude; `released` once the target speed was reached.
+    pub(crate) fn factor(&self, at: &Instant, released: bool) -> f64 {
+        let factor = self.time_function.factor(at, self.body, released);
+        match self.onset {
+            Onset::Start => factor,
+            onset => onset.factor(at.t) * factor,
         }
     }
 
-    /// Whether a step that starts with θ̇ = `speed` (rad/s) finds the load's target reached.
+    /// Speed (rad/s) at which the load ends, and how.
+    pub(crate) fn target(&self) -> Option<(f64, Release)> {
+        match self.time_function {
+            TimeFunction::UntilSpeed { target, release } => Some((target, release)),
+            _ => None,
+        }
+    }
+
+    /// Whether θ̇ = `speed` (rad/s) is at the load's target or beyond it.
     pub(crate) fn reaches(&self, speed: f64) -> bool {
-        match self.time_function {
-            TimeFunction::UntilSpeed { target } => speed * target.signum() >= target.abs(),
-            TimeFunction::Constant | TimeFunction::Sine { .. } => false,
-        }
+        self.target().is_some_and(|(target, _)| speed * target.signum() >= target.abs())
     }
 
-    /// |F| times how far a unit of a coordinate moves the node: what the load could do there, whatever its
-    /// direction. `coordinate`: that of the body; none for its rotation.
+    /// |F| times how far a unit of a coordinate moves the node, or |M| times how far it turns: what the load could do there,
+    /// whatever its direction. `coordinate`: that of the body; none for its rotation.
     pub(crate) fn projected(&self, factor: f64, eta: &[f64], coordinate: Option<usize>) -> f64 {
         let reach = match coordinate {
-            None => {
-                let [x, y] = self.place(eta);
-                x.hypot(y)
-            }
-            Some(j) => self.node.shapes.col(j).iter().map(|x| x * x).sum::<f64>().sqrt(),
+            None => match &self.action {
+                Action::Force { node, .. } => {
+                    let [x, y] = place(node, eta);
+                    x.hypot(y)
+                }
+                Action::Couple { .. } => 1.0,
+            },
+            Some(j) => self.action.shapes().col(j).iter().map(|x| x * x).sum::<f64>().sqrt(),
         };
-        let force = self.force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let force = self.action.amplitude().iter().map(|x| x * x).sum::<f64>().sqrt();
         (factor * force).abs() * reach
     }
 
     /// Adds the generalised force at `factor` times the amplitude to those on q; the coordinates of the body stand at
-    /// `place`.
+    /// `own`.
     pub(crate) fn add_force(
         &self,
         factor: f64,
         position: &Position,
         q: &[f64],
-        place: &BodyPlace,
+        own: &BodyPlace,
         out: &mut [f64],
     ) {
         if factor == 0.0 {
             return;
         }
-        let [fx, fy, fz] = self.body_force(factor, position);
-        if let Some(theta) = place.rotation {
-            let [x, y] = self.place(&q[place.flexible.clone()]);
-            // (A_θ(x0+u))·F is the moment of F about the axis, in whichever frame both are written.
-            out[theta] += x * fy - y * fx;
+        let [fx, fy, fz] = self.in_body(factor, position);
+        if let Some(theta) = own.rotation {
+            out[theta] += match &self.action {
+                // (A_θ(x0+u))·F is the moment of F about the axis, in whichever frame both are written.
+                Action::Force { node, .. } => {
+                    let [x, y] = place(node, &q[own.flexible.clone()]);
+                    x * fy - y * fx
+                }
+                // θ turns every section about z of space.
+                Action::Couple { .. } => fz,
+            };
         }
-        for (j, value) in out[place.flexible.clone()].iter_mut().enumerate() {
-            let shape = self.node.shapes.col(j);
+        let shapes = self.action.shapes();
+        for (j, value) in out[own.flexible.clone()].iter_mut().enumerate() {
+            let shape = shapes.col(j);
             *value += shape[0] * fx + shape[1] * fy + shape[2] * fz;
         }
     }
 
-    /// Subtracts ∂(generalised force)/∂q from a matrix of as many rows as q has, column after column.
+    /// Subtracts ∂(generalised force)/∂q + a1 ∂(generalised force)/∂q̇ from a matrix of as many rows as q has, column after
+    /// column.
     pub(crate) fn subtract_tangent(
         &self,
-        factor: f64,
+        at: &Instant,
+        released: bool,
         position: &Position,
-        q: &[f64],
-        place: &BodyPlace,
+        a1: f64,
         matrix: &mut [f64],
     ) {
-        let Some(theta) = place.rotation.filter(|_| factor != 0.0) else { return };
-        let ([fx, fy, _], rows) = (self.body_force(factor, position), q.len());
+        let (own, rows, q) = (&at.places[self.body], at.q.len(), at.q);
+        if let Some(slope) = self.time_function.slope(at, self.body) {
+            let (column, by) = match slope {
+                Slope::Angle(place, by) => (place, by),
+                Slope::Speed(place, by) => (place, a1 * by),
+            };
+            let column = &mut matrix[column * rows..(column + 1) * rows];
+            self.add_force(-by * self.onset.factor(at.t), position, q, own, column);
+        }
+        let factor = self.factor(at, released);
+        let Some(theta) = own.rotation.filter(|_| factor != 0.0) else { return };
+        let [fx, fy, _] = self.in_body(factor, position);
         let in_space = self.frame == Frame::Space;
-        if in_space {
-            let [x, y] = self.place(&q[place.flexible.clone()]);
+        let is_force = matches!(self.action, Action::Force { .. });
+        if let (Action::Force { node, .. }, true) = (&self.action, in_space) {
+            let [x, y] = place(node, &q[own.flexible.clone()]);
             // ∂²A/∂θ² = −A in the plane: ∂Q_θ/∂θ = −(x0+u)·AᵀF.
             matrix[theta * (rows + 1)] += x * fx + y * fy;
         }
-        for (j, column) in place.flexible.clone().enumerate() {
-            let shape = self.node.shapes.col(j);
+        let shapes = self.action.shapes();
+        for (j, column) in own.flexible.clone().enumerate() {
+            let shape = shapes.col(j);
             let turned = shape[0] * fy - shape[1] * fx;
-            matrix[column * rows + theta] -= turned;
+            if is_force {
+                matrix[column * rows + theta] -= turned;
+            }
             if in_space {
                 // ∂(AᵀF)/∂θ = (fy, −fx) in the frame of the body.
                 matrix[theta * rows + column] -= turned;
@@ -137,9 +217,9 @@ impl Load {
         }
     }
 
-    /// The force in the frame of the body.
-    fn body_force(&self, factor: f64, position: &Position) -> [f64; 3] {
-        let [x, y, z] = self.force.map(|part| factor * part);
+    /// The force or the couple in the frame of the body.
+    fn in_body(&self, factor: f64, position: &Position) -> [f64; 3] {
+        let [x, y, z] = self.action.amplitude().map(|part| factor * part);
         match self.frame {
             Frame::Body => [x, y, z],
             Frame::Space => {
@@ -147,15 +227,15 @@ impl Load {
             }
         }
     }
+}
 
-    /// x0 + u in the plane, in the frame of the body.
-    fn place(&self, eta: &[f64]) -> [f64; 2] {
-        [0, 1].map(|axis| {
-            let moved: f64 =
-                eta.iter().enumerate().map(|(j, value)| self.node.shapes[(axis, j)] * value).sum();
-            self.node.position[axis] + moved
-        })
-    }
+/// x0 + u in the plane, in the frame of the body.
+fn place(node: &BodyNode, eta: &[f64]) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let moved: f64 =
+            eta.iter().enumerate().map(|(j, value)| node.shapes[(axis, j)] * value).sum();
+        node.position[axis] + moved
+    })
 }
 
 /// sin θ and cos θ.

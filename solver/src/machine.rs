@@ -95,6 +95,15 @@ impl Machine {
                 load.body
             )));
         }
+        for load in &loads {
+            if let Some(body) = load.time_function.follows() {
+                let followed = bodies.get(body).and_then(Body::rotation);
+                if !followed.is_some_and(|rotation| rotation.spin().is_none()) {
+                    let what = "a load follows the angle of a body that does not turn";
+                    return Err(Error::Machine(what.to_owned()));
+                }
+            }
+        }
         let layout = Layout::new(&bodies);
         let springs = Springs::new(clearance, laws, &bearings, &bodies, &layout.places)?;
         let monitors = bearings
@@ -138,6 +147,12 @@ impl Machine {
     /// Bodies that turn, by their places, in their order.
     pub fn turning(&self) -> impl Iterator<Item = usize> {
         (0..self.bodies.len()).filter(|&body| self.layout.places[body].rotation.is_some())
+    }
+
+    /// Bodies that couples turn as they are told, by their places, in their order.
+    pub(crate) fn driven(&self) -> impl Iterator<Item = usize> {
+        let takes = |body: &usize| self.bodies[*body].rotation().is_some_and(Rotation::takes_a_couple);
+        (0..self.bodies.len()).filter(takes)
     }
 
     /// Angle (rad) and speed (rad/s) of a body that turns, as people see it, at time `t` (s); `theta` is those of its

@@ -9,6 +9,7 @@ use crate::assembly::assemble;
 use crate::body::{BodyNode, BodySpec, Coordinates};
 use crate::cache::{Key, PROGRAM, instruction_set};
 use crate::error::Error;
+use crate::gravity::CentreOfMass;
 use crate::linalg::Matrix;
 use crate::measure::MeanMotion;
 use crate::mesh::{Mesh, NodeSetMean};
@@ -69,12 +70,55 @@ fn applied(matrix: &SparseMatrix, x: &[f64]) -> Vec<f64> {
     product
 }
 
+/// What gravity takes of a reduced body, in Craig–Bampton coordinates.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Weight {
+    /// kg.
+    mass: f64,
+    /// s0 = ∫ρ x0 dV (kg·m).
+    first_moment: [f64; 3],
+    /// φᵀM 1 along x, y and z.
+    momenta: [Vec<f64>; 3],
+}
+
+impl Weight {
+    /// Of a reduction with shapes of all nodes, and M; the positions of the nodes in m.
+    pub(crate) fn new(
+        reduction: &CraigBampton,
+        mass: &SparseMatrix,
+        positions: &[[f64; 3]],
+    ) -> Weight {
+        let along = |axis: usize| -> Vec<f64> {
+            let unit = (0..3 * positions.len()).map(|i| f64::from(i % 3 == axis));
+            applied(mass, &unit.collect::<Vec<f64>>())
+        };
+        let forces = [0, 1, 2].map(along);
+        let first = |axis: usize| -> f64 {
+            positions.iter().enumerate().map(|(k, x)| forces[axis][3 * k + axis] * x[axis]).sum()
+        };
+        Weight {
+            mass: forces[0].iter().step_by(3).sum(),
+            first_moment: [0, 1, 2].map(first),
+            momenta: forces.each_ref().map(|own| reduction.shapes.apply_transpose(own)),
+        }
+    }
+
+    /// As the motion of the centre of mass by the active coordinates.
+    pub(crate) fn centre_of_mass(&self, active: &Coordinates) -> CentreOfMass {
+        let rows = self.momenta.each_ref().map(|own| active.transform.apply_transpose(own));
+        let shapes = Matrix::from_fn(3, rows[0].len(), |i, j| rows[i][j] / self.mass);
+        let position = self.first_moment.map(|own| own / self.mass);
+        CentreOfMass { mass: self.mass, node: BodyNode { position, shapes } }
+    }
+}
+
 /// A reduced body with the shapes of the nodes that its mesh has sets of, not counting a set of all nodes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Reduced {
     /// Its shapes have three rows a node of `nodes`.
     pub(crate) reduction: CraigBampton,
     pub(crate) spin: Option<SpinTensors>,
+    pub(crate) weight: Weight,
     /// Nodes of the mesh, ascending, and where they are (m).
     nodes: Vec<usize>,
     pub(crate) positions: Vec<[f64; 3]>,
@@ -102,12 +146,13 @@ impl Reduced {
             }
             BodyKind::Support => None,
         };
+        let weight = Weight::new(&whole, &body.mass, mesh.nodes());
         let nodes = output_nodes(mesh, spec);
         let row = |i: usize| 3 * nodes[i / 3] + i % 3;
         let shapes =
             Matrix::from_fn(3 * nodes.len(), whole.shapes.cols, |i, j| whole.shapes[(row(i), j)]);
         let positions = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
-        Ok(Reduced { reduction: CraigBampton { shapes, ..whole }, spin, nodes, positions })
+        Ok(Reduced { reduction: CraigBampton { shapes, ..whole }, spin, weight, nodes, positions })
     }
 
     /// The key of [`Reduced::new`]: the same for whatever gives the same bits, another for everything else, another

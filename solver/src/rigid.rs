@@ -9,6 +9,7 @@
 use crate::assembly::mass_properties;
 use crate::body::BodyNode;
 use crate::error::Error;
+use crate::gravity::CentreOfMass;
 use crate::linalg::Matrix;
 use crate::measure::MeanMotion;
 use crate::mesh::Mesh;
@@ -34,11 +35,15 @@ pub struct RigidBody {
 
 impl RigidBody {
     /// As a body that turns, with nodes at `positions` (m, from its axis).
+    ///
+    /// Its one measure is its motion as a whole.
     pub fn turning(&self, positions: &[[f64; 3]]) -> Shaft {
         self.inertia().turning(positions)
     }
 
     /// As a body that does not turn, with nodes at `positions` (m).
+    ///
+    /// Its one measure is its motion as a whole.
     pub fn standing(&self, positions: &[[f64; 3]]) -> Support {
         self.inertia().standing(positions, self.stiffness, self.damping)
     }
@@ -115,7 +120,8 @@ impl RigidInertia {
             hertz: Vec::new(),
             coordinates: self.names(),
             nodes: positions.iter().map(|&position| self.node(position, &UNIT)).collect(),
-            measures: Vec::new(),
+            measures: self.measures(&[self.centre], true),
+            centre_of_mass: self.centre_of_mass(&UNIT),
         }
     }
 
@@ -138,7 +144,8 @@ impl RigidInertia {
             hertz: Vec::new(),
             coordinates: self.names(),
             nodes: positions.iter().map(|&position| self.node(position, &scales)).collect(),
-            measures: Vec::new(),
+            measures: self.measures(&[self.centre], false),
+            centre_of_mass: self.centre_of_mass(&scales),
         }
     }
 
@@ -154,6 +161,10 @@ impl RigidInertia {
             rotation: rotation.clone(),
         };
         centres.iter().map(measure).collect()
+    }
+
+    fn centre_of_mass(&self, by: &[[f64; 4]; 4]) -> CentreOfMass {
+        CentreOfMass { mass: self.mass, node: self.node(self.centre, by) }
     }
 
     fn size(&self) -> usize {

@@ -4,10 +4,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh};
 use crate::error::Error;
+use crate::gravity::CentreOfMass;
 use crate::linalg::{Matrix, congruence};
 use crate::measure::MeanMotion;
 use crate::mesh::Mesh;
-use crate::reduced::{BodyKind, Reduced, SpinTensors};
+use crate::reduced::{BodyKind, Reduced, SpinTensors, Weight};
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
 
@@ -43,6 +44,8 @@ pub struct Shaft {
     pub nodes: Vec<BodyNode>,
     /// The means asked for, in that order.
     pub measures: Vec<MeanMotion>,
+    /// Its mass, and where that is.
+    pub centre_of_mass: CentreOfMass,
 }
 
 /// What a [`Shaft`] is made from.
@@ -50,6 +53,8 @@ pub struct Shaft {
 pub struct ShaftParts<'a> {
     /// The reduction, before constraints.
     pub reduction: &'a CraigBampton,
+    /// M, 3·nodes.
+    pub mass: &'a SparseMatrix,
     /// Y = ∫ρ Nᵀ diag(1,1,0) N dV, 3·nodes.
     pub spin_inertia: &'a SparseMatrix,
     /// H = ∫ρ Nᵀ A_θᵀA N dV, 3·nodes.
@@ -79,7 +84,8 @@ impl Reduced {
         let active = spec.active(&self.reduction)?;
         let nodes = self.places(spec).map(|node| self.node(&active, node)).collect();
         let measures = self.measures(&active, spec);
-        let shaft = Shaft::from_spin(&self.reduction, spin, &active, spec.damping, nodes);
+        let weight = self.weight.centre_of_mass(&active);
+        let shaft = Shaft::from_spin(&self.reduction, spin, &active, spec.damping, nodes, weight);
         Ok(Shaft { measures, ..shaft })
     }
 }
@@ -109,7 +115,10 @@ impl Shaft {
             .nodes
             .iter()
             .map(|&node| BodyNode::new(parts.reduction, parts.active, parts.positions, node));
-        Shaft::from_spin(parts.reduction, &spin, parts.active, parts.damping, nodes.collect())
+        let weight = Weight::new(parts.reduction, parts.mass, parts.positions);
+        let weight = weight.centre_of_mass(parts.active);
+        let (active, damping) = (parts.active, parts.damping);
+        Shaft::from_spin(parts.reduction, &spin, active, damping, nodes.collect(), weight)
     }
 
     /// The shaft of a reduction whose spin is reduced, too.
@@ -119,6 +128,7 @@ impl Shaft {
         active: &Coordinates,
         damping: Rayleigh,
         nodes: Vec<BodyNode>,
+        centre_of_mass: CentreOfMass,
     ) -> Shaft {
         let to_active = |forces: &[f64]| active.transform.apply_transpose(forces);
         let mass = congruence(&reduction.mass, &active.transform).symmetric_part();
@@ -140,6 +150,7 @@ impl Shaft {
             coordinates: active.names.clone(),
             nodes,
             measures: Vec::new(),
+            centre_of_mass,
         }
     }
 
@@ -153,6 +164,7 @@ impl Shaft {
         let mut shapes = Matrix::zeros(3, 2);
         shapes[(0, 0)] = 1.0;
         shapes[(1, 1)] = 1.0;
+        let node = BodyNode { position: [0.0, 0.0, position], shapes };
         Shaft {
             j0: 0.0,
             y0: vec![0.0; 2],
@@ -165,8 +177,9 @@ impl Shaft {
             spin_net: Matrix::from_diagonal(&[mass, mass]),
             hertz: Vec::new(),
             coordinates: vec!["mass x".to_owned(), "mass y".to_owned()],
-            nodes: vec![BodyNode { position: [0.0, 0.0, position], shapes }],
+            nodes: vec![node.clone()],
             measures: Vec::new(),
+            centre_of_mass: CentreOfMass { mass, node },
         }
     }
 

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh, mode_names};
 use crate::error::Error;
+use crate::gravity::CentreOfMass;
 use crate::linalg::{
     LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply,
 };
@@ -28,6 +29,8 @@ pub struct Support {
     pub nodes: Vec<BodyNode>,
     /// The means asked for, in that order.
     pub measures: Vec<MeanMotion>,
+    /// Its mass, and where that is.
+    pub centre_of_mass: CentreOfMass,
 }
 
 impl Reduced {
@@ -43,7 +46,8 @@ impl Reduced {
         let nodes: Vec<usize> = self.places(spec).collect();
         let nodes = nodes.iter().map(|&node| self.node(&active, node)).collect();
         let measures = self.measures(&active, spec);
-        Ok(Support::new(&self.reduction, &active, spec.damping, nodes, measures)?)
+        let weight = self.weight.centre_of_mass(&active);
+        Ok(Support::new(&self.reduction, &active, spec.damping, nodes, measures, weight)?)
     }
 }
 
@@ -59,7 +63,7 @@ impl Support {
     /// The support of a reduction. Where retained dofs stay free after elimination, its modes are
     /// those of the reduced body with these dofs free, otherwise the fixed-interface modes themselves.
     ///
-    /// `nodes`, `measures`: those wanted, over the active coordinates.
+    /// `nodes`, `measures`, `weight`: those wanted and the centre of mass, over the active coordinates.
     ///
     /// # Errors
     /// The mass of the reduction is not positive definite.
@@ -69,6 +73,7 @@ impl Support {
         damping: Rayleigh,
         mut nodes: Vec<BodyNode>,
         mut measures: Vec<MeanMotion>,
+        mut weight: CentreOfMass,
     ) -> Result<Support, LinearAlgebraError> {
         let mass = congruence(&reduction.mass, &active.transform);
         let stiffness = congruence(&reduction.stiffness, &active.transform);
@@ -76,7 +81,8 @@ impl Support {
         if mass == Matrix::identity(n) && is_diagonal(&stiffness) {
             let squares = (0..n).map(|i| stiffness[(i, i)]).collect();
             let support = Support::oscillators(squares, damping, active.names.clone(), nodes);
-            return Ok(Support { hertz: reduction.hertz.clone(), measures, ..support });
+            let (hertz, centre_of_mass) = (reduction.hertz.clone(), weight);
+            return Ok(Support { hertz, measures, centre_of_mass, ..support });
         }
         let mut eigen =
             generalised_symmetric_eigen(&stiffness.symmetric_part(), &mass.symmetric_part())?;
@@ -88,7 +94,7 @@ impl Support {
                 column.iter_mut().for_each(|value| *value = -*value);
             }
         }
-        for node in &mut nodes {
+        for node in nodes.iter_mut().chain([&mut weight.node]) {
             node.shapes = multiply(node.shapes.view(), eigen.vectors.view());
         }
         for measure in &mut measures {
@@ -100,7 +106,8 @@ impl Support {
         let squares: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0)).collect();
         let frequencies: Vec<f64> = squares.iter().map(|&square| hertz(square)).collect();
         let support = Support::oscillators(squares, damping, mode_names(&frequencies), nodes);
-        Ok(Support { hertz: reduction.hertz.clone(), measures, ..support })
+        let (hertz, centre_of_mass) = (reduction.hertz.clone(), weight);
+        Ok(Support { hertz, measures, centre_of_mass, ..support })
     }
 
     /// A support that does not move: no coordinates, and nodes at `positions` (m).
@@ -126,6 +133,8 @@ impl Support {
     ) -> Support {
         let shape = 1.0 / mass.sqrt();
         let shapes = Matrix { rows: 3, cols: 2, data: vec![shape, 0.0, 0.0, 0.0, shape, 0.0] };
+        let centre = positions.first().copied().unwrap_or_default();
+        let node = BodyNode { position: centre, shapes: shapes.clone() };
         Support {
             stiffness: stiffness.map(|k| k / mass).to_vec(),
             damping: damping.map(|c| c / mass).to_vec(),
@@ -136,6 +145,7 @@ impl Support {
                 .map(|&position| BodyNode { position, shapes: shapes.clone() })
                 .collect(),
             measures: Vec::new(),
+            centre_of_mass: CentreOfMass { mass, node },
         }
     }
 
@@ -152,6 +162,7 @@ impl Support {
     ) -> Support {
         Support {
             damping: squares.iter().map(|k| damping.alpha + damping.beta * k).collect(),
+            centre_of_mass: CentreOfMass::none(squares.len()),
             stiffness: squares,
             hertz: Vec::new(),
             coordinates,
@@ -186,7 +197,11 @@ mod tests {
     /// With the one node there is.
     fn oscillators(reduction: &CraigBampton, active: &Coordinates, damping: Rayleigh) -> Support {
         let node = BodyNode::new(reduction, active, &[[0.0; 3]], 0);
-        Support::new(reduction, active, damping, vec![node], Vec::new()).unwrap()
+        let weight = CentreOfMass { mass: 3.0, node: node.clone() };
+        let support =
+            Support::new(reduction, active, damping, vec![node], Vec::new(), weight).unwrap();
+        assert_eq!(support.centre_of_mass.node, support.nodes[0]);
+        support
     }
 
     fn coordinates(columns: &[usize]) -> Coordinates {

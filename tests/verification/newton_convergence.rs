@@ -47,7 +47,7 @@ fn on_hertz_springs(shaft: Shaft, share: f64) -> Machine {
     let shell: Vec<f64> = [-60.0, -30.0, 0.0, 30.0, 60.0].map(f64::to_radians).to_vec();
     let load = |node: usize, force: [f64; 3], time_function: TimeFunction| {
         let node: BodyNode = shaft.nodes[node].clone();
-        Load { body: 0, node, force, time_function, frame: Frame::Space }
+        Load::force(0, node, force, time_function, Frame::Space)
     };
     // At rest each ring pushes with Σ Q cos ψ, which a constant load balances.
     let push = 1e8 * 1e-4_f64.powf(1.5) * shell.iter().map(|psi| psi.cos()).sum::<f64>();

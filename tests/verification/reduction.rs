@@ -254,6 +254,7 @@ fn a_shaft_turned_or_shifted_as_a_whole_has_the_inertia_of_a_rigid_body() {
     let damping = Rayleigh { alpha: 3.0, beta: 1e-4 };
     let shaft = Shaft::new(&ShaftParts {
         reduction: &reduction,
+        mass: &pattern([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
         spin_inertia: &spin_inertia,
         spin_coupling: &spin_coupling,
         spin_stiffening: None,
@@ -270,6 +271,7 @@ fn a_shaft_turned_or_shifted_as_a_whole_has_the_inertia_of_a_rigid_body() {
     let (side, mass) = (0.05f64, 7860.0 * 0.05 * 0.05 * 0.4);
     let j0 = mass * (side * side / 6.0 + 0.005f64.powi(2) * 2.0);
     close(shaft.j0, j0, 1e-12);
+    close(shaft.centre_of_mass.mass, mass, 1e-12);
 
     // {θ̇ = 1, η̇ = −image of the same turn} is motion without motion.
     let turn = rigid_coordinates(&reduction, &beam.coordinates, |[x, y, _]| [-y, x, 0.0]);

@@ -107,9 +107,7 @@ impl EnergyMeter {
         let dissipated = moved(&self.damper, &system.damper);
         self.sums.work_in += work_in;
         self.sums.dissipated += dissipated;
-        self.load.copy_from_slice(&system.load);
-        self.damper.copy_from_slice(&system.damper);
-        self.drive.copy_from_slice(drives(system));
+        self.jump(system);
         let work = self.along.end(&system.machine.springs, &system.springs);
         self.sums.springs.add_step(&work);
         let bearings = self.along.bearings();
@@ -118,6 +116,14 @@ impl EnergyMeter {
         self.sums.supplied += work_in.abs();
         self.sums.turnover += work_in.abs() + dissipated.abs() + flowed;
         bearings.iter().map(|own| own.made).sum()
+    }
+
+    /// Takes the forces of the state that was just evaluated for those of the start of the next step: loads have changed at
+    /// once.
+    pub(crate) fn jump(&mut self, system: &System) {
+        self.load.copy_from_slice(&system.load);
+        self.damper.copy_from_slice(&system.damper);
+        self.drive.copy_from_slice(drives(system));
     }
 
     /// The balance at a state.
@@ -143,8 +149,6 @@ impl EnergyMeter {
     pub(crate) fn resume_from(&mut self, system: &System, sums: EnergySums) {
         self.sums = sums;
         self.along.start(&system.springs);
-        self.load.copy_from_slice(&system.load);
-        self.damper.copy_from_slice(&system.damper);
-        self.drive.copy_from_slice(drives(system));
+        self.jump(system);
     }
 }

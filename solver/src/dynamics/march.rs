@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::checkpoint::{Checkpoint, Tally};
 use super::energy::EnergyBalance;
 use super::meters::Meters;
-use super::newmark::{Coefficients, Newmark, State};
+use super::newmark::{Newmark, State};
 use super::newton::{Ending, Newton, NewtonOptions, StepReport};
 use super::quality::Quality;
 use super::row::{displacements, write_row};
@@ -130,16 +130,16 @@ pub fn march(
 
 /// A march that can be advanced step by step; it keeps no rows.
 pub struct March<'m> {
-    machine: &'m Machine,
-    options: MarchOptions,
-    system: System<'m>,
-    newton: Newton,
-    state: State,
+    pub(super) machine: &'m Machine,
+    pub(super) options: MarchOptions,
+    pub(super) system: System<'m>,
+    pub(super) newton: Newton,
+    pub(super) state: State,
     /// State at the start of the step, and memory for the ends of its parts, one a halving.
     starts: Vec<State>,
-    last_iterations: usize,
+    pub(super) last_iterations: usize,
     tally: Tally,
-    meters: Meters,
+    pub(super) meters: Meters,
     row: Vec<f64>,
 }
 
@@ -156,7 +156,7 @@ impl<'m> March<'m> {
             start.write(place, &mut state);
         }
         machine.set_given(0.0, &mut state.q, &mut state.v, &mut state.a);
-        let started = accelerate(&mut system, &mut state)
+        let started = accelerate(&mut system, 0.0, &mut state)
             .and_then(|()| Meters::new(&mut system, options.newmark, options.time_step, &state));
         let meters = match started {
             Ok(meters) => meters,
@@ -177,7 +177,8 @@ impl<'m> March<'m> {
             newton: Newton::new(options.newton, &system),
             meters,
             system,
-            starts: vec![State::new(size); options.newton.max_halvings + 2],
+            // Steps are halved, and split where loads end.
+            starts: vec![State::new(size); options.newton.max_halvings + 2 + machine.loads.len()],
             state,
             last_iterations: 0,
             tally,
@@ -226,9 +227,12 @@ impl<'m> March<'m> {
     /// # Errors
     /// The step does not converge.
     pub fn advance(&mut self) -> Result<(), Error> {
-        self.release_loads();
         let dt = self.options.time_step;
         let start = self.tally.step as f64 * dt;
+        self.release_at_step();
+        if self.overshoots() {
+            self.release(start)?;
+        }
         self.last_iterations = 0;
         self.part(start, dt, 0)?;
         self.tally.step += 1;
@@ -243,29 +247,25 @@ impl<'m> March<'m> {
         Ok(())
     }
 
-    /// Each driver stops when a step starts at its target speed or beyond, for good.
-    fn release_loads(&mut self) {
-        for (load, released) in self.machine.loads.iter().zip(&mut self.system.released) {
-            let theta = self.machine.places()[load.body].rotation;
-            *released |= theta.is_some_and(|theta| load.reaches(self.state.v[theta]));
-        }
-    }
-
-    /// Takes a step of `dt` from time `t`, in halves if it does not converge.
+    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge.
     fn part(&mut self, t: f64, dt: f64, depth: usize) -> Result<(), Error> {
-        let step = Coefficients::new(self.options.newmark, dt);
         let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
         start.copy_from(&self.state);
-        step.predict(&start, &mut self.state);
-        let State { q, v, a } = &mut self.state;
-        self.machine.set_given(t + dt, q, v, a);
-        let report = self.newton.solve(&mut self.system, t + dt, &step, &mut self.state);
-        self.last_iterations += report.iterations;
+        let (mut report, mut taken) = (self.attempt(t, dt, &start), dt);
+        if report.ending == Ending::Converged && self.overshoots() {
+            (report, taken) = self.locate(t, dt, &start, report);
+        }
         let solved = match report.ending {
             Ending::Converged => {
                 let row_error = report.row_error;
-                self.meters.add(&self.system, (t, dt), &start, &self.state, row_error);
-                Ok(())
+                self.meters.add(&self.system, (t, taken), &start, &self.state, row_error);
+                match self.overshoots() {
+                    true => self.release(t + taken).and_then(|()| match taken < dt {
+                        true => self.part(t + taken, dt - taken, depth + 1),
+                        false => Ok(()),
+                    }),
+                    false => Ok(()),
+                }
             }
             Ending::Failed if depth < self.options.newton.max_halvings => {
                 self.tally.halved_steps += usize::from(depth == 0);
@@ -362,10 +362,11 @@ impl<'m> March<'m> {
     }
 }
 
-/// Sets the accelerations from M q̈ = r at q̈ = 0, all loads included.
-fn accelerate(system: &mut System, state: &mut State) -> Result<(), Error> {
+/// Sets the accelerations of the unknowns at time `t` (s) from M q̈ = r at q̈ = 0, all loads included.
+pub(super) fn accelerate(system: &mut System, t: f64, state: &mut State) -> Result<(), Error> {
     let first = system.machine.first_unknown();
-    system.evaluate(0.0, state);
+    state.a[first..].fill(0.0);
+    system.evaluate(t, state);
     state.a[first..].copy_from_slice(&system.residual[first..]);
     for body in 0..system.turning.len() {
         let own = &mut system.turning[body];
@@ -381,6 +382,6 @@ fn accelerate(system: &mut System, state: &mut State) -> Result<(), Error> {
             state.a[theta] = own[0];
         }
     }
-    system.evaluate(0.0, state);
+    system.evaluate(t, state);
     Ok(())
 }

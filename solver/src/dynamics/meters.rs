@@ -51,6 +51,11 @@ impl Meters {
         self.quality.add(span, start, end, made, row_error);
     }
 
+    /// Goes on at the state of the step that was added last, just evaluated, after loads have changed at once.
+    pub(crate) fn jump(&mut self, system: &System) {
+        self.energy.jump(system);
+    }
+
     /// What was measured so far.
     pub(crate) fn sums(&self) -> MeterSums {
         MeterSums { energy: self.energy.sums.clone(), quality: self.quality.sums.clone() }

@@ -7,6 +7,7 @@ mod meters;
 mod newmark;
 mod newton;
 mod quality;
+mod release;
 mod row;
 mod rows;
 #[cfg(test)]

@@ -372,7 +372,7 @@ mod tests {
     #[test]
     fn norms_weigh_rows_by_the_diagonal() {
         for (rotation, first) in [(Rotation::Free, 0), (Rotation::Held, 1)] {
-            let machine = machine(rotation);
+            let machine = machine(rotation.clone());
             let mut system = System::new(&machine);
             let mut newton = Newton::new(NewtonOptions::default(), &system);
             let r = [3.0, -70.0, 20.0, 50.0, -11.0];

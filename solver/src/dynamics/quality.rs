@@ -423,7 +423,7 @@ mod tests {
     fn the_largest_eigenvalue_is_found_wherever_it_is() {
         for rotation in [Rotation::Free, Rotation::Held] {
             for stiff in 0..4 {
-                let mut machine = without_springs(rotation);
+                let mut machine = without_springs(rotation.clone());
                 let [Body::Turning { shaft, .. }, Body::Standing { support, .. }] =
                     machine.bodies.as_mut_slice()
                 else {

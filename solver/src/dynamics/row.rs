@@ -61,5 +61,11 @@ pub(super) fn write_row(
         row[other..other + 2].copy_from_slice(&own);
         other += 2;
     }
+    for body in machine.driven() {
+        let theta = machine.places()[body].rotation.expect("it turns");
+        // What is left in its row is what the couple has to bring, with the sign changed.
+        row[other] = -system.residual[theta];
+        other += 1;
+    }
     *row.last_mut().expect("columns") = iterations as f64;
 }

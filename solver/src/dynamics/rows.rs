@@ -2,7 +2,7 @@
 
 use super::newmark::State;
 use super::newton::{CONTRACTION, NewtonOptions};
-use super::system::System;
+use super::system::{System, instant};
 use super::turning::TurningBody;
 
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
@@ -129,12 +129,17 @@ impl System<'_> {
     }
 
     /// The loads projected on row `i`.
-    fn projected_loads(&self, state: &State, i: usize) -> impl Iterator<Item = f64> {
+    fn projected_loads<'s>(
+        &'s self,
+        state: &'s State,
+        i: usize,
+    ) -> impl Iterator<Item = f64> + 's {
         let (machine, owner) = (self.machine, self.machine.owner(i));
         let loads = machine.loads.iter().zip(&self.released);
+        let now = instant(machine, self.time, state);
         loads.filter(move |(load, _)| load.body == owner.body).map(move |(load, released)| {
             let flexible = machine.places()[load.body].flexible.clone();
-            let factor = load.factor(self.time, *released);
+            let factor = load.factor(&now, *released);
             load.projected(factor, &state.q[flexible], owner.coordinate)
         })
     }

@@ -5,6 +5,7 @@ use whirl_specs::{CLEARANCES, MOTIONS};
 use super::newmark::State;
 use crate::bearing::{Bearing, Sides, SpringLaw};
 use crate::body::BodyNode;
+use crate::gravity::CentreOfMass;
 use crate::linalg::Matrix;
 use crate::loads::{Frame, Load, TimeFunction};
 use crate::machine::{Body, Machine, MachineParts, Rotation};
@@ -76,6 +77,7 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
         coordinates: vec!["mode 1".to_owned(), "mode 2".to_owned()],
         nodes: vec![node.clone()],
         measures: Vec::new(),
+        centre_of_mass: CentreOfMass::none(2),
     };
     let around: Vec<[f64; 3]> =
         (0..5).map(|i| f64::from(i).sin_cos()).map(|(y, x)| [x, y, 0.0]).collect();
@@ -104,13 +106,7 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
             }),
         ],
         bearings: (0..3).map(bearing).collect(),
-        loads: vec![Load {
-            body: 0,
-            node,
-            force: FORCE,
-            time_function: TimeFunction::Constant,
-            frame: Frame::Body,
-        }],
+        loads: vec![Load::force(0, node, FORCE, TimeFunction::Constant, Frame::Body)],
     };
     Machine::new(parts).expect("a machine")
 }

@@ -13,6 +13,7 @@ use crate::linalg::{Matrix, dot};
 use crate::loads::{Load, Position};
 use crate::machine::{Body, BodyPlace, Machine};
 use crate::support::Support;
+use crate::time_function::Instant;
 
 /// Memory for evaluating a machine, and what was last evaluated.
 pub struct System<'m> {
@@ -93,9 +94,10 @@ impl<'m> System<'m> {
         }
 
         self.load.fill(0.0);
+        let now = instant(machine, t, state);
         for (load, released) in machine.loads.iter().zip(&self.released) {
             let (place, position) = placed(machine, load, &state.q);
-            let factor = load.factor(t, *released);
+            let factor = load.factor(&now, *released);
             load.add_force(factor, &position, &state.q, place, &mut self.load);
         }
 
@@ -121,10 +123,10 @@ impl<'m> System<'m> {
         for body in &mut self.turning {
             body.add_tangent(state, step, out);
         }
+        let now = instant(machine, t, state);
         for (load, released) in machine.loads.iter().zip(&self.released) {
-            let (place, position) = placed(machine, load, &state.q);
-            let factor = load.factor(t, *released);
-            load.subtract_tangent(factor, &position, &state.q, place, out);
+            let (_, position) = placed(machine, load, &state.q);
+            load.subtract_tangent(&now, *released, &position, step.a1, out);
         }
         self.spring_tangent.subtract(&machine.springs, &self.springs, step.a1, size, out);
         for (support, place) in &self.standing {
@@ -181,6 +183,11 @@ impl<'m> System<'m> {
         });
         0.5 * (turning.sum::<f64>() + standing.sum::<f64>())
     }
+}
+
+/// An instant of a machine, as its loads see it.
+pub(super) fn instant<'s>(machine: &'s Machine, t: f64, state: &'s State) -> Instant<'s> {
+    Instant { t, q: &state.q, v: &state.v, places: machine.places() }
 }
 
 /// Where the coordinates of a load's body stand, and how its frame is turned.

@@ -8,7 +8,7 @@ use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring};
 use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions, march};
 use whirl_solver::history::History;
-use whirl_solver::loads::{Frame, Load, TimeFunction};
+use whirl_solver::loads::{Frame, Load, Release, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::mesh::Mesh;
 use whirl_solver::shaft::Shaft;
@@ -226,13 +226,9 @@ impl ByHand {
             let [x, y] = own.force;
             for _ in own.sets.iter().flat_map(|set| self.shaft.node_set(set).expect("a set")) {
                 let node = nodes.next().expect("a node a load").clone();
-                placed.push(Load {
-                    body: 0,
-                    node,
-                    force: [x, y, 0.0],
-                    time_function,
-                    frame: Frame::Space,
-                });
+                let force = [x, y, 0.0];
+                let time_function = time_function.clone();
+                placed.push(Load::force(0, node, force, time_function, Frame::Space));
             }
         }
         if let Some((torque, target)) = self.drive {
@@ -240,14 +236,9 @@ impl ByHand {
             // ±F along y, as far apart along x as the nodes: a couple about +z.
             let force = torque / (top.position[0] - bottom.position[0]);
             for (node, force) in [(top, force), (bottom, -force)] {
-                let time_function = TimeFunction::UntilSpeed { target };
-                placed.push(Load {
-                    body: 0,
-                    node,
-                    force: [0.0, force, 0.0],
-                    time_function,
-                    frame: Frame::Body,
-                });
+                let time_function = TimeFunction::UntilSpeed { target, release: Release::AtStep };
+                let force = [0.0, force, 0.0];
+                placed.push(Load::force(0, node, force, time_function, Frame::Body));
             }
         }
         placed

@@ -19,6 +19,7 @@ mod validity;
 use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::BodyNode;
 use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::gravity::CentreOfMass;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Body, MachineParts, Rotation};
@@ -79,6 +80,7 @@ pub(crate) fn discs(bending: f64) -> Shaft {
         coordinates: (0..n).map(|i| format!("disc {} {}", i / 2 + 1, ["x", "y"][i % 2])).collect(),
         nodes: (0..DISCS).map(node).collect(),
         measures: Vec::new(),
+        centre_of_mass: CentreOfMass::none(n),
     }
 }
 
@@ -109,6 +111,7 @@ pub(crate) fn bores() -> Support {
         coordinates: (1..=4).map(|i| format!("mode {i}")).collect(),
         nodes,
         measures: Vec::new(),
+        centre_of_mass: CentreOfMass::none(4),
     }
 }
 
@@ -190,7 +193,7 @@ pub(crate) fn force(
     time_function: TimeFunction,
     frame: Frame,
 ) -> Load {
-    Load { body: 0, node: node.clone(), force, time_function, frame }
+    Load::force(0, node.clone(), force, time_function, frame)
 }
 
 /// A march from rest, accurate to rounding.

@@ -4,7 +4,7 @@
 use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::State;
 use whirl_solver::linalg::Matrix;
-use whirl_solver::loads::{Frame, Load, TimeFunction};
+use whirl_solver::loads::{Action, Frame, Load, TimeFunction};
 use whirl_solver::machine::{Body, BodyPlace, Machine, Rotation};
 use whirl_solver::shaft::Shaft;
 
@@ -91,8 +91,9 @@ pub(in super::super) fn without_bearings(machine: &Machine, t: f64, state: &Stat
         let place = &machine.places()[load.body];
         let theta = place.rotation.map_or(0.0, |theta| state.q[theta]);
         let (sin, cos) = theta.sin_cos();
+        let Action::Force { node, .. } = &load.action else { panic!("forces only") };
         let force = load_in_body(load, t, [sin, cos]);
-        let shape = |axis: usize, j: usize| load.node.shapes[(axis, j)];
+        let shape = |axis: usize, j: usize| node.shapes[(axis, j)];
         let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
         if let Some(theta) = place.rotation {
             let moved = |axis: usize| {
@@ -102,7 +103,7 @@ pub(in super::super) fn without_bearings(machine: &Machine, t: f64, state: &Stat
                     .enumerate()
                     .map(move |(j, own)| shape(axis, j) * state.q[own])
             };
-            let at = |axis: usize| load.node.position[axis] + moved(axis).sum::<f64>();
+            let at = |axis: usize| node.position[axis] + moved(axis).sum::<f64>();
             loads[theta].extend([at(0) * force[1], -at(1) * force[0]]);
             rows.project(theta, size * at(0).hypot(at(1)));
         }
@@ -248,9 +249,10 @@ fn load_in_body(load: &Load, t: f64, [sin, cos]: [f64; 2]) -> [f64; 3] {
         TimeFunction::Sine { frequency, phase } => {
             (std::f64::consts::TAU * frequency * t + phase).sin()
         }
-        TimeFunction::UntilSpeed { .. } => panic!("no drive in an audit"),
+        _ => panic!("no other load in an audit"),
     };
-    let [x, y, z] = load.force.map(|part| factor * part);
+    let Action::Force { force, .. } = load.action else { panic!("forces only") };
+    let [x, y, z] = force.map(|part| factor * part);
     match load.frame {
         Frame::Body => [x, y, z],
         Frame::Space => [cos * x + sin * y, -sin * x + cos * y, z],
