@@ -6,7 +6,7 @@ use whirl_solver::assembly::mass_properties;
 use whirl_text::rounded;
 
 use crate::arguments::CheckArguments;
-use crate::case::{Case, LawSource, Lumped, Rotor, Side, System, Unbalance};
+use crate::case::{Case, Gravity, LawSource, Lumped, Rotor, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
 use crate::machine::{self, BodyPlan, MachinePlan, Plan};
@@ -92,24 +92,16 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &MachinePlan) -> Result<(),
     }
     let drive = &rotor.drive;
     match drive.acts {
-        true => line!(
-            text,
-            "drive: {} N m until {} rpm",
-            drive.torque,
-            rounded(drive.target_speed * 60.0 / std::f64::consts::TAU, 10)
-        ),
+        true => line!(text, "drive: {}", drive.described()),
         false => line!(text, "drive: none"),
     }
     line!(text, "motion: {}", rotor.shaft.motion.origin.title);
     for load in &rotor.loads {
         let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
-        let time_function = match load.frequency {
-            Some(frequency) => format!("sine of {frequency} Hz"),
-            None => "constant".to_string(),
-        };
-        let direction = ["x", "y"][load.direction];
-        let at = sets.join(", ");
-        line!(text, "load: {} N along {direction} at {at}, {time_function}", load.force);
+        line!(text, "load at {}: {}", sets.join(", "), load.described());
+    }
+    if let Some(gravity) = &rotor.gravity {
+        line!(text, "gravity: {} m/s²", listed(gravity));
     }
     for (k, bearing) in rotor.bearings.iter().enumerate() {
         line!(
@@ -123,6 +115,11 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &MachinePlan) -> Result<(),
         );
     }
     Ok(())
+}
+
+/// Gravity along x, y and z.
+fn listed(gravity: &Gravity) -> String {
+    gravity.acceleration.map(|part| part.to_string()).join(", ")
 }
 
 /// The table of both bodies.

@@ -114,14 +114,19 @@ fn slopes(x: &[f64], y: &[f64], periodic: bool) -> Vec<f64> {
     let width = |i: usize| x[i + 1] - x[i];
     let secant = |i: usize| (y[i + 1] - y[i]) / width(i);
     // Of the parabola through three rows, in the middle and at an end.
-    let middle = |i: usize, j: usize| {
-        (secant(i) * width(j) + secant(j) * width(i)) / (width(i) + width(j))
-    };
+    let middle =
+        |i: usize, j: usize| (secant(i) * width(j) + secant(j) * width(i)) / (width(i) + width(j));
     let end = |near: usize, far: usize| {
         secant(near) + (secant(near) - secant(far)) * width(near) / (width(near) + width(far))
     };
     let slope = |i: usize| match i {
-        _ if last == 1 => if periodic { 0.0 } else { secant(0) },
+        _ if last == 1 => {
+            if periodic {
+                0.0
+            } else {
+                secant(0)
+            }
+        }
         i if periodic && (i == 0 || i == last) => middle(last - 1, 0),
         0 => end(0, 1),
         i if i == last => end(last - 1, last - 2),

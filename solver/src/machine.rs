@@ -151,7 +151,8 @@ impl Machine {
 
     /// Bodies that couples turn as they are told, by their places, in their order.
     pub(crate) fn driven(&self) -> impl Iterator<Item = usize> {
-        let takes = |body: &usize| self.bodies[*body].rotation().is_some_and(Rotation::takes_a_couple);
+        let takes =
+            |body: &usize| self.bodies[*body].rotation().is_some_and(Rotation::takes_a_couple);
         (0..self.bodies.len()).filter(takes)
     }
 

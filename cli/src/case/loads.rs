@@ -1,39 +1,284 @@
-//! Loads fixed in space.
+//! Forces and couples on a body.
+
+use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_codegen::rational::nearest;
+use whirl_codegen::units::{Dimension, Quantity};
+use whirl_solver::loads::{Frame, Onset};
 
-/// A force on sets of shaft nodes, fixed in space: F(t) = F, or F sin(2π f t + φ).
+use super::columns::{self, Columns};
+use super::library::FileStore;
+
+/// A force or a couple on node sets of a body: its amplitude times a factor.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
-    /// Sets of the shaft's mesh; every node of each carries the force.
+    /// Sets of the body's mesh.
     pub(crate) sets: Vec<Located>,
-    /// 0 for x, 1 for y.
-    pub(crate) direction: usize,
-    /// F in N.
-    pub(crate) force: f64,
-    /// f in Hz; a static load has none.
-    pub(crate) frequency: Option<f64>,
-    /// φ in rad.
-    pub(crate) phase: f64,
+    /// What acts.
+    pub(crate) acting: Acting,
+    /// Where the case says it.
+    pub(crate) place: Located,
+    /// In which frame its direction is constant.
+    pub(crate) frame: Frame,
+    /// How the nodes of the sets carry it.
+    pub(crate) spread: Spread,
+    /// How it varies.
+    pub(crate) variation: Variation,
+    /// From when on it acts.
+    pub(crate) onset: Onset,
+    /// The body whose angle it follows, by its place; its own if none is named.
+    pub(crate) of: Option<usize>,
 }
 
-pub(super) fn read(file: &Table) -> Vec<Load> {
-    file.tables("load").into_iter().map(|table| table.read(read_one)).collect()
+/// What acts, along or about x, y, z.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Acting {
+    /// N; the directions where a table has the newtons.
+    Force([f64; 3]),
+    /// N·m; likewise.
+    Couple([f64; 3]),
+}
+
+/// How the nodes of sets carry a force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Spread {
+    /// Each of them the whole force.
+    Each,
+    /// Their mean motion the whole force.
+    Mean,
+}
+
+/// How a load varies.
+#[derive(Debug, Clone)]
+pub(crate) enum Variation {
+    /// Not.
+    Constant,
+    /// sin(2π f t + φ): Hz and rad.
+    Sine(f64, f64),
+    /// sin(nθ + φ): n and rad.
+    Order(f64, f64),
+    /// A table over time or an angle, and whether it is periodic.
+    Table(Arc<Columns>, bool),
+}
+
+impl Load {
+    /// f in Hz, of a load that varies as a sine in time.
+    pub(crate) fn frequency(&self) -> Option<f64> {
+        match self.variation {
+            Variation::Sine(frequency, _) => Some(frequency),
+            _ => None,
+        }
+    }
+
+    /// Whether it follows an angle.
+    pub(crate) fn turns_with_angle(&self) -> bool {
+        match &self.variation {
+            Variation::Order(..) => true,
+            Variation::Table(columns, _) => columns.measures[0] == Dimension::ANGLE,
+            _ => false,
+        }
+    }
+
+    /// What it is, for people.
+    pub(crate) fn described(&self) -> String {
+        let (parts, unit, word) = match self.acting {
+            Acting::Force(parts) => (parts, "N", "along"),
+            Acting::Couple(parts) => (parts, "N m", "about"),
+        };
+        let axes = || ["x", "y", "z"].into_iter().zip(parts).filter(|(_, part)| *part != 0.0);
+        let scaled = match &self.variation {
+            Variation::Table(columns, _) => columns.measures[1] == Dimension::NUMBER,
+            _ => true,
+        };
+        let along: Vec<String> = axes()
+            .map(|(axis, part)| match scaled {
+                true => format!("{part} {unit} {word} {axis}"),
+                false if part == 1.0 => format!("{word} {axis}"),
+                false => format!("{part} {word} {axis}"),
+            })
+            .collect();
+        let variation = match &self.variation {
+            Variation::Constant => "constant".to_string(),
+            Variation::Sine(frequency, _) => format!("sine of {frequency} Hz"),
+            Variation::Order(order, _) => format!("order {order}"),
+            Variation::Table(columns, periodic) => {
+                let over = if self.turns_with_angle() { "the angle" } else { "time" };
+                let periodic = if *periodic { ", periodic" } else { "" };
+                format!("table `{}` over {over}{periodic}", columns.name.text())
+            }
+        };
+        let from = match self.onset {
+            Onset::Start => String::new(),
+            Onset::Step(from) => format!(", from {from} s on"),
+            Onset::Ramp(from, to) => format!(", rising from {from} s to {to} s"),
+        };
+        let frame = if self.frame == Frame::Body { ", turning with it" } else { "" };
+        let nothing = if along.is_empty() { format!("0 {unit}") } else { along.join(", ") };
+        format!("{nothing}{frame}, {variation}{from}")
+    }
+}
+
+pub(super) fn read(store: FileStore, file: &Table) -> Vec<Load> {
+    let one = |table: Table| table.read(|table| read_one(store, table));
+    file.tables("load").into_iter().map(one).collect()
 }
 
 /// The load that a table describes.
-pub(super) fn read_one(load: &Table) -> Load {
-    if load.has("phase") && !load.has("frequency") {
+pub(super) fn read_one(store: FileStore, load: &Table) -> Load {
+    let sets = load.texts("sets");
+    let columns = columns::read(
+        store,
+        load,
+        "table",
+        [
+            &[Dimension::TIME, Dimension::ANGLE],
+            &[Dimension::NUMBER, Dimension::FORCE, Dimension::TORQUE],
+        ],
+    );
+    let (acting, key) = acting(load, columns.as_deref());
+    Load {
+        sets,
+        acting,
+        place: load.written(key),
+        frame: match load.optional_word("frame") {
+            Some("body") => Frame::Body,
+            _ => Frame::Space,
+        },
+        spread: match load.optional_word("spread") {
+            Some("mean") => Spread::Mean,
+            _ => Spread::Each,
+        },
+        variation: variation(load, columns),
+        onset: onset(load),
+        of: None,
+    }
+}
+
+/// What acts, and the key that says it.
+fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
+    let axis = load.optional_word("direction");
+    let unit = |default: usize| {
+        let place = axis.and_then(|axis| ["x", "y", "z"].iter().position(|own| *own == axis));
+        let mut parts = [0.0; 3];
+        parts[place.unwrap_or(default)] = 1.0;
+        parts
+    };
+    let (has_force, has_couple) = (load.has("force"), load.has("couple"));
+    if has_force && has_couple {
+        load.conflict("couple", "force");
+    }
+    // A table in newtons or newton metres says how large it is.
+    let by_table = columns.map(|own| own.measures[1]).filter(|own| *own != Dimension::NUMBER);
+    if let Some(dimension) = by_table {
+        for key in ["force", "couple"].into_iter().filter(|key| load.gives(key)) {
+            let message = format!("the table says how large the load is: `{key}` has no effect");
+            let help =
+                "leave it out, or write the second column as a pure number, with the unit `[1]`";
+            load.push(load.written(key).error_here(Code::BAD_VALUE, message).help(help));
+        }
+        return match dimension == Dimension::TORQUE {
+            true => (Acting::Couple(unit(2)), "table"),
+            false => (Acting::Force(unit(0)), "table"),
+        };
+    }
+    let parts = |key: &str, default: usize| {
+        if !load.gives_list(key) {
+            let amplitude = load.quantity(key).unwrap_or(1.0);
+            return unit(default).map(|part| if part == 0.0 { 0.0 } else { amplitude });
+        }
+        if axis.is_some() {
+            let message = format!("`{key}` is a list along x, y and z: `direction` has no effect");
+            let help = format!("leave `direction` out, or write `{key}` as one quantity");
+            let place = load.written("direction");
+            load.push(place.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        load.quantity_triple(key).unwrap_or([1.0; 3])
+    };
+    if has_couple {
+        return (Acting::Couple(parts("couple", 2)), "couple");
+    }
+    if !has_force && !load.gives("table") {
+        load.absent("force", "add for example `force = \"1000 N\"`, or a `couple` or a `table`");
+    } else if !has_force && columns.is_some() {
+        let message =
+            "a table of pure numbers needs the `force` or the `couple` that it multiplies";
+        let help =
+            "add `force = \"1000 N\"`, or write the unit of the second column, as in `force [N]`";
+        load.push(load.written("table").error_here(Code::BAD_VALUE, message).help(help));
+    }
+    (Acting::Force(parts("force", 0)), "force")
+}
+
+fn variation(load: &Table, columns: Option<Arc<Columns>>) -> Variation {
+    let frequency = load.quantity("frequency");
+    let order = load.optional_number("order").map(|(order, _)| nearest(&order));
+    if load.has("phase") && !load.has("frequency") && !load.has("order") {
         let message = "a load without `frequency` is constant: its `phase` has no effect";
         let help = "add `frequency = \"37.5 Hz\"`, or leave `phase` out";
         load.push(load.written("phase").error_here(Code::BAD_VALUE, message).help(help));
     }
-    Load {
-        sets: load.texts("sets"),
-        direction: usize::from(load.optional_word("direction") == Some("y")),
-        force: load.quantity_or_one("force"),
-        frequency: load.quantity("frequency"),
-        phase: load.quantity("phase").unwrap_or(0.0),
+    let phase = load.quantity("phase").unwrap_or(0.0);
+    for (key, other) in [("order", "frequency"), ("table", "frequency"), ("table", "order")] {
+        if load.has(key) && load.has(other) {
+            load.conflict(key, other);
+        }
+    }
+    let period = load.optional_string("period");
+    if let (Some(period), false) = (&period, load.has("table")) {
+        let message = "a load without `table` has no `period`";
+        let help = "leave `period` out, or name a `table`";
+        load.push(period.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    match (frequency, order, columns) {
+        (Some(frequency), ..) => Variation::Sine(frequency, phase),
+        (_, Some(order), _) => Variation::Order(order, phase),
+        (.., Some(columns)) => {
+            let periodic = period.is_some_and(|written| closes(load, &columns, &written));
+            Variation::Table(columns, periodic)
+        }
+        _ => Variation::Constant,
+    }
+}
+
+/// Whether a table closes after its period; what is wrong is noted.
+fn closes(load: &Table, columns: &Columns, written: &Located) -> bool {
+    let wanted = columns.measures[0];
+    let example = if wanted == Dimension::TIME { "0.1 s" } else { "720 deg" };
+    let such_as =
+        format!("write it as the first column measures it, such as `period = \"{example}\"`");
+    let read = Quantity::parse(written.text())
+        .and_then(|quantity| quantity.expect(&wanted).map(|_| quantity.si()));
+    match read {
+        Ok(period) if period > 0.0 => columns.closes(load, period, written),
+        Ok(_) => {
+            let message = "`period` must be greater than zero";
+            load.push(written.error_here(Code::BAD_VALUE, message).help(such_as));
+            false
+        }
+        Err(error) => {
+            let message = format!("`period`: {}", error.message);
+            load.push(written.error_here(error.code, message).help(such_as));
+            false
+        }
+    }
+}
+
+fn onset(load: &Table) -> Onset {
+    let (start, ramp) = (load.quantity("start"), load.quantity_pair("ramp"));
+    if load.has("start") && load.has("ramp") {
+        load.conflict("ramp", "start");
+    }
+    match (start, ramp) {
+        (_, Some([from, to])) if from < to => Onset::Ramp(from, to),
+        (_, Some(_)) => {
+            let message = "a `ramp` goes from one time to a later one";
+            let help = "such as `ramp = [\"0 s\", \"0.1 s\"]`";
+            load.push(load.written("ramp").error_here(Code::BAD_VALUE, message).help(help));
+            Onset::Start
+        }
+        (Some(from), None) => Onset::Step(from),
+        (None, None) => Onset::Start,
     }
 }

@@ -7,6 +7,7 @@ use whirl_codegen::spec::law::{Acts, BearingValue, Parameter};
 use whirl_codegen::units::Quantity;
 use whirl_specs::Motion;
 
+use super::gravity::{self, Gravity};
 use super::law::{self, LawSource, NamedLaw};
 use super::library::FileStore;
 use super::machine;
@@ -34,6 +35,8 @@ pub(crate) struct Lumped {
     pub(crate) motion: &'static Motion,
     /// What the mass may hit.
     pub(crate) stops: Vec<Stop>,
+    /// Gravity, if there is any.
+    pub(crate) gravity: Option<Gravity>,
 }
 
 /// The whole mass turning at a constant speed with its centre off the axis.
@@ -75,10 +78,11 @@ pub(crate) enum Side {
 pub(super) fn read(store: FileStore, file: &Table) -> Option<Lumped> {
     let stops = file.tables("stop").into_iter();
     let stops = stops.filter_map(|table| table.read(|table| stop(store, table))).collect();
-    file.optional_table("mass")?.read(|mass| read_mass(mass, stops))
+    let gravity = gravity::read(file);
+    file.optional_table("mass")?.read(|mass| read_mass(mass, stops, gravity))
 }
 
-fn read_mass(mass: &Table, stops: Vec<Stop>) -> Option<Lumped> {
+fn read_mass(mass: &Table, stops: Vec<Stop>, gravity: Option<Gravity>) -> Option<Lumped> {
     let or_zero = |key| mass.quantity(key).unwrap_or(0.0);
     Some(Lumped {
         mass: mass.quantity_or_one("mass"),
@@ -93,6 +97,7 @@ fn read_mass(mass: &Table, stops: Vec<Stop>) -> Option<Lumped> {
         }),
         motion: machine::motion(mass)?,
         stops,
+        gravity,
     })
 }
 

@@ -12,11 +12,11 @@ use whirl_specs::{MOTIONS, Motion};
 pub(super) use self::bodies::{
     body as meshed, crank_throw, ground_springs, ring_support, solid_shaft,
 };
-pub(super) use self::drive::read_one as drive;
+pub(super) use self::drive::{needs_a_section, read_one as drive};
 pub(super) use self::materials::Materials;
 use super::library::FileStore;
-use super::loads;
 use super::rotor::RotorDraft;
+use super::{gravity, loads};
 
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
@@ -27,8 +27,9 @@ pub(super) fn read(store: FileStore, file: &Table) -> RotorDraft {
         shaft: bodies::shaft(store, file, &materials),
         support: bodies::support(store, file, &materials),
         bearings: bearings::bearings(store, file),
-        drive: drive::drive(file),
-        loads: loads::read(file),
+        drive: drive::drive(store, file),
+        loads: loads::read(store, file),
+        gravity: gravity::read(file),
     }
 }
 

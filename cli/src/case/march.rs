@@ -141,7 +141,7 @@ fn period(system: &SystemDraft, chosen: fn(f64, f64) -> f64) -> Option<(f64, &'s
             loads.map(|own| &own.load).collect()
         }
     };
-    let frequency = loads.iter().filter_map(|load| load.frequency).reduce(chosen)?;
+    let frequency = loads.iter().filter_map(|load| load.frequency()).reduce(chosen)?;
     Some((1.0 / frequency, "a period of the loads"))
 }
 

@@ -1,5 +1,7 @@
 //! A case: what a case file says, in SI, checked as far as it can be without building the machine.
 
+mod columns;
+mod gravity;
 mod joined;
 mod law;
 mod library;
@@ -16,13 +18,15 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
 
+pub(crate) use columns::Columns;
+pub(crate) use gravity::Gravity;
 pub(crate) use joined::{
     Attached, Carried, Dimensions, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad,
     MeshedBody, NamedBody, Side as JointSide, Turning,
 };
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::embedded_cases;
-pub(crate) use loads::Load;
+pub(crate) use loads::{Acting, Load, Spread, Variation};
 pub(crate) use lumped::{Lumped, Side, Unbalance};
 pub(crate) use march::MarchSettings;
 pub(crate) use parameters::{BearingFacts, rounded};
@@ -123,6 +127,33 @@ pub(crate) enum System {
     Lumped(Lumped),
     /// Bodies by name, and what joins them.
     Joined(Box<JoinedMachine>),
+}
+
+impl System {
+    /// The files of the tables that it names.
+    fn tables(&self) -> Vec<Arc<Source>> {
+        let of_load = |load: &Load| match &load.variation {
+            Variation::Table(columns, _) => Some(columns.clone()),
+            _ => None,
+        };
+        let columns: Vec<Arc<Columns>> = match self {
+            System::Rotor(rotor) => {
+                let loads = rotor.loads.iter().filter_map(of_load);
+                loads.chain(rotor.drive.table.clone()).collect()
+            }
+            System::Joined(joined) => {
+                let loads = joined.loads.iter().filter_map(|own| of_load(&own.load));
+                let drives = joined.drives.iter().filter_map(|own| own.couple.table.clone());
+                let turning = joined.bodies.iter().filter_map(|body| match &body.turning {
+                    Some(Turning::Table(columns)) => Some(columns.clone()),
+                    _ => None,
+                });
+                loads.chain(drives).chain(turning).collect()
+            }
+            System::Lumped(_) => Vec::new(),
+        };
+        columns.iter().map(|own| own.source.clone()).collect()
+    }
 }
 
 /// Numbers of the figures in the paper, for titles; a figure without number is drawn all the same.

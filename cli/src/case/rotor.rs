@@ -2,13 +2,18 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Located;
+use whirl_codegen::units::Dimension;
+use whirl_solver::loads::Release;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::Motion;
 
+use super::columns::Columns;
+use super::gravity::Gravity;
 use super::law::NamedLaw;
 use super::loads::Load;
 use super::parameters::{BearingFacts, SetParameter};
@@ -24,8 +29,10 @@ pub(crate) struct Rotor {
     pub(crate) bearings: Vec<Bearing>,
     /// What turns the shaft, and ties the flexible shaft to its frame.
     pub(crate) drive: Drive,
-    /// Forces on the shaft.
+    /// Forces and couples on the shaft.
     pub(crate) loads: Vec<Load>,
+    /// Gravity, if there is any.
+    pub(crate) gravity: Option<Gravity>,
 }
 
 /// A machine as far as a case says it: enough of it to find sets.
@@ -38,16 +45,35 @@ pub(crate) struct RotorDraft {
     pub(crate) bearings: Vec<([Vec<Located>; 2], Option<Bearing>)>,
     /// None if there is no table.
     pub(crate) drive: Option<Drive>,
-    /// Forces on the shaft.
+    /// Forces and couples on the shaft.
     pub(crate) loads: Vec<Load>,
+    /// Gravity, if there is any.
+    pub(crate) gravity: Option<Gravity>,
+}
+
+impl Drive {
+    /// What it is, for people; speeds in rpm.
+    pub(crate) fn described(&self) -> String {
+        match &self.table {
+            Some(columns) => {
+                let over = if columns.measures[0] == Dimension::TIME { "time" } else { "speed" };
+                format!("table `{}` over {over}", columns.name.text())
+            }
+            None => {
+                let rpm = whirl_text::rounded(self.target_speed * 60.0 / std::f64::consts::TAU, 10);
+                format!("{} N m until {rpm} rpm", self.torque)
+            }
+        }
+    }
 }
 
 impl RotorDraft {
     /// The machine, if all of it is there.
     pub(super) fn finish(self) -> Option<Rotor> {
-        let RotorDraft { shaft, support, bearings, drive, loads } = self;
+        let RotorDraft { shaft, support, bearings, drive, loads, gravity } = self;
         let bearings: Option<Vec<Bearing>> = bearings.into_iter().map(|(_, own)| own).collect();
-        Some(Rotor { shaft: shaft?, support: support?, bearings: bearings?, drive: drive?, loads })
+        let (shaft, support, bearings, drive) = (shaft?, support?, bearings?, drive?);
+        Some(Rotor { shaft, support, bearings, drive, loads, gravity })
     }
 }
 
@@ -183,17 +209,23 @@ impl Bearing {
     }
 }
 
-/// A couple of forces fixed to the shaft, acting until a speed is reached.
+/// A couple that turns the shaft: until a speed is reached, or over time or speed as a table has it.
 #[derive(Debug, Clone)]
 pub(crate) struct Drive {
-    /// Set of one node: +y.
+    /// Set of one node, where the couple is one of forces along y: +y.
     pub(crate) top: Located,
     /// Set of one node: −y.
     pub(crate) bottom: Located,
-    /// N·m about +z.
+    /// The set of nodes on whose mean rotation the couple acts, in place of two nodes.
+    pub(crate) section: Option<Located>,
+    /// N·m about +z; 0 of a table.
     pub(crate) torque: f64,
-    /// rad/s.
+    /// rad/s; 0 of a table.
     pub(crate) target_speed: f64,
+    /// When it ends.
+    pub(crate) release: Release,
+    /// N·m over s or rad/s.
+    pub(crate) table: Option<Arc<Columns>>,
     /// Whether the couple acts; without it the nodes still tie the flexible shaft to its frame.
     pub(crate) acts: bool,
 }

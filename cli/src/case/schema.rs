@@ -37,6 +37,8 @@ measures! {
     DENSITY: DENSITY, "7860 kg/m^3", Positive;
     TIME: TIME, "7.4e-5 s", Positive;
     DURATION: TIME, "0.1 s", Positive;
+    START: TIME, "0.1 s", Any;
+    GRAVITY: ACCELERATION, "9.81 m/s^2", Any;
     DAMPING_TIME: TIME, "1e-4 s", NotNegative;
     INERTIA: INERTIA, "0.02 kg*m^2", Positive;
     STIFFNESS: STIFFNESS, "1e8 N/m", NotNegative;
@@ -84,7 +86,7 @@ const CASE: &[Key] = &[
     key("springs", Table(&[SPRINGS]), "what all bearings share"),
     key("bearing", List(&Table(&[BEARING, SPRINGS])), "where the shaft runs in the support"),
     key("drive", Table(&[DRIVE]), "what turns the shaft"),
-    key("load", List(&Table(&[LOAD])), "forces on the shaft"),
+    key("load", List(&Table(&[LOAD, ACTING])), "forces and couples on the shaft"),
     key("body", Named(&Table(&[joined::BODY])), "bodies by name, instead of shaft and support"),
     key(
         "joint",
@@ -92,7 +94,9 @@ const CASE: &[Key] = &[
         "what joins two bodies, or a body and the ground",
     ),
     key("drives", Named(&Table(&[joined::DRIVE])), "what turns bodies"),
-    key("loads", Named(&Table(&[joined::LOAD])), "forces on bodies"),
+    key("loads", Named(&Table(&[joined::LOAD, ACTING])), "forces and couples on bodies"),
+    key("gravity", Tuple(&GRAVITY, 3), "along x, y and z, on all bodies")
+        .like("[\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]"),
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
     key("stop", List(&Table(&[STOP])), "what the mass may strike"),
     merged("march", Table(&[MARCH]), "steps in time"),
@@ -193,19 +197,51 @@ const BEARING: &[Key] = &[
 ];
 
 const DRIVE: &[Key] = &[
-    merged("top", Text, "set of one node").like("\"DRIVE_TOP\""),
-    merged("bottom", Text, "set of one node").like("\"DRIVE_BOTTOM\""),
-    merged("torque", TORQUE, "until the target speed is reached; negative turns the other way"),
-    merged("target_speed", TARGET_SPEED, "of the shaft, with the sign of the torque"),
+    key("top", Text, "set of one node").like("\"DRIVE_TOP\""),
+    key("bottom", Text, "set of one node").like("\"DRIVE_BOTTOM\""),
+    key(
+        "section",
+        Text,
+        "a node set in place of `top` and `bottom`: the couple acts on its mean rotation",
+    )
+    .like("\"END\""),
+    key("torque", TORQUE, "until the target speed is reached; negative turns the other way"),
+    key("target_speed", TARGET_SPEED, "of the shaft, with the sign of the torque"),
+    key(
+        "release",
+        Words(&["located", "step"]),
+        "where in a step the couple ends; located if left out",
+    ),
+    key("table", Text, "couple over time or speed, in place of `torque`").like("\"motor.csv\""),
     key("acts", Flag, "false leaves the shaft without a drive"),
 ];
 
-const LOAD: &[Key] = &[
-    needed("sets", NAMES, "node sets; every node carries the force").like("[\"LOAD1\"]"),
-    key("direction", Words(&["x", "y"]), "fixed in space; x if left out"),
-    needed("force", FORCE, "on each node"),
-    key("frequency", FREQUENCY, "of F sin(2πft + φ); a constant force without it"),
+const LOAD: &[Key] = &[needed("sets", NAMES, "node sets").like("[\"LOAD1\"]")];
+
+/// What a load does, of a shaft and of a body by name.
+const ACTING: &[Key] = &[
+    key("force", Either(&[FORCE, Tuple(&FORCE, 3)]), "its amplitude, or a list along x, y and z"),
+    key(
+        "couple",
+        Either(&[TORQUE, Tuple(&TORQUE, 3)]),
+        "on the mean rotation of the sets, about z, or a list",
+    ),
+    key("direction", Words(&["x", "y", "z"]), "x of a force if left out, z of a couple"),
+    key("frame", Words(&["space", "body"]), "where its direction is constant; space if left out"),
+    key(
+        "spread",
+        Words(&["each", "mean"]),
+        "a force on each node, or one on their mean motion; each if left out",
+    ),
+    key("frequency", FREQUENCY, "of F sin(2πft + φ); a constant load without it"),
+    key("order", Number, "n of F sin(nθ + φ)").like("2"),
     key("phase", ANGLE, "φ"),
+    key("table", Text, "a file of two columns: over time or an angle, a factor or the load itself")
+        .like("\"gas.csv\""),
+    key("period", Text, "of the table, which repeats then").like("\"720 deg\""),
+    key("start", START, "from then on it acts"),
+    key("ramp", Tuple(&START, 2), "between these times it rises from nothing to all of it")
+        .like("[\"0 s\", \"0.1 s\"]"),
 ];
 
 const LUMPED: &[Key] = &[

@@ -53,29 +53,26 @@ pub(super) fn say(
     for drive in joined.drives.iter().filter(|drive| drive.couple.acts) {
         line!(
             text,
-            "drive {} on {}: {} N m until {} rpm",
+            "drive {} on {}: {}",
             drive.name.text(),
             drive.place.text(),
-            drive.couple.torque,
-            rpm(drive.couple.target_speed)
+            drive.couple.described()
         );
     }
     for own in &joined.loads {
         let sets: Vec<&str> = own.load.sets.iter().map(|set| set.text()).collect();
         let place =
             if sets.is_empty() { String::new() } else { format!(" at {}", sets.join(", ")) };
-        let time_function = match own.load.frequency {
-            Some(frequency) => format!("sine of {frequency} Hz"),
-            None => "constant".to_string(),
-        };
-        let direction = ["x", "y"][own.load.direction];
         line!(
             text,
-            "load {} on {}{place}: {} N along {direction}, {time_function}",
+            "load {} on {}{place}: {}",
             own.name.text(),
             joined.bodies[own.body].name.text(),
-            own.load.force
+            own.load.described()
         );
+    }
+    if let Some(gravity) = &joined.gravity {
+        line!(text, "gravity: {} m/s²", super::listed(gravity));
     }
     line!(text, "motion: {}", joined.motion.origin.title);
     Ok(())
@@ -165,14 +162,15 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
     ];
     let mut rows = vec![heads.map(str::to_string).to_vec()];
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
-        let turns = match body.turning {
+        let turns = match &body.turning {
             None => "no".to_string(),
             Some(Turning::Free { .. }) => "free".to_string(),
-            Some(Turning::Prescribed { speed, .. }) => format!("{} rpm", rpm(speed)),
+            Some(Turning::Prescribed { speed, .. }) => format!("{} rpm", rpm(*speed)),
+            Some(Turning::Table(columns)) => format!("table `{}`", columns.name.text()),
         };
         let [mass, z, polar, transverse] = match own {
             PlannedBody::Rigid(rigid) => {
-                let polar = body.turning.map(|_| rigid.body.polar_inertia);
+                let polar = body.turning.as_ref().map(|_| rigid.body.polar_inertia);
                 let own = &rigid.body;
                 [Some(own.mass), Some(own.centre[2]), polar, own.transverse_inertia]
             }

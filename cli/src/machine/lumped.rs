@@ -10,11 +10,12 @@ use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use super::Built;
+use super::forces;
 use super::springs::{Laws, clearance, explain};
 use crate::case::{Lumped, Side, Unbalance};
 use crate::errors::Failure;
 
-pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
+pub(super) fn build(lumped: &Lumped, warnings: &mut Vec<String>) -> Result<Built, Failure> {
     let stiffness = [lumped.stiffness; 2];
     let shaft = Shaft::lumped(lumped.mass, stiffness, [lumped.damping; 2], 0.0);
     let mut laws = Laws::default();
@@ -38,12 +39,8 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
             law: laws.place(&stop.law)?,
         });
     }
-    let load = |force: [f64; 2], time_function: TimeFunction| Load {
-        body: 0,
-        node: shaft.nodes[0].clone(),
-        force: [force[0], force[1], 0.0],
-        time_function,
-        frame: Frame::Space,
+    let load = |[x, y]: [f64; 2], time_function: TimeFunction| {
+        Load::force(0, shaft.nodes[0].clone(), [x, y, 0.0], time_function, Frame::Space)
     };
     let mut loads = Vec::new();
     if lumped.force != 0.0 {
@@ -60,11 +57,11 @@ pub(super) fn build(lumped: &Lumped) -> Result<Built, Failure> {
         Some(Unbalance { speed, .. }) => Rotation::Spinning { speed },
         None => Rotation::Held,
     };
+    let bodies =
+        vec![Body::turning("mass", shaft, rotation), Body::standing("ground", Support::rigid(&[]))];
+    loads.extend(forces::gravity(lumped.gravity.as_ref(), &bodies, warnings));
     let machine = Machine::new(MachineParts {
-        bodies: vec![
-            Body::turning("mass", shaft, rotation),
-            Body::standing("ground", Support::rigid(&[])),
-        ],
+        bodies,
         motion: lumped.motion,
         clearance: clearance(),
         laws: laws.into_laws(),

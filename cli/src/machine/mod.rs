@@ -1,6 +1,7 @@
 //! From a case to a machine that can be marched: meshes, sets, reduced bodies, springs, loads.
 
 mod bodies;
+mod forces;
 mod joined;
 mod laws;
 mod lumped;
@@ -133,7 +134,7 @@ pub(crate) fn build(
         (System::Joined(joined), _) => {
             joined::build(joined, &JoinedPlan::new(joined, warnings)?, cache, warnings)
         }
-        (System::Lumped(lumped), _) => lumped::build(lumped),
+        (System::Lumped(lumped), _) => lumped::build(lumped, warnings),
     }
 }
 

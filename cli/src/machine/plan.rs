@@ -12,6 +12,7 @@ use whirl_solver::mesh::support::RingSupport;
 
 pub(crate) use self::body::BodyPlan;
 pub(super) use self::body::HoldingWords;
+use super::forces::Place;
 use super::laws::laws;
 use super::meshes;
 use crate::case::{self, LawSource, Rotor, RotorDraft};
@@ -30,10 +31,10 @@ pub(crate) struct MachinePlan {
     pub(super) journals: Vec<[usize; 3]>,
     /// Places of the bores' nodes in the support's output nodes, a bearing each.
     pub(super) bores: Vec<[Vec<usize>; 3]>,
-    /// Places of the driven nodes in the shaft's output nodes: top, bottom.
-    pub(super) drive: [usize; 2],
-    /// Places of the loaded nodes in the shaft's output nodes, a load each.
-    pub(super) loads: Vec<Vec<usize>>,
+    /// Where the drive acts on the shaft; of two nodes top, then bottom.
+    pub(super) drive: Place,
+    /// Where each load acts on the shaft.
+    pub(super) loads: Vec<Place>,
     /// The laws with the values with which the bearings use them, a bearing each; none of a case with errors.
     pub(crate) laws: Vec<LawSource>,
 }
@@ -181,8 +182,8 @@ impl MachinePlan {
 struct OnShaft {
     shaft: BodyPlan,
     journals: Vec<[usize; 3]>,
-    drive: [usize; 2],
-    loads: Vec<Vec<usize>>,
+    drive: Place,
+    loads: Vec<Place>,
 }
 
 impl OnShaft {
@@ -194,8 +195,8 @@ impl OnShaft {
     ) -> OnShaft {
         let axial = &case.axial_restraint;
         let body = BodyPlan::new(mesh, &case.body, axial);
-        let mut own =
-            OnShaft { shaft: body, journals: Vec::new(), drive: [0; 2], loads: Vec::new() };
+        let (journals, loads) = (Vec::new(), Vec::new());
+        let mut own = OnShaft { shaft: body, journals, drive: Place::Mean(0), loads };
         let shaft = &mut own.shaft;
         shaft.spec.stiffening = case.stiffening;
         for BearingOutline { sets: [sets, _], .. } in &outline.bearings {
@@ -216,9 +217,7 @@ impl OnShaft {
             own.drive = shaft.tie(drive, errors);
         }
         for load in outline.loads {
-            let nodes = load.sets.iter().flat_map(|set| shaft.nodes(set, errors));
-            let nodes: Vec<usize> = nodes.collect();
-            own.loads.push(nodes.into_iter().map(|node| shaft.output_node(node)).collect());
+            own.loads.push(shaft.loaded(load, errors));
         }
         shaft.bound(errors);
         own

@@ -1,13 +1,13 @@
 //! The machine of a shaft on a support.
 
 use whirl_solver::bearing::{Bearing, Sides};
-use whirl_solver::body::BodyNode;
 use whirl_solver::cache::Cache;
-use whirl_solver::loads::{Frame, Load, TimeFunction};
+use whirl_solver::loads::Load;
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 
 use super::bodies::bodies;
+use super::forces::{self, Loaded};
 use super::plan::MachinePlan;
 use super::springs::{Laws, angles, clearance, explain};
 use super::{BodyFact, BodyFacts, Built};
@@ -52,7 +52,7 @@ pub(super) fn assemble(
     let bodies = bodies(plan, cache, warnings)?;
     let mut placed = Laws::default();
     let bearings = bearings(rotor, plan, &bodies.shaft, &mut placed)?;
-    let loads = loads(rotor, plan, &bodies.shaft);
+    let mut loads = loads(rotor, plan, &bodies.shaft);
     let [first, second] = bodies.content;
     let fact = |name: &str, counts, hertz: &[f64], content| BodyFact {
         name: name.to_owned(),
@@ -69,11 +69,13 @@ pub(super) fn assemble(
         cached: bodies.cached,
     };
     let (used, law_hashes) = (placed.used(), placed.hashes());
+    let bodies = vec![
+        Body::turning("shaft", bodies.shaft, Rotation::Free),
+        Body::standing("support", bodies.support),
+    ];
+    loads.extend(forces::gravity(rotor.gravity.as_ref(), &bodies, warnings));
     let parts = MachineParts {
-        bodies: vec![
-            Body::turning("shaft", bodies.shaft, Rotation::Free),
-            Body::standing("support", bodies.support),
-        ],
+        bodies,
         motion: rotor.shaft.motion,
         clearance: clearance(),
         laws: placed.into_laws(),
@@ -120,39 +122,8 @@ pub(super) fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<
 }
 
 fn loads(rotor: &Rotor, plan: &MachinePlan, shaft: &Shaft) -> Vec<Load> {
+    let on = Loaded { body: 0, nodes: &shaft.nodes, means: &shaft.measures };
     let both = rotor.loads.iter().zip(&plan.loads);
-    let loads = both.flat_map(|(load, places)| {
-        places.iter().map(|&place| fixed_in_space(load, 0, &shaft.nodes[place]))
-    });
-    let nodes = plan.drive.map(|place| &shaft.nodes[place]);
-    loads.chain(couple(&rotor.drive, 0, nodes)).collect()
-}
-
-/// The force of a load on a node of a body.
-pub(super) fn fixed_in_space(load: &case::Load, body: usize, node: &BodyNode) -> Load {
-    let time_function = match load.frequency {
-        Some(frequency) => TimeFunction::Sine { frequency, phase: load.phase },
-        None => TimeFunction::Constant,
-    };
-    let mut force = [0.0; 3];
-    force[load.direction] = load.force;
-    Load { body, node: node.clone(), force, time_function, frame: Frame::Space }
-}
-
-/// The driving couple: ±F along y of the body's frame at the driven nodes, F = torque / distance along x.
-pub(super) fn couple(drive: &case::Drive, body: usize, nodes: [&BodyNode; 2]) -> Vec<Load> {
-    if !drive.acts {
-        return Vec::new();
-    }
-    let [top, bottom] = nodes;
-    let force = drive.torque / (top.position[0] - bottom.position[0]);
-    let time_function = TimeFunction::UntilSpeed { target: drive.target_speed };
-    let half = |node: &BodyNode, force| Load {
-        body,
-        node: node.clone(),
-        force: [0.0, force, 0.0],
-        time_function,
-        frame: Frame::Body,
-    };
-    vec![half(top, force), half(bottom, -force)]
+    let loads = both.flat_map(|(load, place)| forces::loads(load, on, place));
+    loads.chain(forces::drive(&rotor.drive, on, &plan.drive)).collect()
 }

@@ -84,7 +84,7 @@ impl Code {
             "Give every piece but the last a `when`, and the last one none."
         NO_ROOT "E032" "A law that should engage where two pieces meet, and they never do."
             "Change the pieces, their conditions, or keep the jump by `jump = \"accept\"`."
-        TABLE "E033" "A table of a law whose columns or rows do not fit."
+        TABLE "E033" "A table of a law or of a case whose columns or rows do not fit."
             "Correct the row or the key that the message names; the input must rise from row to row."
         DERIVATIVE "E040" "A derivative that has no form in generated code, or terms that depend on rates they may not."
             "Write the term applied to a vector, declare products of matrices as tensors, keep rates where the message says."

@@ -43,6 +43,35 @@ impl Table<'_> {
         list.iter().filter_map(quantity).collect()
     }
 
+    /// Whether a key is given as a list.
+    pub fn gives_list(&self, key: &str) -> bool {
+        self.tree.entries.get(key).is_some_and(|(_, node)| node.is_list())
+    }
+
+    /// Three quantities along x, y and z, if given; SI.
+    pub fn quantity_triple(&self, key: &str) -> Option<[f64; 3]> {
+        fn of_three(shape: &Shape) -> Option<&'static Measure> {
+            match shape {
+                Shape::Tuple(Shape::Quantity(measure), 3) => Some(measure),
+                _ => None,
+            }
+        }
+        let (node, shape) = self.entry(key, |shape| of_three(shape).is_some())?;
+        let measure = shape.alternatives().iter().find_map(of_three)?;
+        match &node.content {
+            Content::List(list) if list.len() == 3 => {
+                let parts = [0, 1, 2].map(|place| self.quantity_of(key, &list[place], measure));
+                let [x, y, z] = parts;
+                Some([x?.si(), y?.si(), z?.si()])
+            }
+            _ => {
+                let example = format!("[\"{0}\", \"{0}\", \"{0}\"]", measure.example);
+                self.wrong(key, node, "three quantities, along x, y and z", &example);
+                None
+            }
+        }
+    }
+
     /// Two quantities, such as x and y, if given; SI.
     pub fn quantity_pair(&self, key: &str) -> Option<[f64; 2]> {
         let is_pair = |shape: &Shape| matches!(shape, Shape::Tuple(Shape::Quantity(_), 2));

@@ -143,7 +143,7 @@ impl<'d> Table<'d> {
     }
 
     /// An exact number, if the key is there, and where it stands.
-    pub(crate) fn optional_number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
+    pub fn optional_number(&self, key: &str) -> Option<(Rational, Range<usize>)> {
         let (node, _) = self.entry(key, |shape| matches!(shape, Shape::Number))?;
         self.exact_number(key, node).map(|value| (value, node.place.span.clone()))
     }

@@ -25,7 +25,7 @@ const BASE_NAMES: [&str; 5] = ["m", "kg", "s", "K", "rad"];
 
 impl Dimension {
     /// A pure number.
-    pub(crate) const NUMBER: Dimension = Dimension::of(0, 0, 0);
+    pub const NUMBER: Dimension = Dimension::of(0, 0, 0);
     /// m.
     pub const LENGTH: Dimension = Dimension::of(1, 0, 0);
     /// m².
@@ -45,7 +45,7 @@ impl Dimension {
     /// m/s.
     pub const SPEED: Dimension = Dimension::of(1, 0, -1);
     /// m/s².
-    pub(crate) const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
+    pub const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
     /// N.
     pub const FORCE: Dimension = Dimension::of(1, 1, -2);
     /// N·m.
@@ -143,7 +143,7 @@ impl Dimension {
 
     /// Whether a quantity of this dimension may stand where `wanted` is expected: equal, where angles
     /// count only if nothing but time stands beside them (rpm is not Hz, but N·m/rad is N·m).
-    pub(crate) fn fits(&self, wanted: &Dimension) -> bool {
+    pub fn fits(&self, wanted: &Dimension) -> bool {
         let rotation = [0, 1, 3].iter().all(|&base| self.exponents[base].is_zero());
         if rotation { self == wanted } else { self.without_angle() == wanted.without_angle() }
     }

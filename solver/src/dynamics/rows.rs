@@ -129,11 +129,7 @@ impl System<'_> {
     }
 
     /// The loads projected on row `i`.
-    fn projected_loads<'s>(
-        &'s self,
-        state: &'s State,
-        i: usize,
-    ) -> impl Iterator<Item = f64> + 's {
+    fn projected_loads<'s>(&'s self, state: &'s State, i: usize) -> impl Iterator<Item = f64> + 's {
         let (machine, owner) = (self.machine, self.machine.owner(i));
         let loads = machine.loads.iter().zip(&self.released);
         let now = instant(machine, self.time, state);

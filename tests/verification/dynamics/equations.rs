@@ -21,7 +21,12 @@ fn busy(motion: &'static Motion) -> Machine {
     parts.loads = vec![
         force(&parts.bodies[0].nodes()[2], [100.0, -40.0, 7.0], sine, Frame::Space),
         force(&parts.bodies[0].nodes()[4], [10.0, 30.0, 0.0], TimeFunction::Constant, Frame::Space),
-        force(&driven, [0.0, 60.0, 0.0], TimeFunction::UntilSpeed { target: 1e9, release: Release::AtStep }, Frame::Body),
+        force(
+            &driven,
+            [0.0, 60.0, 0.0],
+            TimeFunction::UntilSpeed { target: 1e9, release: Release::AtStep },
+            Frame::Body,
+        ),
     ];
     Machine::new(parts).expect("a machine")
 }

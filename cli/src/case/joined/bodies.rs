@@ -2,10 +2,12 @@
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_codegen::units::Dimension;
 use whirl_solver::mesh::Material;
 use whirl_specs::Motion;
 
 use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached};
+use crate::case::columns;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
 
@@ -52,7 +54,7 @@ pub(super) fn read(
 ) -> BodyDraft {
     let before = table.errors();
     let turns = table.optional_word("turns");
-    let turning = turns.and_then(|turns| turning(table, turns));
+    let turning = turns.and_then(|turns| turning(store, table, turns));
     let axis = table.quantity_pair("axis").unwrap_or_default();
     let motion = match table.gives("motion") {
         true => machine::motion(table).map(|motion| (table.written("motion"), motion)),
@@ -92,10 +94,17 @@ pub(super) fn read(
     BodyDraft { body: (name, body), motion }
 }
 
-fn turning(table: &Table, turns: &str) -> Option<Turning> {
+fn turning(store: FileStore, table: &Table, turns: &str) -> Option<Turning> {
     let or_zero = |key| table.quantity(key).unwrap_or(0.0);
     match turns {
         "free" => Some(Turning::Free { initial_speed: or_zero("initial_speed") }),
+        "prescribed" if table.has("table") => {
+            for key in ["speed", "acceleration"].into_iter().filter(|key| table.has(key)) {
+                table.conflict(key, "table");
+            }
+            let measures: [&[Dimension]; 2] = [&[Dimension::TIME], &[Dimension::ANGULAR_SPEED]];
+            columns::read(store, table, "table", measures).map(Turning::Table)
+        }
         "prescribed" => {
             table.demand("speed");
             let (speed, acceleration) = (or_zero("speed"), or_zero("acceleration"));
@@ -127,10 +136,13 @@ fn read_meshed(
     });
     let axial_restraint = table.optional_string("axial_restraint");
     let held = table.texts("held");
-    let section = match table.texts("section").as_slice() {
-        [top, bottom] if turns => Some([top.clone(), bottom.clone()]),
-        _ => None,
-    };
+    let section = if turns { table.texts("section") } else { Vec::new() };
+    if section.len() > 2 {
+        let message =
+            "`section` is one set, or two sets of one node at opposite ends of a diameter";
+        let help = "such as `section = \"END\"`";
+        table.push(table.written("section").error_here(Code::BAD_VALUE, message).help(help));
+    }
     if turns && !rigid && axial_restraint.is_none() && held.is_empty() {
         table.demand("axial_restraint");
     }

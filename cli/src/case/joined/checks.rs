@@ -5,6 +5,7 @@ use whirl_codegen::document::Table;
 use whirl_specs::Motion;
 
 use super::{Drive, Form, JoinedMachine, Joint, JointKind, NamedBody, Side, Turning};
+use crate::case::loads::Acting;
 use crate::case::machine;
 
 /// The motion of all bodies, which is one.
@@ -95,7 +96,7 @@ impl Checks<'_, '_> {
 
     fn drive(&mut self, place: usize, drive: &Drive) {
         if let Form::Meshed(meshed) = &self.machine.bodies[drive.body].form
-            && let Some([top, _]) = &meshed.section
+            && let Some(top) = meshed.section.first()
         {
             let message = format!(
                 "`{}` is driven by `{}`, whose section turns with the frame: another one cannot",
@@ -150,7 +151,9 @@ impl Checks<'_, '_> {
             self.note(&body.name.clone(), message, &help);
         }
         let Some(Turning::Free { initial_speed }) = body.turning else { return };
-        let driven = self.machine.drives.iter().any(|drive| drive.body == place);
+        let mut loads = self.machine.loads.iter().filter(|load| load.body == place);
+        let driven = self.machine.drives.iter().any(|drive| drive.body == place)
+            || loads.any(|own| matches!(own.load.acting, Acting::Couple([.., z]) if z != 0.0));
         if initial_speed == 0.0 && !driven && !joints.iter().any(|joint| turns(joint)) {
             let message = format!("nothing acts on the rotation of `{name}`");
             let help = "add a drive `[drives.NAME]`, an `initial_speed` or a law with a torque, or write \

@@ -5,16 +5,19 @@ use whirl_codegen::document::Table;
 
 use super::names;
 use super::{Drive, Form, Load, NamedBody, Turning};
+use crate::case::library::FileStore;
+use crate::case::loads::Acting;
 use crate::case::{loads, machine};
 
 /// The couple of a table; `body_of` gives the body at a place, if all are right.
 pub(super) fn drive<'a>(
+    store: FileStore,
     table: &Table,
     name: &Located,
     known: &[Located],
     body_of: impl Fn(usize) -> Option<&'a NamedBody>,
 ) -> Option<Drive> {
-    let couple = machine::drive(table);
+    let couple = machine::drive(store, table);
     let place = table.optional_string("body")?;
     let body = names::body(table, &place, known, false)?;
     let own = body_of(body)?;
@@ -27,21 +30,25 @@ pub(super) fn drive<'a>(
         table.push(place.error_here(Code::BAD_VALUE, message).help(help));
     }
     match own.form {
-        Form::Meshed(_) => ["top", "bottom"].iter().for_each(|key| table.demand(key)),
-        Form::Rigid(_) => ["top", "bottom"].into_iter().for_each(|key| no_mesh(table, key, own)),
+        Form::Meshed(_) => machine::needs_a_section(table),
+        Form::Rigid(_) => {
+            ["top", "bottom", "section"].into_iter().for_each(|key| no_mesh(table, key, own));
+        }
     }
     Some(Drive { name: name.clone(), body, place, couple })
 }
 
-/// The force of a table.
+/// The force or the couple of a table.
 pub(super) fn load<'a>(
+    store: FileStore,
     table: &Table,
     name: &Located,
     known: &[Located],
     body_of: impl Fn(usize) -> Option<&'a NamedBody>,
 ) -> Option<Load> {
-    let load = loads::read_one(table);
+    let mut load = loads::read_one(store, table);
     let z = table.quantity("z");
+    let of = table.optional_string("of");
     let place = table.optional_string("body")?;
     let body = names::body(table, &place, known, false)?;
     let own = body_of(body)?;
@@ -55,9 +62,68 @@ pub(super) fn load<'a>(
                 table.push(table.written("z").error_here(Code::BAD_VALUE, message).help(help));
             }
         }
-        Form::Rigid(_) => no_mesh(table, "sets", own),
+        Form::Rigid(_) => {
+            no_mesh(table, "sets", own);
+            moves(table, &load, own);
+        }
     }
+    load.of = followed(table, &load, of, &place, (body, known), body_of);
     Some(Load { name: name.clone(), body, z, load })
+}
+
+/// The body whose angle a load follows; none if it follows none.
+fn followed<'a>(
+    table: &Table,
+    load: &loads::Load,
+    of: Option<Located>,
+    own: &Located,
+    (body, known): (usize, &[Located]),
+    body_of: impl Fn(usize) -> Option<&'a NamedBody>,
+) -> Option<usize> {
+    if !load.turns_with_angle() {
+        if let Some(of) = of {
+            let message = "a load that follows no angle has no use for `of`";
+            let help = "leave it out, or add an `order`, or a `table` over an angle";
+            table.push(of.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        return None;
+    }
+    let (place, body) = match &of {
+        Some(of) => (of, names::body(table, of, known, false)?),
+        None => (own, body),
+    };
+    if body_of(body)?.turning.is_none() {
+        let message = format!("`{}` does not turn: a load cannot follow its angle", place.text());
+        let help = "name a body that turns: `of = \"…\"`";
+        table.push(place.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    Some(body)
+}
+
+/// Notes a force or a couple along or about an axis along or about which a rigid body does not move.
+fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
+    let Form::Rigid(rigid) = &body.form else { return };
+    let name = body.name.text();
+    let note = |message: String, help: &str| {
+        table.push(load.place.error_here(Code::BAD_VALUE, message).help(help));
+    };
+    match load.acting {
+        Acting::Force([.., z]) if z != 0.0 => note(
+            format!("`{name}` is rigid and does not move along z: a force along z has no effect"),
+            "leave its part along z out",
+        ),
+        Acting::Couple([x, y, _]) if x.hypot(y) != 0.0 && rigid.transverse_inertia.is_none() => {
+            note(
+                format!("`{name}` does not tilt: a couple about x or y has no effect"),
+                "give it a `transverse_inertia`, or leave these parts out",
+            );
+        }
+        Acting::Couple([.., z]) if z != 0.0 && body.turning.is_none() => note(
+            format!("`{name}` does not turn: a couple about z has no effect"),
+            "let it turn, or leave this part out",
+        ),
+        _ => {}
+    }
 }
 
 /// Notes a node set of a body that has no mesh.

@@ -9,6 +9,8 @@ mod joints;
 mod names;
 pub(super) mod schema;
 
+use std::sync::Arc;
+
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::error::Error;
@@ -19,6 +21,8 @@ use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::{Element, Motion};
 
 pub(crate) use self::attached::{Attached, Carried};
+use super::columns::Columns;
+use super::gravity::{self, Gravity};
 use super::library::FileStore;
 use super::loads;
 use super::machine::Materials;
@@ -39,8 +43,10 @@ pub(crate) struct JoinedMachine {
     pub(crate) joints: Vec<Joint>,
     /// At most one a body.
     pub(crate) drives: Vec<Drive>,
-    /// Forces fixed in space.
+    /// Forces and couples.
     pub(crate) loads: Vec<Load>,
+    /// Gravity, if there is any.
+    pub(crate) gravity: Option<Gravity>,
     /// How rotation and deformation are coupled, alike in all bodies that turn.
     pub(crate) motion: &'static Motion,
 }
@@ -61,7 +67,7 @@ pub(crate) struct NamedBody {
 }
 
 /// How a body turns.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) enum Turning {
     /// As its couples make it, from a speed at t = 0 (rad/s).
     Free {
@@ -75,6 +81,8 @@ pub(crate) enum Turning {
         /// rad/s².
         acceleration: f64,
     },
+    /// As a table of speed (rad/s) over time (s) tells it.
+    Table(Arc<Columns>),
 }
 
 /// What a body is made of.
@@ -97,8 +105,8 @@ pub(crate) struct MeshedBody {
     pub(crate) ground_springs: Vec<GroundSpring>,
     /// Set of one node held along z.
     pub(crate) axial_restraint: Option<Located>,
-    /// Sets of one node at opposite ends of a diameter, whose section turns with the frame.
-    pub(crate) section: Option<[Located; 2]>,
+    /// The section that turns with the frame: a set, or two sets of one node at opposite ends of a diameter.
+    pub(crate) section: Vec<Located>,
     /// Whether the centrifugal stress stiffens it, if it turns.
     pub(crate) stiffening: bool,
     /// Whether it is taken as rigid, and not reduced.
@@ -218,7 +226,7 @@ pub(crate) struct Drive {
     pub(crate) couple: rotor::Drive,
 }
 
-/// A force on nodes of a body, fixed in space.
+/// A force or a couple on a body.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
     /// Its name, at its table.
@@ -279,14 +287,16 @@ impl JoinedMachine {
             .into_iter()
             .map(|(name, table)| table.read(|table| joints::read(store, table, &name, &known)));
         let joints: Vec<Option<Joint>> = joints.collect();
-        let drives = names::in_order(file, "drives")
-            .into_iter()
-            .map(|(name, table)| table.read(|table| forces::drive(table, &name, &known, turns)));
+        let drives = names::in_order(file, "drives").into_iter().map(|(name, table)| {
+            table.read(|table| forces::drive(store, table, &name, &known, turns))
+        });
         let drives: Vec<Option<Drive>> = drives.collect();
         let loads = names::in_order(file, "loads").into_iter();
-        let loads = loads
-            .map(|(name, table)| table.read(|table| forces::load(table, &name, &known, turns)));
+        let loads = loads.map(|(name, table)| {
+            table.read(|table| forces::load(store, table, &name, &known, turns))
+        });
         let loads: Vec<Option<Load>> = loads.collect();
+        let gravity = gravity::read(file);
         let motion = checks::one_motion(file, motions);
         if file.errors() > before {
             return None;
@@ -297,6 +307,7 @@ impl JoinedMachine {
             drives: drives.into_iter().collect::<Option<_>>()?,
             loads: loads.into_iter().collect::<Option<_>>()?,
             motion: motion?,
+            gravity,
         };
         checks::check(file, &machine);
         Some(machine)
@@ -305,9 +316,10 @@ impl JoinedMachine {
     /// The largest speed that the case gives a body: of its drive, at its start, or as prescribed at t = 0 (rad/s).
     pub(crate) fn top_speed(&self, body: usize) -> f64 {
         let aims = self.drives.iter().filter(|drive| drive.body == body && drive.couple.acts);
-        let given = match self.bodies[body].turning {
-            Some(Turning::Prescribed { speed, .. }) => speed,
-            Some(Turning::Free { initial_speed }) => initial_speed,
+        let given = match &self.bodies[body].turning {
+            Some(Turning::Prescribed { speed, .. }) => *speed,
+            Some(Turning::Free { initial_speed }) => *initial_speed,
+            Some(Turning::Table(columns)) => columns.largest(),
             None => 0.0,
         };
         aims.map(|drive| drive.couple.target_speed.abs()).fold(given.abs(), f64::max)
@@ -317,8 +329,9 @@ impl JoinedMachine {
     pub(super) fn speeds(&self) -> Vec<f64> {
         let aims = self.drives.iter().filter(|drive| drive.couple.acts);
         let aims = aims.map(|drive| drive.couple.target_speed);
-        let given = self.bodies.iter().filter_map(|body| match body.turning {
-            Some(Turning::Prescribed { speed, .. }) => Some(speed),
+        let given = self.bodies.iter().filter_map(|body| match &body.turning {
+            Some(Turning::Prescribed { speed, .. }) => Some(*speed),
+            Some(Turning::Table(columns)) => Some(columns.largest()),
             _ => None,
         });
         aims.chain(given).map(f64::abs).filter(|speed| *speed > 0.0).collect()

@@ -6,10 +6,10 @@ use whirl_codegen::document::schema::Shape::{
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
 use crate::case::schema::{
-    ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, FORCE,
-    FREQUENCY, GROUND_SPRING, INERTIA, LENGTH, MASS, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION,
-    NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, STIFFNESS, TARGET_SPEED, TORQUE,
-    TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
+    ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
+    GROUND_SPRING, INERTIA, LENGTH, MASS, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION, NAMES,
+    PARAMETERS, PARAMETERS_EXAMPLE, POSITION, STIFFNESS, TARGET_SPEED, TORQUE, TORSIONAL_DAMPING,
+    TORSIONAL_STIFFNESS, TURNING_SPEED,
 };
 
 /// A place in the plane.
@@ -42,8 +42,8 @@ pub(crate) const BODY: &[Key] = &[
     key("axial_restraint", Text, "set of one node held along z").like("\"NAME_OF_A_NODE_SET\""),
     key(
         "section",
-        Tuple(&Text, 2),
-        "sets of one node at opposite ends of a diameter: the section that turns with the frame",
+        NAMES,
+        "the section that turns with the frame: a set, or two of one node at opposite ends of a diameter",
     )
     .like("[\"TOP\", \"BOTTOM\"]"),
     key("rigid", Flag, "true takes a mesh as a rigid body that moves in the plane and tilts"),
@@ -54,6 +54,8 @@ pub(crate) const BODY: &[Key] = &[
     key("stiffness", Table(&[PLANE_STIFFNESS]), "of a rigid body to the ground, by x and y"),
     key("speed", TURNING_SPEED, "of a prescribed rotation at t = 0"),
     key("acceleration", ACCELERATION, "of a prescribed rotation, 0 if left out"),
+    key("table", Text, "of a prescribed rotation: speed over time, in place of `speed`")
+        .like("\"run-up.csv\""),
     key("initial_speed", TURNING_SPEED, "of a free rotation at t = 0"),
     key("disc", Named(&Table(&[DISC])), "rigid discs on a mesh that turns, by name"),
     key("added", Named(&Table(&[ADDED])), "point masses on a body that turns, by name"),
@@ -200,17 +202,26 @@ pub(crate) const DRIVE: &[Key] = &[
     merged("body", Text, "the name of a body that turns freely").like("\"rotor\""),
     key("top", Text, "set of one node, on a mesh").like("\"DRIVE_TOP\""),
     key("bottom", Text, "set of one node, on a mesh").like("\"DRIVE_BOTTOM\""),
-    merged("torque", TORQUE, "until the target speed is reached; negative turns the other way"),
-    merged("target_speed", TARGET_SPEED, "of the body, with the sign of the torque"),
+    key(
+        "section",
+        Text,
+        "a node set in place of `top` and `bottom`: the couple acts on its mean rotation",
+    )
+    .like("\"END\""),
+    key("torque", TORQUE, "until the target speed is reached; negative turns the other way"),
+    key("target_speed", TARGET_SPEED, "of the body, with the sign of the torque"),
+    key(
+        "release",
+        Words(&["located", "step"]),
+        "where in a step the couple ends; located if left out",
+    ),
+    key("table", Text, "couple over time or speed, in place of `torque`").like("\"motor.csv\""),
     key("acts", Flag, "false leaves the body without a drive"),
 ];
 
 pub(crate) const LOAD: &[Key] = &[
     merged("body", Text, "the name of a body").like("\"rotor\""),
-    key("sets", NAMES, "node sets of a mesh; every node carries the force").like("[\"LOAD1\"]"),
+    key("sets", NAMES, "node sets of a mesh").like("[\"LOAD1\"]"),
     key("z", POSITION, "on a rigid body; at its centre if left out"),
-    key("direction", Words(&["x", "y"]), "fixed in space; x if left out"),
-    merged("force", FORCE, "on each node"),
-    key("frequency", FREQUENCY, "of F sin(2πft + φ); a constant force without it"),
-    key("phase", ANGLE, "φ"),
+    key("of", Text, "the body whose angle it follows; its own if left out").like("\"rotor\""),
 ];

@@ -2,23 +2,64 @@
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_codegen::units::Dimension;
+use whirl_solver::loads::Release;
 
+use super::super::columns;
+use super::super::library::FileStore;
 use super::super::rotor::Drive;
 
 /// The table `[drive]`.
-pub(super) fn drive(file: &Table) -> Option<Drive> {
-    file.table("drive").map(|table| table.read(read_one))
+pub(super) fn drive(store: FileStore, file: &Table) -> Option<Drive> {
+    let one = |table: Table| {
+        table.read(|table| {
+            needs_a_section(table);
+            read_one(store, table)
+        })
+    };
+    file.table("drive").map(one)
 }
 
 /// The couple that a table describes.
-pub(in crate::case) fn read_one(table: &Table) -> Drive {
+pub(in crate::case) fn read_one(store: FileStore, table: &Table) -> Drive {
     leads_to_its_target(table);
+    let measures: [&[Dimension]; 2] =
+        [&[Dimension::TIME, Dimension::ANGULAR_SPEED], &[Dimension::TORQUE]];
+    let curve = columns::read(store, table, "table", measures);
+    let release = table.optional_word("release");
+    match table.has("table") {
+        true => {
+            let own = ["torque", "target_speed", "release"].into_iter();
+            for key in own.filter(|key| table.has(key)) {
+                let message = format!("the couple is that of the table: `{key}` has no effect");
+                let help = "leave it out, or the `table`";
+                table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+            }
+        }
+        false => ["torque", "target_speed"].iter().for_each(|key| table.demand(key)),
+    }
+    if table.has("section") {
+        for key in ["top", "bottom"].into_iter().filter(|key| table.has(key)) {
+            table.conflict(key, "section");
+        }
+    }
+    let acts = table.optional_boolean("acts").unwrap_or(true);
     Drive {
         top: table.text_or_none("top"),
         bottom: table.text_or_none("bottom"),
-        torque: table.quantity_or_one("torque"),
-        target_speed: table.quantity_or_one("target_speed"),
-        acts: table.optional_boolean("acts").unwrap_or(true),
+        section: table.optional_string("section"),
+        torque: if curve.is_some() { 0.0 } else { table.quantity_or_one("torque") },
+        target_speed: if curve.is_some() { 0.0 } else { table.quantity_or_one("target_speed") },
+        release: if release == Some("step") { Release::AtStep } else { Release::Located },
+        table: curve,
+        acts,
+    }
+}
+
+/// Notes a mesh that has neither two driven nodes nor a driven section.
+pub(in crate::case) fn needs_a_section(table: &Table) {
+    if !table.has("section") {
+        ["top", "bottom"].iter().for_each(|key| table.demand(key));
     }
 }
 

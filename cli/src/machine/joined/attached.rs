@@ -124,6 +124,7 @@ pub(super) fn attach(shaft: Shaft, attached: &[PlannedAttached]) -> Shaft {
                     mass,
                     polar_inertia,
                     diametral_inertia: transverse_inertia,
+                    z: own.z,
                     displacement: &centre.shapes,
                     tilt: &tilt,
                     twist: Some(&twist.data),

@@ -6,8 +6,11 @@ use whirl_solver::rigid::RigidBody;
 
 use super::section;
 use super::{meshed, section_of, turns};
-use crate::case::{self, Dimensions, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody};
+use crate::case::{
+    self, Acting, Dimensions, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody,
+};
 use crate::errors::Failure;
+use crate::machine::forces::Place;
 use crate::machine::meshes;
 use crate::machine::plan::{AXES, BodyPlan, HoldingWords};
 
@@ -104,29 +107,26 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     Ok(PlannedBody::Meshed(Box::new(plan.saying(HoldingWords { springs, held: "held" }))))
 }
 
+/// The only mean motion of a rigid body, which is its motion as a whole.
+const WHOLE: Place = Place::Mean(0);
+
 impl PlannedBody {
-    /// The nodes between which a couple acts: their places.
-    pub(super) fn driven(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> [usize; 2] {
+    /// Where a couple drives it.
+    pub(super) fn driven(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> Place {
         match self {
             PlannedBody::Meshed(plan) => plan.tie(drive, errors),
-            PlannedBody::Rigid(own) => {
-                let (radius, z) = (own.radius_of_gyration(), own.body.centre[2]);
-                [radius, -radius].map(|x| own.node([x, 0.0, z]))
-            }
+            PlannedBody::Rigid(_) => WHOLE,
         }
     }
 
-    /// The nodes that carry a load: their places.
-    pub(super) fn loaded(&mut self, load: &JoinedLoad, errors: &mut Diagnostics) -> Vec<usize> {
+    /// Where a load acts on it.
+    pub(super) fn loaded(&mut self, load: &JoinedLoad, errors: &mut Diagnostics) -> Place {
         match self {
-            PlannedBody::Meshed(plan) => {
-                let sets = load.load.sets.iter();
-                let nodes: Vec<usize> = sets.flat_map(|set| plan.nodes(set, errors)).collect();
-                nodes.into_iter().map(|node| plan.output_node(node)).collect()
-            }
+            PlannedBody::Meshed(plan) => plan.loaded(&load.load, errors),
+            PlannedBody::Rigid(_) if matches!(load.load.acting, Acting::Couple(_)) => WHOLE,
             PlannedBody::Rigid(own) => {
                 let [x, y, z] = own.body.centre;
-                vec![own.node([x, y, load.z.unwrap_or(z)])]
+                Place::Nodes(vec![own.node([x, y, load.z.unwrap_or(z)])])
             }
         }
     }
@@ -161,12 +161,12 @@ fn tie(
     errors: &mut Diagnostics,
 ) {
     let driven = joined.drives.iter().any(|drive| drive.body == place);
-    match &case.section {
+    match case.section.as_slice() {
         _ if driven => {}
-        Some(sets) => {
+        [] => section::tie(plan, &joined.bodies[place].name, errors),
+        sets => {
             plan.tie(&section_of(sets), errors);
         }
-        None => section::tie(plan, &joined.bodies[place].name, errors),
     }
 }
 

@@ -6,23 +6,26 @@ mod compare;
 mod joints;
 mod section;
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};
 use whirl_solver::bearing::{Bearing, Sides};
-use whirl_solver::body::BodyNode;
 use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::BodyStart;
+use whirl_solver::loads::Release;
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::mesh::NodeSetMean;
 use whirl_solver::reduced::BodyKind;
 use whirl_solver::rigid::RigidInertia;
+use whirl_solver::schedule::Schedule;
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
 use self::attached::{PlannedAttached, attach};
 pub(crate) use self::bodies::PlannedBody;
 use self::joints::PlannedJoint;
+use super::forces::{self, Loaded, Place};
 use super::laws::laws_of;
 use super::plan::{BodyPlan, geometry};
 use super::springs::{Laws, angles, clearance, explain};
@@ -38,10 +41,10 @@ pub(crate) struct JoinedPlan {
     attached: Vec<Vec<PlannedAttached>>,
     /// In the order of the case.
     joints: Vec<PlannedJoint>,
-    /// Places of the driven nodes among the output nodes of their bodies, a drive each: top, bottom.
-    drives: Vec<[usize; 2]>,
-    /// Places of the loaded nodes among the output nodes of their bodies, a load each.
-    loads: Vec<Vec<usize>>,
+    /// Where each drive acts on its body; of two nodes top, then bottom.
+    drives: Vec<Place>,
+    /// Where each load acts on its body.
+    loads: Vec<Place>,
     /// The laws with the values with which the joints use them, a joint each.
     pub(crate) laws: Vec<LawSource>,
 }
@@ -121,8 +124,8 @@ pub(super) fn build(
 ) -> Result<Built, Failure> {
     let Assembled { parts, laws, law_hashes, facts } = assemble(joined, plan, cache, warnings)?;
     let initial = joined.bodies.iter().map(|body| BodyStart {
-        speed: match body.turning {
-            Some(Turning::Free { initial_speed }) => initial_speed,
+        speed: match &body.turning {
+            Some(Turning::Free { initial_speed }) => *initial_speed,
             _ => 0.0,
         },
         ..BodyStart::default()
@@ -174,16 +177,16 @@ pub(super) fn assemble(
             law: placed.place(law)?,
         });
     }
-    let node = |body: usize, place: usize| -> &BodyNode { &bodies[body].nodes()[place] };
+    let on =
+        |body: usize| Loaded { body, nodes: bodies[body].nodes(), means: bodies[body].measures() };
     let mut loads = Vec::new();
-    for (load, places) in joined.loads.iter().zip(&plan.loads) {
-        let fixed = |&place| rotor::fixed_in_space(&load.load, load.body, node(load.body, place));
-        loads.extend(places.iter().map(fixed));
+    for (load, place) in joined.loads.iter().zip(&plan.loads) {
+        loads.extend(forces::loads(&load.load, on(load.body), place));
     }
-    for (drive, places) in joined.drives.iter().zip(&plan.drives) {
-        let nodes = places.map(|place| node(drive.body, place));
-        loads.extend(rotor::couple(&drive.couple, drive.body, nodes));
+    for (drive, place) in joined.drives.iter().zip(&plan.drives) {
+        loads.extend(forces::drive(&drive.couple, on(drive.body), place));
     }
+    loads.extend(forces::gravity(joined.gravity.as_ref(), &bodies, warnings));
     let (laws, law_hashes) = (placed.used(), placed.hashes());
     let parts = MachineParts {
         bodies,
@@ -208,17 +211,21 @@ fn reduced(
     let carried = plan.bodies.iter().zip(&plan.attached);
     for (body, (own, attached)) in joined.bodies.iter().zip(carried) {
         let name = body.name.text();
-        let rotation = body.turning.map(|turning| match turning {
+        let rotation = body.turning.as_ref().map(|turning| match turning {
             Turning::Free { .. } => Rotation::Free,
             Turning::Prescribed { speed, acceleration } => {
-                Rotation::Prescribed { speed, acceleration }
+                Rotation::Prescribed { speed: *speed, acceleration: *acceleration }
+            }
+            Turning::Table(columns) => {
+                let schedule = Schedule::of_speeds(&columns.rows).expect("rows that rise");
+                Rotation::Scheduled(Arc::new(schedule))
             }
         });
-        let plan = match (own, rotation) {
+        let plan = match (own, &rotation) {
             (PlannedBody::Meshed(plan), _) => plan,
             (PlannedBody::Rigid(rigid), Some(rotation)) => {
                 let shaft = attach(rigid.body.turning(&rigid.nodes), attached);
-                bodies.push(Body::turning(name, shaft, rotation));
+                bodies.push(Body::turning(name, shaft, rotation.clone()));
                 continue;
             }
             (PlannedBody::Rigid(rigid), None) => {
@@ -290,10 +297,19 @@ fn at(place: &Located, text: String) -> Located {
     Located::new(place.source(), place.span(), text)
 }
 
-/// The set of a driven section, or of one that the case names.
-fn section_of(sets: &[Located; 2]) -> case::Drive {
-    let [top, bottom] = sets.clone();
-    case::Drive { top, bottom, torque: 0.0, target_speed: 0.0, acts: false }
+/// As the section of a drive one that the case names for a body: a set, or two of one node.
+fn section_of(sets: &[Located]) -> case::Drive {
+    let (first, last) = (&sets[0], &sets[sets.len() - 1]);
+    case::Drive {
+        top: first.clone(),
+        bottom: last.clone(),
+        section: (sets.len() == 1).then(|| first.clone()),
+        torque: 0.0,
+        target_speed: 0.0,
+        release: Release::Located,
+        table: None,
+        acts: false,
+    }
 }
 
 /// Whether a body turns.

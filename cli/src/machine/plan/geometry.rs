@@ -89,6 +89,9 @@ pub(in crate::machine) fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut
     else {
         return;
     };
+    if drive.section.is_some() {
+        return;
+    }
     // One node for both has been noted.
     if top == bottom {
         return;

@@ -1,0 +1,252 @@
+//! Tables that a case names: two columns of numbers in a file beside it, with a line of names and units above them.
+
+use std::sync::Arc;
+
+use whirl_codegen::diagnostic::{Code, Diagnostic, Located, Source};
+use whirl_codegen::document::Table;
+use whirl_codegen::units::{Dimension, Unit};
+
+use super::library::FileStore;
+
+/// Most bytes of a file, and most rows.
+const LONGEST: usize = 8 << 20;
+const MOST_ROWS: usize = 100_000;
+/// Errors of one file that are shown.
+const MOST_ERRORS: usize = 8;
+
+/// Two columns in SI; the first one rises.
+#[derive(Debug, Clone)]
+pub(crate) struct Columns {
+    /// The file.
+    pub(crate) source: Arc<Source>,
+    /// Where the case names it.
+    pub(crate) name: Located,
+    /// What the columns measure: each one of those that were allowed.
+    pub(crate) measures: [Dimension; 2],
+    /// At least two.
+    pub(crate) rows: Vec<[f64; 2]>,
+    /// Where each value stands in the file.
+    places: Vec<[Located; 2]>,
+}
+
+/// The file that a key names, if it is right; `allowed`: what each column may measure. What is wrong is noted.
+pub(super) fn read(
+    store: FileStore,
+    table: &Table,
+    key: &str,
+    allowed: [&[Dimension]; 2],
+) -> Option<Arc<Columns>> {
+    let name = table.optional_string(key)?;
+    let source = match store.read_beside(name.source(), name.text()) {
+        Ok(source) => source,
+        Err(message) => {
+            let error = name.error_here(Code::BAD_VALUE, message);
+            table.push(error.help("paths are relative to the file that names them"));
+            return None;
+        }
+    };
+    match parse(&source, &name, allowed) {
+        Ok(columns) => Some(Arc::new(columns)),
+        Err(errors) => {
+            errors.into_iter().for_each(|error| table.push(error));
+            None
+        }
+    }
+}
+
+fn parse(
+    source: &Arc<Source>,
+    name: &Located,
+    allowed: [&[Dimension]; 2],
+) -> Result<Columns, Vec<Diagnostic>> {
+    let shown = name.text();
+    let refuse = |message: String| vec![Diagnostic::new(source, Code::LIMIT, None, message)];
+    if source.text.len() > LONGEST {
+        return Err(refuse(format!("a table is at most {LONGEST} bytes long")));
+    }
+    let mut lines = Vec::new();
+    let mut start = 0;
+    for line in source.text.split_inclusive('\n') {
+        let text = line.split('#').next().unwrap_or("").trim_end();
+        if !text.trim_matches(['\u{feff}', ' ', '\t']).is_empty() {
+            lines.push(cells(source, text, start));
+        }
+        start += line.len();
+    }
+    let example = example(allowed);
+    let Some((heads, lines)) = lines.split_first() else {
+        let message = format!("`{shown}` is empty");
+        return Err(vec![name.error_here(Code::TABLE, message).help(example)]);
+    };
+    if lines.len() > MOST_ROWS {
+        return Err(refuse(format!("a table has at most {MOST_ROWS} rows")));
+    }
+    let units = units(heads, allowed, &example).map_err(|error| vec![*error])?;
+    let (mut rows, mut places) = (Vec::with_capacity(lines.len()), Vec::new());
+    let mut errors: Vec<Diagnostic> = Vec::new();
+    for line in lines {
+        if errors.len() == MOST_ERRORS {
+            break;
+        }
+        match row(line, &units) {
+            Ok(row) => {
+                let before: Option<&[f64; 2]> = rows.last();
+                if before.is_some_and(|before| row[0] <= before[0]) {
+                    let message = format!(
+                        "the first column of a table rises from row to row, but {} follows {}",
+                        line[0].text(),
+                        places.last().map_or("", |place: &[Located; 2]| place[0].text())
+                    );
+                    let help = "sort the rows, and give each value once";
+                    errors.push(line[0].error_here(Code::TABLE, message).help(help));
+                }
+                rows.push(row);
+                places.push([line[0].clone(), line[1].clone()]);
+            }
+            Err(error) => errors.push(*error),
+        }
+    }
+    if errors.is_empty() && rows.len() < 2 {
+        let message = format!(
+            "`{shown}` has {} of numbers, and a table has two at least",
+            match rows.len() {
+                0 => "no row".to_owned(),
+                _ => "one row".to_owned(),
+            }
+        );
+        errors.push(name.error_here(Code::TABLE, message).help(example));
+    }
+    let measures = units.map(|(_, dimension)| dimension);
+    let columns = Columns { source: source.clone(), name: name.clone(), measures, rows, places };
+    if errors.is_empty() { Ok(columns) } else { Err(errors) }
+}
+
+/// How a file may begin.
+fn example(allowed: [&[Dimension]; 2]) -> String {
+    let head = |all: &[Dimension]| {
+        let written = |dimension: &Dimension| match dimension {
+            own if *own == Dimension::TIME => "time [s]",
+            own if *own == Dimension::ANGLE => "angle [deg]",
+            own if *own == Dimension::ANGULAR_SPEED => "speed [rpm]",
+            own if *own == Dimension::FORCE => "force [N]",
+            own if *own == Dimension::TORQUE => "couple [N*m]",
+            _ => "factor [1]",
+        };
+        all.iter().map(written).collect::<Vec<&str>>().join("` or `")
+    };
+    let [first, second] = allowed.map(head);
+    format!("its first line names two columns with their units: `{first}`, and `{second}`")
+}
+
+/// The cells of a line that starts at a byte of the file.
+fn cells(source: &Arc<Source>, line: &str, start: usize) -> Vec<Located> {
+    let separator = [';', '\t', ','].into_iter().find(|c| line.contains(*c)).unwrap_or(',');
+    let mut pieces: Vec<&str> = line.split(separator).collect();
+    // A separator at the end of a line begins no column.
+    if pieces.len() > 2 && pieces.last().is_some_and(|last| last.trim().is_empty()) {
+        pieces.pop();
+    }
+    let located = |piece: &str| {
+        let text = piece.trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\u{feff}');
+        let at = start + (text.as_ptr() as usize - line.as_ptr() as usize);
+        Located::new(source, at..at + text.len(), text)
+    };
+    pieces.into_iter().map(located).collect()
+}
+
+/// The units of both columns, and what they measure.
+fn units(
+    heads: &[Located],
+    allowed: [&[Dimension]; 2],
+    example: &str,
+) -> Result<[(Unit, Dimension); 2], Box<Diagnostic>> {
+    let [first, second] = heads else {
+        let what = match heads.len() {
+            1 => "one column".to_owned(),
+            many => format!("{many} columns"),
+        };
+        let message = format!("a table has two columns, and its line of names has {what}");
+        return Err(Box::new(heads[0].error_here(Code::TABLE, message).help(example)));
+    };
+    Ok([unit(first, allowed[0], example)?, unit(second, allowed[1], example)?])
+}
+
+fn unit(
+    head: &Located,
+    allowed: &[Dimension],
+    example: &str,
+) -> Result<(Unit, Dimension), Box<Diagnostic>> {
+    let inside = head.text().split_once('[').and_then(|(_, rest)| rest.split_once(']'));
+    let Some((inside, _)) = inside else {
+        let message = format!("the column `{}` has no unit in brackets", head.text());
+        return Err(Box::new(head.error_here(Code::TABLE, message).help(example)));
+    };
+    let start = head.span().start + (inside.as_ptr() as usize - head.text().as_ptr() as usize);
+    let unit = Unit::parse(inside).map_err(|error| error.at(head.source(), start))?;
+    let found = allowed.iter().find(|wanted| unit.dimension().fits(wanted));
+    let Some(dimension) = found else {
+        let message = format!("the column `{}` measures {}", head.text(), unit.dimension());
+        return Err(Box::new(head.error_here(Code::WRONG_UNIT, message).help(example)));
+    };
+    Ok((unit, *dimension))
+}
+
+fn row(line: &[Located], units: &[(Unit, Dimension); 2]) -> Result<[f64; 2], Box<Diagnostic>> {
+    let [first, second] = line else {
+        let count = line.len();
+        let message = format!(
+            "a row has two values, this has {count}{}",
+            if count == 1 { "" } else { ": write numbers with a point" }
+        );
+        return Err(Box::new(line[0].error_here(Code::TABLE, message)));
+    };
+    let mut values = [0.0; 2];
+    for ((value, cell), (unit, _)) in values.iter_mut().zip([first, second]).zip(units) {
+        let number = cell.text().parse::<f64>().ok().filter(|number| number.is_finite());
+        let Some(number) = number else {
+            let shown = cell.text().escape_debug();
+            let message = format!("expected a number, found `{shown}`");
+            let help = "write numbers with a point, such as `0.035` or `3.5e-2`";
+            return Err(Box::new(cell.error_here(Code::TABLE, message).help(help)));
+        };
+        *value = unit.to_si(number);
+    }
+    Ok(values)
+}
+
+impl Columns {
+    /// The largest value of the second column, whatever its sign.
+    pub(crate) fn largest(&self) -> f64 {
+        self.rows.iter().fold(0.0, |most: f64, row| most.max(row[1].abs()))
+    }
+
+    /// Notes rows that do not span one period, or that do not end with the value with which they begin.
+    pub(super) fn closes(&self, table: &Table, period: f64, written: &Located) -> bool {
+        let (first, last) = (0, self.rows.len() - 1);
+        let span = self.rows[last][0] - self.rows[first][0];
+        let [from, to] = [first, last].map(|row| &self.places[row]);
+        if (span / period - 1.0).abs() > 1e-9 {
+            let message = format!(
+                "the rows of `{}` go from {} to {}, which is not one `period`",
+                self.name.text(),
+                from[0].text(),
+                to[0].text()
+            );
+            let help = "give the rows of one period, both ends included, or correct `period`";
+            table.push(written.error_here(Code::TABLE, message).help(help));
+            return false;
+        }
+        let [begins, ends] = [first, last].map(|row| self.rows[row][1]);
+        if (ends - begins).abs() > 1e-9 * self.largest() {
+            let message = format!(
+                "a periodic table ends with the value with which it begins: {}, not {}",
+                from[1].text(),
+                to[1].text()
+            );
+            let help = "correct the last row, or leave `period` out";
+            table.push(to[1].error_here(Code::TABLE, message).help(help));
+            return false;
+        }
+        true
+    }
+}
