@@ -57,7 +57,7 @@ fn on_hertz_springs(shaft: Shaft, share: f64) -> Machine {
         .collect();
     let pulse = TimeFunction::Sine { frequency: 250.0, phase: 0.0 };
     loads.extend([
-        load(1, [4e4 * share, 5e3 * share, 0.0], pulse),
+        load(1, [4e4 * share, 5e3 * share, 0.0], pulse.clone()),
         load(4, [3e4 * share, -5e3 * share, 0.0], pulse),
     ]);
     Machine::new(MachineParts {

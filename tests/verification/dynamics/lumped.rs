@@ -35,7 +35,7 @@ impl Stop {
         let [mut x, mut v] = at(&march);
         let flowing = self.energy(x, v).abs().max(0.5 * self.mass * v * v);
         let (mut met, mut between) = (0, 0.0);
-        let mut history = History::for_bearings(&[("1", false)], &[]);
+        let mut history = History::for_bearings(&[("1", false)], &[], &[]);
         for step in 0..options.steps {
             march.advance().unwrap_or_else(|error| panic!("{error}"));
             history.push(march.row());

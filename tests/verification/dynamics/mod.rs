@@ -7,6 +7,7 @@ mod equations;
 mod films;
 mod free_shaft;
 mod friction;
+mod loads;
 mod lumped;
 mod many;
 mod newton;

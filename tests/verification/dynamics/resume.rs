@@ -14,14 +14,14 @@ const CUTS: [usize; 4] = [1, 777, 1003, 2001];
 
 /// A driven shaft in films that switch off at 2 mm, in bores that vibrate: loads that are released, factors that
 /// are kept over steps, a cycle of the steady-state test that reaches back over a checkpoint.
-fn machine(target: f64) -> Machine {
+fn machine(target: f64, release: Release) -> Machine {
     let mut parts = parts(discs(1e6), bores(), Rotation::Free);
     // Its measures are kept, too.
     parts.laws = vec![boxed(&MEASURED)];
     parts.bearings = vec![Bearing { clearance: 5e-4, ..bearing(0) }];
     let node = |place: usize| parts.bodies[0].nodes()[place].clone();
     let sine = TimeFunction::Sine { frequency: 80.0, phase: 0.3 };
-    let drive = TimeFunction::UntilSpeed { target, release: Release::AtStep };
+    let drive = TimeFunction::UntilSpeed { target, release };
     parts.loads = vec![
         force(&node(2), [60.0, 20.0, 0.0], TimeFunction::Constant, Frame::Space),
         force(&node(1), [0.0, 30.0, 0.0], sine, Frame::Space),
@@ -34,7 +34,7 @@ fn machine(target: f64) -> Machine {
 
 /// A speed that is reached between the last cuts.
 fn target() -> f64 {
-    let machine = machine(f64::INFINITY);
+    let machine = machine(f64::INFINITY, Release::AtStep);
     let mut march = March::new(&machine, &march_options()).expect("starts");
     let mut fastest = f64::NEG_INFINITY;
     for _ in 1..=1500 {
@@ -67,7 +67,13 @@ fn finish(march: &mut March) -> (Vec<Vec<u64>>, Vec<Vec<u8>>) {
 
 #[test]
 fn a_resumed_march_has_the_bits_of_one_never_interrupted() {
-    let (machine, options) = (machine(target()), march_options());
+    for release in [Release::AtStep, Release::Located] {
+        resumes_with_the_same_bits(release);
+    }
+}
+
+fn resumes_with_the_same_bits(release: Release) {
+    let (machine, options) = (machine(target(), release), march_options());
     let mut whole = March::new(&machine, &options).expect("starts");
     let (rows, checkpoints) = finish(&mut whole);
     let whole = whole.outcome();
@@ -86,9 +92,9 @@ fn a_resumed_march_has_the_bits_of_one_never_interrupted() {
 
 #[test]
 fn a_drive_is_released_and_films_act_in_the_march_that_is_resumed() {
-    let free = machine(f64::INFINITY);
+    let free = machine(f64::INFINITY, Release::Located);
     let mut free = March::new(&free, &march_options()).expect("starts");
-    let machine = machine(target());
+    let machine = machine(target(), Release::Located);
     let mut march = March::new(&machine, &march_options()).expect("starts");
     let (mut same, mut last) = (0, [0.0; 2]);
     while !march.is_done() {

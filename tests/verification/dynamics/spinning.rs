@@ -124,7 +124,7 @@ fn a_spin_that_no_law_takes_changes_nothing() {
 fn what_drives_a_spin_is_no_part_of_the_energy() {
     let spinning = Rotation::Spinning { speed: SPEED };
     for law in [&MOMENT, &DRAG] {
-        let mut parts = mass(Box::new(law), spinning, [3.0, 0.0, 0.0]);
+        let mut parts = mass(Box::new(law), spinning.clone(), [3.0, 0.0, 0.0]);
         parts.bearings[0].angles = (0..4).map(|k| f64::from(k) * PI / 2.0).collect();
         let machine = Machine::new(parts).expect("a machine");
         let outcome = march(&machine, &strict(1e-5, 200), &mut |_| ControlFlow::Continue(()));

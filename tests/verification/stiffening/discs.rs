@@ -208,6 +208,7 @@ fn an_overhung_disc_whirls_as_its_moments_of_inertia_say() {
         mass,
         polar_inertia: second(0) + second(1),
         diametral_inertia: second(0) + about,
+        z: 0.29,
         displacement: &sparse(&nalgebra::DMatrix::from_rows(&[x, y, z])),
         tilt: &sparse(&nalgebra::DMatrix::from_rows(&[alpha, beta])),
         twist: Some(twist.as_slice()),

@@ -81,10 +81,12 @@ impl Plane {
             let [x, y, z, alpha, beta, _] = mean_motion(&shaft, places).map(|row| row.transpose());
             let square = outer.powi(2) + RADIUS.powi(2);
             let mass = DENSITY * PI * (outer.powi(2) - RADIUS.powi(2)) * thickness;
+            let middle = shaft.nodes[places[0]].position[2];
             shaft = shaft.with_disc(&Disc {
                 mass,
                 polar_inertia: mass * square / 2.0,
                 diametral_inertia: mass * (square / 4.0 + thickness.powi(2) / 12.0),
+                z: middle,
                 displacement: &sparse(&DMatrix::from_rows(&[x, y, z])),
                 tilt: &sparse(&DMatrix::from_rows(&[alpha, beta])),
                 twist: None,

@@ -163,7 +163,7 @@ pub(super) fn rows(
     let (sin, cos) = theta.sin_cos();
     // What laws see as the speed of the journal.
     let turns = match machine.bodies[0].rotation() {
-        Some(Rotation::Spinning { speed }) => speed,
+        Some(Rotation::Spinning { speed }) => *speed,
         _ => omega,
     };
     let mut springs = vec![Vec::new(); size];

@@ -9,7 +9,7 @@ use whirl_solver::machine::{Machine, MachineParts, Rotation};
 
 use super::super::audit::{strict, without_bearings, worst_row};
 use super::super::wild;
-use super::{LAWS, Measures, everything, measures};
+use super::{LAWS, Measures, every_load, everything, measures};
 
 /// A state in which nothing is small: angles and speeds of their size, displacements a part of the clearance.
 fn wild_state(machine: &Machine, seed: u64) -> State {
@@ -272,6 +272,57 @@ fn the_tangent_is_minus_the_derivative_of_the_residual() {
         for (j, (coarse, fine)) in coarse.iter().zip(&fine).enumerate() {
             assert!(*fine < 2e-5, "{seed} column {j}: {fine}");
             assert!(*fine <= 0.02 * coarse + 1e-9, "{seed} column {j}: {coarse} {fine}");
+        }
+    }
+}
+
+/// Of every kind of load by itself: what it adds to the tangent against differences of what it adds to the residual.
+#[test]
+fn the_tangent_of_every_load_is_that_of_its_force() {
+    let alone = || MachineParts { bearings: Vec::new(), loads: Vec::new(), ..everything() };
+    let without = Machine::new(alone()).expect("bodies");
+    let (t, size) = (0.013, without.size());
+    let step = Coefficients::new(Newmark::default(), 1e-2);
+    let a1 = 2.0 / 1e-2;
+    for (name, load) in every_load(&everything().bodies) {
+        let machine = Machine::new(MachineParts { loads: vec![load], ..alone() }).expect("a load");
+        let mut state = wild_state(&machine, 5);
+        state.a.fill(0.0);
+        let both = [&machine, &without];
+        let tangents = both.map(|machine| {
+            let mut tangent = vec![0.0; size * size];
+            let mut system = System::new(machine);
+            system.evaluate(t, &state);
+            system.tangent(t, &state, &step, &mut tangent);
+            tangent
+        });
+        let force = |state: &State| -> Vec<f64> {
+            let [with, without] = both.map(|machine| {
+                let mut system = System::new(machine);
+                system.evaluate(t, state);
+                system.residual().to_vec()
+            });
+            with.iter().zip(&without).map(|(a, b)| a - b).collect()
+        };
+        let at_all = force(&state).iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        assert!(at_all > 0.1, "{name}: {at_all}");
+        for j in 0..size {
+            let h = if is_angle(&machine, j) { 1e-5 } else { 1e-6 };
+            let side = |h: f64| {
+                let mut moved = state.clone();
+                moved.q[j] += h;
+                moved.v[j] += a1 * h;
+                force(&moved)
+            };
+            let (above, below) = (side(h), side(-h));
+            for i in 0..size {
+                let exact = (below[i] - above[i]) / (2.0 * h);
+                let found = tangents[0][j * size + i] - tangents[1][j * size + i];
+                // Differences round by what stands beside the load, and so does the tangent.
+                let rounding = 1e-15 * tangents[1][j * size + i].abs() + 1e-11 / h;
+                let allowed = 1e-6 * (at_all + exact.abs()) + rounding;
+                assert!((found - exact).abs() < allowed, "{name} {i} {j}: {found} for {exact}");
+            }
         }
     }
 }

@@ -202,7 +202,7 @@ fn journal_and_bore_may_change_places() {
     let run = |bodies: [usize; 2]| {
         let own = vec![
             Body::turning("one", rigid(0.7, 1.3e-3), Rotation::Free),
-            Body::turning("other", rigid(2.0, 4e-3), driven),
+            Body::turning("other", rigid(2.0, 4e-3), driven.clone()),
         ];
         let machine = Machine::new(machine(own, vec![bearing(0, bodies)])).expect("a machine");
         let mut options = options(2e-5, 1500);

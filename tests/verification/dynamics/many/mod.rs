@@ -5,11 +5,15 @@ mod floating_ring;
 mod invariants;
 mod torsion;
 
+use std::sync::Arc;
+
 use num_dual::{Dual64, DualNum};
 use whirl_solver::bearing::{Bearing, Sides, periodic_spline};
 use whirl_solver::body::BodyNode;
+use whirl_solver::curve::Curve;
+use whirl_solver::gravity::{CentreOfMass, weights};
 use whirl_solver::linalg::Matrix;
-use whirl_solver::loads::{Frame, TimeFunction};
+use whirl_solver::loads::{Frame, Load, Onset, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::measure::MeanMotion;
 use whirl_solver::rigid::RigidBody;
@@ -107,6 +111,8 @@ fn bodies() -> Vec<Body> {
     let mut second = discs(2e5);
     let coordinates = second.size();
     second.nodes.extend(uneven(0.05, [0.0; 2], coordinates, 11));
+    // The centre of mass off the axis, and moved in any way.
+    second.centre_of_mass = CentreOfMass { mass: 3.0, node: second.nodes[9].clone() };
     second.measures.push(section(coordinates, 12));
     let mut rotor = discs(1e5);
     rotor.measures.push(section(rotor.size(), 13));
@@ -205,7 +211,7 @@ fn everything() -> MachineParts {
     let mut driven = bodies[0].nodes()[0].clone();
     driven.position[0] = 0.03;
     let mut loads = vec![
-        force(&bodies[0].nodes()[2], [100.0, -40.0, 7.0], sine, Frame::Space),
+        force(&bodies[0].nodes()[2], [100.0, -40.0, 7.0], sine.clone(), Frame::Space),
         force(&driven, [0.0, 60.0, 0.0], TimeFunction::Constant, Frame::Body),
         force(&bodies[2].nodes()[3], [30.0, 20.0, 5.0], TimeFunction::Constant, Frame::Space),
         force(&bodies[3].nodes()[1], [-10.0, 25.0, 0.0], sine, Frame::Space),
@@ -315,4 +321,39 @@ fn measures(
         ],
         theta,
     }
+}
+
+/// One load of every kind on the bodies of the machine of everything.
+fn every_load(bodies: &[Body]) -> Vec<(&'static str, Load)> {
+    let mut random = wild(23);
+    let mut turn = |body: usize| Matrix::from_fn(3, bodies[body].size(), |_, _| random());
+    let node = |body: usize, place: usize| bodies[body].nodes()[place].clone();
+    let rows: Vec<[f64; 2]> = (0..=24)
+        .map(|k| std::f64::consts::TAU * f64::from(k) / 24.0)
+        .map(|angle| [angle, (2.0 * angle).cos() + 0.3])
+        .collect();
+    let curve = Arc::new(Curve::smooth(&rows, true).expect("a curve"));
+    let brake = Curve::linear(&[[-300.0, 5.0], [300.0, -4.0]], false).expect("a curve");
+    let over_angle = |body| TimeFunction::OverAngle { body, curve: curve.clone() };
+    let order = |body| TimeFunction::Order { body, order: 1.5, phase: 0.4 };
+    let (space, body) = (Frame::Space, Frame::Body);
+    let speed = || TimeFunction::OverSpeed(Arc::new(brake.clone()));
+    let mut loads = vec![
+        ("order", Load::force(0, node(0, 2), [90.0, -30.0, 5.0], order(0), space)),
+        ("order in the body", Load::force(0, node(0, 1), [20.0, 60.0, 0.0], order(0), body)),
+        ("order of another", Load::force(2, node(2, 3), [30.0, -20.0, 5.0], order(1), space)),
+        ("angle of another", Load::force(0, node(0, 3), [-70.0, 15.0, 0.0], over_angle(1), space)),
+        ("couple", Load::couple(0, turn(0), [3.0, -2.0, 4.0], TimeFunction::Constant, space)),
+        ("couple in the body", Load::couple(0, turn(0), [1.0, 2.0, 3.0], order(1), body)),
+        ("couple over the angle", Load::couple(3, turn(3), [2.0, 0.5, -1.0], over_angle(0), space)),
+        ("couple on what stands", Load::couple(4, turn(4), [2.0, 3.0, 1.0], order(0), space)),
+        ("couple over speed", Load::couple(0, turn(0), [0.0, 1.0, 2.0], speed(), body)),
+        ("force over speed", Load::force(1, node(1, 2), [4.0, -3.0, 0.0], speed(), space)),
+        ("ramp", {
+            Load::force(0, node(0, 2), [8.0, 9.0, 1.0], order(0), space)
+                .from(Onset::Ramp(0.0, 0.03))
+        }),
+    ];
+    loads.extend(weights(bodies, [-9.81, 2.0, 1.0]).into_iter().map(|load| ("weight", load)));
+    loads
 }

@@ -1,0 +1,58 @@
+//! Orders of an angle, and tables over it.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use whirl_solver::curve::Curve;
+use whirl_solver::loads::{Frame, Load, TimeFunction};
+use whirl_solver::machine::{Machine, Rotation};
+use whirl_solver::support::Support;
+
+use super::{end, rigid_turn};
+use crate::dynamics::{discs, force, options, parts};
+
+const ORDER: f64 = 2.0;
+const PHASE: f64 = 0.7;
+
+/// The lateral displacement of a disc after a run-up from rest through six revolutions under a load over the angle.
+fn displacement(time_function: TimeFunction) -> f64 {
+    let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
+    let node = parts.bodies[0].nodes()[1].clone();
+    let drive =
+        TimeFunction::UntilSpeed { target: 200.0, release: whirl_solver::loads::Release::Located };
+    parts.loads = vec![
+        force(&node, [300.0, -100.0, 0.0], time_function, Frame::Space),
+        Load::couple(0, rigid_turn(), [0.0, 0.0, 30.0], drive, Frame::Body),
+    ];
+    let machine = Machine::new(parts).expect("a machine");
+    let state = end(&machine, &options(2e-4, 1700));
+    assert!(state.q[0] > 6.0 * TAU, "{}", state.q[0]);
+    state.q[3]
+}
+
+#[test]
+fn an_order_is_its_table_to_third_order() {
+    let exact = displacement(TimeFunction::Order { body: 0, order: ORDER, phase: PHASE });
+    let errors = [24_u32, 48, 96].map(|count| {
+        let angle = |row: u32| TAU / ORDER * f64::from(row) / f64::from(count);
+        let rows: Vec<[f64; 2]> =
+            (0..=count).map(|row| [angle(row), (ORDER * angle(row) + PHASE).sin()]).collect();
+        let curve = Arc::new(Curve::smooth(&rows, true).expect("a curve"));
+        (displacement(TimeFunction::OverAngle { body: 0, curve }) / exact - 1.0).abs()
+    });
+    println!("order against table of 24, 48, 96 rows: {errors:?}");
+    assert!(exact.abs() > 1e-5 && errors[0] < 1e-2, "{exact} {errors:?}");
+    assert!(errors[0] / errors[1] > 7.0 && errors[1] / errors[2] > 7.0, "{errors:?}");
+}
+
+/// A load that follows what does not turn is refused.
+#[test]
+fn a_load_follows_a_body_that_turns() {
+    let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
+    let node = parts.bodies[0].nodes()[1].clone();
+    for body in [1, 7] {
+        let order = TimeFunction::Order { body, order: 1.0, phase: 0.0 };
+        parts.loads.push(force(&node, [1.0, 0.0, 0.0], order, Frame::Space));
+    }
+    assert!(Machine::new(parts).is_err());
+}
