@@ -17,12 +17,17 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 10] = [
+const FILES: [(&str, &str); 15] = [
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
     ("mass.toml", include_str!("mass.toml")),
     ("named.toml", include_str!("named.toml")),
+    ("forced.toml", include_str!("forced.toml")),
+    ("tied.toml", include_str!("tied.toml")),
+    ("gas.csv", include_str!("gas.csv")),
+    ("motor.csv", include_str!("motor.csv")),
+    ("run-up.csv", include_str!("run-up.csv")),
     ("film.toml", include_str!("film.toml")),
     ("wall.toml", include_str!("wall.toml")),
     ("buffer.toml", include_str!("buffer.toml")),
@@ -31,7 +36,15 @@ const FILES: [(&str, &str); 10] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 5] = ["generated.toml", "base.toml", "read.toml", "mass.toml", "named.toml"];
+const CASES: [&str; 7] = [
+    "generated.toml",
+    "base.toml",
+    "read.toml",
+    "mass.toml",
+    "named.toml",
+    "forced.toml",
+    "tied.toml",
+];
 
 #[test]
 fn no_key_is_left_out() {
@@ -60,7 +73,24 @@ fn every_key_of_named_bodies_runs() {
     let joints = found.summary["supports"].as_array().expect("a list");
     let names: Vec<&str> = joints.iter().filter_map(|joint| joint["joint"].as_str()).collect();
     assert_eq!(names[..3], ["left", "right", "cup-near"]);
+    let fan = found.history.last("theta_fan_rad");
+    let exact = std::f64::consts::TAU / 60.0 * (0.5 * 5e-3 * 300.0 + 5e-3 * (300.0 + 0.5 * 100.0));
+    assert!((fan / exact - 1.0).abs() < 1e-9, "{fan} for {exact}");
+    assert!(found.history.last("M_fan_Nm").abs() > 0.0);
     assert!(found.figure("rotation").contains("Speed of rotation of cup"));
+}
+
+/// What loads and drives do is held to exact solutions elsewhere; here all of their keys stand together.
+#[test]
+fn every_key_of_loads_and_drives_runs() {
+    let found = Results::of("forced", &[]);
+    assert_eq!(found.history.rows(), 260);
+    assert!(found.history.last("omega_rad_s") > 0.0);
+    let cup = crate::bodies::meshes::cup([0, 0]);
+    let found = Results::of("tied", &[("cup.inp", cup)]);
+    // A couple of 10 N·m at rest that falls by 10 N·m over 1500 rpm.
+    let speed = found.history.last("omega_rad_s");
+    assert!(speed > 1.0, "{speed}");
 }
 
 /// The schemas one level down, each with what it adds to the path of a key.

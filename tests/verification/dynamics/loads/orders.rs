@@ -25,7 +25,7 @@ fn displacement(time_function: TimeFunction) -> f64 {
         Load::couple(0, rigid_turn(), [0.0, 0.0, 30.0], drive, Frame::Body),
     ];
     let machine = Machine::new(parts).expect("a machine");
-    let state = end(&machine, &options(2e-4, 1700));
+    let state = end(&machine, &options(2e-4, 2000));
     assert!(state.q[0] > 6.0 * TAU, "{}", state.q[0]);
     state.q[3]
 }
