@@ -98,7 +98,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &MachinePlan) -> Result<(),
     line!(text, "motion: {}", rotor.shaft.motion.origin.title);
     for load in &rotor.loads {
         let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
-        line!(text, "load at {}: {}", sets.join(", "), load.described());
+        line!(text, "load: {}", load.described(&format!(" at {}", sets.join(", "))));
     }
     if let Some(gravity) = &rotor.gravity {
         line!(text, "gravity: {} m/s²", listed(gravity));

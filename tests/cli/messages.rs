@@ -25,8 +25,10 @@ fn names(ending: &str) -> Vec<String> {
 /// A bench with all files of the folder.
 fn bench() -> Workbench {
     let files = fs::read_dir(folder()).expect("the folder").map(|entry| entry.expect("an entry"));
-    let toml = files.filter(|file| file.path().extension().is_some_and(|end| end == "toml"));
-    toml.fold(Workbench::new(), |bench, file| {
+    let read = |file: &fs::DirEntry| {
+        file.path().extension().is_some_and(|end| end == "toml" || end == "csv")
+    };
+    files.filter(read).fold(Workbench::new(), |bench, file| {
         let text = fs::read_to_string(file.path()).expect("a text");
         bench.file(&file.file_name().to_string_lossy(), &text)
     })

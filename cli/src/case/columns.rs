@@ -198,7 +198,8 @@ fn row(line: &[Located], units: &[(Unit, Dimension); 2]) -> Result<[f64; 2], Box
             "a row has two values, this has {count}{}",
             if count == 1 { "" } else { ": write numbers with a point" }
         );
-        return Err(Box::new(line[0].error_here(Code::TABLE, message)));
+        let help = "separate the two values by a comma, a semicolon or a tab";
+        return Err(Box::new(line[0].error_here(Code::TABLE, message).help(help)));
     };
     let mut values = [0.0; 2];
     for ((value, cell), (unit, _)) in values.iter_mut().zip([first, second]).zip(units) {

@@ -81,8 +81,8 @@ impl Load {
         }
     }
 
-    /// What it is, for people.
-    pub(crate) fn described(&self) -> String {
+    /// What it is, for people; `at`: where it acts, behind its amplitude.
+    pub(crate) fn described(&self, at: &str) -> String {
         let (parts, unit, word) = match self.acting {
             Acting::Force(parts) => (parts, "N", "along"),
             Acting::Couple(parts) => (parts, "N m", "about"),
@@ -116,7 +116,7 @@ impl Load {
         };
         let frame = if self.frame == Frame::Body { ", turning with it" } else { "" };
         let nothing = if along.is_empty() { format!("0 {unit}") } else { along.join(", ") };
-        format!("{nothing}{frame}, {variation}{from}")
+        format!("{nothing}{at}{frame}, {variation}{from}")
     }
 }
 

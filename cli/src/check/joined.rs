@@ -68,7 +68,7 @@ pub(super) fn say(
             "load {} on {}{place}: {}",
             own.name.text(),
             joined.bodies[own.body].name.text(),
-            own.load.described()
+            own.load.described("")
         );
     }
     if let Some(gravity) = &joined.gravity {
