@@ -2,6 +2,7 @@
 //! of the case.
 
 mod body;
+mod driven;
 pub(super) mod geometry;
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};

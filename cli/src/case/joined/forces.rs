@@ -62,11 +62,9 @@ pub(super) fn load<'a>(
                 table.push(table.written("z").error_here(Code::BAD_VALUE, message).help(help));
             }
         }
-        Form::Rigid(_) => {
-            no_mesh(table, "sets", own);
-            moves(table, &load, own);
-        }
+        Form::Rigid(_) => no_mesh(table, "sets", own),
     }
+    moves(table, &load, own);
     load.of = followed(table, &load, of, &place, (body, known), body_of);
     Some(Load { name: name.clone(), body, z, load })
 }
@@ -102,7 +100,11 @@ fn followed<'a>(
 
 /// Notes a force or a couple along or about an axis along or about which a rigid body does not move.
 fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
-    let Form::Rigid(rigid) = &body.form else { return };
+    let tilts = match &body.form {
+        Form::Rigid(rigid) => rigid.transverse_inertia.is_some(),
+        Form::Meshed(meshed) if meshed.rigid => true,
+        Form::Meshed(_) => return,
+    };
     let name = body.name.text();
     let note = |message: String, help: &str| {
         table.push(load.place.error_here(Code::BAD_VALUE, message).help(help));
@@ -112,7 +114,7 @@ fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
             format!("`{name}` is rigid and does not move along z: a force along z has no effect"),
             "leave its part along z out",
         ),
-        Acting::Couple([x, y, _]) if x.hypot(y) != 0.0 && rigid.transverse_inertia.is_none() => {
+        Acting::Couple([x, y, _]) if x.hypot(y) != 0.0 && !tilts => {
             note(
                 format!("`{name}` does not tilt: a couple about x or y has no effect"),
                 "give it a `transverse_inertia`, or leave these parts out",
