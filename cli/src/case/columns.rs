@@ -211,6 +211,10 @@ fn row(line: &[Located], units: &[(Unit, Dimension); 2]) -> Result<[f64; 2], Box
             return Err(Box::new(cell.error_here(Code::TABLE, message).help(help)));
         };
         *value = unit.to_si(number);
+        if !value.is_finite() {
+            let message = format!("`{}` is beyond all numbers in SI units", cell.text());
+            return Err(Box::new(cell.error_here(Code::TABLE, message)));
+        }
     }
     Ok(values)
 }

@@ -12,7 +12,7 @@ pub(in crate::machine) use self::place::{mm, nodes_of};
 
 use self::place::single;
 use super::{BearingOutline, Outline};
-use crate::case;
+use crate::case::{self, Acting, Spread};
 
 /// The arm of the driving couple is at least this part of the distance of its nodes. Below it the forces
 /// along y are ten times those that the distance asks for, and stretch the section between them.
@@ -127,6 +127,10 @@ pub(in crate::machine) fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut
 
 /// Nodes that would carry the force of one load twice.
 pub(in crate::machine) fn loaded_twice(load: &case::Load, shaft: &Mesh, errors: &mut Diagnostics) {
+    // A mean counts every node once.
+    if load.spread == Spread::Mean || matches!(load.acting, Acting::Couple(_)) {
+        return;
+    }
     for (second, set) in load.sets.iter().enumerate() {
         let Some(nodes) = nodes_of(shaft, set) else { continue };
         let shared = load.sets[..second].iter().find_map(|first| {

@@ -4,11 +4,12 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use whirl_solver::curve::Curve;
-use whirl_solver::loads::{Frame, Load, TimeFunction};
+use whirl_solver::dynamics::March;
+use whirl_solver::loads::{Frame, Load, Release, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 
-use super::{end, rigid_turn};
+use super::rigid_turn;
 use crate::dynamics::{discs, force, options, parts};
 
 const ORDER: f64 = 2.0;
@@ -25,7 +26,15 @@ fn displacement(time_function: TimeFunction) -> f64 {
         Load::couple(0, rigid_turn(), [0.0, 0.0, 30.0], drive, Frame::Body),
     ];
     let machine = Machine::new(parts).expect("a machine");
-    let state = end(&machine, &options(2e-4, 2000));
+    let options = options(2e-4, 2000);
+    let mut march = March::new(&machine, &options).expect("starts");
+    while !march.is_done() {
+        march.advance().expect("the step converges");
+    }
+    // The work of a load that follows an angle, and of a couple that ends within a step.
+    let energy = march.energy();
+    assert!(energy.work_in > 10.0 && energy.error_fraction() < 1e-3, "{energy:?}");
+    let state = march.state();
     assert!(state.q[0] > 6.0 * TAU, "{}", state.q[0]);
     state.q[3]
 }
