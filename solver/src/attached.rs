@@ -154,7 +154,7 @@ fn add_product(matrix: &mut Matrix, factor: f64, left: &[f64], right: &[f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gravity::CentreOfMass;
+    use crate::centre_of_mass::CentreOfMass;
 
     const MASS: f64 = 7.0;
 

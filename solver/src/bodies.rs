@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::body::BodyNode;
-use crate::gravity::CentreOfMass;
+use crate::centre_of_mass::CentreOfMass;
 use crate::measure::MeanMotion;
 use crate::schedule::Schedule;
 use crate::shaft::Shaft;

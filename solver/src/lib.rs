@@ -6,6 +6,7 @@ pub mod bearing;
 pub mod bodies;
 pub mod body;
 pub mod cache;
+pub mod centre_of_mass;
 pub mod constraints;
 pub mod curve;
 pub mod dynamics;

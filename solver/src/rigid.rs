@@ -8,8 +8,8 @@
 
 use crate::assembly::mass_properties;
 use crate::body::BodyNode;
+use crate::centre_of_mass::CentreOfMass;
 use crate::error::Error;
-use crate::gravity::CentreOfMass;
 use crate::linalg::Matrix;
 use crate::measure::MeanMotion;
 use crate::mesh::Mesh;

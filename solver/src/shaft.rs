@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh};
+use crate::centre_of_mass::CentreOfMass;
 use crate::error::Error;
-use crate::gravity::CentreOfMass;
 use crate::linalg::{Matrix, congruence};
 use crate::measure::MeanMotion;
 use crate::mesh::Mesh;

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::{BodyNode, BodySpec, Coordinates, Rayleigh, mode_names};
+use crate::centre_of_mass::CentreOfMass;
 use crate::error::Error;
-use crate::gravity::CentreOfMass;
 use crate::linalg::{
     LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply,
 };

@@ -5,7 +5,7 @@ use whirl_specs::{CLEARANCES, MOTIONS};
 use super::newmark::State;
 use crate::bearing::{Bearing, Sides, SpringLaw};
 use crate::body::BodyNode;
-use crate::gravity::CentreOfMass;
+use crate::centre_of_mass::CentreOfMass;
 use crate::linalg::Matrix;
 use crate::loads::{Frame, Load, TimeFunction};
 use crate::machine::{Body, Machine, MachineParts, Rotation};

@@ -19,8 +19,8 @@ mod validity;
 
 use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::BodyNode;
+use whirl_solver::centre_of_mass::CentreOfMass;
 use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions};
-use whirl_solver::gravity::CentreOfMass;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Body, MachineParts, Rotation};

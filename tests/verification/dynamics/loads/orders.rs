@@ -19,8 +19,7 @@ const PHASE: f64 = 0.7;
 fn displacement(time_function: TimeFunction) -> f64 {
     let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
     let node = parts.bodies[0].nodes()[1].clone();
-    let drive =
-        TimeFunction::UntilSpeed { target: 200.0, release: whirl_solver::loads::Release::Located };
+    let drive = TimeFunction::UntilSpeed { target: 200.0, release: Release::Located };
     parts.loads = vec![
         force(&node, [300.0, -100.0, 0.0], time_function, Frame::Space),
         Load::couple(0, rigid_turn(), [0.0, 0.0, 30.0], drive, Frame::Body),
