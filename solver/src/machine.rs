@@ -98,7 +98,7 @@ impl Machine {
         for load in &loads {
             if let Some(body) = load.time_function.follows() {
                 let followed = bodies.get(body).and_then(Body::rotation);
-                if !followed.is_some_and(|rotation| rotation.spin().is_none()) {
+                if followed.is_none_or(|rotation| rotation.spin().is_some()) {
                     let what = "a load follows the angle of a body that does not turn";
                     return Err(Error::Machine(what.to_owned()));
                 }

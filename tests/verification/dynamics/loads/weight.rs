@@ -1,6 +1,5 @@
 //! Gravity on bodies that turn, and on a meshed shaft.
 
-use whirl_benches::hand::elements::ELEMENTS;
 use whirl_solver::attached::{PointMass, Unbalance};
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::Constraints;
@@ -8,12 +7,12 @@ use whirl_solver::dynamics::{BodyStart, March, State, System};
 use whirl_solver::gravity::weights;
 use whirl_solver::linalg::Lu;
 use whirl_solver::machine::{Body, Machine, Rotation};
-use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
-use whirl_solver::mesh::{Material, MeanComponent, NodeSetMean};
+use whirl_solver::mesh::MeanComponent;
 use whirl_solver::rigid::RigidBody;
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
+use super::{SHAFT, section, uniform_shaft};
 use crate::dynamics::{options, parts};
 
 const GRAVITY: [f64; 3] = [-9.81, 1.5, 0.0];
@@ -93,25 +92,9 @@ fn a_turning_body_falls_freely() {
 /// A uniform shaft on two simple supports: sag in the middle by Timoshenko's beam, 5wL⁴/384EI + wL²/8κGA.
 #[test]
 fn a_shaft_sags_as_a_beam_with_shear_does() {
-    let (length, diameter, modulus, poisson, density) = (1.0, 0.06, 200e9, 0.3, 7860.0);
-    let mesh = SolidShaft {
-        length,
-        diameter,
-        supports: vec![0.49, 0.51 + 0.2],
-        support_length: 0.02,
-        layers_in_support: 2,
-        layers_between: 20,
-        loads: Vec::new(),
-        section: SectionCells { sectors: 16, rings: 3 },
-        material: Material::isotropic("STEEL", modulus, poisson, density).expect("steel"),
-    };
-    let mesh = mesh.mesh(&ELEMENTS).expect("a mesh");
-    let section = |z: f64| {
-        let near = |node: &usize| (mesh.nodes()[*node][2] - z).abs() < 1e-9;
-        let nodes: Vec<usize> = (0..mesh.nodes().len()).filter(near).collect();
-        assert!(nodes.len() > 10, "{z}");
-        NodeSetMean::new(&mesh, &nodes).expect("a section")
-    };
+    let [length, diameter, modulus, poisson, density] = SHAFT;
+    let mesh = uniform_shaft();
+    let section = |z: f64| section(&mesh, z);
     let (mut retained, mut constraints) = (Vec::new(), Constraints::new());
     let ends = [section(0.0), section(length)];
     let displacement = MeanComponent::Displacement;
