@@ -177,7 +177,7 @@ impl RigidInertia {
     }
 
     /// Displacements of the centre and tilts by a unit of each of the coordinates in which M is the identity: row by row.
-    fn to_unit_mass(&self) -> [[f64; 4]; 4] {
+    fn to_unit_mass(self) -> [[f64; 4]; 4] {
         let [[xx, xy, _], [_, yy, _], [.., zz]] = self.second;
         let lateral = 1.0 / self.mass.sqrt();
         // The inverse of Lᵀ, with L Lᵀ the block of the tilts.
