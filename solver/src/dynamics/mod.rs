@@ -2,6 +2,7 @@
 
 mod checkpoint;
 mod energy;
+mod equilibrium;
 mod march;
 mod meters;
 mod newmark;
@@ -21,6 +22,7 @@ mod windows;
 
 pub use checkpoint::Checkpoint;
 pub use energy::EnergyBalance;
+pub use equilibrium::{Equilibrium, equilibrium};
 pub use march::{BodyStart, Failure, March, MarchOptions, Outcome, Progress, march};
 pub use newmark::{Coefficients, Newmark, State};
 pub use newton::NewtonOptions;

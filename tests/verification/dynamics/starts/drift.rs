@@ -1,0 +1,1 @@
+//! What happens after the start: a machine in equilibrium stays there.
