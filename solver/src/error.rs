@@ -247,6 +247,34 @@ pub enum Error {
         /// The coordinates that move most in what nothing holds.
         coordinates: Vec<String>,
     },
+    /// A state of another machine, whose coordinates mean something else.
+    #[error(
+        "the state is of other bodies: {}. Bodies keep their meaning where their mesh, material, modes, discs and the \
+         sets that joints, drives and restraints retain stay as they are; laws, loads, drives, unbalance and damping may \
+         change",
+        .0.join("; ")
+    )]
+    OtherBodies(Vec<String>),
+    /// A rotation that is prescribed otherwise than a state has it.
+    #[error(
+        "the rotation of {body} is prescribed to be at {angle:.6e} rad and {speed:.6e} rad/s at t = {time:.6e} s, where the \
+         state that it starts from has {had_angle:.6e} rad and {had_speed:.6e} rad/s: prescribe what goes on from there, \
+         or let it turn freely"
+    )]
+    OtherRotation {
+        /// Name of the body.
+        body: String,
+        /// Time of the state (s).
+        time: f64,
+        /// θ (rad) and θ̇ (rad/s) as prescribed.
+        angle: f64,
+        /// See `angle`.
+        speed: f64,
+        /// θ and θ̇ of the state.
+        had_angle: f64,
+        /// See `had_angle`.
+        had_speed: f64,
+    },
     /// Linear algebra failed.
     #[error(transparent)]
     LinearAlgebra(#[from] LinearAlgebraError),

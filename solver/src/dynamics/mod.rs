@@ -9,6 +9,7 @@ mod newmark;
 mod newton;
 mod quality;
 mod release;
+mod restart;
 mod row;
 mod rows;
 #[cfg(test)]
@@ -27,6 +28,7 @@ pub use march::{BodyStart, Failure, March, MarchOptions, Outcome, Progress, marc
 pub use newmark::{Coefficients, Newmark, State};
 pub use newton::NewtonOptions;
 pub use quality::Quality;
+pub use restart::LastState;
 pub use steady::SteadyState;
 pub use system::System;
 pub use verdict::{Finding, findings};

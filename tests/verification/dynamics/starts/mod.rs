@@ -1,8 +1,9 @@
 //! Machines that start in equilibrium at speed: journals in short films against closed forms, the threshold of oil whirl,
-//! floating rings, what drifts after the start.
+//! floating rings, what drifts after the start; and machines that start from the last state of another march.
 
 mod drift;
 mod equilibrium;
+mod restart;
 mod short_film;
 mod whirl;
 
