@@ -93,8 +93,7 @@ impl LastState {
             }
             let State { q, v, a } = &own.flexible;
             let all = [(&mut state.q, q), (&mut state.v, v), (&mut state.a, a)];
-            all.into_iter()
-                .for_each(|(all, own)| all[place.flexible.clone()].copy_from_slice(own));
+            all.into_iter().for_each(|(all, own)| all[place.flexible.clone()].copy_from_slice(own));
             if let (Some(at), Some([angle, speed, rate])) = (place.rotation, own.rotation) {
                 (state.q[at], state.v[at], state.a[at]) = (angle, speed, rate);
             }

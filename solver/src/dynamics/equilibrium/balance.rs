@@ -67,9 +67,9 @@ impl<'m> Balance<'m> {
             turning.push(Some(TurningStart::new(shaft)?));
         }
         // Between two films a ring turns at about half the speed of what it carries.
-        let fastest = state.v[..rotations].iter().fold(0.0, |most: f64, speed| {
-            if speed.abs() > most.abs() { *speed } else { most }
-        });
+        let fastest = state.v[..rotations]
+            .iter()
+            .fold(0.0, |most: f64, speed| if speed.abs() > most.abs() { *speed } else { most });
         places[flexible..].iter().for_each(|&theta| state.v[theta] = 0.5 * fastest);
         let rows = places.len();
         let mut balance = Balance {
@@ -267,11 +267,9 @@ impl<'m> Balance<'m> {
                 add(&mut by_position[at * size + place.start..], k);
                 add(&mut by_rate[at * size + place.start..], c);
             }
-            let columns =
-                |data| Columns { rows: size, cols: place.len(), data };
+            let columns = |data| Columns { rows: size, cols: place.len(), data };
             let range = place.start * size..place.end * size;
-            let turned =
-                multiply(columns(&by_rate[range.clone()]), own.quarter_turn.view());
+            let turned = multiply(columns(&by_rate[range.clone()]), own.quarter_turn.view());
             let speed = self.speed(number);
             for (j, at) in place.clone().enumerate() {
                 let mut column = by_position[at * size..(at + 1) * size].to_vec();
@@ -342,7 +340,9 @@ impl<'m> Balance<'m> {
         let planes = &self.machine.springs.planes;
         let first = |planes: &[usize]| planes.first().copied();
         let monitors = self.machine.monitors.iter();
-        monitors.map(|own| first(&own.planes).map_or(0.0, |place| planes[place].clearance)).collect()
+        monitors
+            .map(|own| first(&own.planes).map_or(0.0, |place| planes[place].clearance))
+            .collect()
     }
 
     /// Eccentricity over clearance in each bearing, with its name.

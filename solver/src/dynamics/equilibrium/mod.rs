@@ -56,12 +56,7 @@ pub fn equilibrium(machine: &Machine, speeds: &[Option<f64>]) -> Result<Equilibr
         position: balance.state.q[place.flexible.clone()].to_vec(),
         velocity: balance.state.v[place.flexible.clone()].to_vec(),
     });
-    Ok(Equilibrium {
-        bodies: bodies.collect(),
-        eccentricities: balance.ratios(),
-        left,
-        iterations,
-    })
+    Ok(Equilibrium { bodies: bodies.collect(), eccentricities: balance.ratios(), left, iterations })
 }
 
 /// What is out of balance where the search came nearest.

@@ -65,8 +65,7 @@ impl<'m> TurningStart<'m> {
             }
         }
         let stiffness = &self.shaft.stiffness;
-        let matrix =
-            Matrix::from_fn(n, n, |i, j| stiffness[(i, j)] - speed * speed * net[(i, j)]);
+        let matrix = Matrix::from_fn(n, n, |i, j| stiffness[(i, j)] - speed * speed * net[(i, j)]);
         let mut lu = Lu::new(n);
         lu.factor(&matrix.data)?;
         let mut own: Vec<f64> = self.centrifugal.iter().map(|load| speed * speed * load).collect();

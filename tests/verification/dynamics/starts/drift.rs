@@ -13,7 +13,8 @@ use super::{SPEED, film, ocvirk};
 /// A flexible shaft of discs with damping of its own, under its weight and a force on the middle disc, in two films.
 fn machine() -> Machine {
     let mut shaft = discs(2e6);
-    shaft.damping = Matrix::from_fn(shaft.size(), shaft.size(), |i, j| 1e-5 * shaft.stiffness[(i, j)]);
+    shaft.damping =
+        Matrix::from_fn(shaft.size(), shaft.size(), |i, j| 1e-5 * shaft.stiffness[(i, j)]);
     // It is a little wider at speed: a load that turns with it and moves the outer discs against the middle one.
     for (disc, share) in [(0, 1.0), (2, -2.0), (4, 1.0)] {
         shaft.y0[2 * disc] = share * 1e-6;
@@ -25,7 +26,8 @@ fn machine() -> Machine {
     let weight = |disc: usize, more: f64| {
         force(&nodes[disc], [-9.81 * DISC - more, 0.0, 0.0], TimeFunction::Constant, Frame::Space)
     };
-    parts.loads = (0..DISCS).map(|disc| weight(disc, if disc == 2 { 500.0 } else { 0.0 })).collect();
+    parts.loads =
+        (0..DISCS).map(|disc| weight(disc, if disc == 2 { 500.0 } else { 0.0 })).collect();
     Machine::new(parts).expect("a machine")
 }
 
@@ -47,7 +49,7 @@ fn drift(machine: &Machine, initial: Vec<BodyStart>) -> f64 {
     ends.iter().map(|[least, most]| most - least).fold(0.0, f64::max) / half
 }
 
-/// The speed falls by the friction of the films meanwhile, by 1e-3 of itself.
+/// The speed falls a little by the friction of the films meanwhile.
 #[test]
 fn reactions_stay_where_a_machine_starts_in_equilibrium() {
     let machine = machine();

@@ -10,12 +10,11 @@ use super::{C, JOURNALS, SPEED, rigid_rotor};
 /// Attitude angles and load numbers of the short film: Ocvirk (1952).
 #[test]
 fn journals_stand_where_short_films_carry_them() {
-    for (eps, degrees, number) in [(0.1, 82.71, 0.0804), (0.5, 53.68, 0.7504), (0.9, 20.83, 24.006)] {
+    for (eps, degrees, number) in [(0.1, 82.71, 0.0804), (0.5, 53.68, 0.7504), (0.9, 20.83, 24.006)]
+    {
         assert!((attitude(eps).to_degrees() - degrees).abs() < 5e-3);
         assert!((super::short_film::load_number(eps) / number - 1.0).abs() < 1e-3);
-        for rotation in
-            [Rotation::Free, Rotation::Prescribed { speed: SPEED, acceleration: 0.0 }]
-        {
+        for rotation in [Rotation::Free, Rotation::Prescribed { speed: SPEED, acceleration: 0.0 }] {
             let machine = rigid_rotor(10.0, 2.0 * load(eps, SPEED), 0.0, rotation);
             let found = equilibrium(&machine, &[Some(SPEED)]).expect("is there");
             let [x, y] = [0, 1].map(|axis| found.bodies[0].position[axis] / C);
@@ -53,7 +52,10 @@ fn more_than_films_carry_is_an_error_with_facts() {
     let machine = rigid_rotor(10.0, 2.5 * load(0.99, SPEED), 0.0, Rotation::Free);
     match equilibrium(&machine, &[Some(SPEED)]) {
         Err(Error::NoEquilibrium { rows, journals, share }) => {
-            println!("{}", Error::NoEquilibrium { rows: rows.clone(), journals: journals.clone(), share });
+            println!(
+                "{}",
+                Error::NoEquilibrium { rows: rows.clone(), journals: journals.clone(), share }
+            );
             assert!(rows[0].0.contains("rotor, centre x"), "{rows:?}");
             assert!(journals.len() == 2 && journals[0].1 > 0.9, "{journals:?}");
             assert!((0.7..0.85).contains(&share), "{share}");

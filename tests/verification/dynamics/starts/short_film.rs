@@ -30,7 +30,10 @@ pub(super) fn coefficients(eps: f64) -> [[[f64; 2]; 2]; 2] {
     let (rest, root) = (1.0 - e2, (1.0 - e2).sqrt());
     let h = (p2 * rest + 16.0 * e2).powf(-1.5);
     let stiffness = [
-        [4.0 * (p2 * (2.0 - e2) + 16.0 * e2), PI * (p2 * rest * rest - 16.0 * e2 * e2) / (eps * root)],
+        [
+            4.0 * (p2 * (2.0 - e2) + 16.0 * e2),
+            PI * (p2 * rest * rest - 16.0 * e2 * e2) / (eps * root),
+        ],
         [
             -PI * (p2 * rest * (1.0 + 2.0 * e2) + 32.0 * e2 * (1.0 + e2)) / (eps * root),
             4.0 * (p2 * (1.0 + 2.0 * e2) + 32.0 * e2 * (1.0 + e2) / rest),
@@ -82,14 +85,15 @@ fn closed_forms_are_those_of_the_integrated_film() {
             };
             let at = |[du, dv]: [f64; 2]| integrated([u + du, v + dv], [0.0; 2], 1.0);
             let along = |rate: [f64; 2]| integrated([u, v], rate, 1.0);
-            let ([a, b], [p, q]) = (
-                [at(moved(1.0)), at(moved(-1.0))],
-                [along(moved(1.0)), along(moved(-1.0))],
-            );
+            let ([a, b], [p, q]) =
+                ([at(moved(1.0)), at(moved(-1.0))], [along(moved(1.0)), along(moved(-1.0))]);
             for row in 0..2 {
                 let k = -(a[row] - b[row]) / (2.0 * by) / number;
                 let c = -(p[row] - q[row]) / (2.0 * by) / number;
-                println!("{eps} {row}{column}: K {k:.5} {:.5}, C {c:.5} {:.5}", stiffness[row][column], damping[row][column]);
+                println!(
+                    "{eps} {row}{column}: K {k:.5} {:.5}, C {c:.5} {:.5}",
+                    stiffness[row][column], damping[row][column]
+                );
                 assert!((k / stiffness[row][column] - 1.0).abs() < 1e-3);
                 assert!((c / damping[row][column] - 1.0).abs() < 1e-3);
             }

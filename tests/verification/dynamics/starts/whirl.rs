@@ -1,6 +1,8 @@
 //! Oil whirl of a rigid rotor in two short films: the speed, or here the mass, at which its equilibrium is lost.
 
-use whirl_solver::dynamics::{Coefficients, Equilibrium, March, MarchOptions, State, System, equilibrium};
+use whirl_solver::dynamics::{
+    Coefficients, Equilibrium, March, MarchOptions, State, System, equilibrium,
+};
 use whirl_solver::machine::{Machine, Rotation};
 
 use super::super::options;
@@ -53,14 +55,12 @@ fn linearised(machine: &Machine, found: &Equilibrium, mass: f64) -> [[[f64; 2]; 
     let times_j = |m: [[f64; 2]; 2]| {
         [0, 1].map(|row| [0, 1].map(|col| (0..2).map(|k| m[row][k] * j[k][col]).sum::<f64>()))
     };
-    let [k, c, m] =
-        [0, 1, 2].map(|which| [[xx[which], xy[which]], [yx[which], yy[which]]]);
+    let [k, c, m] = [0, 1, 2].map(|which| [[xx[which], xy[which]], [yx[which], yy[which]]]);
     let (cj, mj) = (times_j(c), times_j(m));
     let stiffness = [0, 1].map(|row| {
         [0, 1].map(|col| k[row][col] - SPEED * cj[row][col] - SPEED * SPEED * m[row][col])
     });
-    let damping =
-        [0, 1].map(|row| [0, 1].map(|col| c[row][col] - 2.0 * SPEED * mj[row][col]));
+    let damping = [0, 1].map(|row| [0, 1].map(|col| c[row][col] - 2.0 * SPEED * mj[row][col]));
     [stiffness, damping].map(|matrix| matrix.map(|row| row.map(|own| 0.5 * own)))
 }
 
