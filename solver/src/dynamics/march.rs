@@ -344,6 +344,11 @@ impl<'m> March<'m> {
         self.clock.time + (self.clock.step + self.tally.step) as f64 * self.options.time_step
     }
 
+    /// Time at the start (s): 0, or that of the state from which the march goes on.
+    pub fn begun(&self) -> f64 {
+        self.clock.time + self.clock.step as f64 * self.options.time_step
+    }
+
     /// Whether all steps are done, or the steady state is reached where that is the end.
     pub fn is_done(&self) -> bool {
         let steady = self.tally.steady.as_ref().is_some_and(|test| test.reached.is_some());
