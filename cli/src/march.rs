@@ -74,7 +74,7 @@ pub(crate) fn march(
     let before = from.as_ref().map(|point| (point.history, point.wall));
     let mut march = match from {
         Some(point) => March::resume(&built.machine, &options, point.march)?,
-        None => start::begin(case, built, &options, show)?,
+        None => start::begin((case, built), &options, results.folder(), show)?,
     };
     let shown = progress::steps(show, options.steps, march.progress().step);
     let start = Instant::now();

@@ -17,21 +17,21 @@ use crate::results::STATE;
 /// Layout of the file.
 const LAYOUT: &str = "whirl state 1";
 
-/// The march of a case before its first step.
+/// The march of a case, whose results go to `out`, before its first step.
 ///
 /// # Errors
 /// No equilibrium, or no state that fits.
 pub(crate) fn begin<'m>(
-    case: &Case,
-    built: &'m Built,
+    (case, built): (&Case, &'m Built),
     options: &MarchOptions,
+    out: &Path,
     show: ProgressMode,
 ) -> Result<March<'m>, Failure> {
     let machine = &built.machine;
     let initial = match &case.start {
         Start::State(folder) => {
             let folder = Path::new(folder.text());
-            let last = read(folder)?;
+            let last = read(folder, out)?;
             let march = March::from_last(machine, options, &last).map_err(|error| match error {
                 error @ (Error::OtherBodies(_) | Error::OtherRotation { .. }) => {
                     Failure::NoState { folder: folder.to_path_buf(), reason: error.to_string() }
@@ -112,8 +112,13 @@ pub(crate) fn write(path: &Path, state: &LastState) -> io::Result<()> {
 }
 
 /// The state in which the run in a folder ended.
-fn read(folder: &Path) -> Result<LastState, Failure> {
+fn read(folder: &Path, out: &Path) -> Result<LastState, Failure> {
     let missing = |reason: String| Failure::NoState { folder: folder.to_path_buf(), reason };
+    if let (Ok(from), Ok(to)) = (folder.canonicalize(), out.canonicalize())
+        && from == to
+    {
+        return Err(missing("the results of this run go there, too".to_owned()));
+    }
     let bytes = fs::read(folder.join(STATE)).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound if !folder.is_dir() => missing(
             "there is no such folder; it is looked for where the command is run, as that of results is"

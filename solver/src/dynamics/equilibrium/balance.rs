@@ -17,6 +17,8 @@ use crate::machine::{Body, Machine};
 /// Shares at which a row is solved: of its largest term, and of the largest force projected on it (PHYSICS.md, 10).
 const OF_TERM: f64 = 1e-6;
 const OF_FORCE: f64 = 1e-9;
+/// Forces that are not asked for better than to a share of [`OF_FORCE`], where there are none larger (N).
+const LEAST_FORCE: f64 = 1.0;
 /// Multiples of eps · Σ |terms| that rounding may leave.
 const ROUNDING: f64 = 32.0;
 
@@ -152,7 +154,7 @@ impl<'m> Balance<'m> {
                 add_product(elastic, &own.shaft.stiffness, &opposite);
             }
         }
-        let springs = system.springs.forces.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+        let springs = system.springs.forces.iter().fold(LEAST_FORCE, |most, f| most.max(f.abs()));
         let products = self.products();
         let system = &self.system;
         for (row, &place) in self.places.iter().enumerate() {
