@@ -109,8 +109,7 @@ pub(crate) fn march(
     if matches!(end, End::Interrupted) {
         recorder.keep(march.checkpoint(), wall);
     }
-    // A state within a step that does not converge is none to start from.
-    let state = (!matches!(end, End::Diverged(_))).then(|| march.last_state());
+    let state = matches!(end, End::Done).then(|| march.last_state());
     let state_path = recorder.results.path(STATE);
     let (end, warning) = match (recorder.finish(), end) {
         (Err(NotWritten(reason)), End::Done | End::Interrupted) => (End::NotWritten(reason), None),
