@@ -164,3 +164,21 @@ fn a_start_without_an_equilibrium_says_what_is_out_of_balance() {
     }
     assert!(!bench.path("results/case").exists());
 }
+
+/// The example of the page on cases, as it is written there.
+#[test]
+fn the_documented_start_runs() {
+    let page = include_str!("../../docs/case-files.md");
+    let (_, section) = page.split_once("\n## Start\n").expect("a section");
+    let case = section.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next());
+    let bench = Workbench::new().file("case.toml", case.expect("an example"));
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("ring turns at "), "{}", outcome.stderr);
+    let history = bench.history("results/case");
+    let [first, last] = [0, 99].map(|row| history.column("omega_ring_rad_s")[row]);
+    // The ring goes on at the speed that was found for it.
+    assert!((last / first - 1.0).abs() < 1e-3, "{first} {last}");
+    let reaction = history.column("RX_inner_N");
+    assert!(reaction.iter().all(|force| (force / 98.1 - 1.0).abs() < 0.01), "{reaction:?}");
+}
