@@ -1,8 +1,9 @@
 //! Journals where their films carry the load, and starts that there are not.
 
 use whirl_solver::Error;
+use whirl_solver::attached::Unbalance;
 use whirl_solver::dynamics::equilibrium;
-use whirl_solver::machine::Rotation;
+use whirl_solver::machine::{Body, Rotation};
 
 use super::short_film::{attitude, load};
 use super::{C, JOURNALS, SPEED, rigid_rotor};
@@ -71,4 +72,19 @@ fn a_film_at_rest_carries_nothing() {
     assert!(matches!(equilibrium(&loaded, &[Some(0.0)]), Err(Error::NoEquilibrium { .. })));
     let unloaded = rigid_rotor(10.0, 0.0, 0.0, Rotation::Free);
     assert!(matches!(equilibrium(&unloaded, &[Some(0.0)]), Err(Error::Floating { .. })));
+}
+
+/// Unbalance turns with the rotor: where it would be in a balance of forces is not where it is at t = 0.
+#[test]
+fn unbalance_is_left_out() {
+    let machine = rigid_rotor(10.0, 2.0 * load(0.5, SPEED), 0.0, Rotation::Free);
+    let found = equilibrium(&machine, &[Some(SPEED)]).expect("is there");
+    let mut machine = machine;
+    let Body::Turning { shaft, .. } = &mut machine.bodies[0] else { panic!("it turns") };
+    let node = shaft.nodes[1].clone();
+    *shaft = shaft.clone().with_unbalance(&Unbalance { moment: [2e-4, -1e-4], node: &node });
+    assert!(shaft.y0.iter().any(|own| own.abs() > 1e-5));
+    let unbalanced = equilibrium(&machine, &[Some(SPEED)]).expect("is there");
+    let both = found.bodies[0].position.iter().zip(&unbalanced.bodies[0].position);
+    both.for_each(|(a, b)| assert!((a - b).abs() < 1e-12 * C, "{a} {b}"));
 }

@@ -48,10 +48,15 @@ fn film(name: &str, journal: usize) -> Bearing {
 
 /// A rigid rotor of a mass (kg) in two short films, with a force (N) along −x at z (m).
 fn rigid_rotor(mass: f64, load: f64, z: f64, rotation: Rotation) -> Machine {
+    tilting_rotor([mass, 0.015], load, z, rotation)
+}
+
+/// As [`rigid_rotor`]; `transverse`: I_d over the mass (m²), where I_p is 0.02 of it.
+fn tilting_rotor([mass, transverse]: [f64; 2], load: f64, z: f64, rotation: Rotation) -> Machine {
     let body = RigidBody {
         mass,
         polar_inertia: 0.02 * mass,
-        transverse_inertia: Some(0.015 * mass),
+        transverse_inertia: Some(transverse * mass),
         centre: [0.0; 3],
         stiffness: [0.0; 2],
         damping: [0.0; 2],

@@ -38,6 +38,15 @@ fn a_march_cut_in_parts_has_the_bits_of_the_whole_one() {
             let (rows, own) = finish(&mut next);
             assert_eq!(rows.len(), end - cut);
             assert!(rows == whole[*cut..end], "other bits after step {cut}");
+            let mut begun = March::from_last(&machine, &options, &last).expect("the same bodies");
+            (0..(end - cut) / 3).for_each(|_| begun.advance().expect("converges"));
+            let kept = begun.checkpoint();
+            let step = cut + kept.step();
+            let mut resumed = March::resume(&machine, &options, kept).expect("resumes");
+            assert!(
+                finish(&mut resumed).0 == whole[step..end],
+                "other bits after {cut} and {step}"
+            );
             last = own;
         }
     }

@@ -1,4 +1,5 @@
-//! Oil whirl of a rigid rotor in two short films: the speed, or here the mass, at which its equilibrium is lost.
+//! Oil whirl of a rigid rotor in two short films: the speed, or here the mass, at which its equilibrium is lost. Linear
+//! theory: Holmes, J. Mech. Eng. Sci. 2 (1960) 337-341; here by the closed coefficients of the short film.
 
 use whirl_solver::dynamics::{
     Coefficients, Equilibrium, March, MarchOptions, State, System, equilibrium,
@@ -84,8 +85,6 @@ fn the_threshold_of_oil_whirl_is_that_of_linear_theory() {
         println!("ε {eps}: p {:.4}, by linear theory {:.4}", own.sqrt(), exact.sqrt());
         assert!((own / exact - 1.0).abs() < 0.02, "{own} for {exact}");
     }
-    // At small eccentricities a journal whirls from m c ω²/W = 7.3 or so (Holmes, 1960): p = 2.7.
-    assert!((threshold(coefficients(0.01)).sqrt() - 2.7).abs() < 0.1);
 }
 
 /// Distance of the centre from its equilibrium over that at the start, at its largest in the last of so many revolutions.
