@@ -199,9 +199,8 @@ impl<'m> Balance<'m> {
                 }
             }
         }
-        for theta in 0..machine.rotations() {
-            self.system.load[theta] += turning[theta];
-        }
+        let rotations = ..machine.rotations();
+        add(&mut self.system.load[rotations], &turning[rotations]);
     }
 
     /// Σ |products| of K η_s and C η̇ of the rows.
