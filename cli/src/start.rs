@@ -30,16 +30,10 @@ pub(crate) fn begin<'m>(
     let machine = &built.machine;
     let initial = match &case.start {
         Start::State(folder) => {
-            let folder = Path::new(folder.text());
-            let last = read(folder, out)?;
-            let march = March::from_last(machine, options, &last).map_err(|error| match error {
-                error @ (Error::OtherBodies(_) | Error::OtherRotation { .. }) => {
-                    Failure::NoState { folder: folder.to_path_buf(), reason: error.to_string() }
-                }
-                error => error.into(),
-            })?;
-            let time = whirl_text::shown(last.time(), 6, 1e-4..1e6);
-            show.note(&format!("going on from {} at t = {time} s", folder.display()));
+            let last = read(Path::new(folder.text()), Some(out))?;
+            let march = March::from_last(machine, options, &last);
+            let march = march.map_err(|error| refused(folder.text(), error))?;
+            show.note(&going_on(folder.text(), &last));
             return Ok(march);
         }
         Start::Rest => rest(case, built),
@@ -51,6 +45,37 @@ pub(crate) fn begin<'m>(
     };
     let options = MarchOptions { initial, ..options.clone() };
     March::new(machine, &options).map_err(|failure| failure.error.into())
+}
+
+/// What a case says of its start, if that is not at rest, in words.
+///
+/// # Errors
+/// As [`begin`].
+pub(crate) fn described(case: &Case, built: &Built) -> Result<Option<String>, Failure> {
+    Ok(match &case.start {
+        Start::Rest => None,
+        Start::Equilibrium => Some(words(case, &equilibrium(&built.machine, &speeds(case))?)),
+        Start::State(folder) => {
+            let last = read(Path::new(folder.text()), None)?;
+            last.check(&built.machine).map_err(|error| refused(folder.text(), error))?;
+            Some(going_on(folder.text(), &last))
+        }
+    })
+}
+
+/// A state that does not fit, with its folder.
+fn refused(folder: &str, error: Error) -> Failure {
+    match error {
+        Error::OtherBodies(_) | Error::OtherRotation { .. } => {
+            Failure::NoState { folder: folder.into(), reason: error.to_string() }
+        }
+        error => error.into(),
+    }
+}
+
+fn going_on(folder: &str, last: &LastState) -> String {
+    let time = whirl_text::shown(last.time(), 6, 1e-4..1e6);
+    format!("going on from {folder} at t = {time} s")
 }
 
 /// Bodies at rest, but for speeds that the case gives.
@@ -111,10 +136,10 @@ pub(crate) fn write(path: &Path, state: &LastState) -> io::Result<()> {
     write_whole(path, &pack(&Key::of(&LAYOUT), state)?)
 }
 
-/// The state in which the run in a folder ended.
-fn read(folder: &Path, out: &Path) -> Result<LastState, Failure> {
+/// The state in which the run in a folder ended; `out`: where the results of this run go.
+fn read(folder: &Path, out: Option<&Path>) -> Result<LastState, Failure> {
     let missing = |reason: String| Failure::NoState { folder: folder.to_path_buf(), reason };
-    if let (Ok(from), Ok(to)) = (folder.canonicalize(), out.canonicalize())
+    if let (Ok(from), Some(Ok(to))) = (folder.canonicalize(), out.map(Path::canonicalize))
         && from == to
     {
         return Err(missing("the results of this run go there, too".to_owned()));

@@ -41,6 +41,8 @@ fn a_rotor_in_films_starts_where_they_carry_it() {
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     let said = "starting in equilibrium: 0.500 in bearing left, 0.500 in bearing right (eccentricity over clearance)";
     assert!(outcome.stderr.contains(said), "{}", outcome.stderr);
+    let checked = bench.whirl(&["check", "still.toml"]);
+    assert!(checked.status == 0 && checked.stdout.contains(said), "{}", checked.stdout);
     let outcome = bench.whirl(&["run", "rest.toml", "--no-figures", "--out", "rest"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     for column in ["RX_left_N", "RX_right_N"] {
@@ -130,6 +132,8 @@ fn a_state_that_does_not_fit_is_refused_by_name() {
     assert!(heavier.stderr.contains("cannot start from `results/first`"), "{}", heavier.stderr);
     assert!(heavier.stderr.contains("`rotor` is another one"), "{}", heavier.stderr);
     assert!(!bench.path("results/heavier").exists());
+    let checked = bench.whirl(&["check", "heavier.toml"]);
+    assert_eq!((checked.status, &checked.stderr), (2, &heavier.stderr));
     let nowhere = run("nowhere");
     assert_eq!(nowhere.status, 2);
     assert!(
@@ -159,6 +163,7 @@ fn a_start_without_an_equilibrium_says_what_is_out_of_balance() {
     let bench = Workbench::new().file("case.toml", &rotor("10 kg", "-1e8 N", 20, equilibrium));
     let outcome = bench.whirl(&["run", "case.toml"]);
     assert_eq!(outcome.status, 2);
+    assert_eq!(bench.whirl(&["check", "case.toml"]).stderr, outcome.stderr);
     for part in ["the start at equilibrium was not found", "rotor, centre x", "in bearing left"] {
         assert!(outcome.stderr.contains(part), "{}", outcome.stderr);
     }

@@ -72,9 +72,24 @@ impl LastState {
         }
     }
 
+    /// Whether a machine can go on from it.
+    ///
+    /// # Errors
+    /// It is of other bodies, or a rotation is prescribed that does not go on from it.
+    pub fn check(&self, machine: &Machine) -> Result<(), Error> {
+        self.fitting(machine).map(|_| ())
+    }
+
     /// Time of the state (s).
     pub fn time(&self) -> f64 {
         self.time
+    }
+
+    /// The state in the coordinates of a machine that can go on from it.
+    fn fitting(&self, machine: &Machine) -> Result<State, Error> {
+        let state = self.state(machine)?;
+        self.check_rotations(machine, &state)?;
+        Ok(state)
     }
 
     /// The state in the coordinates of a machine.
@@ -138,8 +153,7 @@ impl<'m> March<'m> {
         options: &MarchOptions,
         last: &LastState,
     ) -> Result<Self, Error> {
-        let state = last.state(machine)?;
-        last.check_rotations(machine, &state)?;
+        let state = last.fitting(machine)?;
         let own = loads(machine);
         let known = |load: &Key| last.loads.iter().find(|(other, _)| other == load);
         let released: Vec<bool> =
