@@ -145,14 +145,14 @@ fn period(system: &SystemDraft, chosen: fn(f64, f64) -> f64) -> Option<(f64, &'s
     Some((1.0 / frequency, "a period of the loads"))
 }
 
-/// Two revolutions at the speed that the drive aims at, or without one at that of the start; one of an unbalance.
+/// Two revolutions at the speed that the drive aims at; one of an unbalance.
 fn revolutions(system: &SystemDraft) -> Option<(f64, &'static str)> {
     match system {
         SystemDraft::Rotor(rotor) => {
-            let aims = rotor.drive.as_ref().filter(|drive| drive.acts);
-            let aims = aims.map(|drive| drive.target_speed).or(rotor.start_speed);
-            let speed = aims.map(f64::abs).filter(|speed| *speed > 0.0)?;
-            Some((2.0 * TAU / speed, "a cycle of two revolutions"))
+            let drive = rotor.drive.as_ref()?;
+            let aims = drive.acts && drive.target_speed != 0.0;
+            let two = 2.0 * TAU / drive.target_speed.abs();
+            aims.then_some((two, "a cycle of two revolutions"))
         }
         SystemDraft::Joined(joined) => {
             let fastest = joined.as_ref()?.speeds().into_iter().reduce(f64::max)?;
