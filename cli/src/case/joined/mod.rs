@@ -325,8 +325,7 @@ impl JoinedMachine {
         aims.map(|drive| drive.couple.target_speed.abs()).fold(given.abs(), f64::max)
     }
 
-    /// Speeds about which revolutions are counted: those that drives aim at, and that are prescribed; where there are none,
-    /// those at the start (rad/s).
+    /// Speeds about which revolutions are counted: those that drives aim at, and that are prescribed (rad/s).
     pub(super) fn speeds(&self) -> Vec<f64> {
         let aims = self.drives.iter().filter(|drive| drive.couple.acts);
         let aims = aims.map(|drive| drive.couple.target_speed);
@@ -335,14 +334,6 @@ impl JoinedMachine {
             Some(Turning::Table(columns)) => Some(columns.largest()),
             _ => None,
         });
-        let kept: Vec<f64> = aims.chain(given).map(f64::abs).filter(|speed| *speed > 0.0).collect();
-        if !kept.is_empty() {
-            return kept;
-        }
-        let starts = self.bodies.iter().filter_map(|body| match body.turning {
-            Some(Turning::Free { initial_speed }) => initial_speed,
-            _ => None,
-        });
-        starts.map(f64::abs).filter(|speed| *speed > 0.0).collect()
+        aims.chain(given).map(f64::abs).filter(|speed| *speed > 0.0).collect()
     }
 }
