@@ -63,7 +63,8 @@ impl Draft {
     /// # Errors
     /// Everything that is wrong.
     pub(crate) fn finish(self) -> Result<Case, Diagnostics> {
-        let Draft { name, title, origin, mut sources, figures, march, start, system, errors } = self;
+        let Draft { name, title, origin, mut sources, figures, march, start, system, errors } =
+            self;
         let start = start.map_or(Start::Rest, |own| own.start);
         let place = sources[0].clone();
         match (errors.into_result(())?, march, system.finish()) {

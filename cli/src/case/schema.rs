@@ -99,7 +99,7 @@ const CASE: &[Key] = &[
         .like("[\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]"),
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
     key("stop", List(&Table(&[STOP])), "what the mass may strike"),
-    key("start", Table(&[START]), "how the machine begins; at rest if left out"),
+    key("start", Table(&[BEGINNING]), "how the machine begins; at rest if left out"),
     merged("march", Table(&[MARCH]), "steps in time"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
 ];
@@ -272,7 +272,7 @@ const STOP: &[Key] = &[
     key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
 ];
 
-const START: &[Key] = &[
+const BEGINNING: &[Key] = &[
     key(
         "kind",
         Words(&["rest", "equilibrium", "state"]),

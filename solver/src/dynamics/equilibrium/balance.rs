@@ -8,7 +8,7 @@ use super::turning::TurningStart;
 use crate::bearing::Springs;
 use crate::dynamics::newmark::State;
 use crate::dynamics::spring_tangent::SpringTangent;
-use crate::dynamics::system::{System, placed};
+use crate::dynamics::system::{System, instant, placed};
 use crate::error::Error;
 use crate::linalg::{Columns, Matrix, add_product, multiply};
 use crate::loads::{Frame, Load};
@@ -175,10 +175,10 @@ impl<'m> Balance<'m> {
         }
     }
 
-    /// The factor of a load at t = 0.
-    fn factor(&self, load: &Load) -> f64 {
+    /// Whether a load has ended at the speed at which the machine starts.
+    fn released(&self, load: &Load) -> bool {
         let theta = self.machine.places()[load.body].rotation;
-        load.factor(0.0, theta.is_some_and(|theta| load.reaches(self.state.v[theta])))
+        theta.is_some_and(|theta| load.reaches(self.state.v[theta]))
     }
 
     /// Loads at t = 0: those fixed in space as far as they act, and of those that turn with a body the couple on it.
@@ -188,7 +188,8 @@ impl<'m> Balance<'m> {
         let mut turning = vec![0.0; machine.size()];
         for load in &machine.loads {
             let (place, position) = placed(machine, load, &self.state.q);
-            let factor = self.factor(load);
+            let now = instant(machine, 0.0, &self.state);
+            let factor = load.factor(&now, self.released(load));
             match load.frame {
                 Frame::Space => {
                     let factor = self.share * factor;
@@ -246,11 +247,7 @@ impl<'m> Balance<'m> {
         let mut by_rate = vec![0.0; size * size];
         self.tangent.subtract(springs, &self.system.springs, 1.0, size, &mut by_rate);
         by_rate.iter_mut().zip(&by_position).for_each(|(both, own)| *both -= own);
-        for load in machine.loads.iter().filter(|load| load.frame == Frame::Space) {
-            let (place, position) = placed(machine, load, &self.state.q);
-            let factor = self.share * self.factor(load);
-            load.subtract_tangent(factor, &position, &self.state.q, place, &mut by_position);
-        }
+        self.subtract_loads(&mut by_position, &mut by_rate);
         let n = self.places.len();
         let mut tangent = Matrix::zeros(n, n);
         for (number, own) in self.turning.iter().enumerate() {
@@ -294,6 +291,32 @@ impl<'m> Balance<'m> {
             }
         }
         tangent
+    }
+
+    /// Subtracts the derivatives of the loads by positions and by rates, as far as the loads act.
+    fn subtract_loads(&self, by_position: &mut [f64], by_rate: &mut [f64]) {
+        let (machine, size) = (self.machine, self.machine.size());
+        let now = instant(machine, 0.0, &self.state);
+        let mut parts = [vec![0.0; size * size], vec![0.0; size * size]];
+        for load in &machine.loads {
+            let (_, position) = placed(machine, load, &self.state.q);
+            for (a1, part) in [0.0, 1.0].into_iter().zip(&mut parts) {
+                part.fill(0.0);
+                load.subtract_tangent(&now, self.released(load), &position, a1, part);
+            }
+            let (share, rows) = match load.frame {
+                Frame::Space => (self.share, 0..size),
+                // Only its couple acts.
+                Frame::Body => (1.0, 0..machine.rotations()),
+            };
+            let [position, both] = &parts;
+            for place in
+                (0..size).flat_map(|column| rows.clone().map(move |row| column * size + row))
+            {
+                by_position[place] += share * position[place];
+                by_rate[place] += share * (both[place] - position[place]);
+            }
+        }
     }
 
     /// Adds to a column over q how η̇ = θ̇ L η_s and η_c change with the speed of a body; K acts on η_s alone.

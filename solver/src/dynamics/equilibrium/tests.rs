@@ -7,6 +7,7 @@ use super::equilibrium;
 use crate::bearing::{Bearing, Sides};
 use crate::body::BodyNode;
 use crate::error::Error;
+use crate::gravity::CentreOfMass;
 use crate::linalg::Matrix;
 use crate::loads::{Frame, Load, TimeFunction};
 use crate::machine::{Body, Machine, MachineParts, Rotation};
@@ -45,6 +46,7 @@ fn shaft() -> Shaft {
         coordinates: ["a", "b", "c"].map(str::to_owned).to_vec(),
         nodes,
         measures: Vec::new(),
+        centre_of_mass: CentreOfMass::none(3),
     }
 }
 
@@ -64,7 +66,7 @@ fn bearing(name: &str, bodies: [usize; 2], bore: Vec<usize>, clearance: f64) -> 
 }
 
 fn load(node: &BodyNode, force: [f64; 3], frame: Frame) -> Load {
-    Load { body: 0, node: node.clone(), force, time_function: TimeFunction::Constant, frame }
+    Load::force(0, node.clone(), force, TimeFunction::Constant, frame)
 }
 
 /// A shaft in a film in a ring that turns freely, in a film in a housing that yields.

@@ -2,7 +2,7 @@
 
 use whirl_solver::Error;
 use whirl_solver::dynamics::{BodyStart, LastState, March, MarchOptions, equilibrium};
-use whirl_solver::loads::{Frame, TimeFunction};
+use whirl_solver::loads::{Frame, Release, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 
 use super::super::resume::{CUTS, STEPS, machine, march_options, target};
@@ -25,29 +25,34 @@ fn finish(march: &mut March) -> (Vec<Vec<u64>>, LastState) {
 /// Cut once and twice, with factors that are kept and a drive that is released in between.
 #[test]
 fn a_march_cut_in_parts_has_the_bits_of_the_whole_one() {
-    let (machine, options) = (machine(target()), march_options());
-    let (whole, _) = finish(&mut March::new(&machine, &options).expect("starts"));
-    for cuts in [vec![CUTS[0]], vec![CUTS[1]], vec![CUTS[2], CUTS[3]]] {
-        let part = |steps: usize| MarchOptions { steps, ..options.clone() };
-        let (_, mut last) = finish(&mut March::new(&machine, &part(cuts[0])).expect("starts"));
-        for (place, cut) in cuts.iter().enumerate() {
-            let end = cuts.get(place + 1).copied().unwrap_or(STEPS);
-            // What the options say of the start has no effect.
-            let options = MarchOptions { initial: vec![BodyStart::default()], ..part(end - cut) };
-            let mut next = March::from_last(&machine, &options, &last).expect("the same bodies");
-            let (rows, own) = finish(&mut next);
-            assert_eq!(rows.len(), end - cut);
-            assert!(rows == whole[*cut..end], "other bits after step {cut}");
-            let mut begun = March::from_last(&machine, &options, &last).expect("the same bodies");
-            (0..(end - cut) / 3).for_each(|_| begun.advance().expect("converges"));
-            let kept = begun.checkpoint();
-            let step = cut + kept.step();
-            let mut resumed = March::resume(&machine, &options, kept).expect("resumes");
-            assert!(
-                finish(&mut resumed).0 == whole[step..end],
-                "other bits after {cut} and {step}"
-            );
-            last = own;
+    for release in [Release::Located, Release::AtStep] {
+        let (machine, options) = (machine(target(), release), march_options());
+        let (whole, _) = finish(&mut March::new(&machine, &options).expect("starts"));
+        for cuts in [vec![CUTS[0]], vec![CUTS[1]], vec![CUTS[2], CUTS[3]]] {
+            let part = |steps: usize| MarchOptions { steps, ..options.clone() };
+            let (_, mut last) = finish(&mut March::new(&machine, &part(cuts[0])).expect("starts"));
+            for (place, cut) in cuts.iter().enumerate() {
+                let end = cuts.get(place + 1).copied().unwrap_or(STEPS);
+                // What the options say of the start has no effect.
+                let options =
+                    MarchOptions { initial: vec![BodyStart::default()], ..part(end - cut) };
+                let mut next =
+                    March::from_last(&machine, &options, &last).expect("the same bodies");
+                let (rows, own) = finish(&mut next);
+                assert_eq!(rows.len(), end - cut);
+                assert!(rows == whole[*cut..end], "other bits after step {cut}");
+                let mut begun =
+                    March::from_last(&machine, &options, &last).expect("the same bodies");
+                (0..(end - cut) / 3).for_each(|_| begun.advance().expect("converges"));
+                let kept = begun.checkpoint();
+                let step = cut + kept.step();
+                let mut resumed = March::resume(&machine, &options, kept).expect("resumes");
+                assert!(
+                    finish(&mut resumed).0 == whole[step..end],
+                    "other bits after {cut} and {step}"
+                );
+                last = own;
+            }
         }
     }
 }
@@ -56,7 +61,7 @@ fn a_march_cut_in_parts_has_the_bits_of_the_whole_one() {
 #[test]
 fn another_load_acts_from_the_last_state_on() {
     let rotation = Rotation::Prescribed { speed: SPEED, acceleration: 0.0 };
-    let rotor = |share: f64| rigid_rotor(10.0, share * load(0.5, SPEED), 0.0, rotation);
+    let rotor = |share: f64| rigid_rotor(10.0, share * load(0.5, SPEED), 0.0, rotation.clone());
     let (first, second) = (rotor(2.0), rotor(2.4));
     let initial = equilibrium(&first, &[None]).expect("is there").bodies;
     let options = MarchOptions { initial, ..options(1e-5, 300) };
