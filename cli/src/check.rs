@@ -12,7 +12,7 @@ use crate::explain;
 use crate::machine::{self, BodyPlan, MachinePlan, Plan};
 use crate::progress::{self, ProgressMode};
 use crate::report::table;
-use crate::{spec_file, streams};
+use crate::{spec_file, start, streams};
 
 /// Adds a line to a text.
 macro_rules! line {
@@ -64,6 +64,9 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     }
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);
+    if let Some(words) = start::described(&case, &built)? {
+        line!(text, "{words}");
+    }
     Ok(text)
 }
 

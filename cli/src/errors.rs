@@ -53,6 +53,14 @@ pub enum Failure {
         /// Why.
         reason: String,
     },
+    /// A state from which a run cannot start.
+    #[error("the run cannot start from `{}`: {reason}", folder.display())]
+    NoState {
+        /// The folder of results.
+        folder: PathBuf,
+        /// Why.
+        reason: String,
+    },
     /// A run that was begun and could not be finished: a step that does not converge, an interruption, a full disk.
     #[error("{reason}")]
     Unfinished {
@@ -110,6 +118,10 @@ impl Failure {
             ),
             Failure::NothingToResume { .. } => format!(
                 "error: {self}\n = help: begin anew without `--resume`; `--out DIR` keeps the results that are there\n"
+            ),
+            Failure::NoState { .. } => format!(
+                "error: {self}\n = help: name the folder of a finished run of the same bodies in `[start]`, or leave out \
+                 `from`\n"
             ),
             Failure::Unfinished { kept, help, .. } => {
                 let note = kept.as_ref().map_or(String::new(), |kept| {

@@ -23,6 +23,7 @@ mod run;
 mod schema;
 mod signals;
 mod spec_file;
+mod start;
 mod streams;
 mod version;
 

@@ -13,8 +13,9 @@ use crate::errors::Failure;
 use crate::history::{self, HistoryWriter, NotWritten};
 use crate::machine::Built;
 use crate::progress::{self, ProgressMode};
-use crate::results::{CHECKPOINT, Results};
+use crate::results::{CHECKPOINT, Results, STATE};
 use crate::signals::Interruption;
+use crate::start;
 
 /// How a march has ended.
 pub(crate) enum End {
@@ -46,7 +47,7 @@ impl End {
 /// A march up to its end.
 pub(crate) struct Marched {
     pub(crate) outcome: Outcome,
-    /// Steps done, and the time there (s).
+    /// Steps done, and the time that they take (s).
     pub(crate) step: usize,
     pub(crate) time: f64,
     pub(crate) end: End,
@@ -73,7 +74,7 @@ pub(crate) fn march(
     let before = from.as_ref().map(|point| (point.history, point.wall));
     let mut march = match from {
         Some(point) => March::resume(&built.machine, &options, point.march)?,
-        None => March::new(&built.machine, &options).map_err(|failure| failure.error)?,
+        None => start::begin((case, built), &options, results.folder(), show)?,
     };
     let shown = progress::steps(show, options.steps, march.progress().step);
     let start = Instant::now();
@@ -100,7 +101,7 @@ pub(crate) fn march(
     };
     let wall = passed + start.elapsed().as_secs_f64();
     shown.clear();
-    let (step, time) = (march.progress().step, march.time());
+    let (step, time) = (march.progress().step, march.time() - march.begun());
     if recorder.writer.is_none() && matches!(end, End::Interrupted) {
         let reason = format!("interrupted before the first step of {}", options.steps);
         return Err(Failure::Unfinished { reason, kept: None, help: None });
@@ -108,10 +109,17 @@ pub(crate) fn march(
     if matches!(end, End::Interrupted) {
         recorder.keep(march.checkpoint(), wall);
     }
+    let state = matches!(end, End::Done).then(|| march.last_state());
+    let state_path = recorder.results.path(STATE);
     let (end, warning) = match (recorder.finish(), end) {
         (Err(NotWritten(reason)), End::Done | End::Interrupted) => (End::NotWritten(reason), None),
         (finished, end) => (end, finished.ok().flatten()),
     };
+    let warning = warning.or_else(|| {
+        let written = start::write(&state_path, state.as_ref()?);
+        let path = state_path.display();
+        written.err().map(|error| format!("cannot write `{path}`: {error}"))
+    });
     Ok(Marched { outcome: march.outcome(), step, time, end, wall, warning })
 }
 

@@ -16,6 +16,8 @@ use crate::lock::{Lock, Locked};
 
 /// The summary.
 pub(crate) const SUMMARY: &str = "summary.json";
+/// The state after the last step, from which other runs can start.
+pub(crate) const STATE: &str = "state.bin";
 /// From what `--resume` goes on.
 pub(crate) const CHECKPOINT: &str = "checkpoint.bin";
 
@@ -119,7 +121,7 @@ fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) -> Option<Loc
 fn names() -> impl Iterator<Item = String> {
     let figures =
         figures::NAMES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
-    [history::NAME, SUMMARY, CHECKPOINT].map(String::from).into_iter().chain(figures)
+    [history::NAME, SUMMARY, CHECKPOINT, STATE].map(String::from).into_iter().chain(figures)
 }
 
 #[cfg(test)]

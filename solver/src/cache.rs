@@ -9,8 +9,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 /// First bytes of every file; another layout gets another number.
@@ -28,7 +28,7 @@ pub const ABANDONED: Duration = Duration::from_secs(24 * 60 * 60);
 pub(crate) const PROGRAM: &str = env!("WHIRL_REDUCTION_SOURCES");
 
 /// What a stored value depends on, as a hash.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Key([u8; HASH]);
 
 impl Key {

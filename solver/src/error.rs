@@ -227,6 +227,54 @@ pub enum Error {
         /// The coordinate that contributes most to the residual.
         worst_dof: String,
     },
+    /// Forces that no state balances at t = 0, or none that was found.
+    #[error("{}", no_equilibrium(.rows, .journals, *.share))]
+    NoEquilibrium {
+        /// The coordinates whose rows are farthest from balance, and the forces left there (N, N·m).
+        rows: Vec<(String, f64)>,
+        /// Bearings with the largest eccentricities over their clearances.
+        journals: Vec<(String, f64)>,
+        /// The largest share of the loads for which a balance was found.
+        share: f64,
+    },
+    /// A balance at t = 0 that is none: nothing holds the machine in it.
+    #[error(
+        "the start at equilibrium is not determined: nothing holds the {}. In a clearance a journal without load touches \
+         nothing, and a film carries at speed only: add a load, such as the weight, or give the speed, or start at rest",
+        .coordinates.join(", the ")
+    )]
+    Floating {
+        /// The coordinates that move most in what nothing holds.
+        coordinates: Vec<String>,
+    },
+    /// A state of another machine, whose coordinates mean something else.
+    #[error(
+        "the state is of other bodies: {}. Bodies keep their meaning where their mesh, material, modes, discs and the \
+         sets that joints, drives and restraints retain stay as they are; laws, loads, drives, unbalance and damping may \
+         change",
+        .0.join("; ")
+    )]
+    OtherBodies(Vec<String>),
+    /// A rotation that is prescribed otherwise than a state has it.
+    #[error(
+        "the rotation of {body} is prescribed to be at {angle:.6e} rad and {speed:.6e} rad/s at t = {time:.6e} s, where the \
+         state that it starts from has {had_angle:.6e} rad and {had_speed:.6e} rad/s: prescribe what goes on from there, \
+         or let it turn freely"
+    )]
+    OtherRotation {
+        /// Name of the body.
+        body: String,
+        /// Time of the state (s).
+        time: f64,
+        /// θ (rad) and θ̇ (rad/s) as prescribed.
+        angle: f64,
+        /// See `angle`.
+        speed: f64,
+        /// θ and θ̇ of the state.
+        had_angle: f64,
+        /// See `had_angle`.
+        had_speed: f64,
+    },
     /// Linear algebra failed.
     #[error(transparent)]
     LinearAlgebra(#[from] LinearAlgebraError),
@@ -263,6 +311,26 @@ pub struct InvertedCell {
     pub element: String,
     /// The smallest det J over the quadrature points, m³.
     pub jacobian: f64,
+}
+
+fn no_equilibrium(rows: &[(String, f64)], journals: &[(String, f64)], share: f64) -> String {
+    let rows: Vec<String> =
+        rows.iter().map(|(name, force)| format!("{name} by {force:.3e}")).collect();
+    let journals: Vec<String> =
+        journals.iter().map(|(name, ratio)| format!("{ratio:.3} in {name}")).collect();
+    let journals = match journals.is_empty() {
+        true => String::new(),
+        false => format!("; eccentricity over clearance is {}", journals.join(", ")),
+    };
+    let share = match share > 0.0 {
+        true => format!("; {:.0} % of the loads are balanced", 100.0 * share),
+        false => String::new(),
+    };
+    format!(
+        "the start at equilibrium was not found: out of balance are {} (N or N·m){journals}{share}. Lower the loads to \
+         what the bearings carry, give the speed at which they do, or start at rest",
+        rows.join(", ")
+    )
 }
 
 fn suggestion(nearest: &Option<String>) -> String {

@@ -45,6 +45,8 @@ pub struct Machine {
 
 /// How the outputs of a bearing are computed.
 pub(crate) struct Monitor {
+    /// Its name in messages.
+    pub(crate) name: String,
     /// What its columns are called by.
     pub(crate) label: String,
     /// Its planes of springs.
@@ -222,6 +224,7 @@ fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs)
     let planes = planes.filter(|(_, plane)| plane.bearing == number);
     let planes: Vec<usize> = planes.map(|(place, _)| place).collect();
     Monitor {
+        name: bearing.name.clone(),
         label: bearing.label.clone().unwrap_or_else(|| (number + 1).to_string()),
         torque: planes.iter().any(|&plane| springs.gives_torque(plane)),
         planes,

@@ -94,13 +94,15 @@ fn resumes(bench: &Workbench) {
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     let [cut, whole] = ["cut", "whole"].map(|folder| read(bench.path(folder).join("history.csv")));
     assert!(cut == whole, "other bytes: {} and {}", cut.len(), whole.len());
+    let states = ["cut", "whole"].map(|folder| fs::read(bench.path(folder).join("state.bin")));
+    assert!(matches!(&states, [Ok(cut), Ok(whole)] if cut == whole), "other last states");
     assert_eq!(numbers(bench, "cut"), numbers(bench, "whole"));
     assert_eq!(numbers(bench, "cut")["march"]["complete"], true);
     let names = bench.listing_of("whole");
     assert_eq!(bench.listing_of("cut"), names);
     assert_eq!(
         names.iter().filter(|name| !name.contains(".svg") && !name.contains(".png")).count(),
-        2
+        3
     );
 }
 
@@ -225,7 +227,7 @@ fn nothing_of_an_earlier_run_stays_and_bad_input_takes_nothing() {
     assert_eq!(read(bench.path("out/summary.json")), "old");
     let outcome = bench.whirl(&["run", "sdnd101", "--out", "out", "--no-figures"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert_eq!(bench.listing_of("out"), ["history.csv", "notes.txt", "summary.json"]);
+    assert_eq!(bench.listing_of("out"), ["history.csv", "notes.txt", "state.bin", "summary.json"]);
 }
 
 #[test]

@@ -20,6 +20,7 @@ mod new;
 mod read_meshes;
 mod readme;
 mod schema;
+mod starts;
 mod streams;
 mod unsound;
 mod verdicts;

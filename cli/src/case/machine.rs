@@ -21,7 +21,7 @@ use super::{gravity, loads};
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
 
-pub(super) fn read(store: FileStore, file: &Table) -> RotorDraft {
+pub(super) fn read(store: FileStore, file: &Table, start_speed: Option<f64>) -> RotorDraft {
     let materials = Materials::read(file);
     RotorDraft {
         shaft: bodies::shaft(store, file, &materials),
@@ -30,6 +30,7 @@ pub(super) fn read(store: FileStore, file: &Table) -> RotorDraft {
         drive: drive::drive(store, file),
         loads: loads::read(store, file),
         gravity: gravity::read(file),
+        start_speed,
     }
 }
 

@@ -13,6 +13,7 @@ mod parameters;
 mod read;
 mod rotor;
 mod schema;
+mod start;
 
 use std::sync::Arc;
 
@@ -36,6 +37,7 @@ pub(crate) use rotor::RotorDraft;
 pub(crate) use rotor::{
     Bearing, Body, Drive, GeneratedMesh, Mesh, MeshFile, Region, Rotor, Shaft, Support,
 };
+pub(crate) use start::Start;
 
 /// One case, ready to be built.
 #[derive(Debug, Clone)]
@@ -52,6 +54,8 @@ pub(crate) struct Case {
     pub(crate) system: System,
     /// Time step, duration and tolerances.
     pub(crate) march: MarchSettings,
+    /// How it begins.
+    pub(crate) start: Start,
     /// What figures show beyond the results.
     pub(crate) figures: Figures,
 }

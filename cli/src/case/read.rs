@@ -8,9 +8,10 @@ use whirl_codegen::document::schema::Described;
 use whirl_codegen::document::{Document, Table};
 
 use super::library::{FileStore, load};
+use super::start::{Start, StartDraft};
 use super::{
     Case, Figures, JoinedMachine, Lumped, MarchSettings, RotorDraft, System, law, lumped, machine,
-    march,
+    march, start,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -29,6 +30,7 @@ pub(crate) struct Draft {
     sources: Vec<Arc<Source>>,
     figures: Figures,
     march: Option<MarchSettings>,
+    start: Option<StartDraft>,
     /// What is marched, as far as the case says it.
     pub(crate) system: SystemDraft,
     /// What is wrong.
@@ -61,12 +63,14 @@ impl Draft {
     /// # Errors
     /// Everything that is wrong.
     pub(crate) fn finish(self) -> Result<Case, Diagnostics> {
-        let Draft { name, title, origin, mut sources, figures, march, system, errors } = self;
+        let Draft { name, title, origin, mut sources, figures, march, start, system, errors } =
+            self;
+        let start = start.map_or(Start::Rest, |own| own.start);
         let place = sources[0].clone();
         match (errors.into_result(())?, march, system.finish()) {
             ((), Some(march), Some(system)) => {
                 sources.extend(system.tables());
-                Ok(Case { name, title, origin, sources, system, march, figures })
+                Ok(Case { name, title, origin, sources, system, march, start, figures })
             }
             _ => {
                 let message = "this case cannot be read";
@@ -92,7 +96,11 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
     let title = file.text_or_none("title");
     let origin = file.optional_string("source");
     let figures = figures(store, file);
-    let system = system(store, file);
+    let start = start::read(file);
+    let system = system(store, file, start.as_ref());
+    if let Some(start) = &start {
+        start::check(file, start, &system);
+    }
     let march = march::read(file, &system);
     Draft {
         name: case_name(path),
@@ -101,6 +109,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
         sources: sources.to_vec(),
         figures,
         march,
+        start,
         system,
         errors: Diagnostics::new(),
     }
@@ -114,14 +123,21 @@ fn case_name(path: &Path) -> String {
 const OF_A_MACHINE: [&str; 7] =
     ["material", "shaft", "support", "springs", "bearing", "drive", "load"];
 
-fn system(store: FileStore, file: &Table) -> SystemDraft {
+fn system(store: FileStore, file: &Table, start: Option<&StartDraft>) -> SystemDraft {
+    let goes_on = start.is_some_and(StartDraft::goes_on);
     match JoinedMachine::is_in(file) {
-        Some(true) => return SystemDraft::Joined(JoinedMachine::read(store, file).map(Box::new)),
+        Some(true) => {
+            return SystemDraft::Joined(JoinedMachine::read(store, file, goes_on).map(Box::new));
+        }
         None => return SystemDraft::Joined(None),
         Some(false) => {}
     }
     if !file.gives("mass") {
-        return SystemDraft::Rotor(Box::new(machine::read(store, file)));
+        return SystemDraft::Rotor(Box::new(machine::read(
+            store,
+            file,
+            start.and_then(|own| own.speed),
+        )));
     }
     if file.gives("shaft") {
         file.conflict("mass", "shaft");

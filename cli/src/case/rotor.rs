@@ -33,6 +33,8 @@ pub(crate) struct Rotor {
     pub(crate) loads: Vec<Load>,
     /// Gravity, if there is any.
     pub(crate) gravity: Option<Gravity>,
+    /// Speed at t = 0 (rad/s), if the case says it.
+    pub(crate) start_speed: Option<f64>,
 }
 
 /// A machine as far as a case says it: enough of it to find sets.
@@ -49,6 +51,8 @@ pub(crate) struct RotorDraft {
     pub(crate) loads: Vec<Load>,
     /// Gravity, if there is any.
     pub(crate) gravity: Option<Gravity>,
+    /// Speed at t = 0 (rad/s), if the case says it.
+    pub(crate) start_speed: Option<f64>,
 }
 
 impl Drive {
@@ -70,10 +74,10 @@ impl Drive {
 impl RotorDraft {
     /// The machine, if all of it is there.
     pub(super) fn finish(self) -> Option<Rotor> {
-        let RotorDraft { shaft, support, bearings, drive, loads, gravity } = self;
+        let RotorDraft { shaft, support, bearings, drive, loads, gravity, start_speed } = self;
         let bearings: Option<Vec<Bearing>> = bearings.into_iter().map(|(_, own)| own).collect();
         let (shaft, support, bearings, drive) = (shaft?, support?, bearings?, drive?);
-        Some(Rotor { shaft, support, bearings, drive, loads, gravity })
+        Some(Rotor { shaft, support, bearings, drive, loads, gravity, start_speed })
     }
 }
 

@@ -99,6 +99,7 @@ const CASE: &[Key] = &[
         .like("[\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]"),
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
     key("stop", List(&Table(&[STOP])), "what the mass may strike"),
+    key("start", Table(&[BEGINNING]), "how the machine begins; at rest if left out"),
     merged("march", Table(&[MARCH]), "steps in time"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
 ];
@@ -269,6 +270,16 @@ const STOP: &[Key] = &[
     key("length", LENGTH, "of the stop along the axis, for laws"),
     needed("law", Text, "the name of a law, or the path of a law file").like("\"my.law.toml\""),
     key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
+];
+
+const BEGINNING: &[Key] = &[
+    key(
+        "kind",
+        Words(&["rest", "equilibrium", "state"]),
+        "at rest but for speeds, in equilibrium at them, or as another run ended",
+    ),
+    key("speed", TURNING_SPEED, "of the shaft, of a machine that names no bodies"),
+    key("from", Text, "the folder of results of another run").like("\"results/NAME\""),
 ];
 
 const MARCH: &[Key] = &[

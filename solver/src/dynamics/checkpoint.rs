@@ -8,6 +8,16 @@ use super::newton::NewtonState;
 use super::steady::SteadyTest;
 use crate::bearing::Worst;
 
+/// From when a march counts its time: that at the end of its step n is time + (step + n) Δt, so that a march which goes on
+/// with the same step has the times of one that was never cut, to the bit.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub(super) struct Clock {
+    /// s.
+    pub(super) time: f64,
+    /// Steps of Δt since then before the first of the march.
+    pub(super) step: usize,
+}
+
 /// What a march has counted and summed up; all of it is in its checkpoints.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Tally {
@@ -24,6 +34,7 @@ pub struct Checkpoint {
     pub(super) state: State,
     /// Time at which the system was last evaluated (s): that of the state, rounded as its step had it.
     pub(super) time: f64,
+    pub(super) clock: Clock,
     /// Which driving loads have stopped.
     pub(super) released: Vec<bool>,
     /// Where the factors that are kept were computed.

@@ -2,12 +2,13 @@
 
 use std::ops::ControlFlow;
 
-use super::checkpoint::{Checkpoint, Tally};
+use super::checkpoint::{Checkpoint, Clock, Tally};
 use super::energy::EnergyBalance;
 use super::meters::Meters;
 use super::newmark::{Newmark, State};
-use super::newton::{Ending, Newton, NewtonOptions, StepReport};
+use super::newton::{Ending, Newton, NewtonOptions, NewtonState, StepReport};
 use super::quality::Quality;
+use super::restart::LastState;
 use super::row::{displacements, write_row};
 use super::steady::{SteadyState, SteadyTest};
 use super::system::System;
@@ -135,6 +136,7 @@ pub struct March<'m> {
     pub(super) system: System<'m>,
     pub(super) newton: Newton,
     pub(super) state: State,
+    clock: Clock,
     /// State at the start of the step, and memory for the ends of its parts, one a halving.
     starts: Vec<State>,
     pub(super) last_iterations: usize,
@@ -149,26 +151,45 @@ impl<'m> March<'m> {
     /// # Errors
     /// A mass matrix that cannot be inverted.
     pub fn new(machine: &'m Machine, options: &MarchOptions) -> Result<Self, Box<Failure>> {
-        let size = machine.size();
-        let mut system = System::new(machine);
-        let mut state = State::new(size);
+        let mut state = State::new(machine.size());
         for (start, place) in options.initial.iter().zip(machine.places()) {
             start.write(place, &mut state);
         }
         machine.set_given(0.0, &mut state.q, &mut state.v, &mut state.a);
-        let started = accelerate(&mut system, 0.0, &mut state)
-            .and_then(|()| Meters::new(&mut system, options.newmark, options.time_step, &state));
-        let meters = match started {
-            Ok(meters) => meters,
-            Err(error) => {
-                let outcome = Outcome {
-                    history: History::for_machine(machine),
-                    worst: vec![None; machine.springs.measures().len()],
-                    ..Outcome::default()
-                };
-                return Err(Box::new(Failure { error, outcome }));
-            }
-        };
+        let released = machine.loads.iter().map(|load| {
+            let theta = machine.places()[load.body].rotation;
+            theta.is_some_and(|theta| load.reaches(state.v[theta]))
+        });
+        let released = released.collect();
+        let begun = March::begin(machine, options, (state, released, 0.0), true);
+        begun.map_err(|error| {
+            let outcome = Outcome {
+                history: History::for_machine(machine),
+                worst: vec![None; machine.springs.measures().len()],
+                ..Outcome::default()
+            };
+            Box::new(Failure { error, outcome })
+        })
+    }
+
+    /// A march from a state at `time` (s), of which accelerations are those that it has or those that forces give it.
+    ///
+    /// # Errors
+    /// A mass matrix that cannot be inverted.
+    pub(super) fn begin(
+        machine: &'m Machine,
+        options: &MarchOptions,
+        (mut state, released, time): (State, Vec<bool>, f64),
+        accelerated: bool,
+    ) -> Result<Self, Error> {
+        let size = machine.size();
+        let mut system = System::new(machine);
+        system.released = released;
+        match accelerated {
+            true => accelerate(&mut system, time, &mut state)?,
+            false => system.evaluate(time, &state),
+        }
+        let meters = Meters::new(&mut system, options.newmark, options.time_step, &state)?;
         let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
         let steady = options.cycle.map(|cycle| SteadyTest::new(signals, cycle, options.time_step));
         let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
@@ -180,11 +201,23 @@ impl<'m> March<'m> {
             // Steps are halved, and split where loads end.
             starts: vec![State::new(size); options.newton.max_halvings + 2 + machine.loads.len()],
             state,
+            clock: Clock::default(),
             last_iterations: 0,
             tally,
             row: vec![0.0; History::for_machine(machine).names().len()],
             options: options.clone(),
         })
+    }
+
+    /// Goes on with what the iteration kept, and counts time from `clock` on; the state is that of the march.
+    pub(super) fn go_on(&mut self, clock: Clock, time: f64, newton: Option<NewtonState>) {
+        self.clock = clock;
+        if let Some(newton) = newton {
+            let released = self.system.released.clone();
+            self.newton.resume_from(&mut self.system, self.options.newmark, newton);
+            self.system.released = released;
+            self.system.evaluate(time, &self.state);
+        }
     }
 
     /// The machine as it was at a checkpoint of a march with the same machine and options. The rows of the
@@ -197,7 +230,7 @@ impl<'m> March<'m> {
         options: &MarchOptions,
         from: Checkpoint,
     ) -> Result<Self, Error> {
-        let Checkpoint { state, time, released, newton, meters, worst, tally } = from;
+        let Checkpoint { state, time, clock, released, newton, meters, worst, tally } = from;
         let mut march = March::new(machine, options).map_err(|failure| failure.error)?;
         let system = &mut march.system;
         march.newton.resume_from(system, options.newmark, newton);
@@ -205,7 +238,7 @@ impl<'m> March<'m> {
         system.evaluate(time, &state);
         system.springs.resume(&worst);
         march.meters.resume_from(system, meters);
-        (march.state, march.tally) = (state, tally);
+        (march.state, march.clock, march.tally) = (state, clock, tally);
         Ok(march)
     }
 
@@ -214,6 +247,7 @@ impl<'m> March<'m> {
         Checkpoint {
             state: self.state.clone(),
             time: self.system.time,
+            clock: self.clock,
             released: self.system.released.clone(),
             newton: self.newton.kept().clone(),
             meters: self.meters.sums(),
@@ -228,7 +262,7 @@ impl<'m> March<'m> {
     /// The step does not converge.
     pub fn advance(&mut self) -> Result<(), Error> {
         let dt = self.options.time_step;
-        let start = self.tally.step as f64 * dt;
+        let start = self.time();
         self.release_at_step();
         if self.overshoots() {
             self.release(start)?;
@@ -307,7 +341,12 @@ impl<'m> March<'m> {
 
     /// Time at the end of the last step (s).
     pub fn time(&self) -> f64 {
-        self.tally.step as f64 * self.options.time_step
+        self.clock.time + (self.clock.step + self.tally.step) as f64 * self.options.time_step
+    }
+
+    /// Time at the start (s): 0, or that of the state from which the march goes on.
+    pub fn begun(&self) -> f64 {
+        self.clock.time + self.clock.step as f64 * self.options.time_step
     }
 
     /// Whether all steps are done, or the steady state is reached where that is the end.
@@ -319,6 +358,11 @@ impl<'m> March<'m> {
     /// The state at the end of the last step, or of the last part of a step that converged.
     pub fn state(&self) -> &State {
         &self.state
+    }
+
+    /// What another run can start from: the state after the last step.
+    pub fn last_state(&self) -> LastState {
+        LastState::new(self.machine, self.options.time_step, self.time(), self.checkpoint())
     }
 
     /// The energy balance from t = 0 to the end of the last step.

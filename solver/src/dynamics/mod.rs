@@ -2,12 +2,14 @@
 
 mod checkpoint;
 mod energy;
+mod equilibrium;
 mod march;
 mod meters;
 mod newmark;
 mod newton;
 mod quality;
 mod release;
+mod restart;
 mod row;
 mod rows;
 #[cfg(test)]
@@ -21,10 +23,12 @@ mod windows;
 
 pub use checkpoint::Checkpoint;
 pub use energy::EnergyBalance;
+pub use equilibrium::{Equilibrium, equilibrium};
 pub use march::{BodyStart, Failure, March, MarchOptions, Outcome, Progress, march};
 pub use newmark::{Coefficients, Newmark, State};
 pub use newton::NewtonOptions;
 pub use quality::Quality;
+pub use restart::LastState;
 pub use steady::SteadyState;
 pub use system::System;
 pub use verdict::{Finding, findings};

@@ -99,6 +99,13 @@ pub(crate) struct NewtonState {
     largest_force: f64,
 }
 
+impl NewtonState {
+    /// As it is, with no matrix factored yet.
+    pub(crate) fn counted_anew(&self) -> NewtonState {
+        NewtonState { factorisations: 0, ..self.clone() }
+    }
+}
+
 /// Memory of the iteration, and the factors it keeps. Rows and columns are those of the unknowns: all
 /// coordinates from `first` on.
 pub(crate) struct Newton {

@@ -17,6 +17,8 @@ use whirl_specs::{CLEARANCES, MOTIONS};
 
 /// A shaft on a support in numbers, SI.
 pub(super) struct ByHand {
+    /// rad/s.
+    pub(super) start_speed: f64,
     pub(super) shaft: Mesh,
     pub(super) support: Mesh,
     /// Of the shaft, then of the support.
@@ -126,7 +128,7 @@ impl ByHand {
             },
             cycle: None,
             stop_when_steady: false,
-            initial: vec![BodyStart::default()],
+            initial: vec![BodyStart { speed: self.start_speed, ..BodyStart::default() }],
         };
         let machine = machine.expect("a machine");
         let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));

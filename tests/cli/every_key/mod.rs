@@ -17,7 +17,7 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 15] = [
+const FILES: [(&str, &str); 16] = [
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
@@ -28,6 +28,7 @@ const FILES: [(&str, &str); 15] = [
     ("gas.csv", include_str!("gas.csv")),
     ("motor.csv", include_str!("motor.csv")),
     ("run-up.csv", include_str!("run-up.csv")),
+    ("goes-on.toml", include_str!("goes-on.toml")),
     ("film.toml", include_str!("film.toml")),
     ("wall.toml", include_str!("wall.toml")),
     ("buffer.toml", include_str!("buffer.toml")),
@@ -36,12 +37,13 @@ const FILES: [(&str, &str); 15] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 7] = [
+const CASES: [&str; 8] = [
     "generated.toml",
     "base.toml",
     "read.toml",
     "mass.toml",
     "named.toml",
+    "goes-on.toml",
     "forced.toml",
     "tied.toml",
 ];
@@ -78,6 +80,14 @@ fn every_key_of_named_bodies_runs() {
     assert!((fan / exact - 1.0).abs() < 1e-9, "{fan} for {exact}");
     assert!(found.history.last("M_fan_Nm").abs() > 0.0);
     assert!(found.figure("rotation").contains("Speed of rotation of cup"));
+    let outcome = found.bench.whirl(&["run", "goes-on.toml", "--no-figures", "--out", "more"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let more = found.bench.history("more");
+    let time = more.column("t_s");
+    assert_eq!(time.len(), 50);
+    assert!((time[0] - 501.0 * 2e-5).abs() < 1e-12, "{}", time[0]);
+    let speed = std::f64::consts::TAU / 60.0 * (120.0 + 600.0 * 0.011);
+    assert!((more.last("omega_motor_rad_s") / speed - 1.0).abs() < 1e-9);
 }
 
 /// What loads and drives do is held to exact solutions elsewhere; here all of their keys stand together.

@@ -201,6 +201,7 @@ fn a_generated_rotor_is_what_its_case_says() {
         material: copper(),
     };
     let machine = ByHand {
+        start_speed: -70.0 * std::f64::consts::TAU / 60.0,
         shaft: shaft.mesh(&elements()).expect("a mesh"),
         support: support.mesh(&elements()).expect("a mesh"),
         modes: [5, 7],
@@ -280,6 +281,7 @@ fn a_read_rotor_is_what_its_case_says() {
         inp::read(text, name, &elements()).unwrap_or_else(|errors| panic!("{errors}")).mesh
     });
     let machine = ByHand {
+        start_speed: 0.0,
         shaft: with(&shaft, titanium(), &["C3D6"]),
         support: with(&support, copper(), &["C3D8I"]),
         modes: [6, 9],

@@ -14,6 +14,7 @@ mod newton;
 mod quality;
 mod resume;
 mod spinning;
+mod starts;
 mod torques;
 mod validity;
 

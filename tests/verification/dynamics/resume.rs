@@ -8,13 +8,13 @@ use whirl_solver::machine::{Machine, Rotation};
 use super::validity::MEASURED;
 use super::{bearing, bores, boxed, discs, force, options, parts};
 
-const STEPS: usize = 2300;
+pub(super) const STEPS: usize = 2300;
 /// Steps after which a march is resumed: the first, some in which factors are kept, one after the drive has stopped.
-const CUTS: [usize; 4] = [1, 777, 1003, 2001];
+pub(super) const CUTS: [usize; 4] = [1, 777, 1003, 2001];
 
 /// A driven shaft in films that switch off at 2 mm, in bores that vibrate: loads that are released, factors that
 /// are kept over steps, a cycle of the steady-state test that reaches back over a checkpoint.
-fn machine(target: f64, release: Release) -> Machine {
+pub(super) fn machine(target: f64, release: Release) -> Machine {
     let mut parts = parts(discs(1e6), bores(), Rotation::Free);
     // Its measures are kept, too.
     parts.laws = vec![boxed(&MEASURED)];
@@ -33,7 +33,7 @@ fn machine(target: f64, release: Release) -> Machine {
 }
 
 /// A speed that is reached between the last cuts.
-fn target() -> f64 {
+pub(super) fn target() -> f64 {
     let machine = machine(f64::INFINITY, Release::AtStep);
     let mut march = March::new(&machine, &march_options()).expect("starts");
     let mut fastest = f64::NEG_INFINITY;
@@ -44,7 +44,7 @@ fn target() -> f64 {
     fastest
 }
 
-fn march_options() -> MarchOptions {
+pub(super) fn march_options() -> MarchOptions {
     MarchOptions {
         cycle: Some(1.0 / 80.0),
         initial: vec![BodyStart { speed: 30.0, ..BodyStart::default() }],

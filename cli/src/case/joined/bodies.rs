@@ -97,7 +97,7 @@ pub(super) fn read(
 fn turning(store: FileStore, table: &Table, turns: &str) -> Option<Turning> {
     let or_zero = |key| table.quantity(key).unwrap_or(0.0);
     match turns {
-        "free" => Some(Turning::Free { initial_speed: or_zero("initial_speed") }),
+        "free" => Some(Turning::Free { initial_speed: table.quantity("initial_speed") }),
         "prescribed" if table.has("table") => {
             for key in ["speed", "acceleration"].into_iter().filter(|key| table.has(key)) {
                 table.conflict(key, "table");

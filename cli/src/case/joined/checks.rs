@@ -26,8 +26,8 @@ pub(super) fn one_motion(
 }
 
 /// Notes what does not fit together.
-pub(super) fn check(file: &Table, machine: &JoinedMachine) {
-    let mut checks = Checks { file, machine };
+pub(super) fn check(file: &Table, machine: &JoinedMachine, goes_on: bool) {
+    let mut checks = Checks { file, machine, goes_on };
     machine.joints.iter().for_each(|joint| checks.joint(joint));
     machine.drives.iter().enumerate().for_each(|(place, own)| checks.drive(place, own));
     (0..machine.bodies.len()).for_each(|body| checks.body(body));
@@ -36,6 +36,8 @@ pub(super) fn check(file: &Table, machine: &JoinedMachine) {
 struct Checks<'a, 'd> {
     file: &'a Table<'d>,
     machine: &'a JoinedMachine,
+    /// Whether it has the speeds of another run.
+    goes_on: bool,
 }
 
 impl Checks<'_, '_> {
@@ -154,7 +156,8 @@ impl Checks<'_, '_> {
         let mut loads = self.machine.loads.iter().filter(|load| load.body == place);
         let driven = self.machine.drives.iter().any(|drive| drive.body == place)
             || loads.any(|own| matches!(own.load.acting, Acting::Couple([.., z]) if z != 0.0));
-        if initial_speed == 0.0 && !driven && !joints.iter().any(|joint| turns(joint)) {
+        let turned = self.goes_on || initial_speed.is_some_and(|speed| speed != 0.0);
+        if !turned && !driven && !joints.iter().any(|joint| turns(joint)) {
             let message = format!("nothing acts on the rotation of `{name}`");
             let help = "add a drive `[drives.NAME]`, an `initial_speed` or a law with a torque, or write \
                         `turns = \"no\"`";

@@ -71,8 +71,8 @@ pub(crate) struct NamedBody {
 pub(crate) enum Turning {
     /// As its couples make it, from a speed at t = 0 (rad/s).
     Free {
-        /// rad/s.
-        initial_speed: f64,
+        /// rad/s, if the case says it.
+        initial_speed: Option<f64>,
     },
     /// As it is told.
     Prescribed {
@@ -263,8 +263,8 @@ impl JoinedMachine {
         None
     }
 
-    /// The machine, if all of it is right.
-    pub(super) fn read(store: FileStore, file: &Table) -> Option<JoinedMachine> {
+    /// The machine, if all of it is right. `goes_on`: it has the speeds of another run.
+    pub(super) fn read(store: FileStore, file: &Table, goes_on: bool) -> Option<JoinedMachine> {
         let before = file.errors();
         let materials = Materials::read(file);
         let (mut bodies, mut motions) = (Vec::new(), Vec::new());
@@ -309,7 +309,7 @@ impl JoinedMachine {
             motion: motion?,
             gravity,
         };
-        checks::check(file, &machine);
+        checks::check(file, &machine, goes_on);
         Some(machine)
     }
 
@@ -318,7 +318,7 @@ impl JoinedMachine {
         let aims = self.drives.iter().filter(|drive| drive.body == body && drive.couple.acts);
         let given = match &self.bodies[body].turning {
             Some(Turning::Prescribed { speed, .. }) => *speed,
-            Some(Turning::Free { initial_speed }) => *initial_speed,
+            Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
             Some(Turning::Table(columns)) => columns.largest(),
             None => 0.0,
         };

@@ -124,8 +124,8 @@ pub(super) fn build(
 ) -> Result<Built, Failure> {
     let Assembled { parts, laws, law_hashes, facts } = assemble(joined, plan, cache, warnings)?;
     let initial = joined.bodies.iter().map(|body| BodyStart {
-        speed: match &body.turning {
-            Some(Turning::Free { initial_speed }) => *initial_speed,
+        speed: match body.turning {
+            Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
             _ => 0.0,
         },
         ..BodyStart::default()

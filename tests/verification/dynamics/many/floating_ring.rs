@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use num_dual::Dual64;
 use whirl_solver::bearing::{Bearing, Sides};
-use whirl_solver::dynamics::March;
+use whirl_solver::dynamics::{March, equilibrium};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -101,6 +101,13 @@ fn a_ring_that_is_held_centred_turns_at_the_ratio_of_its_torques() {
     let theta = machine.places()[1].rotation.expect("the ring turns");
     let found = march.state().v[theta] / SPEED;
     assert!((found / ratio() - 1.0).abs() < 1e-6, "{found} for {}", ratio());
+}
+
+#[test]
+fn a_centred_ring_in_equilibrium_turns_at_the_ratio_of_its_torques() {
+    let found = equilibrium(&machine([0.1, 0.05], 1e9), &[]).expect("is there");
+    let speed = found.bodies[1].speed / SPEED;
+    assert!((speed / ratio() - 1.0).abs() < 1e-9, "{speed} for {}", ratio());
 }
 
 /// Angle of an eccentricity in space at the end of each step.

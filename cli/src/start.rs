@@ -1,0 +1,159 @@
+//! The start of a march: at rest, in equilibrium, or from the state in which another run ended.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use whirl_solver::Error;
+use whirl_solver::cache::{Key, pack, unpack, write_whole};
+use whirl_solver::dynamics::{BodyStart, Equilibrium, LastState, March, MarchOptions, equilibrium};
+
+use crate::case::{Case, Start, System, Turning};
+use crate::errors::Failure;
+use crate::machine::Built;
+use crate::progress::ProgressMode;
+use crate::results::STATE;
+
+/// Layout of the file.
+const LAYOUT: &str = "whirl state 1";
+
+/// The march of a case, whose results go to `out`, before its first step.
+///
+/// # Errors
+/// No equilibrium, or no state that fits.
+pub(crate) fn begin<'m>(
+    (case, built): (&Case, &'m Built),
+    options: &MarchOptions,
+    out: &Path,
+    show: ProgressMode,
+) -> Result<March<'m>, Failure> {
+    let machine = &built.machine;
+    let initial = match &case.start {
+        Start::State(folder) => {
+            let last = read(Path::new(folder.text()), Some(out))?;
+            let march = March::from_last(machine, options, &last);
+            let march = march.map_err(|error| refused(folder.text(), error))?;
+            show.note(&going_on(folder.text(), &last));
+            return Ok(march);
+        }
+        Start::Rest => rest(case, built),
+        Start::Equilibrium => {
+            let found = equilibrium(machine, &speeds(case))?;
+            show.note(&words(case, &found));
+            found.bodies
+        }
+    };
+    let options = MarchOptions { initial, ..options.clone() };
+    March::new(machine, &options).map_err(|failure| failure.error.into())
+}
+
+/// What a case says of its start, if that is not at rest, in words.
+///
+/// # Errors
+/// As [`begin`].
+pub(crate) fn described(case: &Case, built: &Built) -> Result<Option<String>, Failure> {
+    Ok(match &case.start {
+        Start::Rest => None,
+        Start::Equilibrium => Some(words(case, &equilibrium(&built.machine, &speeds(case))?)),
+        Start::State(folder) => {
+            let last = read(Path::new(folder.text()), None)?;
+            last.check(&built.machine).map_err(|error| refused(folder.text(), error))?;
+            Some(going_on(folder.text(), &last))
+        }
+    })
+}
+
+/// A state that does not fit, with its folder.
+fn refused(folder: &str, error: Error) -> Failure {
+    match error {
+        Error::OtherBodies(_) | Error::OtherRotation { .. } => {
+            Failure::NoState { folder: folder.into(), reason: error.to_string() }
+        }
+        error => error.into(),
+    }
+}
+
+fn going_on(folder: &str, last: &LastState) -> String {
+    let time = whirl_text::shown(last.time(), 6, 1e-4..1e6);
+    format!("going on from {folder} at t = {time} s")
+}
+
+/// Bodies at rest, but for speeds that the case gives.
+fn rest(case: &Case, built: &Built) -> Vec<BodyStart> {
+    let mut initial = built.initial.clone();
+    initial.resize(built.machine.bodies.len(), BodyStart::default());
+    for (own, speed) in initial.iter_mut().zip(speeds(case)) {
+        own.speed = speed.unwrap_or(own.speed);
+    }
+    initial
+}
+
+/// Speeds of the bodies at t = 0 (rad/s), where the case gives them, in the order of the machine.
+fn speeds(case: &Case) -> Vec<Option<f64>> {
+    match &case.system {
+        System::Rotor(rotor) => vec![rotor.start_speed],
+        System::Lumped(_) => Vec::new(),
+        System::Joined(joined) => {
+            let given = joined.bodies.iter().map(|body| match body.turning {
+                Some(Turning::Free { initial_speed }) => initial_speed,
+                _ => None,
+            });
+            given.collect()
+        }
+    }
+}
+
+/// What was found, in words: speeds that the case leaves open, and where journals stand.
+fn words(case: &Case, found: &Equilibrium) -> String {
+    let mut parts = Vec::new();
+    if let System::Joined(joined) = &case.system {
+        for (body, own) in joined.bodies.iter().zip(&found.bodies) {
+            if matches!(body.turning, Some(Turning::Free { initial_speed: None })) {
+                let rpm = own.speed * 60.0 / std::f64::consts::TAU;
+                let speed = whirl_text::shown(rpm, 5, 1e-3..1e7);
+                parts.push(format!("{} turns at {speed} rpm", body.name.text()));
+            }
+        }
+    }
+    for (name, ratio) in &found.eccentricities {
+        if let Some(ratio) = ratio {
+            parts.push(format!("{:.3} in {name}", ratio));
+        }
+    }
+    let what = if found.eccentricities.iter().any(|(_, ratio)| ratio.is_some()) {
+        " (eccentricity over clearance)"
+    } else {
+        ""
+    };
+    format!("starting in equilibrium: {}{what}", parts.join(", "))
+}
+
+/// Writes the state after the last step of a run.
+///
+/// # Errors
+/// It cannot be written.
+pub(crate) fn write(path: &Path, state: &LastState) -> io::Result<()> {
+    write_whole(path, &pack(&Key::of(&LAYOUT), state)?)
+}
+
+/// The state in which the run in a folder ended; `out`: where the results of this run go.
+fn read(folder: &Path, out: Option<&Path>) -> Result<LastState, Failure> {
+    let missing = |reason: String| Failure::NoState { folder: folder.to_path_buf(), reason };
+    if let (Ok(from), Some(Ok(to))) = (folder.canonicalize(), out.map(Path::canonicalize))
+        && from == to
+    {
+        return Err(missing("the results of this run go there, too".to_owned()));
+    }
+    let bytes = fs::read(folder.join(STATE)).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound if !folder.is_dir() => missing(
+            "there is no such folder; it is looked for where the command is run, as that of results is"
+                .to_owned(),
+        ),
+        io::ErrorKind::NotFound => {
+            missing(format!("it has no `{STATE}`, which a run leaves that comes to its end"))
+        }
+        _ => missing(format!("cannot read `{STATE}`: {error}")),
+    })?;
+    let damaged = || missing(format!("`{STATE}` is damaged, or of another version of the program"));
+    unpack(&Key::of(&LAYOUT), &bytes).ok_or_else(damaged)
+}

@@ -1,0 +1,88 @@
+//! The start of a machine in equilibrium at speed.
+//!
+//! A shaft that turns at a constant speed under loads fixed in space has a deflection η_s that stands in space, so that it
+//! moves in the frame that turns: η̇_s = θ̇ L η_s. What the centrifugal load does, η_c, turns with the frame and rests in
+//! it. Bodies that stand are at rest. The joints act with these rates, the damping of the shaft does (`balance`). Left
+//! out are the loads that turn: unbalance, forces fixed to a body; so a machine that has some starts with a transient.
+
+mod balance;
+mod search;
+#[cfg(test)]
+mod tests;
+mod turning;
+
+use balance::Balance;
+use search::{Found, Nearest, floating, search};
+
+use super::march::BodyStart;
+use crate::error::Error;
+use crate::machine::Machine;
+
+/// The rows that an error names.
+const NAMED: usize = 3;
+
+/// A machine in equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equilibrium {
+    /// How the bodies begin, in their order.
+    pub bodies: Vec<BodyStart>,
+    /// Eccentricity of the journal over the clearance in each bearing, with its name; none where it has no clearance.
+    pub eccentricities: Vec<(String, Option<f64>)>,
+    /// The largest force that is left in a row, over what it may be by 1e-6 of the row's largest term, 1e-9 of the largest
+    /// force projected on it, and rounding: at most 1.
+    pub left: f64,
+    /// Iterations in all.
+    pub iterations: usize,
+}
+
+/// The state in which all forces are balanced at t = 0. `speeds`: θ̇ (rad/s) of bodies that turn freely, by their places; of
+/// one without it the speed is found at which no couple acts on it.
+///
+/// # Errors
+/// There is none, or it was not found: what is out of balance; nothing holds the machine.
+pub fn equilibrium(machine: &Machine, speeds: &[Option<f64>]) -> Result<Equilibrium, Error> {
+    let mut balance = Balance::new(machine, speeds)?;
+    let Found { iterations } = match search(&mut balance)? {
+        Ok(found) => found,
+        Err(nearest) => return Err(unbalanced(&mut balance, &nearest)),
+    };
+    let left = balance.worst();
+    if let Some(rows) = floating(&mut balance) {
+        let coordinates = rows.iter().map(|&row| coordinate(&balance, row)).collect();
+        return Err(Error::Floating { coordinates });
+    }
+    let bodies = machine.places().iter().enumerate().map(|(body, place)| BodyStart {
+        speed: balance.speed(body),
+        position: balance.state.q[place.flexible.clone()].to_vec(),
+        velocity: balance.state.v[place.flexible.clone()].to_vec(),
+    });
+    Ok(Equilibrium { bodies: bodies.collect(), eccentricities: balance.ratios(), left, iterations })
+}
+
+/// What is out of balance where the search came nearest.
+fn unbalanced(balance: &mut Balance, nearest: &Nearest) -> Error {
+    if let Err(error) = balance.set(&nearest.z) {
+        return error;
+    }
+    if let Some((law, bearing)) = balance.system.springs.without_value(&balance.machine.springs) {
+        return Error::NoForce { step: 0, time: 0.0, law, bearing: bearing + 1 };
+    }
+    let mut rows: Vec<usize> = (0..balance.force.len()).collect();
+    let share = |row: &usize| balance.share_of(*row);
+    rows.sort_by(|a, b| share(b).total_cmp(&share(a)));
+    let out = rows.iter().filter(|row| share(row) > 1.0).take(NAMED);
+    let out = out.map(|&row| (coordinate(balance, row), balance.force[row]));
+    let mut journals: Vec<(String, f64)> = balance
+        .ratios()
+        .into_iter()
+        .filter_map(|(name, ratio)| ratio.map(|ratio| (name, ratio)))
+        .collect();
+    journals.sort_by(|a, b| b.1.total_cmp(&a.1));
+    journals.truncate(NAMED);
+    Error::NoEquilibrium { rows: out.collect(), journals, share: nearest.share }
+}
+
+fn coordinate(balance: &Balance, row: usize) -> String {
+    let name = balance.machine.coordinate(balance.places[row]);
+    if row < balance.flexible { name } else { name.replace("rotation angle", "speed") }
+}

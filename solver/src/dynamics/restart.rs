@@ -1,0 +1,202 @@
+//! A march from the last state of another one: with the same bodies, under loads, laws and drives that may be others.
+//!
+//! Where nothing acts differently at that instant, the march goes on as the other would have done, to the bit: with its
+//! accelerations and the factors that Newton's method kept. Where anything does, accelerations follow from the forces that
+//! act now. Time and angles go on; energies, the steady state and what is measured of steps and laws count anew.
+
+use serde::{Deserialize, Serialize};
+
+use super::checkpoint::{Checkpoint, Clock};
+use super::march::{March, MarchOptions};
+use super::newmark::State;
+use super::newton::NewtonState;
+use super::system::System;
+use crate::cache::Key;
+use crate::error::Error;
+use crate::machine::{Body, Machine};
+
+/// Differences of angle (rad), and of speed as a share of it, that are rounding.
+const ROUNDING: f64 = 1e-6;
+
+/// The state of a machine after a step, body by body, with what is needed to go on from it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LastState {
+    bodies: Vec<LastBody>,
+    /// Time after the step (s), and Δt.
+    time: f64,
+    time_step: f64,
+    /// When its march began to count, and its steps.
+    clock: Clock,
+    /// Time at which the system was evaluated, which rounding may set apart from that after the step.
+    evaluated: f64,
+    /// Each load by what it is, and whether it has stopped.
+    loads: Vec<(Key, bool)>,
+    /// The terms of all rows.
+    acting: Key,
+    newton: NewtonState,
+}
+
+/// A body of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct LastBody {
+    name: String,
+    /// What its coordinates are.
+    content: Key,
+    /// θ, θ̇, θ̈ of one that turns.
+    rotation: Option<[f64; 3]>,
+    /// η or x_b.
+    flexible: State,
+}
+
+impl LastState {
+    pub(super) fn new(machine: &Machine, time_step: f64, time: f64, from: Checkpoint) -> Self {
+        let Checkpoint { state, time: evaluated, clock, released, newton, tally, .. } = from;
+        let bodies = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
+            let part = |all: &[f64]| all[place.flexible.clone()].to_vec();
+            LastBody {
+                name: body.name().to_owned(),
+                content: content(body),
+                rotation: place.rotation.map(|at| [state.q[at], state.v[at], state.a[at]]),
+                flexible: State { q: part(&state.q), v: part(&state.v), a: part(&state.a) },
+            }
+        });
+        LastState {
+            bodies: bodies.collect(),
+            time,
+            time_step,
+            clock: Clock { step: clock.step + tally.step, ..clock },
+            evaluated,
+            loads: loads(machine).into_iter().zip(released.iter().copied()).collect(),
+            acting: acting(machine, evaluated, &state, &released),
+            newton,
+        }
+    }
+
+    /// Whether a machine can go on from it.
+    ///
+    /// # Errors
+    /// It is of other bodies, or a rotation is prescribed that does not go on from it.
+    pub fn check(&self, machine: &Machine) -> Result<(), Error> {
+        self.fitting(machine).map(|_| ())
+    }
+
+    /// Time of the state (s).
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The state in the coordinates of a machine that can go on from it.
+    fn fitting(&self, machine: &Machine) -> Result<State, Error> {
+        let state = self.state(machine)?;
+        self.check_rotations(machine, &state)?;
+        Ok(state)
+    }
+
+    /// The state in the coordinates of a machine.
+    fn state(&self, machine: &Machine) -> Result<State, Error> {
+        let mut differ = Vec::new();
+        let mut state = State::new(machine.size());
+        for (body, place) in machine.bodies.iter().zip(machine.places()) {
+            let name = body.name();
+            let Some(own) = self.bodies.iter().find(|own| own.name == name) else {
+                differ.push(format!("it has no body `{name}`"));
+                continue;
+            };
+            if own.content != content(body) || own.rotation.is_some() != place.rotation.is_some() {
+                differ.push(format!("`{name}` is another one"));
+                continue;
+            }
+            let State { q, v, a } = &own.flexible;
+            let all = [(&mut state.q, q), (&mut state.v, v), (&mut state.a, a)];
+            all.into_iter().for_each(|(all, own)| all[place.flexible.clone()].copy_from_slice(own));
+            if let (Some(at), Some([angle, speed, rate])) = (place.rotation, own.rotation) {
+                (state.q[at], state.v[at], state.a[at]) = (angle, speed, rate);
+            }
+        }
+        let is_gone = |own: &&LastBody| machine.bodies.iter().all(|body| body.name() != own.name);
+        let gone = self.bodies.iter().filter(is_gone);
+        differ.extend(gone.map(|own| format!("its body `{}` is missing", own.name)));
+        if differ.is_empty() { Ok(state) } else { Err(Error::OtherBodies(differ)) }
+    }
+
+    /// Whether rotations that are prescribed go on from the state.
+    fn check_rotations(&self, machine: &Machine, state: &State) -> Result<(), Error> {
+        let mut given = state.clone();
+        machine.set_given(self.time, &mut given.q, &mut given.v, &mut given.a);
+        for at in 0..machine.first_unknown() {
+            let apart = (given.q[at] - state.q[at]).abs();
+            let jump = (given.v[at] - state.v[at]).abs();
+            let angles = 1.0_f64.max(state.q[at].abs() * f64::EPSILON / ROUNDING);
+            if apart > ROUNDING * angles || jump > ROUNDING * given.v[at].abs().max(1.0) {
+                return Err(Error::OtherRotation {
+                    body: machine.bodies[machine.owner(at).body].name().to_owned(),
+                    time: self.time,
+                    angle: given.q[at],
+                    speed: given.v[at],
+                    had_angle: state.q[at],
+                    had_speed: state.v[at],
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<'m> March<'m> {
+    /// A march from the last state of another one. Initial states of the options have no effect.
+    ///
+    /// # Errors
+    /// The state is of other bodies; a rotation is prescribed that does not go on from it; a mass matrix that cannot be
+    /// inverted.
+    pub fn from_last(
+        machine: &'m Machine,
+        options: &MarchOptions,
+        last: &LastState,
+    ) -> Result<Self, Error> {
+        let state = last.fitting(machine)?;
+        let own = loads(machine);
+        let known = |load: &Key| last.loads.iter().find(|(other, _)| other == load);
+        let released: Vec<bool> =
+            own.iter().map(|load| known(load).is_some_and(|(_, released)| *released)).collect();
+        let same_loads = own.iter().eq(last.loads.iter().map(|(load, _)| load));
+        let same = acting(machine, last.evaluated, &state, &released) == last.acting;
+        // With another Δt the state is no multiple of it.
+        let clock = match last.time_step == options.time_step {
+            true => last.clock,
+            false => Clock { time: last.time, step: 0 },
+        };
+        let time = if same { last.evaluated } else { last.time };
+        let mut march = March::begin(machine, options, (state, released, time), !same)?;
+        // A kept state has one place a coordinate and a load, in their order.
+        let newton = (same && same_loads).then(|| last.newton.counted_anew());
+        march.go_on(clock, time, newton);
+        Ok(march)
+    }
+}
+
+/// What the coordinates of a body are: their names, and what they store of energy; not its nodes, which loads choose, nor
+/// unbalance and damping.
+fn content(body: &Body) -> Key {
+    match body {
+        Body::Turning { shaft, .. } => {
+            Key::of(&(&shaft.coordinates, &shaft.mass.data, &shaft.stiffness.data))
+        }
+        Body::Standing { support, .. } => Key::of(&(&support.coordinates, &support.stiffness)),
+    }
+}
+
+/// Each load by what it is.
+fn loads(machine: &Machine) -> Vec<Key> {
+    machine.loads.iter().map(|load| Key::of(&format!("{load:?}"))).collect()
+}
+
+/// Everything that acts on a machine at an instant, to the bit, in the order of its coordinates.
+fn acting(machine: &Machine, time: f64, state: &State, released: &[bool]) -> Key {
+    let mut system = System::new(machine);
+    system.released.copy_from_slice(released);
+    system.evaluate(time, state);
+    let coordinates: Vec<String> =
+        (0..machine.size()).map(|place| machine.coordinate(place)).collect();
+    let terms = [&system.inertia, &system.damper, &system.elastic, &system.load, &system.spring];
+    Key::of(&(coordinates, machine.first_unknown(), terms, &system.springs.forces))
+}

@@ -1,0 +1,189 @@
+//! Starts in equilibrium and from the state of another run.
+
+use crate::workbench::{SHORT, Workbench};
+
+/// A rigid rotor under a load in two films; `start` and more tables.
+fn rotor(mass: &str, load: &str, steps: usize, more: &str) -> String {
+    let joint = |name: &str, z: &str| {
+        format!(
+            "[joint.{name}]\nkind = \"bearing\"\njournal = {{ body = \"rotor\", z = \"{z}\" }}\nlaw = \"ocvirk\"\n\
+             radial_clearance = \"50 um\"\njournal_radius = \"25 mm\"\nlength = \"20 mm\"\n"
+        )
+    };
+    format!(
+        "title = \"a rotor in films\"\n[body.rotor]\nturns = \"free\"\ninitial_speed = \"3819.72 rpm\"\nmass = \"{mass}\"\n\
+         polar_inertia = \"0.2 kg*m^2\"\ntransverse_inertia = \"0.15 kg*m^2\"\nz = \"0 m\"\n{}{}\
+         [loads.weight]\nbody = \"rotor\"\nz = \"0 m\"\nforce = \"{load}\"\n\
+         [march]\ntime_step = \"5e-5 s\"\nsteps = {steps}\n{more}",
+        joint("left", "-150 mm"),
+        joint("right", "150 mm"),
+    )
+}
+
+/// Largest change of a column, over a force. A history begins after its first step: `first` is what there was before.
+fn drift(values: &[f64], first: Option<f64>, over: f64) -> f64 {
+    let values = || values.iter().copied().chain(first);
+    let least = values().fold(f64::INFINITY, f64::min);
+    let most = values().fold(f64::NEG_INFINITY, f64::max);
+    (most - least) / over
+}
+
+#[test]
+fn a_rotor_in_films_starts_where_they_carry_it() {
+    // W = 2 · 0.7504 μ ω R L³/c² at ε = 0.5, ω = 400 rad/s.
+    let load = 2.0 * 0.75043 * 0.02 * 400.0 * 0.025 * 8e-6 / 25e-10;
+    let force = format!("-{load} N");
+    let equilibrium = "[start]\nkind = \"equilibrium\"\n";
+    let bench = Workbench::new()
+        .file("still.toml", &rotor("10 kg", &force, 320, equilibrium))
+        .file("rest.toml", &rotor("10 kg", &force, 320, ""));
+    let outcome = bench.whirl(&["run", "still.toml", "--no-figures", "--out", "still"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let said = "starting in equilibrium: 0.500 in bearing left, 0.500 in bearing right (eccentricity over clearance)";
+    assert!(outcome.stderr.contains(said), "{}", outcome.stderr);
+    let checked = bench.whirl(&["check", "still.toml"]);
+    assert!(checked.status == 0 && checked.stdout.contains(said), "{}", checked.stdout);
+    let outcome = bench.whirl(&["run", "rest.toml", "--no-figures", "--out", "rest"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    for column in ["RX_left_N", "RX_right_N"] {
+        // A centred journal that does not move is not carried.
+        let [still, rest] = [("still", None), ("rest", Some(0.0))]
+            .map(|(own, first)| drift(bench.history(own).column(column), first, 0.5 * load));
+        println!(
+            "{column}: {:.4} % from equilibrium, {:.0} % from rest",
+            100.0 * still,
+            100.0 * rest
+        );
+        assert!(still < 1e-4 && rest > 1.0, "{column}: {still} {rest}");
+    }
+}
+
+/// The reference machine under its static loads: while it turns at 4500 rpm its reactions are those of the shaft at rest
+/// from the first step on; in films, too, they stay as they are.
+#[test]
+fn the_reference_shaft_starts_with_its_static_reactions() {
+    let case = "include = \"hu2003-1.toml\"\ntitle = \"in equilibrium\"\n\
+                [start]\nkind = \"equilibrium\"\nspeed = \"4500 rpm\"\n[march]\nsteps = 181\n";
+    let film = "include = \"still.toml\"\n[springs]\nlaw = \"ocvirk\"\n";
+    let bench = Workbench::new().file("still.toml", case).file("film.toml", film);
+    for name in ["still", "film"] {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures", "--out", name]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        println!("{}", outcome.stderr);
+        let history = bench.history(name);
+        let mut sum = 0.0;
+        for k in 1..=4 {
+            let [x, y] = ["X", "Y"].map(|axis| history.column(&format!("R{axis}{k}_N")));
+            let drifts = [x, y].map(|own| drift(own, None, x[0].abs()));
+            println!(
+                "{name} {k}: {:.2} N, drift {:.4} % {:.4} %",
+                x[0],
+                100.0 * drifts[0],
+                100.0 * drifts[1]
+            );
+            assert!(drifts.iter().all(|own| *own < 0.01), "{name} {k}: {drifts:?}");
+            // PHYSICS: static reactions of analysis 1.
+            let exact = if k == 1 || k == 4 { -396.5 } else { -1103.5 };
+            assert!(name == "film" || (x[0] / exact - 1.0).abs() < 2e-3, "{}", x[0]);
+            sum += x[0];
+        }
+        assert!((sum / -3000.0 - 1.0).abs() < 1e-3, "{sum}");
+    }
+}
+
+/// The rows of a history, without its head.
+fn rows(bench: &Workbench, folder: &str) -> Vec<String> {
+    bench.history_text(folder).lines().skip(1).map(str::to_owned).collect()
+}
+
+#[test]
+fn a_run_cut_in_two_by_a_restart_has_the_rows_of_the_whole_one() {
+    let part =
+        |steps: usize, more: &str| format!("{SHORT}{more}").replace("40", &steps.to_string());
+    let bench = Workbench::new()
+        .file("whole.toml", SHORT)
+        .file("first.toml", &part(17, ""))
+        .file("second.toml", &part(23, "[start]\nfrom = \"results/first\"\n"));
+    for name in ["whole", "first", "second"] {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    }
+    let [whole, first, second] =
+        ["whole", "first", "second"].map(|name| rows(&bench, &format!("results/{name}")));
+    assert_eq!((whole.len(), first.len(), second.len()), (40, 17, 23));
+    assert!(whole[..17] == first && whole[17..] == second);
+    let simulated = bench.summary("results/second")["time"]["simulated_s"].as_f64().expect("s");
+    assert!((simulated - 23.0 * 7.4e-5).abs() < 1e-12, "{simulated}");
+}
+
+#[test]
+fn a_state_that_does_not_fit_is_refused_by_name() {
+    let from = |folder: &str| format!("[start]\nfrom = \"{folder}\"\n");
+    let bench = Workbench::new()
+        .file("first.toml", &rotor("10 kg", "-100 N", 20, ""))
+        .file("heavier.toml", &rotor("11 kg", "-100 N", 20, &from("results/first")))
+        .file("loaded.toml", &rotor("10 kg", "-300 N", 20, &from("results/first")))
+        .file("nowhere.toml", &rotor("10 kg", "-100 N", 20, &from("results/none")))
+        .file("itself.toml", &rotor("10 kg", "-100 N", 20, &from("results/itself")));
+    let run = |name: &str| bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
+    assert_eq!(run("first").status, 0);
+    let heavier = run("heavier");
+    assert_eq!(heavier.status, 2);
+    assert!(heavier.stderr.contains("cannot start from `results/first`"), "{}", heavier.stderr);
+    assert!(heavier.stderr.contains("`rotor` is another one"), "{}", heavier.stderr);
+    assert!(!bench.path("results/heavier").exists());
+    let checked = bench.whirl(&["check", "heavier.toml"]);
+    assert_eq!((checked.status, &checked.stderr), (2, &heavier.stderr));
+    let nowhere = run("nowhere");
+    assert_eq!(nowhere.status, 2);
+    assert!(
+        nowhere.stderr.contains("`results/none`: there is no such folder"),
+        "{}",
+        nowhere.stderr
+    );
+    std::fs::create_dir_all(bench.path("results/itself")).expect("a folder");
+    std::fs::copy(bench.path("results/first/state.bin"), bench.path("results/itself/state.bin"))
+        .expect("copied");
+    let itself = run("itself");
+    assert_eq!(itself.status, 2, "{}", itself.stderr);
+    assert!(itself.stderr.contains("the results of this run go there, too"), "{}", itself.stderr);
+    // Laws and loads may differ.
+    let loaded = run("loaded");
+    assert_eq!(loaded.status, 0, "{}", loaded.stderr);
+    let time = bench.history("results/loaded").column("t_s")[0];
+    assert!((time - 21.0 * 5e-5).abs() < 1e-12, "{time}");
+    std::fs::write(bench.path("results/first/state.bin"), "no state").expect("written");
+    let damaged = run("heavier");
+    assert!(damaged.stderr.contains("`state.bin` is damaged"), "{}", damaged.stderr);
+}
+
+#[test]
+fn a_start_without_an_equilibrium_says_what_is_out_of_balance() {
+    let equilibrium = "[start]\nkind = \"equilibrium\"\n";
+    let bench = Workbench::new().file("case.toml", &rotor("10 kg", "-1e8 N", 20, equilibrium));
+    let outcome = bench.whirl(&["run", "case.toml"]);
+    assert_eq!(outcome.status, 2);
+    assert_eq!(bench.whirl(&["check", "case.toml"]).stderr, outcome.stderr);
+    for part in ["the start at equilibrium was not found", "rotor, centre x", "in bearing left"] {
+        assert!(outcome.stderr.contains(part), "{}", outcome.stderr);
+    }
+    assert!(!bench.path("results/case").exists());
+}
+
+/// The example of the page on cases, as it is written there.
+#[test]
+fn the_documented_start_runs() {
+    let page = include_str!("../../docs/case-files.md");
+    let (_, section) = page.split_once("\n## Start\n").expect("a section");
+    let case = section.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next());
+    let bench = Workbench::new().file("case.toml", case.expect("an example"));
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("ring turns at "), "{}", outcome.stderr);
+    let history = bench.history("results/case");
+    let [first, last] = [0, 99].map(|row| history.column("omega_ring_rad_s")[row]);
+    // The ring goes on at the speed that was found for it.
+    assert!((last / first - 1.0).abs() < 1e-3, "{first} {last}");
+    let reaction = history.column("RX_inner_N");
+    assert!(reaction.iter().all(|force| (force / 98.1 - 1.0).abs() < 0.01), "{reaction:?}");
+}
