@@ -9,6 +9,7 @@ mod loads;
 mod lumped;
 mod machine;
 mod march;
+mod outputs;
 mod parameters;
 mod read;
 mod rotor;
@@ -29,6 +30,7 @@ pub(crate) use library::embedded_cases;
 pub(crate) use loads::{Acting, Load, Spread, Variation};
 pub(crate) use lumped::{Lumped, Side, Unbalance};
 pub(crate) use march::MarchSettings;
+pub(crate) use outputs::{Output, Wanted};
 pub(crate) use parameters::{BearingFacts, rounded};
 pub(crate) use read::read;
 pub(crate) use read::{SystemDraft, draft};
@@ -52,6 +54,8 @@ pub(crate) struct Case {
     pub(crate) system: System,
     /// Time step, duration and tolerances.
     pub(crate) march: MarchSettings,
+    /// What the history has beside its usual columns.
+    pub(crate) outputs: Vec<Output>,
     /// What figures show beyond the results.
     pub(crate) figures: Figures,
 }

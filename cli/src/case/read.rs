@@ -9,8 +9,8 @@ use whirl_codegen::document::{Document, Table};
 
 use super::library::{FileStore, load};
 use super::{
-    Case, Figures, JoinedMachine, Lumped, MarchSettings, RotorDraft, System, law, lumped, machine,
-    march,
+    Case, Figures, JoinedMachine, Lumped, MarchSettings, Output, RotorDraft, System, law, lumped,
+    machine, march, outputs,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -29,6 +29,7 @@ pub(crate) struct Draft {
     sources: Vec<Arc<Source>>,
     figures: Figures,
     march: Option<MarchSettings>,
+    outputs: Vec<Output>,
     /// What is marched, as far as the case says it.
     pub(crate) system: SystemDraft,
     /// What is wrong.
@@ -61,12 +62,12 @@ impl Draft {
     /// # Errors
     /// Everything that is wrong.
     pub(crate) fn finish(self) -> Result<Case, Diagnostics> {
-        let Draft { name, title, origin, mut sources, figures, march, system, errors } = self;
+        let Draft { name, title, origin, mut sources, figures, march, outputs, system, errors } = self;
         let place = sources[0].clone();
         match (errors.into_result(())?, march, system.finish()) {
             ((), Some(march), Some(system)) => {
                 sources.extend(system.tables());
-                Ok(Case { name, title, origin, sources, system, march, figures })
+                Ok(Case { name, title, origin, sources, system, march, outputs, figures })
             }
             _ => {
                 let message = "this case cannot be read";
@@ -94,6 +95,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
     let figures = figures(store, file);
     let system = system(store, file);
     let march = march::read(file, &system);
+    let outputs = outputs::read(file, &system);
     Draft {
         name: case_name(path),
         title: title.text().to_string(),
@@ -101,6 +103,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
         sources: sources.to_vec(),
         figures,
         march,
+        outputs,
         system,
         errors: Diagnostics::new(),
     }

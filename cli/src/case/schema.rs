@@ -100,6 +100,7 @@ const CASE: &[Key] = &[
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
     key("stop", List(&Table(&[STOP])), "what the mass may strike"),
     merged("march", Table(&[MARCH]), "steps in time"),
+    key("output", Named(&Table(&[OUTPUT])), "further columns of history.csv, by name"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
 ];
 
@@ -282,6 +283,33 @@ const MARCH: &[Key] = &[
     ),
     key("force_tolerance", TOLERANCE, "change of a spring force at which a step has converged"),
     key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),
+];
+
+const OUTPUT: &[Key] = &[
+    merged(
+        "quantity",
+        Words(&[
+            "displacement",
+            "velocity",
+            "acceleration",
+            "force",
+            "deformation",
+            "rate",
+            "energy",
+            "power",
+        ]),
+        "of a body: motion of a point, energy, power; of a joint: force, deformation and its rate, power",
+    ),
+    key("body", Text, "the name of a body; \"shaft\", \"support\" or \"mass\" in a short form")
+        .like("\"rotor\""),
+    key("joint", Text, "the name of a joint; the number of a support or a stop in a short form")
+        .like("\"front\""),
+    key("set", Text, "node set of a mesh: the motion of its node, or the mean of its nodes")
+        .like("\"DISC\""),
+    key("z", POSITION, "on a rigid body; at its centre if left out"),
+    key("frame", Words(&["space", "body"]), "whose components; space if left out"),
+    key("components", NAMES, "of \"x\", \"y\" and \"z\"; x and y if left out")
+        .like("[\"x\", \"y\"]"),
 ];
 
 const FIGURES: &[Key] = &[

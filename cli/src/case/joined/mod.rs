@@ -6,7 +6,7 @@ mod bodies;
 mod checks;
 mod forces;
 mod joints;
-mod names;
+pub(super) mod names;
 pub(super) mod schema;
 
 use std::sync::Arc;
