@@ -1,6 +1,7 @@
 //! A case: what a case file says, in SI, checked as far as it can be without building the machine.
 
 mod columns;
+mod cycle;
 mod gravity;
 mod joined;
 mod law;

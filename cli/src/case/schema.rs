@@ -283,6 +283,7 @@ const MARCH: &[Key] = &[
     ),
     key("force_tolerance", TOLERANCE, "change of a spring force at which a step has converged"),
     key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),
+    key("stop_when_steady", Flag, "true ends the run when a cycle repeats the one before"),
 ];
 
 const OUTPUT: &[Key] = &[

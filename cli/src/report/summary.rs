@@ -30,6 +30,8 @@ pub(crate) struct Summary {
     /// Over the last cycle.
     pub(crate) supports: Vec<SupportSummary>,
     cycle_s: f64,
+    /// What the cycle is.
+    cycle: &'static str,
     steady_state: SteadyFacts,
     energy_balance_j: EnergyFacts,
     time: Times,
@@ -247,7 +249,8 @@ impl Summary {
             ),
             march: MarchFacts {
                 converged,
-                complete: steps == case.march.steps,
+                complete: steps == case.march.steps
+                    || case.march.stop_when_steady && outcome.steady.is_some() && error.is_none(),
                 time_step_s: case.march.time_step,
                 steps_asked: case.march.steps,
                 steps,
@@ -257,6 +260,7 @@ impl Summary {
             },
             supports: SupportSummary::all(history, (&supports, named), cycle)?,
             cycle_s: cycle,
+            cycle: case.march.cycle_called,
             steady_state: SteadyFacts {
                 checked: case.march.steady_cycle().is_some(),
                 reached: outcome.steady.is_some(),
