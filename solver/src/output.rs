@@ -126,6 +126,11 @@ impl Output {
 }
 
 impl Machine {
+    /// Outputs by request.
+    pub fn outputs(&self) -> &[Output] {
+        &self.outputs
+    }
+
     /// The machine with outputs, whose columns follow all others of its history.
     ///
     /// # Errors
