@@ -1,7 +1,8 @@
 //! Spectra of what oscillates: over the last part of a run, and over a run-up.
 //!
 //! Amplitudes are those of sines, from 0 to the peak, 2 |X| / Σ w with Hann's window w, the mean taken off. A span of whole
-//! cycles puts what repeats with them on lines of the spectrum, where the amplitude is exact.
+//! cycles puts what repeats with them on lines of the spectrum, where the amplitude is exact; zeros behind it put more lines
+//! between these.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -16,6 +17,8 @@ use crate::report::Oscillation;
 /// Cycles of a spectrum at most, and rows.
 const CYCLES: f64 = 16.0;
 const MOST_ROWS: usize = 1 << 17;
+/// Values of a transform about which few are filled up with zeros.
+const PADDED: usize = 1 << 13;
 /// Amplitudes below this part of the largest are not worth an axis.
 const SMALL: f64 = 0.01;
 /// Orders that are marked, and their names.
@@ -46,11 +49,14 @@ impl Spectrum {
         let mean = values.iter().enumerate().map(|(i, x)| window(i) * x).sum::<f64>() / sum;
         let mut input: Vec<f64> =
             values.iter().enumerate().map(|(i, x)| window(i) * (x - mean)).collect();
-        let transform = RealFftPlanner::<f64>::new().plan_fft_forward(n);
+        // Zeros behind the values: more lines between those that there are.
+        let padded = n * (PADDED / n).max(1);
+        input.resize(padded, 0.0);
+        let transform = RealFftPlanner::<f64>::new().plan_fft_forward(padded);
         let mut output = transform.make_output_vec();
         transform.process(&mut input, &mut output).expect("lengths are those of the plan");
         let amplitudes = output.iter().map(|x| 2.0 * x.norm() / sum).collect();
-        Spectrum { step: 1.0 / (n as f64 * dt), amplitudes }
+        Spectrum { step: 1.0 / (padded as f64 * dt), amplitudes }
     }
 
     fn largest(&self) -> f64 {
