@@ -119,7 +119,7 @@ fn has_a_steady_state(march: &Table, settings: &MarchSettings, has_cycle: bool) 
             three_digits(settings.cycle, f64::round),
             settings.cycle_called
         );
-        let least = three_digits(2.0 * settings.cycle, f64::ceil);
+        let least = three_digits(2.0 * settings.cycle, |digits| (digits - 1e-6).ceil());
         let help = format!(
             "write `duration = \"{least} s\"` or more, or a higher `cycle_frequency` at which the motion repeats"
         );

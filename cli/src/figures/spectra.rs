@@ -337,7 +337,8 @@ mod tests {
             assert!((found.0 - frequency).abs() < 1e-6, "{found:?}");
             assert!((found.1 / amplitude - 1.0).abs() < 1e-6, "{found:?}");
         }
-        assert!(peak(90.0).1 < 1e-6);
+        // Between lines that are there Hann's window leaks a little.
+        assert!(peak(90.0).1 < 0.02);
         let marks: Vec<f64> = panel.marks.iter().map(|mark| mark.x).collect();
         assert!((marks[1] - 50.0).abs() < 1e-6 && (marks[2] - 100.0).abs() < 1e-6, "{marks:?}");
         // Nothing varies: no waterfall.

@@ -90,11 +90,15 @@ pub(crate) fn orders(
             std::iter::once(angle.as_str()).chain(columns.iter().map(|own| own.0)).collect();
         let mut fit = Fit::new(revolutions, columns.len());
         let whole = revolutions as f64 * TAU;
+        let mut before: Option<f64> = None;
         history.scan(from, &names, &mut |row| {
-            // The row a whole number of revolutions before the last one is the last one again.
-            if (last - row[0]).abs() < whole * (1.0 - 1e-9) {
-                fit.add(row[0], &row[1..]);
+            // A row counts by the angle since the row before, as far as it belongs to these revolutions.
+            let turned = before.map_or(0.0, |before| (row[0] - before).abs());
+            let inside = turned.min(whole - (last - row[0]).abs());
+            if inside > 0.0 {
+                fit.add(inside, row[0], &row[1..]);
             }
+            before = Some(row[0]);
         })?;
         let Some(found) = fit.solve() else { continue };
         for ((column, title), [first, second]) in columns.into_iter().zip(found) {
@@ -125,6 +129,7 @@ fn revolutions(
         // Rows do not always meet the start of a revolution.
         let whole = ((last - first).abs() / TAU + 0.02).floor();
         if whole >= 1.0 {
+            let from = last_cycle(history, 1.05 * window)?;
             return Ok(Some((from, [first, last], whole as usize)));
         }
         if window >= end {
@@ -154,17 +159,17 @@ impl Fit {
         Fit { orders, rows: 0, terms: vec![1.0; terms], matrix, right }
     }
 
-    fn add(&mut self, theta: f64, values: &[f64]) {
+    fn add(&mut self, weight: f64, theta: f64, values: &[f64]) {
         for (k, order) in self.orders.iter().enumerate() {
             let (sin, cos) = (order * theta).sin_cos();
             (self.terms[1 + 2 * k], self.terms[2 + 2 * k]) = (cos, sin);
         }
         let n = self.terms.len();
         for (row, a) in self.matrix.chunks_exact_mut(n).zip(&self.terms) {
-            row.iter_mut().zip(&self.terms).for_each(|(sum, b)| *sum += a * b);
+            row.iter_mut().zip(&self.terms).for_each(|(sum, b)| *sum += weight * a * b);
         }
         for (right, value) in self.right.chunks_exact_mut(n).zip(values) {
-            right.iter_mut().zip(&self.terms).for_each(|(sum, a)| *sum += a * value);
+            right.iter_mut().zip(&self.terms).for_each(|(sum, a)| *sum += weight * a * value);
         }
         self.rows += 1;
     }
@@ -175,10 +180,11 @@ impl Fit {
         if self.rows < ROWS * n {
             return None;
         }
+        let least = 1e-9 * self.matrix[0];
         // Gauss without pivots: the matrix is positive definite.
         for k in 0..n {
             let pivot = self.matrix[k * n + k];
-            if !(pivot > 1e-9 * self.rows as f64) {
+            if !(pivot > least) {
                 return None;
             }
             for i in k + 1..n {
@@ -245,8 +251,8 @@ mod tests {
             // Orders that are not fitted leave a trace, as rows do not meet the revolution's start.
             let near = |found: Order, amplitude: f64, phase: f64| {
                 let turned = (found.phase_deg - phase.to_degrees()).rem_euclid(360.0);
-                assert!((found.amplitude / amplitude - 1.0).abs() < 0.02, "{found:?} {cycle}");
-                assert!(turned.min(360.0 - turned) < 1.5, "{found:?} {cycle}");
+                assert!((found.amplitude / amplitude - 1.0).abs() < 0.01, "{found:?} {cycle}");
+                assert!(turned.min(360.0 - turned) < 0.5, "{found:?} {cycle}");
             };
             if x.revolutions > 1 {
                 near(x.first, 20.0, 0.5);

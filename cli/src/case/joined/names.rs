@@ -29,7 +29,8 @@ pub(in crate::case) fn distinct(file: &Table, key: &str, names: &[Located]) {
         let text = name.text();
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if text.is_empty() || !text.chars().all(plain) {
-            let message = format!("`{text}` cannot be the name of a {key}");
+            let article = if key.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+            let message = format!("`{text}` cannot be the name of {article} {key}");
             let help = "use letters, digits, `_` and `-`: names stand in columns of history.csv";
             file.push(name.error_here(Code::BAD_VALUE, message).help(help));
         }
