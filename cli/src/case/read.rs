@@ -62,7 +62,8 @@ impl Draft {
     /// # Errors
     /// Everything that is wrong.
     pub(crate) fn finish(self) -> Result<Case, Diagnostics> {
-        let Draft { name, title, origin, mut sources, figures, march, outputs, system, errors } = self;
+        let Draft { name, title, origin, mut sources, figures, march, outputs, system, errors } =
+            self;
         let place = sources[0].clone();
         match (errors.into_result(())?, march, system.finish()) {
             ((), Some(march), Some(system)) => {
