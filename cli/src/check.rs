@@ -210,6 +210,17 @@ fn say_march(text: &mut String, case: &Case) {
         march.duration(),
         march.cycle
     );
+    line!(text, "the cycle is {}", march.cycle_called);
+    if march.no_common_cycle {
+        line!(
+            text,
+            "rotation and loads have no common period: with `cycle_frequency`, write the one after which the motion \
+             repeats"
+        );
+    }
+    if march.stop_when_steady {
+        line!(text, "stops at its steady state");
+    }
     if march.steady_cycle().is_none() {
         line!(text, "shorter than two cycles: not checked for a steady state");
     }

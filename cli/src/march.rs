@@ -133,7 +133,7 @@ fn options(case: &Case, built: &Built) -> MarchOptions {
             ..NewtonOptions::default()
         },
         cycle: case.march.steady_cycle(),
-        stop_when_steady: false,
+        stop_when_steady: case.march.stop_when_steady,
         initial: built.initial.clone(),
     }
 }

@@ -11,7 +11,7 @@ use crate::history::HistoryFile;
 use crate::machine::{self, Built};
 use crate::march::{End, Marched, march};
 use crate::progress::{self, ProgressMode};
-use crate::report::{Summary, Times, stops, supports};
+use crate::report::{Summary, Times, of_orders, stops, supports};
 use crate::results::{CHECKPOINT, Results, SUMMARY};
 use crate::signals::Interruption;
 use crate::{figures, history, streams};
@@ -142,6 +142,10 @@ fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String
         System::Rotor(_) | System::Joined(_) => supports(&names, &summary.supports),
         System::Lumped(_) => stops(&names, &summary.supports),
     };
+    let orders = match of_orders(summary.orders.as_ref()) {
+        none if none.is_empty() => none,
+        some => some + "\n",
+    };
     let steady = match summary.steady_time() {
         Some(time) => format!("steady from {time:.4} s"),
         None if case.march.steady_cycle().is_none() => {
@@ -150,13 +154,14 @@ fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String
         None => "not steady".to_string(),
     };
     format!(
-        "{}: {}\n\nlast cycle ({:.2} ms), {steady}\n{table}\n\
+        "{}: {}\n\nlast cycle ({:.2} ms), {steady}\n{table}\n{}\
          {}\
          {:.4} s simulated in {:.3} s ({:.3} of real time), reduction {:.2} s{}\n\
          results in {}\n",
         case.name,
         case.title,
         1e3 * case.march.cycle,
+        orders,
         summary.verdict.words(),
         time.simulated_s,
         time.march_wall_s,

@@ -1,6 +1,7 @@
 //! What a march leaves behind: one row a step.
 
 use crate::machine::Machine;
+use crate::output::Output;
 
 /// Named columns of one length, stored row by row.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -19,14 +20,17 @@ impl History {
     /// reaction on the journal (fixed frame, N), the displacement of the journal's middle node (fixed frame, µm), its
     /// eccentricity against the bore (µm); then the torque on the journal about its own centre (N·m) for the bearings
     /// whose laws give one, angle and speed of the other bodies that turn, the couples (N·m) that turn bodies as they are
-    /// told, the Newton iterations of the step.
+    /// told, the Newton iterations of the step; and the outputs by request.
     pub fn for_machine(machine: &Machine) -> Self {
         let monitors = machine.monitors.iter();
         let bearings: Vec<(&str, bool)> =
             monitors.map(|own| (own.label.as_str(), own.torque)).collect();
         let others = machine.turning().skip(1).map(|body| machine.bodies[body].name());
         let driven: Vec<&str> = machine.driven().map(|body| machine.bodies[body].name()).collect();
-        History::for_bearings(&bearings, &others.collect::<Vec<&str>>(), &driven)
+        let others = others.collect::<Vec<&str>>();
+        let mut history = History::for_bearings(&bearings, &others, &driven);
+        history.names.extend(machine.outputs.iter().flat_map(Output::columns));
+        history
     }
 
     /// The columns as [`History::for_machine`] has them, of bearings with their labels and whether they have a torque,

@@ -19,6 +19,7 @@ pub mod machine;
 pub mod measure;
 pub mod mesh;
 mod ordering;
+pub mod output;
 pub mod reduced;
 pub mod reduction;
 pub mod rigid;

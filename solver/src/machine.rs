@@ -10,6 +10,7 @@ use crate::bodies::{Layout, Owner};
 use crate::error::Error;
 use crate::linalg::dot;
 use crate::loads::Load;
+use crate::output::Output;
 use crate::shaft::Shaft;
 
 /// What a machine is made from.
@@ -41,6 +42,8 @@ pub struct Machine {
     pub loads: Vec<Load>,
     /// The outputs of each bearing.
     pub(crate) monitors: Vec<Monitor>,
+    /// Outputs by request; see [`Machine::with_outputs`].
+    pub(crate) outputs: Vec<Output>,
 }
 
 /// How the outputs of a bearing are computed.
@@ -113,7 +116,7 @@ impl Machine {
             .enumerate()
             .map(|(number, bearing)| monitor(number, bearing, &bodies, &springs))
             .collect();
-        Ok(Machine { bodies, layout, motion, springs, loads, monitors })
+        Ok(Machine { bodies, layout, motion, springs, loads, monitors, outputs: Vec::new() })
     }
 
     /// Number of coordinates that are marched: the 226 of the reference system.

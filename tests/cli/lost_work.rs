@@ -19,6 +19,8 @@ fn case(steps: usize, more: &str) -> String {
          velocity = \"1 m/s\"\nunbalance = {{ eccentricity = \"0.5 mm\", speed = \"110 rad/s\" }}\n\
          [[stop]]\nside = \"above\"\ngap = \"1 mm\"\nlaw = \"gap-linear-1e6\"\n\
          [[stop]]\nside = \"below\"\ngap = \"2 mm\"\nlaw = \"gap-linear-1e6\"\n\
+         [output.speed]\nquantity = \"velocity\"\nbody = \"mass\"\n\
+         [output.loss]\nquantity = \"power\"\njoint = \"1\"\n\
          [march]\ntime_step = \"1e-5 s\"\nsteps = {steps}\n{more}"
     )
 }

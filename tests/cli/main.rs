@@ -17,6 +17,7 @@ mod machines;
 mod messages;
 mod mutants;
 mod new;
+mod outputs;
 mod read_meshes;
 mod readme;
 mod schema;

@@ -256,20 +256,20 @@ const SHORT: &str = "include /shaft /support /springs /bearing /drive /load /mas
 
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 4] = [
-    "/body/chosen/turns=free dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
+    "/body/chosen/turns=free /output/chosen/joint dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
      /body/chosen/stiffness /body/chosen/damping /body/chosen/speed /body/chosen/table acceleration held ground_spring \
      /joint/chosen/kind=bearing first second side gap /joint/chosen/stiffness /joint/chosen/damping",
-    "/body/chosen/turns=prescribed mesh dimensions rigid /body/chosen/material regions modes \
+    "/body/chosen/turns=prescribed /output/chosen/joint mesh dimensions rigid /body/chosen/material regions modes \
      /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring axial_restraint section \
      stiffening /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping",
-    "/body/chosen/turns=no mesh diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
+    "/body/chosen/turns=no /output/chosen/joint mesh diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
      /body/chosen/dimensions/loads sectors /body/chosen/dimensions/cells/rings /body/chosen/mass \
      polar_inertia transverse_inertia /body/chosen/z /body/chosen/stiffness /body/chosen/damping \
      /body/chosen/speed /body/chosen/table acceleration initial_speed section stiffening /joint/chosen/kind=bushing journal bore \
      /joint/chosen/law parameters /joint/chosen/springs radial_clearance journal_radius \
      /joint/chosen/length stations run_out offset side gap",
-    "/body/chosen/turns=no mesh dimensions rigid /body/chosen/material regions modes held ground_spring \
+    "/body/chosen/turns=no /output/chosen/joint mesh dimensions rigid /body/chosen/material regions modes held ground_spring \
      axial_restraint section stiffening polar_inertia /body/chosen/speed /body/chosen/table acceleration initial_speed \
      /joint/chosen/kind=coupling journal bore /joint/chosen/law parameters /joint/chosen/springs \
      radial_clearance journal_radius /joint/chosen/length stations run_out offset side gap \
@@ -283,8 +283,28 @@ fn variants(kind: &str) -> Vec<Vec<&'static str>> {
         "element" => &[&["points"], &["rule"]],
         "motion" => &[&["kinetic_energy"], &["mass", "quadratic_velocity", "PF", "B", "P"]],
         "case" => &[
-            &["include", "mass", "stop", "mesh", "body", "joint", "drives", "loads"],
-            &["include", "mass", "stop", "dimensions", "body", "joint", "drives", "loads"],
+            &[
+                "include",
+                "mass",
+                "stop",
+                "mesh",
+                "body",
+                "/output/chosen/joint",
+                "joint",
+                "drives",
+                "loads",
+            ],
+            &[
+                "include",
+                "mass",
+                "stop",
+                "dimensions",
+                "body",
+                "/output/chosen/joint",
+                "joint",
+                "drives",
+                "loads",
+            ],
             &[
                 "include", "shaft", "support", "springs", "bearing", "drive", "load", "material",
                 "body", "joint", "drives", "loads",

@@ -1,12 +1,11 @@
 //! Time step, duration and tolerances.
 
-use std::f64::consts::TAU;
-
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 
+use super::SystemDraft;
+use super::cycle::{self, MOST_PERIODS};
 use super::schema::MOST_STEPS;
-use super::{Load, SystemDraft};
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]
@@ -21,6 +20,12 @@ pub(crate) struct MarchSettings {
     pub(crate) output_every: usize,
     /// Period over which steady state is tested and results are summed up, in s.
     pub(crate) cycle: f64,
+    /// What the cycle is, in words.
+    pub(crate) cycle_called: &'static str,
+    /// Whether loads and rotation have no period in common, so that the cycle is not theirs.
+    pub(crate) no_common_cycle: bool,
+    /// Whether the steady state is the end.
+    pub(crate) stop_when_steady: bool,
 }
 
 impl MarchSettings {
@@ -55,13 +60,16 @@ fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
     let steps = steps(march, time_step);
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
     let frequency = march.quantity("cycle_frequency");
+    let natural = cycle::of(system);
     let cycle = match frequency {
         Some(frequency) => Some((1.0 / frequency, "cycle_frequency", "a cycle")),
-        None => natural_cycle(system).map(|(cycle, called)| (cycle, "time_step", called)),
+        None => natural.map(|own| (own.time, "time_step", own.called)),
     };
     if let Some(time_step) = given {
         let cycle = cycle.filter(|(_, key, _)| *key == "cycle_frequency");
-        cycle.into_iter().chain(shortest(system)).for_each(|own| shown(march, time_step, own));
+        let shortest = cycle::shortest(system).into_iter();
+        let shortest = shortest.map(|(time, called)| (time, "time_step", called));
+        cycle.into_iter().chain(shortest).for_each(|own| shown(march, time_step, own));
     }
     let cycle_of_rows = cycle;
     let cycle = cycle.map_or(time_step * steps as f64, |(cycle, ..)| cycle);
@@ -69,7 +77,54 @@ fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
     if let (Some(_), Some((cycle, ..))) = (given, cycle_of_rows) {
         shown_by_rows(march, output_every as f64 * time_step, cycle);
     }
-    MarchSettings { time_step, steps, force_tolerance, output_every, cycle }
+    let stop_when_steady = march.optional_boolean("stop_when_steady").unwrap_or(false);
+    let settings = MarchSettings {
+        time_step,
+        steps,
+        force_tolerance,
+        output_every,
+        cycle,
+        cycle_called: match (frequency, &natural) {
+            (Some(_), _) => "the period of `cycle_frequency`",
+            (None, Some(own)) => own.called,
+            (None, None) => "the whole run",
+        },
+        no_common_cycle: frequency.is_none() && natural.is_some_and(|own| !own.common),
+        stop_when_steady,
+    };
+    if stop_when_steady && given.is_some() && (march.has("steps") || march.has("duration")) {
+        has_a_steady_state(march, &settings, cycle_of_rows.is_some());
+    }
+    settings
+}
+
+/// Notes why a run could not be stopped at its steady state.
+fn has_a_steady_state(march: &Table, settings: &MarchSettings, has_cycle: bool) {
+    let write =
+        "write `cycle_frequency = \"25 Hz\"`, with the frequency at which the motion repeats";
+    if !has_cycle {
+        let message = "no cycle is known by which a steady state could be told: nothing turns at a known speed, \
+                       and no load has a frequency";
+        refuse(march, "stop_when_steady", message, write.to_owned());
+    } else if settings.no_common_cycle {
+        let message = format!(
+            "loads and rotation have no common period of up to {MOST_PERIODS} of the slowest: the motion does \
+             not repeat, and no steady state can be told"
+        );
+        refuse(march, "stop_when_steady", message, write.to_owned());
+    } else if settings.steady_cycle().is_none() {
+        let message = format!(
+            "a run of {} s is shorter than two cycles of {} s ({}): it can have no steady state",
+            plain(settings.duration()),
+            three_digits(settings.cycle, f64::round),
+            settings.cycle_called
+        );
+        let least = three_digits(2.0 * settings.cycle, |digits| (digits - 1e-6).ceil());
+        let help = format!(
+            "write `duration = \"{least} s\"` or more, or a higher `cycle_frequency` at which the motion repeats"
+        );
+        refuse(march, "stop_when_steady", message, help);
+    }
 }
 
 /// Notes a cycle that is too short for its steps to show it; `key` is to blame for it.
@@ -117,52 +172,6 @@ fn three_digits(value: f64, round: fn(f64) -> f64) -> String {
     let place = 10f64.powf(value.log10().floor() - 2.0);
     // The quotient of a number of three digits may be less than it by rounding.
     plain(round(value / place + 1e-9) * place)
-}
-
-/// Times within which something is given that the steps must show: the shortest period of the loads, revolutions.
-fn shortest(system: &SystemDraft) -> Vec<(f64, &'static str, &'static str)> {
-    let all = period(system, f64::max).into_iter().chain(revolutions(system));
-    all.map(|(time, called)| (time, "time_step", called)).collect()
-}
-
-/// The longest period of the loads, or else two revolutions at the speed that the drive aims at; one
-/// revolution of an unbalance. With what it is.
-fn natural_cycle(system: &SystemDraft) -> Option<(f64, &'static str)> {
-    period(system, f64::min).or_else(|| revolutions(system))
-}
-
-/// The period of the loads of which `chosen` gives the frequency from those of two.
-fn period(system: &SystemDraft, chosen: fn(f64, f64) -> f64) -> Option<(f64, &'static str)> {
-    let loads: Vec<&Load> = match system {
-        SystemDraft::Rotor(rotor) => rotor.loads.iter().collect(),
-        SystemDraft::Lumped(_) => Vec::new(),
-        SystemDraft::Joined(joined) => {
-            let loads = joined.iter().flat_map(|joined| &joined.loads);
-            loads.map(|own| &own.load).collect()
-        }
-    };
-    let frequency = loads.iter().filter_map(|load| load.frequency()).reduce(chosen)?;
-    Some((1.0 / frequency, "a period of the loads"))
-}
-
-/// Two revolutions at the speed that the drive aims at; one of an unbalance.
-fn revolutions(system: &SystemDraft) -> Option<(f64, &'static str)> {
-    match system {
-        SystemDraft::Rotor(rotor) => {
-            let drive = rotor.drive.as_ref()?;
-            let aims = drive.acts && drive.target_speed != 0.0;
-            let two = 2.0 * TAU / drive.target_speed.abs();
-            aims.then_some((two, "a cycle of two revolutions"))
-        }
-        SystemDraft::Joined(joined) => {
-            let fastest = joined.as_ref()?.speeds().into_iter().reduce(f64::max)?;
-            Some((2.0 * TAU / fastest, "a cycle of two revolutions"))
-        }
-        SystemDraft::Lumped(lumped) => {
-            let unbalance = lumped.as_ref()?.unbalance?;
-            Some((TAU / unbalance.speed, "a revolution of the unbalance"))
-        }
-    }
 }
 
 fn steps(march: &Table, time_step: f64) -> usize {

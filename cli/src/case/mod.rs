@@ -1,6 +1,7 @@
 //! A case: what a case file says, in SI, checked as far as it can be without building the machine.
 
 mod columns;
+mod cycle;
 mod gravity;
 mod joined;
 mod law;
@@ -9,6 +10,7 @@ mod loads;
 mod lumped;
 mod machine;
 mod march;
+mod outputs;
 mod parameters;
 mod read;
 mod rotor;
@@ -30,6 +32,7 @@ pub(crate) use library::embedded_cases;
 pub(crate) use loads::{Acting, Load, Spread, Variation};
 pub(crate) use lumped::{Lumped, Side, Unbalance};
 pub(crate) use march::MarchSettings;
+pub(crate) use outputs::{Output, Wanted};
 pub(crate) use parameters::{BearingFacts, rounded};
 pub(crate) use read::read;
 pub(crate) use read::{SystemDraft, draft};
@@ -56,6 +59,8 @@ pub(crate) struct Case {
     pub(crate) march: MarchSettings,
     /// How it begins.
     pub(crate) start: Start,
+    /// What the history has beside its usual columns.
+    pub(crate) outputs: Vec<Output>,
     /// What figures show beyond the results.
     pub(crate) figures: Figures,
 }

@@ -10,8 +10,8 @@ use whirl_codegen::document::{Document, Table};
 use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
 use super::{
-    Case, Figures, JoinedMachine, Lumped, MarchSettings, RotorDraft, System, law, lumped, machine,
-    march, start,
+    Case, Figures, JoinedMachine, Lumped, MarchSettings, Output, RotorDraft, System, law, lumped,
+    machine, march, outputs, start,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -31,6 +31,7 @@ pub(crate) struct Draft {
     figures: Figures,
     march: Option<MarchSettings>,
     start: Option<StartDraft>,
+    outputs: Vec<Output>,
     /// What is marched, as far as the case says it.
     pub(crate) system: SystemDraft,
     /// What is wrong.
@@ -63,14 +64,24 @@ impl Draft {
     /// # Errors
     /// Everything that is wrong.
     pub(crate) fn finish(self) -> Result<Case, Diagnostics> {
-        let Draft { name, title, origin, mut sources, figures, march, start, system, errors } =
-            self;
+        let Draft {
+            name,
+            title,
+            origin,
+            mut sources,
+            figures,
+            march,
+            outputs,
+            start,
+            system,
+            errors,
+        } = self;
         let start = start.map_or(Start::Rest, |own| own.start);
         let place = sources[0].clone();
         match (errors.into_result(())?, march, system.finish()) {
             ((), Some(march), Some(system)) => {
                 sources.extend(system.tables());
-                Ok(Case { name, title, origin, sources, system, march, start, figures })
+                Ok(Case { name, title, origin, sources, system, march, start, outputs, figures })
             }
             _ => {
                 let message = "this case cannot be read";
@@ -102,6 +113,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
         start::check(file, start, &system);
     }
     let march = march::read(file, &system);
+    let outputs = outputs::read(file, &system);
     Draft {
         name: case_name(path),
         title: title.text().to_string(),
@@ -110,6 +122,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
         figures,
         march,
         start,
+        outputs,
         system,
         errors: Diagnostics::new(),
     }

@@ -101,6 +101,7 @@ const CASE: &[Key] = &[
     key("stop", List(&Table(&[STOP])), "what the mass may strike"),
     key("start", Table(&[BEGINNING]), "how the machine begins; at rest if left out"),
     merged("march", Table(&[MARCH]), "steps in time"),
+    key("output", Named(&Table(&[OUTPUT])), "further columns of history.csv, by name"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
 ];
 
@@ -293,6 +294,34 @@ const MARCH: &[Key] = &[
     ),
     key("force_tolerance", TOLERANCE, "change of a spring force at which a step has converged"),
     key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),
+    key("stop_when_steady", Flag, "true ends the run when a cycle repeats the one before"),
+];
+
+const OUTPUT: &[Key] = &[
+    merged(
+        "quantity",
+        Words(&[
+            "displacement",
+            "velocity",
+            "acceleration",
+            "force",
+            "deformation",
+            "rate",
+            "energy",
+            "power",
+        ]),
+        "of a body: motion of a point, energy, power; of a joint: force, deformation and its rate, power",
+    ),
+    key("body", Text, "the name of a body; \"shaft\", \"support\" or \"mass\" in a short form")
+        .like("\"rotor\""),
+    key("joint", Text, "the name of a joint; the number of a support or a stop in a short form")
+        .like("\"front\""),
+    key("set", Text, "node set of a mesh: the motion of its node, or the mean of its nodes")
+        .like("\"DISC\""),
+    key("z", POSITION, "on a rigid body; at its centre if left out"),
+    key("frame", Words(&["space", "body"]), "whose components; space if left out"),
+    key("components", NAMES, "of \"x\", \"y\" and \"z\"; x and y if left out")
+        .like("[\"x\", \"y\"]"),
 ];
 
 const FIGURES: &[Key] = &[

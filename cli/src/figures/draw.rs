@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LegendEntry, LegendShape, LinePlot, LineStyle, ScatterPlot};
+use kuva::render::annotations::ReferenceLine;
 use kuva::render::figure::{Figure as Sheet, FigureLegendPosition};
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
@@ -94,6 +95,7 @@ fn mark(dot: &Dot) -> ScatterPlot {
 }
 
 const DOT: &str = "#d62728";
+const MARK: &str = "#707070";
 
 fn stroke(style: Style) -> (&'static str, f64, LineStyle) {
     match style {
@@ -101,6 +103,7 @@ fn stroke(style: Style) -> (&'static str, f64, LineStyle) {
         Style::Second => ("#d9730d", 1.6, LineStyle::Custom("6 3".to_string())),
         Style::Third => ("#2a7f3f", 1.6, LineStyle::Custom("3 2".to_string())),
         Style::Fourth => ("#8a3ea8", 1.6, LineStyle::Custom("7 2 2 2".to_string())),
+        Style::Thin => ("#1f4e9c", 0.8, LineStyle::Solid),
         Style::Limit => ("#707070", 1.0, LineStyle::Custom("2 3".to_string())),
     }
 }
@@ -115,6 +118,11 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
         .with_tick_size(11)
         .with_font_family(FONT)
         .with_ticks(6);
+    let layout = panel.marks.iter().fold(layout, |layout, mark| {
+        layout.with_reference_line(
+            ReferenceLine::vertical(mark.x).with_color(MARK).with_label(mark.name.clone()),
+        )
+    });
     if panel.equal_axes {
         return layout.with_equal_aspect();
     }

@@ -24,6 +24,8 @@ pub(crate) struct Panel {
     pub(crate) lines: Vec<Line>,
     /// Points marked by a dot.
     pub(crate) dots: Vec<Dot>,
+    /// Abscissae that are marked by a line from bottom to top.
+    pub(crate) marks: Vec<Mark>,
     /// Whether one unit has the same length on both axes.
     pub(crate) equal_axes: bool,
     /// End of the x axis and distance between its labels, where the reader expects certain ones.
@@ -38,6 +40,15 @@ pub(crate) struct Line {
     /// Its colour, width and dashes.
     pub(crate) style: Style,
     /// Its name in the legend; the same name in several panels stands there once.
+    pub(crate) name: String,
+}
+
+/// A marked abscissa.
+#[derive(Debug, Clone)]
+pub(crate) struct Mark {
+    /// Where.
+    pub(crate) x: f64,
+    /// Written beside it.
     pub(crate) name: String,
 }
 
@@ -61,6 +72,8 @@ pub(crate) enum Style {
     Third,
     /// Fourth quantity: dashes and dots.
     Fourth,
+    /// One of very many curves: thin.
+    Thin,
     /// A limit, such as the clearance circle: thin and dotted.
     Limit,
 }

@@ -156,7 +156,7 @@ pub(crate) fn eccentricities(
                 .collect(),
             dots: dots.into_iter().map(dot).collect(),
             equal_axes: true,
-            x_scale: None,
+            ..Panel::default()
         }
     };
     Ok(Figure {

@@ -4,6 +4,7 @@ mod draw;
 mod figure;
 mod histories;
 mod laws;
+mod spectra;
 
 use std::any::Any;
 use std::io;
@@ -18,10 +19,19 @@ use crate::case::{Case, System};
 use crate::history::HistoryFile;
 use crate::machine::Built;
 use crate::output::Output;
+use crate::report::oscillations;
 
 /// Names of all figures that a run may draw, without their endings.
-pub(crate) const NAMES: [&str; 6] =
-    ["laws", "reactions", "eccentricity", "eccentricity-stretched", "rotation", "displacement"];
+pub(crate) const NAMES: [&str; 8] = [
+    "laws",
+    "reactions",
+    "eccentricity",
+    "eccentricity-stretched",
+    "rotation",
+    "displacement",
+    "spectrum",
+    "waterfall",
+];
 
 pub(crate) use self::laws::{Curve, curves};
 
@@ -116,6 +126,7 @@ fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
         }
         System::Lumped(_) => wanted.push(("displacement", None)),
     }
+    wanted.extend(["spectrum", "waterfall"].map(|stem| (stem, None)));
     wanted
 }
 
@@ -127,6 +138,14 @@ fn figure(
     built: &Built,
     history: &HistoryFile,
 ) -> io::Result<Option<Figure>> {
+    if matches!(stem, "spectrum" | "waterfall") {
+        let all = oscillations(case, &built.machine);
+        let step = case.march.time_step * case.march.output_every as f64;
+        return match stem {
+            "spectrum" => spectra::spectrum(history, &all, (step, case.march.cycle)),
+            _ => spectra::waterfall(history, &all, step),
+        };
+    }
     let span = match &case.system {
         System::Rotor(_) | System::Joined(_) => Span::fitting(history, case.march.cycle)?,
         System::Lumped(_) => Span::All,

@@ -9,13 +9,16 @@ use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 
-use super::Built;
 use super::forces;
 use super::springs::{Laws, clearance, explain};
-use crate::case::{Lumped, Side, Unbalance};
+use super::{Built, outputs};
+use crate::case::{Lumped, Output, Side, Unbalance};
 use crate::errors::Failure;
 
-pub(super) fn build(lumped: &Lumped, warnings: &mut Vec<String>) -> Result<Built, Failure> {
+pub(super) fn build(
+    (lumped, wanted): (&Lumped, &[Output]),
+    warnings: &mut Vec<String>,
+) -> Result<Built, Failure> {
     let stiffness = [lumped.stiffness; 2];
     let shaft = Shaft::lumped(lumped.mass, stiffness, [lumped.damping; 2], 0.0);
     let mut laws = Laws::default();
@@ -69,6 +72,9 @@ pub(super) fn build(lumped: &Lumped, warnings: &mut Vec<String>) -> Result<Built
         loads,
     })
     .map_err(|error| explain(error, |place| &lumped.stops[place].law_name, |_| &[]))?;
+    // The mass is a point.
+    let made = outputs::of_bodies(wanted, &vec![0; wanted.len()], &machine.bodies);
+    let machine = machine.with_outputs(made)?;
     Ok(Built {
         machine,
         initial: vec![BodyStart {

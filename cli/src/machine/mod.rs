@@ -6,6 +6,7 @@ mod joined;
 mod laws;
 mod lumped;
 mod meshes;
+mod outputs;
 mod plan;
 mod rotor;
 mod springs;
@@ -105,8 +106,12 @@ pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failu
 /// Whatever is wrong with meshes and sets.
 pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Plan>, Failure> {
     Ok(match &case.system {
-        System::Rotor(rotor) => Some(Plan::Rotor(Box::new(MachinePlan::new(rotor, warnings)?))),
-        System::Joined(joined) => Some(Plan::Joined(Box::new(JoinedPlan::new(joined, warnings)?))),
+        System::Rotor(rotor) => {
+            Some(Plan::Rotor(Box::new(MachinePlan::new(rotor, &case.outputs, warnings)?)))
+        }
+        System::Joined(joined) => {
+            Some(Plan::Joined(Box::new(JoinedPlan::new(joined, &case.outputs, warnings)?)))
+        }
         System::Lumped(_) => None,
     })
 }
@@ -121,20 +126,27 @@ pub(crate) fn build(
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
+    let outputs = case.outputs.as_slice();
     match (&case.system, plan) {
         (System::Rotor(rotor), Some(Plan::Rotor(plan))) => {
-            rotor::build(rotor, plan, cache, warnings)
+            rotor::build((rotor, outputs), plan, cache, warnings)
         }
-        (System::Rotor(rotor), _) => {
-            rotor::build(rotor, &MachinePlan::new(rotor, warnings)?, cache, warnings)
-        }
+        (System::Rotor(rotor), _) => rotor::build(
+            (rotor, outputs),
+            &MachinePlan::new(rotor, &case.outputs, warnings)?,
+            cache,
+            warnings,
+        ),
         (System::Joined(joined), Some(Plan::Joined(plan))) => {
-            joined::build(joined, plan, cache, warnings)
+            joined::build((joined, outputs), plan, cache, warnings)
         }
-        (System::Joined(joined), _) => {
-            joined::build(joined, &JoinedPlan::new(joined, warnings)?, cache, warnings)
-        }
-        (System::Lumped(lumped), _) => lumped::build(lumped, warnings),
+        (System::Joined(joined), _) => joined::build(
+            (joined, outputs),
+            &JoinedPlan::new(joined, &case.outputs, warnings)?,
+            cache,
+            warnings,
+        ),
+        (System::Lumped(lumped), _) => lumped::build((lumped, outputs), warnings),
     }
 }
 
@@ -148,11 +160,11 @@ pub(crate) fn parts(
 ) -> Result<Option<MachineParts>, Failure> {
     match &case.system {
         System::Rotor(rotor) => {
-            let plan = MachinePlan::new(rotor, warnings)?;
+            let plan = MachinePlan::new(rotor, &case.outputs, warnings)?;
             Ok(Some(rotor::assemble(rotor, &plan, None, warnings)?.parts))
         }
         System::Joined(joined) => {
-            let plan = JoinedPlan::new(joined, warnings)?;
+            let plan = JoinedPlan::new(joined, &case.outputs, warnings)?;
             Ok(Some(joined::assemble(joined, &plan, None, warnings)?.parts))
         }
         System::Lumped(_) => Ok(None),

@@ -15,8 +15,8 @@ pub(crate) use self::body::BodyPlan;
 pub(super) use self::body::HoldingWords;
 use super::forces::Place;
 use super::laws::laws;
-use super::meshes;
-use crate::case::{self, LawSource, Rotor, RotorDraft};
+use super::{meshes, outputs};
+use crate::case::{self, LawSource, Output, Rotor, RotorDraft};
 use crate::errors::Failure;
 
 /// Letters of the components of a dof.
@@ -36,6 +36,8 @@ pub(crate) struct MachinePlan {
     pub(super) drive: Place,
     /// Where each load acts on the shaft.
     pub(super) loads: Vec<Place>,
+    /// Places of the points of outputs in the output nodes of their bodies, an output each.
+    pub(super) outputs: Vec<usize>,
     /// The laws with the values with which the bearings use them, a bearing each; none of a case with errors.
     pub(crate) laws: Vec<LawSource>,
 }
@@ -121,9 +123,19 @@ impl MachinePlan {
     /// # Errors
     /// Everything that is wrong with the meshes, every set that is missing or of the wrong size, and what
     /// does not fit together.
-    pub(crate) fn new(rotor: &Rotor, warnings: &mut Vec<String>) -> Result<MachinePlan, Failure> {
+    pub(crate) fn new(
+        rotor: &Rotor,
+        wanted: &[Output],
+        warnings: &mut Vec<String>,
+    ) -> Result<MachinePlan, Failure> {
         let plan = MachinePlan::of(&Outline::from(rotor), Diagnostics::new(), warnings)?;
         let mut plan = plan.expect("nothing of a whole case is missing");
+        let mut errors = Diagnostics::new();
+        plan.outputs = outputs::places(wanted, |body, set, _| {
+            let body = if body == 0 { &mut plan.shaft } else { &mut plan.support };
+            set.map_or(0, |set| outputs::on_mesh(body, set, &mut errors))
+        });
+        errors.into_result(())?;
         plan.laws = laws(rotor, &plan)?;
         Ok(plan)
     }
@@ -164,7 +176,16 @@ impl MachinePlan {
         }
         let (Some(on_shaft), Some((support, bores))) = (shaft, support) else { return Ok(None) };
         let OnShaft { shaft, journals, drive, loads } = on_shaft;
-        Ok(Some(MachinePlan { shaft, support, journals, bores, drive, loads, laws: Vec::new() }))
+        Ok(Some(MachinePlan {
+            shaft,
+            support,
+            journals,
+            bores,
+            drive,
+            loads,
+            outputs: Vec::new(),
+            laws: Vec::new(),
+        }))
     }
 
     /// Checks for what would keep the bodies from being reduced, without reducing them.

@@ -6,26 +6,29 @@ use whirl_solver::loads::Load;
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
 
-use super::bodies::bodies;
+use super::bodies::{Bodies, bodies};
 use super::forces::{self, Loaded};
 use super::plan::MachinePlan;
 use super::springs::{Laws, angles, clearance, explain};
-use super::{BodyFact, BodyFacts, Built};
-use crate::case::{self, LawSource, Rotor};
+use super::{BodyFact, BodyFacts, Built, outputs};
+use crate::case::{self, LawSource, Output, Rotor};
 use crate::errors::Failure;
 
 pub(super) fn build(
-    rotor: &Rotor,
+    (rotor, wanted): (&Rotor, &[Output]),
     plan: &MachinePlan,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
-    let Assembled { parts, laws, law_hashes, facts } = assemble(rotor, plan, cache, warnings)?;
+    let assembled = assemble(rotor, plan, cache, warnings)?;
+    let Assembled { mut parts, laws, law_hashes, facts } = assembled;
+    let made = outputs::taken_off(wanted, &plan.outputs, &mut parts.bodies);
+    let machine = Machine::new(parts).map_err(|error| {
+        let bearing = |place: usize| &rotor.bearings[place];
+        explain(error, |place| &bearing(place).law.name, |place| &bearing(place).bore)
+    })?;
     Ok(Built {
-        machine: Machine::new(parts).map_err(|error| {
-            let bearing = |place: usize| &rotor.bearings[place];
-            explain(error, |place| &bearing(place).law.name, |place| &bearing(place).bore)
-        })?,
+        machine: machine.with_outputs(made)?,
         initial: Vec::new(),
         clearances: rotor.bearings.iter().map(|bearing| bearing.radial_clearance).collect(),
         laws,
@@ -49,7 +52,10 @@ pub(super) fn assemble(
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Assembled, Failure> {
-    let bodies = bodies(plan, cache, warnings)?;
+    let mut bodies = bodies(plan, cache, warnings)?;
+    let Bodies { shaft, support, .. } = &mut bodies;
+    shaft.nodes = plan.shaft.outputs(&shaft.nodes, &shaft.measures);
+    support.nodes = plan.support.outputs(&support.nodes, &support.measures);
     let mut placed = Laws::default();
     let bearings = bearings(rotor, plan, &bodies.shaft, &mut placed)?;
     let mut loads = loads(rotor, plan, &bodies.shaft);

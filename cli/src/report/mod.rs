@@ -1,13 +1,17 @@
 //! Results of a run: summary and tables.
 
+mod orders;
+mod oscillations;
 mod summary;
 mod table;
 mod verdict;
 
 use std::io;
 
+pub(crate) use orders::{OrderFacts, orders};
+pub(crate) use oscillations::{Oscillation, oscillations};
 pub(crate) use summary::{Summary, Times};
-pub(crate) use table::{stops, supports, table};
+pub(crate) use table::{of_orders, stops, supports, table};
 pub(crate) use verdict::VerdictFacts;
 
 use crate::history::HistoryFile;

@@ -8,7 +8,7 @@ use whirl_solver::dynamics::{EnergyBalance, Outcome};
 use whirl_solver::machine::{Body, BodyPlace};
 use whirl_specs::{CLEARANCES, ELEMENTS};
 
-use super::{VerdictFacts, last_cycle};
+use super::{OrderFacts, VerdictFacts, last_cycle, orders, oscillations};
 use crate::case::{Case, SupportName, System};
 use crate::history::HistoryFile;
 use crate::machine::{BodyFacts, Built, Counts};
@@ -29,7 +29,12 @@ pub(crate) struct Summary {
     march: MarchFacts,
     /// Over the last cycle.
     pub(crate) supports: Vec<SupportSummary>,
+    /// Over the last whole revolutions, where something turns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) orders: Option<OrderFacts>,
     cycle_s: f64,
+    /// What the cycle is.
+    cycle: &'static str,
     steady_state: SteadyFacts,
     energy_balance_j: EnergyFacts,
     time: Times,
@@ -247,7 +252,8 @@ impl Summary {
             ),
             march: MarchFacts {
                 converged,
-                complete: steps == case.march.steps,
+                complete: steps == case.march.steps
+                    || case.march.stop_when_steady && outcome.steady.is_some() && error.is_none(),
                 time_step_s: case.march.time_step,
                 steps_asked: case.march.steps,
                 steps,
@@ -256,7 +262,9 @@ impl Summary {
                 halved_steps: outcome.halved_steps,
             },
             supports: SupportSummary::all(history, (&supports, named), cycle)?,
+            orders: orders(history, &oscillations(case, &built.machine), cycle)?,
             cycle_s: cycle,
+            cycle: case.march.cycle_called,
             steady_state: SteadyFacts {
                 checked: case.march.steady_cycle().is_some(),
                 reached: outcome.steady.is_some(),

@@ -1,5 +1,6 @@
 //! Tables of text for the terminal.
 
+use super::OrderFacts;
 use super::summary::{Statistics, SupportSummary};
 
 /// Rows of text in columns, the first one to the left, the others to the right.
@@ -39,6 +40,26 @@ pub(crate) fn stops(names: &[String], summaries: &[SupportSummary]) -> String {
     let in_mm =
         |s: Statistics| Statistics { min: 1e-3 * s.min, mean: 1e-3 * s.mean, max: 1e-3 * s.max };
     statistics(names, &["force (N)", "x (mm)"], summaries.iter().map(|s| vec![s.rx, in_mm(s.x)]))
+}
+
+/// 1X and 2X of every signal over the last revolutions; nothing where nothing turns.
+pub(crate) fn of_orders(facts: Option<&OrderFacts>) -> String {
+    let Some(facts) = facts else { return String::new() };
+    let mut rows = vec![["", "1X", "phase (°)", "2X", "phase (°)"].map(String::from).to_vec()];
+    for own in &facts.signals {
+        let mut row = vec![own.title.clone()];
+        for order in [own.first, own.second] {
+            row.push(format!("{:.3}", order.amplitude));
+            row.push(format!("{:.1}", order.phase_deg));
+        }
+        rows.push(row);
+    }
+    let fewest = facts.signals.iter().map(|own| own.revolutions).min().unwrap_or(0);
+    let over = match fewest {
+        1 => "the last revolution".to_string(),
+        many => format!("the last {many} revolutions"),
+    };
+    format!("orders of {over}: A cos(nθ + φ), A from 0 to the peak\n{}", table(&rows))
 }
 
 fn statistics(

@@ -7,6 +7,7 @@ use super::energy::EnergyBalance;
 use super::meters::Meters;
 use super::newmark::{Newmark, State};
 use super::newton::{Ending, Newton, NewtonOptions, NewtonState, StepReport};
+use super::outputs::write_outputs;
 use super::quality::Quality;
 use super::restart::LastState;
 use super::row::{displacements, write_row};
@@ -143,6 +144,8 @@ pub struct March<'m> {
     tally: Tally,
     pub(super) meters: Meters,
     row: Vec<f64>,
+    /// Values of the row before those of the outputs by request.
+    usual: usize,
 }
 
 impl<'m> March<'m> {
@@ -193,6 +196,8 @@ impl<'m> March<'m> {
         let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
         let steady = options.cycle.map(|cycle| SteadyTest::new(signals, cycle, options.time_step));
         let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
+        let columns = History::for_machine(machine).names().len();
+        let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
         Ok(March {
             machine,
             newton: Newton::new(options.newton, &system),
@@ -204,7 +209,8 @@ impl<'m> March<'m> {
             clock: Clock::default(),
             last_iterations: 0,
             tally,
-            row: vec![0.0; History::for_machine(machine).names().len()],
+            row: vec![0.0; columns],
+            usual: columns - asked,
             options: options.clone(),
         })
     }
@@ -272,7 +278,9 @@ impl<'m> March<'m> {
         self.tally.step += 1;
         self.tally.iterations += self.last_iterations;
         let time = self.time();
-        write_row(&self.system, &self.state, time, self.last_iterations, &mut self.row);
+        let (usual, asked) = self.row.split_at_mut(self.usual);
+        write_row(&self.system, &self.state, time, self.last_iterations, usual);
+        write_outputs(&mut self.system, &self.state, time, asked);
         if let Some(test) = &mut self.tally.steady {
             let displacements = &self.row[displacements(self.machine.monitors.len())];
             test.add(time, self.system.springs.forces.iter().chain(displacements));

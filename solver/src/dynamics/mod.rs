@@ -7,6 +7,7 @@ mod march;
 mod meters;
 mod newmark;
 mod newton;
+mod outputs;
 mod quality;
 mod release;
 mod restart;

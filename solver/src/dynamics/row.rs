@@ -9,7 +9,7 @@ pub(super) fn displacements(bearings: usize) -> std::ops::Range<usize> {
     3 + 2 * bearings..3 + 4 * bearings
 }
 
-/// Writes the row of the step that ends at `time` (s) at a state just evaluated, one value a column of
+/// Writes the row, without outputs by request, of the step that ends at `time` (s) at a state just evaluated, one value a column of
 /// [`History::for_machine`](crate::history::History::for_machine).
 pub(super) fn write_row(
     system: &System,

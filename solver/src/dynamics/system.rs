@@ -172,6 +172,25 @@ impl<'m> System<'m> {
         turning + 0.5 * standing.map(|v| v * v).sum::<f64>()
     }
 
+    /// Kinetic and strain energy of a body (J).
+    pub(crate) fn energies(&mut self, body: usize, state: &State) -> [f64; 2] {
+        let place = self.machine.places()[body].flexible.clone();
+        let (q, v) = (&state.q[place.clone()], &state.v[place]);
+        match &self.machine.bodies[body] {
+            Body::Turning { shaft, .. } => {
+                let rows = q.iter().enumerate();
+                let strain = rows.map(|(j, x)| x * dot(shaft.stiffness.col(j), q)).sum::<f64>();
+                let place = self.machine.turning().position(|own| own == body);
+                let own = &mut self.turning[place.expect("a body that turns")];
+                [own.kinetic_energy(state), 0.5 * strain]
+            }
+            Body::Standing { support, .. } => {
+                let strain = q.iter().zip(&support.stiffness).map(|(x, k)| k * x * x);
+                [0.5 * v.iter().map(|v| v * v).sum::<f64>(), 0.5 * strain.sum::<f64>()]
+            }
+        }
+    }
+
     /// ½ qᵀK q (J).
     pub fn strain_energy(&self, state: &State) -> f64 {
         let turning = self.turning.iter().map(|body| {

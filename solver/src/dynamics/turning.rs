@@ -126,8 +126,10 @@ impl<'m> TurningBody<'m> {
             return energy(&self.tensors, &motion, &mut self.workspace);
         }
         self.evaluate_mass(state);
-        let v: Vec<f64> = self.of(&state.v).collect();
-        0.5 * self.columns().zip(&v).map(|(column, v_j)| v_j * dot(column, &v)).sum::<f64>()
+        self.row[0] = state.v[self.theta()];
+        self.row[1..].copy_from_slice(&state.v[self.place.flexible.clone()]);
+        let v = &self.row;
+        0.5 * self.columns().zip(v).map(|(column, v_j)| v_j * dot(column, v)).sum::<f64>()
     }
 
     /// The block of M of the coordinates that are unknown, η alone where θ is given.

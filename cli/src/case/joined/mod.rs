@@ -6,7 +6,7 @@ mod bodies;
 mod checks;
 mod forces;
 mod joints;
-mod names;
+pub(super) mod names;
 pub(super) mod schema;
 
 use std::sync::Arc;
@@ -323,6 +323,16 @@ impl JoinedMachine {
             None => 0.0,
         };
         aims.map(|drive| drive.couple.target_speed.abs()).fold(given.abs(), f64::max)
+    }
+
+    /// Speeds that bodies have in the end: those that drives aim at, and that are prescribed and constant (rad/s).
+    pub(super) fn constant_speeds(&self) -> Vec<f64> {
+        let aims = self.drives.iter().filter(|drive| drive.couple.acts);
+        let given = self.bodies.iter().filter_map(|body| match &body.turning {
+            Some(Turning::Prescribed { speed, acceleration: 0.0 }) => Some(*speed),
+            _ => None,
+        });
+        aims.map(|drive| drive.couple.target_speed).chain(given).collect()
     }
 
     /// Speeds about which revolutions are counted: those that drives aim at, and that are prescribed (rad/s).

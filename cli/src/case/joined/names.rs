@@ -7,7 +7,7 @@ use whirl_codegen::document::Table;
 pub(super) const GROUND: &str = "ground";
 
 /// The tables below a key with their names, in the order of the file.
-pub(super) fn in_order<'d>(file: &Table<'d>, key: &str) -> Vec<(Located, Table<'d>)> {
+pub(in crate::case) fn in_order<'d>(file: &Table<'d>, key: &str) -> Vec<(Located, Table<'d>)> {
     let mut tables: Vec<(Located, Table<'d>)> = file
         .named_tables(key)
         .into_iter()
@@ -24,12 +24,13 @@ pub(super) fn in_order<'d>(file: &Table<'d>, key: &str) -> Vec<(Located, Table<'
 }
 
 /// Notes names that cannot stand in columns, and those that differ in nothing but case.
-pub(super) fn distinct(file: &Table, key: &str, names: &[Located]) {
+pub(in crate::case) fn distinct(file: &Table, key: &str, names: &[Located]) {
     for (place, name) in names.iter().enumerate() {
         let text = name.text();
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if text.is_empty() || !text.chars().all(plain) {
-            let message = format!("`{text}` cannot be the name of a {key}");
+            let article = if key.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+            let message = format!("`{text}` cannot be the name of {article} {key}");
             let help = "use letters, digits, `_` and `-`: names stand in columns of history.csv";
             file.push(name.error_here(Code::BAD_VALUE, message).help(help));
         }

@@ -29,8 +29,8 @@ use super::forces::{self, Loaded, Place};
 use super::laws::laws_of;
 use super::plan::{BodyPlan, geometry};
 use super::springs::{Laws, angles, clearance, explain};
-use super::{BodyFact, BodyFacts, Built, bodies as reduced_bodies, rotor};
-use crate::case::{self, Form, JoinedMachine, LawSource, Turning};
+use super::{BodyFact, BodyFacts, Built, bodies as reduced_bodies, outputs, rotor};
+use crate::case::{self, Form, JoinedMachine, LawSource, Output, Turning};
 use crate::errors::Failure;
 
 /// Bodies, joints, drives and loads before the reduction of what has a mesh.
@@ -45,6 +45,8 @@ pub(crate) struct JoinedPlan {
     drives: Vec<Place>,
     /// Where each load acts on its body.
     loads: Vec<Place>,
+    /// Places of the points of outputs among the output nodes of their bodies, an output each.
+    outputs: Vec<usize>,
     /// The laws with the values with which the joints use them, a joint each.
     pub(crate) laws: Vec<LawSource>,
 }
@@ -57,6 +59,7 @@ impl JoinedPlan {
     /// together, and what is wrong with laws.
     pub(crate) fn new(
         joined: &JoinedMachine,
+        wanted: &[Output],
         warnings: &mut Vec<String>,
     ) -> Result<JoinedPlan, Failure> {
         let mut errors = Diagnostics::new();
@@ -89,10 +92,19 @@ impl JoinedPlan {
         for (place, body) in bodies.iter_mut().enumerate() {
             body.hold(place, joined, &mut errors);
         }
+        // Last, so that their points are the last nodes of their bodies.
+        let outputs = outputs::places(wanted, |body, set, z| match (&mut bodies[body], set) {
+            (PlannedBody::Meshed(plan), Some(set)) => outputs::on_mesh(plan, set, &mut errors),
+            (PlannedBody::Meshed(_), None) => 0,
+            (PlannedBody::Rigid(own), _) => {
+                let [x, y, centre] = own.body.centre;
+                own.node([x, y, z.unwrap_or(centre)])
+            }
+        });
         errors.into_result(())?;
         let measured = joints.iter().map(|joint| (&joint.bearing, joint.measured(&bodies)));
         let laws = laws_of(measured.collect(), "the joint")?;
-        Ok(JoinedPlan { bodies, attached, joints, drives, loads, laws })
+        Ok(JoinedPlan { bodies, attached, joints, drives, loads, outputs, laws })
     }
 
     /// Checks for what would keep the bodies from being reduced, without reducing them.
@@ -117,12 +129,14 @@ impl JoinedPlan {
 }
 
 pub(super) fn build(
-    joined: &JoinedMachine,
+    (joined, wanted): (&JoinedMachine, &[Output]),
     plan: &JoinedPlan,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
-    let Assembled { parts, laws, law_hashes, facts } = assemble(joined, plan, cache, warnings)?;
+    let assembled = assemble(joined, plan, cache, warnings)?;
+    let Assembled { mut parts, laws, law_hashes, facts } = assembled;
+    let made = outputs::taken_off(wanted, &plan.outputs, &mut parts.bodies);
     let initial = joined.bodies.iter().map(|body| BodyStart {
         speed: match body.turning {
             Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
@@ -130,11 +144,12 @@ pub(super) fn build(
         },
         ..BodyStart::default()
     });
+    let machine = Machine::new(parts).map_err(|error| {
+        let law = |place: usize| &joined.joints[place].bearing.law.name;
+        explain(error, law, |place| joined.joints[place].bearing.bore.as_slice())
+    })?;
     Ok(Built {
-        machine: Machine::new(parts).map_err(|error| {
-            let law = |place: usize| &joined.joints[place].bearing.law.name;
-            explain(error, law, |place| joined.joints[place].bearing.bore.as_slice())
-        })?,
+        machine: machine.with_outputs(made)?,
         initial: initial.collect(),
         clearances: joined.joints.iter().map(|own| own.bearing.radial_clearance).collect(),
         laws,

@@ -298,6 +298,13 @@ impl BodyPlan {
         self.spec.means.len() - 1
     }
 
+    /// Asks for the mean motion of nodes as a point at their centre; its place among the output points.
+    pub(in crate::machine) fn output_mean(&mut self, nodes: &[usize]) -> usize {
+        let mean = self.mean(nodes);
+        self.points.push(Point::Mean(mean));
+        self.points.len() - 1
+    }
+
     /// The output point of nodes: of one its motion, of several their mean motion, whose displacements in the plane are
     /// retained; its place.
     pub(in crate::machine) fn output_in_plane(&mut self, set: &Located, nodes: &[usize]) -> usize {

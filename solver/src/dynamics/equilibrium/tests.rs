@@ -7,7 +7,7 @@ use super::equilibrium;
 use crate::bearing::{Bearing, Sides};
 use crate::body::BodyNode;
 use crate::error::Error;
-use crate::gravity::CentreOfMass;
+use crate::centre_of_mass::CentreOfMass;
 use crate::linalg::Matrix;
 use crate::loads::{Frame, Load, TimeFunction};
 use crate::machine::{Body, Machine, MachineParts, Rotation};

@@ -1,0 +1,240 @@
+//! The tables `[output.NAME]`: what the history has beside its usual columns.
+
+use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_codegen::document::Table;
+use whirl_solver::loads::Frame;
+use whirl_solver::output::{JointQuantity, Motion};
+
+use super::joined::names;
+use super::{Form, JointKind, SystemDraft};
+
+/// An output under its name.
+#[derive(Debug, Clone)]
+pub(crate) struct Output {
+    /// Its name, at its table.
+    pub(crate) name: Located,
+    /// What it is.
+    pub(crate) what: Wanted,
+}
+
+/// What is wanted.
+#[derive(Debug, Clone)]
+pub(crate) enum Wanted {
+    /// How a point of a body moves.
+    Motion {
+        /// The body, by its place.
+        body: usize,
+        /// The node set whose node, or whose mean, it is; of a body with a mesh.
+        set: Option<Located>,
+        /// z of the point on a rigid body (m), if the case says it.
+        z: Option<f64>,
+        /// Displacement or a derivative.
+        motion: Motion,
+        /// Whose components.
+        frame: Frame,
+        /// x, y, z as 0, 1, 2.
+        components: Vec<usize>,
+    },
+    /// What a joint does.
+    Joint {
+        /// The joint, by its place.
+        joint: usize,
+        /// Force, deformation or its rate.
+        quantity: JointQuantity,
+        /// Whose components.
+        frame: Frame,
+    },
+    /// Energies of a body.
+    Energy {
+        /// The body.
+        body: usize,
+    },
+    /// Powers of a body.
+    Power {
+        /// The body.
+        body: usize,
+    },
+    /// Power of a joint.
+    JointPower {
+        /// The joint.
+        joint: usize,
+    },
+}
+
+/// What outputs may be of: names of bodies and whether they have meshes, names of joints and whether they are couplings.
+struct Known {
+    bodies: Vec<(String, bool)>,
+    joints: Vec<(String, bool)>,
+}
+
+impl Known {
+    /// Of what a case says; none where too much of it is wrong.
+    fn of(system: &SystemDraft) -> Option<Known> {
+        let numbered = |count: usize| (1..=count).map(|k| (k.to_string(), false)).collect();
+        let named =
+            |names: &[&str], mesh| names.iter().map(|own| (own.to_string(), mesh)).collect();
+        Some(match system {
+            SystemDraft::Rotor(rotor) => Known {
+                bodies: named(&["shaft", "support"], true),
+                joints: numbered(rotor.bearings.len()),
+            },
+            SystemDraft::Lumped(lumped) => Known {
+                bodies: named(&["mass"], false),
+                joints: numbered(lumped.as_ref()?.stops.len()),
+            },
+            SystemDraft::Joined(joined) => {
+                let joined = joined.as_ref()?;
+                let bodies = joined.bodies.iter();
+                let joints = joined.joints.iter();
+                Known {
+                    bodies: bodies
+                        .map(|own| (own.name.text().into(), matches!(own.form, Form::Meshed(_))))
+                        .collect(),
+                    joints: joints
+                        .map(|own| (own.name.text().into(), own.kind == JointKind::Coupling))
+                        .collect(),
+                }
+            }
+        })
+    }
+}
+
+/// All outputs of a file that are right.
+pub(super) fn read(file: &Table, system: &SystemDraft) -> Vec<Output> {
+    let known = Known::of(system);
+    let tables = names::in_order(file, "output");
+    let labels: Vec<Located> = tables.iter().map(|(name, _)| name.clone()).collect();
+    names::distinct(file, "output", &labels);
+    let read = |(name, table): (Located, Table)| {
+        let what = table.read(|table| read_one(table, known.as_ref()))?;
+        Some(Output { name, what })
+    };
+    tables.into_iter().filter_map(read).collect()
+}
+
+/// Keys that some quantities have no use for.
+const OF_SOME: [&str; 4] = ["set", "z", "frame", "components"];
+
+fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
+    let (body, joint) = (table.optional_string("body"), table.optional_string("joint"));
+    let (set, z) = (table.optional_string("set"), table.quantity("z"));
+    let frame = match table.optional_word("frame") {
+        Some("body") => Frame::Body,
+        _ => Frame::Space,
+    };
+    let components = components(table);
+    let quantity = table.optional_word("quantity")?;
+    let (used, of_body, of_joint): (&[&str], bool, bool) = match quantity {
+        "displacement" | "velocity" | "acceleration" => (&OF_SOME, true, false),
+        "force" | "deformation" | "rate" => (&["frame"], false, true),
+        "energy" => (&[], true, false),
+        _ => (&[], true, true),
+    };
+    for key in OF_SOME.into_iter().filter(|key| !used.contains(key) && table.has(key)) {
+        let message = format!("`{key}` has no effect on the quantity `{quantity}`");
+        table.push(table.written(key).error_here(Code::BAD_VALUE, message).help("leave it out"));
+    }
+    let (body, joint) = match (body, joint) {
+        (Some(_), Some(_)) => {
+            table.conflict("body", "joint");
+            return None;
+        }
+        (None, None) => {
+            let key = if of_body { "body" } else { "joint" };
+            table.absent(key, &format!("add `{key} = \"NAME\"`: whose {quantity} is wanted"));
+            return None;
+        }
+        both => both,
+    };
+    let wrong = |own: &Located, what: &str, help: &str| {
+        let message = format!("the quantity `{quantity}` is {what}");
+        table.push(own.error_here(Code::BAD_VALUE, message).help(help.to_owned()));
+        None
+    };
+    let known = known?;
+    if let Some(own) = &joint {
+        if !of_joint {
+            return wrong(own, "of a body, not of a joint", "write `body = \"NAME\"` instead");
+        }
+        let joint = place(table, own, ("joint", &known.joints))?;
+        let coupling = known.joints[joint].1;
+        let quantity = match (quantity, coupling) {
+            ("power", _) => return Some(Wanted::JointPower { joint }),
+            ("force", false) => JointQuantity::Force,
+            ("force", true) => JointQuantity::Torque,
+            ("deformation", false) => JointQuantity::Deformation,
+            ("deformation", true) => JointQuantity::Twist,
+            (_, false) => JointQuantity::Rate,
+            (_, true) => JointQuantity::TwistRate,
+        };
+        return Some(Wanted::Joint { joint, quantity, frame });
+    }
+    let own = body?;
+    if !of_body {
+        return wrong(&own, "of a joint, not of a body", "write `joint = \"NAME\"` instead");
+    }
+    let body = place(table, &own, ("body", &known.bodies))?;
+    let motion = match quantity {
+        "energy" => return Some(Wanted::Energy { body }),
+        "power" => return Some(Wanted::Power { body }),
+        "displacement" => Motion::Displacement,
+        "velocity" => Motion::Velocity,
+        _ => Motion::Acceleration,
+    };
+    let meshed = known.bodies[body].1;
+    let (key, help) = match meshed {
+        true => ("z", "name a node set: `set = \"NAME\"`"),
+        false => ("set", "write `z = \"…\"`, or nothing for its centre"),
+    };
+    if table.has(key) {
+        let what = if meshed {
+            "has a mesh, whose points are node sets"
+        } else {
+            "is rigid and has no node sets"
+        };
+        let message = format!("`{}` {what}", own.text());
+        table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+    }
+    if meshed && set.is_none() {
+        table.absent("set", "add `set = \"NAME\"`: its node moves so, or the mean of its nodes");
+        return None;
+    }
+    Some(Wanted::Motion { body, set, z, motion, frame, components })
+}
+
+/// Axes in the order of the case; x and y if it names none.
+fn components(table: &Table) -> Vec<usize> {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    let mut components = Vec::new();
+    for own in table.texts("components") {
+        match AXES.iter().position(|axis| *axis == own.text()) {
+            Some(axis) if components.contains(&axis) => {
+                let message = format!("`{}` stands here twice", own.text());
+                table.push(own.error_here(Code::BAD_VALUE, message).help("take one of them out"));
+            }
+            Some(axis) => components.push(axis),
+            None => {
+                let message = format!("`{}` is no component", own.text());
+                let help = "name some of \"x\", \"y\" and \"z\"";
+                table.push(own.error_here(Code::BAD_VALUE, message).help(help));
+            }
+        }
+    }
+    if components.is_empty() { vec![0, 1] } else { components }
+}
+
+/// The place of a body or joint among those that the case has; one that it has not is noted.
+fn place(table: &Table, name: &Located, (what, all): (&str, &[(String, bool)])) -> Option<usize> {
+    let found = all.iter().position(|(own, _)| own == name.text());
+    if found.is_none() {
+        let names: Vec<&str> = all.iter().map(|(own, _)| own.as_str()).collect();
+        let message = format!("there is no {what} `{}`", name.text());
+        let shown: Vec<String> = names.iter().map(|own| format!("`{own}`")).collect();
+        let help = suggest(name.text(), &names).unwrap_or_else(|| match shown.is_empty() {
+            true => format!("this machine has no {what}"),
+            false => format!("name one of {}", shown.join(", ")),
+        });
+        table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    found
+}

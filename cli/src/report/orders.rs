@@ -1,0 +1,266 @@
+//! Order tracking: amplitudes and phases of what oscillates once and twice a revolution.
+//!
+//! Over the last whole revolutions of a body by θ, x = Σ A_n cos(n θ + φ_n) is fitted by least squares, whose terms are
+//! a constant, the orders 1 to 3 and, over two revolutions or more, ½ and 1½: what else there is, is nearly orthogonal to
+//! them over whole revolutions.
+
+use std::f64::consts::TAU;
+use std::io;
+
+use serde::Serialize;
+
+use super::{Oscillation, last_cycle};
+use crate::history::HistoryFile;
+
+/// What phases mean.
+const REFERENCE: &str =
+    "x = A cos(n θ + φ): A from 0 to the peak in the unit of the signal, θ the column `angle`";
+/// Orders that are fitted beside the constant; the last two over two revolutions or more.
+const ORDERS: [f64; 5] = [1.0, 2.0, 3.0, 0.5, 1.5];
+/// Rows for one unknown, at least.
+const ROWS: usize = 2;
+
+/// All orders of a run.
+#[derive(Debug, Serialize)]
+pub(crate) struct OrderFacts {
+    reference: &'static str,
+    /// Signal by signal.
+    pub(crate) signals: Vec<Signal>,
+}
+
+/// The orders of a signal.
+#[derive(Debug, Serialize)]
+pub(crate) struct Signal {
+    /// Its column.
+    pub(crate) signal: String,
+    /// What people call it.
+    #[serde(skip)]
+    pub(crate) title: String,
+    /// The column by which orders count.
+    angle: String,
+    /// Whole revolutions that were fitted.
+    pub(crate) revolutions: usize,
+    /// Once a revolution.
+    #[serde(rename = "1X")]
+    pub(crate) first: Order,
+    /// Twice a revolution.
+    #[serde(rename = "2X")]
+    pub(crate) second: Order,
+}
+
+/// One order.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct Order {
+    /// From 0 to the peak.
+    pub(crate) amplitude: f64,
+    /// φ in degrees, from −180 to 180.
+    pub(crate) phase_deg: f64,
+}
+
+/// The orders of all that oscillates, over the whole revolutions of the last `cycle` (s), or over the last one; none of
+/// what does not turn that far.
+///
+/// # Errors
+/// The history cannot be read.
+pub(crate) fn orders(
+    history: &HistoryFile,
+    all: &[Oscillation],
+    cycle: f64,
+) -> io::Result<Option<OrderFacts>> {
+    let mut signals = Vec::new();
+    let mut angles: Vec<&String> = all.iter().filter_map(|own| own.angle.as_ref()).collect();
+    angles.dedup();
+    let mut done: Vec<&String> = Vec::new();
+    for angle in angles {
+        if done.contains(&angle) {
+            continue;
+        }
+        done.push(angle);
+        let Some((from, [_, last], revolutions)) = revolutions(history, angle, cycle)? else {
+            continue;
+        };
+        let own = all.iter().filter(|own| own.angle.as_ref() == Some(angle));
+        let columns: Vec<(&str, String)> = own
+            .flat_map(|own| {
+                let title = |axis: &str| format!("{} {axis} ({})", own.title, own.unit);
+                own.columns.iter().map(move |(column, axis)| (column.as_str(), title(axis)))
+            })
+            .collect();
+        let names: Vec<&str> =
+            std::iter::once(angle.as_str()).chain(columns.iter().map(|own| own.0)).collect();
+        let mut fit = Fit::new(revolutions, columns.len());
+        let whole = revolutions as f64 * TAU;
+        let mut before: Option<f64> = None;
+        history.scan(from, &names, &mut |row| {
+            // A row counts by the angle since the row before, as far as it belongs to these revolutions.
+            let turned = before.map_or(0.0, |before| (row[0] - before).abs());
+            let inside = turned.min(whole - (last - row[0]).abs());
+            if inside > 0.0 {
+                fit.add(inside, row[0], &row[1..]);
+            }
+            before = Some(row[0]);
+        })?;
+        let Some(found) = fit.solve() else { continue };
+        for ((column, title), [first, second]) in columns.into_iter().zip(found) {
+            let (signal, angle) = (column.to_string(), angle.clone());
+            signals.push(Signal { signal, title, angle, revolutions, first, second });
+        }
+    }
+    Ok((!signals.is_empty()).then_some(OrderFacts { reference: REFERENCE, signals }))
+}
+
+/// Where the rows begin, the angle there and at the end, and the whole revolutions between; none if there are none.
+fn revolutions(
+    history: &HistoryFile,
+    angle: &str,
+    cycle: f64,
+) -> io::Result<Option<(u64, [f64; 2], usize)>> {
+    let Some(end) = history.last_time()? else { return Ok(None) };
+    let at = |place| -> io::Result<f64> {
+        let mut found = 0.0;
+        history.first_row(place, &[angle], &mut |row| found = row[0])?;
+        Ok(found)
+    };
+    let last = at(history.place_of_time(end)?)?;
+    let mut window = cycle;
+    loop {
+        let from = last_cycle(history, window)?;
+        let first = at(from)?;
+        // Rows do not always meet the start of a revolution.
+        let whole = ((last - first).abs() / TAU + 0.02).floor();
+        if whole >= 1.0 {
+            let from = last_cycle(history, 1.05 * window)?;
+            return Ok(Some((from, [first, last], whole as usize)));
+        }
+        if window >= end {
+            return Ok(None);
+        }
+        window *= 2.0;
+    }
+}
+
+/// Normal equations of a least-squares fit.
+struct Fit {
+    orders: Vec<f64>,
+    rows: usize,
+    /// A value a term.
+    terms: Vec<f64>,
+    /// Terms × terms.
+    matrix: Vec<f64>,
+    /// Signals × terms.
+    right: Vec<f64>,
+}
+
+impl Fit {
+    fn new(revolutions: usize, signals: usize) -> Fit {
+        let orders = ORDERS[..if revolutions > 1 { 5 } else { 3 }].to_vec();
+        let terms = 1 + 2 * orders.len();
+        let (matrix, right) = (vec![0.0; terms * terms], vec![0.0; signals * terms]);
+        Fit { orders, rows: 0, terms: vec![1.0; terms], matrix, right }
+    }
+
+    fn add(&mut self, weight: f64, theta: f64, values: &[f64]) {
+        for (k, order) in self.orders.iter().enumerate() {
+            let (sin, cos) = (order * theta).sin_cos();
+            (self.terms[1 + 2 * k], self.terms[2 + 2 * k]) = (cos, sin);
+        }
+        let n = self.terms.len();
+        for (row, a) in self.matrix.chunks_exact_mut(n).zip(&self.terms) {
+            row.iter_mut().zip(&self.terms).for_each(|(sum, b)| *sum += weight * a * b);
+        }
+        for (right, value) in self.right.chunks_exact_mut(n).zip(values) {
+            right.iter_mut().zip(&self.terms).for_each(|(sum, a)| *sum += weight * a * value);
+        }
+        self.rows += 1;
+    }
+
+    /// The first two orders of each signal; none where rows are too few to tell them.
+    fn solve(mut self) -> Option<Vec<[Order; 2]>> {
+        let n = self.terms.len();
+        if self.rows < ROWS * n {
+            return None;
+        }
+        let least = 1e-9 * self.matrix[0];
+        // Gauss without pivots: the matrix is positive definite.
+        for k in 0..n {
+            let pivot = self.matrix[k * n + k];
+            if !(pivot > least) {
+                return None;
+            }
+            for i in k + 1..n {
+                let factor = self.matrix[i * n + k] / pivot;
+                for j in k..n {
+                    self.matrix[i * n + j] -= factor * self.matrix[k * n + j];
+                }
+                for right in self.right.chunks_exact_mut(n) {
+                    right[i] -= factor * right[k];
+                }
+            }
+        }
+        for right in self.right.chunks_exact_mut(n) {
+            for k in (0..n).rev() {
+                let rest: f64 = (k + 1..n).map(|j| self.matrix[k * n + j] * right[j]).sum();
+                right[k] = (right[k] - rest) / self.matrix[k * n + k];
+            }
+        }
+        // a cos nθ + b sin nθ = A cos(nθ + φ) with a = A cos φ, b = −A sin φ.
+        let order = |own: &[f64], k: usize| {
+            let (a, b) = (own[1 + 2 * k], own[2 + 2 * k]);
+            Order { amplitude: a.hypot(b), phase_deg: (-b).atan2(a).to_degrees() }
+        };
+        Some(self.right.chunks_exact(n).map(|own| [order(own, 0), order(own, 1)]).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::history::HistoryWriter;
+
+    /// Known amplitudes and phases, among other orders, through a run-up and through steps that no revolution is a whole
+    /// number of.
+    #[test]
+    fn amplitudes_and_phases_are_found_among_other_orders() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let names = ["t_s", "theta_rad", "x_um", "y_um"].map(str::to_owned).to_vec();
+        let mut writer = HistoryWriter::create(&path, &names).unwrap();
+        for step in 0..4000 {
+            let t = 1e-4 * f64::from(step);
+            let theta = 400.0 * t + 300.0 * t * t;
+            let wave =
+                |order: f64, amplitude: f64, phase: f64| amplitude * (order * theta + phase).cos();
+            let x = 7.0 + wave(1.0, 20.0, 0.5) + wave(2.0, 3.0, -2.5) + wave(0.5, 9.0, 1.0);
+            let other = wave(4.0, 2.0, 0.3) + wave(7.0, 1.0, 0.1);
+            writer
+                .push(&[t, theta, x + wave(3.0, 5.0, 2.0) + other, -4.0 * wave(1.0, 1.0, 0.0)])
+                .unwrap();
+        }
+        writer.finish().unwrap();
+        let history = HistoryFile::open(&path).unwrap();
+        let all = [Oscillation {
+            title: "disc".into(),
+            quantity: "displacement",
+            unit: "µm",
+            columns: vec![("x_um".into(), "x"), ("y_um".into(), "y")],
+            angle: Some("theta_rad".into()),
+        }];
+        for cycle in [0.1, 0.05, 0.001] {
+            let found = orders(&history, &all, cycle).unwrap().expect("it turns").signals;
+            let [x, y] = found.as_slice() else { panic!("two signals") };
+            // Orders that are not fitted leave a trace, as rows do not meet the revolution's start.
+            let near = |found: Order, amplitude: f64, phase: f64| {
+                let turned = (found.phase_deg - phase.to_degrees()).rem_euclid(360.0);
+                assert!((found.amplitude / amplitude - 1.0).abs() < 0.01, "{found:?} {cycle}");
+                assert!(turned.min(360.0 - turned) < 0.5, "{found:?} {cycle}");
+            };
+            if x.revolutions > 1 {
+                near(x.first, 20.0, 0.5);
+                near(x.second, 3.0, -2.5);
+            }
+            assert!((y.first.amplitude - 4.0).abs() < 1e-6 && y.second.amplitude < 1e-6);
+            assert!((y.first.phase_deg.abs() - 180.0).abs() < 1e-5);
+        }
+        assert!(orders(&history, &[], 0.1).unwrap().is_none());
+    }
+}

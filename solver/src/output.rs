@@ -1,0 +1,171 @@
+//! Outputs by request: what a history has beside its usual columns.
+
+use crate::body::BodyNode;
+use crate::error::Error;
+use crate::loads::Frame;
+use crate::machine::Machine;
+
+/// Letters of the axes in names of columns.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// What is wanted, under a name of its own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// Between the quantity and the unit of its columns.
+    pub name: String,
+    /// What it is.
+    pub what: Wanted,
+}
+
+/// What can be wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Wanted {
+    /// How a point of a body moves.
+    Motion {
+        /// The body, by its place in the machine.
+        body: usize,
+        /// The point.
+        point: BodyNode,
+        /// Displacement or one of its derivatives.
+        motion: Motion,
+        /// Whose components they are. The displacement u of a body that turns is that beside its rotation: A(θ)u in
+        /// space, u in the frame of the body; speed and acceleration are its derivatives there.
+        frame: Frame,
+        /// Axes, a column each.
+        components: Vec<usize>,
+    },
+    /// What a joint does in the plane of its middle: two columns, or one about its axis.
+    Joint {
+        /// The joint, by its place among the bearings.
+        joint: usize,
+        /// Force, deformation or its rate.
+        quantity: JointQuantity,
+        /// Space, or the frame of the body of the journal.
+        frame: Frame,
+    },
+    /// Kinetic energy ½ q̇ᵀM q̇ and strain energy ½ qᵀK q of a body (J).
+    Energy {
+        /// The body.
+        body: usize,
+    },
+    /// Power of the loads on a body and of the couple that its prescribed rotation takes, and power that its own
+    /// damping takes away (W).
+    Power {
+        /// The body.
+        body: usize,
+    },
+    /// Power of a joint's forces on the body of the journal (W); negative where they brake it.
+    JointPower {
+        /// The joint.
+        joint: usize,
+    },
+}
+
+/// A displacement, or a derivative.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// µm.
+    Displacement,
+    /// mm/s.
+    Velocity,
+    /// m/s².
+    Acceleration,
+}
+
+/// What is asked of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum JointQuantity {
+    /// On the journal (N).
+    Force,
+    /// Displacement of the journal against the bore, run-out and offset included (µm).
+    Deformation,
+    /// Its rate (mm/s).
+    Rate,
+    /// Torque on the journal about its own centre (N·m).
+    Torque,
+    /// Angle of the journal against the bore (rad).
+    Twist,
+    /// Its rate (rad/s).
+    TwistRate,
+}
+
+impl Output {
+    /// Names of its columns.
+    pub fn columns(&self) -> Vec<String> {
+        let name = &self.name;
+        let plane = |letter: &str, unit: &str| -> Vec<String> {
+            AXES[..2].iter().map(|axis| format!("{letter}{axis}_{name}_{unit}")).collect()
+        };
+        match &self.what {
+            Wanted::Motion { motion, components, .. } => {
+                let (letter, unit) = match motion {
+                    Motion::Displacement => ("", "um"),
+                    Motion::Velocity => ("v", "mm_s"),
+                    Motion::Acceleration => ("a", "m_s2"),
+                };
+                let axes = components.iter().map(|&axis| AXES[axis]);
+                axes.map(|axis| format!("{letter}{axis}_{name}_{unit}")).collect()
+            }
+            Wanted::Joint { quantity, .. } => match quantity {
+                JointQuantity::Force => plane("f", "N"),
+                JointQuantity::Deformation => plane("d", "um"),
+                JointQuantity::Rate => plane("dv", "mm_s"),
+                JointQuantity::Torque => vec![format!("mz_{name}_Nm")],
+                JointQuantity::Twist => vec![format!("twist_{name}_rad")],
+                JointQuantity::TwistRate => vec![format!("twist_rate_{name}_rad_s")],
+            },
+            Wanted::Energy { .. } => {
+                ["kinetic", "strain"].map(|kind| format!("{kind}_{name}_J")).to_vec()
+            }
+            Wanted::Power { .. } => {
+                ["power", "damping"].map(|kind| format!("{kind}_{name}_W")).to_vec()
+            }
+            Wanted::JointPower { .. } => vec![format!("power_{name}_W")],
+        }
+    }
+}
+
+impl Machine {
+    /// Outputs by request.
+    pub fn outputs(&self) -> &[Output] {
+        &self.outputs
+    }
+
+    /// The machine with outputs, whose columns follow all others of its history.
+    ///
+    /// # Errors
+    /// An output of a body or joint that there is not, of a point with other coordinates than its body, along an axis
+    /// that there is not, or with a column that is there already.
+    pub fn with_outputs(mut self, outputs: Vec<Output>) -> Result<Machine, Error> {
+        let wrong = |name: &str, what: &str| Err(Error::Machine(format!("output {name}: {what}")));
+        for Output { name, what } in &outputs {
+            let (body, joint) = match what {
+                Wanted::Motion { body, .. } | Wanted::Energy { body } | Wanted::Power { body } => {
+                    (Some(*body), None)
+                }
+                Wanted::Joint { joint, .. } | Wanted::JointPower { joint } => (None, Some(*joint)),
+            };
+            if body.is_some_and(|body| body >= self.bodies.len()) {
+                return wrong(name, "there is no such body");
+            }
+            if joint.is_some_and(|joint| joint >= self.monitors.len()) {
+                return wrong(name, "there is no such joint");
+            }
+            if let Wanted::Motion { body, point, components, .. } = what {
+                if point.shapes.cols != self.bodies[*body].size() {
+                    return wrong(name, "its point has other coordinates than the body");
+                }
+                if components.iter().any(|&axis| axis > 2) {
+                    return wrong(name, "the axes are 0, 1 and 2");
+                }
+            }
+        }
+        self.outputs = outputs;
+        let mut names = crate::history::History::for_machine(&self).names().to_vec();
+        names.sort_unstable();
+        match names.windows(2).find(|pair| pair[0] == pair[1]) {
+            Some(twice) => wrong(&twice[0], "there are two columns of this name"),
+            None => Ok(self),
+        }
+    }
+}
