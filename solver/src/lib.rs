@@ -16,6 +16,7 @@ pub mod history;
 pub mod linalg;
 pub mod loads;
 pub mod machine;
+mod mean_frame;
 pub mod measure;
 pub mod mesh;
 mod ordering;

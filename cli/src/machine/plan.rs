@@ -13,6 +13,7 @@ use whirl_solver::mesh::support::RingSupport;
 
 pub(crate) use self::body::BodyPlan;
 pub(super) use self::body::HoldingWords;
+pub(super) use self::driven::Turn;
 use super::forces::Place;
 use super::laws::laws;
 use super::{meshes, outputs};

@@ -321,3 +321,53 @@ fn a_mesh_taken_as_rigid_is_the_body_of_its_numbers() {
         assert!(most > 50.0, "{most}");
     }
 }
+
+/// A free shaft with a disc and unbalance; `section`: a line of its table.
+fn free_shaft(section: &str, disc: &str, unbalance: &str, steps: usize) -> String {
+    let bushing = |name: &str, set: &str| {
+        format!(
+            "[joint.{name}]\nkind = \"bushing\"\nfirst = {{ body = \"s\", sets = \"{set}\" }}\n\
+             stiffness = {{ xx = \"1e7 N/m\", yy = \"2e7 N/m\" }}\n\
+             damping = {{ xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }}\n"
+        )
+    };
+    format!(
+        "title = \"x\"\n{STEEL}[body.s]\nturns = \"free\"\ninitial_speed = \"3000 rpm\"\n\
+         material = \"steel\"\nmodes = 60\ndamping = \"1e-6 s\"\n\
+         axial_restraint = \"JOURNAL1_MIDDLE\"\n{section}\n\
+         disc.w = {{ {disc}, z = \"450 mm\" }}\n\
+         unbalance.u = {{ mass = \"{unbalance}\", radius = \"100 mm\", z = \"450 mm\" }}\n\
+         [body.s.dimensions]\nlength = \"500 mm\"\ndiameter = \"50 mm\"\n\
+         supports = [\"50 mm\", \"300 mm\", \"450 mm\"]\nsupport_length = \"20 mm\"\n\
+         layers_in_support = 2\nlayers_between = 6\n{}{}{}",
+        bushing("near", "JOURNAL1_MIDDLE"),
+        bushing("far", "JOURNAL2_MIDDLE"),
+        march("2e-5 s", steps)
+    )
+}
+
+/// Which frame turns with a free shaft does not change its motion.
+#[test]
+fn the_frame_of_a_free_shaft_does_not_matter() {
+    let disc =
+        "mass = \"4 kg\", polar_inertia = \"0.02 kg*m^2\", transverse_inertia = \"0.011 kg*m^2\"";
+    let [mean, section] = ["", "section = [\"DRIVE_TOP\", \"DRIVE_BOTTOM\"]"]
+        .map(|section| run(&free_shaft(section, disc, "1 g", 2000), &[]));
+    for column in ["RX_near_N", "RY_far_N"] {
+        let (found, exact) = (mean.history.column(column), section.history.column(column));
+        let largest = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        let errors = found.iter().zip(exact).map(|(a, b)| (a - b).abs());
+        let error = errors.fold(0.0, f64::max);
+        assert!(largest > 5.0 && error < 1e-5 * largest, "{column}: {error} of {largest}");
+    }
+}
+
+/// A disc of a hundred times the inertia of the section beside it, thrown out of balance: the section twists, and terms of
+/// second order of the disc's tilt are larger than its inertia.
+#[test]
+fn a_heavy_disc_on_a_free_shaft_can_be_marched() {
+    let disc =
+        "mass = \"100 kg\", polar_inertia = \"4 kg*m^2\", transverse_inertia = \"2.1 kg*m^2\"";
+    let done = run(&free_shaft("", disc, "1000 g", 2500), &[]);
+    assert_eq!(done.bench.summary("out")["verdict"]["sound"], true);
+}

@@ -97,16 +97,6 @@ impl Checks<'_, '_> {
     }
 
     fn drive(&mut self, place: usize, drive: &Drive) {
-        if let Form::Meshed(meshed) = &self.machine.bodies[drive.body].form
-            && let Some(top) = meshed.section.first()
-        {
-            let message = format!(
-                "`{}` is driven by `{}`, whose section turns with the frame: another one cannot",
-                drive.place.text(),
-                drive.name.text()
-            );
-            self.note(&top.clone(), message, "leave `section` out");
-        }
         let mut earlier = self.machine.drives[..place].iter();
         if let Some(first) = earlier.find(|own| own.body == drive.body) {
             let message = format!(

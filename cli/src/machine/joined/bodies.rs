@@ -94,6 +94,8 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     let mut plan = BodyPlan::new(mesh, &own.body, held_by);
     plan.spec.stiffening = own.stiffening;
     plan.rigid = own.rigid;
+    let free = matches!(body.turning, Some(case::Turning::Free { .. }));
+    plan.mean_frame = free && own.section.is_empty() && own.held.is_empty();
     let springs = match body.turning {
         None => format!(
             ", add a spring `[[body.{}.ground_spring]]`, or join it at more nodes",
@@ -114,7 +116,9 @@ impl PlannedBody {
     /// Where a couple drives it.
     pub(super) fn driven(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> Place {
         match self {
-            PlannedBody::Meshed(plan) => plan.tie(drive, errors),
+            PlannedBody::Meshed(plan) if plan.mean_frame => plan.tie(drive, errors),
+            // A section that the case names turns with the frame, or all of a body that is rigid or held to it.
+            PlannedBody::Meshed(plan) => plan.driven(drive, errors).0,
             PlannedBody::Rigid(_) => WHOLE,
         }
     }
@@ -162,7 +166,7 @@ fn tie(
 ) {
     let driven = joined.drives.iter().any(|drive| drive.body == place);
     match case.section.as_slice() {
-        _ if driven => {}
+        [] if driven => {}
         [] => section::tie(plan, &joined.bodies[place].name, errors),
         sets => {
             plan.tie(&section_of(sets), errors);

@@ -260,7 +260,7 @@ fn reduced(
             Some(rotation) => {
                 let mut shaft = found.shaft(&plan.spec).map_err(explained)?;
                 shaft.nodes = plan.outputs(&shaft.nodes, &shaft.measures);
-                Body::turning(name, attach(shaft, attached), rotation)
+                Body::turning(name, plan.in_frame(attach(shaft, attached)), rotation)
             }
             None => {
                 let mut support = found.support(&plan.spec).map_err(explained)?;

@@ -6,7 +6,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::body::Retained;
 
 use super::at;
-use crate::machine::plan::BodyPlan;
+use crate::machine::plan::{BodyPlan, Turn};
 use whirl_solver::mesh::Mesh;
 
 /// Nodes are opposite if one is the mirror image of the other to this part of their distance from the axis.
@@ -53,7 +53,8 @@ pub(super) fn tie(plan: &mut BodyPlan, name: &Located, errors: &mut Diagnostics)
             }
         }
     }
-    plan.spec.constraints.equation(format!("torsion of {}", name.text()), terms);
+    terms.sort_by(|(_, a), (_, b)| b.abs().total_cmp(&a.abs()));
+    plan.turns_with_frame(Turn { name: format!("torsion of {}", name.text()), terms });
 }
 
 /// Two opposite nodes, far from the axis, in the plane nearest to `z` that has some; along x if there are such.

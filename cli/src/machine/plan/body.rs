@@ -33,6 +33,11 @@ pub(crate) struct BodyPlan {
     made_from: Located,
     /// Whether it is rigid, and nothing of it is reduced.
     pub(crate) rigid: bool,
+    /// Whether it turns freely, in the frame in which deformations have no angular momentum; else a section turns with the
+    /// frame.
+    pub(in crate::machine) mean_frame: bool,
+    /// Place of the retained motion that follows from the others in such a frame.
+    pub(in crate::machine) follows: Option<usize>,
     /// The set of each of its springs to the ground, as the case says it.
     sprung: Vec<Located>,
     /// How messages say what holds a body.
@@ -88,6 +93,8 @@ impl BodyPlan {
             held_by,
             made_from,
             rigid: false,
+            mean_frame: false,
+            follows: None,
             sprung: Vec::new(),
             words,
         }
@@ -117,7 +124,8 @@ impl BodyPlan {
     /// Coordinates left after the equations.
     pub(crate) fn active(&self) -> usize {
         let spec = &self.spec;
-        spec.modes + spec.retained.len() - spec.constraints.equations().len()
+        let follows = usize::from(self.follows.is_some());
+        spec.modes + spec.retained.len() - spec.constraints.equations().len() - follows
     }
 
     /// An error of the reduction, at its place in the case or in the mesh's file.

@@ -2,10 +2,17 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::MeanComponent;
+use whirl_solver::shaft::Shaft;
 
 use super::{AXES, BodyPlan};
 use crate::case::{self, Acting, Spread};
 use crate::machine::forces::Place;
+
+/// The turn of a section against the frame: Σ cᵢ qᵢ over retained motions i.
+pub(in crate::machine) struct Turn {
+    pub(in crate::machine) name: String,
+    pub(in crate::machine) terms: Vec<(usize, f64)>,
+}
 
 impl BodyPlan {
     /// Where a load acts: on each node of its sets, or on their mean motion.
@@ -49,43 +56,89 @@ impl BodyPlan {
         drive: &case::Drive,
         errors: &mut Diagnostics,
     ) -> Place {
+        let (place, turn) = self.driven(drive, errors);
+        turn.into_iter().for_each(|turn| self.turns_with_frame(turn));
+        place
+    }
+
+    /// Where a couple acts, and the turn of that section; none where what is wrong with it is noted.
+    pub(in crate::machine) fn driven(
+        &mut self,
+        drive: &case::Drive,
+        errors: &mut Diagnostics,
+    ) -> (Place, Option<Turn>) {
         match &drive.section {
-            Some(set) => Place::Mean(self.tie_section(set, errors)),
-            None => Place::Nodes(self.tie_ends(drive, errors).into()),
+            Some(set) => {
+                let (mean, turn) = self.turn_of_section(set, errors);
+                (Place::Mean(mean), turn)
+            }
+            None => {
+                let (ends, turn) = self.turn_of_ends(drive, errors);
+                (Place::Nodes(ends.into()), turn)
+            }
         }
     }
 
-    /// The mean rotation of a set about z is that of the frame; its place among the means.
-    fn tie_section(&mut self, set: &Located, errors: &mut Diagnostics) -> usize {
+    /// The shaft in its frame, with all that it carries.
+    pub(in crate::machine) fn in_frame(&self, shaft: Shaft) -> Shaft {
+        let name = self.follows.map(|place| self.spec.retained[place].name.as_str());
+        let coordinate = shaft.coordinates.iter().rposition(|own| Some(own.as_str()) == name);
+        match coordinate {
+            Some(follows) => shaft.in_mean_frame(follows),
+            None => shaft,
+        }
+    }
+
+    /// A section turns with the frame, or, in a frame in which deformations have no angular momentum, its turn follows from
+    /// all others.
+    pub(in crate::machine) fn turns_with_frame(&mut self, turn: Turn) {
+        match (self.mean_frame, turn.terms.first()) {
+            (true, Some((first, _))) => self.follows = Some(*first),
+            _ => {
+                self.spec.constraints.equation(turn.name, turn.terms);
+            }
+        }
+    }
+
+    /// The mean rotation of a set about z, which is retained; its place among the means.
+    fn turn_of_section(
+        &mut self,
+        set: &Located,
+        errors: &mut Diagnostics,
+    ) -> (usize, Option<Turn>) {
         let nodes = self.nodes(set, errors);
         if nodes.is_empty() {
-            return 0;
+            return (0, None);
         }
         let mean = self.mean(&nodes);
         if !self.spec.means[mean].turns_about(2) {
             let message = format!("the nodes of `{}` show no turn about z", set.text());
             let help = "name a set of nodes around the axis, such as those of a section";
             errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
-            return mean;
+            return (mean, None);
         }
         let turn = self.retain_mean(set, mean, MeanComponent::Rotation(2));
-        self.spec.constraints.fix(format!("torsion (mean turn of {})", set.text()), turn);
-        mean
+        let name = format!("torsion (mean turn of {})", set.text());
+        (mean, Some(Turn { name, terms: vec![(turn, 1.0)] }))
     }
 
-    /// The ends of the driven section move alike along y; their places among the output nodes.
-    fn tie_ends(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> [usize; 2] {
+    /// The ends of the driven section, which turns if they do not move alike along y; their places among the output nodes.
+    fn turn_of_ends(
+        &mut self,
+        drive: &case::Drive,
+        errors: &mut Diagnostics,
+    ) -> ([usize; 2], Option<Turn>) {
         let nodes = [&drive.top, &drive.bottom].map(|set| self.node(set, errors));
         if nodes[0].is_some() && nodes[0] == nodes[1] {
             let message = "the driven nodes `top` and `bottom` are the same node";
             let help = "name the sets of two nodes, at opposite ends of a diameter";
             errors.push(drive.bottom.error_here(Code::BAD_VALUE, message).help(help));
-            return [0; 2];
+            return ([0; 2], None);
         }
         let [top, bottom] = nodes.map(|node| node.unwrap_or(0));
         let ties = [self.retain(&drive.top, top, 1), self.retain(&drive.bottom, bottom, 1)];
         let name = format!("torsion ({} y = {} y)", drive.top.text(), drive.bottom.text());
-        self.spec.constraints.equation(name, [(ties[0], 1.0), (ties[1], -1.0)]);
-        [top, bottom].map(|node| self.output_node(node))
+        let turn = Turn { name, terms: vec![(ties[0], 1.0), (ties[1], -1.0)] };
+        ([top, bottom].map(|node| self.output_node(node)), Some(turn))
     }
 }
