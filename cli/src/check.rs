@@ -60,7 +60,7 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
         progress::during(ProgressMode::on_terminal(), case.reducing(), build)
     })?;
     if let (System::Joined(joined), Some(Plan::Joined(plan))) = (&case.system, &plan) {
-        joined::say(&mut text, joined, plan, &built)?;
+        joined::say(&mut text, joined, plan, &built, case.march.duration())?;
     }
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);

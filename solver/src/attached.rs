@@ -79,8 +79,8 @@ impl Shaft {
         self
     }
 
-    /// The shaft with a point mass: J0, y0, g0, M, Y, H and the centre of mass. Its centrifugal force stresses the body, too, which counts
-    /// where the body is reduced and not here.
+    /// The shaft with a point mass: J0, y0, g0, M, Y, H and the centre of mass. That its centrifugal force stresses the body,
+    /// too, is left out.
     ///
     /// # Panics
     /// If the node is of another body.

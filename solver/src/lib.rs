@@ -23,6 +23,7 @@ mod ordering;
 pub mod output;
 pub mod reduced;
 pub mod reduction;
+mod requested;
 pub mod rigid;
 mod rotating;
 pub mod schedule;

@@ -1,9 +1,7 @@
 //! Outputs by request: what a history has beside its usual columns.
 
 use crate::body::BodyNode;
-use crate::error::Error;
 use crate::loads::Frame;
-use crate::machine::Machine;
 
 /// Letters of the axes in names of columns.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -121,51 +119,6 @@ impl Output {
                 ["power", "damping"].map(|kind| format!("{kind}_{name}_W")).to_vec()
             }
             Wanted::JointPower { .. } => vec![format!("power_{name}_W")],
-        }
-    }
-}
-
-impl Machine {
-    /// Outputs by request.
-    pub fn outputs(&self) -> &[Output] {
-        &self.outputs
-    }
-
-    /// The machine with outputs, whose columns follow all others of its history.
-    ///
-    /// # Errors
-    /// An output of a body or joint that there is not, of a point with other coordinates than its body, along an axis
-    /// that there is not, or with a column that is there already.
-    pub fn with_outputs(mut self, outputs: Vec<Output>) -> Result<Machine, Error> {
-        let wrong = |name: &str, what: &str| Err(Error::Machine(format!("output {name}: {what}")));
-        for Output { name, what } in &outputs {
-            let (body, joint) = match what {
-                Wanted::Motion { body, .. } | Wanted::Energy { body } | Wanted::Power { body } => {
-                    (Some(*body), None)
-                }
-                Wanted::Joint { joint, .. } | Wanted::JointPower { joint } => (None, Some(*joint)),
-            };
-            if body.is_some_and(|body| body >= self.bodies.len()) {
-                return wrong(name, "there is no such body");
-            }
-            if joint.is_some_and(|joint| joint >= self.monitors.len()) {
-                return wrong(name, "there is no such joint");
-            }
-            if let Wanted::Motion { body, point, components, .. } = what {
-                if point.shapes.cols != self.bodies[*body].size() {
-                    return wrong(name, "its point has other coordinates than the body");
-                }
-                if components.iter().any(|&axis| axis > 2) {
-                    return wrong(name, "the axes are 0, 1 and 2");
-                }
-            }
-        }
-        self.outputs = outputs;
-        let mut names = crate::history::History::for_machine(&self).names().to_vec();
-        names.sort_unstable();
-        match names.windows(2).find(|pair| pair[0] == pair[1]) {
-            Some(twice) => wrong(&twice[0], "there are two columns of this name"),
-            None => Ok(self),
         }
     }
 }

@@ -70,3 +70,72 @@ fn an_overhung_disc_runs_up() {
     assert!(slow > 1.0 && fast > 2.0 * slow, "{slow} {fast}");
     assert!(revolutions(&x, &y, t.len() / 2) > 0.0, "it whirls forward");
 }
+
+/// Largest distance from the mean in rows from one on, before another.
+fn swing(x: &[f64], rows: std::ops::Range<usize>) -> f64 {
+    let own = &x[rows];
+    let mean = own.iter().sum::<f64>() / own.len() as f64;
+    own.iter().fold(0.0, |most, value| f64::max(most, (value - mean).abs()))
+}
+
+/// Both critical speeds show in the motion of the discs, with quiet between and beyond them.
+#[test]
+fn an_unbalanced_rotor_runs_through_two_critical_speeds() {
+    let bench = Workbench::new();
+    let column = run(&bench, "unbalance");
+    let omega = column("omega_rad_s");
+    let (x, y) = (column("x_left_um"), column("y_left_um"));
+    let amplitude = |from: f64, to: f64| {
+        let rows = (0..x.len())
+            .filter(|&i| (from..to).contains(&(omega[i] * 30.0 / std::f64::consts::PI)));
+        rows.map(|i| x[i].hypot(y[i])).fold(0.0, f64::max)
+    };
+    let bands = [(500.0, 1500.0), (1800.0, 3200.0), (4500.0, 6500.0), (7000.0, 11_000.0)];
+    let [before, first, between, second] = bands.map(|(from, to)| amplitude(from, to));
+    assert!(first > 5.0 * before && first > 5.0 * between, "{before} {first} {between} {second}");
+    assert!(second > 1.2 * between, "{between} {second}");
+}
+
+/// From equilibrium the journal hardly moves until, beyond the threshold of linear theory (6230 rpm), it whirls at half the
+/// speed of the shaft.
+#[test]
+fn a_heavy_rotor_begins_in_equilibrium_and_whirls_in_its_films() {
+    let bench = Workbench::new();
+    let column = run(&bench, "weight");
+    let (t, theta, force) = (column("t_s"), column("theta_rad"), column("RX_left_N"));
+    let (x, y) = (column("EX_left_um"), column("EY_left_um"));
+    let last = t.len() - 1;
+    // Each bearing carries half of the weight of 60 kg from the first row on.
+    assert!((force[0] / (30.0 * 9.81) - 1.0).abs() < 1e-2, "{}", force[0]);
+    let row = |rpm: f64| ((rpm - 3000.0) / 2500.0 / 1e-4) as usize;
+    let quiet = swing(&x, row(5800.0)..row(6000.0));
+    let whirling = swing(&x, last - 1000..last);
+    assert!(quiet < 8.0 && whirling > 100.0, "{quiet} {whirling}");
+    let turned = (theta[last] - theta[last - 1000]) / std::f64::consts::TAU;
+    let whirled = revolutions(&x, &y, last - 1000) / turned;
+    assert!((whirled - 0.5).abs() < 0.03, "{whirled}");
+}
+
+/// A four-stroke cycle is two revolutions, after which the orbits close; on the mean the bearings carry what the loads are.
+#[test]
+fn a_crank_closes_its_orbits_every_second_revolution() {
+    let bench = Workbench::new();
+    let column = run(&bench, "crank");
+    let cycle = 3000;
+    let last = column("t_s").len() - 1;
+    for name in ["EX_main1_um", "EY_main2_um"] {
+        let own = column(name);
+        let apart = (last - cycle..last).map(|i| (own[i] - own[i - cycle]).abs());
+        let apart = apart.fold(0.0, f64::max);
+        let size = swing(&own, last - cycle..last);
+        assert!(size > 20.0 && apart < 0.01 * size, "{name}: {apart} of {size}");
+    }
+    let mean = |name: &str| column(name)[last - cycle..last].iter().sum::<f64>() / cycle as f64;
+    let table = include_str!("../../specs/cases/crank.gas.csv");
+    let rows = table.lines().skip(2).map(|line| line.split(", ").nth(1).expect("a force"));
+    let forces: Vec<f64> = rows.map(|force| force.parse().expect("a number")).collect();
+    // The mean of a periodic curve is that of its rows but the last; the piston's inertia has none.
+    let gas = forces[1..].iter().sum::<f64>() / (forces.len() - 1) as f64;
+    let carried = mean("RX_main1_N") + mean("RX_main2_N");
+    assert!((carried / -gas - 1.0).abs() < 0.02, "{carried} {gas}");
+}

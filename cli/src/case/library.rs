@@ -19,6 +19,11 @@ macro_rules! embedded {
 embedded![
     "annular-rub.law.toml",
     "annular-rub.toml",
+    "crank.gas-side.csv",
+    "crank.gas.csv",
+    "crank.piston-side.csv",
+    "crank.piston.csv",
+    "crank.toml",
     "hu2003-1.toml",
     "hu2003-2.toml",
     "hu2003-3.toml",
@@ -30,6 +35,8 @@ embedded![
     "sdnd108.toml",
     "turbocharger.toml",
     "two-spool.toml",
+    "unbalance.toml",
+    "weight.toml",
 ];
 
 /// Folder under which the built-in files are shown in messages.

@@ -20,6 +20,7 @@ pub(super) fn say(
     joined: &JoinedMachine,
     plan: &JoinedPlan,
     built: &Built,
+    duration: f64,
 ) -> Result<(), Failure> {
     text.push_str(&masses(joined, plan)?);
     text.push('\n');
@@ -34,7 +35,7 @@ pub(super) fn say(
             body.name,
             first.join(", ")
         );
-        turning(text, joined, built, &body.name)?;
+        turning(text, joined, built, &body.name, duration)?;
     }
     line!(text, "{} active coordinates", built.machine.active());
     for (joint, law) in joined.joints.iter().zip(&plan.laws) {
@@ -84,16 +85,17 @@ fn turning(
     joined: &JoinedMachine,
     built: &Built,
     name: &str,
+    duration: f64,
 ) -> Result<(), Failure> {
     let Some(place) = joined.bodies.iter().position(|body| body.name.text() == name) else {
         return Ok(());
     };
-    let (speed, shaft) = (joined.top_speed(place), built.machine.bodies[place].shaft());
+    let (speed, shaft) = (joined.top_speed(place, duration), built.machine.bodies[place].shaft());
     let Some(shaft) = shaft.filter(|_| speed > 0.0) else { return Ok(()) };
     let found = shaft.frequencies_at(speed).map_err(whirl_solver::Error::from)?;
     let of_speed = format!("  with all that it carries, turning at {} rpm", rpm(speed));
     let Some(found) = found else {
-        line!(text, "{of_speed}: the centrifugal force overcomes its stiffness");
+        line!(text, "{of_speed}: unstable with its retained nodes held");
         return Ok(());
     };
     let at_rest = shaft.frequencies_at(0.0).map_err(whirl_solver::Error::from)?;

@@ -85,6 +85,20 @@ pub fn generalised_symmetric_eigen(
     Ok(GeneralisedEigen { values, vectors })
 }
 
+/// All eigenvalues of a square matrix, as real and imaginary parts.
+///
+/// # Errors
+/// [`LinearAlgebraError::NoConvergence`], also for values that are not finite.
+pub(crate) fn eigenvalues(a: &Matrix) -> Result<Vec<[f64; 2]>, LinearAlgebraError> {
+    let failure = LinearAlgebraError::NoConvergence { size: a.rows };
+    if a.data.iter().any(|value| !value.is_finite()) {
+        return Err(failure);
+    }
+    let whole = faer::MatRef::from_column_major_slice(&a.data, a.rows, a.cols);
+    let values = whole.eigenvalues().map_err(|_| failure)?;
+    Ok(values.into_iter().map(|value| [value.re, value.im]).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -15,6 +15,7 @@ mod sums;
 
 pub use cholesky::Cholesky;
 pub(crate) use combination::{add_columns, add_product};
+pub(crate) use eigen::eigenvalues;
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
 pub use lower::LowerTriangle;
 pub use lu::Lu;

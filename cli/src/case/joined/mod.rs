@@ -313,11 +313,13 @@ impl JoinedMachine {
         Some(machine)
     }
 
-    /// The largest speed that the case gives a body: of its drive, at its start, or as prescribed at t = 0 (rad/s).
-    pub(crate) fn top_speed(&self, body: usize) -> f64 {
+    /// The largest speed that the case gives a body in `duration` (s): of its drive, at its start, or as prescribed (rad/s).
+    pub(crate) fn top_speed(&self, body: usize, duration: f64) -> f64 {
         let aims = self.drives.iter().filter(|drive| drive.body == body && drive.couple.acts);
         let given = match &self.bodies[body].turning {
-            Some(Turning::Prescribed { speed, .. }) => *speed,
+            Some(Turning::Prescribed { speed, acceleration }) => {
+                speed.abs().max((speed + acceleration * duration).abs())
+            }
             Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
             Some(Turning::Table(columns)) => columns.largest(),
             None => 0.0,

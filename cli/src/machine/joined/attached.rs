@@ -7,8 +7,7 @@ use whirl_solver::mesh::MeanComponent;
 use whirl_solver::shaft::Shaft;
 
 use super::PlannedBody;
-use super::bodies::retain_in_plane;
-use super::section::{FLAT, ends, nodes_at};
+use super::section::{ends, nodes_at};
 use crate::case::{Attached, Carried};
 use crate::machine::plan::BodyPlan;
 use crate::machine::plan::geometry::mm;
@@ -73,20 +72,49 @@ fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Opt
         return None;
     };
     let found = nodes_at(&plan.mesh, nearest[2]);
-    let on_axis = |&&node: &&usize| {
-        let [x, y, _] = plan.mesh.nodes()[node];
-        x.hypot(y) <= FLAT * length
-    };
-    if let (Some(&centre), Carried::Disc { .. }) = (found.iter().find(on_axis), own.what) {
-        retain_in_plane(plan, &own.name, centre);
-    }
     let mean = plan.mean(&found);
-    if let Carried::Mass { .. } = own.what {
-        for axis in 0..2 {
-            plan.retain_mean(&own.name, mean, MeanComponent::Displacement(axis));
-        }
+    let on_axis = matches!(own.what, Carried::Disc { .. });
+    if !is_section(plan, mean, &found, on_axis) {
+        let message = format!(
+            "the {} of {} at z = {} are no section that could carry `{}`",
+            match found.len() {
+                1 => "node".to_owned(),
+                count => format!("{count} nodes"),
+            },
+            plan.mesh.origin(),
+            mm(nearest[2]),
+            own.name.text()
+        );
+        let help = "give a `z` at which the mesh has a plane of nodes around its axis";
+        errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));
+        return None;
+    }
+    // What is heavy beside the body moves with coordinates of its own: modes of the body alone would hold it.
+    let own_motions: &[MeanComponent] = match own.what {
+        Carried::Disc { .. } => &[
+            MeanComponent::Displacement(0),
+            MeanComponent::Displacement(1),
+            MeanComponent::Rotation(0),
+            MeanComponent::Rotation(1),
+            MeanComponent::Rotation(2),
+        ],
+        Carried::Mass { .. } => &[MeanComponent::Displacement(0), MeanComponent::Displacement(1)],
+        Carried::Unbalance(_) => &[],
+    };
+    for component in own_motions {
+        plan.retain_mean(&own.name, mean, *component);
     }
     Some(mean)
+}
+
+/// Whether nodes in a plane show all turns and, if asked for, have their centre on the axis to a part of how far they reach.
+fn is_section(plan: &BodyPlan, mean: usize, nodes: &[usize], on_axis: bool) -> bool {
+    const CENTRED: f64 = 0.1;
+    let own = &plan.spec.means[mean];
+    let reach = |node: &usize| plan.mesh.nodes()[*node][0].hypot(plan.mesh.nodes()[*node][1]);
+    let farthest = nodes.iter().map(reach).fold(0.0, f64::max);
+    let [x, y, _] = own.centre();
+    (0..3).all(|axis| own.turns_about(axis)) && (!on_axis || x.hypot(y) <= CENTRED * farthest)
 }
 
 /// x and y of the point of a section that moves with what it carries (m).

@@ -2,6 +2,7 @@
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
+use whirl_solver::mesh::{Mesh, NodeSetMean};
 use whirl_solver::rigid::RigidBody;
 
 use super::section;
@@ -95,7 +96,8 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     plan.spec.stiffening = own.stiffening;
     plan.rigid = own.rigid;
     let free = matches!(body.turning, Some(case::Turning::Free { .. }));
-    plan.mean_frame = free && own.section.is_empty() && own.held.is_empty();
+    plan.held_to_frame = body.turning.is_some() && held_against_turning(&plan.mesh, &own.held);
+    plan.mean_frame = free && own.section.is_empty() && !plan.held_to_frame;
     let springs = match body.turning {
         None => format!(
             ", add a spring `[[body.{}.ground_spring]]`, or join it at more nodes",
@@ -111,6 +113,13 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
 
 /// The only mean motion of a rigid body, which is its motion as a whole.
 const WHOLE: Place = Place::Mean(0);
+
+/// Whether sets that are held keep a mesh from turning about z.
+fn held_against_turning(mesh: &Mesh, sets: &[Located]) -> bool {
+    let nodes = sets.iter().filter_map(|set| mesh.node_set(set.text()).ok()).flatten();
+    let nodes: Vec<usize> = nodes.copied().collect();
+    NodeSetMean::new(mesh, &nodes).is_ok_and(|mean| mean.turns_about(2))
+}
 
 impl PlannedBody {
     /// Where a couple drives it.
@@ -149,7 +158,7 @@ impl PlannedBody {
         }
         clamp(plan, case, errors);
         // What is held to the frame turns with it.
-        if turns(joined, place) && case.held.is_empty() {
+        if turns(joined, place) && !plan.held_to_frame {
             tie(plan, place, case, joined, errors);
         }
         plan.bound(errors);

@@ -78,7 +78,7 @@ pub(super) fn place(
             }
         }
     }
-    let journal = journal(joint, joined, &mut bodies[first], z, errors)?;
+    let journal = journal(joint, &mut bodies[first], z, errors)?;
     if joint.kind == JointKind::Bushing {
         // Where it stands, and not on the axis of a body: its second side may turn a little.
         let [x, y] = position(&bodies[first], journal[1]);
@@ -219,12 +219,10 @@ fn turning_section(
 /// The nodes of the first side.
 fn journal(
     joint: &Joint,
-    joined: &JoinedMachine,
     body: &mut PlannedBody,
     z: [f64; 3],
     errors: &mut Diagnostics,
 ) -> Option<[usize; 3]> {
-    let side = &joint.sides[0];
     let plan = match body {
         PlannedBody::Rigid(own) => {
             let [x, y, _] = own.body.centre;
@@ -236,9 +234,8 @@ fn journal(
         PlannedBody::Meshed(plan) => plan,
     };
     if joint.kind == JointKind::Coupling {
-        let axial = meshed(joined, side.body?)?.axial_restraint.as_ref();
-        let node = *plan.nodes(side.sets.first().or(axial)?, errors).first()?;
-        return Some([plan.output_node(node); 3]);
+        // Only angles count: any node will do.
+        return Some([plan.output_node(0); 3]);
     }
     let mut journal = [0; 3];
     for (place, set) in joint.bearing.journal.iter().take(3).enumerate() {

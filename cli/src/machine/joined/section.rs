@@ -13,7 +13,7 @@ use whirl_solver::mesh::Mesh;
 const OPPOSITE: f64 = 1e-3;
 
 /// Nodes stand in one section to this part of the body's length.
-pub(super) const FLAT: f64 = 1e-5;
+const FLAT: f64 = 1e-5;
 
 /// First and last z of a mesh (m).
 pub(super) fn ends(mesh: &Mesh) -> [f64; 2] {

@@ -33,6 +33,8 @@ pub(crate) struct BodyPlan {
     made_from: Located,
     /// Whether it is rigid, and nothing of it is reduced.
     pub(crate) rigid: bool,
+    /// Whether what is held keeps it from turning in its frame.
+    pub(in crate::machine) held_to_frame: bool,
     /// Whether it turns freely, in the frame in which deformations have no angular momentum; else a section turns with the
     /// frame.
     pub(in crate::machine) mean_frame: bool,
@@ -93,6 +95,7 @@ impl BodyPlan {
             held_by,
             made_from,
             rigid: false,
+            held_to_frame: false,
             mean_frame: false,
             follows: None,
             sprung: Vec::new(),
