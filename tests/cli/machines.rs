@@ -92,8 +92,8 @@ fn an_unbalanced_rotor_runs_through_two_critical_speeds() {
     };
     let bands = [(500.0, 1500.0), (1800.0, 3200.0), (4500.0, 6500.0), (7000.0, 11_000.0)];
     let [before, first, between, second] = bands.map(|(from, to)| amplitude(from, to));
-    assert!(first > 5.0 * before && first > 5.0 * between, "{before} {first} {between} {second}");
-    assert!(second > 1.2 * between, "{between} {second}");
+    assert!(first > 10.0 * before && first > 1.5 * between, "{before} {first} {between}");
+    assert!(second > 3.0 * between, "{between} {second}");
 }
 
 /// From equilibrium the journal hardly moves until, beyond the threshold of linear theory (6230 rpm), it whirls at half the

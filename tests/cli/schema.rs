@@ -256,14 +256,14 @@ const SHORT: &str = "include /shaft /support /springs /bearing /drive /load /mas
 
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 4] = [
-    "/body/chosen/turns=free /output/chosen/joint dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
+    "/body/chosen/turns=free /output/chosen/joint rigid dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
      /body/chosen/stiffness /body/chosen/damping /body/chosen/speed /body/chosen/table acceleration held ground_spring \
      /joint/chosen/kind=bearing first second side gap /joint/chosen/stiffness /joint/chosen/damping",
     "/body/chosen/turns=prescribed /output/chosen/joint mesh dimensions rigid /body/chosen/material regions modes \
      /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring axial_restraint section \
      stiffening /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping",
-    "/body/chosen/turns=no /output/chosen/joint mesh diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
+    "/body/chosen/turns=no /output/chosen/joint mesh rigid diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
      /body/chosen/dimensions/loads sectors /body/chosen/dimensions/cells/rings /body/chosen/mass \
      polar_inertia transverse_inertia /body/chosen/z /body/chosen/stiffness /body/chosen/damping \
      /body/chosen/speed /body/chosen/table acceleration initial_speed section stiffening /joint/chosen/kind=bushing journal bore \
