@@ -95,7 +95,7 @@ fn turning(
     let found = shaft.frequencies_at(speed).map_err(whirl_solver::Error::from)?;
     let of_speed = format!("  with all that it carries, turning at {} rpm", rpm(speed));
     let Some(found) = found else {
-        line!(text, "{of_speed}: unstable with its retained nodes held");
+        line!(text, "{of_speed}: beyond a critical speed of the body with its retained nodes held");
         return Ok(());
     };
     let at_rest = shaft.frequencies_at(0.0).map_err(whirl_solver::Error::from)?;
