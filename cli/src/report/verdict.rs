@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use whirl_solver::bearing::{Measure, Worst};
-use whirl_solver::dynamics::{Finding, Outcome, findings};
+use whirl_solver::dynamics::{Finding, MovingPart, Outcome, findings};
 use whirl_solver::machine::Machine;
 
 use crate::case::SupportName;
@@ -51,7 +51,7 @@ impl VerdictFacts {
         let quality = &outcome.quality;
         let of_run = diverged.into_iter().map(FindingFacts::diverged);
         let of_steps = findings(quality, &outcome.energy, time_step).into_iter();
-        let of_steps = of_steps.map(|finding| FindingFacts::of_steps(finding, places));
+        let of_steps = of_steps.map(|finding| FindingFacts::of_steps(finding, (machine, places)));
         let measures = machine.springs.measures().iter().zip(&outcome.worst);
         let of_laws = measures.filter_map(|(measure, worst)| {
             let Worst { value, time } = (*worst)?;
@@ -89,10 +89,15 @@ impl VerdictFacts {
 }
 
 impl FindingFacts {
-    fn of_steps(finding: Finding, places: &[SupportName]) -> Self {
-        let Finding { what, bearing, value, limit, unit, remedy } = finding;
+    fn of_steps(finding: Finding, (machine, places): (&Machine, &[SupportName])) -> Self {
+        let Finding { what, bearing, part, value, limit, unit, remedy } = finding;
         let place = bearing.map(|bearing| format!(" (at {})", named(places, bearing)));
-        let what = what + &place.unwrap_or_default();
+        let part = part.map(|MovingPart { body, turns }| {
+            let (rotation, name) =
+                (if turns { "rotation of " } else { "" }, machine.bodies[body].name());
+            format!(" ({rotation}{name})")
+        });
+        let what = what + &place.or(part).unwrap_or_default();
         FindingFacts { what, value, limit, unit, remedy }
     }
 

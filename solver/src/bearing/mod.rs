@@ -183,4 +183,11 @@ impl Springs {
         let mut forces = law.forces.iter().map(|&place| &law.kind.forces[place]);
         forces.any(|force| force.radius || force.unit != "N")
     }
+
+    /// Whether the law of a plane gives a moment by the angle between both sides.
+    pub(crate) fn may_twist(&self, plane: usize) -> bool {
+        let law = &self.laws[self.planes[plane].law].bound;
+        let angle = law.inputs.iter().any(|&place| law.kind.inputs[place].name == "theta");
+        angle && self.gives_torque(plane)
+    }
 }

@@ -2,11 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::histogram::Histogram;
+use super::modes::MachineModes;
 use super::newmark::{Coefficients, Newmark, State};
+use super::parts::{Part, Parts, largest_sensible};
 use super::system::System;
 use super::windows::Windows;
 use crate::error::Error;
-use crate::linalg::{Cholesky, Matrix, generalised_symmetric_eigen};
+use crate::linalg::Cholesky;
 
 /// What the steps of a march were worth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -20,14 +23,25 @@ pub struct Quality {
     pub energy_made: f64,
     /// Energy that flowed into that bearing and out of it, summed without sign (J).
     pub energy_flowed: f64,
-    /// Local error of a step that 95 % of the steps stay below, as a fraction of the largest displacement, in
-    /// the modes that the step resolves (ωΔt < 1), all in the norm of the mass matrix.
+    /// Local error of a step that 95 % of the steps stay below, in the modes that the step resolves (ωΔt < 1), of
+    /// the part of the machine where it is the largest fraction of the largest displacement of the part. A part is the
+    /// deformation and the motion of a body, in the norm of its mass matrix, or a rotation that joints hold.
     pub local_error: f64,
-    /// The largest local error: of the first 128 steps and of one in 32 after.
+    /// The part where it is that.
+    pub local_error_of: Option<MovingPart>,
+    /// The largest local error of any part: of the first 128 steps and of one in 32 after.
     pub largest_local_error: f64,
-    /// Motion in a step, in modes that the step does not resolve (ωΔt ≥ 1), that 95 % of the steps stay below, as
-    /// a fraction of the largest displacement.
+    /// Motion in a step, in modes that the step does not resolve (ωΔt ≥ 1), that 95 % of the steps stay below, of the
+    /// part where it is the largest fraction of the largest displacement of the part.
     pub unresolved_motion: f64,
+    /// The part where it is that.
+    pub unresolved_motion_of: Option<MovingPart>,
+    /// The largest displacement of a body, root mean square over its mass (m), and the body.
+    pub largest_displacement: f64,
+    /// The body where it is that.
+    pub farthest: Option<usize>,
+    /// The largest displacement that can be meant (m).
+    pub sensible_displacement: f64,
     /// Largest residual of a row over what it may have; see `System::row_error`.
     pub row_error: f64,
     /// A step that resolves the machine with the springs as they were when most energy was made (s):
@@ -38,6 +52,15 @@ pub struct Quality {
     pub(crate) mode_step: Option<f64>,
 }
 
+/// A part of a machine whose steps are judged by themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MovingPart {
+    /// The body, by its place in the machine.
+    pub body: usize,
+    /// Whether it is the rotation of the body, not its deformation and motion.
+    pub turns: bool,
+}
+
 /// √λ Δt that counts as resolved, for [`Quality::resolving_step`].
 const RESOLVED: f64 = 0.3;
 
@@ -46,21 +69,45 @@ const RESOLVED: f64 = 0.3;
 const SAMPLED: u64 = 32;
 const ALL_SAMPLED: u64 = 128;
 
+/// A part whose largest displacement is a smaller fraction of that of any part is measured by that fraction: what hardly
+/// moves is of no account.
+const SMALLEST: f64 = 1e-3;
+
 /// What is carried from step to step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct QualitySums {
     steps: u64,
-    errors: Histogram,
-    largest_error: f64,
-    /// Largest displacement in resolved modes, and in the others.
-    amplitude: f64,
-    unresolved_amplitude: f64,
-    /// Motion in a step in modes that are not resolved.
-    motions: Histogram,
+    parts: Vec<PartSums>,
     row_error: f64,
     /// Most energy made by a step, and the ends of that step.
     most_made: f64,
     worst: [(f64, State); 2],
+}
+
+/// What is carried of a part (m).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct PartSums {
+    errors: Histogram,
+    largest_error: f64,
+    /// Largest displacement in resolved modes, in the others, and in all directions.
+    amplitude: f64,
+    unresolved_amplitude: f64,
+    displacement: f64,
+    /// Motion in a step in modes that are not resolved.
+    motions: Histogram,
+}
+
+impl PartSums {
+    fn new() -> Self {
+        PartSums {
+            errors: Histogram::new(),
+            largest_error: 0.0,
+            amplitude: 0.0,
+            unresolved_amplitude: 0.0,
+            displacement: 0.0,
+            motions: Histogram::new(),
+        }
+    }
 }
 
 /// Measures steps.
@@ -68,6 +115,11 @@ pub(crate) struct QualityMeter {
     pub(crate) sums: QualitySums,
     beta: f64,
     modes: MachineModes,
+    parts: Parts,
+    /// A motion of the unknowns, what was before it, and what of it is in some modes.
+    motion: Vec<f64>,
+    before: Vec<f64>,
+    within: Vec<f64>,
 }
 
 impl QualityMeter {
@@ -81,19 +133,61 @@ impl QualityMeter {
         dt: f64,
         state: &State,
     ) -> Result<Self, Error> {
-        let mut modes = MachineModes::new(system, dt, state)?;
+        let modes = MachineModes::new(system, dt, state)?;
+        let parts = Parts::new(system);
         let sums = QualitySums {
             steps: 0,
-            errors: Histogram::new(),
-            largest_error: 0.0,
-            amplitude: modes.resolved.norm(&state.q),
-            unresolved_amplitude: modes.unresolved.norm(&state.q),
-            motions: Histogram::new(),
+            parts: parts.all.iter().map(|_| PartSums::new()).collect(),
             row_error: 0.0,
             most_made: 0.0,
             worst: [(0.0, state.clone()), (0.0, state.clone())],
         };
-        Ok(QualityMeter { sums, beta: method.beta, modes })
+        let values = || vec![0.0; system.machine.active()];
+        let (motion, before, within) = (values(), values(), values());
+        let beta = method.beta;
+        let mut meter = QualityMeter { sums, beta, modes, parts, motion, before, within };
+        meter.add_displacement(state);
+        Ok(meter)
+    }
+
+    /// Adds the displacement of a state to the largest.
+    fn add_displacement(&mut self, state: &State) {
+        let QualityMeter { sums, modes, parts, motion, within, .. } = self;
+        parts.displacement(state, motion);
+        let mut each = |x: &[f64], largest: fn(&mut PartSums) -> &mut f64| {
+            for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
+                let largest = largest(sums);
+                *largest = larger(*largest, part.measure(x));
+            }
+        };
+        each(motion, |sums| &mut sums.displacement);
+        modes.resolved.part(motion, within);
+        each(within, |sums| &mut sums.amplitude);
+        modes.unresolved.part(motion, within);
+        each(within, |sums| &mut sums.unresolved_amplitude);
+    }
+
+    /// Adds the error of a step of `dt` s, and its motion in modes that are not resolved.
+    fn add_step(&mut self, dt: f64, start: &State, end: &State) {
+        let QualityMeter { sums, modes, parts, motion, before, within, beta } = self;
+        // Zienkiewicz and Xie (1991): (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
+        let factor = (*beta - 1.0 / 6.0).abs() * dt * dt;
+        let first = end.a.len() - motion.len();
+        let ends = end.a[first..].iter().zip(&start.a[first..]);
+        motion.iter_mut().zip(ends).for_each(|(out, (end, start))| *out = end - start);
+        modes.resolved.part(motion, within);
+        for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
+            let error = factor * part.measure(within);
+            sums.errors.add(error);
+            sums.largest_error = larger(sums.largest_error, error);
+        }
+        parts.displacement(end, motion);
+        parts.displacement(start, before);
+        motion.iter_mut().zip(&*before).for_each(|(out, before)| *out -= before);
+        modes.unresolved.part(motion, within);
+        for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
+            sums.motions.add(part.measure(within));
+        }
     }
 
     /// Adds a step of `dt` s from `start` at time `t` (s) to `end`.
@@ -105,18 +199,12 @@ impl QualityMeter {
         made: f64,
         row_error: f64,
     ) {
-        let (sums, modes) = (&mut self.sums, &mut self.modes);
-        if sums.steps < ALL_SAMPLED || scattered(sums.steps).is_multiple_of(SAMPLED) {
-            // Zienkiewicz and Xie (1991): (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
-            let factor = (self.beta - 1.0 / 6.0).abs() * dt * dt;
-            let error = factor * modes.resolved.norm_of_change(&start.a, &end.a);
-            sums.errors.add(error);
-            sums.largest_error = sums.largest_error.max(error);
-            sums.amplitude = sums.amplitude.max(modes.resolved.norm(&end.q));
-            let unresolved = &mut modes.unresolved;
-            sums.motions.add(unresolved.norm_of_motion(&start.q, &end.q));
-            sums.unresolved_amplitude = sums.unresolved_amplitude.max(unresolved.norm(&end.q));
+        let steps = self.sums.steps;
+        if steps < ALL_SAMPLED || scattered(steps).is_multiple_of(SAMPLED) {
+            self.add_step(dt, start, end);
+            self.add_displacement(end);
         }
+        let sums = &mut self.sums;
         sums.steps += 1;
         sums.row_error = sums.row_error.max(row_error);
         if made > sums.most_made {
@@ -131,8 +219,6 @@ impl QualityMeter {
     /// What the steps so far were worth; an energy below `negligible` (J) counts as that.
     pub(crate) fn quality(&self, system: &mut System, flows: &Windows, negligible: f64) -> Quality {
         let sums = &self.sums;
-        let fraction =
-            |error: f64, amplitude: f64| if error == 0.0 { 0.0 } else { error / amplitude };
         let worst = sums.worst.iter().filter(|_| sums.most_made > 0.0);
         let eigenvalues = worst.filter_map(|(t, state)| {
             let value = largest_eigenvalue(system, *t, state);
@@ -146,21 +232,52 @@ impl QualityMeter {
         let worst =
             fractions.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, fraction)| *fraction != 0.0);
         let flow = worst.map(|(bearing, _)| flows.whole(bearing)).unwrap_or_default();
-        let all = sums.amplitude.hypot(sums.unresolved_amplitude);
+        let all = |sums: &PartSums| sums.amplitude.hypot(sums.unresolved_amplitude);
+        let least = SMALLEST * sums.parts.iter().map(all).fold(0.0, larger);
+        // The largest fraction of what moves, and the part where it is.
+        let judge = |of: &dyn Fn(&PartSums) -> f64| {
+            let parts = sums.parts.iter().zip(&self.parts.all);
+            let judged = parts.map(|(sums, part)| {
+                let (value, amplitude) = (of(sums), larger(all(sums), least));
+                (if value == 0.0 { 0.0 } else { value / amplitude }, part)
+            });
+            judged.fold((0.0, None), |worst: (f64, Option<MovingPart>), (value, part)| {
+                if value <= worst.0 || worst.0.is_nan() {
+                    return worst;
+                }
+                (value, Some(MovingPart { body: part.body, turns: part.turns() }))
+            })
+        };
+        // Classes round up.
+        let (local_error, local_error_of) =
+            judge(&|sums| sums.errors.below(0.95).min(sums.largest_error));
+        let (unresolved_motion, unresolved_motion_of) = judge(&|sums| sums.motions.below(0.95));
+        let bodies = sums.parts.iter().zip(&self.parts.all).filter(|(_, part)| !part.turns());
+        let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
+        let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
         Quality {
             energy_made_share: worst.map_or(0.0, |(_, fraction)| fraction),
             bearing: worst.map(|(bearing, _)| bearing),
             energy_made: flow.made,
             energy_flowed: flow.flowed,
-            // Classes round up.
-            local_error: fraction(sums.errors.below(0.95).min(sums.largest_error), sums.amplitude),
-            largest_local_error: fraction(sums.largest_error, sums.amplitude),
-            unresolved_motion: fraction(sums.motions.below(0.95), all),
+            local_error,
+            local_error_of,
+            largest_local_error: judge(&|sums| sums.largest_error).0,
+            unresolved_motion,
+            unresolved_motion_of,
+            largest_displacement: displacement,
+            farthest: farthest.map(|(_, part): (_, &Part)| part.body),
+            sensible_displacement: largest_sensible(system.machine),
             row_error: sums.row_error,
             resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
             mode_step: self.modes.fastest.map(|omega| RESOLVED / omega),
         }
     }
+}
+
+/// The larger of two; what is no number is larger than any, and stays it.
+fn larger(a: f64, b: f64) -> f64 {
+    if b <= a || a.is_nan() { a } else { b }
 }
 
 /// A number for each step in which no order is to be seen (the finish of splitmix64).
@@ -169,94 +286,6 @@ fn scattered(step: u64) -> u64 {
     hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     hash ^ (hash >> 31)
-}
-
-/// The modes of the machine at rest, springs as they are at the start. Every θ takes part: it and its flexible body
-/// accelerate against each other. Motions of more than 6000 steps a period are left out, so that a body that
-/// turns is not measured by its angle.
-struct MachineModes {
-    /// ωΔt < 1.
-    resolved: Projection,
-    unresolved: Projection,
-    /// ω of the fastest, if the step does not resolve it (rad/s).
-    fastest: Option<f64>,
-}
-
-impl MachineModes {
-    /// At a state that was just evaluated.
-    fn new(system: &mut System, dt: f64, state: &State) -> Result<Self, Error> {
-        let machine = system.machine;
-        let (size, first) = (machine.size(), machine.first_unknown());
-        let mut tangent = vec![0.0; size * size];
-        system.tangent(system.time, state, &Coefficients::at_rest(), &mut tangent);
-        let unknowns: Vec<usize> = (first..size).collect();
-        let whole = Matrix { rows: size, cols: size, data: tangent };
-        let stiffness = whole.select(&unknowns, &unknowns).symmetric_part();
-        let mass = system.mass(state).select(&unknowns, &unknowns);
-        let eigen = generalised_symmetric_eigen(&stiffness, &mass)?;
-        let all: Vec<usize> = (0..size - first).collect();
-        let project = |within: &dyn Fn(f64) -> bool| {
-            let modes = all.iter().filter(|&&i| within(eigen.values[i] * dt * dt));
-            let modes: Vec<usize> = modes.copied().collect();
-            let vectors = eigen.vectors.select(&all, &modes);
-            let rows = crate::linalg::multiply(mass.view(), vectors.view());
-            let angles = machine.rotations() - first;
-            Projection { first, angles, rows, change: vec![0.0; size - first] }
-        };
-        let fastest = eigen.values.iter().copied().fold(0.0, f64::max);
-        Ok(MachineModes {
-            resolved: project(&|square| (1e-6..1.0).contains(&square)),
-            unresolved: project(&|square| square >= 1.0),
-            fastest: (fastest * dt * dt >= 1.0).then(|| fastest.sqrt()),
-        })
-    }
-}
-
-/// The part of a motion in some modes, in the norm of M.
-struct Projection {
-    /// Place of the first unknown, and how many angles are unknown; they are the first.
-    first: usize,
-    angles: usize,
-    /// Unknowns × modes.
-    rows: Matrix,
-    change: Vec<f64>,
-}
-
-impl Projection {
-    /// The norm of a displacement. An angle alone is none: it is orthogonal to all modes.
-    fn norm(&mut self, x: &[f64]) -> f64 {
-        self.change.copy_from_slice(&x[self.first..]);
-        self.norm_without_angle()
-    }
-
-    /// The norm of the difference of two displacements.
-    fn norm_of_motion(&mut self, before: &[f64], after: &[f64]) -> f64 {
-        self.subtract(before, after);
-        self.norm_without_angle()
-    }
-
-    fn norm_of_change(&mut self, before: &[f64], after: &[f64]) -> f64 {
-        self.subtract(before, after);
-        norm(&self.rows, &self.change)
-    }
-
-    fn subtract(&mut self, before: &[f64], after: &[f64]) {
-        let pairs = before[self.first..].iter().zip(&after[self.first..]);
-        self.change.iter_mut().zip(pairs).for_each(|(out, (a, b))| *out = b - a);
-    }
-
-    fn norm_without_angle(&mut self) -> f64 {
-        self.change[..self.angles].fill(0.0);
-        norm(&self.rows, &self.change)
-    }
-}
-
-fn norm(rows: &Matrix, x: &[f64]) -> f64 {
-    let square = |k| {
-        let part = whirl_specs::vector::dot(rows.col(k), x);
-        part * part
-    };
-    (0..rows.cols).map(square).sum::<f64>().sqrt()
 }
 
 /// The largest eigenvalue of M⁻¹K of the unknowns at a state, K = −∂r/∂q with all its springs, by the power
@@ -297,83 +326,12 @@ fn largest_eigenvalue(system: &mut System, t: f64, state: &State) -> f64 {
     value
 }
 
-/// Counts of values by their size, fifty classes a decade from 1e-320 to 1e320.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct Histogram {
-    zeros: u64,
-    counts: Vec<u64>,
-}
-
-impl Histogram {
-    const CLASSES: f64 = 50.0;
-    const DECADES: f64 = 320.0;
-
-    fn new() -> Self {
-        let classes = (2.0 * Self::DECADES * Self::CLASSES) as usize;
-        Histogram { zeros: 0, counts: vec![0; classes] }
-    }
-
-    /// What is no number counts as the largest.
-    fn add(&mut self, value: f64) {
-        let class = (value.log10() + Self::DECADES) * Self::CLASSES;
-        let last = self.counts.len() - 1;
-        match class {
-            _ if class.is_nan() || class >= last as f64 => self.counts[last] += 1,
-            _ if class < 0.0 => self.zeros += 1,
-            _ => self.counts[class as usize] += 1,
-        }
-    }
-
-    /// What a fraction of the values stays below, to 1/50 decade.
-    fn below(&self, fraction: f64) -> f64 {
-        let total = self.zeros + self.counts.iter().sum::<u64>();
-        let mut left = (fraction * total as f64).ceil() as u64;
-        if left <= self.zeros {
-            return 0.0;
-        }
-        left -= self.zeros;
-        for (class, count) in self.counts.iter().enumerate() {
-            if left <= *count {
-                return 10.0_f64.powf((class + 1) as f64 / Self::CLASSES - Self::DECADES);
-            }
-            left -= count;
-        }
-        0.0
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::small::machine;
     use super::*;
+    use crate::linalg::Matrix;
     use crate::machine::{Body, Machine, MachineParts, Rotation};
-
-    #[test]
-    fn a_fraction_of_the_values_is_found_to_a_fiftieth_of_a_decade() {
-        let mut histogram = Histogram::new();
-        // In an order that makes classes at both ends, and with zeros.
-        for i in 0..1000_u32 {
-            let place = (i * 617) % 1000;
-            histogram.add(if place < 100 { 0.0 } else { 1e-12 * f64::from(place) });
-        }
-        for fraction in [0.05, 0.5, 0.95, 1.0] {
-            let exact: f64 = 1e-12 * (1000.0 * fraction - 1.0);
-            let exact = if fraction < 0.1 { 0.0 } else { exact };
-            let found = histogram.below(fraction);
-            let wide = 10.0_f64.powf(1.0 / Histogram::CLASSES);
-            assert!(found >= exact && found <= exact * wide * wide, "{found} for {exact}");
-        }
-    }
-
-    #[test]
-    fn values_of_any_size_are_counted() {
-        for value in [1e-300, 1.0, 1e300_f64] {
-            let mut histogram = Histogram::new();
-            histogram.add(value);
-            let found = histogram.below(1.0);
-            assert!(found >= value && found <= value * 1.1, "{found} for {value}");
-        }
-    }
 
     /// The small machine without springs and loads.
     fn without_springs(rotation: Rotation) -> Machine {

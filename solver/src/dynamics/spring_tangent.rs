@@ -54,6 +54,11 @@ impl SpringTangent {
         }
     }
 
+    /// ∂M/∂θ of a plane, of its moment and its angle, at the state of the tangent that was last evaluated.
+    pub(super) fn by_angle(&self, plane: usize) -> f64 {
+        self.planes[plane].ring_ring[0][0]
+    }
+
     /// Subtracts B + a1 P from a matrix of `size` rows, column after column.
     pub(super) fn subtract(
         &mut self,

@@ -137,6 +137,11 @@ impl<'m> System<'m> {
         }
     }
 
+    /// ∂M/∂θ of a plane of springs, as [`System::tangent`] had it last with a1 = 0.
+    pub(super) fn torsion(&self, plane: usize) -> f64 {
+        self.spring_tangent.by_angle(plane)
+    }
+
     /// The diagonal of a2 M + a1 C + K, undeformed.
     pub(super) fn diagonal(&self, step: &Coefficients) -> Vec<f64> {
         let mut diagonal = vec![0.0; self.machine.size()];

@@ -1,7 +1,7 @@
 //! What the program itself believes of a run.
 
 use super::energy::EnergyBalance;
-use super::quality::Quality;
+use super::quality::{MovingPart, Quality};
 
 /// Something that was measured and is beyond its limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,6 +10,8 @@ pub struct Finding {
     pub what: String,
     /// The bearing or stop where it was, counted from 0, if it was at one.
     pub bearing: Option<usize>,
+    /// The part of the machine where it was, if it was in one.
+    pub part: Option<MovingPart>,
     /// How much it is, in `unit`.
     pub value: f64,
     /// How much it may be.
@@ -23,10 +25,10 @@ pub struct Finding {
 /// Energy made by steps, as a fraction of what flowed. A linear contact of frequency ω that is met in the middle
 /// of a step makes (ωΔt)²/6 of the energy that it takes: at 5 % it lasts six steps.
 const ENERGY_MADE: f64 = 0.05;
-/// Local error of a step as a fraction of the largest displacement. In motion at ω it is (ωΔt)³/12, and the period
+/// Local error of a step as a fraction of the largest displacement of the body. In motion at ω it is (ωΔt)³/12, and the period
 /// is wrong by (ωΔt)²/12: 1 % at this limit.
 const LOCAL_ERROR: f64 = 3.5e-3;
-/// Motion in a step in modes with ωΔt ≥ 1, as a fraction of the largest displacement. A mode that rings with the
+/// Motion in a step in modes with ωΔt ≥ 1, as a fraction of the largest displacement of the body. A mode that rings with the
 /// fraction s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
 const UNRESOLVED_MOTION: f64 = 0.3;
 /// What does not balance, as a fraction of the energy in play: the limit of what steps may make at the bearings.
@@ -44,14 +46,14 @@ pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Ve
     let measured = [
         (
             "energy made or lost by the steps, as a fraction of what flowed",
-            quality.bearing,
+            (quality.bearing, None),
             quality.energy_made_share,
             ENERGY_MADE,
             made,
         ),
         (
             "local error that one step in twenty exceeds, as a fraction of the largest displacement",
-            None,
+            (None, quality.local_error_of),
             quality.local_error,
             LOCAL_ERROR,
             follow(quality.local_error),
@@ -59,14 +61,14 @@ pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Ve
         (
             "motion in one step, in modes faster than the step, that one step in twenty exceeds, as a fraction of \
              the largest displacement",
-            None,
+            (None, quality.unresolved_motion_of),
             quality.unresolved_motion,
             UNRESOLVED_MOTION,
             resolved,
         ),
         (
             "error of the energy balance, as a fraction of the energy in play",
-            None,
+            (None, None),
             energy.error_fraction(),
             ENERGY_ERROR,
             0.5 * time_step,
@@ -76,16 +78,36 @@ pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Ve
         // A measure that is no number is beyond every limit.
         !value.is_finite() || value > limit
     });
-    let finding =
-        |(what, bearing, value, limit, step): (&str, Option<usize>, f64, f64, f64)| Finding {
-            what: what.to_owned(),
-            bearing,
-            value,
-            limit,
-            unit: "1".to_owned(),
-            remedy: shorter(step),
-        };
-    found.map(finding).collect()
+    type Measured = (&'static str, (Option<usize>, Option<MovingPart>), f64, f64, f64);
+    let finding = |(what, (bearing, part), value, limit, step): Measured| Finding {
+        what: what.to_owned(),
+        bearing,
+        part,
+        value,
+        limit,
+        unit: "1".to_owned(),
+        remedy: shorter(step),
+    };
+    let too_far = runaway(quality).into_iter();
+    too_far.chain(found.map(finding)).collect()
+}
+
+/// Whether a body left the machine.
+fn runaway(quality: &Quality) -> Option<Finding> {
+    let (value, limit) = (quality.largest_displacement, quality.sensible_displacement);
+    // What is no number is too far.
+    (!(value <= limit)).then(|| Finding {
+        what: "displacement, which is larger than the machine".to_owned(),
+        bearing: None,
+        part: quality.farthest.map(|body| MovingPart { body, turns: false }),
+        value,
+        limit,
+        unit: "m".to_owned(),
+        remedy:
+            "look for a stiffness or damping that is negative or missing at this body, and for \
+                 a load that nothing holds"
+                .to_owned(),
+    })
 }
 
 /// The remedy of a shorter step, in two digits rounded down.
@@ -105,8 +127,13 @@ mod tests {
         energy_made: 0.05,
         energy_flowed: 1.0,
         local_error: LOCAL_ERROR,
+        local_error_of: Some(MovingPart { body: 2, turns: true }),
         largest_local_error: 1.0,
         unresolved_motion: UNRESOLVED_MOTION,
+        unresolved_motion_of: Some(MovingPart { body: 1, turns: false }),
+        largest_displacement: 1.5,
+        farthest: Some(1),
+        sensible_displacement: 1.5,
         row_error: 1.0,
         resolving_step: Some(1e-9),
         mode_step: Some(1e-9),
@@ -152,6 +179,14 @@ mod tests {
         }
         let unbalanced = findings(&SOUND, &balance(-0.051), 2.36e-3);
         assert_eq!((unbalanced.len(), &unbalanced[0].remedy), (1, &set("1.1e-3")));
+    }
+
+    #[test]
+    fn a_body_that_leaves_the_machine_is_not_sound() {
+        let found = found(Quality { largest_displacement: 1.6, ..SOUND });
+        assert_eq!(found.part, Some(MovingPart { body: 1, turns: false }));
+        assert_eq!((found.value, found.limit, found.unit.as_str()), (1.6, 1.5, "m"));
+        assert!(found.remedy.contains("negative or missing"), "{}", found.remedy);
     }
 
     #[test]

@@ -1,0 +1,203 @@
+//! The parts of a machine, each of which is judged by itself: every body by its root mean square displacement, and every
+//! rotation that joints hold elastically.
+
+use std::ops::Range;
+
+use super::newmark::State;
+use super::system::System;
+use crate::linalg::{Matrix, dot};
+use crate::machine::{Body, Machine};
+
+/// A part of a machine, and how its motion is measured (m).
+pub(super) struct Part {
+    /// Its body.
+    pub(super) body: usize,
+    place: Range<usize>,
+    weight: Weight,
+}
+
+enum Weight {
+    /// √(J0/m) of an angle (m).
+    Angle(f64),
+    /// The mass matrix and the mass.
+    Mass(Matrix, f64),
+    /// The mass, where the mass matrix is the identity.
+    Identity(f64),
+}
+
+impl Part {
+    /// Whether it is the rotation of its body.
+    pub(super) fn turns(&self) -> bool {
+        matches!(self.weight, Weight::Angle(_))
+    }
+
+    /// The size of a motion, over the unknowns (m).
+    pub(super) fn measure(&self, x: &[f64]) -> f64 {
+        let x = &x[self.place.clone()];
+        match &self.weight {
+            Weight::Angle(radius) => x[0].abs() * radius,
+            Weight::Mass(matrix, mass) => {
+                let columns = x.iter().enumerate();
+                let square: f64 = columns.map(|(j, x_j)| x_j * dot(matrix.col(j), x)).sum();
+                // Rounding may leave a little less than nothing; what is no number stays that.
+                (if square < 0.0 { 0.0 } else { square } / mass).sqrt()
+            }
+            Weight::Identity(mass) => (dot(x, x) / mass).sqrt(),
+        }
+    }
+}
+
+/// The parts of a machine, and what their angles are counted from.
+pub(super) struct Parts {
+    first: usize,
+    pub(super) all: Vec<Part>,
+    groups: Vec<Group>,
+}
+
+/// Rotations that joints couple elastically.
+struct Group {
+    /// Places in q, with J0.
+    members: Vec<(usize, f64)>,
+    from: From,
+}
+
+/// What the angles of a group are counted from: they grow without bound where nothing holds them.
+enum From {
+    /// Nothing: a spring ties the group to what stands.
+    Ground,
+    /// A rotation that is given, at a place of q.
+    Given(usize),
+    /// Their own mean, weighted by inertia.
+    Mean,
+}
+
+impl Parts {
+    /// Of a machine whose tangent was just evaluated at rest.
+    pub(super) fn new(system: &System) -> Self {
+        let machine = system.machine;
+        let first = machine.first_unknown();
+        let groups = groups(system);
+        let mut all = Vec::new();
+        for (number, (body, place)) in machine.bodies.iter().zip(machine.places()).enumerate() {
+            let within = place.flexible.start - first..place.flexible.end - first;
+            let known = Some(body.centre_of_mass().mass).filter(|mass| *mass > 0.0);
+            let weight = match body {
+                Body::Turning { shaft, .. } => {
+                    let trace = (0..shaft.size()).map(|j| shaft.mass[(j, j)]).sum::<f64>();
+                    let mass = known.unwrap_or(trace / shaft.size().max(1) as f64);
+                    let held = place.rotation.filter(|&theta| {
+                        let mut groups = groups.iter();
+                        groups.any(|group| group.judges() && group.has(theta))
+                    });
+                    if let Some(theta) = held.filter(|_| mass > 0.0) {
+                        let weight = Weight::Angle((shaft.j0 / mass).sqrt());
+                        let place = theta - first..theta - first + 1;
+                        all.push(Part { body: number, place, weight });
+                    }
+                    Weight::Mass(shaft.mass.clone(), mass)
+                }
+                Body::Standing { .. } => Weight::Identity(known.unwrap_or(1.0)),
+            };
+            if !within.is_empty() {
+                all.push(Part { body: number, place: within, weight });
+            }
+        }
+        Parts { first, all, groups }
+    }
+
+    /// Writes the displacement of the unknowns in a state, angles counted as their groups have it.
+    pub(super) fn displacement(&self, state: &State, out: &mut [f64]) {
+        out.copy_from_slice(&state.q[self.first..]);
+        for group in &self.groups {
+            let from = group.zero(&state.q);
+            group.members.iter().for_each(|(place, _)| out[place - self.first] -= from);
+        }
+    }
+}
+
+impl Group {
+    fn has(&self, theta: usize) -> bool {
+        self.members.iter().any(|(place, _)| *place == theta)
+    }
+
+    /// Whether its angles say anything: a body that turns freely by itself has none.
+    fn judges(&self) -> bool {
+        !matches!(self.from, From::Mean) || self.members.len() > 1
+    }
+
+    fn zero(&self, q: &[f64]) -> f64 {
+        match self.from {
+            From::Ground => 0.0,
+            From::Given(place) => q[place],
+            From::Mean => {
+                let inertia: f64 = self.members.iter().map(|(_, inertia)| inertia).sum();
+                let weighed = self.members.iter().map(|(place, inertia)| inertia * q[*place]);
+                weighed.sum::<f64>() / inertia
+            }
+        }
+    }
+}
+
+/// The rotations that are unknown, in groups.
+fn groups(system: &System) -> Vec<Group> {
+    let machine = system.machine;
+    let (first, rotations) = (machine.first_unknown(), machine.rotations());
+    // The sides of the planes whose law twists them, as places in q: two, or one against what stands.
+    let planes = machine.springs.planes.iter().enumerate();
+    let twisting = planes
+        .filter(|(place, _)| machine.springs.may_twist(*place) && system.torsion(*place) != 0.0);
+    let sides = twisting.map(|(_, plane)| {
+        let places = plane.rows[0].iter().map(|(place, _)| *place);
+        places.filter(|&place| place < rotations).collect()
+    });
+    let sides: Vec<Vec<usize>> = sides.collect();
+    // Each rotation with the group that it is in, by the smallest place there.
+    let mut group: Vec<usize> = (0..rotations).collect();
+    let (mut ground, mut given) = (Vec::new(), Vec::new());
+    for own in &sides {
+        match own[..] {
+            [only] => ground.push(only),
+            // Rotations that are given couple no others.
+            [a, b] if a.min(b) < first => given.push((a.max(b), a.min(b))),
+            [a, b] => {
+                let (least, other) = (group[a].min(group[b]), group[a].max(group[b]));
+                group.iter_mut().filter(|own| **own == other).for_each(|own| *own = least);
+            }
+            _ => {}
+        }
+    }
+    let names = (first..rotations).filter(|&place| group[place] == place);
+    names
+        .map(|name| {
+            let places = (first..rotations).filter(|&place| group[place] == name);
+            let mut tied = given.iter().filter(|(own, _)| group[*own] == name);
+            let from = match (places.clone().any(|place| ground.contains(&place)), tied.next()) {
+                (true, _) => From::Ground,
+                (false, Some(&(_, place))) => From::Given(place),
+                (false, None) => From::Mean,
+            };
+            let members = places.map(|place| (place, inertia(machine, place))).collect();
+            Group { members, from }
+        })
+        .collect()
+}
+
+/// J0 of the body of a rotation.
+fn inertia(machine: &Machine, place: usize) -> f64 {
+    machine.bodies[machine.owner(place).body].shaft().map_or(0.0, |shaft| shaft.j0)
+}
+
+/// The largest displacement that can be meant (m): the diagonal of the box of its points and at least 1 m; 1 km
+/// where all its points are one.
+pub(super) fn largest_sensible(machine: &Machine) -> f64 {
+    let mut ends = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for node in machine.bodies.iter().flat_map(Body::nodes) {
+        for (axis, x) in node.position.into_iter().enumerate() {
+            ends[0][axis] = ends[0][axis].min(x);
+            ends[1][axis] = ends[1][axis].max(x);
+        }
+    }
+    let extent = (0..3).map(|axis| ends[1][axis] - ends[0][axis]);
+    let diagonal = extent.map(|own| own.max(0.0).powi(2)).sum::<f64>().sqrt();
+    if diagonal > 0.0 { diagonal.max(1.0) } else { 1000.0 }
+}
