@@ -95,8 +95,8 @@ pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Ve
 /// Whether a body left the machine.
 fn runaway(quality: &Quality) -> Option<Finding> {
     let (value, limit) = (quality.largest_displacement, quality.sensible_displacement);
-    // What is no number is too far.
-    (!(value <= limit)).then(|| Finding {
+    let too_far = value.is_nan() || value > limit;
+    too_far.then(|| Finding {
         what: "displacement, which is larger than the machine".to_owned(),
         bearing: None,
         part: quality.farthest.map(|body| MovingPart { body, turns: false }),
