@@ -31,6 +31,14 @@ impl Part {
         matches!(self.weight, Weight::Angle(_))
     }
 
+    /// The most that a displacement of it says of how far the machine moves (m): one radian, as what turns further slips.
+    pub(super) fn most(&self) -> f64 {
+        match self.weight {
+            Weight::Angle(radius) => radius,
+            Weight::Mass(..) | Weight::Identity(_) => f64::INFINITY,
+        }
+    }
+
     /// The size of a motion, over the unknowns (m).
     pub(super) fn measure(&self, x: &[f64]) -> f64 {
         let x = &x[self.place.clone()];

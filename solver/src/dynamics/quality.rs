@@ -233,7 +233,9 @@ impl QualityMeter {
             fractions.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, fraction)| *fraction != 0.0);
         let flow = worst.map(|(bearing, _)| flows.whole(bearing)).unwrap_or_default();
         let all = |sums: &PartSums| sums.amplitude.hypot(sums.unresolved_amplitude);
-        let least = SMALLEST * sums.parts.iter().map(all).fold(0.0, larger);
+        let parts = sums.parts.iter().zip(&self.parts.all);
+        let most = parts.map(|(sums, part)| all(sums).min(part.most())).fold(0.0, larger);
+        let least = SMALLEST * most;
         // The largest fraction of what moves, and the part where it is.
         let judge = |of: &dyn Fn(&PartSums) -> f64| {
             let parts = sums.parts.iter().zip(&self.parts.all);
