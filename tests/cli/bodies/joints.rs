@@ -164,6 +164,64 @@ force = "-100 N"
     assert!((1e-6 * done.last("X_pad_um") / -x - 1.0).abs() < 1e-3, "{}", done.last("X_pad_um"));
 }
 
+/// A bore that does not turn stands about the axis of its body, as one that turns at 0 rpm: the pull of the misalignment
+/// is the same. Without an axis it stands about its journal.
+#[test]
+fn a_bore_that_does_not_turn_stands_about_its_own_axis() {
+    let pull = |ring: &str| {
+        let mounts = ["rotor", "ring"].map(|body| {
+            format!(
+                r#"[joint.{body}_mount]
+kind = "bushing"
+first = {{ body = "{body}" }}
+stiffness = {{ xx = "1e6 N/m", yy = "1e6 N/m" }}
+damping = {{ xx = "1e3 N*s/m", yy = "1e3 N*s/m" }}
+"#
+            )
+        });
+        let case = format!(
+            r#"title = "x"
+[body.rotor]
+turns = "prescribed"
+speed = "3000 rpm"
+mass = "1 kg"
+polar_inertia = "0.01 kg*m^2"
+
+[body.ring]
+{ring}
+mass = "1 kg"
+
+[joint.race]
+kind = "bearing"
+journal = {{ body = "rotor" }}
+bore = {{ body = "ring" }}
+law = "ball-bearing"
+radial_clearance = "20 um"
+
+{}
+[loads.weight]
+body = "rotor"
+force = "-30 N"
+
+{}"#,
+            mounts.concat(),
+            march("2e-5 s", 2000)
+        );
+        let done = run(&case, &[]);
+        ["RX_race_N", "RY_race_N", "EX_race_um"].map(|column| done.last(column))
+    };
+    let axis = "axis = [\"12 um\", \"-9 um\"]\n";
+    let standing = pull(&format!("turns = \"no\"\n{axis}"));
+    let inertia = "polar_inertia = \"1e-4 kg*m^2\"";
+    let held = pull(&format!("turns = \"prescribed\"\nspeed = \"0 rpm\"\n{inertia}\n{axis}"));
+    for (standing, held) in standing.iter().zip(held) {
+        // To the force tolerance of the steps, over 1 N or 1 µm.
+        assert!((standing - held).abs() < 1e-5 * held.abs().max(1.0), "{standing} for {held}");
+    }
+    let about_journal = pull("turns = \"no\"\n");
+    assert!((standing[0] - about_journal[0]).abs() > 1.0, "{standing:?}, {about_journal:?}");
+}
+
 /// A run-up: speed and angle are those that are prescribed.
 #[test]
 fn a_prescribed_rotation_is_the_integral_of_its_speed() {

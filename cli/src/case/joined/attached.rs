@@ -4,7 +4,7 @@
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 
-use super::names;
+use super::{fit, names};
 
 /// What is carried, and where.
 #[derive(Debug, Clone)]
@@ -46,10 +46,14 @@ pub(super) fn read(table: &Table, turns: bool, meshed: bool) -> Vec<Attached> {
     for (name, own) in names::in_order(table, "disc") {
         all.push(own.read(|own| {
             own.demand("z");
+            let mass = own.quantity_or_one("mass");
+            let [polar, transverse] =
+                ["polar_inertia", "transverse_inertia"].map(|key| own.quantity(key));
+            fit::inertias(own, polar, transverse);
             let what = Carried::Disc {
-                mass: own.quantity_or_one("mass"),
-                polar_inertia: own.quantity_or_one("polar_inertia"),
-                transverse_inertia: own.quantity_or_one("transverse_inertia"),
+                mass,
+                polar_inertia: polar.unwrap_or(1.0),
+                transverse_inertia: transverse.unwrap_or(1.0),
             };
             Attached { name, z: own.quantity("z").unwrap_or(0.0), what }
         }));

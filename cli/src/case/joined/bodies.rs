@@ -6,7 +6,7 @@ use whirl_codegen::units::Dimension;
 use whirl_solver::mesh::Material;
 use whirl_specs::Motion;
 
-use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached};
+use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached, fit};
 use crate::case::columns;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
@@ -56,6 +56,7 @@ pub(super) fn read(
     let turns = table.optional_word("turns");
     let turning = turns.and_then(|turns| turning(store, table, turns));
     let axis = table.quantity_pair("axis").unwrap_or_default();
+    let axis_given = table.gives("axis");
     let motion = match table.gives("motion") {
         true => machine::motion(table).map(|motion| (table.written("motion"), motion)),
         false => None,
@@ -89,7 +90,7 @@ pub(super) fn read(
     let name = name.clone();
     let body = form.filter(|_| right).map(|form| {
         let turning = turning.filter(|_| turned);
-        NamedBody { name: name.clone(), turning, axis, form, attached }
+        NamedBody { name: name.clone(), turning, axis, axis_given, form, attached }
     });
     BodyDraft { body: (name, body), motion }
 }
@@ -214,10 +215,13 @@ fn read_rigid(table: &Table, turns: bool) -> RigidBody {
     if table.has("transverse_inertia") {
         table.demand("z");
     }
+    let polar_inertia = if turns { table.quantity("polar_inertia") } else { None };
+    let transverse_inertia = table.quantity("transverse_inertia");
+    fit::inertias(table, polar_inertia, transverse_inertia);
     RigidBody {
         mass: table.quantity_or_one("mass"),
-        polar_inertia: if turns { table.quantity_or_one("polar_inertia") } else { 0.0 },
-        transverse_inertia: table.quantity("transverse_inertia"),
+        polar_inertia: polar_inertia.unwrap_or(if turns { 1.0 } else { 0.0 }),
+        transverse_inertia,
         z: table.quantity("z"),
         stiffness: to_ground("stiffness"),
         damping: to_ground("damping"),

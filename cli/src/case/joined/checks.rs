@@ -4,6 +4,7 @@ use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_specs::Motion;
 
+use super::fit;
 use super::{Drive, Form, JoinedMachine, Joint, JointKind, NamedBody, Side, Turning};
 use crate::case::loads::Acting;
 use crate::case::machine;
@@ -48,6 +49,9 @@ impl Checks<'_, '_> {
     fn joint(&mut self, joint: &Joint) {
         for side in &joint.sides {
             self.side(joint, side);
+        }
+        if let Some((at, message, help)) = fit::axes(self.machine, joint) {
+            self.note(&at, message, help);
         }
         let turns =
             |side: &Side| side.body.is_some_and(|body| self.machine.bodies[body].turning.is_some());

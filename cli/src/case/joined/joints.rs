@@ -8,6 +8,7 @@ use whirl_codegen::rational::nearest;
 use whirl_codegen::spec::law::{Acts, BearingValue};
 use whirl_codegen::units::Quantity;
 
+use super::fit::Room;
 use super::names::{self, GROUND};
 use super::{Joint, JointKind, Side};
 use crate::case::law::{self, NamedLaw};
@@ -38,7 +39,7 @@ pub(super) fn read(
         JointKind::Coupling => coupling(table),
     };
     let of_bearing = matches!(kind, JointKind::Bearing | JointKind::Stop);
-    let rings = |key: &str| if of_bearing { three(table, key) } else { Some([[0.0; 2]; 3]) };
+    let rings = |key: &str| if of_bearing { three(table, key) } else { Some(Vec::new()) };
     let (run_out, offset) = (rings("run_out"), rings("offset"));
     let [Some(journal), Some(bore)] = sides else { return None };
     if journal.body.is_none() {
@@ -60,6 +61,22 @@ pub(super) fn read(
     };
     let planes = [&journal, &bore].into_iter().any(|side| side.sets.len() == 3);
     let rings = if stations.is_empty() { 1 + 2 * usize::from(planes) } else { stations.len() };
+    let (run_out, offset) = (run_out?, offset?);
+    let radius = facts.journal_radius.as_ref().map(nearest);
+    for (key, places) in [("run_out", &run_out), ("offset", &offset)] {
+        if places.len() == 3 && rings == 1 && !planes {
+            let message = format!("this {called} is in one plane, and has one `{key}`");
+            let help = "write one place, or name three `sets` or two `stations` along the joint";
+            table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+        }
+        if let Some(room) = Room::of(kind, angle, clearance, radius) {
+            room.check(table, key, places);
+        }
+    }
+    let [run_out, offset] = [run_out, offset].map(|places| match places.as_slice() {
+        [left, middle, right] => [*left, *middle, *right],
+        places => [places.first().copied().unwrap_or_default(); 3],
+    });
     facts.springs = Some(springs.saturating_mul(rings));
     if springs.saturating_mul(rings) > MOST_SPRINGS {
         let message = format!("this joint has more than {MOST_SPRINGS} springs in all its rings");
@@ -73,7 +90,7 @@ pub(super) fn read(
         springs,
         stations,
         radial_clearance: clearance,
-        journal_radius: facts.journal_radius.as_ref().map(nearest),
+        journal_radius: radius,
         law,
         parameters,
         facts,
@@ -81,7 +98,7 @@ pub(super) fn read(
         places: table.places(),
     };
     let (name, sides) = (name.clone(), [journal, bore]);
-    Some(Joint { name, kind, sides, bearing, angle, run_out: run_out?, offset: offset? })
+    Some(Joint { name, kind, sides, bearing, angle, run_out, offset })
 }
 
 /// One side; the second one is the ground if it is left out.
@@ -269,16 +286,16 @@ fn shipped(table: &Table, name: &str, parameters: Vec<SetParameter>) -> Option<P
     })
 }
 
-/// One place for all rings, or one each.
-fn three(table: &Table, key: &str) -> Option<[[f64; 2]; 3]> {
+/// No place, one for all rings, or one each.
+fn three(table: &Table, key: &str) -> Option<Vec<[f64; 2]>> {
     if !table.has(key) {
-        return Some([[0.0; 2]; 3]);
+        return Some(Vec::new());
     }
-    match table.quantity_pairs(key)?.as_slice() {
-        [one] => Some([*one; 3]),
-        [left, middle, right] => Some([*left, *middle, *right]),
+    let places = table.quantity_pairs(key)?;
+    match places.len() {
+        1 | 3 => Some(places),
         other => {
-            let message = format!("`{key}` has one place, or three, not {}", other.len());
+            let message = format!("`{key}` has one place, or three, not {other}");
             let help = format!(
                 "such as `{key} = [\"0 mm\", \"0.1 mm\"]`, or a list of three of these: left, middle, right"
             );

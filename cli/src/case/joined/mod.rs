@@ -4,6 +4,7 @@
 mod attached;
 mod bodies;
 mod checks;
+mod fit;
 mod forces;
 mod joints;
 pub(super) mod names;
@@ -60,10 +61,20 @@ pub(crate) struct NamedBody {
     pub(crate) turning: Option<Turning>,
     /// x and y of its axis, m.
     pub(crate) axis: [f64; 2],
+    /// Whether the case says so.
+    pub(crate) axis_given: bool,
     /// What it is made of.
     pub(crate) form: Form,
     /// What it carries beside that, if it turns.
     pub(crate) attached: Vec<Attached>,
+}
+
+impl NamedBody {
+    /// Whether its bores stand about its own axis: of all that turn, and of a rigid body whose table gives one. Those of a
+    /// mesh stand where their nodes are, and all others about their journals.
+    pub(crate) fn bores_on_axis(&self) -> bool {
+        self.turning.is_some() || self.axis_given && matches!(self.form, Form::Rigid(_))
+    }
 }
 
 /// How a body turns.

@@ -69,7 +69,14 @@ pub(super) fn place(
     match bore_turns {
         true if coupling => {}
         true => sides.apart = [own[0] - other[0], own[1] - other[1]],
+        false if stands_on_axis(joint, joined) => {
+            sides.bore_axis = other;
+            sides.offset = [[other[0] - own[0], other[1] - own[1]]; 3];
+        }
         false => sides.bore_axis = own,
+    }
+    for (place, own) in joint.offset.iter().enumerate() {
+        sides.offset[place] = [0, 1].map(|axis| sides.offset[place][axis] + own[axis]);
     }
     if coupling {
         for (place, side) in joint.sides.iter().enumerate() {
@@ -102,6 +109,12 @@ pub(super) fn place(
         errors.push(name.error_here(Code::MISSING_KEY, message).help(help));
     }
     Some(PlannedJoint { bearing, sides, journal, bore, z })
+}
+
+/// Whether a bore or a stop that does not turn stands about the axis of its own body.
+fn stands_on_axis(joint: &Joint, joined: &JoinedMachine) -> bool {
+    matches!(joint.kind, JointKind::Bearing | JointKind::Stop)
+        && joint.sides[1].body.is_some_and(|body| joined.bodies[body].bores_on_axis())
 }
 
 /// z of the left end, the middle and the right end.

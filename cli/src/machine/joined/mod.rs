@@ -182,7 +182,7 @@ pub(super) fn assemble(
         bearings.push(Bearing {
             name: format!("{} {}", joint.kind.words().0, joint.name.text()),
             label: Some(format!("_{}", joint.name.text())),
-            sides: Sides { run_out: joint.run_out, offset: joint.offset, ..own.sides.clone() },
+            sides: Sides { run_out: joint.run_out, ..own.sides.clone() },
             journal: own.journal,
             bore: own.bore.clone(),
             clearance: own.bearing.radial_clearance,
