@@ -124,7 +124,30 @@ fn of_joint(joint: &Joint, law: &str) -> String {
         }
         _ => String::new(),
     };
-    format!("{kind} {}: {first} {a}, {second} {b}{clearance}, law {law}", joint.name.text())
+    let values = match joint.kind {
+        JointKind::Bearing | JointKind::Stop => format!("{clearance}, law {law}"),
+        JointKind::Bushing | JointKind::Coupling => values(joint),
+    };
+    format!("{kind} {}: {first} {a}, {second} {b}{values}", joint.name.text())
+}
+
+/// All stiffness and damping of a bushing or a coupling.
+fn values(joint: &Joint) -> String {
+    let units = match joint.kind {
+        JointKind::Coupling => ["N m/rad", "N m s/rad"],
+        _ => ["N/m", "N s/m"],
+    };
+    let of = |letter: &str| {
+        let own = joint.bearing.parameters.iter().filter(|own| own.name().starts_with(letter));
+        let shown = own.map(|own| {
+            let value = rounded(own.value(), 10);
+            let direction = own.name().split_once('_').map_or("", |(_, direction)| direction);
+            let space = if direction.is_empty() { "" } else { " " };
+            format!("{direction}{space}{value:e}")
+        });
+        shown.collect::<Vec<_>>().join(", ")
+    };
+    format!(", stiffness {} {}, damping {} {}", of("k"), units[0], of("c"), units[1])
 }
 
 /// Mass, z of the centre, polar and transverse inertia of a body with what it carries.
@@ -177,11 +200,15 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
             PlannedBody::Meshed(meshed) => {
                 let own = mass_properties(&meshed.mesh)?;
                 let ([x, y, z], second) = (own.centre, own.second_moment);
+                // Rounding of a centre at the origin is none of its places.
+                let size =
+                    meshed.mesh.nodes().iter().fold(0.0, |most: f64, node| most.max(node[2].abs()));
+                let centre = if z.abs() < 1e-9 * size { 0.0 } else { z };
                 // About its axis where it turns, else about its centre, as across it.
                 let polar = second[0][0] + second[1][1]
                     - if body.turning.is_some() { 0.0 } else { own.mass * (x * x + y * y) };
                 let across = second[1][1] + second[2][2] - own.mass * (y * y + z * z);
-                [Some(own.mass), Some(z), Some(polar), Some(across)]
+                [Some(own.mass), Some(centre), Some(polar), Some(across)]
             }
         };
         let [mass, z, polar, transverse] = carrying(&body.attached, [mass, z, polar, transverse]);

@@ -10,6 +10,7 @@ use whirl_codegen::units::Quantity;
 
 use super::fit::Room;
 use super::names::{self, GROUND};
+use super::schema;
 use super::{Joint, JointKind, Side};
 use crate::case::law::{self, NamedLaw};
 use crate::case::library::FileStore;
@@ -24,11 +25,16 @@ pub(super) fn read(
     name: &Located,
     known: &[Located],
 ) -> Option<Joint> {
-    let kind = match table.optional_word("kind")? {
-        "stop" => JointKind::Stop,
-        "bushing" => JointKind::Bushing,
-        "coupling" => JointKind::Coupling,
-        _ => JointKind::Bearing,
+    let kind = match table.optional_word("kind") {
+        Some("stop") => JointKind::Stop,
+        Some("bushing") => JointKind::Bushing,
+        Some("coupling") => JointKind::Coupling,
+        Some(_) => JointKind::Bearing,
+        None => {
+            // Which keys are those of its kind, is open.
+            schema::JOINT.iter().for_each(|key| table.pass_over(key.name));
+            return None;
+        }
     };
     let (called, [first, second]) = kind.words();
     let sides = [side(table, first, known), side(table, second, known)];
@@ -106,6 +112,9 @@ fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
     let second = matches!(key, "bore" | "second");
     if !second && !table.has(key) {
         table.absent(key, &format!("add `{key} = {{ body = \"NAME\" }}`"));
+    }
+    if names::is_text(table, key, |text| format!("{{ body = {text} }}")) {
+        return None;
     }
     let Some(own) = table.optional_table(key) else {
         let place = table.heading().text(GROUND);
@@ -240,7 +249,8 @@ fn bushing(table: &Table) -> Option<Parts> {
                 (place, own.exact_quantity(direction))
             })
         };
-        let given = table.in_table(key, values);
+        let of_text = names::is_text(table, key, |text| format!("{{ xx = {text}, yy = {text} }}"));
+        let given = if of_text { None } else { table.in_table(key, values) };
         right &= table.errors() == before;
         for (place, direction) in DIRECTIONS.iter().enumerate() {
             let (at, value) =
@@ -253,6 +263,7 @@ fn bushing(table: &Table) -> Option<Parts> {
         let help = "add `stiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }`";
         table.absent("stiffness", help);
     }
+    right = right && acts(table, "bushing", &set);
     right.then(|| shipped(table, "bushing", set)).flatten()
 }
 
@@ -268,7 +279,24 @@ fn coupling(table: &Table) -> Option<Parts> {
         let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
         set.push(SetParameter::new(name, &table.written(key), value));
     }
+    right = right && acts(table, "coupling", &set);
     right.then(|| shipped(table, "coupling", set)).flatten()
+}
+
+/// Notes a joint that gives no force at all, unless it lacks its stiffness, which is noted.
+fn acts(table: &Table, called: &str, set: &[SetParameter]) -> bool {
+    let key = ["stiffness", "damping"].into_iter().find(|key| table.gives(key));
+    let Some(key) = key.filter(|_| set.iter().all(|own| own.value() == 0.0)) else { return true };
+    let message = format!("this {called} has neither stiffness nor damping: it joins nothing");
+    let help = format!(
+        "such as `{key} = {}`, or take the {called} out",
+        match called {
+            "bushing" => "{ xx = \"1e8 N/m\", yy = \"1e8 N/m\" }",
+            _ => "\"1e4 N*m/rad\"",
+        }
+    );
+    table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+    false
 }
 
 /// A joint whose law is shipped.

@@ -298,11 +298,15 @@ impl JoinedMachine {
             .into_iter()
             .map(|(name, table)| table.read(|table| joints::read(store, table, &name, &known)));
         let joints: Vec<Option<Joint>> = joints.collect();
-        let drives = names::in_order(file, "drives").into_iter().map(|(name, table)| {
+        let drives = names::in_order(file, "drives");
+        names::plain(file, "drive", drives.iter().map(|(name, _)| name));
+        let drives = drives.into_iter().map(|(name, table)| {
             table.read(|table| forces::drive(store, table, &name, &known, turns))
         });
         let drives: Vec<Option<Drive>> = drives.collect();
-        let loads = names::in_order(file, "loads").into_iter();
+        let loads = names::in_order(file, "loads");
+        names::plain(file, "load", loads.iter().map(|(name, _)| name));
+        let loads = loads.into_iter();
         let loads = loads.map(|(name, table)| {
             table.read(|table| forces::load(store, table, &name, &known, turns))
         });
