@@ -1,5 +1,6 @@
 //! Bushings, couplings, stops and drives between rigid bodies, against what can be worked out by hand.
 
+use crate::workbench::Workbench;
 use std::f64::consts::TAU;
 
 use super::{march, run};
@@ -231,4 +232,56 @@ fn a_prescribed_rotation_is_the_integral_of_its_speed() {
     let turn = TAU / 60.0;
     assert!((done.last("omega_rad_s") / (turn * 360.0) - 1.0).abs() < 1e-9);
     assert!((done.last("theta_rad") / (turn * (30.0 + 0.5 * 600.0 * 0.25)) - 1.0).abs() < 1e-9);
+}
+
+/// A bushing shows all its values, and is warned of where it pushes away; a beam has two transverse inertias.
+#[test]
+fn a_check_shows_bushings_and_both_inertias() {
+    let case = r#"title = "x"
+[material.steel]
+youngs_modulus = "200 GPa"
+poissons_ratio = 0.3
+density = "7860 kg/m^3"
+
+[body.beam]
+turns = "no"
+rigid = true
+material = "steel"
+
+[body.beam.dimensions]
+start = "0 mm"
+length = "500 mm"
+height = "20 mm"
+width = "30 mm"
+pedestal_height = "20 mm"
+rings = ["50 mm", "450 mm"]
+ring_length = "20 mm"
+ring_thickness = "8 mm"
+bore_radius = "10 mm"
+layers_in_ring = 2
+layers_between = 6
+
+[joint.left]
+kind = "bushing"
+first = { body = "beam", sets = "BORE1_MIDDLE" }
+stiffness = { xx = "1e7 N/m", yy = "1e7 N/m" }
+
+[joint.right]
+kind = "bushing"
+first = { body = "beam", sets = "BORE2_MIDDLE" }
+stiffness = { xx = "-1e6 N/m", yy = "1e7 N/m" }
+
+[march]
+time_step = "1e-5 s"
+steps = 100
+"#;
+    let outcome = Workbench::new().file("case.toml", case).whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let wanted = "bushing left: first beam, second ground, stiffness xx 1e7, xy 0, yx 0, yy 1e7 N/m, \
+                  damping xx 0, xy 0, yx 0, yy 0 N s/m\n";
+    assert!(outcome.stdout.contains(wanted), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains(" about x, "), "{}", outcome.stdout);
+    assert!(!outcome.stderr.contains("`left`"), "{}", outcome.stderr);
+    let warning = "the stiffness of the bushing `right` is negative along one direction";
+    assert!(outcome.stderr.contains(warning), "{}", outcome.stderr);
 }

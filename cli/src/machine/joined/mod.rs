@@ -62,6 +62,7 @@ impl JoinedPlan {
         wanted: &[Output],
         warnings: &mut Vec<String>,
     ) -> Result<JoinedPlan, Failure> {
+        warnings.extend(joined.joints.iter().flat_map(joints::pushes_away));
         let mut errors = Diagnostics::new();
         let mut bodies = bodies::plan(joined, warnings)?;
         let carried = joined.bodies.iter().zip(&mut bodies);
