@@ -156,6 +156,10 @@ fn stop(store: FileStore, table: &Table) -> Option<Stop> {
 /// noted.
 pub(super) fn around(table: &Table, law: &NamedLaw, gap: Option<&Quantity>) -> Option<Rational> {
     let gap = gap?;
+    // That a law of springs cannot stand all around, is noted elsewhere.
+    if law.source.acts() != Acts::Ring {
+        return None;
+    }
     let of = |parameter: &Parameter| {
         matches!(
             parameter.bearing,
@@ -163,7 +167,7 @@ pub(super) fn around(table: &Table, law: &NamedLaw, gap: Option<&Quantity>) -> O
         )
     };
     let (message, help) = if !law.source.parameters().iter().any(of) {
-        let message = "a stop around the mass has no `gap` of its own: it is in its law";
+        let message = "a stop all around has no `gap` of its own: it is in its law";
         let help = "leave `gap` out; or mark in the law which of its parameters is the gap: \
                     `bearing = \"radial_clearance\"`";
         (message, help)

@@ -5,6 +5,8 @@ mod bodies;
 mod drive;
 mod materials;
 
+use std::f64::consts::TAU;
+
 use whirl_codegen::diagnostic::{Code, suggest};
 use whirl_codegen::document::Table;
 use whirl_specs::{MOTIONS, Motion};
@@ -32,6 +34,20 @@ pub(super) fn read(store: FileStore, file: &Table, start_speed: Option<f64>) -> 
         gravity: gravity::read(file),
         start_speed,
     }
+}
+
+/// Beyond any machine, but far below where numbers end (rad/s): ten million revolutions per minute.
+const MOST_SPEED: f64 = 1e7 * TAU / 60.0;
+
+/// A speed of rotation (rad/s); one that no machine has is noted.
+pub(super) fn speed(table: &Table, key: &str) -> Option<f64> {
+    let speed = table.quantity(key)?;
+    if speed.abs() > MOST_SPEED {
+        let message = format!("`{key}` is faster than any machine turns");
+        let help = format!("write at most `{key} = \"1e7 rpm\"`");
+        table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+    }
+    Some(speed)
 }
 
 /// The motion that a table names, or the default one.

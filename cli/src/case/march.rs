@@ -57,7 +57,7 @@ pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<MarchSettings> 
 fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
     let given = march.quantity("time_step");
     let time_step = given.unwrap_or(1.0);
-    let steps = steps(march, time_step);
+    let steps = steps(march, time_step, given.is_some());
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
     let frequency = march.quantity("cycle_frequency");
     let natural = cycle::of(system);
@@ -73,7 +73,7 @@ fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
     }
     let cycle_of_rows = cycle;
     let cycle = cycle.map_or(time_step * steps as f64, |(cycle, ..)| cycle);
-    let output_every = output_every(march, time_step, steps);
+    let output_every = output_every(march, given, steps);
     if let (Some(_), Some((cycle, ..))) = (given, cycle_of_rows) {
         shown_by_rows(march, output_every as f64 * time_step, cycle);
     }
@@ -174,7 +174,8 @@ fn three_digits(value: f64, round: fn(f64) -> f64) -> String {
     plain(round(value / place + 1e-9) * place)
 }
 
-fn steps(march: &Table, time_step: f64) -> usize {
+/// Steps of the march; only those that are counted, where no `time_step` is `known`.
+fn steps(march: &Table, time_step: f64, known: bool) -> usize {
     let (steps, duration) = (march.optional_count("steps"), march.quantity("duration"));
     match (march.has("steps"), march.has("duration")) {
         (true, true) => march.conflict("steps", "duration"),
@@ -182,7 +183,7 @@ fn steps(march: &Table, time_step: f64) -> usize {
         _ => {}
     }
     let Some(duration) = duration else { return steps.unwrap_or(1) };
-    if steps.is_none() && march.has("time_step") && duration < time_step * (1.0 - 1e-9) {
+    if steps.is_none() && known && duration < time_step * (1.0 - 1e-9) {
         let message = "`duration` is shorter than `time_step`: it has no whole step";
         let help =
             format!("lower `time_step` to {} s at most, or raise `duration`", plain(duration));
@@ -190,7 +191,7 @@ fn steps(march: &Table, time_step: f64) -> usize {
         return 1;
     }
     let whole = (duration / time_step).round().max(1.0);
-    if steps.is_none() && march.has("time_step") && whole > MOST_STEPS as f64 {
+    if steps.is_none() && known && whole > MOST_STEPS as f64 {
         let most = MOST_STEPS as f64;
         let message = format!(
             "`duration` takes {} steps of `time_step`, more than the {MOST_STEPS} that are allowed",
@@ -208,11 +209,9 @@ fn steps(march: &Table, time_step: f64) -> usize {
 }
 
 /// Steps from one row of the history to the next: `output_step` over `time_step`, a whole number.
-fn output_every(march: &Table, time_step: f64, steps: usize) -> usize {
+fn output_every(march: &Table, time_step: Option<f64>, steps: usize) -> usize {
     let Some(output_step) = march.quantity("output_step") else { return 1 };
-    if !march.has("time_step") {
-        return 1;
-    }
+    let Some(time_step) = time_step else { return 1 };
     let (exact, most) = (output_step / time_step, steps as f64);
     let whole = exact.round().clamp(1.0, most);
     // Both are written in decimals: what is meant as a multiple is one to a few roundings.

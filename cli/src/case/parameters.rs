@@ -27,6 +27,16 @@ impl SetParameter {
         SetParameter { name: name.to_owned(), key: place.clone(), place: place.clone(), value }
     }
 
+    /// Its name in the law.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// SI.
+    pub(crate) fn value(&self) -> f64 {
+        self.value.si()
+    }
+
     /// Whether this coefficient of a bushing, such as `k_xy`, gives a force along an axis.
     pub(super) fn acts_along(&self, axis: &str) -> bool {
         let direction = self.name.split_once('_').map_or("", |(_, direction)| direction);

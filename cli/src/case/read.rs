@@ -145,6 +145,17 @@ fn system(store: FileStore, file: &Table, start: Option<&StartDraft>) -> SystemD
         None => return SystemDraft::Joined(None),
         Some(false) => {}
     }
+    if !file.gives("mass") && !OF_A_MACHINE[1..].iter().any(|key| file.gives(key)) {
+        file.absent(
+            "body",
+            "describe a machine by a table `[body.NAME]` for each body and a table `[joint.NAME]` for each joint, by the \
+             short forms `[shaft]`, `[support]`, `[[bearing]]` and `[drive]`, or by one `[mass]`; or `include` a file that \
+             has it",
+        );
+        file.pass_over("material");
+        file.pass_over("gravity");
+        return SystemDraft::Joined(None);
+    }
     if !file.gives("mass") {
         return SystemDraft::Rotor(Box::new(machine::read(
             store,

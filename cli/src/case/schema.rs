@@ -115,7 +115,7 @@ const BODY: &[Key] = &[
     key("mesh", Text, "an Abaqus or CalculiX input file in m, Pa, kg/m³"),
     key("material", Text, "a material, of a mesh file where it has no sections"),
     key("regions", Named(&Text), "materials by the names of element sets, in place of the mesh's"),
-    merged("modes", Count(0, MOST_MODES), "fixed-interface modes kept"),
+    merged("modes", Count(0, MOST_MODES), "fixed-interface modes kept").like("20"),
     key("damping", DAMPING_TIME, "C = damping · K"),
 ];
 

@@ -5,7 +5,7 @@ use whirl_codegen::document::Table;
 use whirl_specs::Motion;
 
 use super::joined::Turning;
-use super::{JoinedMachine, RotorDraft, SystemDraft};
+use super::{JoinedMachine, RotorDraft, SystemDraft, machine};
 
 /// How a machine begins.
 #[derive(Debug, Clone)]
@@ -43,7 +43,7 @@ pub(super) fn read(file: &Table) -> Option<StartDraft> {
 fn read_start(table: &Table) -> StartDraft {
     let kind = table.optional_word("kind");
     let from = table.optional_string("from");
-    let speed = table.quantity("speed");
+    let speed = machine::speed(table, "speed");
     let start = match (kind, from) {
         (Some("state") | None, Some(from)) => {
             if table.has("speed") {

@@ -126,7 +126,32 @@ fn of_joint(joint: &Joint, law: &str) -> String {
         }
         _ => String::new(),
     };
-    format!("{kind} {}: {first} {a}, {second} {b}{clearance}, law {law}", joint.name.text())
+    let values = match joint.kind {
+        JointKind::Bearing | JointKind::Stop => format!("{clearance}, law {law}"),
+        JointKind::Bushing | JointKind::Coupling => values(joint),
+    };
+    format!("{kind} {}: {first} {a}, {second} {b}{values}", joint.name.text())
+}
+
+/// All stiffness and damping of a bushing or a coupling.
+fn values(joint: &Joint) -> String {
+    let units = match joint.kind {
+        JointKind::Coupling => ["N m/rad", "N m s/rad"],
+        _ => ["N/m", "N s/m"],
+    };
+    let of = |letter: &str| {
+        let own = joint.bearing.parameters.iter().filter(|own| own.name().starts_with(letter));
+        let shown = own.map(|own| {
+            let value = rounded(own.value(), 10);
+            let direction = own.name().split_once('_').map_or("", |(_, direction)| direction);
+            let space = if direction.is_empty() { "" } else { " " };
+            let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
+            let value = if plain { value.to_string() } else { format!("{value:e}") };
+            format!("{direction}{space}{value}")
+        });
+        shown.collect::<Vec<_>>().join(", ")
+    };
+    format!(", stiffness {} {}, damping {} {}", of("k"), units[0], of("c"), units[1])
 }
 
 /// Mass, z of the centre, polar and transverse inertia of a body with what it carries.
@@ -150,6 +175,16 @@ fn carrying(attached: &[Attached], own: [Option<f64>; 4]) -> [Option<f64>; 4] {
     let moved = |mass: f64, z: f64| mass * (z - centre).powi(2);
     let across = parts.iter().map(|[mass, z, _, own]| own + moved(*mass, *z)).sum::<f64>();
     [Some(total), Some(centre), polar, transverse.map(|own| own + moved(mass, z) + across)]
+}
+
+/// Inertias of a mesh about x and y through its centre (kg m²).
+fn across_axes(body: &PlannedBody) -> Option<[f64; 2]> {
+    let PlannedBody::Meshed(meshed) = body else { return None };
+    let own = mass_properties(&meshed.mesh).ok()?;
+    let ([x, y, z], second) = (own.centre, own.second_moment);
+    let about =
+        |axis: usize, off: f64| second[axis][axis] + second[2][2] - own.mass * (off * off + z * z);
+    Some([about(1, y), about(0, x)])
 }
 
 /// The table of masses and inertias, all that bodies carry included.
@@ -179,14 +214,30 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
             PlannedBody::Meshed(meshed) => {
                 let own = mass_properties(&meshed.mesh)?;
                 let ([x, y, z], second) = (own.centre, own.second_moment);
+                // Rounding of a centre at the origin is none of its places.
+                let size =
+                    meshed.mesh.nodes().iter().fold(0.0, |most: f64, node| most.max(node[2].abs()));
+                let centre = if z.abs() < 1e-9 * size { 0.0 } else { z };
                 // About its axis where it turns, else about its centre, as across it.
                 let polar = second[0][0] + second[1][1]
                     - if body.turning.is_some() { 0.0 } else { own.mass * (x * x + y * y) };
                 let across = second[1][1] + second[2][2] - own.mass * (y * y + z * z);
-                [Some(own.mass), Some(z), Some(polar), Some(across)]
+                [Some(own.mass), Some(centre), Some(polar), Some(across)]
             }
         };
         let [mass, z, polar, transverse] = carrying(&body.attached, [mass, z, polar, transverse]);
+        let shown_across = match across_axes(own) {
+            // With what it carries, which is alike about both.
+            Some([about_x, about_y]) if (about_x - about_y).abs() > 1e-3 * about_x.max(about_y) => {
+                let more = transverse.map_or(0.0, |own| own - about_x);
+                format!(
+                    "{} about x, {} about y",
+                    rounded(about_x + more, 6),
+                    rounded(about_y + more, 6)
+                )
+            }
+            _ => transverse.map_or("–".to_string(), |value| rounded(value, 6).to_string()),
+        };
         let shown = |value: Option<f64>, scale: f64| {
             value.map_or("–".to_string(), |value| rounded(scale * value, 6).to_string())
         };
@@ -196,7 +247,7 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
             shown(mass, 1.0),
             shown(z, 1e3),
             shown(polar, 1.0),
-            shown(transverse, 1.0),
+            shown_across,
         ]);
     }
     Ok(table(&rows))

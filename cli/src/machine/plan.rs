@@ -83,6 +83,8 @@ pub(super) struct BearingOutline<'a> {
     pub(super) sets: [&'a [Located]; 2],
     /// The bearing, if all that it must have is there.
     pub(super) whole: Option<&'a case::Bearing>,
+    /// Names of the bodies of journal and bore, where the case names bodies.
+    pub(super) bodies: Option<[&'a str; 2]>,
 }
 
 impl<'a> From<&'a Rotor> for Outline<'a> {
@@ -92,7 +94,11 @@ impl<'a> From<&'a Rotor> for Outline<'a> {
             shaft: Some(&rotor.shaft),
             support: Some(&rotor.support),
             bearings: bearings
-                .map(|own| BearingOutline { sets: [&own.journal, &own.bore], whole: Some(own) })
+                .map(|own| BearingOutline {
+                    sets: [&own.journal, &own.bore],
+                    whole: Some(own),
+                    bodies: None,
+                })
                 .collect(),
             drive: Some(&rotor.drive),
             loads: &rotor.loads,
@@ -110,6 +116,7 @@ impl<'a> From<&'a RotorDraft> for Outline<'a> {
                 .map(|(sets, own)| BearingOutline {
                     sets: sets.each_ref().map(Vec::as_slice),
                     whole: own.as_ref(),
+                    bodies: None,
                 })
                 .collect(),
             drive: draft.drive.as_ref(),

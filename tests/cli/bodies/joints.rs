@@ -1,5 +1,6 @@
 //! Bushings, couplings, stops and drives between rigid bodies, against what can be worked out by hand.
 
+use crate::workbench::Workbench;
 use std::f64::consts::TAU;
 
 use super::{march, run};
@@ -164,6 +165,64 @@ force = "-100 N"
     assert!((1e-6 * done.last("X_pad_um") / -x - 1.0).abs() < 1e-3, "{}", done.last("X_pad_um"));
 }
 
+/// A bore that does not turn stands about the axis of its body, as one that turns at 0 rpm: the pull of the misalignment
+/// is the same. Without an axis it stands about its journal.
+#[test]
+fn a_bore_that_does_not_turn_stands_about_its_own_axis() {
+    let pull = |ring: &str| {
+        let mounts = ["rotor", "ring"].map(|body| {
+            format!(
+                r#"[joint.{body}_mount]
+kind = "bushing"
+first = {{ body = "{body}" }}
+stiffness = {{ xx = "1e6 N/m", yy = "1e6 N/m" }}
+damping = {{ xx = "1e3 N*s/m", yy = "1e3 N*s/m" }}
+"#
+            )
+        });
+        let case = format!(
+            r#"title = "x"
+[body.rotor]
+turns = "prescribed"
+speed = "3000 rpm"
+mass = "1 kg"
+polar_inertia = "0.01 kg*m^2"
+
+[body.ring]
+{ring}
+mass = "1 kg"
+
+[joint.race]
+kind = "bearing"
+journal = {{ body = "rotor" }}
+bore = {{ body = "ring" }}
+law = "ball-bearing"
+radial_clearance = "20 um"
+
+{}
+[loads.weight]
+body = "rotor"
+force = "-30 N"
+
+{}"#,
+            mounts.concat(),
+            march("2e-5 s", 2000)
+        );
+        let done = run(&case, &[]);
+        ["RX_race_N", "RY_race_N", "EX_race_um"].map(|column| done.last(column))
+    };
+    let axis = "axis = [\"12 um\", \"-9 um\"]\n";
+    let standing = pull(&format!("turns = \"no\"\n{axis}"));
+    let inertia = "polar_inertia = \"1e-4 kg*m^2\"";
+    let held = pull(&format!("turns = \"prescribed\"\nspeed = \"0 rpm\"\n{inertia}\n{axis}"));
+    for (standing, held) in standing.iter().zip(held) {
+        // To the force tolerance of the steps, over 1 N or 1 µm.
+        assert!((standing - held).abs() < 1e-5 * held.abs().max(1.0), "{standing} for {held}");
+    }
+    let about_journal = pull("turns = \"no\"\n");
+    assert!((standing[0] - about_journal[0]).abs() > 1.0, "{standing:?}, {about_journal:?}");
+}
+
 /// A run-up: speed and angle are those that are prescribed.
 #[test]
 fn a_prescribed_rotation_is_the_integral_of_its_speed() {
@@ -173,4 +232,56 @@ fn a_prescribed_rotation_is_the_integral_of_its_speed() {
     let turn = TAU / 60.0;
     assert!((done.last("omega_rad_s") / (turn * 360.0) - 1.0).abs() < 1e-9);
     assert!((done.last("theta_rad") / (turn * (30.0 + 0.5 * 600.0 * 0.25)) - 1.0).abs() < 1e-9);
+}
+
+/// A bushing shows all its values, and is warned of where it pushes away; a beam has two transverse inertias.
+#[test]
+fn a_check_shows_bushings_and_both_inertias() {
+    let case = r#"title = "x"
+[material.steel]
+youngs_modulus = "200 GPa"
+poissons_ratio = 0.3
+density = "7860 kg/m^3"
+
+[body.beam]
+turns = "no"
+rigid = true
+material = "steel"
+
+[body.beam.dimensions]
+start = "0 mm"
+length = "500 mm"
+height = "20 mm"
+width = "30 mm"
+pedestal_height = "20 mm"
+rings = ["50 mm", "450 mm"]
+ring_length = "20 mm"
+ring_thickness = "8 mm"
+bore_radius = "10 mm"
+layers_in_ring = 2
+layers_between = 6
+
+[joint.left]
+kind = "bushing"
+first = { body = "beam", sets = "BORE1_MIDDLE" }
+stiffness = { xx = "1e7 N/m", yy = "1e7 N/m" }
+
+[joint.right]
+kind = "bushing"
+first = { body = "beam", sets = "BORE2_MIDDLE" }
+stiffness = { xx = "-1e6 N/m", yy = "1e7 N/m" }
+
+[march]
+time_step = "1e-5 s"
+steps = 100
+"#;
+    let outcome = Workbench::new().file("case.toml", case).whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let wanted = "bushing left: first beam, second ground, stiffness xx 1e7, xy 0, yx 0, yy 1e7 N/m, \
+                  damping xx 0, xy 0, yx 0, yy 0 N s/m\n";
+    assert!(outcome.stdout.contains(wanted), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains(" about x, "), "{}", outcome.stdout);
+    assert!(!outcome.stderr.contains("`left`"), "{}", outcome.stderr);
+    let warning = "the stiffness of the bushing `right` is negative along one direction";
+    assert!(outcome.stderr.contains(warning), "{}", outcome.stderr);
 }

@@ -4,7 +4,7 @@
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 
-use super::names;
+use super::{fit, names};
 
 /// What is carried, and where.
 #[derive(Debug, Clone)]
@@ -41,15 +41,21 @@ pub(crate) enum Carried {
 }
 
 /// What a body that turns carries, discs first; those on another one are noted.
-pub(super) fn read(table: &Table, turns: bool, meshed: bool) -> Vec<Attached> {
+pub(super) fn read(table: &Table, turns: bool, meshed: bool, tilts: bool) -> Vec<Attached> {
     let mut all = Vec::new();
-    for (name, own) in names::in_order(table, "disc") {
+    let discs = names::in_order(table, "disc");
+    names::plain(table, "disc", discs.iter().map(|(name, _)| name));
+    for (name, own) in discs {
         all.push(own.read(|own| {
             own.demand("z");
+            let mass = own.quantity_or_one("mass");
+            let [polar, transverse] =
+                ["polar_inertia", "transverse_inertia"].map(|key| own.quantity(key));
+            fit::inertias(own, polar, transverse);
             let what = Carried::Disc {
-                mass: own.quantity_or_one("mass"),
-                polar_inertia: own.quantity_or_one("polar_inertia"),
-                transverse_inertia: own.quantity_or_one("transverse_inertia"),
+                mass,
+                polar_inertia: polar.unwrap_or(1.0),
+                transverse_inertia: transverse.unwrap_or(1.0),
             };
             Attached { name, z: own.quantity("z").unwrap_or(0.0), what }
         }));
@@ -61,14 +67,18 @@ pub(super) fn read(table: &Table, turns: bool, meshed: bool) -> Vec<Attached> {
         table.push(disc.name.error_here(Code::BAD_VALUE, message).help(help));
     }
     for (key, called) in [("added", "an added mass"), ("unbalance", "an unbalance")] {
-        for (name, own) in names::in_order(table, key) {
+        let own = names::in_order(table, key);
+        names::plain(table, key, own.iter().map(|(name, _)| name));
+        for (name, own) in own {
             if !turns {
                 let message = format!("{called} is of a body that turns");
                 let help = "take it out, or let the body turn";
                 table.push(name.error_here(Code::BAD_VALUE, message).help(help));
             }
             all.push(own.read(|own| {
-                own.demand("z");
+                if tilts {
+                    own.demand("z");
+                }
                 let mass = own.quantity_or_one("mass");
                 let (sin, cos) = own.quantity("angle").unwrap_or(0.0).sin_cos();
                 let what = if key == "added" {

@@ -6,7 +6,8 @@ use whirl_codegen::units::Dimension;
 use whirl_solver::mesh::Material;
 use whirl_specs::Motion;
 
-use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached};
+use super::schema;
+use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached, fit, names};
 use crate::case::columns;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
@@ -54,15 +55,22 @@ pub(super) fn read(
 ) -> BodyDraft {
     let before = table.errors();
     let turns = table.optional_word("turns");
-    let turning = turns.and_then(|turns| turning(store, table, turns));
+    let Some(turns) = turns else {
+        // Which keys are those of such a body, is open.
+        schema::BODY.iter().for_each(|key| table.pass_over(key.name));
+        return BodyDraft { body: (name.clone(), None), motion: None };
+    };
+    let turning = turning(store, table, turns);
     let axis = table.quantity_pair("axis").unwrap_or_default();
+    let axis_given = table.gives("axis");
     let motion = match table.gives("motion") {
         true => machine::motion(table).map(|motion| (table.written("motion"), motion)),
         false => None,
     };
     let meshed = MESHED.into_iter().find(|key| table.gives(key));
     let rigid = RIGID.into_iter().find(|key| table.gives(key));
-    let turned = turns.is_some_and(|turns| turns != "no");
+    let turned = turns != "no";
+    of_other_rotations(table, turns, rigid.is_some());
     let form = match (meshed, rigid) {
         (Some(meshed), Some(rigid)) => {
             let message =
@@ -84,20 +92,61 @@ pub(super) fn read(
             None
         }
     };
-    let attached = attached::read(table, turned, meshed.is_some());
-    let right = table.errors() == before && turns.is_some();
+    // What does not tilt moves alike at every z.
+    let tilts = meshed.is_some() || table.gives("transverse_inertia");
+    let attached = attached::read(table, turned, meshed.is_some(), tilts);
+    let right = table.errors() == before;
     let name = name.clone();
     let body = form.filter(|_| right).map(|form| {
         let turning = turning.filter(|_| turned);
-        NamedBody { name: name.clone(), turning, axis, form, attached }
+        NamedBody { name: name.clone(), turning, axis, axis_given, form, attached }
     });
     BodyDraft { body: (name, body), motion }
+}
+
+/// Notes keys of bodies that turn in another way, or not at all.
+fn of_other_rotations(table: &Table, turns: &str, rigid: bool) {
+    let note = |key: &str, whose: &str, help: &str| {
+        if table.gives(key) {
+            table.pass_over(key);
+            let message = format!("`{key}` is of {whose}, but this one has `turns = \"{turns}\"`");
+            table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+        }
+    };
+    const OF_PRESCRIBED: [&str; 3] = ["speed", "acceleration", "table"];
+    match turns {
+        "no" => {
+            let help = "leave it out, or write `turns = \"free\"` or `turns = \"prescribed\"`";
+            for key in
+                OF_PRESCRIBED.into_iter().chain(["initial_speed", "polar_inertia", "section"])
+            {
+                // A mesh has no inertia of its own that it could give.
+                if rigid || key != "polar_inertia" {
+                    note(key, "a body that turns", help);
+                }
+            }
+        }
+        "free" => {
+            let help = "write `initial_speed`, which holds at t = 0, or `turns = \"prescribed\"`";
+            OF_PRESCRIBED.into_iter().for_each(|key| note(key, "a prescribed rotation", help));
+        }
+        _ => note(
+            "initial_speed",
+            "a body that turns freely",
+            "write `speed`, which is prescribed, or `turns = \"free\"`",
+        ),
+    }
+    if turns != "no" {
+        let help = "join the body to the ground by a `bushing`";
+        let own: &[&str] = if rigid { &["stiffness", "damping"] } else { &["ground_spring"] };
+        own.iter().for_each(|key| note(key, "a body that does not turn", help));
+    }
 }
 
 fn turning(store: FileStore, table: &Table, turns: &str) -> Option<Turning> {
     let or_zero = |key| table.quantity(key).unwrap_or(0.0);
     match turns {
-        "free" => Some(Turning::Free { initial_speed: table.quantity("initial_speed") }),
+        "free" => Some(Turning::Free { initial_speed: machine::speed(table, "initial_speed") }),
         "prescribed" if table.has("table") => {
             for key in ["speed", "acceleration"].into_iter().filter(|key| table.has(key)) {
                 table.conflict(key, "table");
@@ -107,7 +156,8 @@ fn turning(store: FileStore, table: &Table, turns: &str) -> Option<Turning> {
         }
         "prescribed" => {
             table.demand("speed");
-            let (speed, acceleration) = (or_zero("speed"), or_zero("acceleration"));
+            let speed = machine::speed(table, "speed").unwrap_or(0.0);
+            let acceleration = or_zero("acceleration");
             Some(Turning::Prescribed { speed, acceleration })
         }
         _ => None,
@@ -128,8 +178,9 @@ fn read_meshed(
                 table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
             }
         }
-    } else {
-        table.demand("modes");
+    } else if !table.has("modes") {
+        let help = "add `modes = 20`: so many of its lowest modes are kept, its retained nodes held; more change little";
+        table.absent("modes", help);
     }
     let body = machine::meshed(store, table, materials, |dimensions, material| {
         made(dimensions, material, turns)
@@ -209,15 +260,22 @@ fn read_rigid(table: &Table, turns: bool) -> RigidBody {
     // What stands in space beside a body that turns is a joint to the ground.
     let to_ground = |key: &str| -> [f64; 2] {
         let read = |table: &Table| ["x", "y"].map(|axis| table.quantity(axis).unwrap_or(0.0));
-        if turns { [0.0; 2] } else { table.in_table(key, read).unwrap_or_default() }
+        let text = |text: &str| format!("{{ x = {text}, y = {text} }}");
+        if turns || names::is_text(table, key, text) {
+            return [0.0; 2];
+        }
+        table.in_table(key, read).unwrap_or_default()
     };
     if table.has("transverse_inertia") {
         table.demand("z");
     }
+    let polar_inertia = if turns { table.quantity("polar_inertia") } else { None };
+    let transverse_inertia = table.quantity("transverse_inertia");
+    fit::inertias(table, polar_inertia, transverse_inertia);
     RigidBody {
         mass: table.quantity_or_one("mass"),
-        polar_inertia: if turns { table.quantity_or_one("polar_inertia") } else { 0.0 },
-        transverse_inertia: table.quantity("transverse_inertia"),
+        polar_inertia: polar_inertia.unwrap_or(if turns { 1.0 } else { 0.0 }),
+        transverse_inertia,
         z: table.quantity("z"),
         stiffness: to_ground("stiffness"),
         damping: to_ground("damping"),

@@ -4,6 +4,7 @@ use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_specs::Motion;
 
+use super::fit;
 use super::{Drive, Form, JoinedMachine, Joint, JointKind, NamedBody, Side, Turning};
 use crate::case::loads::Acting;
 use crate::case::machine;
@@ -29,6 +30,7 @@ pub(super) fn one_motion(
 pub(super) fn check(file: &Table, machine: &JoinedMachine, goes_on: bool) {
     let mut checks = Checks { file, machine, goes_on };
     machine.joints.iter().for_each(|joint| checks.joint(joint));
+    (0..machine.joints.len()).for_each(|place| checks.twice(place));
     machine.drives.iter().enumerate().for_each(|(place, own)| checks.drive(place, own));
     (0..machine.bodies.len()).for_each(|body| checks.body(body));
 }
@@ -48,6 +50,9 @@ impl Checks<'_, '_> {
     fn joint(&mut self, joint: &Joint) {
         for side in &joint.sides {
             self.side(joint, side);
+        }
+        if let Some((at, message, help)) = fit::axes(self.machine, joint) {
+            self.note(&at, message, help);
         }
         let turns =
             |side: &Side| side.body.is_some_and(|body| self.machine.bodies[body].turning.is_some());
@@ -73,6 +78,39 @@ impl Checks<'_, '_> {
             };
             self.note(&of_first, message, help);
         }
+    }
+
+    /// Notes a bearing that is an earlier one once more: the same sets, and the same law.
+    fn twice(&mut self, place: usize) {
+        let joint = &self.machine.joints[place];
+        let alike = |own: &Side, other: &Side| {
+            let mut sets = own.sets.iter().zip(&other.sets);
+            own.body == other.body
+                && own.sets.len() == other.sets.len()
+                && sets.all(|(own, other)| own.text().eq_ignore_ascii_case(other.text()))
+        };
+        let same = |other: &&Joint| {
+            let [own, first] = [joint, other].map(|joint| &joint.bearing);
+            let apart = !own.stations.is_empty()
+                && !first.stations.is_empty()
+                && !own.stations.iter().any(|z| first.stations.contains(z));
+            joint.kind == JointKind::Bearing
+                && other.kind == JointKind::Bearing
+                // Bearings of a rigid body may share a plane, and their load.
+                && !joint.sides[0].sets.is_empty()
+                && joint.sides.iter().zip(&other.sides).all(|(own, other)| alike(own, other))
+                && own.law.source.name() == first.law.source.name()
+                && !apart
+        };
+        let Some(first) = self.machine.joints[..place].iter().find(same) else { return };
+        let message = format!(
+            "`{}` stands where `{}` does, and has the same law `{}`: its forces would act twice",
+            joint.name.text(),
+            first.name.text(),
+            joint.bearing.law.name.text()
+        );
+        let help = "take one of them out, or correct the sets of this one";
+        self.note(&joint.name, message, help);
     }
 
     /// Whether a side says where it is as its body needs it.
@@ -114,8 +152,28 @@ impl Checks<'_, '_> {
         let joints: Vec<&Joint> = self.machine.joints.iter().filter(joins).collect();
         let name = body.name.text();
         if joints.is_empty() && !grounded(body) {
-            let message = format!("no joint names the body `{name}`: nothing holds it");
-            let help = "name it in a table `[joint.NAME]`, or take it out";
+            let stiffness = match &body.form {
+                Form::Rigid(rigid) => rigid.stiffness,
+                Form::Meshed(_) => [0.0; 2],
+            };
+            let (message, help) = match stiffness.map(|own| own > 0.0) {
+                [true, false] => (
+                    format!(
+                        "nothing holds `{name}` along y: no joint names it, and its `stiffness` is along x only"
+                    ),
+                    "add `y` to its `stiffness`, or name it in a table `[joint.NAME]`",
+                ),
+                [false, true] => (
+                    format!(
+                        "nothing holds `{name}` along x: no joint names it, and its `stiffness` is along y only"
+                    ),
+                    "add `x` to its `stiffness`, or name it in a table `[joint.NAME]`",
+                ),
+                _ => (
+                    format!("no joint names the body `{name}`: nothing holds it"),
+                    "name it in a table `[joint.NAME]`, or take it out",
+                ),
+            };
             return self.note(&body.name.clone(), message, help);
         }
         let own = |axis: usize| match &body.form {

@@ -8,7 +8,9 @@ use whirl_codegen::rational::nearest;
 use whirl_codegen::spec::law::{Acts, BearingValue};
 use whirl_codegen::units::Quantity;
 
+use super::fit::Room;
 use super::names::{self, GROUND};
+use super::schema;
 use super::{Joint, JointKind, Side};
 use crate::case::law::{self, NamedLaw};
 use crate::case::library::FileStore;
@@ -23,11 +25,16 @@ pub(super) fn read(
     name: &Located,
     known: &[Located],
 ) -> Option<Joint> {
-    let kind = match table.optional_word("kind")? {
-        "stop" => JointKind::Stop,
-        "bushing" => JointKind::Bushing,
-        "coupling" => JointKind::Coupling,
-        _ => JointKind::Bearing,
+    let kind = match table.optional_word("kind") {
+        Some("stop") => JointKind::Stop,
+        Some("bushing") => JointKind::Bushing,
+        Some("coupling") => JointKind::Coupling,
+        Some(_) => JointKind::Bearing,
+        None => {
+            // Which keys are those of its kind, is open.
+            schema::JOINT.iter().for_each(|key| table.pass_over(key.name));
+            return None;
+        }
     };
     let (called, [first, second]) = kind.words();
     let sides = [side(table, first, known), side(table, second, known)];
@@ -38,7 +45,7 @@ pub(super) fn read(
         JointKind::Coupling => coupling(table),
     };
     let of_bearing = matches!(kind, JointKind::Bearing | JointKind::Stop);
-    let rings = |key: &str| if of_bearing { three(table, key) } else { Some([[0.0; 2]; 3]) };
+    let rings = |key: &str| if of_bearing { three(table, key) } else { Some(Vec::new()) };
     let (run_out, offset) = (rings("run_out"), rings("offset"));
     let [Some(journal), Some(bore)] = sides else { return None };
     if journal.body.is_none() {
@@ -60,6 +67,22 @@ pub(super) fn read(
     };
     let planes = [&journal, &bore].into_iter().any(|side| side.sets.len() == 3);
     let rings = if stations.is_empty() { 1 + 2 * usize::from(planes) } else { stations.len() };
+    let (run_out, offset) = (run_out?, offset?);
+    let radius = facts.journal_radius.as_ref().map(nearest);
+    for (key, places) in [("run_out", &run_out), ("offset", &offset)] {
+        if places.len() == 3 && rings == 1 && !planes {
+            let message = format!("this {called} is in one plane, and has one `{key}`");
+            let help = "write one place, or name three `sets` or two `stations` along the joint";
+            table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+        }
+        if let Some(room) = Room::of(kind, angle, clearance, radius) {
+            room.check(table, key, places);
+        }
+    }
+    let [run_out, offset] = [run_out, offset].map(|places| match places.as_slice() {
+        [left, middle, right] => [*left, *middle, *right],
+        places => [places.first().copied().unwrap_or_default(); 3],
+    });
     facts.springs = Some(springs.saturating_mul(rings));
     if springs.saturating_mul(rings) > MOST_SPRINGS {
         let message = format!("this joint has more than {MOST_SPRINGS} springs in all its rings");
@@ -73,7 +96,7 @@ pub(super) fn read(
         springs,
         stations,
         radial_clearance: clearance,
-        journal_radius: facts.journal_radius.as_ref().map(nearest),
+        journal_radius: radius,
         law,
         parameters,
         facts,
@@ -81,7 +104,7 @@ pub(super) fn read(
         places: table.places(),
     };
     let (name, sides) = (name.clone(), [journal, bore]);
-    Some(Joint { name, kind, sides, bearing, angle, run_out: run_out?, offset: offset? })
+    Some(Joint { name, kind, sides, bearing, angle, run_out, offset })
 }
 
 /// One side; the second one is the ground if it is left out.
@@ -89,6 +112,9 @@ fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
     let second = matches!(key, "bore" | "second");
     if !second && !table.has(key) {
         table.absent(key, &format!("add `{key} = {{ body = \"NAME\" }}`"));
+    }
+    if names::is_text(table, key, |text| format!("{{ body = {text} }}")) {
+        return None;
     }
     let Some(own) = table.optional_table(key) else {
         let place = table.heading().text(GROUND);
@@ -223,7 +249,8 @@ fn bushing(table: &Table) -> Option<Parts> {
                 (place, own.exact_quantity(direction))
             })
         };
-        let given = table.in_table(key, values);
+        let of_text = names::is_text(table, key, |text| format!("{{ xx = {text}, yy = {text} }}"));
+        let given = if of_text { None } else { table.in_table(key, values) };
         right &= table.errors() == before;
         for (place, direction) in DIRECTIONS.iter().enumerate() {
             let (at, value) =
@@ -236,6 +263,7 @@ fn bushing(table: &Table) -> Option<Parts> {
         let help = "add `stiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }`";
         table.absent("stiffness", help);
     }
+    right = right && acts(table, "bushing", &set);
     right.then(|| shipped(table, "bushing", set)).flatten()
 }
 
@@ -251,7 +279,24 @@ fn coupling(table: &Table) -> Option<Parts> {
         let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
         set.push(SetParameter::new(name, &table.written(key), value));
     }
+    right = right && acts(table, "coupling", &set);
     right.then(|| shipped(table, "coupling", set)).flatten()
+}
+
+/// Notes a joint that gives no force at all, unless it lacks its stiffness, which is noted.
+fn acts(table: &Table, called: &str, set: &[SetParameter]) -> bool {
+    let key = ["stiffness", "damping"].into_iter().find(|key| table.gives(key));
+    let Some(key) = key.filter(|_| set.iter().all(|own| own.value() == 0.0)) else { return true };
+    let message = format!("this {called} has neither stiffness nor damping: it joins nothing");
+    let help = format!(
+        "such as `{key} = {}`, or take the {called} out",
+        match called {
+            "bushing" => "{ xx = \"1e8 N/m\", yy = \"1e8 N/m\" }",
+            _ => "\"1e4 N*m/rad\"",
+        }
+    );
+    table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+    false
 }
 
 /// A joint whose law is shipped.
@@ -269,16 +314,16 @@ fn shipped(table: &Table, name: &str, parameters: Vec<SetParameter>) -> Option<P
     })
 }
 
-/// One place for all rings, or one each.
-fn three(table: &Table, key: &str) -> Option<[[f64; 2]; 3]> {
+/// No place, one for all rings, or one each.
+fn three(table: &Table, key: &str) -> Option<Vec<[f64; 2]>> {
     if !table.has(key) {
-        return Some([[0.0; 2]; 3]);
+        return Some(Vec::new());
     }
-    match table.quantity_pairs(key)?.as_slice() {
-        [one] => Some([*one; 3]),
-        [left, middle, right] => Some([*left, *middle, *right]),
+    let places = table.quantity_pairs(key)?;
+    match places.len() {
+        1 | 3 => Some(places),
         other => {
-            let message = format!("`{key}` has one place, or three, not {}", other.len());
+            let message = format!("`{key}` has one place, or three, not {other}");
             let help = format!(
                 "such as `{key} = [\"0 mm\", \"0.1 mm\"]`, or a list of three of these: left, middle, right"
             );

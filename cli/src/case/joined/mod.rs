@@ -4,6 +4,7 @@
 mod attached;
 mod bodies;
 mod checks;
+mod fit;
 mod forces;
 mod joints;
 pub(super) mod names;
@@ -60,10 +61,20 @@ pub(crate) struct NamedBody {
     pub(crate) turning: Option<Turning>,
     /// x and y of its axis, m.
     pub(crate) axis: [f64; 2],
+    /// Whether the case says so.
+    pub(crate) axis_given: bool,
     /// What it is made of.
     pub(crate) form: Form,
     /// What it carries beside that, if it turns.
     pub(crate) attached: Vec<Attached>,
+}
+
+impl NamedBody {
+    /// Whether its bores stand about its own axis: of all that turn, and of a rigid body whose table gives one. Those of a
+    /// mesh stand where their nodes are, and all others about their journals.
+    pub(crate) fn bores_on_axis(&self) -> bool {
+        self.turning.is_some() || self.axis_given && matches!(self.form, Form::Rigid(_))
+    }
 }
 
 /// How a body turns.
@@ -287,11 +298,15 @@ impl JoinedMachine {
             .into_iter()
             .map(|(name, table)| table.read(|table| joints::read(store, table, &name, &known)));
         let joints: Vec<Option<Joint>> = joints.collect();
-        let drives = names::in_order(file, "drives").into_iter().map(|(name, table)| {
+        let drives = names::in_order(file, "drives");
+        names::plain(file, "drive", drives.iter().map(|(name, _)| name));
+        let drives = drives.into_iter().map(|(name, table)| {
             table.read(|table| forces::drive(store, table, &name, &known, turns))
         });
         let drives: Vec<Option<Drive>> = drives.collect();
-        let loads = names::in_order(file, "loads").into_iter();
+        let loads = names::in_order(file, "loads");
+        names::plain(file, "load", loads.iter().map(|(name, _)| name));
+        let loads = loads.into_iter();
         let loads = loads.map(|(name, table)| {
             table.read(|table| forces::load(store, table, &name, &known, turns))
         });

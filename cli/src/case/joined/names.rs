@@ -23,12 +23,27 @@ pub(in crate::case) fn in_order<'d>(file: &Table<'d>, key: &str) -> Vec<(Located
     tables
 }
 
+/// Notes names with other characters than those of bodies and joints.
+pub(super) fn plain<'a>(table: &Table, key: &str, names: impl Iterator<Item = &'a Located>) {
+    for name in names.filter(|name| !is_plain(name.text())) {
+        let article = if key.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+        let called = if key == "added" { "added mass" } else { key };
+        let message = format!("`{}` cannot be the name of {article} {called}", name.text());
+        let help = "use letters, digits, `_` and `-`, as in all names";
+        table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+    }
+}
+
+fn is_plain(text: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    !text.is_empty() && text.chars().all(plain)
+}
+
 /// Notes names that cannot stand in columns, and those that differ in nothing but case.
 pub(in crate::case) fn distinct(file: &Table, key: &str, names: &[Located]) {
     for (place, name) in names.iter().enumerate() {
         let text = name.text();
-        let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
-        if text.is_empty() || !text.chars().all(plain) {
+        if !is_plain(text) {
             let article = if key.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
             let message = format!("`{text}` cannot be the name of {article} {key}");
             let help = "use letters, digits, `_` and `-`: names stand in columns of history.csv";
@@ -47,6 +62,20 @@ pub(in crate::case) fn distinct(file: &Table, key: &str, names: &[Located]) {
             file.push(name.error_here(Code::BAD_VALUE, message).help(help));
         }
     }
+}
+
+/// Notes text in the place of a table; `like` makes of it what is meant.
+pub(super) fn is_text(table: &Table, key: &str, like: impl Fn(&str) -> String) -> bool {
+    let written = table.written(key);
+    let text = written.text();
+    if !table.gives(key) || !text.starts_with(['"', '\'']) || text.contains('\n') {
+        return false;
+    }
+    table.pass_over(key);
+    let message = format!("`{key}` takes a table, not text");
+    let help = format!("write `{key} = {}`", like(text));
+    table.push(written.error_here(Code::BAD_VALUE, message).help(help));
+    true
 }
 
 /// The body that is called so, by its place; what is wrong is noted.

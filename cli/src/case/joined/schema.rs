@@ -30,7 +30,7 @@ pub(crate) const BODY: &[Key] = &[
     ),
     key("material", Text, "a material, of a mesh file where it has no sections"),
     key("regions", Named(&Text), "materials by the names of element sets, in place of the mesh's"),
-    key("modes", Count(0, MOST_MODES), "fixed-interface modes kept"),
+    key("modes", Count(0, MOST_MODES), "fixed-interface modes kept").like("20"),
     key(
         "damping",
         Either(&[DAMPING_TIME, Table(&[PLANE_DAMPING])]),

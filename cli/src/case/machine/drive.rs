@@ -65,7 +65,7 @@ pub(in crate::case) fn needs_a_section(table: &Table) {
 
 /// Notes a couple that never brings the shaft to the target speed: it starts at rest.
 fn leads_to_its_target(table: &Table) {
-    let (torque, target) = (table.quantity("torque"), table.quantity("target_speed"));
+    let (torque, target) = (table.quantity("torque"), super::speed(table, "target_speed"));
     let (Some(torque), Some(target)) = (torque, target) else { return };
     if torque * target > 0.0 || table.optional_boolean("acts") == Some(false) {
         return;

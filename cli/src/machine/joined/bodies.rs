@@ -1,6 +1,6 @@
 //! Bodies before their reduction: meshes with what is held and retained, and rigid bodies with their nodes.
 
-use whirl_codegen::diagnostic::{Diagnostics, Located};
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
 use whirl_solver::mesh::{Mesh, NodeSetMean};
 use whirl_solver::rigid::RigidBody;
@@ -187,6 +187,14 @@ fn tie(
 fn clamp(plan: &mut BodyPlan, case: &MeshedBody, errors: &mut Diagnostics) {
     for set in &case.held {
         let held = plan.nodes(set, errors);
+        if held.len() == plan.mesh.nodes().len() {
+            let message = format!(
+                "`held` holds every node of {}: nothing of it could move",
+                plan.mesh.origin()
+            );
+            let help = "name the nodes of its mounts only; or leave the body out, and let its joints name the ground";
+            errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
+        }
         plan.hold("held", set, &held);
     }
     for spring in &case.ground_springs {

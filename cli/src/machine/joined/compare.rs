@@ -34,7 +34,8 @@ pub(super) fn compare(
         };
         let (journal, bore) = (about(own.sides.bodies[0])?, about(own.sides.bodies[1])?);
         let sets = [own.bearing.journal.as_slice(), own.bearing.bore.as_slice()];
-        let outline = BearingOutline { sets, whole: Some(&own.bearing) };
+        let names = joint.sides.each_ref().map(|side| side.place.text());
+        let outline = BearingOutline { sets, whole: Some(&own.bearing), bodies: Some(names) };
         bearing::compare(place, &outline, journal.as_deref(), bore.as_deref(), errors);
     }
     Ok(())

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::Sides;
 use whirl_solver::mesh::MeanComponent;
+use whirl_text::rounded;
 
 use super::bodies::retain_in_plane;
 use super::section::nodes_at;
@@ -69,7 +70,14 @@ pub(super) fn place(
     match bore_turns {
         true if coupling => {}
         true => sides.apart = [own[0] - other[0], own[1] - other[1]],
+        false if stands_on_axis(joint, joined) => {
+            sides.bore_axis = other;
+            sides.offset = [[other[0] - own[0], other[1] - own[1]]; 3];
+        }
         false => sides.bore_axis = own,
+    }
+    for (place, own) in joint.offset.iter().enumerate() {
+        sides.offset[place] = [0, 1].map(|axis| sides.offset[place][axis] + own[axis]);
     }
     if coupling {
         for (place, side) in joint.sides.iter().enumerate() {
@@ -102,6 +110,38 @@ pub(super) fn place(
         errors.push(name.error_here(Code::MISSING_KEY, message).help(help));
     }
     Some(PlannedJoint { bearing, sides, journal, bore, z })
+}
+
+/// Warnings of a bushing that pushes away what moves, as a magnetic pull does: the symmetric part of its stiffness or of
+/// its damping has a negative eigenvalue.
+pub(super) fn pushes_away(joint: &Joint) -> Vec<String> {
+    if joint.kind != JointKind::Bushing {
+        return Vec::new();
+    }
+    let value = |name: String| {
+        let own = joint.bearing.parameters.iter().find(|own| own.name() == name);
+        own.map_or(0.0, |own| own.value())
+    };
+    let mut warnings = Vec::new();
+    for (letter, called, unit) in [("k", "stiffness", "N/m"), ("c", "damping", "N s/m")] {
+        let [xx, xy, yx, yy] = ["xx", "xy", "yx", "yy"].map(|own| value(format!("{letter}_{own}")));
+        let least = 0.5 * (xx + yy) - (0.5 * (xx - yy)).hypot(0.5 * (xy + yx));
+        if least < -1e-9 * [xx, xy, yx, yy].map(f64::abs).into_iter().fold(0.0, f64::max) {
+            warnings.push(format!(
+                "the {called} of the bushing `{}` is negative along one direction at least ({} {unit}): it drives what \
+                 it joins apart",
+                joint.name.text(),
+                rounded(least, 6)
+            ));
+        }
+    }
+    warnings
+}
+
+/// Whether a bore or a stop that does not turn stands about the axis of its own body.
+fn stands_on_axis(joint: &Joint, joined: &JoinedMachine) -> bool {
+    matches!(joint.kind, JointKind::Bearing | JointKind::Stop)
+        && joint.sides[1].body.is_some_and(|body| joined.bodies[body].bores_on_axis())
 }
 
 /// z of the left end, the middle and the right end.

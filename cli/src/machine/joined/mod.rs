@@ -62,6 +62,7 @@ impl JoinedPlan {
         wanted: &[Output],
         warnings: &mut Vec<String>,
     ) -> Result<JoinedPlan, Failure> {
+        warnings.extend(joined.joints.iter().flat_map(joints::pushes_away));
         let mut errors = Diagnostics::new();
         let mut bodies = bodies::plan(joined, warnings)?;
         let carried = joined.bodies.iter().zip(&mut bodies);
@@ -182,7 +183,7 @@ pub(super) fn assemble(
         bearings.push(Bearing {
             name: format!("{} {}", joint.kind.words().0, joint.name.text()),
             label: Some(format!("_{}", joint.name.text())),
-            sides: Sides { run_out: joint.run_out, offset: joint.offset, ..own.sides.clone() },
+            sides: Sides { run_out: joint.run_out, ..own.sides.clone() },
             journal: own.journal,
             bore: own.bore.clone(),
             clearance: own.bearing.radial_clearance,

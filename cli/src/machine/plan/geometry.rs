@@ -151,7 +151,7 @@ pub(in crate::machine) fn loaded_twice(load: &case::Load, shaft: &Mesh, errors: 
                     set.text(),
                     if both == 1 { "a node".to_string() } else { format!("{both} nodes") }
                 ),
-                "name sets that share no node, or write a second `[[load]]` if that is meant",
+                "name sets that share no node, or write a second load if that is meant",
             ),
         };
         errors.push(set.error_here(Code::BAD_VALUE, message).help(help));

@@ -8,7 +8,7 @@ use whirl_solver::mesh::Mesh;
 
 use self::planes::Length;
 use super::super::BearingOutline;
-use super::place::{digits, mm};
+use super::place::{digits, list, mm};
 use super::sets::{Bore, Journal};
 use crate::case;
 
@@ -27,14 +27,21 @@ pub(in crate::machine) fn compare(
 ) {
     let Some(whole) = outline.whole else { return };
     let [journal, bore] = outline.sets;
+    let means = shaft.and_then(|mesh| Journal::means(mesh, journal));
     let journal = shaft.and_then(|mesh| Journal::find(mesh, journal));
     let bore = support.and_then(|mesh| Bore::find(mesh, bore));
-    let mut own = Comparison { place, whole, errors };
+    let mut own = Comparison { place, whole, bodies: outline.bodies, errors };
     if let Some(journal) = &journal {
         own.on_axis(journal);
     }
     if let Some(bore) = &bore {
         own.radii(bore, journal.as_ref());
+    }
+    // Of sets of several nodes only the order is known: they may stand anywhere around the axis.
+    if let (None, Some(means)) = (&journal, &means)
+        && !own.ordered("journal", means.sets, means.planes(), digits(means.mesh))
+    {
+        return;
     }
     match own.length(journal.as_ref(), bore.as_ref()) {
         Length::Planes(ends) => {
@@ -52,12 +59,31 @@ struct Comparison<'a, 'e> {
     /// Of the bearing, counted from 0.
     place: usize,
     whole: &'a case::Bearing,
+    /// Names of the bodies of journal and bore, where the case names bodies.
+    bodies: Option<[&'a str; 2]>,
     errors: &'e mut Diagnostics,
 }
 
 impl Comparison<'_, '_> {
     fn note(&mut self, at: &Located, message: String, help: String) {
         self.errors.push(at.error_here(Code::BAD_VALUE, message).help(help));
+    }
+
+    /// What messages call the body of the journal.
+    fn shaft(&self) -> String {
+        self.bodies.map_or("the shaft".to_owned(), |[name, _]| format!("`{name}`"))
+    }
+
+    /// How the case lists sets of the journal or the bore.
+    fn listed<'b>(&self, key: &str, names: impl IntoIterator<Item = &'b str>) -> String {
+        let sets = list(names);
+        match self.bodies {
+            None => format!("write `{key} = {sets}`"),
+            Some([journal, bore]) => {
+                let body = if key == "journal" { journal } else { bore };
+                format!("write `{key} = {{ body = {body:?}, sets = {sets} }}`")
+            }
+        }
     }
 
     /// Where the case says `key`, or the bearing.
@@ -80,11 +106,12 @@ impl Comparison<'_, '_> {
                 continue;
             }
             let message = format!(
-                "the journal's node `{}` stands at x = {}, y = {}: {} off the axis about which the shaft turns",
+                "the journal's node `{}` stands at x = {}, y = {}: {} off the axis about which {} turns",
                 set.text(),
                 mm(x),
                 mm(y),
-                mm(x.hypot(y))
+                mm(x.hypot(y)),
+                self.shaft()
             );
             let help = "name a node on the centre line x = y = 0, or move the mesh so that its axis lies there";
             self.note(set, message, help.to_string());
@@ -120,14 +147,17 @@ impl Comparison<'_, '_> {
             let names = [bore.sets, journal.map_or(&[], |own| own.sets)];
             let [bore_name, journal_name] = names.map(|sets| sets[1].text().to_string());
             let message = format!(
-                "the bore at `{bore_name}` has a radius of {}, the shaft at `{journal_name}` one of {}: {} more",
+                "the bore at `{bore_name}` has a radius of {}, {} at `{journal_name}` one of {}: {} more",
                 mm(largest),
+                self.shaft(),
                 mm(shaft),
                 mm(shaft - largest)
             );
-            let help =
-                "name the bore of this journal, or make it larger than the shaft by the clearance";
-            self.note(&bore.sets[0], message, help.to_string());
+            let help = format!(
+                "name the bore of this journal, or make it larger than {} by the clearance",
+                self.shaft()
+            );
+            self.note(&bore.sets[0], message, help);
         } else if shaft * (1.0 - SECTION_DIGITS) + 0.5 * c > largest + digits {
             let message = format!(
                 "`radial_clearance` of {} is more than twice what a shaft whose radius is {} leaves in a bore whose \

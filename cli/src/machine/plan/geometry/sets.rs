@@ -25,6 +25,22 @@ impl<'a> Journal<'a> {
         Some(Journal { mesh, sets, at: [at(left)?, at(middle)?, at(right)?] })
     }
 
+    /// Three sets of nodes, each at their mean; none of one node each, or of one set alone.
+    pub(super) fn means(mesh: &'a Mesh, sets: &'a [Located]) -> Option<Self> {
+        let [left, middle, right] = sets else { return None };
+        if same(mesh, sets) || sets.iter().all(|set| single(mesh, set).is_some()) {
+            return None;
+        }
+        let at = |set| {
+            let nodes = nodes_of(mesh, set)?;
+            let mean = |axis: usize| {
+                nodes.iter().map(|&node| mesh.nodes()[node][axis]).sum::<f64>() / nodes.len() as f64
+            };
+            Some([0, 1, 2].map(mean))
+        };
+        Some(Journal { mesh, sets, at: [at(left)?, at(middle)?, at(right)?] })
+    }
+
     pub(super) fn planes(&self) -> [f64; 3] {
         self.at.map(|position| position[2])
     }

@@ -2,7 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Located};
 
-use super::super::place::{digits, list, mm};
+use super::super::place::{digits, mm};
 use super::super::sets::{Bore, Journal, PLANES, same};
 use super::Comparison;
 
@@ -91,7 +91,13 @@ impl Comparison<'_, '_> {
     }
 
     /// Whether z rises from left to right.
-    fn ordered(&mut self, key: &str, sets: &[Located], z: [f64; 3], digits: f64) -> bool {
+    pub(super) fn ordered(
+        &mut self,
+        key: &str,
+        sets: &[Located],
+        z: [f64; 3],
+        digits: f64,
+    ) -> bool {
         let names: Vec<&str> = sets.iter().map(Located::text).collect();
         let rises = |a: f64, b: f64| b - a > digits;
         let places =
@@ -102,7 +108,7 @@ impl Comparison<'_, '_> {
         if rises(z[1], z[0]) && rises(z[2], z[1]) {
             let [left, _, right] = places([0, 1, 2]);
             let message = format!("left and right of the {key} are swapped: {left}, {right}");
-            let help = format!("write `{key} = {}`", list(names.iter().rev().copied()));
+            let help = self.listed(key, names.iter().rev().copied());
             self.note(&sets[0], message, help);
             return false;
         }
@@ -113,7 +119,7 @@ impl Comparison<'_, '_> {
         let (message, help) = match distinct {
             true => (
                 format!("the {key}'s middle is not between its ends: {left}, {middle}, {right}"),
-                format!("write `{key} = {}`", list(order.map(|i| names[i]))),
+                self.listed(key, order.map(|i| names[i])),
             ),
             false => (
                 format!("the {key} has fewer than three planes: {left}, {middle}, {right}"),

@@ -126,11 +126,12 @@ impl Comparison<'_, '_> {
         }
         let set = &bore.sets[ring];
         let message = format!(
-            "the nodes of `{}` stand on a circle about x = {}, y = {}: {} off the axis of the shaft",
+            "the nodes of `{}` stand on a circle about x = {}, y = {}: {} off the axis of {}",
             set.text(),
             mm(x),
             mm(y),
-            mm(x.hypot(y))
+            mm(x.hypot(y)),
+            self.shaft()
         );
         let help = "name the nodes of the bore about x = y = 0, or move the mesh so that its axis lies there";
         self.note(set, message, help.to_string());
