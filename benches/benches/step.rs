@@ -22,11 +22,7 @@ fn options() -> MarchOptions {
 }
 
 fn parts() -> MachineParts {
-    match whirl_cli::machine_parts("hu2003-5") {
-        Ok(Some(parts)) => parts,
-        Ok(None) => panic!("the fifth analysis has a shaft"),
-        Err(text) => panic!("{text}"),
-    }
+    whirl_cli::machine_parts("hu2003-5").unwrap_or_else(|text| panic!("{text}"))
 }
 
 fn step(c: &mut Criterion) {

@@ -67,12 +67,11 @@ pub fn examine(case: &str) -> Result<Vec<String>, Failure> {
     Ok(warnings)
 }
 
-/// What the machine of a case is made from, for programs that march it themselves; nothing of a lumped
-/// case. `case`: a path or the name of a built-in case. What there is to warn of, [`examine`] says.
+/// What the machine of a case is made from, for programs that march it themselves. `case`: a path or the name of a built-in case. What there is to warn of, [`examine`] says.
 ///
 /// # Errors
 /// Everything wrong with the case, as text.
-pub fn machine_parts(case: &str) -> Result<Option<MachineParts>, String> {
+pub fn machine_parts(case: &str) -> Result<MachineParts, String> {
     let case = case::read(case).map_err(|errors| errors.render())?;
     machine::parts(&case, &mut Vec::new()).map_err(|failure| failure.report())
 }

@@ -61,7 +61,10 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
 fn build(case: &Case, arguments: &CacheArguments, show: ProgressMode) -> Result<Built, Failure> {
     let cache = arguments.open();
     streams::warned(|warnings| {
-        let build = || machine::build(case, None, cache.as_ref(), warnings);
+        let build = || {
+            let plan = machine::plan(case, warnings)?;
+            machine::build(case, plan.as_ref(), cache.as_ref(), warnings)
+        };
         progress::during(show, case.reducing(), build)
     })
 }

@@ -119,6 +119,22 @@ impl Body {
         }
     }
 
+    /// As [`Body::nodes`].
+    pub(crate) fn nodes_mut(&mut self) -> &mut Vec<BodyNode> {
+        match self {
+            Body::Turning { shaft, .. } => &mut shaft.nodes,
+            Body::Standing { support, .. } => &mut support.nodes,
+        }
+    }
+
+    /// Frequencies of its modes with what it retains held (Hz).
+    pub fn hertz(&self) -> &[f64] {
+        match self {
+            Body::Turning { shaft, .. } => &shaft.hertz,
+            Body::Standing { support, .. } => &support.hertz,
+        }
+    }
+
     /// Its mean motions.
     pub fn measures(&self) -> &[MeanMotion] {
         match self {

@@ -1,4 +1,4 @@
-//! From meshes and kernels to histories: assembly, reduction, Newmark–Newton.
+//! From meshes and kernels to histories: assembly, reduction, Newmark–Newton. The pipeline is in [`model`].
 
 pub mod assembly;
 pub mod attached;
@@ -19,6 +19,7 @@ pub mod machine;
 mod mean_frame;
 pub mod measure;
 pub mod mesh;
+pub mod model;
 mod ordering;
 pub mod output;
 pub mod reduced;

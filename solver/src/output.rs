@@ -1,29 +1,31 @@
 //! Outputs by request: what a history has beside its usual columns.
 
+use crate::bodies::Body;
 use crate::body::BodyNode;
 use crate::loads::Frame;
 
 /// Letters of the axes in names of columns.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// What is wanted, under a name of its own.
+/// What is wanted, under a name of its own. A point is `P`: of a reduced body as it moves, before that its place among the
+/// nodes of its body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Output {
+pub struct Output<P = BodyNode> {
     /// Between the quantity and the unit of its columns.
     pub name: String,
     /// What it is.
-    pub what: Wanted,
+    pub what: Wanted<P>,
 }
 
 /// What can be wanted.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Wanted {
+pub enum Wanted<P = BodyNode> {
     /// How a point of a body moves.
     Motion {
         /// The body, by its place in the machine.
         body: usize,
         /// The point.
-        point: BodyNode,
+        point: P,
         /// Displacement or one of its derivatives.
         motion: Motion,
         /// Whose components they are. The displacement u of a body that turns is that beside its rotation: A(θ)u in
@@ -85,6 +87,24 @@ pub enum JointQuantity {
     Twist,
     /// Its rate (rad/s).
     TwistRate,
+}
+
+impl Output<usize> {
+    /// With its point as it moves.
+    pub(crate) fn on(self, bodies: &[Body]) -> Output {
+        let Output { name, what } = self;
+        let what = match what {
+            Wanted::Motion { body, point, motion, frame, components } => {
+                let point = bodies[body].nodes()[point].clone();
+                Wanted::Motion { body, point, motion, frame, components }
+            }
+            Wanted::Joint { joint, quantity, frame } => Wanted::Joint { joint, quantity, frame },
+            Wanted::Energy { body } => Wanted::Energy { body },
+            Wanted::Power { body } => Wanted::Power { body },
+            Wanted::JointPower { joint } => Wanted::JointPower { joint },
+        };
+        Output { name, what }
+    }
 }
 
 impl Output {

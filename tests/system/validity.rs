@@ -17,7 +17,7 @@ const TIME_STEP: f64 = 7.4e-5;
 fn the_reference_system_stays_within_its_films() {
     for (case, steps) in STEPS {
         let parts = whirl_cli::machine_parts(case).unwrap_or_else(|error| panic!("{error}"));
-        let machine = Machine::new(parts.expect("a shaft")).unwrap_or_else(|e| panic!("{e}"));
+        let machine = Machine::new(parts).unwrap_or_else(|e| panic!("{e}"));
         let options = MarchOptions {
             time_step: TIME_STEP,
             steps,

@@ -1,58 +1,23 @@
-//! Loads and drives of a case on reduced bodies.
+//! Loads and drives of a case.
 
 use std::sync::Arc;
 
 use whirl_codegen::units::Dimension;
 use whirl_solver::bodies::Body;
-use whirl_solver::body::BodyNode;
 use whirl_solver::curve::Curve;
-use whirl_solver::gravity::weights;
-use whirl_solver::loads::{Frame, Load, TimeFunction};
-use whirl_solver::measure::MeanMotion;
+use whirl_solver::loads::{Frame, Onset, TimeFunction};
+use whirl_solver::model::{LoadAction, LoadModel, Place};
 
 use crate::case::{self, Acting, Columns, Gravity, Variation};
 
-/// Where a load or a drive acts on a body.
-#[derive(Debug, Clone)]
-pub(super) enum Place {
-    /// On output nodes of the body.
-    Nodes(Vec<usize>),
-    /// On one of its mean motions.
-    Mean(usize),
-}
-
-/// A reduced body, as loads see it.
-#[derive(Clone, Copy)]
-pub(super) struct Loaded<'a> {
-    /// Its place in the machine.
-    pub(super) body: usize,
-    /// Its output nodes.
-    pub(super) nodes: &'a [BodyNode],
-    /// Its mean motions.
-    pub(super) means: &'a [MeanMotion],
-}
-
-/// The loads that one of a case is.
-pub(super) fn loads(own: &case::Load, on: Loaded, place: &Place) -> Vec<Load> {
-    let time_function = time_function(own, on.body);
-    let force = |node: BodyNode, force: [f64; 3]| {
-        Load::force(on.body, node, force, time_function.clone(), own.frame)
+/// A load of a case.
+pub(super) fn load(own: &case::Load, body: usize, place: &Place) -> LoadModel {
+    let action = match own.acting {
+        Acting::Force(parts) => LoadAction::Force(parts),
+        Acting::Couple(parts) => LoadAction::Couple(parts),
     };
-    let loads: Vec<Load> = match (own.acting, place) {
-        (Acting::Force(parts), Place::Nodes(nodes)) => {
-            nodes.iter().map(|&node| force(on.nodes[node].clone(), parts)).collect()
-        }
-        (Acting::Force(parts), Place::Mean(mean)) => {
-            let mean = &on.means[*mean];
-            vec![force(mean.node_at(mean.centre), parts)]
-        }
-        (Acting::Couple(parts), Place::Mean(mean)) => {
-            let turn = on.means[*mean].rotation.clone();
-            vec![Load::couple(on.body, turn, parts, time_function.clone(), own.frame)]
-        }
-        (Acting::Couple(_), Place::Nodes(_)) => unreachable!("couples act on mean motions"),
-    };
-    loads.into_iter().map(|load| load.from(own.onset)).collect()
+    let (place, time_function) = (place.clone(), time_function(own, body));
+    LoadModel { body, place, action, time_function, onset: own.onset, frame: own.frame }
 }
 
 fn time_function(own: &case::Load, body: usize) -> TimeFunction {
@@ -79,12 +44,8 @@ fn time_function(own: &case::Load, body: usize) -> TimeFunction {
 /// Tables are checked where they are read.
 const CHECKED: &str = "rows that rise and close";
 
-/// The couple of a drive: ±F along y of the body's frame at two nodes, F = torque / distance along x, or on a mean
-/// rotation.
-pub(super) fn drive(own: &case::Drive, on: Loaded, place: &Place) -> Vec<Load> {
-    if !own.acts {
-        return Vec::new();
-    }
+/// The couple of a drive, if it acts.
+pub(super) fn drive(own: &case::Drive, body: usize, place: &Place) -> Option<LoadModel> {
     let (torque, time_function) = match &own.table {
         Some(columns) => (1.0, curve(columns)),
         None => {
@@ -92,22 +53,9 @@ pub(super) fn drive(own: &case::Drive, on: Loaded, place: &Place) -> Vec<Load> {
             (own.torque, TimeFunction::UntilSpeed { target, release })
         }
     };
-    match place {
-        Place::Nodes(nodes) => {
-            let [top, bottom] = [0, 1].map(|end| &on.nodes[nodes[end]]);
-            let force = torque / (top.position[0] - bottom.position[0]);
-            let half = |node: &BodyNode, force| {
-                let time_function = time_function.clone();
-                Load::force(on.body, node.clone(), [0.0, force, 0.0], time_function, Frame::Body)
-            };
-            vec![half(top, force), half(bottom, -force)]
-        }
-        Place::Mean(mean) => {
-            let turn = on.means[*mean].rotation.clone();
-            let couple = [0.0, 0.0, torque];
-            vec![Load::couple(on.body, turn, couple, time_function, Frame::Body)]
-        }
-    }
+    let (action, onset, frame) =
+        (LoadAction::Couple([0.0, 0.0, torque]), Onset::Start, Frame::Body);
+    own.acts.then(|| LoadModel { body, place: place.clone(), action, time_function, onset, frame })
 }
 
 fn curve(columns: &Columns) -> TimeFunction {
@@ -118,13 +66,14 @@ fn curve(columns: &Columns) -> TimeFunction {
     }
 }
 
-/// The weights of bodies, and what is to be said of those that do not move along gravity.
-pub(super) fn gravity(
-    own: Option<&Gravity>,
-    bodies: &[Body],
-    warnings: &mut Vec<String>,
-) -> Vec<Load> {
-    let Some(own) = own else { return Vec::new() };
+/// Acceleration by gravity (m/s²).
+pub(super) fn acceleration(own: Option<&Gravity>) -> [f64; 3] {
+    own.map_or([0.0; 3], |own| own.acceleration)
+}
+
+/// What is to be said of bodies that do not move along gravity.
+pub(super) fn unmoved(own: Option<&Gravity>, bodies: &[Body]) -> Option<String> {
+    let own = own.filter(|own| own.acceleration[2] != 0.0)?;
     let heavy = bodies.iter().filter(|body| body.centre_of_mass().mass > 0.0);
     let moves = |body: &Body| {
         let shapes = &body.centre_of_mass().node.shapes;
@@ -132,13 +81,12 @@ pub(super) fn gravity(
     };
     let still: Vec<String> =
         heavy.filter(|body| !moves(body)).map(|body| format!("`{}`", body.name())).collect();
-    if own.acceleration[2] != 0.0 && !still.is_empty() {
-        warnings.push(format!(
+    (!still.is_empty()).then(|| {
+        format!(
             "{}: the part of `gravity` along z has no effect on {}, which {} not move along z",
             own.place.source().path.display(),
             still.join(", "),
             if still.len() == 1 { "does" } else { "do" }
-        ));
-    }
-    weights(bodies, own.acceleration)
+        )
+    })
 }

@@ -3,24 +3,31 @@
 use std::f64::consts::{PI, TAU};
 
 use whirl_solver::bearing::{Bearing, Sides};
+use whirl_solver::bodies::Rotation;
 use whirl_solver::dynamics::BodyStart;
-use whirl_solver::loads::{Frame, Load, TimeFunction};
-use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
+use whirl_solver::loads::{Frame, Onset, TimeFunction};
+use whirl_solver::model::{BodyModel, Form, LoadAction, LoadModel, Model, Place};
 use whirl_solver::shaft::Shaft;
-use whirl_solver::support::Support;
 
-use super::forces;
-use super::springs::{Laws, clearance, explain};
-use super::{Built, outputs};
+use super::described::Described;
+use super::springs::{Laws, clearance};
+use super::{forces, outputs};
 use crate::case::{Lumped, Output, Side, Unbalance};
 use crate::errors::Failure;
 
-pub(super) fn build(
-    (lumped, wanted): (&Lumped, &[Output]),
-    warnings: &mut Vec<String>,
-) -> Result<Built, Failure> {
+/// Place of the mass among the bodies.
+const MASS: usize = 0;
+
+/// The case as the solver takes it.
+///
+/// # Errors
+/// Whatever is wrong with laws.
+pub(super) fn describe<'a>(
+    lumped: &'a Lumped,
+    wanted: &[Output],
+) -> Result<Described<'a>, Failure> {
     let stiffness = [lumped.stiffness; 2];
-    let shaft = Shaft::lumped(lumped.mass, stiffness, [lumped.damping; 2], 0.0);
+    let mut shaft = Shaft::lumped(lumped.mass, stiffness, [lumped.damping; 2], 0.0);
     let mut laws = Laws::default();
     let mut bearings = Vec::with_capacity(lumped.stops.len());
     for (place, stop) in lumped.stops.iter().enumerate() {
@@ -42,8 +49,13 @@ pub(super) fn build(
             law: laws.place(&stop.law)?,
         });
     }
-    let load = |[x, y]: [f64; 2], time_function: TimeFunction| {
-        Load::force(0, shaft.nodes[0].clone(), [x, y, 0.0], time_function, Frame::Space)
+    let load = |force: [f64; 2], time_function: TimeFunction| LoadModel {
+        body: MASS,
+        place: Place::Nodes(vec![0]),
+        action: LoadAction::Force([force[0], force[1], 0.0]),
+        time_function,
+        onset: Onset::Start,
+        frame: Frame::Space,
     };
     let mut loads = Vec::new();
     if lumped.force != 0.0 {
@@ -55,36 +67,49 @@ pub(super) fn build(
         loads.push(load([force, 0.0], turning(0.5 * PI)));
         loads.push(load([0.0, force], turning(0.0)));
     }
-    let (used, law_hashes) = (laws.used(), laws.hashes());
     let rotation = match lumped.unbalance {
         Some(Unbalance { speed, .. }) => Rotation::Spinning { speed },
         None => Rotation::Held,
     };
-    let bodies =
-        vec![Body::turning("mass", shaft, rotation), Body::standing("ground", Support::rigid(&[]))];
-    loads.extend(forces::gravity(lumped.gravity.as_ref(), &bodies, warnings));
-    let machine = Machine::new(MachineParts {
-        bodies,
-        motion: lumped.motion,
-        clearance: clearance(),
-        laws: laws.into_laws(),
-        bearings,
-        loads,
-    })
-    .map_err(|error| explain(error, |place| &lumped.stops[place].law_name, |_| &[]))?;
-    // The mass is a point.
-    let made = outputs::of_bodies(wanted, &vec![0; wanted.len()], &machine.bodies);
-    let machine = machine.with_outputs(made)?;
-    Ok(Built {
-        machine,
+    // The mass is a point, which every output has for itself.
+    let own = shaft.nodes.len();
+    shaft.nodes.extend(vec![shaft.nodes[0].clone(); wanted.len()]);
+    let places: Vec<usize> = (own..shaft.nodes.len()).collect();
+    let mass = Form::Lumped(Box::new(shaft));
+    Ok(Described {
+        laws: laws.used(),
+        law_hashes: laws.hashes(),
+        model: Model {
+            bodies: vec![
+                BodyModel {
+                    name: "mass",
+                    form: mass,
+                    rotation: Some(rotation),
+                    carried: Vec::new(),
+                },
+                BodyModel {
+                    name: "ground",
+                    form: Form::Ground,
+                    rotation: None,
+                    carried: Vec::new(),
+                },
+            ],
+            motion: lumped.motion,
+            clearance: clearance(),
+            laws: laws.into_laws(),
+            bearings,
+            loads,
+            gravity: forces::acceleration(lumped.gravity.as_ref()),
+            outputs: outputs::placed(wanted, &places),
+        },
+        plans: vec![None, None],
         initial: vec![BodyStart {
             speed: 0.0,
             position: vec![lumped.displacement, 0.0],
             velocity: vec![lumped.velocity, 0.0],
         }],
-        clearances: lumped.stops.iter().map(|stop| stop.gap).collect(),
-        laws: used,
-        law_hashes,
-        bodies: None,
+        gravity: lumped.gravity.as_ref(),
+        law_places: lumped.stops.iter().map(|stop| &stop.law_name).collect(),
+        bore_places: vec![&[]; lumped.stops.len()],
     })
 }

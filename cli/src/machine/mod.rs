@@ -1,6 +1,6 @@
 //! From a case to a machine that can be marched: meshes, sets, reduced bodies, springs, loads.
 
-mod bodies;
+mod described;
 mod forces;
 mod joined;
 mod laws;
@@ -19,6 +19,7 @@ use whirl_solver::machine::{Machine, MachineParts};
 pub(crate) use joined::{JoinedPlan, PlannedBody};
 pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
 
+use self::described::Described;
 use crate::case::{self, Case, LawSource, System, SystemDraft};
 use crate::errors::Failure;
 
@@ -126,47 +127,25 @@ pub(crate) fn build(
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
-    let outputs = case.outputs.as_slice();
-    match (&case.system, plan) {
-        (System::Rotor(rotor), Some(Plan::Rotor(plan))) => {
-            rotor::build((rotor, outputs), plan, cache, warnings)
-        }
-        (System::Rotor(rotor), _) => rotor::build(
-            (rotor, outputs),
-            &MachinePlan::new(rotor, &case.outputs, warnings)?,
-            cache,
-            warnings,
-        ),
-        (System::Joined(joined), Some(Plan::Joined(plan))) => {
-            joined::build((joined, outputs), plan, cache, warnings)
-        }
-        (System::Joined(joined), _) => joined::build(
-            (joined, outputs),
-            &JoinedPlan::new(joined, &case.outputs, warnings)?,
-            cache,
-            warnings,
-        ),
-        (System::Lumped(lumped), _) => lumped::build((lumped, outputs), warnings),
-    }
+    describe(case, plan)?.build(cache, warnings)
 }
 
-/// What the machine of a case with meshes or named bodies is made from; nothing of a lumped case.
+/// What the machine of a case is made from.
 ///
 /// # Errors
 /// As [`build`].
-pub(crate) fn parts(
-    case: &Case,
-    warnings: &mut Vec<String>,
-) -> Result<Option<MachineParts>, Failure> {
-    match &case.system {
-        System::Rotor(rotor) => {
-            let plan = MachinePlan::new(rotor, &case.outputs, warnings)?;
-            Ok(Some(rotor::assemble(rotor, &plan, None, warnings)?.parts))
-        }
-        System::Joined(joined) => {
-            let plan = JoinedPlan::new(joined, &case.outputs, warnings)?;
-            Ok(Some(joined::assemble(joined, &plan, None, warnings)?.parts))
-        }
-        System::Lumped(_) => Ok(None),
+pub(crate) fn parts(case: &Case, warnings: &mut Vec<String>) -> Result<MachineParts, Failure> {
+    let plan = plan(case, warnings)?;
+    describe(case, plan.as_ref())?.parts(warnings)
+}
+
+/// The case as the solver takes it, by its own [`plan`].
+fn describe<'a>(case: &'a Case, plan: Option<&'a Plan>) -> Result<Described<'a>, Failure> {
+    let outputs = case.outputs.as_slice();
+    match (&case.system, plan) {
+        (System::Rotor(own), Some(Plan::Rotor(plan))) => rotor::describe(own, outputs, plan),
+        (System::Joined(own), Some(Plan::Joined(plan))) => joined::describe(own, outputs, plan),
+        (System::Lumped(own), _) => lumped::describe(own, outputs),
+        (System::Rotor(_) | System::Joined(_), _) => unreachable!("a plan of another case"),
     }
 }

@@ -1,7 +1,6 @@
 //! Where the points of outputs are on their bodies.
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};
-use whirl_solver::machine::Body;
 use whirl_solver::output;
 
 use super::plan::BodyPlan;
@@ -29,18 +28,14 @@ pub(super) fn on_mesh(plan: &mut BodyPlan, set: &Located, errors: &mut Diagnosti
     }
 }
 
-/// Outputs with their points, at these places among the nodes of their bodies.
-pub(super) fn of_bodies(
-    outputs: &[Output],
-    places: &[usize],
-    bodies: &[Body],
-) -> Vec<output::Output> {
-    let made = |(own, &place): (&Output, &usize)| output::Output {
+/// Outputs with their points at these places.
+pub(super) fn placed(outputs: &[Output], places: &[usize]) -> Vec<output::Output<usize>> {
+    let made = |(own, &point): (&Output, &usize)| output::Output {
         name: own.name.text().to_owned(),
         what: match &own.what {
             Wanted::Motion { body, motion, frame, components, .. } => output::Wanted::Motion {
                 body: *body,
-                point: bodies[*body].nodes()[place].clone(),
+                point,
                 motion: *motion,
                 frame: *frame,
                 components: components.clone(),
@@ -54,22 +49,4 @@ pub(super) fn of_bodies(
         },
     };
     outputs.iter().zip(places).map(made).collect()
-}
-
-/// As [`of_bodies`]; the points, which are the last nodes of their bodies, are taken off them: tolerances are by the
-/// farthest node of a body, and an output changes nothing that is computed.
-pub(super) fn taken_off(
-    outputs: &[Output],
-    places: &[usize],
-    bodies: &mut [Body],
-) -> Vec<output::Output> {
-    let made = of_bodies(outputs, places, bodies);
-    for (own, &place) in outputs.iter().zip(places) {
-        let Wanted::Motion { body, .. } = own.what else { continue };
-        match &mut bodies[body] {
-            Body::Turning { shaft, .. } => shaft.nodes.truncate(place),
-            Body::Standing { support, .. } => support.nodes.truncate(place),
-        }
-    }
-    made
 }

@@ -10,11 +10,11 @@ use whirl_solver::constraints::GroundSpring;
 use whirl_solver::mesh::Mesh;
 use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
+use whirl_solver::model::Place;
 
 pub(crate) use self::body::BodyPlan;
 pub(super) use self::body::HoldingWords;
 pub(super) use self::driven::Turn;
-use super::forces::Place;
 use super::laws::laws;
 use super::{meshes, outputs};
 use crate::case::{self, LawSource, Output, Rotor, RotorDraft};

@@ -55,22 +55,18 @@ impl Laws {
 }
 
 /// Errors of a machine where the case causes them: at the law of a bearing, or at the set of a ring of its
-/// bore.
-pub(super) fn explain<'a>(
-    error: Error,
-    law_of: impl Fn(usize) -> &'a Located,
-    bore_of: impl Fn(usize) -> &'a [Located],
-) -> Failure {
+/// bore. `laws` and `bores`: where the case says them, a bearing each.
+pub(super) fn explain(error: Error, laws: &[&Located], bores: &[&[Located]]) -> Failure {
     let mut placed = Diagnostics::new();
     for part in error.parts() {
         match part {
             Error::Law { law, bearing: Some(place), what, help } => {
                 let message = format!("the law `{law}` {what}");
-                let found = law_of(*place).error_here(Code::BAD_VALUE, message);
+                let found = laws[*place].error_here(Code::BAD_VALUE, message);
                 placed.push(found.help(help.clone()));
             }
             Error::Bore { place, ring, .. } => {
-                let Some(set) = bore_of(*place).get(*ring) else { continue };
+                let Some(set) = bores[*place].get(*ring) else { continue };
                 placed.push(set.error_here(Code::BAD_VALUE, part.to_string()).help(NAME_A_RING));
             }
             _ => {}

@@ -1,10 +1,8 @@
 //! Discs and unbalance on the sections of a body that turns.
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
-use whirl_solver::attached::{Disc, PointMass, Unbalance};
-use whirl_solver::linalg::Matrix;
 use whirl_solver::mesh::MeanComponent;
-use whirl_solver::shaft::Shaft;
+use whirl_solver::model::{Attachment, AttachmentKind, Place};
 
 use super::PlannedBody;
 use super::section::{ends, nodes_at};
@@ -15,36 +13,29 @@ use crate::machine::plan::geometry::mm;
 /// A section is at most this part of the body's length away from where it is looked for.
 const NEAR: f64 = 0.01;
 
-/// Something on a section.
-pub(crate) struct PlannedAttached {
-    own: Attached,
-    at: Place,
-}
-
-/// Where a body carries something.
-enum Place {
-    /// One of the output nodes of a rigid body.
-    Node(usize),
-    /// One of the mean motions of a mesh.
-    Section(usize),
-}
-
 /// Finds the sections, and retains their centres where there are nodes.
 pub(super) fn plan(
     attached: &[Attached],
     body: &mut PlannedBody,
     errors: &mut Diagnostics,
-) -> Vec<PlannedAttached> {
+) -> Vec<Attachment> {
     let mut all = Vec::with_capacity(attached.len());
     for own in attached {
         let at = match body {
-            PlannedBody::Meshed(plan) => section(own, plan, errors).map(Place::Section),
+            PlannedBody::Meshed(plan) => section(own, plan, errors).map(Place::Mean),
             PlannedBody::Rigid(rigid) => {
                 let [x, y] = off_axis(own);
-                Some(Place::Node(rigid.node([x, y, own.z])))
+                Some(Place::Nodes(vec![rigid.node([x, y, own.z])]))
             }
         };
-        all.extend(at.map(|at| PlannedAttached { own: own.clone(), at }));
+        let kind = match own.what {
+            Carried::Disc { mass, polar_inertia, transverse_inertia } => {
+                AttachmentKind::Disc { mass, polar_inertia, diametral_inertia: transverse_inertia }
+            }
+            Carried::Mass { mass, place } => AttachmentKind::Mass { mass, offset: place },
+            Carried::Unbalance(moment) => AttachmentKind::Unbalance(moment),
+        };
+        all.extend(at.map(|at| Attachment { at, z: own.z, kind }));
     }
     all
 }
@@ -123,43 +114,4 @@ fn off_axis(own: &Attached) -> [f64; 2] {
         Carried::Mass { place, .. } => place,
         Carried::Disc { .. } | Carried::Unbalance(_) => [0.0; 2],
     }
-}
-
-/// The shaft with all that it carries.
-pub(super) fn attach(shaft: Shaft, attached: &[PlannedAttached]) -> Shaft {
-    attached.iter().fold(shaft, |shaft, PlannedAttached { own, at }| {
-        let [x, y] = off_axis(own);
-        let (centre, mean) = match at {
-            Place::Node(place) => (shaft.nodes[*place].clone(), None),
-            Place::Section(place) => {
-                let mean = shaft.measures[*place].clone();
-                (mean.node_at([x, y, own.z]), Some(mean))
-            }
-        };
-        match (own.what, mean) {
-            (Carried::Unbalance(moment), _) => {
-                shaft.with_unbalance(&Unbalance { moment, node: &centre })
-            }
-            (Carried::Mass { mass, .. }, _) => {
-                shaft.with_point_mass(&PointMass { mass, node: &centre })
-            }
-            (Carried::Disc { mass, polar_inertia, transverse_inertia }, Some(mean)) => {
-                let rows = |first: usize, count: usize| {
-                    Matrix::from_fn(count, mean.rotation.cols, |i, j| mean.rotation[(first + i, j)])
-                };
-                let (tilt, twist) = (rows(0, 2), rows(2, 1));
-                shaft.with_disc(&Disc {
-                    mass,
-                    polar_inertia,
-                    diametral_inertia: transverse_inertia,
-                    z: own.z,
-                    displacement: &centre.shapes,
-                    tilt: &tilt,
-                    twist: Some(&twist.data),
-                })
-            }
-            // The case refuses a disc on a rigid body.
-            (Carried::Disc { .. }, None) => shaft,
-        }
-    })
 }

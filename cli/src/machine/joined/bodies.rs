@@ -3,6 +3,7 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
 use whirl_solver::mesh::{Mesh, NodeSetMean};
+use whirl_solver::model::{Form as ModelForm, Place};
 use whirl_solver::rigid::RigidBody;
 
 use super::section;
@@ -11,7 +12,6 @@ use crate::case::{
     self, Acting, Dimensions, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody,
 };
 use crate::errors::Failure;
-use crate::machine::forces::Place;
 use crate::machine::meshes;
 use crate::machine::plan::{AXES, BodyPlan, HoldingWords};
 
@@ -122,6 +122,22 @@ fn held_against_turning(mesh: &Mesh, sets: &[Located]) -> bool {
 }
 
 impl PlannedBody {
+    /// Its plan, if it has a mesh.
+    pub(super) fn meshed(&self) -> Option<&BodyPlan> {
+        match self {
+            PlannedBody::Meshed(plan) => Some(plan),
+            PlannedBody::Rigid(_) => None,
+        }
+    }
+
+    /// The body as the solver takes it.
+    pub(super) fn form(&self) -> ModelForm<'_> {
+        match self {
+            PlannedBody::Meshed(plan) => plan.form(),
+            PlannedBody::Rigid(RigidPlan { body, nodes }) => ModelForm::Rigid(body, nodes),
+        }
+    }
+
     /// Where a couple drives it.
     pub(super) fn driven(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> Place {
         match self {

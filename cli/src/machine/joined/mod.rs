@@ -7,38 +7,30 @@ mod joints;
 mod section;
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};
 use whirl_solver::bearing::{Bearing, Sides};
-use whirl_solver::cache::Cache;
+use whirl_solver::bodies::Rotation;
 use whirl_solver::dynamics::BodyStart;
 use whirl_solver::loads::Release;
-use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
-use whirl_solver::mesh::NodeSetMean;
-use whirl_solver::reduced::BodyKind;
-use whirl_solver::rigid::RigidInertia;
+use whirl_solver::model::{Attachment, BodyModel, Form, Model, Place};
 use whirl_solver::schedule::Schedule;
-use whirl_solver::shaft::Shaft;
-use whirl_solver::support::Support;
 
-use self::attached::{PlannedAttached, attach};
 pub(crate) use self::bodies::PlannedBody;
 use self::joints::PlannedJoint;
-use super::forces::{self, Loaded, Place};
+use super::described::Described;
 use super::laws::laws_of;
-use super::plan::{BodyPlan, geometry};
-use super::springs::{Laws, angles, clearance, explain};
-use super::{BodyFact, BodyFacts, Built, bodies as reduced_bodies, outputs, rotor};
-use crate::case::{self, Form, JoinedMachine, LawSource, Output, Turning};
+use super::plan::geometry;
+use super::springs::{Laws, angles, clearance};
+use super::{forces, outputs, rotor};
+use crate::case::{self, JoinedMachine, LawSource, Output, Turning};
 use crate::errors::Failure;
-
 /// Bodies, joints, drives and loads before the reduction of what has a mesh.
 pub(crate) struct JoinedPlan {
     /// In the order of the case.
     pub(crate) bodies: Vec<PlannedBody>,
     /// What each body carries.
-    attached: Vec<Vec<PlannedAttached>>,
+    attached: Vec<Vec<Attachment>>,
     /// In the order of the case.
     joints: Vec<PlannedJoint>,
     /// Where each drive acts on its body; of two nodes top, then bottom.
@@ -129,54 +121,29 @@ impl JoinedPlan {
     }
 }
 
-pub(super) fn build(
-    (joined, wanted): (&JoinedMachine, &[Output]),
-    plan: &JoinedPlan,
-    cache: Option<&Cache>,
-    warnings: &mut Vec<String>,
-) -> Result<Built, Failure> {
-    let assembled = assemble(joined, plan, cache, warnings)?;
-    let Assembled { mut parts, laws, law_hashes, facts } = assembled;
-    let made = outputs::taken_off(wanted, &plan.outputs, &mut parts.bodies);
-    let initial = joined.bodies.iter().map(|body| BodyStart {
-        speed: match body.turning {
-            Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
-            _ => 0.0,
-        },
-        ..BodyStart::default()
-    });
-    let machine = Machine::new(parts).map_err(|error| {
-        let law = |place: usize| &joined.joints[place].bearing.law.name;
-        explain(error, law, |place| joined.joints[place].bearing.bore.as_slice())
-    })?;
-    Ok(Built {
-        machine: machine.with_outputs(made)?,
-        initial: initial.collect(),
-        clearances: joined.joints.iter().map(|own| own.bearing.radial_clearance).collect(),
-        laws,
-        law_hashes,
-        bodies: facts,
-    })
-}
-
-/// What a machine is made from, and what results say about it.
-pub(super) struct Assembled {
-    pub(super) parts: MachineParts,
-    laws: Vec<LawSource>,
-    law_hashes: Vec<(String, String)>,
-    facts: Option<BodyFacts>,
-}
-
-/// Reduces the bodies and places springs and loads.
-pub(super) fn assemble(
-    joined: &JoinedMachine,
-    plan: &JoinedPlan,
-    cache: Option<&Cache>,
-    warnings: &mut Vec<String>,
-) -> Result<Assembled, Failure> {
-    let (mut bodies, facts) = reduced(joined, plan, cache, warnings)?;
-    bodies.push(Body::standing("ground", Support::rigid(&[])));
-    let mut placed = Laws::default();
+/// The case as the solver takes it.
+///
+/// # Errors
+/// Whatever is wrong with laws.
+pub(super) fn describe<'a>(
+    joined: &'a JoinedMachine,
+    wanted: &[Output],
+    plan: &'a JoinedPlan,
+) -> Result<Described<'a>, Failure> {
+    let (mut bodies, mut plans) = (Vec::new(), Vec::new());
+    for ((own, planned), carried) in joined.bodies.iter().zip(&plan.bodies).zip(&plan.attached) {
+        bodies.push(BodyModel {
+            name: own.name.text(),
+            form: planned.form(),
+            rotation: own.turning.as_ref().map(rotation),
+            carried: carried.clone(),
+        });
+        plans.push(planned.meshed());
+    }
+    let ground = Form::Ground;
+    bodies.push(BodyModel { name: "ground", form: ground, rotation: None, carried: Vec::new() });
+    plans.push(None);
+    let mut laws = Laws::default();
     let mut bearings = Vec::with_capacity(joined.joints.len());
     for ((joint, own), law) in joined.joints.iter().zip(&plan.joints).zip(&plan.laws) {
         let springs = own.bearing.springs;
@@ -190,122 +157,54 @@ pub(super) fn assemble(
             journal_radius: own.bearing.journal_radius,
             stations: rotor::stations(&own.bearing, [own.z[0], own.z[2]]),
             angles: joint.angle.map_or_else(|| angles(springs), |angle| vec![angle]),
-            law: placed.place(law)?,
+            law: laws.place(law)?,
         });
     }
-    let on =
-        |body: usize| Loaded { body, nodes: bodies[body].nodes(), means: bodies[body].measures() };
-    let mut loads = Vec::new();
-    for (load, place) in joined.loads.iter().zip(&plan.loads) {
-        loads.extend(forces::loads(&load.load, on(load.body), place));
-    }
-    for (drive, place) in joined.drives.iter().zip(&plan.drives) {
-        loads.extend(forces::drive(&drive.couple, on(drive.body), place));
-    }
-    loads.extend(forces::gravity(joined.gravity.as_ref(), &bodies, warnings));
-    let (laws, law_hashes) = (placed.used(), placed.hashes());
-    let parts = MachineParts {
-        bodies,
-        motion: joined.motion,
-        clearance: clearance(),
-        laws: placed.into_laws(),
-        bearings,
-        loads,
-    };
-    Ok(Assembled { parts, laws, law_hashes, facts })
-}
-
-/// The bodies, each from the cache if it is there, and facts about those with a mesh.
-fn reduced(
-    joined: &JoinedMachine,
-    plan: &JoinedPlan,
-    cache: Option<&Cache>,
-    warnings: &mut Vec<String>,
-) -> Result<(Vec<Body>, Option<BodyFacts>), Failure> {
-    let start = Instant::now();
-    let (mut bodies, mut facts, mut cached) = (Vec::new(), Vec::new(), true);
-    let carried = plan.bodies.iter().zip(&plan.attached);
-    for (body, (own, attached)) in joined.bodies.iter().zip(carried) {
-        let name = body.name.text();
-        let rotation = body.turning.as_ref().map(|turning| match turning {
-            Turning::Free { .. } => Rotation::Free,
-            Turning::Prescribed { speed, acceleration } => {
-                Rotation::Prescribed { speed: *speed, acceleration: *acceleration }
-            }
-            Turning::Table(columns) => {
-                let schedule = Schedule::of_speeds(&columns.rows).expect("rows that rise");
-                Rotation::Scheduled(Arc::new(schedule))
-            }
-        });
-        let plan = match (own, &rotation) {
-            (PlannedBody::Meshed(plan), _) => plan,
-            (PlannedBody::Rigid(rigid), Some(rotation)) => {
-                let shaft = attach(rigid.body.turning(&rigid.nodes), attached);
-                bodies.push(Body::turning(name, shaft, rotation.clone()));
-                continue;
-            }
-            (PlannedBody::Rigid(rigid), None) => {
-                bodies.push(Body::standing(name, rigid.body.standing(&rigid.nodes)));
-                continue;
-            }
-        };
-        if plan.rigid {
-            bodies.push(rigid(name, plan, rotation, attached)?);
-            continue;
-        }
-        let kind = if rotation.is_some() { BodyKind::Shaft } else { BodyKind::Support };
-        let (found, content, known) = reduced_bodies::reduced(kind, plan, cache, warnings)?;
-        cached &= known;
-        let explained = |error| plan.explain(error);
-        let made = match rotation {
-            Some(rotation) => {
-                let mut shaft = found.shaft(&plan.spec).map_err(explained)?;
-                shaft.nodes = plan.outputs(&shaft.nodes, &shaft.measures);
-                Body::turning(name, plan.in_frame(attach(shaft, attached)), rotation)
-            }
-            None => {
-                let mut support = found.support(&plan.spec).map_err(explained)?;
-                support.nodes = plan.outputs(&support.nodes, &support.measures);
-                Body::standing(name, support)
-            }
-        };
-        let hertz = match &made {
-            Body::Turning { shaft, .. } => shaft.hertz.clone(),
-            Body::Standing { support, .. } => support.hertz.clone(),
-        };
-        let (name, counts) = (name.to_owned(), plan.counts());
-        facts.push(BodyFact { name, counts, hertz, content });
-        bodies.push(made);
-    }
-    let wall = start.elapsed().as_secs_f64();
-    let facts = (!facts.is_empty()).then_some(BodyFacts { bodies: facts, wall, cached });
-    Ok((bodies, facts))
-}
-
-/// A mesh taken as rigid.
-fn rigid(
-    name: &str,
-    plan: &BodyPlan,
-    rotation: Option<Rotation>,
-    attached: &[PlannedAttached],
-) -> Result<Body, Failure> {
-    let inertia = RigidInertia::of(&plan.mesh).map_err(|error| plan.explain(error))?;
-    let positions: Vec<[f64; 3]> =
-        plan.spec.nodes.iter().map(|&node| plan.mesh.nodes()[node]).collect();
-    let centres: Vec<[f64; 3]> = plan.spec.means.iter().map(NodeSetMean::centre).collect();
-    let measures = inertia.measures(&centres, rotation.is_some());
-    Ok(match rotation {
-        Some(rotation) => {
-            let shaft = inertia.turning(&positions);
-            let nodes = plan.outputs(&shaft.nodes, &measures);
-            Body::turning(name, attach(Shaft { nodes, measures, ..shaft }, attached), rotation)
-        }
-        None => {
-            let support = inertia.standing(&positions, [0.0; 2], [0.0; 2]);
-            let nodes = plan.outputs(&support.nodes, &measures);
-            Body::standing(name, Support { nodes, measures, ..support })
-        }
+    let loads = joined.loads.iter().zip(&plan.loads);
+    let loads = loads.map(|(load, place)| forces::load(&load.load, load.body, place));
+    let drives = joined.drives.iter().zip(&plan.drives);
+    let drives =
+        drives.filter_map(|(drive, place)| forces::drive(&drive.couple, drive.body, place));
+    let initial = joined.bodies.iter().map(|body| BodyStart {
+        speed: match body.turning {
+            Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
+            _ => 0.0,
+        },
+        ..BodyStart::default()
+    });
+    Ok(Described {
+        laws: laws.used(),
+        law_hashes: laws.hashes(),
+        model: Model {
+            bodies,
+            motion: joined.motion,
+            clearance: clearance(),
+            laws: laws.into_laws(),
+            bearings,
+            loads: loads.chain(drives).collect(),
+            gravity: forces::acceleration(joined.gravity.as_ref()),
+            outputs: outputs::placed(wanted, &plan.outputs),
+        },
+        plans,
+        initial: initial.collect(),
+        gravity: joined.gravity.as_ref(),
+        law_places: joined.joints.iter().map(|joint| &joint.bearing.law.name).collect(),
+        bore_places: joined.joints.iter().map(|joint| joint.bearing.bore.as_slice()).collect(),
     })
+}
+
+/// How a body turns.
+fn rotation(turning: &Turning) -> Rotation {
+    match turning {
+        Turning::Free { .. } => Rotation::Free,
+        Turning::Prescribed { speed, acceleration } => {
+            Rotation::Prescribed { speed: *speed, acceleration: *acceleration }
+        }
+        Turning::Table(columns) => {
+            let schedule = Schedule::of_speeds(&columns.rows).expect("rows that rise");
+            Rotation::Scheduled(Arc::new(schedule))
+        }
+    }
 }
 
 /// Text at the place of another.
@@ -336,7 +235,7 @@ fn turns(joined: &JoinedMachine, body: usize) -> bool {
 /// The mesh of a body, as the case says it.
 fn meshed(joined: &JoinedMachine, body: usize) -> Option<&case::MeshedBody> {
     match &joined.bodies[body].form {
-        Form::Meshed(meshed) => Some(meshed),
-        Form::Rigid(_) => None,
+        case::Form::Meshed(meshed) => Some(meshed),
+        case::Form::Rigid(_) => None,
     }
 }

@@ -2,12 +2,12 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::assemble;
-use whirl_solver::body::{BodyNode, BodySpec, Rayleigh, Retained};
+use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
 use whirl_solver::error::Error;
 use whirl_solver::error::{FreeMotion, ReductionError};
-use whirl_solver::measure::MeanMotion;
 use whirl_solver::mesh::{Cell, Material, MeanComponent, Mesh, NodeSetMean};
+use whirl_solver::model::{Form, MeshModel, Point};
 
 use super::AXES;
 use crate::case;
@@ -63,15 +63,6 @@ impl Default for HoldingWords {
         let springs = " or, on the support, add a spring `[[support.ground_spring]]`".to_owned();
         HoldingWords { springs, held: "mounts" }
     }
-}
-
-/// What a joint or a load sees of a mesh.
-#[derive(Debug, Clone, Copy)]
-enum Point {
-    /// One of the nodes of the spec.
-    Node(usize),
-    /// The centre of one of its means.
-    Mean(usize),
 }
 
 impl BodyPlan {
@@ -363,17 +354,11 @@ impl BodyPlan {
         }
     }
 
-    /// The output points of the body.
-    pub(in crate::machine) fn outputs(
-        &self,
-        nodes: &[BodyNode],
-        measures: &[MeanMotion],
-    ) -> Vec<BodyNode> {
-        let point = |point: &Point| match *point {
-            Point::Node(node) => nodes[node].clone(),
-            Point::Mean(mean) => measures[mean].node_at(measures[mean].centre),
-        };
-        self.points.iter().map(point).collect()
+    /// The body as the solver takes it.
+    pub(in crate::machine) fn form(&self) -> Form<'_> {
+        let BodyPlan { mesh, spec, points, follows, .. } = self;
+        let own = MeshModel { mesh, spec, points, follows: *follows };
+        if self.rigid { Form::RigidMesh(own) } else { Form::Flexible(own) }
     }
 
     /// Notes more coordinates than there is memory for dense matrices of.

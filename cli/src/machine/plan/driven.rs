@@ -2,11 +2,10 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::MeanComponent;
-use whirl_solver::shaft::Shaft;
+use whirl_solver::model::Place;
 
 use super::{AXES, BodyPlan};
 use crate::case::{self, Acting, Spread};
-use crate::machine::forces::Place;
 
 /// The turn of a section against the frame: Σ cᵢ qᵢ over retained motions i.
 pub(in crate::machine) struct Turn {
@@ -76,16 +75,6 @@ impl BodyPlan {
                 let (ends, turn) = self.turn_of_ends(drive, errors);
                 (Place::Nodes(ends.into()), turn)
             }
-        }
-    }
-
-    /// The shaft in its frame, with all that it carries.
-    pub(in crate::machine) fn in_frame(&self, shaft: Shaft) -> Shaft {
-        let name = self.follows.map(|place| self.spec.retained[place].name.as_str());
-        let coordinate = shaft.coordinates.iter().rposition(|own| Some(own.as_str()) == name);
-        match coordinate {
-            Some(follows) => shaft.in_mean_frame(follows),
-            None => shaft,
         }
     }
 

@@ -1,0 +1,166 @@
+//! The pipeline of this crate: meshes → bodies → machine → integration.
+//!
+//! A [`Model`] is a machine as it is described. [`Model::reduce`] makes its bodies, each by itself; [`Model::machine`] joins
+//! and loads them; [`crate::dynamics::march`] integrates the machine.
+//!
+//! ```
+//! use std::ops::ControlFlow;
+//! use whirl_solver::bodies::{Body, Rotation};
+//! use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, march};
+//! use whirl_solver::loads::{Frame, Onset, TimeFunction};
+//! use whirl_solver::model::{BodyModel, Form, LoadAction, LoadModel, Model, Place};
+//! use whirl_solver::rigid::RigidBody;
+//! use whirl_specs::{CLEARANCES, MOTIONS};
+//!
+//! // A wheel of 0.5 kg m² under a couple of 2 N m turns with 4 rad/s after a second.
+//! let wheel = RigidBody {
+//!     mass: 3.0,
+//!     polar_inertia: 0.5,
+//!     transverse_inertia: None,
+//!     centre: [0.0; 3],
+//!     stiffness: [0.0; 2],
+//!     damping: [0.0; 2],
+//! };
+//! let model = Model {
+//!     bodies: vec![BodyModel {
+//!         name: "wheel",
+//!         form: Form::Rigid(&wheel, &[]),
+//!         rotation: Some(Rotation::Free),
+//!         carried: Vec::new(),
+//!     }],
+//!     motion: &MOTIONS[0],
+//!     clearance: &CLEARANCES[0],
+//!     laws: Vec::new(),
+//!     bearings: Vec::new(),
+//!     loads: vec![LoadModel {
+//!         body: 0,
+//!         place: Place::Mean(0),
+//!         action: LoadAction::Couple([0.0, 0.0, 2.0]),
+//!         time_function: TimeFunction::Constant,
+//!         onset: Onset::Start,
+//!         frame: Frame::Space,
+//!     }],
+//!     gravity: [0.0; 3],
+//!     outputs: Vec::new(),
+//! };
+//! let reduced: Result<Vec<_>, _> = model.reduce(None).into_iter().collect();
+//! let bodies: Vec<Body> = reduced?.into_iter().map(|own| own.body).collect();
+//! let machine = model.machine(bodies)?;
+//! let options = MarchOptions {
+//!     time_step: 1e-3,
+//!     steps: 1000,
+//!     newmark: Newmark::default(),
+//!     newton: NewtonOptions::default(),
+//!     cycle: None,
+//!     stop_when_steady: false,
+//!     initial: Vec::new(),
+//! };
+//! let done = march(&machine, &options, &mut |_| ControlFlow::Continue(())).map_err(|failure| failure.error)?;
+//! assert!((done.history.column("omega_rad_s").unwrap().last().unwrap() - 4.0).abs() < 1e-9);
+//! # Ok::<(), whirl_solver::Error>(())
+//! ```
+
+mod body;
+mod load;
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+use whirl_specs::{Clearance, Motion};
+
+pub use self::body::{
+    Attachment, AttachmentKind, BodyModel, Form, MeshModel, Point, ReducedBody, Reduction,
+};
+pub use self::load::{LoadAction, LoadModel};
+use crate::bearing::{Bearing, SpringLaw};
+use crate::bodies::Body;
+use crate::cache::Cache;
+use crate::error::Error;
+use crate::gravity::weights;
+use crate::machine::{Machine, MachineParts};
+use crate::output::{Output, Wanted};
+
+/// Where on a body something acts.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// On points of it, by their places.
+    Nodes(Vec<usize>),
+    /// On one of its mean motions, by its place.
+    Mean(usize),
+}
+
+/// A machine before its bodies are reduced.
+pub struct Model<'a> {
+    /// The bodies.
+    pub bodies: Vec<BodyModel<'a>>,
+    /// How rotation and deformation of a turning body are coupled.
+    pub motion: &'static Motion,
+    /// The kernels of the clearance.
+    pub clearance: &'static Clearance,
+    /// The laws of the springs.
+    pub laws: Vec<Box<dyn SpringLaw>>,
+    /// Journals in their bores, by places of points.
+    pub bearings: Vec<Bearing>,
+    /// External loads.
+    pub loads: Vec<LoadModel>,
+    /// Acceleration by gravity along x, y, z (m/s²).
+    pub gravity: [f64; 3],
+    /// Outputs by request. Their points, by place, are the last of their bodies: a machine does without them, as what is
+    /// asked for changes nothing that is computed.
+    pub outputs: Vec<Output<usize>>,
+}
+
+impl Model<'_> {
+    /// Meshes → bodies: each in its order or why it cannot be, found in the cache or reduced, on all processors.
+    pub fn reduce(&self, cache: Option<&Cache>) -> Vec<Result<ReducedBody, Error>> {
+        let reduced: Vec<_> = self.bodies.iter().map(|_| Mutex::new(None)).collect();
+        let next = AtomicUsize::new(0);
+        let work = || {
+            loop {
+                let place = next.fetch_add(1, Ordering::Relaxed);
+                let Some(body) = self.bodies.get(place) else { return };
+                let made = body.reduce(cache);
+                *reduced[place].lock().unwrap_or_else(PoisonError::into_inner) = Some(made);
+            }
+        };
+        let flexible = self.bodies.iter().filter(|body| matches!(body.form, Form::Flexible(_)));
+        let processors = thread::available_parallelism().map_or(1, NonZero::get);
+        thread::scope(|scope| {
+            for _ in 1..flexible.count().min(processors) {
+                scope.spawn(work);
+            }
+            work();
+        });
+        let whole =
+            reduced.into_iter().map(|own| own.into_inner().unwrap_or_else(PoisonError::into_inner));
+        whole.map(|own| own.expect("all were reduced")).collect()
+    }
+
+    /// Bodies, as [`Model::reduce`] gives them, → machine.
+    ///
+    /// # Errors
+    /// As [`Machine::new`].
+    pub fn machine(mut self, bodies: Vec<Body>) -> Result<Machine, Error> {
+        let outputs = std::mem::take(&mut self.outputs);
+        let mut parts = self.parts(bodies);
+        let placed = outputs.iter().map(|own| own.clone().on(&parts.bodies)).collect();
+        for own in outputs {
+            if let Wanted::Motion { body, point, .. } = own.what {
+                parts.bodies[body].nodes_mut().truncate(point);
+            }
+        }
+        Machine::new(parts)?.with_outputs(placed)
+    }
+
+    /// What the machine is made from, outputs by request left out.
+    pub fn parts(self, bodies: Vec<Body>) -> MachineParts {
+        let Model { motion, clearance, laws, bearings, loads, gravity, .. } = self;
+        let mut placed: Vec<_> = loads.iter().flat_map(|load| load.on(&bodies)).collect();
+        if gravity != [0.0; 3] {
+            placed.extend(weights(&bodies, gravity));
+        }
+        MachineParts { bodies, motion, clearance, laws, bearings, loads: placed }
+    }
+}
