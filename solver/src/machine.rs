@@ -233,7 +233,7 @@ fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs)
         planes,
         bodies: sides.bodies,
         journal: [0, 1].map(|axis| (0..journal.size()).map(|j| node.shapes[(axis, j)]).collect()),
-        bore: axis_motion(&bearing.bore[1], bore.nodes(), bore.size(), sides.bore_axis),
+        bore: axis_motion(bearing, bore),
         run_out: sides.run_out[1],
         offset: sides.offset[1],
         apart: sides.apart,

@@ -25,6 +25,8 @@ pub struct Element {
     pub vtk: u8,
     /// `vtk_order[i]` is the node of this element at place i of a VTK cell.
     pub vtk_order: &'static [usize],
+    /// N_a and ∂N_a/∂(ξ, η, ζ) of every node at a point of the cell.
+    pub shape: fn([f64; 3], values: &mut [f64], slopes: &mut [[f64; 3]]),
     /// Faces of the cell.
     pub faces: &'static [Face],
     /// One kernel a form.
@@ -43,6 +45,12 @@ impl Element {
 pub struct Face {
     /// Nodes of the element whose functions do not vanish on the face.
     pub nodes: &'static [usize],
+    /// 3 (s, t ≥ 0, s + t ≤ 1) or 4 (−1 ≤ s, t ≤ 1).
+    pub corners: usize,
+    /// (ξ, η, ζ) at s = t = 0.
+    pub origin: [f64; 3],
+    /// ∂(ξ, η, ζ)/∂s and ∂(ξ, η, ζ)/∂t.
+    pub along: [[f64; 3]; 2],
     /// The points.
     pub points: &'static [FacePoint],
 }

@@ -224,6 +224,19 @@ pub mod tet4 {
     ) {
         mass(coordinates, material, matrices, jacobians);
     }
+    /// N_a and ∂N_a/∂(ξ, η, ζ) at a point of the cell; 3 add.
+    pub fn shape(at_: [f64; 3], values_: &mut [f64], slopes_: &mut [[f64; 3]]) {
+        let [xi, eta, zeta] = at_;
+        let N_1_ = 1.0 - xi - eta - zeta;
+        values_[0] = N_1_;
+        slopes_[0] = [-1.0, -1.0, -1.0];
+        values_[1] = xi;
+        slopes_[1] = [1.0, 0.0, 0.0];
+        values_[2] = eta;
+        slopes_[2] = [0.0, 1.0, 0.0];
+        values_[3] = zeta;
+        slopes_[3] = [0.0, 0.0, 1.0];
+    }
     /// The entry of the registry.
     pub const ENTRY: Element = Element {
         origin: Origin {
@@ -245,9 +258,13 @@ pub mod tet4 {
         abaqus_order: &[0, 1, 2, 3],
         vtk: 10,
         vtk_order: &[0, 1, 2, 3],
+        shape,
         faces: &[
             Face {
                 nodes: &[0, 1, 2],
+                corners: 3,
+                origin: [0.0, 0.0, 0.0],
+                along: [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]],
                 points: &[
                     FacePoint {
                         weight: 0.16666666666666666,
@@ -280,6 +297,9 @@ pub mod tet4 {
             },
             Face {
                 nodes: &[0, 1, 3],
+                corners: 3,
+                origin: [0.0, 0.0, 0.0],
+                along: [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
                 points: &[
                     FacePoint {
                         weight: 0.16666666666666666,
@@ -312,6 +332,9 @@ pub mod tet4 {
             },
             Face {
                 nodes: &[0, 2, 3],
+                corners: 3,
+                origin: [0.0, 0.0, 0.0],
+                along: [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]],
                 points: &[
                     FacePoint {
                         weight: 0.16666666666666666,
@@ -344,6 +367,9 @@ pub mod tet4 {
             },
             Face {
                 nodes: &[1, 2, 3],
+                corners: 3,
+                origin: [1.0, 0.0, 0.0],
+                along: [[-1.0, 1.0, 0.0], [-1.0, 0.0, 1.0]],
                 points: &[
                     FacePoint {
                         weight: 0.16666666666666666,

@@ -9,6 +9,8 @@ mod gradients;
 mod patches;
 mod stress;
 
+pub(crate) use patches::block;
+
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 

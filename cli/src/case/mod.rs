@@ -15,6 +15,7 @@ mod parameters;
 mod read;
 mod rotor;
 mod schema;
+mod selections;
 mod start;
 
 use std::sync::Arc;
@@ -40,6 +41,7 @@ pub(crate) use rotor::RotorDraft;
 pub(crate) use rotor::{
     Bearing, Body, Drive, GeneratedMesh, Mesh, MeshFile, Region, Rotor, Shaft, Support,
 };
+pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;
 
 /// One case, ready to be built.

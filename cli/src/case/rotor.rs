@@ -17,6 +17,7 @@ use super::gravity::Gravity;
 use super::law::NamedLaw;
 use super::loads::Load;
 use super::parameters::{BearingFacts, SetParameter};
+use super::selections::NamedSelection;
 
 /// Shaft, support, what lies between, and what drives and loads them.
 #[derive(Debug, Clone)]
@@ -129,6 +130,8 @@ pub(crate) struct Body<D> {
     pub(crate) material: Option<Material>,
     /// Materials of parts of the mesh, in place of its own.
     pub(crate) regions: Vec<Region>,
+    /// Node sets beside those of the mesh.
+    pub(crate) selections: Vec<NamedSelection>,
     /// Fixed-interface modes kept.
     pub(crate) modes: usize,
     /// C = damping · K, in s; K with the ground springs.

@@ -115,8 +115,33 @@ const BODY: &[Key] = &[
     key("mesh", Text, "an Abaqus or CalculiX input file in m, Pa, kg/m³"),
     key("material", Text, "a material, of a mesh file where it has no sections"),
     key("regions", Named(&Text), "materials by the names of element sets, in place of the mesh's"),
+    key(
+        "sets",
+        Named(&Table(&[SELECTION])),
+        "node sets by where they are, in place of sets of the mesh",
+    ),
     merged("modes", Count(0, MOST_MODES), "fixed-interface modes kept").like("20"),
     key("damping", DAMPING_TIME, "C = damping · K"),
+];
+
+/// A node set by where it is.
+pub(super) const SELECTION: &[Key] = &[
+    key("radius", LENGTH, "of a cylinder about an axis along z: the nodes of its faces"),
+    key("z", Tuple(&POSITION, 2), "of a cylinder: from where to where; all of it if left out")
+        .like("[\"20 mm\", \"40 mm\"]"),
+    key(
+        "centre",
+        Tuple(&POSITION, 2),
+        "of a cylinder: x and y of its axis; the body's if left out",
+    )
+    .like("[\"0 mm\", \"0 mm\"]"),
+    key("point", Tuple(&POSITION, 3), "nodes near it").like("[\"0 mm\", \"0 mm\", \"100 mm\"]"),
+    key("plane", POSITION, "z of faces across the axis: their nodes"),
+    key(
+        "within",
+        LENGTH,
+        "how far nodes may be from it: 1 % of the radius, 0.01 mm from a plane if left out",
+    ),
 ];
 
 const SHAFT: &[Key] = &[

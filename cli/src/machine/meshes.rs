@@ -10,25 +10,33 @@ use whirl_solver::error::{Error, InputErrors};
 use whirl_solver::mesh::{self, Cell, Material, Mesh};
 use whirl_specs::{ELEMENTS, Element};
 
+use super::selections;
 use crate::case::{self, MeshFile};
 use crate::errors::Failure;
 
-/// The mesh of a body, with its materials; `make` makes it from dimensions. `warnings` are added to, here and below.
+/// The mesh of a body, with its materials and the sets of the case; `make` makes it from dimensions. `axis` (m) is that of
+/// the body in space, as in files. `warnings` are added to, here and below.
 ///
 /// # Errors
 /// What is wrong with its file or its dimensions, with places.
 pub(super) fn mesh<D>(
-    body: &case::Body<D>,
+    (body, axis): (&case::Body<D>, [f64; 2]),
     make: fn(&D, &[&'static Element]) -> Result<Mesh, Error>,
     warnings: &mut Vec<String>,
 ) -> Result<Mesh, Failure> {
-    match &body.mesh {
+    let mesh = match &body.mesh {
         case::Mesh::File(file) => read(file, body.material.as_ref(), &body.regions, warnings),
         case::Mesh::Generated(generated) => {
             let mesh = make(&generated.dimensions, &elements());
             in_regions(mesh.map_err(|error| impossible(generated, error))?, &body.regions)
         }
-    }
+    }?;
+    // Those made from dimensions are about their own axis.
+    let axis = match body.mesh {
+        case::Mesh::File(_) => axis,
+        case::Mesh::Generated(_) => [0.0; 2],
+    };
+    selections::with_selections(mesh, &body.selections, axis)
 }
 
 fn elements() -> Vec<&'static Element> {

@@ -9,6 +9,7 @@ mod meshes;
 mod outputs;
 mod plan;
 mod rotor;
+mod selections;
 mod springs;
 
 use serde::Serialize;

@@ -20,6 +20,9 @@ use super::{meshes, outputs};
 use crate::case::{self, LawSource, Output, Rotor, RotorDraft};
 use crate::errors::Failure;
 
+/// The axis of the short form (m).
+const AXIS: [f64; 2] = [0.0; 2];
+
 /// Letters of the components of a dof.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -168,11 +171,11 @@ impl MachinePlan {
             None
         };
         let shaft = outline.shaft.and_then(|case| {
-            let mesh = meshes::mesh(&case.body, SolidShaft::mesh, warnings);
+            let mesh = meshes::mesh((&case.body, AXIS), SolidShaft::mesh, warnings);
             Some(OnShaft::place(case, made(mesh, &mut errors)?, outline, &mut errors))
         });
         let support = outline.support.and_then(|case| {
-            let mesh = meshes::mesh(&case.body, RingSupport::mesh, warnings);
+            let mesh = meshes::mesh((&case.body, AXIS), RingSupport::mesh, warnings);
             Some(place_support(case, made(mesh, &mut errors)?, outline, &mut errors))
         });
         let mesh_of_support = support.as_ref().map(|(support, _)| &support.mesh);

@@ -14,7 +14,7 @@ use crate::expression::Rational;
 pub(crate) struct Face {
     /// 3 corners (s, t ≥ 0, s + t ≤ 1) or 4 (−1 ≤ s, t ≤ 1).
     pub(crate) corners: usize,
-    origin: [Rational; 3],
+    pub(crate) origin: [Rational; 3],
     /// ∂x/∂s and ∂x/∂t.
     pub(crate) along: [[Rational; 3]; 2],
 }

@@ -1,19 +1,22 @@
 //! How a bore moves at its springs and as a whole, as rows over the coordinates of its body.
 
+use std::collections::BTreeSet;
+
 use whirl_specs::{BoreMotion, Clearance};
 
-use super::{Bearing, periodic_spline};
+use super::{Bearing, BoreSurface, periodic_spline};
 use crate::bodies::Body;
 use crate::body::BodyNode;
 use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::mesh::measure::mean_radius;
 
-/// The bore of a bearing: three rings of nodes, left, middle and right; a ring may be empty.
+/// The bore of a bearing: three rings of nodes, left, middle and right, of which some may be empty; or faces.
 pub(super) struct Bore<'a> {
     kernels: &'a Clearance,
     bearing: &'a Bearing,
     rings: [Vec<&'a BodyNode>; 3],
+    body: &'a Body,
     /// From values at the nodes of a ring to those at the springs, where a law asks for them.
     splines: [Option<Matrix>; 3],
     /// Coordinates of the body.
@@ -34,7 +37,7 @@ impl<'a> Bore<'a> {
         let rings = bearing.bore.each_ref();
         let rings = rings.map(|ring| ring.iter().map(|&node| &body.nodes()[node]).collect());
         let mut bore =
-            Bore { kernels, bearing, rings, splines: [None, None, None], size: body.size() };
+            Bore { kernels, bearing, rings, body, splines: [None, None, None], size: body.size() };
         let weights = bearing.stations.iter().map(|&station| (kernels.axial)(station));
         let weights: Vec<[f64; 3]> = weights.collect();
         let mut errors = Vec::new();
@@ -55,9 +58,20 @@ impl<'a> Bore<'a> {
         if errors.is_empty() { Ok(bore) } else { Err(errors) }
     }
 
-    /// Rows of the plane at `station`, one a spring or one a ring: the motion of each of the three rings,
-    /// eqs. (20) to (23), with A_i(z) between them.
-    pub(super) fn rows(&self, station: f64, motion: BoreMotion) -> Vec<Vec<f64>> {
+    /// Rows of the plane at a station, by its place, one a spring or one a ring: the motion of each of the three rings,
+    /// eqs. (20) to (23), with A_i(z) between them; or of the faces there.
+    pub(super) fn rows(&self, place: usize, motion: BoreMotion) -> Vec<Vec<f64>> {
+        if let Some(surface) = &self.bearing.sides.surface {
+            return match at_springs(motion) {
+                true => self.on_faces(&surface.points[place], motion),
+                false => {
+                    let mean =
+                        mean_on_faces(surface, self.body, self.bearing, surface.stations[place]);
+                    vec![mean[mean_row(motion)].clone()]
+                }
+            };
+        }
+        let station = self.bearing.stations[place];
         let angles = if at_springs(motion) { self.bearing.angles.as_slice() } else { &[0.0] };
         let mut rows = vec![vec![0.0; self.size]; angles.len()];
         let weights = (self.kernels.axial)(station);
@@ -75,6 +89,23 @@ impl<'a> Bore<'a> {
             }
         }
         rows
+    }
+
+    /// Rows of points on faces, a spring each.
+    fn on_faces(&self, points: &[Vec<(usize, f64)>], motion: BoreMotion) -> Vec<Vec<f64>> {
+        let nodes = self.body.nodes();
+        let row = |(point, &angle): (&Vec<(usize, f64)>, &f64)| {
+            let [along_x, along_y] = direction(motion, angle);
+            let at = |j: usize| -> f64 {
+                let moved = |&(node, weight): &(usize, f64)| {
+                    let shapes = &nodes[node].shapes;
+                    weight * (along_x * shapes[(0, j)] + along_y * shapes[(1, j)])
+                };
+                point.iter().map(moved).sum()
+            };
+            (0..self.size).map(at).collect()
+        };
+        points.iter().zip(&self.bearing.angles).map(row).collect()
     }
 
     /// b0 in the plane at `station`, in the rows of [`Bore::rows`].
@@ -133,12 +164,27 @@ fn add_spline(
 /// Adds the displacement of the axis or the rotation of the ring's [`rigid_fit`].
 fn add_rigid(ring: &[&BodyNode], axis: [f64; 2], weight: f64, motion: BoreMotion, row: &mut [f64]) {
     let [x, y, turn] = rigid_fit(ring, axis, row.len());
-    let fitted = match motion {
-        BoreMotion::MeanX => x,
-        BoreMotion::MeanY => y,
-        _ => turn,
-    };
+    let fitted = &[x, y, turn][mean_row(motion)];
     row.iter_mut().zip(fitted).for_each(|(sum, value)| *sum += weight * value);
+}
+
+/// Which of the displacement along x and y and the rotation a motion of the whole ring is.
+fn mean_row(motion: BoreMotion) -> usize {
+    match motion {
+        BoreMotion::MeanX => 0,
+        BoreMotion::MeanY => 1,
+        _ => 2,
+    }
+}
+
+/// The displacement of the bore's axis at `z` (m) along x and y and the rotation about it, by the mean motion of all of it:
+/// rows over the coordinates of the body.
+fn mean_on_faces(surface: &BoreSurface, body: &Body, bearing: &Bearing, z: f64) -> [Vec<f64>; 3] {
+    let mean = &body.measures()[surface.mean];
+    let [x, y] = bearing.sides.bore_axis;
+    let axis = mean.node_at([x, y, z]).shapes;
+    let row = |matrix: &Matrix, i: usize| (0..matrix.cols).map(|j| matrix[(i, j)]).collect();
+    [row(&axis, 0), row(&axis, 1), row(&mean.rotation, 2)]
 }
 
 /// The displacement b of the bore's `bore_axis` along x and y and the rotation β of the rigid motion δ = b + β ẑ×x
@@ -172,23 +218,26 @@ fn rigid_fit(ring: &[&BodyNode], bore_axis: [f64; 2], size: usize) -> [Vec<f64>;
     [0, 1, 2].map(|row| motions.iter().map(|motion| motion[row]).collect())
 }
 
-/// Displacement of the axis of a ring of nodes along x and y, as laws of rings see it: rows over the `size`
-/// coordinates of the body.
-pub(crate) fn axis_motion(
-    ring: &[usize],
-    nodes: &[BodyNode],
-    size: usize,
-    axis: [f64; 2],
-) -> [Vec<f64>; 2] {
-    let nodes: Vec<&BodyNode> = ring.iter().map(|&node| &nodes[node]).collect();
-    let [x, y, _] = rigid_fit(&nodes, axis, size);
+/// Displacement of the axis of a bore in its middle along x and y, as laws of rings see it: rows over the coordinates of
+/// its body.
+pub(crate) fn axis_motion(bearing: &Bearing, body: &Body) -> [Vec<f64>; 2] {
+    let [x, y, _] = match &bearing.sides.surface {
+        Some(surface) => mean_on_faces(surface, body, bearing, surface.middle),
+        None => {
+            let middle = bearing.bore[1].iter().map(|&node| &body.nodes()[node]);
+            rigid_fit(&middle.collect::<Vec<_>>(), bearing.sides.bore_axis, body.size())
+        }
+    };
     [x, y]
 }
 
 /// Radius of the journal in a bore whose nodes stand at their mean distance from the axis, c further out;
 /// `None` where the bore has no nodes.
 pub(super) fn journal_radius(bearing: &Bearing, nodes: &[BodyNode]) -> Option<f64> {
-    let positions = bearing.bore.iter().flatten().map(|&node| nodes[node].position);
+    let surface = bearing.sides.surface.iter().flat_map(|own| own.points.iter().flatten());
+    let on_faces: BTreeSet<usize> = surface.flatten().map(|&(node, _)| node).collect();
+    let all = bearing.bore.iter().flatten().chain(&on_faces);
+    let positions = all.map(|&node| nodes[node].position);
     let [left, below] = bearing.sides.bore_axis;
     let mean = mean_radius(positions.map(|[x, y, _]| [x - left, y - below]));
     (!mean.is_nan()).then_some(mean - bearing.clearance)

@@ -69,6 +69,21 @@ pub struct Sides {
     /// Sections of both bodies whose turn against the frame of their body adds to the angle between them, as places in the
     /// measures of the bodies; the frames alone count where there is none.
     pub sections: [Option<usize>; 2],
+    /// Where springs stand on the faces of a bore, in place of its rings of nodes.
+    pub surface: Option<BoreSurface>,
+}
+
+/// A bore as faces of a mesh: every spring moves with the point of the face on which it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoreSurface {
+    /// z of every station (m).
+    pub stations: Vec<f64>,
+    /// z of the middle (m).
+    pub middle: f64,
+    /// Of every station and every angle the point, as Σ c u over the nodes of the body, by place.
+    pub points: Vec<Vec<Vec<(usize, f64)>>>,
+    /// The mean motion of the whole bore, among the measures of the body.
+    pub mean: usize,
 }
 
 impl Default for Sides {
@@ -81,6 +96,7 @@ impl Default for Sides {
             run_out: [[0.0; 2]; 3],
             offset: [[0.0; 2]; 3],
             sections: [None; 2],
+            surface: None,
         }
     }
 }

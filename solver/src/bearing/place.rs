@@ -137,12 +137,12 @@ impl Placing<'_> {
                 }
             };
             let count = if kind.each_spring { bearing.angles.len() } else { 1 };
-            for &station in &bearing.stations {
+            for (place, &station) in bearing.stations.iter().enumerate() {
                 for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
                     if *needed {
                         // A motion of the whole ring is that of each of its springs.
                         let (rows, offset) =
-                            (bore.rows(station, *motion), bore.offset(station, *motion));
+                            (bore.rows(place, *motion), bore.offset(station, *motion));
                         own.rows.extend(rows.into_iter().cycle().take(count));
                         own.offset.extend(offset.into_iter().cycle().take(count));
                     }

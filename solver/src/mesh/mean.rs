@@ -1,8 +1,7 @@
 //! The mean motion of a set of nodes.
 
-use std::collections::BTreeSet;
-
-use super::{Block, Mesh};
+use super::Mesh;
+use super::surface::faces_within;
 use crate::error::Error;
 use crate::linalg::{Matrix, symmetric_eigen};
 
@@ -171,39 +170,10 @@ impl NodeSetMean {
 /// ∫ N_a dA (m²) for every node of the mesh, over the faces all of whose nodes are `inside`, each once.
 fn areas(mesh: &Mesh, inside: &[bool]) -> Vec<f64> {
     let mut areas = vec![0.0; inside.len()];
-    let mut known: BTreeSet<Vec<usize>> = BTreeSet::new();
-    for block in mesh.blocks() {
-        for cell in block.cells() {
-            if cell.iter().filter(|&&node| inside[node]).count() < 3 {
-                continue;
-            }
-            add_faces(mesh, block, cell, inside, &mut known, &mut areas);
-        }
-    }
-    areas
-}
-
-fn add_faces(
-    mesh: &Mesh,
-    block: &Block,
-    cell: &[usize],
-    inside: &[bool],
-    known: &mut BTreeSet<Vec<usize>>,
-    areas: &mut [f64],
-) {
-    for face in block.element.faces {
-        let nodes: Vec<usize> = face.nodes.iter().map(|&place| cell[place]).collect();
-        if !nodes.iter().all(|&node| inside[node]) {
-            continue;
-        }
-        let mut sorted = nodes.clone();
-        sorted.sort_unstable();
-        if !known.insert(sorted) {
-            continue;
-        }
-        for point in face.points {
+    for own in faces_within(mesh, inside) {
+        for point in own.face.points {
             let mut tangents = [[0.0; 3]; 2];
-            for (&node, slope) in nodes.iter().zip(point.slopes) {
+            for (node, slope) in own.nodes().zip(point.slopes) {
                 for (tangent, slope) in tangents.iter_mut().zip(slope) {
                     let position = mesh.nodes()[node];
                     tangent.iter_mut().zip(position).for_each(|(sum, x)| *sum += slope * x);
@@ -212,9 +182,10 @@ fn add_faces(
             let [[a, b, c], [x, y, z]] = tangents;
             let normal = [b * z - c * y, c * x - a * z, a * y - b * x];
             let area = point.weight * normal.iter().map(|n| n * n).sum::<f64>().sqrt();
-            for (&node, value) in nodes.iter().zip(point.values) {
+            for (node, value) in own.nodes().zip(point.values) {
                 areas[node] += area * value;
             }
         }
     }
+    areas
 }

@@ -6,7 +6,7 @@ pub struct Circle {
     /// Its centre (m).
     pub centre: [f64; 2],
     /// Its radius (m).
-    pub(crate) radius: f64,
+    pub radius: f64,
     /// The largest distance of a point from it (m).
     pub deviation: f64,
 }

@@ -10,12 +10,16 @@ mod material;
 mod mean;
 pub mod measure;
 mod regions;
+mod selection;
 pub mod shaft;
 pub mod support;
+mod surface;
 
 pub use material::{ImplausibleProperty, Material};
 pub use mean::{MeanComponent, NodeSetMean};
 pub(crate) use regions::connected;
+pub use selection::{Cylinder, Selection};
+pub use surface::{Surface, SurfacePoint};
 
 use std::collections::BTreeMap;
 

@@ -59,12 +59,12 @@ pub struct MeshModel<'a> {
 }
 
 /// A point of a body of a mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Point {
     /// One of the nodes of the spec.
     Node(usize),
-    /// The centre of one of its means.
-    Mean(usize),
+    /// A place (m) that moves with one of its means.
+    OnMean(usize, [f64; 3]),
 }
 
 /// Something on a section of a body.
@@ -198,7 +198,7 @@ impl MeshModel<'_> {
     fn seen(&self, nodes: &[BodyNode], means: &[MeanMotion]) -> Vec<BodyNode> {
         let point = |point: &Point| match *point {
             Point::Node(node) => nodes[node].clone(),
-            Point::Mean(mean) => means[mean].node_at(means[mean].centre),
+            Point::OnMean(mean, position) => means[mean].node_at(position),
         };
         self.points.iter().map(point).collect()
     }

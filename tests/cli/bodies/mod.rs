@@ -3,6 +3,7 @@
 mod joints;
 pub(crate) mod meshes;
 mod rings;
+mod surfaces;
 mod weight;
 
 use whirl_tests::History;

@@ -11,9 +11,9 @@ use whirl_specs::{ELEMENTS, Element};
 use super::{direct, element, generated, property, spec};
 
 /// Nodes and cells.
-pub(super) struct Block {
-    pub(super) nodes: Vec<[f64; 3]>,
-    pub(super) cells: Vec<Vec<usize>>,
+pub(crate) struct Block {
+    pub(crate) nodes: Vec<[f64; 3]>,
+    pub(crate) cells: Vec<Vec<usize>>,
     /// Nodes on the surface of the block.
     surface: Vec<bool>,
 }
@@ -67,7 +67,7 @@ fn unit_cube(cell: Cell) -> Vec<Affine> {
 }
 
 /// A box of `counts` cubes of cells of an element, whose nodes are moved by `moved`.
-pub(super) fn block(
+pub(crate) fn block(
     element: &Element,
     side: [f64; 3],
     counts: [usize; 3],

@@ -3,6 +3,7 @@
 mod held;
 mod means;
 mod retained;
+mod surfaces;
 
 use std::collections::BTreeMap;
 

@@ -25,6 +25,15 @@ pub(super) const NODES: [Vector; 8] = [
     [-1.0, 1.0, 1.0],
 ];
 
+/// N_a = ⅛ (1 + ξ ξ_a)(1 + η η_a)(1 + ζ ζ_a) and its gradient.
+pub(super) fn shape(at: Vector, values: &mut [f64], slopes: &mut [Vector]) {
+    for (a, node) in NODES.iter().enumerate() {
+        let [x, y, z] = [0, 1, 2].map(|k| 1.0 + at[k] * node[k]);
+        values[a] = 0.125 * x * y * z;
+        slopes[a] = [0.125 * node[0] * y * z, 0.125 * x * node[1] * z, 0.125 * x * y * node[2]];
+    }
+}
+
 /// 1/√3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 

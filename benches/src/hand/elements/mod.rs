@@ -49,6 +49,7 @@ pub static WEDGE6: Element = Element {
     vtk: 13,
     // VTK lists the lower triangle the other way round.
     vtk_order: &[0, 2, 1, 3, 5, 4],
+    shape: wedge6::shape,
     faces: &[],
     forms: &[
         stiffness(wedge6::stiffness, wedge6::STIFFNESS_FLOPS),
@@ -90,6 +91,7 @@ const fn hexahedron(
         abaqus_order: &[0, 1, 2, 3, 4, 5, 6, 7],
         vtk: 12,
         vtk_order: &[0, 1, 2, 3, 4, 5, 6, 7],
+        shape: hex8::shape,
         faces: &[],
         forms,
     }

@@ -26,6 +26,18 @@ pub(super) const NODES: [Vector; 6] = [
     [0.0, 1.0, 1.0],
 ];
 
+/// N_a = ½ L_a (1 + ζ ζ_a) and its gradient, with L = (1 − ξ − η, ξ, η).
+pub(super) fn shape([xi, eta, zeta]: Vector, values: &mut [f64], slopes: &mut [Vector]) {
+    const ALONG: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
+    let areas = [1.0 - xi - eta, xi, eta];
+    for (a, node) in NODES.iter().enumerate() {
+        let (area, [by_xi, by_eta]) = (areas[a % 3], ALONG[a % 3]);
+        let half = 0.5 * (1.0 + zeta * node[2]);
+        values[a] = area * half;
+        slopes[a] = [by_xi * half, by_eta * half, 0.5 * area * node[2]];
+    }
+}
+
 /// ½(1 ± 1/√3): a linear function along the axis at the Gauss point near its node, and at the other.
 const NEAR: f64 = 0.788_675_134_594_812_9;
 const FAR: f64 = 0.211_324_865_405_187_1;

@@ -11,6 +11,7 @@ use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attache
 use crate::case::columns;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
+use crate::case::selections;
 
 /// What a table says of a body.
 pub(super) struct BodyDraft {
@@ -23,12 +24,13 @@ pub(super) struct BodyDraft {
 /// Keys of a rigid body.
 const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffness"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 10] = [
+const MESHED: [&str; 11] = [
     "mesh",
     "dimensions",
     "rigid",
     "material",
     "regions",
+    "sets",
     "modes",
     "held",
     "axial_restraint",
@@ -77,6 +79,7 @@ pub(super) fn read(
                 format!("`{rigid}` is of a rigid body, and `{meshed}` of one with a mesh");
             let help = "keep one of them: a mesh has its own mass";
             table.push(table.written(rigid).error_here(Code::BAD_VALUE, message).help(help));
+            selections::read(table);
             MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
             ["z", "damping", "ground_spring"].iter().for_each(|key| table.pass_over(key));
             None

@@ -65,7 +65,7 @@ pub(super) fn read(
         [one] => vec![one.clone(); 3],
         sets => sets.to_vec(),
     };
-    let planes = [&journal, &bore].into_iter().any(|side| side.sets.len() == 3);
+    let planes = [&journal, &bore].into_iter().any(|side| side.sets.len() == 3 || side.surface);
     let rings = if stations.is_empty() { 1 + 2 * usize::from(planes) } else { stations.len() };
     let (run_out, offset) = (run_out?, offset?);
     let radius = facts.journal_radius.as_ref().map(nearest);
@@ -118,25 +118,33 @@ fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
     }
     let Some(own) = table.optional_table(key) else {
         let place = table.heading().text(GROUND);
-        let ground = Side { body: None, place, sets: Vec::new(), z: None };
+        let ground = Side { body: None, place, sets: Vec::new(), surface: false, z: None };
         return (second && !table.has(key)).then_some(ground);
     };
     own.read(|side| {
-        let (sets, z) = (side.texts("sets"), side.quantity("z"));
+        let (mut sets, z) = (side.texts("sets"), side.quantity("z"));
+        let of_faces = matches!(key, "journal" | "bore");
+        let surface = if of_faces { side.optional_string("surface") } else { None };
+        if surface.is_some() && side.gives("sets") {
+            side.conflict("surface", "sets");
+        }
         let place = side.optional_string("body")?;
         let ground = place.text() == GROUND;
         let body = if ground { None } else { Some(names::body(side, &place, known, second)?) };
-        if ground && side.has("sets") {
+        let given = if surface.is_some() { Some("surface") } else { Some("sets") };
+        let given = given.filter(|key| side.has(key));
+        if let Some(key) = given.filter(|_| ground) {
             let message = "the ground has no node sets: it is a rigid bore around the journal";
-            let help = "leave `sets` out";
-            side.push(side.written("sets").error_here(Code::BAD_VALUE, message).help(help));
+            let help = format!("leave `{key}` out");
+            side.push(side.written(key).error_here(Code::BAD_VALUE, message).help(help));
         }
         if !matches!(sets.len(), 0 | 1 | 3) {
             let message = format!("a side has one set, or three, not {}", sets.len());
             let help = "name the sets at the left end, in the middle and at the right end, or one";
             side.push(side.written("sets").error_here(Code::BAD_VALUE, message).help(help));
         }
-        Some(Side { body, place, sets, z })
+        sets.extend(surface.clone());
+        Some(Side { body, place, sets, surface: surface.is_some(), z })
     })
 }
 

@@ -220,6 +220,8 @@ pub(crate) struct Side {
     pub(crate) place: Located,
     /// Node sets on it: none, one or three.
     pub(crate) sets: Vec<Located>,
+    /// Whether its one set is a surface, from one end of the joint to the other.
+    pub(crate) surface: bool,
     /// z on a rigid body, m, if the case says it.
     pub(crate) z: Option<f64>,
 }

@@ -8,8 +8,8 @@ use whirl_codegen::document::schema::{Key, Shape, key, merged};
 use crate::case::schema::{
     ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
     GROUND_SPRING, INERTIA, LENGTH, MASS, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION, NAMES,
-    PARAMETERS, PARAMETERS_EXAMPLE, POSITION, STIFFNESS, TARGET_SPEED, TORQUE, TORSIONAL_DAMPING,
-    TORSIONAL_STIFFNESS, TURNING_SPEED,
+    PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION, STIFFNESS, TARGET_SPEED, TORQUE,
+    TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
 };
 
 /// A place in the plane.
@@ -30,6 +30,7 @@ pub(crate) const BODY: &[Key] = &[
     ),
     key("material", Text, "a material, of a mesh file where it has no sections"),
     key("regions", Named(&Text), "materials by the names of element sets, in place of the mesh's"),
+    key("sets", Named(&Table(&[SELECTION])), "node sets by where they are, in place of sets of the mesh"),
     key("modes", Count(0, MOST_MODES), "fixed-interface modes kept").like("20"),
     key(
         "damping",
@@ -132,8 +133,8 @@ pub(crate) const JOINT: &[Key] = &[
     merged("kind", Words(&["bearing", "stop", "bushing", "coupling"]), "what joins the bodies"),
     key("journal", Table(&[SIDE]), "of a bearing or a stop: what runs in the bore"),
     key("bore", Table(&[SIDE]), "of a bearing or a stop: what it runs in; the ground if left out"),
-    key("first", Table(&[SIDE]), "of a bushing or a coupling"),
-    key("second", Table(&[SIDE]), "of a bushing or a coupling; the ground if left out"),
+    key("first", Table(&[END]), "of a bushing or a coupling"),
+    key("second", Table(&[END]), "of a bushing or a coupling; the ground if left out"),
     key("law", Text, "the name of a law, or the path of a law file").like("\"ocvirk\""),
     key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
     key("springs", Count(3, MOST_SPRINGS), "in a ring, of a law that acts spring by spring")
@@ -178,9 +179,17 @@ pub(crate) const JOINT: &[Key] = &[
     .like("{ xx = \"2e4 N*s/m\", yy = \"2e4 N*s/m\" }"),
 ];
 
+const END: &[Key] = &[
+    merged("body", Text, "its name, or \"ground\"").like("\"rotor\""),
+    key("sets", NAMES, "one node set, or three: left, middle, right").like("[\"J1\"]"),
+    key("z", POSITION, "on a rigid body, where the other side does not say it"),
+];
+
 const SIDE: &[Key] = &[
     merged("body", Text, "its name, or \"ground\"").like("\"rotor\""),
     key("sets", NAMES, "one node set, or three: left, middle, right").like("[\"J1\"]"),
+    key("surface", Text, "in place of sets: a node set all over the journal, or all over the bore")
+        .like("\"JOURNAL\""),
     key("z", POSITION, "on a rigid body, where the other side does not say it"),
 ];
 

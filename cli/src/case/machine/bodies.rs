@@ -11,6 +11,7 @@ use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
 use super::super::library::{FileStore, resolve};
 use super::super::rotor::{Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, Support};
+use super::super::selections;
 use super::materials::{Materials, material_of, regions};
 use super::{default_motion, motion};
 
@@ -66,12 +67,14 @@ pub(in crate::case) fn body<D>(
 ) -> Option<Body<D>> {
     let material = material_of(table, materials);
     let regions = regions(table, materials);
+    let selections = selections::read(table);
     let mesh = mesh(store, table, material.as_ref(), make);
     Some(Body {
         modes: table.count_or_one("modes"),
         damping: table.quantity("damping").unwrap_or(0.0),
         material,
         regions,
+        selections,
         mesh: mesh?,
     })
 }

@@ -83,7 +83,7 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
         }
         Form::Meshed(own) => own,
     };
-    let mesh = meshes::mesh(&own.body, Dimensions::mesh, warnings)?;
+    let mesh = meshes::mesh((&own.body, body.axis), Dimensions::mesh, warnings)?;
     // Meshes of files stand in space, those made from dimensions about their own axis.
     let by = match (&own.body.mesh, body.turning.is_some()) {
         (case::Mesh::File(_), true) => body.axis.map(|x| -x),

@@ -7,7 +7,7 @@ use whirl_solver::mesh::Mesh;
 
 use super::PlannedBody;
 use super::joints::PlannedJoint;
-use super::turns;
+use super::{surfaces, turns};
 use crate::case::{JoinedMachine, JointKind};
 use crate::errors::Failure;
 use crate::machine::plan::BearingOutline;
@@ -18,10 +18,15 @@ pub(super) fn compare(
     joined: &JoinedMachine,
     joints: &[PlannedJoint],
     bodies: &[PlannedBody],
+    warnings: &mut Vec<String>,
     errors: &mut Diagnostics,
 ) -> Result<(), Failure> {
     for (place, (joint, own)) in joined.joints.iter().zip(joints).enumerate() {
         if !matches!(joint.kind, JointKind::Bearing | JointKind::Stop) {
+            continue;
+        }
+        if joint.sides.iter().any(|side| side.surface) {
+            surfaces::compare(joint, own, bodies, warnings, errors);
             continue;
         }
         let of_journal = joined.bodies[own.sides.bodies[0]].axis;

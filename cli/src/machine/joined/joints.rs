@@ -1,5 +1,6 @@
 //! Where the sides of joints stand on their bodies.
 
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
@@ -9,11 +10,13 @@ use whirl_text::rounded;
 
 use super::bodies::retain_in_plane;
 use super::section::nodes_at;
-use super::{PlannedBody, at, meshed, turns};
+use super::{PlannedBody, at, meshed, surfaces, turns};
 use crate::case::{self, JoinedMachine, Joint, JointKind, JointSide};
 use crate::machine::laws::Measured;
 use crate::machine::plan::BodyPlan;
 use crate::machine::plan::geometry::{mm, nodes_of};
+use crate::machine::rotor;
+use crate::machine::springs::angles;
 
 /// Nodes around the bore of a rigid body, which move with it.
 const AROUND: usize = 8;
@@ -26,6 +29,8 @@ pub(super) struct PlannedJoint {
     pub(super) bearing: case::Bearing,
     /// The bodies, and how their axes stand to each other.
     pub(super) sides: Sides,
+    /// Axis of the journal among the nodes of its body (m).
+    pub(super) axis: [f64; 2],
     /// Places among the output nodes of the first body.
     pub(super) journal: [usize; 3],
     /// Places among the output nodes of the second body; none of the ground.
@@ -40,7 +45,11 @@ impl PlannedJoint {
         let [x, y] = self.sides.bore_axis;
         let bore = match bodies.get(self.sides.bodies[1]) {
             Some(PlannedBody::Meshed(plan)) => {
-                let positions = self.bore.iter().flatten().map(|&place| plan.position(place));
+                let points = self.sides.surface.iter().flat_map(|own| own.points.iter().flatten());
+                let on_faces = points.flatten().map(|&(place, _)| place);
+                let all: BTreeSet<usize> =
+                    self.bore.iter().flatten().copied().chain(on_faces).collect();
+                let positions = all.into_iter().map(|place| plan.position(place));
                 positions.map(|position| [position[0] - x, position[1] - y]).collect()
             }
             _ => Vec::new(),
@@ -86,7 +95,8 @@ pub(super) fn place(
             }
         }
     }
-    let journal = journal(joint, &mut bodies[first], z, errors)?;
+    let of_journal = if turns(joined, first) { [0.0; 2] } else { own };
+    let journal = journal(joint, &mut bodies[first], (of_journal, z), errors)?;
     if joint.kind == JointKind::Bushing {
         // Where it stands, and not on the axis of a body: its second side may turn a little.
         let [x, y] = position(&bodies[first], journal[1]);
@@ -94,6 +104,22 @@ pub(super) fn place(
         sides.bore_axis = if turned { [own[0] + x, own[1] + y] } else { [x, y] };
     }
     let bore = match bodies.get_mut(second) {
+        Some(PlannedBody::Meshed(plan)) if joint.sides[1].surface => {
+            let set = &joint.sides[1].sets[0];
+            let stations = rotor::stations(&bearing, [z[0], z[2]]);
+            let springs = surfaces::Springs {
+                axis: sides.bore_axis,
+                stations: stations.iter().map(|s| z[0] + s * (z[2] - z[0])).collect(),
+                middle: z[1],
+                angles: &joint.angle.map_or_else(|| angles(bearing.springs), |angle| vec![angle]),
+            };
+            let nodes = plan.nodes(set, errors);
+            if is_loose(joint, joined) {
+                retain_ends(plan, joint, &nodes);
+            }
+            sides.surface = Some(surfaces::bore(plan, (set, &nodes), springs, errors)?);
+            [const { Vec::new() }; 3]
+        }
         Some(body) if !coupling => bore(joint, joined, body, (z, sides.bore_axis), errors)?,
         _ => [const { Vec::new() }; 3],
     };
@@ -109,7 +135,7 @@ pub(super) fn place(
         let help = "add `journal_radius = \"25 mm\"`, with the radius that the journal has";
         errors.push(name.error_here(Code::MISSING_KEY, message).help(help));
     }
-    Some(PlannedJoint { bearing, sides, journal, bore, z })
+    Some(PlannedJoint { bearing, sides, axis: of_journal, journal, bore, z })
 }
 
 /// Warnings of a bushing that pushes away what moves, as a magnetic pull does: the symmetric part of its stiffness or of
@@ -147,6 +173,10 @@ fn stands_on_axis(joint: &Joint, joined: &JoinedMachine) -> bool {
 /// z of the left end, the middle and the right end.
 fn planes(joint: &Joint, bodies: &[PlannedBody], errors: &mut Diagnostics) -> Option<[f64; 3]> {
     let [of_journal, of_bore] = joint.sides.each_ref().map(|side| on_mesh(side, bodies));
+    let (of_journal, of_bore) = match ends_of_surfaces(joint, bodies, errors)? {
+        Some(ends) => (Some(ends), None),
+        None => (of_journal, of_bore),
+    };
     let stations = &joint.bearing.stations;
     let given = joint.sides.each_ref().map(|side| side.z);
     let centre = |side: &JointSide| match &bodies[side.body?] {
@@ -185,6 +215,49 @@ fn planes(joint: &Joint, bodies: &[PlannedBody], errors: &mut Diagnostics) -> Op
         }
     }
     Some(z)
+}
+
+/// z of the left end, the middle and the right end of a joint with surfaces: where both sides are. None without surfaces.
+#[allow(clippy::option_option, reason = "outside what is wrong, inside what there is")]
+fn ends_of_surfaces(
+    joint: &Joint,
+    bodies: &[PlannedBody],
+    errors: &mut Diagnostics,
+) -> Option<Option<[f64; 3]>> {
+    let mut common = [f64::NEG_INFINITY, f64::INFINITY];
+    let mut ranges = Vec::new();
+    for side in &joint.sides {
+        let Some(PlannedBody::Meshed(plan)) = side.body.map(|body| &bodies[body]) else { continue };
+        let own = match (side.surface, side.sets.as_slice()) {
+            (true, [set]) => {
+                let nodes = plan.nodes(set, errors);
+                if nodes.is_empty() {
+                    return None;
+                }
+                surfaces::ends(plan, set, &nodes, errors)?
+            }
+            (_, [_, _, _]) => on_mesh(side, bodies).map(|[left, _, right]| [left, right])?,
+            _ => continue,
+        };
+        ranges.push((own, side));
+        common = [common[0].max(own[0].min(own[1])), common[1].min(own[0].max(own[1]))];
+    }
+    if !joint.sides.iter().any(|side| side.surface) {
+        return Some(None);
+    }
+    if let (false, [(first, _), (second, side)]) = (common[0] < common[1], ranges.as_slice()) {
+        let message = format!(
+            "the journal is from z = {} to {}, and the bore from {} to {}: they do not meet",
+            mm(first[0]),
+            mm(first[1]),
+            mm(second[0]),
+            mm(second[1])
+        );
+        let help = "name surfaces that are around each other";
+        errors.push(side.sets[0].error_here(Code::BAD_VALUE, message).help(help));
+        return None;
+    }
+    Some(Some([common[0], 0.5 * (common[0] + common[1]), common[1]]))
 }
 
 /// Notes sides of a bushing that stand at different z on their meshes, to a hundredth of the first one's length.
@@ -260,7 +333,7 @@ fn turning_section(
 fn journal(
     joint: &Joint,
     body: &mut PlannedBody,
-    z: [f64; 3],
+    (axis, z): ([f64; 2], [f64; 3]),
     errors: &mut Diagnostics,
 ) -> Option<[usize; 3]> {
     let plan = match body {
@@ -276,6 +349,10 @@ fn journal(
     if joint.kind == JointKind::Coupling {
         // Only angles count: any node will do.
         return Some([plan.output_node(0); 3]);
+    }
+    if let (true, [set]) = (joint.sides[0].surface, joint.sides[0].sets.as_slice()) {
+        let nodes = plan.nodes(set, errors);
+        return surfaces::journal(plan, (set, &nodes), (axis, z), errors);
     }
     let mut journal = [0; 3];
     for (place, set) in joint.bearing.journal.iter().take(3).enumerate() {
@@ -301,7 +378,6 @@ fn bore(
     (z, axis): ([f64; 3], [f64; 2]),
     errors: &mut Diagnostics,
 ) -> Option<[Vec<usize>; 3]> {
-    let side = &joint.sides[1];
     let plan = match body {
         PlannedBody::Rigid(own) => {
             let bearing = &joint.bearing;
@@ -325,8 +401,7 @@ fn bore(
         }
         PlannedBody::Meshed(plan) => plan,
     };
-    let case = meshed(joined, side.body?)?;
-    let loose = case.held.is_empty() && case.ground_springs.is_empty();
+    let loose = is_loose(joint, joined);
     let mut bore = [const { Vec::new() }; 3];
     for (place, set) in joint.bearing.bore.iter().take(3).enumerate() {
         let known = joint.bearing.bore[..place].iter().position(|own| own.text() == set.text());
@@ -344,6 +419,12 @@ fn bore(
         bore[place] = nodes.into_iter().map(|node| plan.output_node(node)).collect();
     }
     Some(bore)
+}
+
+/// Whether nothing but its joints holds the body of the second side.
+fn is_loose(joint: &Joint, joined: &JoinedMachine) -> bool {
+    let case = joint.sides[1].body.and_then(|body| meshed(joined, body));
+    case.is_some_and(|case| case.held.is_empty() && case.ground_springs.is_empty())
 }
 
 /// Retains two nodes of a bore that are far apart: nothing but its joints holds the body.

@@ -5,6 +5,7 @@ mod bodies;
 mod compare;
 mod joints;
 mod section;
+mod surfaces;
 
 use std::sync::Arc;
 
@@ -65,7 +66,7 @@ impl JoinedPlan {
             joints.extend(joints::place(joint, joined, &mut bodies, &mut errors));
         }
         if joints.len() == joined.joints.len() {
-            compare::compare(joined, &joints, &bodies, &mut errors)?;
+            compare::compare(joined, &joints, &bodies, warnings, &mut errors)?;
         }
         let (mut drives, mut loads) = (Vec::new(), Vec::new());
         for drive in &joined.drives {

@@ -305,8 +305,7 @@ impl BodyPlan {
     /// Asks for the mean motion of nodes as a point at their centre; its place among the output points.
     pub(in crate::machine) fn output_mean(&mut self, nodes: &[usize]) -> usize {
         let mean = self.mean(nodes);
-        self.points.push(Point::Mean(mean));
-        self.points.len() - 1
+        self.output_on(mean, self.spec.means[mean].centre())
     }
 
     /// The output point of nodes: of one its motion, of several their mean motion, whose displacements in the plane are
@@ -321,7 +320,12 @@ impl BodyPlan {
         for axis in 0..2 {
             self.retain_mean(set, mean, MeanComponent::Displacement(axis));
         }
-        self.points.push(Point::Mean(mean));
+        self.output_on(mean, self.spec.means[mean].centre())
+    }
+
+    /// Asks for the motion of a place (m) that moves with one of the means; its place among the output points.
+    pub(in crate::machine) fn output_on(&mut self, mean: usize, position: [f64; 3]) -> usize {
+        self.points.push(Point::OnMean(mean, position));
         self.points.len() - 1
     }
 
@@ -350,7 +354,7 @@ impl BodyPlan {
     pub(in crate::machine) fn position(&self, place: usize) -> [f64; 3] {
         match self.points[place] {
             Point::Node(node) => self.mesh.nodes()[self.spec.nodes[node]],
-            Point::Mean(mean) => self.spec.means[mean].centre(),
+            Point::OnMean(_, position) => position,
         }
     }
 

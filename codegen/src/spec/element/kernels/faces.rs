@@ -38,7 +38,18 @@ pub(super) fn entries(element: &ElementSpec) -> Vec<TokenStream> {
             quote!(FacePoint { weight: #weight, values: &#values, slopes: &[#(#slopes),*] })
         });
         let nodes = nodes.iter().map(|&a| Literal::usize_unsuffixed(a));
-        entries.push(quote!(Face { nodes: &[#(#nodes),*], points: &[#(#points),*] }));
+        let corners = Literal::usize_unsuffixed(face.corners);
+        let origin = row(&face.origin.each_ref().map(|x| x.to_f64().expect("a small number")));
+        let along = along.iter().map(|along| row(along));
+        entries.push(quote! {
+            Face {
+                nodes: &[#(#nodes),*],
+                corners: #corners,
+                origin: #origin,
+                along: [#(#along),*],
+                points: &[#(#points),*],
+            }
+        });
     }
     entries
 }

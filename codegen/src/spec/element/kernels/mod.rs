@@ -5,6 +5,7 @@ mod cell;
 mod faces;
 mod linear;
 mod modes;
+mod shape;
 mod stressed;
 mod table;
 mod values;
@@ -27,19 +28,28 @@ use crate::spec::kind::{About, Compiled, OfAnyKind, Other, SpecKind};
 use cell::CellForm;
 use table::Tables;
 
-impl Compiled for ElementSpec {
-    type Programs = BTreeMap<String, Program>;
+/// What the kernels of an element compute.
+pub(crate) struct Programs {
+    shape: Program,
+    /// Scale factors at a point, a form each.
+    points: BTreeMap<String, Program>,
+}
 
-    /// Scale factors at a point for every form of all sets, by its name.
+impl Compiled for ElementSpec {
+    type Programs = Programs;
+
+    /// The shape functions, and scale factors at a point for every form of all sets, by its name.
     fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
         let names = of_forms(all).flat_map(|set| &set.forms).map(|form| &form.name);
         let programs = names.map(|name| Ok((name.clone(), point_program(self, name)?)));
-        let programs: Result<_, _> = programs.collect();
+        let points: Result<_, _> = programs.collect();
+        let programs =
+            points.and_then(|points| Ok(Programs { shape: shape::program(self)?, points }));
         programs.map_err(|error| unscheduled(&self.file, &error))
     }
 
     /// The module of the kernels of all forms on one element. Those that an element before has, too, are called there.
-    fn emit(&self, points: &Self::Programs, others: &[Other<'_>]) -> String {
+    fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String {
         let forms: Vec<_> = others.iter().filter_map(Other::of::<FormSpec>).collect();
         let before = || others.iter().filter_map(Other::of::<ElementSpec>).map(|(spec, ..)| spec);
         let mut tables = Tables::new(self);
@@ -49,7 +59,7 @@ impl Compiled for ElementSpec {
             for (form, pairs) in spec.forms.iter().zip(*pairs) {
                 let same_kernel =
                     before().find(|other| other.integrates_as(self, form.integrated_as()));
-                let point = &points[form.integrated_as()];
+                let point = &programs.points[form.integrated_as()];
                 let cell = CellForm { element: self, spec, form, pairs, point, same_kernel };
                 let (text, flops) = cell.functions(&mut tables, &mut known);
                 functions.extend(text);
@@ -57,7 +67,8 @@ impl Compiled for ElementSpec {
             }
         }
         let read = tables.read();
-        let functions = quote!(#read #functions);
+        let shape = shape::function(&programs.shape);
+        let functions = quote!(#read #functions #shape);
         // What the kernels do counts for the hash, wherever they stand.
         let works = known.iter().map(|kernel| kernel.work.as_str());
         let beside = forms.iter().map(|(.., text)| *text).chain(works).collect();
@@ -184,6 +195,7 @@ fn registered(
             abaqus_order: #abaqus_order,
             vtk: #vtk,
             vtk_order: #vtk_order,
+            shape,
             faces: &[#(#faces),*],
             forms: &[#(#entries),*],
         };

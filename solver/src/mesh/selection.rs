@@ -1,0 +1,169 @@
+//! Node sets by where they are: what a mesh file has no sets of.
+
+use std::collections::BTreeSet;
+
+use super::surface::{SurfaceFace, faces_within};
+use super::{Mesh, MeshParts};
+
+/// Nodes by their place, in the coordinates of the mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Selection {
+    /// Of the faces on a cylinder about an axis parallel to z.
+    Cylinder {
+        /// x and y of the axis (m).
+        centre: [f64; 2],
+        /// m.
+        radius: f64,
+        /// How far nodes may be from it (m).
+        within: f64,
+        /// From where to where along z (m).
+        z: [f64; 2],
+    },
+    /// Near a point.
+    Point {
+        /// The point (m).
+        at: [f64; 3],
+        /// How far from it (m).
+        within: f64,
+    },
+    /// Of the faces in a plane across z.
+    Plane {
+        /// z (m).
+        z: f64,
+        /// How far nodes may be from it (m).
+        within: f64,
+    },
+}
+
+/// A cylinder that a mesh has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cylinder {
+    /// Mean radius (m).
+    pub radius: f64,
+    /// From where to where along z (m).
+    pub z: [f64; 2],
+    /// Whether the body is around it, as around a bore.
+    pub hollow: bool,
+}
+
+/// A normal counts as radial, or as along z, where this part of it is.
+const ALONG: f64 = 0.7;
+/// Faces are on one cylinder if their radii differ by at most this part.
+const SAME: f64 = 0.01;
+
+impl Mesh {
+    /// The nodes of a selection, ascending; faces count where they are on the surface of the mesh.
+    pub fn selected(&self, selection: &Selection) -> Vec<usize> {
+        let near = |node: &[f64; 3]| match *selection {
+            Selection::Cylinder { centre, radius, within, z } => {
+                let away = (node[0] - centre[0]).hypot(node[1] - centre[1]) - radius;
+                // Ends of a range are planes of nodes as often as not.
+                let margin = 1e-6 * radius;
+                away.abs() <= within && z[0] - margin <= node[2] && node[2] <= z[1] + margin
+            }
+            Selection::Point { at, within } => {
+                let square: f64 = (0..3).map(|k| (node[k] - at[k]).powi(2)).sum();
+                square <= within * within
+            }
+            Selection::Plane { z, within } => (node[2] - z).abs() <= within,
+        };
+        let inside: Vec<bool> = self.nodes().iter().map(near).collect();
+        let normal_fits = |[radial, axial]: [f64; 2]| match selection {
+            Selection::Cylinder { .. } => radial.abs() >= ALONG,
+            Selection::Plane { .. } => axial.abs() >= ALONG,
+            Selection::Point { .. } => true,
+        };
+        let centre = match *selection {
+            Selection::Cylinder { centre, .. } => centre,
+            _ => [0.0; 2],
+        };
+        let chosen: BTreeSet<usize> = match selection {
+            Selection::Point { .. } => (0..inside.len()).filter(|&node| inside[node]).collect(),
+            _ => {
+                let faces = self.surface_within(&inside);
+                let fit = faces.iter().filter(|face| normal_fits(self.seen(face, centre).normal));
+                fit.flat_map(SurfaceFace::nodes).collect()
+            }
+        };
+        chosen.into_iter().collect()
+    }
+
+    /// The mesh with another node set, in place of one of the same name.
+    pub fn with_node_set(self, name: &str, nodes: Vec<usize>) -> Mesh {
+        let mut parts: MeshParts = self.parts;
+        parts.node_sets.insert(name.to_owned(), nodes);
+        Mesh { parts }
+    }
+
+    /// The cylinders about an axis parallel to z that are parts of the surface, by radius and then by z.
+    pub fn cylinders(&self, centre: [f64; 2]) -> Vec<Cylinder> {
+        let all = vec![true; self.nodes().len()];
+        let faces = self.surface_within(&all);
+        let mut seen: Vec<(SeenFace, &SurfaceFace)> = Vec::new();
+        for face in &faces {
+            let own = self.seen(face, centre);
+            // All nodes of a face on a cylinder are as far from the axis.
+            if own.normal[0].abs() >= ALONG && own.spread <= SAME * own.radius {
+                seen.push((own, face));
+            }
+        }
+        seen.sort_by(|a, b| a.0.radius.total_cmp(&b.0.radius).then(a.0.z[0].total_cmp(&b.0.z[0])));
+        let mut found: Vec<(Cylinder, f64)> = Vec::new();
+        for (own, _) in seen {
+            let hollow = own.normal[0] < 0.0;
+            let same = found.iter_mut().find(|(known, _)| {
+                let touches = own.z[0] <= known.z[1] + SAME * own.radius
+                    && known.z[0] <= own.z[1] + SAME * own.radius;
+                known.hollow == hollow
+                    && (known.radius - own.radius).abs() <= SAME * own.radius
+                    && touches
+            });
+            match same {
+                Some((known, count)) => {
+                    known.radius = (known.radius * *count + own.radius) / (*count + 1.0);
+                    known.z = [known.z[0].min(own.z[0]), known.z[1].max(own.z[1])];
+                    *count += 1.0;
+                }
+                None => found.push((Cylinder { radius: own.radius, z: own.z, hollow }, 1.0)),
+            }
+        }
+        found.into_iter().map(|(cylinder, _)| cylinder).collect()
+    }
+
+    /// Faces of one cell only, all of whose nodes are inside.
+    fn surface_within(&self, inside: &[bool]) -> Vec<SurfaceFace> {
+        faces_within(self, inside).into_iter().filter(|face| !face.shared).collect()
+    }
+
+    fn seen(&self, face: &SurfaceFace, centre: [f64; 2]) -> SeenFace {
+        let places = face.nodes().map(|node| self.nodes()[node]);
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for [x, y, z] in places {
+            let seen = [(x - centre[0]).hypot(y - centre[1]), z];
+            for k in 0..2 {
+                low[k] = low[k].min(seen[k]);
+                high[k] = high[k].max(seen[k]);
+            }
+        }
+        let ([x, y, _], normal) = face.middle(self.nodes());
+        let (x, y) = (x - centre[0], y - centre[1]);
+        let away = x.hypot(y);
+        let radial = if away > 0.0 { (normal[0] * x + normal[1] * y) / away } else { 0.0 };
+        SeenFace {
+            radius: 0.5 * (low[0] + high[0]),
+            spread: high[0] - low[0],
+            z: [low[1], high[1]],
+            normal: [radial, normal[2]],
+        }
+    }
+}
+
+/// A face as seen from an axis.
+struct SeenFace {
+    radius: f64,
+    /// Largest less smallest distance of its nodes from the axis.
+    spread: f64,
+    z: [f64; 2],
+    /// Parts of its outward unit normal along the radius and along z.
+    normal: [f64; 2],
+}
