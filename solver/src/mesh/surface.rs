@@ -39,9 +39,9 @@ impl SurfaceFace {
                 }
             }
             let [a, b] = tangents;
-            for k in 0..3 {
+            for (k, normal) in normal.iter_mut().enumerate() {
                 let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                normal[k] += point.weight * (a[i] * b[j] - a[j] * b[i]);
+                *normal += point.weight * (a[i] * b[j] - a[j] * b[i]);
             }
         }
         let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
