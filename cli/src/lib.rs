@@ -7,6 +7,7 @@ mod checkpoint;
 mod created;
 pub mod errors;
 mod explain;
+mod fields;
 mod figures;
 mod history;
 mod law_file;

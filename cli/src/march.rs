@@ -10,6 +10,7 @@ use whirl_solver::history::History;
 use crate::case::Case;
 use crate::checkpoint::{self, Identity, Point};
 use crate::errors::Failure;
+use crate::fields::{FRAMES, FrameWriter, Schedule};
 use crate::history::{self, HistoryWriter, NotWritten};
 use crate::machine::Built;
 use crate::progress::{self, ProgressMode};
@@ -80,6 +81,7 @@ pub(crate) fn march(
     let start = Instant::now();
     let passed = before.map_or(0.0, |(_, wall)| wall);
     let mut recorder = Recorder::new(results, identity, (names, before.map(|(length, _)| length)));
+    recorder.schedule = Schedule::new(case);
     let end = loop {
         if march.is_done() {
             break End::Done;
@@ -146,6 +148,9 @@ struct Recorder<'r> {
     /// Names of the columns; bytes of the history after which this one goes on, if it does.
     head: (Vec<String>, Option<u64>),
     writer: Option<HistoryWriter>,
+    /// Which states are kept, until their file is open.
+    schedule: Option<Schedule>,
+    frames: Option<FrameWriter>,
     path: PathBuf,
     /// When the last point was kept.
     kept: Option<Instant>,
@@ -157,7 +162,16 @@ const BETWEEN_POINTS: Duration = Duration::from_secs(1);
 impl<'r> Recorder<'r> {
     fn new(results: &'r mut Results, identity: Identity, head: (Vec<String>, Option<u64>)) -> Self {
         let path = results.path(CHECKPOINT);
-        Recorder { results, identity: Arc::new(identity), head, writer: None, path, kept: None }
+        Recorder {
+            results,
+            identity: Arc::new(identity),
+            head,
+            writer: None,
+            schedule: None,
+            frames: None,
+            path,
+            kept: None,
+        }
     }
 
     /// The history, begun or gone on with.
@@ -165,18 +179,30 @@ impl<'r> Recorder<'r> {
         if self.writer.is_none() {
             let path = self.results.path(history::NAME);
             let (names, length) = &self.head;
-            let kept: &[&str] = if length.is_some() { &[history::NAME, CHECKPOINT] } else { &[] };
+            let kept: &[&str] =
+                if length.is_some() { &[history::NAME, CHECKPOINT, FRAMES] } else { &[] };
             let opened = self.results.begin(kept).and_then(|()| match *length {
                 Some(length) => HistoryWriter::go_on(&path, length, names.len()),
                 None => HistoryWriter::create(&path, names),
             });
             self.writer = Some(opened.map_err(|error| NotWritten(error.to_string()))?);
+            if let Some(schedule) = self.schedule.take() {
+                let path = self.results.path(FRAMES);
+                let opened = FrameWriter::open(&path, schedule, length.is_some());
+                self.frames = Some(opened.map_err(|error| NotWritten(error.to_string()))?);
+            }
         }
         Ok(self.writer.as_mut().expect("it was just opened"))
     }
 
     /// Writes the row of the last step, if it is one of those that are kept.
     fn record(&mut self, march: &March, every: usize) -> Result<(), NotWritten> {
+        self.writer()?;
+        if let Some(frames) = &mut self.frames {
+            let step = march.progress().step as u64;
+            let written = frames.record(step, march.time(), &march.state().q);
+            written.map_err(|error| NotWritten(error.to_string()))?;
+        }
         let writer = self.writer()?;
         match march.progress().step.is_multiple_of(every) {
             true => writer.push(march.row()),

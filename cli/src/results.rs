@@ -10,6 +10,7 @@ use whirl_solver::cache::{ABANDONED, remove_unfinished, write_whole};
 
 use crate::created::CreatedFolders;
 use crate::errors::Failure;
+use crate::fields::{self, FRAMES};
 use crate::figures;
 use crate::history;
 use crate::lock::{Lock, Locked};
@@ -80,6 +81,7 @@ impl Results {
                 _ => {}
             }
         }
+        fields::clear(&self.folder)?;
         let age = if self.lock.is_some() { Duration::ZERO } else { ABANDONED };
         remove_unfinished(&self.folder, age);
         Ok(())
@@ -95,9 +97,10 @@ impl Results {
             .map_err(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 
-    /// Takes away the point to resume from: the run has come to its end.
+    /// Takes away the point to resume from, with the frames for it: the run has come to its end.
     pub(crate) fn forget_checkpoint(&self) {
         let _ = fs::remove_file(self.path(CHECKPOINT));
+        let _ = fs::remove_file(self.path(FRAMES));
     }
 
     fn failure(&self, path: &Path, reason: &str) -> Failure {
@@ -121,7 +124,7 @@ fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) -> Option<Loc
 fn names() -> impl Iterator<Item = String> {
     let figures =
         figures::NAMES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
-    [history::NAME, SUMMARY, CHECKPOINT, STATE].map(String::from).into_iter().chain(figures)
+    [history::NAME, SUMMARY, CHECKPOINT, STATE, FRAMES].map(String::from).into_iter().chain(figures)
 }
 
 #[cfg(test)]

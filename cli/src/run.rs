@@ -14,7 +14,7 @@ use crate::progress::{self, ProgressMode};
 use crate::report::{Summary, Times, of_orders, stops, supports};
 use crate::results::{CHECKPOINT, Results, SUMMARY};
 use crate::signals::Interruption;
-use crate::{figures, history, streams};
+use crate::{fields, figures, history, streams};
 
 /// Runs a case: read, build, march, report. What was computed is kept however the run ends; the history is on disk
 /// before anything is made of it.
@@ -92,6 +92,7 @@ fn report(
         Err(error) => problems.push(format!("no summary and no figures: {error}")),
         Ok((history, summary)) => {
             problems.extend(results.write(SUMMARY, summary.json().as_bytes()).err());
+            problems.extend(write_fields((case, built), results, marched.step));
             // On a full disk the numbers come first.
             if !arguments.no_figures && !matches!(marched.end, End::NotWritten(_)) {
                 let write = |name: &str, content: &[u8]| results.write(name, content);
@@ -124,6 +125,16 @@ fn report(
         kept: Some(results.folder().to_path_buf()),
         help: goes_on.then(|| "the same command with `--resume` goes on from there".to_string()),
     })
+}
+
+/// Writes the motions of whole bodies, if the case wants them; why they cannot be written.
+fn write_fields((case, built): (&Case, &Built), results: &Results, step: usize) -> Option<String> {
+    let schedule = fields::Schedule::new(case)?;
+    let path = results.path(fields::FRAMES);
+    let frames = fields::read(&path, &schedule, (built.machine.size(), step as u64));
+    let written = frames.and_then(|frames| fields::write(built, &frames, results.folder()));
+    let folder = results.path(fields::FOLDER);
+    written.err().map(|error| format!("cannot write `{}`: {error}", folder.display()))
 }
 
 fn times(built: &Built, marched: &Marched, start: Instant) -> Times {

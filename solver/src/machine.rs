@@ -10,6 +10,7 @@ use crate::bodies::{Layout, Owner};
 use crate::error::Error;
 use crate::linalg::dot;
 use crate::loads::Load;
+use crate::model::Field;
 use crate::output::Output;
 use crate::shaft::Shaft;
 
@@ -44,6 +45,8 @@ pub struct Machine {
     pub(crate) monitors: Vec<Monitor>,
     /// Outputs by request; see [`Machine::with_outputs`].
     pub(crate) outputs: Vec<Output>,
+    /// All nodes of some of the bodies, for what is written of whole bodies.
+    pub fields: Vec<Field>,
 }
 
 /// How the outputs of a bearing are computed.
@@ -116,7 +119,16 @@ impl Machine {
             .enumerate()
             .map(|(number, bearing)| monitor(number, bearing, &bodies, &springs))
             .collect();
-        Ok(Machine { bodies, layout, motion, springs, loads, monitors, outputs: Vec::new() })
+        Ok(Machine {
+            bodies,
+            layout,
+            motion,
+            springs,
+            loads,
+            monitors,
+            outputs: Vec::new(),
+            fields: Vec::new(),
+        })
     }
 
     /// Number of coordinates that are marched: the 226 of the reference system.

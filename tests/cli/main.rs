@@ -7,6 +7,7 @@ mod cached;
 mod eccentricity;
 mod every_key;
 mod explain;
+mod fields;
 mod figures;
 mod first_law;
 mod good_runs;

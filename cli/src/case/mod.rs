@@ -2,6 +2,7 @@
 
 mod columns;
 mod cycle;
+mod fields;
 mod gravity;
 mod joined;
 mod law;
@@ -23,6 +24,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::Source;
 
 pub(crate) use columns::Columns;
+pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
 pub(crate) use joined::{
     Attached, Carried, Dimensions, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad,
@@ -63,6 +65,8 @@ pub(crate) struct Case {
     pub(crate) start: Start,
     /// What the history has beside its usual columns.
     pub(crate) outputs: Vec<Output>,
+    /// What is written of whole bodies.
+    pub(crate) fields: Option<Fields>,
     /// What figures show beyond the results.
     pub(crate) figures: Figures,
 }

@@ -7,6 +7,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use whirl_codegen::document::schema::Described;
 use whirl_codegen::document::{Document, Table};
 
+use super::fields::{self, Fields};
 use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
 use super::{
@@ -29,6 +30,7 @@ pub(crate) struct Draft {
     origin: String,
     sources: Vec<Arc<Source>>,
     figures: Figures,
+    fields: Option<Fields>,
     march: Option<MarchSettings>,
     start: Option<StartDraft>,
     outputs: Vec<Output>,
@@ -72,6 +74,7 @@ impl Draft {
             figures,
             march,
             outputs,
+            fields,
             start,
             system,
             errors,
@@ -81,7 +84,18 @@ impl Draft {
         match (errors.into_result(())?, march, system.finish()) {
             ((), Some(march), Some(system)) => {
                 sources.extend(system.tables());
-                Ok(Case { name, title, origin, sources, system, march, start, outputs, figures })
+                Ok(Case {
+                    name,
+                    title,
+                    origin,
+                    sources,
+                    system,
+                    march,
+                    start,
+                    outputs,
+                    fields,
+                    figures,
+                })
             }
             _ => {
                 let message = "this case cannot be read";
@@ -114,6 +128,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
     }
     let march = march::read(file, &system);
     let outputs = outputs::read(file, &system);
+    let fields = fields::read(file, &system);
     Draft {
         name: case_name(path),
         title: title.text().to_string(),
@@ -123,6 +138,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
         march,
         start,
         outputs,
+        fields,
         system,
         errors: Diagnostics::new(),
     }

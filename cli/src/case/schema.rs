@@ -102,6 +102,7 @@ const CASE: &[Key] = &[
     key("start", Table(&[BEGINNING]), "how the machine begins; at rest if left out"),
     merged("march", Table(&[MARCH]), "steps in time"),
     key("output", Named(&Table(&[OUTPUT])), "further columns of history.csv, by name"),
+    key("fields", Table(&[FIELDS]), "motions of whole bodies as VTU files"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
 ];
 
@@ -347,6 +348,13 @@ const OUTPUT: &[Key] = &[
     key("frame", Words(&["space", "body"]), "whose components; space if left out"),
     key("components", NAMES, "of \"x\", \"y\" and \"z\"; x and y if left out")
         .like("[\"x\", \"y\"]"),
+];
+
+const FIELDS: &[Key] = &[
+    key("bodies", NAMES, "those that have a mesh if left out").like("[\"shaft\"]"),
+    key("frames", Count(1, 1000), "of the last cycle; 24 if neither they nor times are given")
+        .like("24"),
+    key("times", List(&DURATION), "of further frames").like("[\"10 ms\"]"),
 ];
 
 const FIGURES: &[Key] = &[

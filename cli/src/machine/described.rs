@@ -11,7 +11,7 @@ use whirl_solver::model::Model;
 
 use super::plan::BodyPlan;
 use super::springs::explain;
-use super::{BodyFact, BodyFacts, Built, forces};
+use super::{BodyFact, BodyFacts, Built, FieldMesh, forces};
 use crate::case::{Gravity, LawSource};
 use crate::errors::Failure;
 
@@ -21,6 +21,8 @@ pub(super) struct Described<'a> {
     pub(super) model: Model<'a>,
     /// The plan of each body that has a mesh.
     pub(super) plans: Vec<Option<&'a BodyPlan>>,
+    /// x and y in space of where the coordinates of each mesh count from (m).
+    pub(super) axes: Vec<[f64; 2]>,
     /// How the bodies begin.
     pub(super) initial: Vec<BodyStart>,
     /// Gravity, as the case says it.
@@ -44,11 +46,15 @@ impl Described<'_> {
         warnings: &mut Vec<String>,
     ) -> Result<Built, Failure> {
         let (bodies, facts) = self.reduce(cache, warnings)?;
+        let fields = self.model.fields.iter().filter_map(|&(body, _)| {
+            Some(FieldMesh { mesh: self.plans[body]?.mesh.clone(), axis: self.axes[body] })
+        });
+        let fields = fields.collect();
         let Described { model, initial, laws, law_hashes, law_places, bore_places, .. } = self;
         let clearances = model.bearings.iter().map(|bearing| bearing.clearance).collect();
         let machine =
             model.machine(bodies).map_err(|error| explain(error, &law_places, &bore_places))?;
-        Ok(Built { machine, initial, clearances, laws, law_hashes, bodies: facts })
+        Ok(Built { machine, initial, clearances, laws, law_hashes, bodies: facts, fields })
     }
 
     /// What the machine is made from.

@@ -101,7 +101,9 @@ pub(super) fn describe<'a>(
             loads,
             gravity: forces::acceleration(lumped.gravity.as_ref()),
             outputs: outputs::placed(wanted, &places),
+            fields: Vec::new(),
         },
+        axes: Vec::new(),
         plans: vec![None, None],
         initial: vec![BodyStart {
             speed: 0.0,

@@ -16,6 +16,7 @@ use serde::Serialize;
 use whirl_solver::cache::{Cache, Key};
 use whirl_solver::dynamics::BodyStart;
 use whirl_solver::machine::{Machine, MachineParts};
+use whirl_solver::mesh::Mesh;
 
 pub(crate) use joined::{JoinedPlan, PlannedBody};
 pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
@@ -38,6 +39,16 @@ pub(crate) struct Built {
     pub(crate) law_hashes: Vec<(String, String)>,
     /// The bodies, where they were reduced from meshes.
     pub(crate) bodies: Option<BodyFacts>,
+    /// The meshes of bodies that are written as wholes, in the order of the machine's fields.
+    pub(crate) fields: Vec<FieldMesh>,
+}
+
+/// A mesh whose motion is written.
+pub(crate) struct FieldMesh {
+    /// The mesh.
+    pub(crate) mesh: Mesh,
+    /// x and y in space of the axis from which its coordinates count (m).
+    pub(crate) axis: [f64; 2],
 }
 
 /// Facts about the reduced bodies.
@@ -107,12 +118,13 @@ pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failu
 /// # Errors
 /// Whatever is wrong with meshes and sets.
 pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Plan>, Failure> {
+    let wanted = (case.outputs.as_slice(), case.fields.as_ref());
     Ok(match &case.system {
         System::Rotor(rotor) => {
-            Some(Plan::Rotor(Box::new(MachinePlan::new(rotor, &case.outputs, warnings)?)))
+            Some(Plan::Rotor(Box::new(MachinePlan::new(rotor, wanted, warnings)?)))
         }
         System::Joined(joined) => {
-            Some(Plan::Joined(Box::new(JoinedPlan::new(joined, &case.outputs, warnings)?)))
+            Some(Plan::Joined(Box::new(JoinedPlan::new(joined, wanted, warnings)?)))
         }
         System::Lumped(_) => None,
     })

@@ -17,7 +17,7 @@ pub(super) use self::body::HoldingWords;
 pub(super) use self::driven::Turn;
 use super::laws::laws;
 use super::{meshes, outputs};
-use crate::case::{self, LawSource, Output, Rotor, RotorDraft};
+use crate::case::{self, Fields, LawSource, Output, Rotor, RotorDraft};
 use crate::errors::Failure;
 
 /// The axis of the short form (m).
@@ -42,6 +42,8 @@ pub(crate) struct MachinePlan {
     pub(super) loads: Vec<Place>,
     /// Places of the points of outputs in the output nodes of their bodies, an output each.
     pub(super) outputs: Vec<usize>,
+    /// Bodies that are written as wholes, with the place of their first node among the output nodes.
+    pub(super) fields: Vec<(usize, usize)>,
     /// The laws with the values with which the bearings use them, a bearing each; none of a case with errors.
     pub(crate) laws: Vec<LawSource>,
 }
@@ -136,7 +138,7 @@ impl MachinePlan {
     /// does not fit together.
     pub(crate) fn new(
         rotor: &Rotor,
-        wanted: &[Output],
+        (wanted, fields): (&[Output], Option<&Fields>),
         warnings: &mut Vec<String>,
     ) -> Result<MachinePlan, Failure> {
         let plan = MachinePlan::of(&Outline::from(rotor), Diagnostics::new(), warnings)?;
@@ -146,6 +148,10 @@ impl MachinePlan {
             let body = if body == 0 { &mut plan.shaft } else { &mut plan.support };
             set.map_or(0, |set| outputs::on_mesh(body, set, &mut errors))
         });
+        for &body in fields.iter().flat_map(|own| &own.bodies) {
+            let own = if body == 0 { &mut plan.shaft } else { &mut plan.support };
+            plan.fields.push((body, own.output_all()));
+        }
         errors.into_result(())?;
         plan.laws = laws(rotor, &plan)?;
         Ok(plan)
@@ -195,6 +201,7 @@ impl MachinePlan {
             drive,
             loads,
             outputs: Vec::new(),
+            fields: Vec::new(),
             laws: Vec::new(),
         }))
     }

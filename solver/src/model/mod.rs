@@ -42,6 +42,7 @@
 //!     }],
 //!     gravity: [0.0; 3],
 //!     outputs: Vec::new(),
+//!     fields: Vec::new(),
 //! };
 //! let reduced: Result<Vec<_>, _> = model.reduce(None).into_iter().collect();
 //! let bodies: Vec<Body> = reduced?.into_iter().map(|own| own.body).collect();
@@ -76,6 +77,7 @@ pub use self::body::{
 pub use self::load::{LoadAction, LoadModel};
 use crate::bearing::{Bearing, SpringLaw};
 use crate::bodies::Body;
+use crate::body::BodyNode;
 use crate::cache::Cache;
 use crate::error::Error;
 use crate::gravity::weights;
@@ -89,6 +91,14 @@ pub enum Place {
     Nodes(Vec<usize>),
     /// On one of its mean motions, by its place.
     Mean(usize),
+}
+
+/// All nodes of a body, with their motion.
+pub struct Field {
+    /// The body, by its place.
+    pub body: usize,
+    /// In the order of its mesh.
+    pub nodes: Vec<BodyNode>,
 }
 
 /// A machine before its bodies are reduced.
@@ -110,6 +120,9 @@ pub struct Model<'a> {
     /// Outputs by request. Their points, by place, are the last of their bodies: a machine does without them, as what is
     /// asked for changes nothing that is computed.
     pub outputs: Vec<Output<usize>>,
+    /// Bodies of which all nodes are wanted, with the place of the first of these among their points; taken off as those of
+    /// outputs.
+    pub fields: Vec<(usize, usize)>,
 }
 
 impl Model<'_> {
@@ -143,15 +156,24 @@ impl Model<'_> {
     /// # Errors
     /// As [`Machine::new`].
     pub fn machine(mut self, bodies: Vec<Body>) -> Result<Machine, Error> {
-        let outputs = std::mem::take(&mut self.outputs);
+        let (outputs, fields) =
+            (std::mem::take(&mut self.outputs), std::mem::take(&mut self.fields));
         let mut parts = self.parts(bodies);
         let placed = outputs.iter().map(|own| own.clone().on(&parts.bodies)).collect();
+        let fields = fields.into_iter().map(|(body, first)| {
+            let all = parts.bodies[body].nodes_mut();
+            let nodes = all.split_off(first);
+            Field { body, nodes }
+        });
+        let fields: Vec<Field> = fields.collect();
         for own in outputs {
             if let Wanted::Motion { body, point, .. } = own.what {
                 parts.bodies[body].nodes_mut().truncate(point);
             }
         }
-        Machine::new(parts)?.with_outputs(placed)
+        let mut machine = Machine::new(parts)?.with_outputs(placed)?;
+        machine.fields = fields;
+        Ok(machine)
     }
 
     /// What the machine is made from, outputs by request left out.

@@ -24,7 +24,7 @@ use super::laws::laws_of;
 use super::plan::geometry;
 use super::springs::{Laws, angles, clearance};
 use super::{forces, outputs, rotor};
-use crate::case::{self, JoinedMachine, LawSource, Output, Turning};
+use crate::case::{self, Fields, JoinedMachine, LawSource, Output, Turning};
 use crate::errors::Failure;
 /// Bodies, joints, drives and loads before the reduction of what has a mesh.
 pub(crate) struct JoinedPlan {
@@ -40,6 +40,8 @@ pub(crate) struct JoinedPlan {
     loads: Vec<Place>,
     /// Places of the points of outputs among the output nodes of their bodies, an output each.
     outputs: Vec<usize>,
+    /// Bodies that are written as wholes, with the place of their first node among the output nodes.
+    fields: Vec<(usize, usize)>,
     /// The laws with the values with which the joints use them, a joint each.
     pub(crate) laws: Vec<LawSource>,
 }
@@ -52,7 +54,7 @@ impl JoinedPlan {
     /// together, and what is wrong with laws.
     pub(crate) fn new(
         joined: &JoinedMachine,
-        wanted: &[Output],
+        (wanted, fields): (&[Output], Option<&Fields>),
         warnings: &mut Vec<String>,
     ) -> Result<JoinedPlan, Failure> {
         warnings.extend(joined.joints.iter().flat_map(joints::pushes_away));
@@ -95,10 +97,16 @@ impl JoinedPlan {
                 own.node([x, y, z.unwrap_or(centre)])
             }
         });
+        let fields = fields.iter().flat_map(|own| &own.bodies);
+        let fields = fields.filter_map(|&body| match &mut bodies[body] {
+            PlannedBody::Meshed(plan) => Some((body, plan.output_all())),
+            PlannedBody::Rigid(_) => None,
+        });
+        let fields = fields.collect();
         errors.into_result(())?;
         let measured = joints.iter().map(|joint| (&joint.bearing, joint.measured(&bodies)));
         let laws = laws_of(measured.collect(), "the joint")?;
-        Ok(JoinedPlan { bodies, attached, joints, drives, loads, outputs, laws })
+        Ok(JoinedPlan { bodies, attached, joints, drives, loads, outputs, fields, laws })
     }
 
     /// Checks for what would keep the bodies from being reduced, without reducing them.
@@ -185,13 +193,20 @@ pub(super) fn describe<'a>(
             loads: loads.chain(drives).collect(),
             gravity: forces::acceleration(joined.gravity.as_ref()),
             outputs: outputs::placed(wanted, &plan.outputs),
+            fields: plan.fields.clone(),
         },
+        axes: joined.bodies.iter().map(in_space).collect(),
         plans,
         initial: initial.collect(),
         gravity: joined.gravity.as_ref(),
         law_places: joined.joints.iter().map(|joint| &joint.bearing.law.name).collect(),
         bore_places: joined.joints.iter().map(|joint| joint.bearing.bore.as_slice()).collect(),
     })
+}
+
+/// x and y in space of where the coordinates of a mesh count from (m): its axis, if it turns.
+fn in_space(body: &case::NamedBody) -> [f64; 2] {
+    if body.turning.is_some() { body.axis } else { [0.0; 2] }
 }
 
 /// How a body turns.

@@ -365,6 +365,15 @@ impl BodyPlan {
         if self.rigid { Form::RigidMesh(own) } else { Form::Flexible(own) }
     }
 
+    /// Asks for the motion of all nodes; the place of the first one among the output points.
+    pub(in crate::machine) fn output_all(&mut self) -> usize {
+        let first = self.points.len();
+        (0..self.mesh.nodes().len()).for_each(|node| {
+            self.output_node(node);
+        });
+        first
+    }
+
     /// Notes more coordinates than there is memory for dense matrices of.
     pub(in crate::machine) fn bound(&self, errors: &mut Diagnostics) {
         let largest = self.spec.retained.iter().map(|own| own.terms.len()).max().unwrap_or(0);

@@ -1,0 +1,66 @@
+//! Motions of whole bodies for other programs: `[fields]`.
+
+use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_codegen::document::Table;
+
+use super::{Form, SystemDraft};
+
+/// What is written of whole bodies.
+#[derive(Debug, Clone)]
+pub(crate) struct Fields {
+    /// Bodies, by their places in the machine.
+    pub(crate) bodies: Vec<usize>,
+    /// Frames of the last cycle.
+    pub(crate) frames: usize,
+    /// Times of further frames (s).
+    pub(crate) times: Vec<f64>,
+}
+
+/// Frames of the last cycle, where a case says neither frames nor times.
+const FRAMES: usize = 24;
+
+pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<Fields> {
+    file.optional_table("fields")?.read(|table| {
+        let (frames, times) = (table.optional_count("frames"), table.quantities("times"));
+        let bodies = bodies(table, system);
+        let usual = if times.is_empty() { FRAMES } else { 0 };
+        Some(Fields { bodies: bodies?, frames: frames.unwrap_or(usual), times })
+    })
+}
+
+/// The bodies that the table names, or all that have a mesh.
+fn bodies(table: &Table, system: &SystemDraft) -> Option<Vec<usize>> {
+    let wanted = table.texts("bodies");
+    // Names, and whether they have a mesh.
+    let known: Vec<(&str, bool)> = match system {
+        SystemDraft::Rotor(_) => vec![("shaft", true), ("support", true)],
+        SystemDraft::Joined(None) => return None,
+        SystemDraft::Joined(Some(joined)) => {
+            let meshed = |form: &Form| matches!(form, Form::Meshed(_));
+            joined.bodies.iter().map(|body| (body.name.text(), meshed(&body.form))).collect()
+        }
+        SystemDraft::Lumped(_) => Vec::new(),
+    };
+    let with_mesh = || known.iter().filter(|(_, meshed)| *meshed).map(|(name, _)| *name);
+    let all: Vec<usize> = (0..known.len()).filter(|&place| known[place].1).collect();
+    if all.is_empty() {
+        let message = "no body of this case has a mesh, whose motion could be written";
+        let help = "take `[fields]` out, and ask for points by `[output.NAME]`";
+        table.push(table.heading().error(Code::BAD_VALUE, message.to_owned()).help(help));
+    }
+    if wanted.is_empty() || all.is_empty() {
+        return Some(all);
+    }
+    let place = |name: &Located| {
+        let found = known.iter().position(|(own, meshed)| *own == name.text() && *meshed);
+        if found.is_none() {
+            let names: Vec<&str> = with_mesh().collect();
+            let message = format!("there is no body `{}` with a mesh", name.text());
+            let help = suggest(name.text(), &names)
+                .unwrap_or_else(|| format!("bodies with a mesh: {}", names.join(", ")));
+            table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        found
+    };
+    Some(wanted.iter().filter_map(place).collect())
+}

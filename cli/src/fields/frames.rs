@@ -1,0 +1,120 @@
+//! States kept during the march, in a file of records of one length: those of the last cycle, the oldest of which is
+//! written over, and those at given times.
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use crate::case::Case;
+
+/// The file, while a run is at work.
+pub(crate) const FRAMES: &str = "frames.bin";
+
+/// The coordinates of a machine after a step.
+pub(crate) struct Frame {
+    step: u64,
+    /// s.
+    pub(crate) time: f64,
+    pub(crate) q: Vec<f64>,
+}
+
+/// Which steps are kept, and where.
+pub(crate) struct Schedule {
+    /// Steps from one frame of a cycle to the next; none if no cycle is kept.
+    every: Option<u64>,
+    /// Records of a cycle.
+    slots: u64,
+    /// Steps of a cycle.
+    cycle: u64,
+    /// Steps at given times.
+    steps: Vec<u64>,
+}
+
+impl Schedule {
+    /// Of a case that wants frames.
+    pub(crate) fn new(case: &Case) -> Option<Schedule> {
+        let fields = case.fields.as_ref()?;
+        let dt = case.march.time_step;
+        let cycle = (case.march.cycle / dt).round().max(1.0) as u64;
+        let frames = fields.frames as u64;
+        let every = (frames > 0).then(|| (cycle / frames.max(1)).max(1));
+        let steps = fields.times.iter().map(|time| (time / dt).round().max(1.0) as u64);
+        let slots = every.map_or(0, |every| cycle.div_ceil(every));
+        Some(Schedule { every, slots, cycle, steps: steps.collect() })
+    }
+
+    /// Records into which a step goes.
+    fn records(&self, step: u64) -> impl Iterator<Item = u64> {
+        let of_cycle = self.every.filter(|every| step.is_multiple_of(*every));
+        let of_cycle = of_cycle.map(|every| step / every % self.slots);
+        let at_times = self.steps.iter().enumerate().filter(move |(_, own)| **own == step);
+        of_cycle.into_iter().chain(at_times.map(|(place, _)| self.slots + place as u64))
+    }
+}
+
+/// Writes frames. What a march that is resumed writes again are the same bytes.
+pub(crate) struct FrameWriter {
+    schedule: Schedule,
+    file: File,
+}
+
+impl FrameWriter {
+    /// Begins the file, or goes on with it.
+    ///
+    /// # Errors
+    /// It cannot be opened.
+    pub(crate) fn open(path: &Path, schedule: Schedule, goes_on: bool) -> io::Result<FrameWriter> {
+        let mut options = OpenOptions::new();
+        let file = options.write(true).create(true).truncate(!goes_on).open(path)?;
+        Ok(FrameWriter { schedule, file })
+    }
+
+    /// Keeps the state after a step, if it is one of those wanted.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub(crate) fn record(&mut self, step: u64, time: f64, q: &[f64]) -> io::Result<()> {
+        for record in self.schedule.records(step) {
+            let length = 16 + 8 * q.len() as u64;
+            let mut bytes = Vec::with_capacity(length as usize);
+            bytes.extend(step.to_le_bytes());
+            bytes.extend(time.to_le_bytes());
+            q.iter().for_each(|value| bytes.extend(value.to_le_bytes()));
+            self.file.seek(SeekFrom::Start(record * length))?;
+            self.file.write_all(&bytes)?;
+        }
+        Ok(())
+    }
+}
+
+/// The frames of the last cycle up to `last`, and those at given times, each step once and in order. `size`: coordinates of
+/// the machine.
+///
+/// # Errors
+/// The file cannot be read.
+pub(crate) fn read(
+    path: &Path,
+    schedule: &Schedule,
+    (size, last): (usize, u64),
+) -> io::Result<Vec<Frame>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.read_to_end(&mut bytes)?;
+    let number = |bytes: &[u8]| <[u8; 8]>::try_from(bytes).expect("eight bytes");
+    let mut frames = Vec::new();
+    for (place, record) in bytes.chunks_exact(16 + 8 * size).enumerate() {
+        let step = u64::from_le_bytes(number(&record[..8]));
+        let of_cycle = (place as u64) < schedule.slots;
+        let wanted = if of_cycle { step + schedule.cycle > last } else { true };
+        // A record that was never written is of step 0.
+        if step == 0 || step > last || !wanted {
+            continue;
+        }
+        let values = record[8..].chunks_exact(8).map(|own| f64::from_le_bytes(number(own)));
+        let mut values = values.collect::<Vec<f64>>();
+        let q = values.split_off(1);
+        frames.push(Frame { step, time: values[0], q });
+    }
+    frames.sort_by_key(|frame| frame.step);
+    frames.dedup_by_key(|frame| frame.step);
+    Ok(frames)
+}

@@ -1,0 +1,161 @@
+//! Motions of whole bodies as VTU files.
+
+use std::fs;
+use std::path::Path;
+
+use crate::workbench::Workbench;
+
+const MACHINE: &str = include_str!("bodies/surfaces.toml");
+
+const JOINTS: &str = r#"
+[joint.left]
+kind = "bushing"
+first = { body = "rotor", sets = "JOURNAL1_MIDDLE" }
+second = { body = "block", sets = "BORE1_MIDDLE" }
+stiffness = { xx = "1e7 N/m", yy = "2e7 N/m" }
+
+[joint.right]
+kind = "bushing"
+first = { body = "rotor", sets = "JOURNAL2_MIDDLE" }
+second = { body = "block", sets = "BORE2_MIDDLE" }
+stiffness = { xx = "1e7 N/m", yy = "2e7 N/m" }
+
+[output.middle]
+body = "rotor"
+set = "DRIVE_TOP"
+quantity = "displacement"
+
+[output.foot]
+body = "block"
+set = "MOUNTS"
+quantity = "displacement"
+"#;
+
+fn case(fields: &str) -> String {
+    // A cycle of a hundred steps, where the run has five.
+    let machine = MACHINE.replace("[march]", "[march]\ncycle_frequency = \"500 Hz\"");
+    format!("{machine}{JOINTS}{fields}")
+}
+
+/// A VTU file: an array of it by name.
+struct Vtu(Vec<u8>);
+
+impl Vtu {
+    fn read(path: &Path) -> Vtu {
+        Vtu(fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display())))
+    }
+
+    fn head(&self) -> String {
+        let end = self.0.windows(2).position(|pair| pair == b"\n_").expect("appended data");
+        String::from_utf8(self.0[..end].to_vec()).expect("text")
+    }
+
+    fn array(&self, name: &str) -> &[u8] {
+        let head = self.head();
+        let line = head.lines().find(|line| line.contains(&format!("Name=\"{name}\"")));
+        let line = line.expect("the array");
+        let (_, offset) = line.split_once("offset=\"").expect("a place");
+        let offset: usize = offset.split('"').next().unwrap().parse().expect("a number");
+        let begin = head.len() + 2 + offset;
+        let length = u64::from_le_bytes(self.0[begin..begin + 8].try_into().unwrap()) as usize;
+        &self.0[begin + 8..begin + 8 + length]
+    }
+
+    fn vectors(&self, name: &str) -> Vec<[f64; 3]> {
+        let values = self.array(name).chunks_exact(8);
+        let values: Vec<f64> =
+            values.map(|own| f64::from_le_bytes(own.try_into().unwrap())).collect();
+        values.chunks_exact(3).map(|own| [own[0], own[1], own[2]]).collect()
+    }
+}
+
+/// Times and files of a collection.
+fn listed(path: &Path) -> Vec<(f64, String)> {
+    let text = fs::read_to_string(path).expect("a collection");
+    let value = |line: &str, key: &str| {
+        let (_, rest) = line.split_once(&format!("{key}=\"")).expect("an attribute");
+        rest.split('"').next().unwrap().to_owned()
+    };
+    let lines = text.lines().filter(|line| line.contains("<DataSet"));
+    lines.map(|line| (value(line, "timestep").parse().unwrap(), value(line, "file"))).collect()
+}
+
+#[test]
+fn frames_hold_what_outputs_hold() {
+    let bench = Workbench::new()
+        .file("case.toml", &case("[fields]\nframes = 10\ntimes = [\"3 ms\", \"5 ms\"]\n"));
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(!bench.path("out/frames.bin").exists());
+    let history = bench.history("out");
+    let column = |name: &str| history.column(name).to_vec();
+    let [x, y, theta] = ["x_middle_um", "y_middle_um", "theta_rad"].map(column);
+    let files = listed(&bench.path("out/fields/rotor.pvd"));
+    assert_eq!(files.len(), 12, "ten of the last cycle, and two before: {files:?}");
+    assert_eq!(files.len(), listed(&bench.path("out/fields/block.pvd")).len());
+    // Positions as they were, from the last file of a run that stood still.
+    for (time, file) in files {
+        let row = (time / 2e-5).round() as usize - 1;
+        let vtu = Vtu::read(&bench.path("out/fields").join(file));
+        let (points, moved) = (vtu.vectors("points"), vtu.vectors("deformation_m"));
+        assert_eq!(points.len(), moved.len());
+        // DRIVE_TOP turns with the rotor: at the radius of the section, at z = 0 or at its end.
+        let (sin, cos) = theta[row].sin_cos();
+        let near = (0..points.len()).filter(|&node| {
+            let [a, b, _] = points[node];
+            let [a, b] = [cos * a + sin * b, cos * b - sin * a];
+            (a - 0.020256865).abs() < 1e-7 && b.abs() < 1e-7
+        });
+        let found = near.filter(|&node| {
+            let [u, v, _] = moved[node];
+            (1e6 * u - x[row]).abs() < 1e-6 * x[row].abs() + 1e-6
+                && (1e6 * v - y[row]).abs() < 1e-6 * y[row].abs() + 1e-6
+        });
+        assert_eq!(found.count(), 1, "at {time} s: {} {}", x[row], y[row]);
+    }
+    // Every cell has as many nodes as its type.
+    let vtu = Vtu::read(&bench.path("out/fields/block_0000.vtu"));
+    let long = |name: &str| -> Vec<i64> {
+        let values = vtu.array(name).chunks_exact(8);
+        values.map(|own| i64::from_le_bytes(own.try_into().unwrap())).collect()
+    };
+    let (offsets, types, nodes) = (long("offsets"), vtu.array("types"), long("connectivity"));
+    let mut begin = 0;
+    for (end, kind) in offsets.iter().zip(types) {
+        let count = match kind {
+            12 => 8,
+            13 => 6,
+            other => panic!("a cell of type {other}"),
+        };
+        assert_eq!(end - begin, count);
+        begin = *end;
+    }
+    assert_eq!(begin as usize, nodes.len());
+    let count = vtu.vectors("points").len() as i64;
+    assert!(nodes.iter().all(|&node| (0..count).contains(&node)));
+}
+
+#[test]
+fn fields_change_nothing_that_is_computed() {
+    let plain = Workbench::new().file("case.toml", &case(""));
+    let with = Workbench::new().file("case.toml", &case("[fields]\nbodies = [\"rotor\"]\n"));
+    for bench in [&plain, &with] {
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    }
+    let bytes = |bench: &Workbench| fs::read(bench.path("out/history.csv")).expect("a history");
+    assert_eq!(bytes(&plain), bytes(&with));
+    assert_eq!(
+        listed(&with.path("out/fields/rotor.pvd")).len(),
+        25,
+        "every fourth step of a cycle"
+    );
+    assert!(!with.path("out/fields/block.pvd").exists());
+    // The next run takes them away, and leaves what is not its own.
+    fs::write(with.path("out/fields/notes.txt"), "mine").expect("a file");
+    fs::write(with.path("case.toml"), case("")).expect("a file");
+    let outcome = with.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(!with.path("out/fields/rotor.pvd").exists());
+    assert!(with.path("out/fields/notes.txt").exists());
+}
