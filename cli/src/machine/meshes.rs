@@ -7,6 +7,7 @@ use std::path::Path;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_solver::error::{Error, InputErrors};
+use whirl_solver::mesh::format::ReadOptions;
 use whirl_solver::mesh::{self, Cell, Material, Mesh};
 use whirl_specs::{ELEMENTS, Element};
 
@@ -67,7 +68,8 @@ fn read(
     })?;
     let path = file.path.display().to_string();
     let open = material.is_some() || !regions.is_empty();
-    let read = mesh::inp::read_open(&text, &path, &elements(), open)
+    let options = ReadOptions { elements: &elements(), open };
+    let read = mesh::inp::read_with(&text, &path, &options)
         .map_err(|errors| placed(&file.path, &text, &errors))?;
     warnings.extend(read.warnings.iter().map(ToString::to_string));
     let mesh = in_regions(read.mesh, regions)?;

@@ -4,11 +4,13 @@
 //! afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
 
 pub mod crank;
+pub mod format;
 pub mod inp;
 mod layers;
 mod material;
 mod mean;
 pub mod measure;
+mod raw;
 mod regions;
 mod selection;
 pub mod shaft;
