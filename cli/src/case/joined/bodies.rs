@@ -26,6 +26,7 @@ const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffn
 /// Keys of a body with a mesh.
 const MESHED: [&str; 11] = [
     "mesh",
+    "units",
     "dimensions",
     "rigid",
     "material",

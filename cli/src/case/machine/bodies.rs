@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
+use whirl_codegen::units::{Dimension, Unit};
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::crank::CrankThrow;
+use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
@@ -88,6 +90,7 @@ fn mesh<D>(
 ) -> Option<Mesh<D>> {
     let before = table.errors();
     let dimensions = table.optional_table("dimensions");
+    let units = units(table);
     match (table.optional_string("mesh"), dimensions) {
         (Some(_), Some(dimensions)) => {
             table.conflict("mesh", "dimensions");
@@ -103,7 +106,7 @@ fn mesh<D>(
                 table.push(error.help("paths are relative to the file that names them"));
                 return None;
             }
-            Some(Mesh::File(MeshFile { path, name }))
+            Some(Mesh::File(MeshFile { path, name, units: units? }))
         }
         (None, Some(dimensions)) => {
             if !table.has("material") {
@@ -129,6 +132,44 @@ fn mesh<D>(
             None
         }
     }
+}
+
+/// Units of a mesh file: SI if none are named; `None` if they are wrong.
+fn units(table: &Table) -> Option<MeshUnits> {
+    let Some(text) = table.optional_string("units") else { return Some(MeshUnits::default()) };
+    let wrong = |message: String, help: String| {
+        table.push(text.error_here(Code::BAD_VALUE, message).help(help));
+        None
+    };
+    let help = "write the units of length, force and mass, such as \"mm, N, t\", \"m, N, kg\" or \
+                \"in, lbf, lbf*s^2/in\"";
+    if !table.gives("mesh") {
+        let message = "`units` is of a mesh file".to_owned();
+        return wrong(
+            message,
+            "leave it out: other quantities of a case name their units".to_owned(),
+        );
+    }
+    let words: Vec<&str> = text.text().split(',').map(str::trim).collect();
+    if words.len() != 3 {
+        let message = format!("`{}` are {} units, not three", text.text(), words.len());
+        return wrong(message, help.to_owned());
+    }
+    let wanted =
+        [("length", Dimension::LENGTH), ("force", Dimension::FORCE), ("mass", Dimension::MASS)];
+    let mut factors = [1.0; 3];
+    for ((word, (title, dimension)), factor) in words.into_iter().zip(wanted).zip(&mut factors) {
+        match Unit::parse(word) {
+            Ok(unit) if *unit.dimension() == dimension => *factor = unit.to_si(1.0),
+            Ok(_) => return wrong(format!("`{word}` is no unit of {title}"), help.to_owned()),
+            Err(error) => {
+                let message = format!("`{word}` is no unit of {title}: {}", error.message);
+                return wrong(message, error.help.unwrap_or_else(|| help.to_owned()));
+            }
+        }
+    }
+    let [length, force, mass] = factors;
+    Some(MeshUnits { length, force, mass })
 }
 
 fn no_material() -> Material {

@@ -22,10 +22,11 @@ impl SpecKind for ElementSpec {
         About { name, title, reference, file, beside: Vec::new() }
     }
 
-    /// Its name, and the Abaqus types that are read as it.
+    /// Its name, and the types of Abaqus and Gmsh that are read as it.
     fn names(&self) -> Vec<(&'static str, &str)> {
         let types = self.abaqus.iter().map(|name| ("Abaqus type", name.text()));
-        std::iter::once((Self::KIND, self.name.as_str())).chain(types).collect()
+        let gmsh = self.gmsh_name.iter().map(|name| ("Gmsh type", name.as_str()));
+        std::iter::once((Self::KIND, self.name.as_str())).chain(types).chain(gmsh).collect()
     }
 
     /// Its rules integrate what the forms multiply, and its modes go with them.

@@ -43,7 +43,7 @@ pub fn read(
     path: &str,
     elements: &[&'static Element],
 ) -> Result<ReadMesh, InputErrors> {
-    read_with(text, path, &ReadOptions { elements, open: false })
+    read_with(text, path, &ReadOptions::new(elements))
 }
 
 const REMEDIES: Remedies = Remedies {

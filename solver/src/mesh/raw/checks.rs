@@ -3,6 +3,9 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
+use whirl_text::rounded;
+
+use super::super::format::MeshUnits;
 use super::report::{LinePosition, MeshReport, count, list};
 use super::{RawMesh, Remedies};
 
@@ -81,19 +84,27 @@ impl RawMesh {
         cells.for_each(|node| *node = place[*node]);
     }
 
-    /// A mesh larger than this is usually one in mm.
-    pub(super) fn extent(&self, report: &mut MeshReport) {
-        const LARGE: f64 = 100.0;
+    /// Warns of a size that looks like other units.
+    pub(super) fn extent(&self, units: &MeshUnits, report: &mut MeshReport) {
+        const USUAL: std::ops::Range<f64> = 1e-3..50.0;
         let positions = &self.nodes.positions;
         let axis = |i: usize| {
             let values = || positions.iter().map(|x| x[i]);
             values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
         };
         let extent = (0..3).map(axis).fold(0.0, f64::max);
-        if extent > LARGE {
-            let what = format!("the mesh is {extent} m long");
-            let help = "coordinates are read in m; if they are in mm, divide them by 1000";
-            report.warn(LinePosition::default(), what, help);
+        if extent == 0.0 || USUAL.contains(&extent) {
+            return;
         }
+        let what = format!("the mesh is {} m long", rounded(extent, 6));
+        let help = match extent > 1.0 && units.length == 1.0 {
+            true => {
+                "if its coordinates are in mm, write `units = \"mm, N, t\"` beside `mesh` in the case"
+            }
+            false => {
+                "write the units of the file beside `mesh` in the case, such as `units = \"m, N, kg\"`"
+            }
+        };
+        report.warn(LinePosition::default(), what, help);
     }
 }

@@ -2,7 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use whirl_text::rounded;
+
 use super::super::Material;
+use super::super::format::MeshUnits;
 use super::report::{LinePosition, MeshReport};
 
 /// A material as written.
@@ -57,15 +60,54 @@ impl RawMaterial {
         }
     }
 
-    /// Notes values that cannot be meant.
-    pub(super) fn judge(&self, report: &mut MeshReport) {
+    /// Values in SI units.
+    pub(super) fn convert(&mut self, units: &MeshUnits) {
+        for (symbol, (value, _)) in &mut self.values {
+            match *symbol {
+                "E" => *value = units.modulus(*value),
+                "rho" => *value = units.density(*value),
+                _ => {}
+            }
+        }
+    }
+
+    /// Notes values that cannot be meant, and warns of those that look like other units.
+    pub(super) fn judge(&self, units: &MeshUnits, report: &mut MeshReport) {
         if self.broken {
             return;
         }
-        for doubt in self.material().implausible_properties() {
-            if let Some(&(_, place)) = self.values.get(doubt.symbol) {
-                report.error(place, doubt.what, doubt.help);
+        let value = |symbol: &str| self.values.get(symbol).copied();
+        let likely = match (value("E"), value("rho")) {
+            (Some((e, _)), Some((rho, place))) if !MeshUnits::is_material(e, rho) => {
+                units.likely(e, rho).map(|system| (system, e, rho, place))
             }
+            _ => None,
+        };
+        let line = |system: &str| format!("write `units = \"{system}\"` beside `mesh` in the case");
+        let doubts = self.material().implausible_properties();
+        for doubt in &doubts {
+            if let Some((_, place)) = value(doubt.symbol) {
+                let help = match likely.filter(|_| doubt.symbol == "E") {
+                    Some((system, ..)) => {
+                        format!(
+                            "{}, if it is meant in these units; or: {}",
+                            line(system),
+                            doubt.help
+                        )
+                    }
+                    None => doubt.help.to_owned(),
+                };
+                report.error(place, doubt.what.clone(), help);
+            }
+        }
+        if let Some((system, e, rho, place)) = likely.filter(|_| doubts.is_empty()) {
+            let what = format!(
+                "material {} has E = {} Pa and ρ = {} kg/m³, which looks like other units",
+                self.name,
+                rounded(e, 6),
+                rounded(rho, 6)
+            );
+            report.warn(place, what, line(system));
         }
     }
 }

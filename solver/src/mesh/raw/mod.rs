@@ -15,7 +15,7 @@ use whirl_specs::Element;
 pub(super) use self::labelled::{Labelled, did_you_mean};
 pub(super) use self::materials::RawMaterial;
 pub(super) use self::report::{LinePosition, MeshReport, count, list};
-use super::format::{ReadMesh, ReadOptions};
+use super::format::{MeshUnits, ReadMesh, ReadOptions};
 use super::{Block, Cell, Material, Mesh, MeshParts};
 use crate::error::InputErrors;
 
@@ -89,6 +89,7 @@ impl RawMesh {
         options: &ReadOptions,
         mut report: MeshReport,
     ) -> Result<ReadMesh, InputErrors> {
+        self.into_si(&options.units);
         self.cells_stand_once(&mut report);
         if self.cells.list.is_empty() && report.error_count() == 0 {
             report.error_in_file("the file has no cells", remedies.no_cells);
@@ -97,8 +98,9 @@ impl RawMesh {
             self.cells_have_materials(remedies, &mut report);
         }
         self.drop_unused_nodes(&mut report);
-        self.extent(&mut report);
-        self.materials.iter().for_each(|material| material.judge(&mut report));
+        self.extent(&options.units, &mut report);
+        let units = &options.units;
+        self.materials.iter().for_each(|material| material.judge(units, &mut report));
         if report.error_count() > 0 {
             return Err(report.into_errors());
         }
@@ -109,6 +111,16 @@ impl RawMesh {
                 Err(report.into_errors())
             }
         }
+    }
+
+    fn into_si(&mut self, units: &MeshUnits) {
+        if *units == MeshUnits::default() {
+            return;
+        }
+        for position in &mut self.nodes.positions {
+            *position = position.map(|x| units.length(x));
+        }
+        self.materials.iter_mut().for_each(|material| material.convert(units));
     }
 
     /// Blocks by element and material, in the order in which they first appear.

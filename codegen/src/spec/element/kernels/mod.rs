@@ -183,6 +183,13 @@ fn registered(
     };
     let (abaqus_order, vtk_order) = (order(&element.abaqus_order), order(&element.vtk_order));
     let abaqus = element.abaqus.iter().map(|kind| kind.text());
+    let gmsh = match &element.gmsh {
+        Some((kind, places)) => {
+            let (kind, places) = (Literal::u8_unsuffixed(*kind), order(places));
+            quote!(Some((#kind, #places)))
+        }
+        None => quote!(None),
+    };
     let vtk = Literal::u8_unsuffixed(element.vtk);
     let faces = faces::entries(element);
     quote! {
@@ -193,6 +200,7 @@ fn registered(
             reference_nodes: &[#(#nodes),*],
             abaqus: &[#(#abaqus),*],
             abaqus_order: #abaqus_order,
+            gmsh: #gmsh,
             vtk: #vtk,
             vtk_order: #vtk_order,
             shape,
