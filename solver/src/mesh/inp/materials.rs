@@ -32,7 +32,7 @@ pub(super) fn read_materials(cards: &[&Card], report: &mut MeshReport) -> Vec<Ra
                     report.error(card.place, what, "put *MATERIAL, NAME=… above it");
                 }
             },
-            "NODE" | "ELEMENT" | "NSET" | "ELSET" | "SOLID SECTION" => open = false,
+            "NODE" | "ELEMENT" | "NSET" | "ELSET" | "SURFACE" | "SOLID SECTION" => open = false,
             _ => {}
         }
     }

@@ -1,14 +1,17 @@
 //! Meshes in the input format of Abaqus and CalculiX.
 //!
-//! Read are `*NODE`, `*ELEMENT`, `*NSET`, `*ELSET` (with `GENERATE`), `*MATERIAL` with `*ELASTIC` and
-//! `*DENSITY`, and `*SOLID SECTION`, in any order, in m, Pa and kg/m³. Other keywords are left out with a
-//! warning, but for those that would change the mesh, which are errors, and those that say nothing of it. A file's errors are all given
+//! Read are `*NODE`, `*ELEMENT`, `*NSET`, `*ELSET` (with `GENERATE`), `*SURFACE` (as a node set), `*MATERIAL` with
+//! `*ELASTIC` and `*DENSITY`, and `*SOLID SECTION`, in any order and from files that are included; one part with one
+//! instance is put in its place. Other keywords are left out with a warning, but for those that would change the mesh, which are errors, and those that say nothing of it. A file's errors are all given
 //! at once.
 
 mod cards;
 mod cells;
+mod include;
+mod instance;
 mod materials;
 mod sets;
+mod surfaces;
 mod values;
 
 use std::collections::BTreeSet;
@@ -18,6 +21,8 @@ use whirl_text::nearest_in_any_case;
 
 use self::cards::{Card, cards};
 use self::cells::{assign_sections, read_elements, read_nodes};
+use self::include::pieces;
+use self::instance::PARTS;
 use self::materials::read_materials;
 pub use super::format::ReadMesh;
 use super::format::ReadOptions;
@@ -58,27 +63,39 @@ const REMEDIES: Remedies = Remedies {
 /// As [`read`].
 pub fn read_with(text: &str, path: &str, options: &ReadOptions) -> Result<ReadMesh, InputErrors> {
     let mut report = MeshReport::new(path);
-    let cards = cards(text);
-    let cards = readable(&cards, &mut report);
+    let pieces = pieces(text, path, &mut report);
+    let all = cards(&pieces);
+    let cards = readable(&all, &mut report);
     let mut nodes = read_nodes(&cards, &mut report);
+    instance::place(&all, &mut nodes, &mut report);
     let mut cells = read_elements(&cards, options.elements, &nodes, &mut report);
     sets::read(&cards, "NSET", &mut nodes.named, &mut report);
     sets::read(&cards, "ELSET", &mut cells.named, &mut report);
+    surfaces::read(&cards, &mut nodes, &cells, &mut report);
     let materials = read_materials(&cards, &mut report);
     let (sections, sections_complete) = assign_sections(&cards, &cells, &materials, &mut report);
     let raw = RawMesh { nodes, cells, materials, sections, sections_complete };
     raw.finish(&REMEDIES, options, report)
 }
 
-const READ: [&str; 8] =
-    ["NODE", "ELEMENT", "NSET", "ELSET", "MATERIAL", "ELASTIC", "DENSITY", "SOLID SECTION"];
+const READ: [&str; 9] = [
+    "NODE",
+    "ELEMENT",
+    "NSET",
+    "ELSET",
+    "SURFACE",
+    "MATERIAL",
+    "ELASTIC",
+    "DENSITY",
+    "SOLID SECTION",
+];
 
 /// Keywords for people and printers: nothing of the mesh is lost without them.
 const SAYS_NOTHING: [&str; 2] = ["HEADING", "PREPRINT"];
 
 /// Keywords that add or move nodes, cells or their matrices: a mesh without them would be another mesh.
-const CHANGES_THE_MESH: [&str; 9] =
-    ["INCLUDE", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "ORIENTATION"];
+const CHANGES_THE_MESH: [&str; 8] =
+    ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "ORIENTATION"];
 
 /// The cards that this reader knows; warns of the others.
 fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c Card<'a>> {
@@ -89,22 +106,15 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c C
         let keyword = card.keyword.as_str();
         if keyword == "END STEP" {
             in_step = false;
-        } else if in_step || SAYS_NOTHING.contains(&keyword) {
+        } else if in_step || SAYS_NOTHING.contains(&keyword) || PARTS.contains(&keyword) {
             continue;
         } else if READ.contains(&keyword) {
-            if let Some(input) = card.parameter("INPUT") {
-                let help = "write what that file has into this one";
-                report.error(input.place, "data in another file is not read", help);
-            }
             kept.push(card);
         } else if keyword.is_empty() {
             report.error(card.place, "data before the first keyword", "begin with *NODE");
         } else if CHANGES_THE_MESH.contains(&keyword) {
             let help = "write the mesh out in full, in one file and in x, y, z";
             report.error(card.place, format!("*{keyword} is not read, but changes the mesh"), help);
-        } else if keyword == "INSTANCE" && !card.lines.is_empty() {
-            let help = "write the nodes where they are";
-            report.error(card.place, "an *INSTANCE that is moved or turned is not read", help);
         } else {
             in_step = keyword == "STEP";
             if skipped.insert(keyword) {

@@ -7,7 +7,7 @@ use super::cards::{Card, Token};
 
 impl From<Token<'_>> for LinePosition {
     fn from(token: Token) -> LinePosition {
-        LinePosition { file: 0, line: token.line, column: token.column }
+        LinePosition { file: token.file, line: token.line, column: token.column }
     }
 }
 

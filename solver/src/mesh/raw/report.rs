@@ -84,7 +84,7 @@ impl MeshReport {
         self.errors.sort_by_key(|(place, _)| *place);
         let more = self.error_count - self.errors.len();
         if more > 0 {
-            let what = format!("there are {} more", count(more, "error"));
+            let what = format!("and {more} more");
             let help = "correct these first: one of them may be the cause of many";
             let last = self.entry(LinePosition::default(), what, help.to_owned());
             self.errors.push(last);
