@@ -156,6 +156,17 @@ const ENTRIES: &[&str] = &[
     "1, 4, 0",
     "*INCLUDE, INPUT=/dev/zero",
     "*INCLUDE, INPUT=cube.inp",
+    "*SURFACE, NAME=A\nALL, S1",
+    "*SURFACE, NAME=A, TYPE=NODE",
+    "*INSTANCE, NAME=A\n0, 0, 1",
+    "$Nodes",
+    "$EndNodes",
+    "$Elements",
+    "$EndElements",
+    "$MeshFormat",
+    "$Entities\n1 1 1 1",
+    "2.2 1 8",
+    "4.1 1 8",
     "*SOLID SECTION",
     "*MATERIAL",
     "*MATERIAL, NAME=",
@@ -190,6 +201,23 @@ pub(crate) fn meshes() -> Vec<String> {
         *MATERIAL, NAME=M\n*DENSITY\n7860\n*ELASTIC\n200e9, 0.3\n*MATERIAL, NAME=N\n*DENSITY\n2700\n*ELASTIC\n\
         70e9, 0.33\n*SOLID SECTION, ELSET=A, MATERIAL=M\n*SOLID SECTION, ELSET=B, MATERIAL=N\n";
     vec![cube.to_owned(), tetrahedra.to_owned()]
+}
+
+/// Small meshes of Gmsh to begin with.
+pub(crate) fn gmsh_meshes() -> Vec<String> {
+    let older = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"low\"\n3 2 \"all\"\n\
+        $EndPhysicalNames\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n$EndNodes\n$Elements\n4\n\
+        1 15 2 3 1 1\n2 2 2 1 1 1 2 3\n3 4 2 2 1 1 2 3 4\n4 4 2 2 1 2 3 4 5\n$EndElements\n";
+    let newer = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 0 1 1\n1 0 0 0 1 3\n1 0 0 0 1 1 0 1 1 0\n\
+        1 0 0 0 1 1 1 1 2 1 1\n$EndEntities\n$Nodes\n1 5 1 5\n3 1 0 5\n1\n2\n3\n4\n5\n0 0 0\n1 0 0\n0 1 0\n\
+        0 0 1\n1 1 1\n$EndNodes\n$Elements\n3 4 1 4\n0 1 15 1\n1 1\n2 1 2 1\n2 1 2 3\n3 1 4 2\n3 1 2 3 4\n\
+        4 2 3 4 5\n$EndElements\n$Periodic\n0\n$EndPeriodic\n";
+    vec![older.to_owned(), newer.to_owned()]
+}
+
+/// A mesh of Gmsh with one to four changes.
+pub(crate) fn gmsh_mesh(random: &mut Random, corpus: &[String]) -> String {
+    mutant(random, corpus, ENTRIES, ' ')
 }
 
 /// A mesh with one to four changes.
