@@ -96,7 +96,7 @@ fn physical_groups_are_sets() {
     let mesh = made("tet10", "41-binary").mesh;
     assert_eq!(mesh.element_sets().keys().collect::<Vec<_>>(), ["body"]);
     let names: Vec<&str> = mesh.node_sets().keys().map(String::as_str).collect();
-    assert_eq!(names, ["body", "corner", "edge", "low end", "SURFACE_7"]);
+    assert_eq!(names, ["SURFACE_7", "body", "corner", "edge", "low end"]);
     let z = |set: &str| mesh.node_set(set).unwrap().iter().map(|&node| mesh.nodes()[node][2]);
     assert!(z("low end").all(|z| z.abs() < 1e-12) && z("low end").len() > 12);
     assert!(z("surface_7").all(|z| (z - 2.0).abs() < 1e-12));

@@ -127,7 +127,7 @@ fn files_are_included_and_their_errors_have_their_own_lines() {
     fs::write(path("parts/cells.inp"), CELLS.replace(", 8\n", ", 9\n")).unwrap();
     let found = refused(text, &path("m.inp"));
     let known =
-        format!("{}:2:26: cell 1 has node 9, which is not defined", path("parts/cells.inp"));
+        format!("{}:2:25: cell 1 has node 9, which is not defined", path("parts/cells.inp"));
     assert!(found.starts_with(&known), "{found}");
     fs::write(path("parts/cells.inp"), "*INCLUDE, INPUT=all.inp\n").unwrap();
     let found = refused(text, &path("m.inp"));

@@ -89,12 +89,14 @@ fn solids(
                 members.push(*cell);
                 continue;
             }
-            known.insert(listed.to_vec(), (cells.list.len(), run.groups.clone()));
         }
         let own = cell_nodes(label, listed, element, nodes, place, report);
         if let Some(index) = cells.named.add(label, place, report) {
             cells.list.push(RawCell { element: Some(element), nodes: own });
             members.push(index);
+            if let Some(known) = &mut twice {
+                known.insert(listed.to_vec(), (index, run.groups.clone()));
+            }
         }
     }
     for &group in &run.groups {

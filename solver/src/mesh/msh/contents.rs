@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::super::raw::{LinePosition, MeshReport, NodeTable};
-use super::cursor::{Cursor, Stop};
+use super::cursor::{Cursor, DAMAGED, Stop};
 use super::kinds::{Kind, kind};
 
 /// Elements of one type that stand one after the other and belong to the same groups.
@@ -73,7 +73,7 @@ impl Contents {
 /// 0 to 3.
 pub(super) fn dimension(value: i64, cursor: &Cursor) -> Result<usize, Stop> {
     usize::try_from(value).ok().filter(|dimension| *dimension <= 3).ok_or_else(|| {
-        let help = "is the file of another version than its header says? Export it again";
+        let help = DAMAGED;
         cursor.stop(format!("the dimension {value} is none from 0 to 3"), help)
     })
 }
@@ -91,7 +91,10 @@ pub(super) fn element_type(number: i64, cursor: &Cursor) -> Result<Kind, Stop> {
 /// A label of a node or an element: from 1.
 pub(super) fn label(value: u64, of: &str, cursor: &Cursor) -> Result<u64, Stop> {
     match value {
-        0 => Err(cursor.stop(format!("{of} is 0"), "labels are whole numbers from 1")),
+        0 => Err(cursor.stop(
+            format!("{of} is 0"),
+            "labels are whole numbers from 1: is the file of another version than its header says?",
+        )),
         _ => Ok(value),
     }
 }

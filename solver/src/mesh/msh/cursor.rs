@@ -3,6 +3,10 @@
 use super::super::inp::decode;
 use super::super::raw::LinePosition;
 
+/// What may be the cause where numbers do not fit together.
+pub(super) const DAMAGED: &str =
+    "is the file cut off, or of another version than its header says? Export it again";
+
 /// Why reading cannot go on.
 #[derive(Debug)]
 pub(super) struct Stop {
@@ -29,6 +33,8 @@ pub(super) struct Cursor<'a> {
     at: usize,
     line: usize,
     line_start: usize,
+    /// Where the last word of text begins.
+    word: LinePosition,
     pub(super) encoding: Encoding,
     /// Name of the section, for messages.
     pub(super) section: String,
@@ -44,6 +50,7 @@ impl<'a> Cursor<'a> {
             at,
             line: 1,
             line_start: at,
+            word: LinePosition::default(),
             encoding: Encoding::Text,
             section: String::new(),
             promised: String::new(),
@@ -71,13 +78,14 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// An error at the next byte.
+    /// An error at the last word of a text, or the next byte of binary numbers.
     pub(super) fn stop(&self, what: impl Into<String>, help: impl Into<String>) -> Stop {
         let mut what = what.into();
         if !self.is_text() {
             what = format!("{what} (at byte {})", self.at);
         }
-        Stop { place: self.place(), what, help: help.into() }
+        let place = if self.is_text() { self.word } else { LinePosition::default() };
+        Stop { place, what, help: help.into() }
     }
 
     /// An error where `expected` should stand.
@@ -112,6 +120,7 @@ impl<'a> Cursor<'a> {
     /// The next word, not yet taken; empty at the end of the file.
     pub(super) fn peek(&mut self) -> &'a [u8] {
         self.skip_blanks();
+        self.word = self.place();
         let rest = &self.bytes[self.at..];
         let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
         &rest[..end]
@@ -217,7 +226,7 @@ impl<'a> Cursor<'a> {
                     "${} says {count} {of}, but what follows has room for {most} at most",
                     self.section
                 );
-                Err(self.stop(what, "is the file cut off? Export it again"))
+                Err(self.stop(what, DAMAGED))
             }
         }
     }
@@ -246,7 +255,7 @@ impl<'a> Cursor<'a> {
         let rest = &self.bytes[self.at..];
         let Some(found) = rest.windows(end.len()).position(|piece| piece == end.as_bytes()) else {
             let what = format!("${} has no end", self.section);
-            return Err(self.stop(what, "is the file cut off? Export it again"));
+            return Err(self.stop(what, DAMAGED));
         };
         let (from, to) = (self.at, self.at + found + end.len());
         let skipped = &self.bytes[from..to];

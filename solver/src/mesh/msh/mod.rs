@@ -14,7 +14,7 @@ mod version4;
 
 use self::assemble::assemble;
 use self::contents::Contents;
-use self::cursor::{Cursor, Encoding, Stop};
+use self::cursor::{Cursor, DAMAGED, Encoding, Stop};
 use super::format::{ReadMesh, ReadOptions};
 use super::raw::{MeshReport, Remedies};
 use crate::error::InputErrors;
@@ -60,7 +60,7 @@ fn sections(bytes: &[u8], contents: &mut Contents, report: &mut MeshReport) -> R
             let word =
                 String::from_utf8_lossy(&word[..word.len().min(24)]).escape_debug().to_string();
             let what = format!("expected a section such as $Nodes, found `{word}`");
-            return Err(cursor.stop(what, "is the file damaged? Export it again"));
+            return Err(cursor.stop(what, DAMAGED));
         };
         cursor.section = String::from_utf8_lossy(name).into_owned();
         if matches!(name, b"NOD" | b"ELM") {
@@ -109,7 +109,7 @@ fn sections(bytes: &[u8], contents: &mut Contents, report: &mut MeshReport) -> R
     }
     for (there, name) in [(seen.0, "$Nodes"), (seen.1, "$Elements")] {
         if !there {
-            let help = "is the file cut off? Export it again";
+            let help = DAMAGED;
             return Err(cursor.stop(format!("the file ends without {name}"), help));
         }
     }
@@ -125,6 +125,10 @@ fn header(cursor: &mut Cursor) -> Result<Version, Stop> {
         _ => return Err(old(cursor, &number.to_string())),
     };
     let binary = cursor.written("0 for text or 1 for binary")?;
+    if !matches!(binary, 0 | 1) {
+        let what = format!("the kind of file is {binary}");
+        return Err(cursor.stop(what, "0 is text and 1 is binary: export the file again"));
+    }
     let wide = cursor.written("the bytes of a label")?;
     let wide = usize::try_from(wide).unwrap_or(0);
     match binary {
@@ -144,13 +148,9 @@ fn header(cursor: &mut Cursor) -> Result<Version, Stop> {
                 }
             };
         }
-        1 => {
+        _ => {
             let what = format!("binary files with {wide} bytes a number are not read");
             return Err(cursor.stop(what, "export as text (`Mesh.Binary = 0`)"));
-        }
-        _ => {
-            let what = format!("the kind of file is {binary}");
-            return Err(cursor.stop(what, "0 is text and 1 is binary: export the file again"));
         }
     }
     cursor.end()?;

@@ -2,7 +2,7 @@
 
 use super::super::raw::{LinePosition, MeshReport};
 use super::contents::{Contents, Run, element_type, label};
-use super::cursor::{Cursor, Stop};
+use super::cursor::{Cursor, DAMAGED, Stop};
 
 /// Tags that an element may have: group, entity, partitions.
 const MOST_TAGS: i64 = 10_000;
@@ -55,7 +55,7 @@ pub(super) fn elements(contents: &mut Contents, cursor: &mut Cursor) -> Result<(
                 }
                 None => {
                     let what = format!("{follow} elements are to follow, where {left} are left");
-                    return Err(cursor.stop(what, "is the file damaged? Export it again"));
+                    return Err(cursor.stop(what, DAMAGED));
                 }
             }
         }
@@ -112,7 +112,7 @@ fn tag_count(cursor: &mut Cursor) -> Result<usize, Stop> {
     let tags = cursor.whole("the number of tags")?;
     match usize::try_from(tags).ok().filter(|_| tags <= MOST_TAGS) {
         Some(tags) => Ok(tags),
-        None => Err(cursor.stop(format!("an element has {tags} tags"), "is the file damaged?")),
+        None => Err(cursor.stop(format!("an element has {tags} tags"), DAMAGED)),
     }
 }
 
@@ -120,7 +120,7 @@ fn tag_count(cursor: &mut Cursor) -> Result<usize, Stop> {
 fn counted(cursor: &mut Cursor, of: &str, words: usize, bytes: usize) -> Result<usize, Stop> {
     let count = cursor.written(&format!("the number of {of}"))?;
     let Ok(count) = u64::try_from(count) else {
-        return Err(cursor.stop(format!("{count} {of}"), "is the file damaged?"));
+        return Err(cursor.stop(format!("{count} {of}"), DAMAGED));
     };
     if !cursor.is_text() {
         cursor.end_line();
@@ -134,6 +134,9 @@ fn positive(cursor: &mut Cursor, of: &str) -> Result<u64, Stop> {
     let value = cursor.whole(of)?;
     match u64::try_from(value) {
         Ok(value) => label(value, of, cursor),
-        Err(_) => Err(cursor.stop(format!("{of} is {value}"), "labels are whole numbers from 1")),
+        Err(_) => Err(cursor.stop(
+            format!("{of} is {value}"),
+            "labels are whole numbers from 1: is the file of another version than its header says?",
+        )),
     }
 }

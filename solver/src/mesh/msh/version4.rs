@@ -2,7 +2,7 @@
 
 use super::super::raw::MeshReport;
 use super::contents::{Contents, Run, dimension, element_type, label};
-use super::cursor::{Cursor, Stop};
+use super::cursor::{Cursor, DAMAGED, Stop};
 
 /// `$Entities`, and `$PartitionedEntities`, which have more to say of each.
 pub(super) fn entities(
@@ -139,15 +139,16 @@ fn taken(left: &mut usize, count: usize, of: &str, cursor: &mut Cursor) -> Resul
             let section = &cursor.section;
             let what =
                 format!("a block of ${section} says {own} {of}, where {left} of {count} are left");
-            Err(cursor.stop(what, "is the file damaged? Export it again"))
+            Err(cursor.stop(what, DAMAGED))
         }
     }
 }
 
 fn all_taken(left: usize, count: usize, of: &str, cursor: &mut Cursor) -> Result<(), Stop> {
     if left > 0 {
+        cursor.peek();
         let what = format!("${} says {count} {of}, but its blocks lack {left}", cursor.section);
-        return Err(cursor.stop(what, "is the file damaged? Export it again"));
+        return Err(cursor.stop(what, DAMAGED));
     }
     cursor.end()
 }
