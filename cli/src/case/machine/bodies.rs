@@ -134,6 +134,14 @@ fn mesh<D>(
     }
 }
 
+/// Units of mesh files only, with what they measure and their values in SI units.
+const IMPERIAL: [(&str, &str, f64); 4] = [
+    ("in", "length", 0.0254),
+    ("lbf", "force", 4.448_221_615_260_5),
+    ("lb", "mass", 0.453_592_37),
+    ("lbf*s^2/in", "mass", 4.448_221_615_260_5 / 0.0254),
+];
+
 /// Units of a mesh file: SI if none are named; `None` if they are wrong.
 fn units(table: &Table) -> Option<MeshUnits> {
     let Some(text) = table.optional_string("units") else { return Some(MeshUnits::default()) };
@@ -159,7 +167,9 @@ fn units(table: &Table) -> Option<MeshUnits> {
         [("length", Dimension::LENGTH), ("force", Dimension::FORCE), ("mass", Dimension::MASS)];
     let mut factors = [1.0; 3];
     for ((word, (title, dimension)), factor) in words.into_iter().zip(wanted).zip(&mut factors) {
+        let imperial = IMPERIAL.iter().find(|(name, of, _)| *name == word && *of == title);
         match Unit::parse(word) {
+            _ if imperial.is_some() => *factor = imperial.map_or(1.0, |(_, _, factor)| *factor),
             Ok(unit) if *unit.dimension() == dimension => *factor = unit.to_si(1.0),
             Ok(_) => return wrong(format!("`{word}` is no unit of {title}"), help.to_owned()),
             Err(error) => {
