@@ -63,11 +63,10 @@ fn add(
         }
         let mut words = tokens(line, file, number);
         // A comma at the end: the parameters go on.
-        if words.last().is_some_and(|token| token.text.is_empty()) {
-            if let Some(next) = lines.next() {
-                (end, number) = (end + next.len(), number + 1);
-                words.extend(tokens(next, file, number));
-            }
+        let goes_on = words.last().is_some_and(|token| token.text.is_empty());
+        if let Some(next) = goes_on.then(|| lines.next()).flatten() {
+            (end, number) = (end + next.len(), number + 1);
+            words.extend(tokens(next, file, number));
         }
         let place = words[0];
         let named = words.drain(1..).map(parameter).find(|parameter| parameter.name == "INPUT");

@@ -83,12 +83,11 @@ fn solids(
     let mut members = Vec::with_capacity(run.labels.len());
     let listed = run.nodes.chunks_exact(run.kind.nodes);
     for ((&label, &place), listed) in run.labels.iter().zip(&run.places).zip(listed) {
-        if let Some(known) = &mut twice {
-            if let Some((cell, groups)) = known.get_mut(listed).filter(|(_, g)| *g != run.groups) {
-                groups.clone_from(&run.groups);
-                members.push(*cell);
-                continue;
-            }
+        let earlier = twice.as_mut().and_then(|known| known.get_mut(listed));
+        if let Some((cell, groups)) = earlier.filter(|(_, groups)| *groups != run.groups) {
+            groups.clone_from(&run.groups);
+            members.push(*cell);
+            continue;
         }
         let own = cell_nodes(label, listed, element, nodes, place, report);
         if let Some(index) = cells.named.add(label, place, report) {

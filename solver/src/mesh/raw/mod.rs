@@ -89,7 +89,7 @@ impl RawMesh {
         options: &ReadOptions,
         mut report: MeshReport,
     ) -> Result<ReadMesh, InputErrors> {
-        self.into_si(&options.units);
+        self.convert(&options.units);
         self.cells_stand_once(&mut report);
         if self.cells.list.is_empty() && report.error_count() == 0 {
             report.error_in_file("the file has no cells", remedies.no_cells);
@@ -113,7 +113,7 @@ impl RawMesh {
         }
     }
 
-    fn into_si(&mut self, units: &MeshUnits) {
+    fn convert(&mut self, units: &MeshUnits) {
         if *units == MeshUnits::default() {
             return;
         }
