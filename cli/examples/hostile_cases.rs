@@ -10,6 +10,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use mutants::Random;
+use whirl_solver::mesh::format::{self, ReadOptions};
 
 /// An input that takes longer hangs.
 const HANG: Duration = Duration::from_secs(2);
@@ -38,7 +39,7 @@ fn main() -> Result<(), String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folders = ["specs/cases", "tests/cli/messages"].map(|folder| root.join(folder));
     let cases = folders.iter().flat_map(|folder| mutants::cases(folder)).collect::<Vec<_>>();
-    let meshes = mutants::meshes();
+    let (meshes, gmsh) = (mutants::meshes(), mutants::gmsh_meshes());
     let elements: Vec<_> = whirl_specs::ELEMENTS.iter().collect();
     let folder = std::env::temp_dir().join(format!("whirl-hostile-{}", std::process::id()));
     fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
@@ -52,6 +53,7 @@ fn main() -> Result<(), String> {
         let is_case = input % 4 == 0;
         let text = match is_case {
             true => mutants::case(random, &cases),
+            false if input % 4 == 1 => mutants::gmsh_mesh(random, &gmsh),
             false => mutants::mesh(random, &meshes),
         };
         let wall = Instant::now();
@@ -62,7 +64,8 @@ fn main() -> Result<(), String> {
                 whirl_cli::examine(&name).is_ok()
             }
             false => {
-                let read = whirl_solver::mesh::inp::read(&text, "mesh.inp", &elements);
+                let options = ReadOptions::new(&elements);
+                let read = format::read(text.clone().into_bytes(), "mesh.inp", &options);
                 read.map_err(|errors| assert!(!errors.to_string().is_empty())).is_ok()
             }
         }));

@@ -30,8 +30,20 @@ pub(crate) enum Command {
     New(NewArguments),
     /// Print the JSON schema of a kind of file, for editors
     Schema(SchemaArguments),
+    /// Show what is in a mesh file, with the lines by which a case uses it
+    Mesh(MeshArguments),
     /// List the built-in cases, laws, elements, forms, motions and clearances
     List,
+}
+
+/// Arguments of `whirl mesh`.
+#[derive(Debug, Args)]
+pub(crate) struct MeshArguments {
+    /// A mesh of Gmsh, Abaqus, CalculiX or Nastran
+    pub(crate) file: PathBuf,
+    /// Units of length, force and mass in the file, such as "mm, N, t"
+    #[arg(long, value_name = "UNITS")]
+    pub(crate) units: Option<String>,
 }
 
 /// Arguments of `whirl run`.

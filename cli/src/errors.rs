@@ -29,6 +29,14 @@ pub enum Failure {
     /// Meshes, bodies or springs that cannot be used.
     #[error("{0}")]
     Machine(#[from] whirl_solver::Error),
+    /// An argument that cannot be used.
+    #[error("{message}")]
+    Argument {
+        /// What is wrong.
+        message: String,
+        /// What to write.
+        help: String,
+    },
     /// A folder that another run writes.
     #[error("another run is writing its results to `{}`{}", folder.display(), process(*by))]
     InUse {
@@ -107,6 +115,7 @@ impl Failure {
                  same\n"
             ),
             Failure::Machine(error) => format!("error: {error}\n"),
+            Failure::Argument { help, .. } => format!("error: {self}\n = help: {help}\n"),
             Failure::InUse { .. } => {
                 format!(
                     "error: {self}\n = help: wait for it, or choose another folder with `--out DIR`\n"

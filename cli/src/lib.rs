@@ -15,6 +15,7 @@ mod list;
 mod lock;
 mod machine;
 mod march;
+mod mesh_file;
 mod new;
 mod output;
 mod progress;
@@ -45,6 +46,7 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),
         Command::Schema(arguments) => say(&schema::schema(arguments.kind.as_deref())),
+        Command::Mesh(arguments) => mesh_file::mesh(arguments).and_then(|text| say(&text)),
         Command::List => say(&list::list()),
     };
     match done {

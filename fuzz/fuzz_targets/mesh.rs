@@ -1,9 +1,12 @@
-//! Meshes in Abaqus and CalculiX input.
+//! Meshes in every format.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|text: &str| {
+use whirl_solver::mesh::format::{ReadOptions, read};
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let elements: Vec<_> = whirl_specs::ELEMENTS.iter().collect();
-    if let Err(errors) = whirl_solver::mesh::inp::read(text, "mesh.inp", &elements) {
+    let options = ReadOptions { open: true, ..ReadOptions::new(&elements) };
+    if let Err(errors) = read(bytes.to_vec(), "mesh", &options) {
         assert!(!errors.to_string().is_empty());
     }
 });

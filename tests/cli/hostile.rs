@@ -7,6 +7,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use whirl_cli::errors::Failure;
+use whirl_solver::mesh::format::{self, ReadOptions};
 
 use crate::workbench::Workbench;
 use crate::{messages, mutants, mutants::Random};
@@ -47,13 +48,20 @@ fn mutants_of_cases_give_diagnostics_and_nothing_else() {
 
 #[test]
 fn mutants_of_meshes_give_diagnostics_and_nothing_else() {
-    let corpus = mutants::meshes();
+    let (corpus, gmsh, bulk) = (mutants::meshes(), mutants::gmsh_meshes(), mutants::bulk_data());
     let elements: Vec<_> = whirl_specs::ELEMENTS.iter().collect();
+    let options = ReadOptions::new(&elements);
     let mut refused = 0;
     for number in 0..10 * MUTANTS {
-        let text = mutants::mesh(&mut Random::new(number), &corpus);
+        let random = &mut Random::new(number);
+        let text = match number % 3 {
+            0 => mutants::mesh(random, &corpus),
+            1 => mutants::gmsh_mesh(random, &gmsh),
+            _ => mutants::bulk(random, &bulk),
+        };
+        let options = ReadOptions { open: number % 3 == 1, ..options };
         let start = Instant::now();
-        let read = || whirl_solver::mesh::inp::read(&text, "mesh.inp", &elements);
+        let read = || format::read(text.clone().into_bytes(), "mesh.inp", &options);
         let outcome = catch_unwind(AssertUnwindSafe(read));
         let outcome = outcome.unwrap_or_else(|_| panic!("mutant {number} panics:\n{text}"));
         assert!(start.elapsed() < LONGEST, "mutant {number}: {:?}\n{text}", start.elapsed());

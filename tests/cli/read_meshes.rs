@@ -8,7 +8,7 @@ use crate::bad_input::{case, refused};
 use crate::workbench::Workbench;
 
 /// A reference mesh as text.
-fn reference(name: &str) -> String {
+pub(crate) fn reference(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../tests/data/{name}.inp.gz"));
     let packed =
         fs::File::open(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -257,4 +257,57 @@ fn a_new_case_works_by_its_own_comments() {
     let outcome = bench.whirl(&["check", "mine.toml"]);
     assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
     assert!(outcome.stdout.contains("materials of the shaft: STEEL"), "{}", outcome.stdout);
+}
+
+/// A block of 1 × 1 × 2 on a bushing, as Gmsh wrote it.
+fn block(units: &str, name: &str) -> Workbench {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/gmsh/hex8-22-text.msh.gz");
+    let packed = fs::File::open(path).expect("the test data is there");
+    let mut mesh = String::new();
+    std::io::Read::read_to_string(&mut flate2::read::GzDecoder::new(packed), &mut mesh)
+        .expect("text");
+    let case = format!(
+        "title = \"x\"\n[material.steel]\nyoungs_modulus = \"206 GPa\"\npoissons_ratio = 0.3\n\
+         density = \"7850 kg/m^3\"\n[body.block]\nturns = \"no\"\nmesh = \"block.msh\"\n{units}\n\
+         {name} \nmodes = 2\ndamping = \"1e-5 s\"\nheld = [\"low end\"]\n[body.tip]\nturns = \"no\"\n\
+         mass = \"1 kg\"\n[joint.spring]\nkind = \"bushing\"\n\
+         first = {{ body = \"block\", sets = \"SURFACE_7\" }}\nsecond = {{ body = \"tip\" }}\n\
+         stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n\
+         damping = {{ xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }}\n\
+         [march]\ntime_step = \"1e-5 s\"\nsteps = 10\n"
+    );
+    Workbench::new().file("case.toml", &case).file("block.msh", &mesh)
+}
+
+#[test]
+fn meshes_of_gmsh_have_units_and_take_materials_by_groups() {
+    for (units, mass) in [
+        ("units = \"mm, N, t\"", "0.0000157"),
+        ("units = \"in, lbf, lbf*s^2/in\"", "0.257277"),
+        ("", "15700"),
+    ] {
+        for material in ["material = \"steel\"", "regions = { body = \"steel\" }"] {
+            let outcome = block(units, material).whirl(&["check", "case.toml"]);
+            assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+            let line =
+                outcome.stdout.lines().find(|line| line.starts_with("block")).expect("a line");
+            assert!(line.split_whitespace().nth(2).expect("a mass").starts_with(mass), "{line}");
+            let left_out = "left out: 1 point, ";
+            assert_eq!(outcome.stderr.matches(left_out).count(), 1, "{}", outcome.stderr);
+        }
+    }
+}
+
+#[test]
+fn units_of_meshes_that_are_wrong_are_refused() {
+    for (units, what) in [
+        ("mm, N", "`mm, N` are 2 units, not three"),
+        ("mm, N, s", "`s` is no unit of mass"),
+        ("mm, Newton, t", "`Newton` is no unit of force"),
+        ("N, mm, t", "`N` is no unit of length"),
+    ] {
+        let bench = block(&format!("units = \"{units}\""), "material = \"steel\"");
+        refused(&bench, &[what]);
+    }
+    refused(&block("", ""), &["files of Gmsh have no materials", "material = "]);
 }

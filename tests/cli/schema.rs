@@ -260,17 +260,17 @@ const NAMED: [&str; 4] = [
     "/body/chosen/turns=free /output/chosen/joint /fields/bodies rigid dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
      /body/chosen/stiffness /body/chosen/damping /body/chosen/speed /body/chosen/table acceleration held ground_spring \
      /joint/chosen/kind=bearing first second side gap /joint/chosen/stiffness /joint/chosen/damping",
-    "/body/chosen/turns=prescribed /output/chosen/joint /fields/bodies mesh dimensions rigid /body/chosen/material regions /body/chosen/sets modes \
+    "/body/chosen/turns=prescribed /output/chosen/joint /fields/bodies mesh units dimensions rigid /body/chosen/material regions /body/chosen/sets modes \
      /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring axial_restraint section \
      stiffening /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping",
-    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh rigid diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
+    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh units rigid diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
      /body/chosen/dimensions/loads sectors /body/chosen/dimensions/cells/rings /body/chosen/mass \
      polar_inertia transverse_inertia /body/chosen/z /body/chosen/stiffness /body/chosen/damping \
      /body/chosen/speed /body/chosen/table acceleration initial_speed section stiffening /joint/chosen/kind=bushing journal bore \
      /joint/chosen/law parameters /joint/chosen/springs radial_clearance journal_radius \
      /joint/chosen/length stations run_out offset side gap /march/duration /loads/chosen/couple /loads/chosen/order",
-    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh dimensions rigid /body/chosen/material regions /body/chosen/sets modes held ground_spring \
+    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh units dimensions rigid /body/chosen/material regions /body/chosen/sets modes held ground_spring \
      axial_restraint section stiffening polar_inertia /body/chosen/speed /body/chosen/table acceleration initial_speed \
      /joint/chosen/kind=coupling journal bore /joint/chosen/law parameters /joint/chosen/springs \
      radial_clearance journal_radius /joint/chosen/length stations run_out offset side gap \
@@ -292,6 +292,7 @@ fn variants(kind: &str) -> Vec<Vec<&'static str>> {
                 "/drive/table",
                 "/load/0/table",
                 "mesh",
+                "units",
                 "body",
                 "/output/chosen/joint",
                 "joint",

@@ -18,6 +18,7 @@ mod rotor;
 mod schema;
 mod selections;
 mod start;
+mod units;
 
 use std::sync::Arc;
 
@@ -45,6 +46,7 @@ pub(crate) use rotor::{
 };
 pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;
+pub(crate) use units::mesh_units;
 
 /// One case, ready to be built.
 #[derive(Debug, Clone)]

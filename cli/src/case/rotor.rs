@@ -8,6 +8,7 @@ use whirl_codegen::diagnostic::Located;
 use whirl_codegen::units::Dimension;
 use whirl_solver::loads::Release;
 use whirl_solver::mesh::Material;
+use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::Motion;
@@ -85,7 +86,7 @@ impl RotorDraft {
 /// Where a mesh comes from.
 #[derive(Debug, Clone)]
 pub(crate) enum Mesh<D> {
-    /// An Abaqus or CalculiX input file.
+    /// A file of a mesh.
     File(MeshFile),
     /// Made from a few dimensions.
     Generated(GeneratedMesh<D>),
@@ -119,6 +120,8 @@ pub(crate) struct MeshFile {
     pub(crate) path: PathBuf,
     /// The name as written.
     pub(crate) name: Located,
+    /// Units of its numbers.
+    pub(crate) units: MeshUnits,
 }
 
 /// What a case says of either body.

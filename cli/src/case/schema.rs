@@ -113,7 +113,9 @@ const MATERIAL: &[Key] = &[
 ];
 
 const BODY: &[Key] = &[
-    key("mesh", Text, "an Abaqus or CalculiX input file in m, Pa, kg/m³"),
+    key("mesh", Text, "a mesh file: Gmsh, or input of Abaqus or CalculiX"),
+    key("units", Text, "of length, force and mass in the mesh file; m, N, kg if left out")
+        .like("\"mm, N, t\""),
     key("material", Text, "a material, of a mesh file where it has no sections"),
     key("regions", Named(&Text), "materials by the names of element sets, in place of the mesh's"),
     key(

@@ -2,15 +2,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_solver::error::{Error, InputErrors};
+use whirl_solver::mesh::format::{self, Format, ReadOptions};
 use whirl_solver::mesh::{self, Cell, Material, Mesh};
 use whirl_specs::{ELEMENTS, Element};
 
-use super::selections;
+use super::{masses, selections};
 use crate::case::{self, MeshFile};
 use crate::errors::Failure;
 
@@ -61,15 +62,16 @@ fn read(
     regions: &[case::Region],
     warnings: &mut Vec<String>,
 ) -> Result<Mesh, Failure> {
-    let text = text(&file.path).map_err(|error| {
+    let bytes = fs::read(&file.path).map_err(|error| {
         let message = format!("cannot read `{}`: {error}", file.path.display());
         Diagnostics::from(file.name.error_here(Code::BAD_VALUE, message))
     })?;
     let path = file.path.display().to_string();
     let open = material.is_some() || !regions.is_empty();
-    let read = mesh::inp::read_open(&text, &path, &elements(), open)
-        .map_err(|errors| placed(&file.path, &text, &errors))?;
+    let options = ReadOptions { elements: &elements(), open, units: file.units };
+    let read = format::read(bytes, &path, &options).map_err(|errors| placed(&errors))?;
     warnings.extend(read.warnings.iter().map(ToString::to_string));
+    warnings.extend(read.masses.iter().map(|mass| masses::in_case(&path, mass)));
     let mesh = in_regions(read.mesh, regions)?;
     let bare: Vec<bool> =
         mesh.materials().iter().map(|material| material.properties.is_empty()).collect();
@@ -130,17 +132,23 @@ fn in_regions(mut mesh: Mesh, regions: &[case::Region]) -> Result<Mesh, Failure>
     Ok(errors.into_result(mesh)?)
 }
 
-/// Errors of a mesh file with their places in its text.
-fn placed(path: &Path, text: &str, errors: &InputErrors) -> Diagnostics {
-    let source = Source::new(path, text);
+/// Errors of a mesh file, and of those that it includes, with their places in the texts.
+pub(crate) fn placed(errors: &InputErrors) -> Diagnostics {
+    let mut sources: BTreeMap<&str, Arc<Source>> = BTreeMap::new();
     let mut diagnostics = Diagnostics::new();
     for error in &errors.0 {
-        let span = (error.line > 0).then(|| {
+        let source = sources.entry(&error.file).or_insert_with(|| {
+            // What cannot be read any more has its errors without the lines.
+            Source::new(&error.file, text(Path::new(&error.file)).unwrap_or_default())
+        });
+        let text = &source.text;
+        let span = (error.line > 0 && !text.is_empty()).then(|| {
             let start = offset(text, error.line, error.column);
-            let length = text[start..].find([',', '\n', ' ', '\r']).unwrap_or(text.len() - start);
+            let length =
+                text[start..].find([',', '\n', ' ', '\t', '\r']).unwrap_or(text.len() - start);
             start..start + length.max(1)
         });
-        let diagnostic = Diagnostic::new(&source, Code::BAD_VALUE, span, &error.what);
+        let diagnostic = Diagnostic::new(source, Code::BAD_VALUE, span, &error.what);
         let help = (!error.help.is_empty()).then(|| error.help.clone());
         diagnostics.push(diagnostic.maybe_help(help));
     }
@@ -155,6 +163,7 @@ pub(super) fn inverted(error: &Error) -> Failure {
     let Ok(text) = text(Path::new(origin)) else {
         return error.clone().into();
     };
+    let format = Format::of(text.as_bytes(), origin);
     let source = Source::new(origin, text);
     let mut diagnostics = Diagnostics::new();
     for cell in cells {
@@ -164,31 +173,14 @@ pub(super) fn inverted(error: &Error) -> Failure {
         );
         let help = "look for nodes in another order (the first face's normal must point towards the \
                     second face), a wrong node label, two nodes at one place, or a distorted cell";
-        let span = line_of_cell(&source.text, cell.label);
+        let span = (format.line_of_cell(&source.text, cell.label)).map(|line| {
+            let start = offset(&source.text, line, 1);
+            let line = source.text[start..].lines().next().unwrap_or_default();
+            start..start + line.trim_end().len()
+        });
         diagnostics.push(Diagnostic::new(&source, Code::BAD_VALUE, span, message).help(help));
     }
     diagnostics.into()
-}
-
-/// The first line of a cell among the elements of an input file.
-fn line_of_cell(text: &str, label: u64) -> Option<Range<usize>> {
-    let mut among_elements = false;
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        let words = line.trim();
-        if words.starts_with('*') {
-            among_elements = match words.get(..2) {
-                Some("**") => among_elements,
-                _ => words.to_ascii_uppercase().starts_with("*ELEMENT"),
-            };
-        } else if among_elements
-            && words.split(',').next().and_then(|word| word.trim().parse().ok()) == Some(label)
-        {
-            return Some(start..start + line.trim_end().len());
-        }
-        start += line.len();
-    }
-    None
 }
 
 /// Byte at a line and a column in characters, both from 1; column 0 is the start of the line.
@@ -203,14 +195,7 @@ fn offset(text: &str, line: usize, column: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{line_of_cell, offset};
-
-    #[test]
-    fn cells_are_found_among_elements_only() {
-        let text = "*NODE\n7, 0, 0, 0\n*ELEMENT, TYPE=C3D8\n** 7\n 17, 1\n 7, 1, 2\n*NSET\n7\n";
-        assert_eq!(&text[line_of_cell(text, 7).unwrap()], " 7, 1, 2");
-        assert_eq!(line_of_cell(text, 1), None);
-    }
+    use super::offset;
 
     #[test]
     fn places_are_found() {

@@ -5,6 +5,7 @@ mod forces;
 mod joined;
 mod laws;
 mod lumped;
+mod masses;
 mod meshes;
 mod outputs;
 mod plan;
@@ -19,6 +20,7 @@ use whirl_solver::machine::{Machine, MachineParts};
 use whirl_solver::mesh::Mesh;
 
 pub(crate) use joined::{JoinedPlan, PlannedBody};
+pub(crate) use meshes::placed as placed_errors;
 pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
 
 use self::described::Described;

@@ -175,6 +175,7 @@ const WORDS: &[&str] = &[
     "jacobian",
     "scale",
     "abaqus",
+    "gmsh",
     "vtk",
     "order",
     "forms",

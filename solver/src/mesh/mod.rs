@@ -1,22 +1,29 @@
 //! Meshes of solid bodies: nodes, blocks of cells of one element and material, named sets.
 //!
-//! A mesh is read ([`inp`]) or made from a few dimensions ([`shaft`], [`crank`], [`support`]) and does not change
+//! A mesh is read ([`format`]: [`inp`], [`msh`], [`bdf`]) or made from a few dimensions ([`shaft`], [`crank`], [`support`]) and does not change
 //! afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
 
+pub mod bdf;
 pub mod crank;
+pub mod format;
 pub mod inp;
 mod layers;
 mod material;
 mod mean;
 pub mod measure;
+pub mod msh;
+mod quality;
+mod raw;
 mod regions;
 mod selection;
 pub mod shaft;
 pub mod support;
 mod surface;
+mod units;
 
 pub use material::{ImplausibleProperty, Material};
 pub use mean::{MeanComponent, NodeSetMean};
+pub use quality::WorstCell;
 pub(crate) use regions::connected;
 pub use selection::{Cylinder, Selection};
 pub use surface::{Surface, SurfacePoint};

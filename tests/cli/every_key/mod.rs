@@ -64,10 +64,24 @@ fn no_key_is_left_out() {
     assert!(known.len() > 80, "the schema has keys");
 }
 
+/// A mesh in m, whose first card is `*NODE`, in mm.
+fn in_millimetres(text: &str) -> String {
+    let (nodes, rest) = text.split_at(text[1..].find('*').expect("another card") + 1);
+    let line = |line: &str| {
+        let values = line.split(',').enumerate();
+        let scaled = values.map(|(place, value)| match value.trim().parse::<f64>() {
+            Ok(value) if place > 0 => (value * 1e3).to_string(),
+            _ => value.to_owned(),
+        });
+        scaled.collect::<Vec<_>>().join(", ") + "\n"
+    };
+    nodes.lines().map(line).collect::<String>() + rest
+}
+
 /// What named bodies do is held to other machines and to formulas in `bodies`; here all of their keys stand together.
 #[test]
 fn every_key_of_named_bodies_runs() {
-    let cup = crate::bodies::meshes::cup([0, 0]);
+    let cup = in_millimetres(&crate::bodies::meshes::cup([0, 0]));
     let found = Results::of("named", &[("cup.inp", cup)]);
     assert_eq!(found.history.rows(), 500);
     let speed = std::f64::consts::TAU / 60.0 * (120.0 + 600.0 * 0.01);

@@ -239,12 +239,17 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         (
             "*STEP",
             "*INCLUDE, INPUT=more.inp\n*STEP",
-            "cube.inp:39:1: *INCLUDE is not read, but changes the mesh\n  help: write the mesh out in full, in one file and in x, y, z",
+            "cube.inp:39:17: there is no file `more.inp`\n  help: paths are relative to the file that names them",
         ),
         (
             "*STEP",
-            "*INSTANCE, NAME=A, PART=B\n0, 0, 5\n*STEP",
-            "cube.inp:39:1: an *INSTANCE that is moved or turned is not read\n  help: write the nodes where they are",
+            "*NGEN\n1, 4\n*STEP",
+            "cube.inp:39:1: *NGEN is not read, but changes the mesh\n  help: write the mesh out in full, in one file and in x, y, z",
+        ),
+        (
+            "*STEP",
+            "*INSTANCE, NAME=A, PART=B\n0, 5\n*STEP",
+            "cube.inp:40:1: an *INSTANCE is moved by other numbers than these\n  help: write x, y, z, and below them two points and an angle: ax, ay, az, bx, by, bz, angle",
         ),
     ];
     let mut wrong = Vec::new();

@@ -24,8 +24,9 @@ pub(super) struct BodyDraft {
 /// Keys of a rigid body.
 const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffness"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 11] = [
+const MESHED: [&str; 12] = [
     "mesh",
+    "units",
     "dimensions",
     "rigid",
     "material",

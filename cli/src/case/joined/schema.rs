@@ -22,7 +22,9 @@ const PLACE_EXAMPLE: &str = "[\"0 mm\", \"0 mm\"]";
 pub(crate) const BODY: &[Key] = &[
     merged("turns", Words(&["free", "prescribed", "no"]), "whether it turns about its axis"),
     key("axis", PLACE, "x and y of its axis, 0 if left out").like(PLACE_EXAMPLE),
-    key("mesh", Text, "an Abaqus or CalculiX input file in m, Pa, kg/m³"),
+    key("mesh", Text, "a mesh file: Gmsh, or input of Abaqus or CalculiX"),
+    key("units", Text, "of length, force and mass in the mesh file; m, N, kg if left out")
+        .like("\"mm, N, t\""),
     key(
         "dimensions",
         Table(&[DIMENSIONS]),

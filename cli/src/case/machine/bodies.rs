@@ -6,12 +6,14 @@ use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::crank::CrankThrow;
+use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
 use super::super::library::{FileStore, resolve};
 use super::super::rotor::{Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, Support};
 use super::super::selections;
+use super::super::units::mesh_units;
 use super::materials::{Materials, material_of, regions};
 use super::{default_motion, motion};
 
@@ -88,6 +90,7 @@ fn mesh<D>(
 ) -> Option<Mesh<D>> {
     let before = table.errors();
     let dimensions = table.optional_table("dimensions");
+    let units = units(table);
     match (table.optional_string("mesh"), dimensions) {
         (Some(_), Some(dimensions)) => {
             table.conflict("mesh", "dimensions");
@@ -103,7 +106,7 @@ fn mesh<D>(
                 table.push(error.help("paths are relative to the file that names them"));
                 return None;
             }
-            Some(Mesh::File(MeshFile { path, name }))
+            Some(Mesh::File(MeshFile { path, name, units: units? }))
         }
         (None, Some(dimensions)) => {
             if !table.has("material") {
@@ -129,6 +132,22 @@ fn mesh<D>(
             None
         }
     }
+}
+
+/// Units of a mesh file: SI if none are named; `None` if they are wrong.
+fn units(table: &Table) -> Option<MeshUnits> {
+    let Some(text) = table.optional_string("units") else { return Some(MeshUnits::default()) };
+    let read = match table.gives("mesh") {
+        true => mesh_units(text.text()),
+        false => Err((
+            "`units` is of a mesh file".to_owned(),
+            "leave it out: other quantities of a case name their units".to_owned(),
+        )),
+    };
+    read.map_err(|(message, help)| {
+        table.push(text.error_here(Code::BAD_VALUE, message).help(help));
+    })
+    .ok()
 }
 
 fn no_material() -> Material {

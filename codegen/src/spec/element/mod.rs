@@ -28,6 +28,11 @@
 //! [abaqus]
 //! types = ["C3D8"]
 //! order = [1, 2, 3, …]       # the element's nodes in the order of the other program; left out if equal
+//! [gmsh]                     # of the element that cells of Gmsh are read as; with `order` as above
+//! type = 5
+//! [nastran]                   # left out where no card of Nastran is read as this element
+//! card = "CHEXA"
+//! order = [1, 2, 3, …]
 //! [vtk]
 //! type = 12
 //! ```
@@ -86,6 +91,12 @@ pub struct ElementSpec {
     pub(crate) abaqus: Vec<Located>,
     /// Node of this element, from 0, at each place of an Abaqus line.
     pub(crate) abaqus_order: Vec<usize>,
+    /// Element type of Gmsh, with the node of this element, from 0, at each place of an element of Gmsh.
+    pub(crate) gmsh: Option<(u8, Vec<usize>)>,
+    /// That type in digits.
+    gmsh_name: Option<String>,
+    /// The card of Nastran, with the node of this element, from 0, at each place of that card.
+    pub(crate) nastran: Option<(Located, Vec<usize>)>,
     /// VTK cell type.
     pub(crate) vtk: u8,
     /// Node of this element, from 0, at each place of a VTK cell.

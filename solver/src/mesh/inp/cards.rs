@@ -1,10 +1,14 @@
 //! The text of an input file as cards: a keyword line with parameters, and its lines of data.
 
+use super::include::Piece;
+
 /// A piece of a line with its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Token<'a> {
     /// Without blanks around it.
     pub(super) text: &'a str,
+    /// The file, as the report numbers them.
+    pub(super) file: usize,
     /// From 1.
     pub(super) line: usize,
     /// In characters, from 1.
@@ -43,17 +47,21 @@ impl<'a> Card<'a> {
     }
 }
 
-/// Splits a text into cards. Comments (`**`) and blank lines are dropped.
-pub(super) fn cards(text: &str) -> Vec<Card<'_>> {
+/// Splits pieces of text into cards, which may go on from one piece to the next. Comments (`**`) and blank lines
+/// are dropped.
+pub(super) fn cards(pieces: &[Piece]) -> Vec<Card<'_>> {
     let mut cards: Vec<Card> = Vec::new();
     let mut continued = false;
-    for (number, line) in text.lines().enumerate() {
-        let number = number + 1;
+    let lines = pieces.iter().flat_map(|piece| {
+        let numbered = piece.text().lines().enumerate();
+        numbered.map(move |(after, line)| (piece.file, piece.first_line + after, line))
+    });
+    for (file, number, line) in lines {
         let trimmed = line.trim();
         if trimmed.is_empty() || trimmed.starts_with("**") {
             continue;
         }
-        let mut tokens = tokens(line, number);
+        let mut tokens = tokens(line, file, number);
         let open = tokens.last().is_some_and(|token| token.text.is_empty());
         if open {
             tokens.pop();
@@ -65,7 +73,7 @@ pub(super) fn cards(text: &str) -> Vec<Card<'_>> {
             continued = open;
         } else if trimmed.starts_with('*') {
             let mut tokens = tokens.into_iter();
-            let place = tokens.next().unwrap_or(Token { text: "*", line: number, column: 1 });
+            let place = tokens.next().unwrap_or(Token { text: "*", file, line: number, column: 1 });
             let words = place.text.trim_start_matches('*').to_uppercase();
             cards.push(Card {
                 keyword: words.split_whitespace().collect::<Vec<_>>().join(" "),
@@ -76,7 +84,7 @@ pub(super) fn cards(text: &str) -> Vec<Card<'_>> {
             continued = open;
         } else {
             if cards.is_empty() {
-                let place = Token { text: "", line: number, column: 1 };
+                let place = Token { text: "", file, line: number, column: 1 };
                 cards.push(Card {
                     keyword: String::new(),
                     place,
@@ -93,14 +101,14 @@ pub(super) fn cards(text: &str) -> Vec<Card<'_>> {
 }
 
 /// Pieces between the commas of a line; commas between quotation marks do not count.
-fn tokens(line: &str, number: usize) -> Vec<Token<'_>> {
+pub(super) fn tokens(line: &str, file: usize, number: usize) -> Vec<Token<'_>> {
     let mut tokens = Vec::new();
     let (mut start, mut column, mut quoted) = (0, 1, false);
     let mut start_column = 1;
     let mut push = |from: usize, to: usize, column: usize| {
         let piece = &line[from..to];
         let blanks = piece.chars().take_while(|c| c.is_whitespace()).count();
-        tokens.push(Token { text: piece.trim(), line: number, column: column + blanks });
+        tokens.push(Token { text: piece.trim(), file, line: number, column: column + blanks });
     };
     for (at, c) in line.char_indices() {
         match c {
@@ -117,7 +125,7 @@ fn tokens(line: &str, number: usize) -> Vec<Token<'_>> {
     tokens
 }
 
-fn parameter(token: Token<'_>) -> Parameter<'_> {
+pub(super) fn parameter(token: Token<'_>) -> Parameter<'_> {
     let Some((name, value)) = token.text.split_once('=') else {
         return Parameter { name: token.text.to_uppercase(), place: token, value: None };
     };
@@ -130,31 +138,35 @@ fn parameter(token: Token<'_>) -> Parameter<'_> {
     Parameter {
         name: name.trim().to_uppercase(),
         place: token,
-        value: Some(Token { text, line: token.line, column }),
+        value: Some(Token { text, file: token.file, line: token.line, column }),
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::raw::MeshReport;
+    use super::super::include::pieces;
     use super::*;
 
     #[test]
     fn keyword_lines_continue_and_data_keeps_its_place() {
         let text = "** comment\n*Solid   section, elset=\"A, B\",\n  MATERIAL = Steel\n 1.0,\n\n  2, é, 3\n";
-        let cards = cards(text);
+        let pieces = pieces(text, "a.inp", &mut MeshReport::new("a.inp"));
+        let cards = cards(&pieces);
         assert_eq!(cards.len(), 1);
         let card = &cards[0];
         assert_eq!(card.keyword, "SOLID SECTION");
         assert_eq!(card.parameter("ELSET").unwrap().value.unwrap().text, "A, B");
         let material = card.parameter("MATERIAL").unwrap().value.unwrap();
         assert_eq!((material.text, material.line, material.column), ("Steel", 3, 14));
-        assert_eq!(card.lines[0], [Token { text: "1.0", line: 4, column: 2 }]);
+        assert_eq!(card.lines[0], [Token { text: "1.0", file: 0, line: 4, column: 2 }]);
         let last = card.lines[1][2];
         assert_eq!((last.text, last.line, last.column), ("3", 6, 9));
     }
 
     #[test]
     fn data_before_any_keyword_is_kept() {
-        assert_eq!(cards("1, 2\n")[0].keyword, "");
+        let pieces = pieces("1, 2\n", "a.inp", &mut MeshReport::new("a.inp"));
+        assert_eq!(cards(&pieces)[0].keyword, "");
     }
 }

@@ -1,69 +1,16 @@
 //! Nodes, cells and the sections that give cells their material.
 
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
-
 use whirl_specs::Element;
 
+use super::super::raw::{
+    Cells, LinePosition, MeshReport, NodeTable, RawCell, RawMaterial, count, did_you_mean,
+    in_own_order, list,
+};
 use super::cards::{Card, Token};
-use super::materials::RawMaterial;
-use super::sets::{Labelled, did_you_mean};
-use super::{LinePosition, MeshReport, NodeTable, count, list};
-
-/// A cell as written.
-#[derive(Debug, Clone)]
-pub(super) struct RawCell {
-    pub(super) label: u64,
-    /// `None` where the type is not known, which is an error by itself.
-    pub(super) element: Option<&'static Element>,
-    /// Labels of the nodes, in the order of the file.
-    pub(super) nodes: Vec<u64>,
-}
-
-/// Cells in the order of the file.
-pub(super) struct Cells {
-    pub(super) list: Vec<RawCell>,
-    pub(super) named: Labelled,
-}
-
-impl Cells {
-    /// Notes cells that have the nodes of others, and would give them their stiffness and mass again.
-    pub(super) fn stand_once(&self, report: &mut MeshReport) {
-        let mut first: HashMap<Vec<u64>, usize> = HashMap::new();
-        let mut again = Vec::new();
-        for (place, cell) in self.list.iter().enumerate().filter(|(_, cell)| !cell.nodes.is_empty())
-        {
-            let mut nodes = cell.nodes.clone();
-            nodes.sort_unstable();
-            match first.entry(nodes) {
-                Entry::Occupied(other) => again.push((place, *other.get())),
-                Entry::Vacant(free) => drop(free.insert(place)),
-            }
-        }
-        let Some(&(place, other)) = again.first() else { return };
-        let label = |place: usize| self.list[place].label;
-        let line = self.named.places[other].line;
-        let (what, help) = match again.len() {
-            1 => (
-                format!("cell {} has the nodes of cell {}", label(place), label(other)),
-                format!("take one of them out: line {line} has the first"),
-            ),
-            number => (
-                format!(
-                    "{number} cells have the nodes of others: {}; cell {} those of cell {}",
-                    list(again.iter().map(|&(place, _)| label(place))),
-                    label(place),
-                    label(other)
-                ),
-                format!("take them out, or their originals, of which line {line} has the first"),
-            ),
-        };
-        report.error(self.named.places[place], what, help);
-    }
-}
+use super::values::{label, number, required};
 
 pub(super) fn read_nodes(cards: &[&Card], report: &mut MeshReport) -> NodeTable {
-    let mut nodes = NodeTable { positions: Vec::new(), named: Labelled::new("node") };
+    let mut nodes = NodeTable::new();
     for card in cards.iter().filter(|card| card.keyword == "NODE") {
         if let Some(system) = card.parameter("SYSTEM") {
             report.error(system.place, "only rectangular coordinates are read", "write x, y, z");
@@ -71,17 +18,17 @@ pub(super) fn read_nodes(cards: &[&Card], report: &mut MeshReport) -> NodeTable 
         let mut members = Vec::new();
         for line in &card.lines {
             let Some(token) = line.first() else { continue };
-            let Some(label) = report.label(token, "label of a node") else { continue };
+            let Some(label) = label(token, "label of a node", report) else { continue };
             let mut position = [0.0; 3];
             if line.len() == 4 {
                 for (value, token) in position.iter_mut().zip(&line[1..]) {
-                    *value = report.number(token, "coordinate").unwrap_or(0.0);
+                    *value = number(token, "coordinate", report).unwrap_or(0.0);
                 }
             } else {
                 let what = format!("node {label} has {}", count(line.len() - 1, "coordinate"));
                 report.error(*token, what, "write label, x, y, z");
             }
-            if let Some(index) = nodes.named.add(label, token, report) {
+            if let Some(index) = nodes.named.add(label, *token, report) {
                 nodes.positions.push(position);
                 members.push(index);
             }
@@ -99,19 +46,19 @@ pub(super) fn read_elements(
     nodes: &NodeTable,
     report: &mut MeshReport,
 ) -> Cells {
-    let mut cells = Cells { list: Vec::new(), named: Labelled::new("cell") };
+    let mut cells = Cells::new();
     for card in cards.iter().filter(|card| card.keyword == "ELEMENT") {
         let element = element(card, elements, report);
         let mut members = Vec::new();
         for tokens in cell_lines(card, element) {
             let Some(&token) = tokens.first() else { continue };
-            let Some(label) = report.label(&token, "label of a cell") else { continue };
+            let Some(label) = label(&token, "label of a cell", report) else { continue };
             let nodes = match element {
                 Some(element) => cell_nodes(label, &tokens, element, nodes, report),
                 None => Vec::new(),
             };
-            if let Some(index) = cells.named.add(label, &token, report) {
-                cells.list.push(RawCell { label, element, nodes });
+            if let Some(index) = cells.named.add(label, token, report) {
+                cells.list.push(RawCell { element, nodes });
                 members.push(index);
             }
         }
@@ -127,7 +74,7 @@ fn element(
     elements: &[&'static Element],
     report: &mut MeshReport,
 ) -> Option<&'static Element> {
-    let name = report.required(card, "TYPE", "*ELEMENT, TYPE=C3D8I, ELSET=NAME")?;
+    let name = required(card, "TYPE", "*ELEMENT, TYPE=C3D8I, ELSET=NAME", report)?;
     let is_named = |element: &&&Element| {
         element.abaqus.iter().any(|known| known.eq_ignore_ascii_case(name.text))
     };
@@ -184,16 +131,17 @@ fn cell_lines<'a>(card: &Card<'a>, element: Option<&Element>) -> Vec<Vec<Token<'
     cells
 }
 
+/// Indices of the nodes, in the element's own order; none after an error.
 fn cell_nodes(
-    label: u64,
+    cell: u64,
     tokens: &[Token],
     element: &Element,
     nodes: &NodeTable,
     report: &mut MeshReport,
-) -> Vec<u64> {
+) -> Vec<usize> {
     if tokens.len() != element.nodes + 1 {
         let what = format!(
-            "cell {label} has {}, {} needs {}",
+            "cell {cell} has {}, {} needs {}",
             count(tokens.len() - 1, "node"),
             element.origin.name,
             element.nodes
@@ -201,36 +149,41 @@ fn cell_nodes(
         report.error(tokens[0], what, "write label, then the nodes");
         return Vec::new();
     }
-    let mut list: Vec<u64> = Vec::with_capacity(element.nodes);
+    let mut listed: Vec<usize> = Vec::with_capacity(element.nodes);
     for token in &tokens[1..] {
-        let Some(node) = report.label(token, "label of a node") else { continue };
-        if !nodes.named.index.contains_key(&node) {
-            let what = format!("cell {label} has node {node}, which is not defined");
-            report.error(*token, what, "add it under *NODE, or correct the label");
-        } else if list.contains(&node) {
-            let what = format!("cell {label} has node {node} twice");
-            report.error(*token, what, "correct the label, or use an element with fewer nodes");
+        let Some(node) = label(token, "label of a node", report) else { continue };
+        match nodes.named.index.get(&node) {
+            None => {
+                let what = format!("cell {cell} has node {node}, which is not defined");
+                report.error(*token, what, "add it under *NODE, or correct the label");
+            }
+            Some(index) if listed.contains(index) => {
+                let what = format!("cell {cell} has node {node} twice");
+                report.error(*token, what, "correct the label, or use an element with fewer nodes");
+            }
+            Some(&index) => listed.push(index),
         }
-        list.push(node);
     }
-    list
+    match listed.len() == element.nodes {
+        true => in_own_order(&listed, element.abaqus_order),
+        false => Vec::new(),
+    }
 }
 
-/// Index of the material of every cell, from `*SOLID SECTION`; one beyond the materials for those that have
-/// none, where the sections are left `open`. Errors for cells with none otherwise, or with two.
+/// Index of the material of every cell that has one, from `*SOLID SECTION`, and whether no set or member of one
+/// was lost. Errors for cells with two.
 pub(super) fn assign_sections(
     cards: &[&Card],
     cells: &Cells,
     materials: &[RawMaterial],
-    open: bool,
     report: &mut MeshReport,
-) -> Vec<usize> {
+) -> (Vec<Option<usize>>, bool) {
     let mut material_of: Vec<Option<(usize, LinePosition)>> = vec![None; cells.list.len()];
     let mut all_found = cells.named.complete;
     for card in cards.iter().filter(|card| card.keyword == "SOLID SECTION") {
         let example = "*SOLID SECTION, ELSET=NAME, MATERIAL=NAME";
-        let set = report.required(card, "ELSET", example);
-        let material = report.required(card, "MATERIAL", example);
+        let set = required(card, "ELSET", example, report);
+        let material = required(card, "MATERIAL", example, report);
         let members = set.and_then(|set| {
             let members = cells.named.sets.get(set.text);
             if members.is_none() {
@@ -258,30 +211,22 @@ pub(super) fn assign_sections(
         let mut twice = Vec::new();
         for &cell in members {
             match material_of[cell] {
-                Some((other, _)) if other != material => twice.push(cells.list[cell].label),
+                Some((other, _)) if other != material => twice.push(cells.named.labels[cell]),
                 _ => material_of[cell] = Some((material, card.place.into())),
             }
         }
         if let Some(first) = twice.first() {
             let above = cells.named.index[first];
-            let line = material_of[above].map_or(0, |(_, place)| place.line);
+            let line = material_of[above]
+                .map_or(String::new(), |(_, place)| report.line(place, card.place.into()));
             let what = format!(
                 "{} with two materials: {}",
                 count(twice.len(), "cell"),
                 list(twice.iter().copied())
             );
-            report.error(card.place, what, format!("line {line} gave the first"));
+            report.error(card.place, what, format!("{line} gave the first"));
         }
     }
-    // Where a set is not there or not whole, cells without a section are no further error.
-    let bare: Vec<usize> = (0..cells.list.len()).filter(|&c| material_of[c].is_none()).collect();
-    if let Some(&first) = bare.first().filter(|_| all_found && !open) {
-        let labels = list(bare.iter().map(|&cell| cells.list[cell].label));
-        let what = format!("{} without a section: {labels}", count(bare.len(), "cell"));
-        let help = "add *SOLID SECTION, ELSET=…, MATERIAL=… for a set that holds them; in a case `material` \
-                    serves, too";
-        report.error(cells.named.places[first], what, help);
-    }
-    let none = materials.len();
-    material_of.into_iter().map(|section| section.map_or(none, |(material, _)| material)).collect()
+    let sections = material_of.into_iter().map(|section| section.map(|(material, _)| material));
+    (sections.collect(), all_found)
 }

@@ -1,31 +1,8 @@
 //! Materials: linear elastic, isotropic, with a density.
 
-use std::collections::BTreeMap;
-
+use super::super::raw::{MeshReport, RawMaterial, count};
 use super::cards::{Card, Token};
-use super::{LinePosition, Material, MeshReport, count};
-
-/// A material as written.
-#[derive(Debug)]
-pub(super) struct RawMaterial {
-    pub(super) name: String,
-    place: LinePosition,
-    /// Values by symbol, with their places.
-    pub(super) values: BTreeMap<&'static str, (f64, LinePosition)>,
-    /// Whether something in it was refused, so that what is missing is no further error.
-    broken: bool,
-}
-
-impl RawMaterial {
-    /// Without places.
-    pub(super) fn material(&self) -> Material {
-        let values = self.values.iter();
-        Material {
-            name: self.name.clone(),
-            properties: values.map(|(name, &(value, _))| (name.to_string(), value)).collect(),
-        }
-    }
-}
+use super::values::{number, required};
 
 pub(super) fn read_materials(cards: &[&Card], report: &mut MeshReport) -> Vec<RawMaterial> {
     let mut materials: Vec<RawMaterial> = Vec::new();
@@ -33,22 +10,20 @@ pub(super) fn read_materials(cards: &[&Card], report: &mut MeshReport) -> Vec<Ra
     for card in cards {
         match card.keyword.as_str() {
             "MATERIAL" => {
-                let name = report.required(card, "NAME", "*MATERIAL, NAME=STEEL");
+                let name = required(card, "NAME", "*MATERIAL, NAME=STEEL", report);
                 let name = name.map_or(String::new(), |name| name.text.to_owned());
                 let same = |raw: &&RawMaterial| raw.name.eq_ignore_ascii_case(&name);
                 let first = materials.iter().find(same);
                 let broken = name.is_empty() || first.is_some();
                 if let Some(first) = first {
-                    let help = format!("line {} has the first", first.place.line);
+                    let help =
+                        format!("{} has the first", report.line(first.place, card.place.into()));
                     report.error(card.place, format!("material {name} is defined twice"), help);
                 }
                 open = true;
-                materials.push(RawMaterial {
-                    broken,
-                    name,
-                    place: card.place.into(),
-                    values: BTreeMap::new(),
-                });
+                let mut material = RawMaterial::new(name, card.place.into());
+                material.broken = broken;
+                materials.push(material);
             }
             "ELASTIC" | "DENSITY" => match materials.last_mut().filter(|_| open) {
                 Some(material) => property(card, material, report),
@@ -57,17 +32,17 @@ pub(super) fn read_materials(cards: &[&Card], report: &mut MeshReport) -> Vec<Ra
                     report.error(card.place, what, "put *MATERIAL, NAME=… above it");
                 }
             },
-            "NODE" | "ELEMENT" | "NSET" | "ELSET" | "SOLID SECTION" => open = false,
+            "NODE" | "ELEMENT" | "NSET" | "ELSET" | "SURFACE" | "SOLID SECTION" => open = false,
             _ => {}
         }
     }
-    materials.iter().for_each(|material| check(material, report));
+    materials.iter().for_each(|material| complete(material, report));
     materials
 }
 
 fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
-    let before = report.errors.len();
-    let name = material.name.as_str();
+    let before = report.error_count();
+    let name = material.name.clone();
     let kind = card.parameter("TYPE").and_then(|parameter| parameter.value);
     let isotropic =
         |kind: &Token| ["ISO", "ISOTROPIC"].contains(&kind.text.to_uppercase().as_str());
@@ -95,28 +70,14 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
             );
             continue;
         };
-        let Some(value) = report.number(token, title) else { continue };
-        match symbol {
-            "nu" if !(value > -1.0 && value < 0.5) => {
-                let what = format!("Poisson's ratio of {name} is {value}");
-                report.error(*token, what, "it lies between −1 and 0.5, both excluded");
-            }
-            "E" | "rho" if value <= 0.0 => {
-                report.error(
-                    *token,
-                    format!("the {title} of {name} is {value}"),
-                    "it must be positive",
-                );
-            }
-            _ => {
-                material.values.insert(symbol, (value, (*token).into()));
-            }
-        }
+        let Some(value) = number(token, title, report) else { continue };
+        material.set(symbol, title, value, (*token).into(), report);
     }
-    material.broken |= report.errors.len() > before;
+    material.broken |= report.error_count() > before;
 }
 
-fn check(material: &RawMaterial, report: &mut MeshReport) {
+/// Notes properties that are not there.
+fn complete(material: &RawMaterial, report: &mut MeshReport) {
     let name = &material.name;
     if material.broken {
         return;
@@ -125,11 +86,6 @@ fn check(material: &RawMaterial, report: &mut MeshReport) {
         if !material.values.contains_key(symbol) {
             let help = format!("write *{keyword} and a line such as {example} below *MATERIAL");
             report.error(material.place, format!("material {name} has no *{keyword}"), help);
-        }
-    }
-    for doubt in material.material().implausible_properties() {
-        if let Some(&(_, place)) = material.values.get(doubt.symbol) {
-            report.error(place, doubt.what, doubt.help);
         }
     }
 }

@@ -183,6 +183,20 @@ fn registered(
     };
     let (abaqus_order, vtk_order) = (order(&element.abaqus_order), order(&element.vtk_order));
     let abaqus = element.abaqus.iter().map(|kind| kind.text());
+    let gmsh = match &element.gmsh {
+        Some((kind, places)) => {
+            let (kind, places) = (Literal::u8_unsuffixed(*kind), order(places));
+            quote!(Some((#kind, #places)))
+        }
+        None => quote!(None),
+    };
+    let nastran = match &element.nastran {
+        Some((card, places)) => {
+            let (card, places) = (card.text(), order(places));
+            quote!(Some((#card, #places)))
+        }
+        None => quote!(None),
+    };
     let vtk = Literal::u8_unsuffixed(element.vtk);
     let faces = faces::entries(element);
     quote! {
@@ -193,6 +207,8 @@ fn registered(
             reference_nodes: &[#(#nodes),*],
             abaqus: &[#(#abaqus),*],
             abaqus_order: #abaqus_order,
+            gmsh: #gmsh,
+            nastran: #nastran,
             vtk: #vtk,
             vtk_order: #vtk_order,
             shape,

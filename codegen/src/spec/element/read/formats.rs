@@ -6,6 +6,17 @@ use super::Reader;
 use crate::diagnostic::{Code, Located};
 use crate::document::{Table, Value};
 
+/// A program that numbers its types of cells.
+pub(super) struct Numbered {
+    /// What it calls the number, with its article.
+    called: &'static str,
+    /// Nodes of its solid cells.
+    nodes: fn(u8) -> Option<usize>,
+}
+
+pub(super) const VTK: Numbered = Numbered { called: "a VTK cell type", nodes: vtk_nodes };
+pub(super) const GMSH: Numbered = Numbered { called: "a Gmsh element type", nodes: gmsh_nodes };
+
 impl Reader<'_> {
     pub(super) fn abaqus(
         &self,
@@ -34,19 +45,51 @@ impl Reader<'_> {
         }
     }
 
-    pub(super) fn vtk(&self, table: Table<'_>, nodes: Option<usize>) -> Option<(u8, Vec<usize>)> {
+    pub(super) fn nastran(
+        &self,
+        table: Table<'_>,
+        nodes: Option<usize>,
+    ) -> Option<(Located, Vec<usize>)> {
+        let card = table.string("card");
+        if let Some(card) = &card {
+            let known = nastran_nodes(card.text());
+            if let (Some(nodes), Some(known)) = (nodes, known)
+                && !known.contains(&nodes)
+            {
+                let [few, many] = known;
+                let card_name = card.text();
+                let message = format!(
+                    "{card_name} of Nastran has {few} or {many} nodes, this element has {nodes}"
+                );
+                let help = "name a card of as many nodes, or correct the list of nodes";
+                self.document.push(card.error_here(Code::BAD_VALUE, message).help(help));
+            }
+        }
+        let order = self.order(&table, nodes);
+        table.finish();
+        Some((card?, order?))
+    }
+
+    pub(super) fn numbered(
+        &self,
+        table: Table<'_>,
+        nodes: Option<usize>,
+        format: &Numbered,
+    ) -> Option<(u8, Vec<usize>)> {
+        let called = format.called;
         let kind = table.count("type").and_then(|kind| {
             let small = kind.to_u8();
             if small.is_none() {
                 let span = table.place("type");
-                self.error(Code::BAD_VALUE, span, "a VTK cell type is below 256".to_owned());
+                self.error(Code::BAD_VALUE, span, format!("{called} is below 256"));
             }
             small
         });
         if let Some(kind) = kind {
             let (span, written) = (table.place("type"), kind.to_string());
             let at = Located::new(table.source(), span, written);
-            self.has_nodes(nodes, vtk_nodes(kind), &at, &format!("the VTK cell type {kind}"));
+            let called = format!("the {} {kind}", called.trim_start_matches("a "));
+            self.has_nodes(nodes, (format.nodes)(kind), &at, &called);
         }
         let order = self.order(&table, nodes);
         table.finish();
@@ -91,6 +134,17 @@ fn abaqus_nodes(name: &str) -> Option<usize> {
     number[..digits].parse().ok()
 }
 
+/// Nodes of Nastran's solid elements, without and with nodes on their edges.
+fn nastran_nodes(card: &str) -> Option<[usize; 2]> {
+    match card.to_ascii_uppercase().as_str() {
+        "CTETRA" => Some([4, 10]),
+        "CPYRAM" => Some([5, 13]),
+        "CPENTA" => Some([6, 15]),
+        "CHEXA" => Some([8, 20]),
+        _ => None,
+    }
+}
+
 /// Nodes of VTK's solid cells (vtkCellType.h).
 fn vtk_nodes(kind: u8) -> Option<usize> {
     match kind {
@@ -106,6 +160,24 @@ fn vtk_nodes(kind: u8) -> Option<usize> {
         32 => Some(18),
         33 => Some(24),
         37 => Some(19),
+        _ => None,
+    }
+}
+
+/// Nodes of Gmsh's solid elements (GmshDefines.h).
+fn gmsh_nodes(kind: u8) -> Option<usize> {
+    match kind {
+        4 => Some(4),
+        5 => Some(8),
+        6 => Some(6),
+        7 => Some(5),
+        11 => Some(10),
+        12 => Some(27),
+        13 => Some(18),
+        14 => Some(14),
+        17 | 29 => Some(20),
+        18 => Some(15),
+        19 => Some(13),
         _ => None,
     }
 }

@@ -1,0 +1,156 @@
+//! Which format a file of a mesh has, and what all readers are given and give.
+//!
+//! A new format is a variant of [`Format`] with its arms here, and a reader that fills a raw mesh.
+
+use std::path::Path;
+
+use whirl_specs::Element;
+
+use super::bdf::AddedMass;
+pub use super::units::MeshUnits;
+use super::{Mesh, bdf, inp, msh};
+use crate::error::{InputError, InputErrors};
+
+/// A mesh with what was left out of the file.
+#[derive(Debug, Clone)]
+pub struct ReadMesh {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// Masses that the file gives to nodes beside the cells: no part of the mesh.
+    pub masses: Vec<AddedMass>,
+    /// What was skipped or looks odd, in the order of the lines.
+    pub warnings: Vec<InputError>,
+}
+
+/// What a reader must know beside the file.
+#[derive(Debug, Clone, Copy)]
+pub struct ReadOptions<'a> {
+    /// The elements that a cell may have.
+    pub elements: &'a [&'static Element],
+    /// Whether cells without a material are no error: they get one without name and properties, for which
+    /// another is to be put.
+    pub open: bool,
+    /// Units of the file.
+    pub units: MeshUnits,
+}
+
+impl<'a> ReadOptions<'a> {
+    /// Every cell must have a material, and the file is in SI units.
+    pub fn new(elements: &'a [&'static Element]) -> ReadOptions<'a> {
+        ReadOptions { elements, open: false, units: MeshUnits::default() }
+    }
+}
+
+/// Formats that are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Input of Abaqus and CalculiX.
+    Inp,
+    /// Gmsh.
+    Msh,
+    /// Bulk data of Nastran.
+    Bdf,
+}
+
+impl Format {
+    /// The format of a file: by its first characters, and by its extension where they leave it open.
+    pub fn of(bytes: &[u8], path: &str) -> Format {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+        let extension = Path::new(path).extension().and_then(|extension| extension.to_str());
+        let extension = extension.unwrap_or_default().to_ascii_lowercase();
+        match bytes {
+            [b'*', ..] => Format::Inp,
+            [b'$', rest @ ..]
+                if [&b"MeshFormat"[..], b"NOD", b"Comments"]
+                    .iter()
+                    .any(|name| rest.starts_with(name)) =>
+            {
+                Format::Msh
+            }
+            _ if bdf::is_bulk_data(bytes) => Format::Bdf,
+            _ if extension == "msh" => Format::Msh,
+            _ if ["bdf", "nas", "nastran"].contains(&extension.as_str()) => Format::Bdf,
+            _ => Format::Inp,
+        }
+    }
+
+    /// The line of a text, from 1, in which a cell has its label; the cell may go on in the next lines.
+    pub fn line_of_cell(self, text: &str, label: u64) -> Option<usize> {
+        if self == Format::Bdf {
+            return bdf::line_of_element(text, label);
+        }
+        let mut among_elements = false;
+        for (number, line) in text.lines().enumerate() {
+            let words = line.trim();
+            let keyword = match self {
+                Format::Inp | Format::Bdf => words.starts_with('*').then_some("*ELEMENT"),
+                Format::Msh => words.starts_with('$').then_some("$ELEMENTS"),
+            };
+            if let Some(keyword) = keyword {
+                if !words.starts_with("**") {
+                    among_elements = words.to_ascii_uppercase().starts_with(keyword);
+                }
+                continue;
+            }
+            let mut values = words.split(|c: char| c == ',' || c.is_whitespace());
+            let first = values.next().and_then(|word| word.parse().ok());
+            // Blocks of Gmsh have a line of four numbers of their own; a solid has more.
+            let is_cell = self == Format::Inp || values.count() > 3;
+            if among_elements && first == Some(label) && is_cell {
+                return Some(number + 1);
+            }
+        }
+        None
+    }
+}
+
+/// Reads a mesh, in whatever format it is.
+///
+/// # Errors
+/// All that is wrong, each with its place, and how to fix it.
+pub fn read(bytes: Vec<u8>, path: &str, options: &ReadOptions) -> Result<ReadMesh, InputErrors> {
+    match Format::of(&bytes, path) {
+        Format::Inp => inp::read_with(&inp::decode(bytes), path, options),
+        Format::Msh => msh::read(&bytes, path, options),
+        Format::Bdf => bdf::read(&inp::decode(bytes), path, options, &load),
+    }
+}
+
+/// The text of an included file.
+fn load(path: &Path) -> std::io::Result<String> {
+    // A device or a pipe may have no end.
+    if !std::fs::metadata(path)?.is_file() {
+        return Err(std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is no file"));
+    }
+    std::fs::read(path).map(inp::decode)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Format;
+
+    #[test]
+    fn contents_come_before_the_extension() {
+        assert_eq!(Format::of(b"$MeshFormat\n", "a.inp"), Format::Msh);
+        assert_eq!(Format::of(b"\xef\xbb\xbf\n** mesh\n", "a.msh"), Format::Inp);
+        assert_eq!(Format::of(b"", "a.MSH"), Format::Msh);
+        assert_eq!(Format::of(b"1, 2", "a"), Format::Inp);
+        assert_eq!(Format::of(b"", "a.nas"), Format::Bdf);
+        assert_eq!(Format::of(b"$ shaft\n\nSOL 103\nCEND\n", "a.inp"), Format::Bdf);
+        assert_eq!(Format::of(b"$ shaft\nGRID,1", "a.dat"), Format::Bdf);
+        assert_eq!(Format::of(b"$ shaft\ninclude 'more.dat'", "a"), Format::Bdf);
+    }
+
+    #[test]
+    fn cells_are_found_among_elements_only() {
+        let text = "*NODE\n7, 0, 0, 0\n*ELEMENT, TYPE=C3D8\n** 7\n 17, 1\n 7, 1, 2\n*NSET\n7\n";
+        assert_eq!(Format::Inp.line_of_cell(text, 7), Some(6));
+        assert_eq!(Format::Inp.line_of_cell(text, 1), None);
+        let text =
+            "$Nodes\n3 1 2 3 4\n$EndNodes\n$Elements\n1 1 3 3\n3 1 4 1\n3 1 2 5 4 \n$EndElements\n";
+        assert_eq!(Format::Msh.line_of_cell(text, 3), Some(7));
+        let text = "GRID           7\n$CHEXA        7\nCHEXA          7       1\nCPENTA*                8\nCTETRA,9,1\n";
+        let lines = [7, 8, 9, 1].map(|label| Format::Bdf.line_of_cell(text, label));
+        assert_eq!(lines, [Some(3), Some(4), Some(5), None]);
+    }
+}

@@ -1,0 +1,71 @@
+//! Parts and instances: one of each, which may be moved and turned.
+
+use super::super::raw::{MeshReport, NodeTable};
+use super::cards::Card;
+use super::values::number;
+
+/// Keywords around parts and their instances.
+pub(super) const PARTS: [&str; 6] =
+    ["PART", "END PART", "ASSEMBLY", "END ASSEMBLY", "INSTANCE", "END INSTANCE"];
+
+/// Puts the nodes where the instance has them; a second part or instance is refused.
+pub(super) fn place(cards: &[Card], nodes: &mut NodeTable, report: &mut MeshReport) {
+    for keyword in ["PART", "INSTANCE"] {
+        let mut all = cards.iter().filter(|card| card.keyword == keyword);
+        let first = all.next();
+        if let Some(second) = all.next() {
+            let help = "merge them into one part, or write a file for each body";
+            report.error(second.place, format!("a second *{keyword} is not read"), help);
+        } else if let Some(card) = first.filter(|_| keyword == "INSTANCE") {
+            move_and_turn(card, nodes, report);
+        }
+    }
+}
+
+/// The first line moves, and the second one turns about the line from a to b, by an angle in degrees.
+fn move_and_turn(card: &Card, nodes: &mut NodeTable, report: &mut MeshReport) {
+    let mut values: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
+    for (line, values) in card.lines.iter().zip(&mut values) {
+        values.extend(line.iter().filter_map(|token| number(token, "a coordinate", report)));
+    }
+    let [by, turn] = values;
+    let (by, turn) = match (&by[..], &turn[..], card.lines.len()) {
+        ([], [], 0) => return,
+        (&[x, y, z], [], 1) => ([x, y, z], None),
+        (&[x, y, z], &[ax, ay, az, bx, by, bz, angle], 2) => {
+            ([x, y, z], Some(([ax, ay, az], [bx - ax, by - ay, bz - az], angle)))
+        }
+        _ => {
+            let help = "write x, y, z, and below them two points and an angle: ax, ay, az, bx, by, bz, angle";
+            report.error(
+                card.lines[0][0],
+                "an *INSTANCE is moved by other numbers than these",
+                help,
+            );
+            return;
+        }
+    };
+    for position in &mut nodes.positions {
+        *position = [0, 1, 2].map(|i| position[i] + by[i]);
+        if let Some((from, axis, angle)) = turn {
+            *position = turned(*position, from, axis, angle.to_radians());
+        }
+    }
+    if turn.is_some_and(|(_, axis, _)| axis == [0.0; 3]) {
+        report.error(card.lines[1][0], "the two points of the axis are one", "write two points");
+    }
+}
+
+/// Rotation about an axis through a point (Rodrigues' formula).
+fn turned(position: [f64; 3], from: [f64; 3], axis: [f64; 3], angle: f64) -> [f64; 3] {
+    let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let n = axis.map(|x| x / length);
+    let r = [0, 1, 2].map(|i| position[i] - from[i]);
+    let cross = [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        n[j] * r[k] - n[k] * r[j]
+    });
+    let along: f64 = (0..3).map(|i| n[i] * r[i]).sum();
+    let (sin, cos) = angle.sin_cos();
+    [0, 1, 2].map(|i| from[i] + cos * r[i] + sin * cross[i] + (1.0 - cos) * along * n[i])
+}

@@ -1,0 +1,57 @@
+//! Values of tokens: labels, numbers, parameters that must be there.
+
+use whirl_text::nearest_in_any_case;
+
+use super::super::raw::{LinePosition, MeshReport};
+use super::cards::{Card, Token};
+
+impl From<Token<'_>> for LinePosition {
+    fn from(token: Token) -> LinePosition {
+        LinePosition { file: token.file, line: token.line, column: token.column }
+    }
+}
+
+/// A positive whole number.
+pub(super) fn label(token: &Token, of: &str, report: &mut MeshReport) -> Option<u64> {
+    match token.text.parse() {
+        Ok(label) if label > 0 => Some(label),
+        _ => {
+            let what = format!("{of} must be a whole number from 1, found `{}`", token.text);
+            report.error(*token, what, "");
+            None
+        }
+    }
+}
+
+/// A finite number; Fortran's D may stand for the exponent.
+pub(super) fn number(token: &Token, of: &str, report: &mut MeshReport) -> Option<f64> {
+    let text = token.text.replace(['d', 'D'], "e");
+    let value: Option<f64> = text.parse().ok().filter(|value: &f64| value.is_finite());
+    if value.is_none() {
+        let what = format!("{of} must be a number, found `{}`", token.text);
+        report.error(*token, what, "write it as 0.0115 or 1.15e-2");
+    }
+    value
+}
+
+/// The value of a parameter that must be there.
+pub(super) fn required<'c>(
+    card: &Card<'c>,
+    name: &str,
+    example: &str,
+    report: &mut MeshReport,
+) -> Option<Token<'c>> {
+    let parameter = card.parameter(name);
+    let value = parameter.and_then(|parameter| parameter.value);
+    let value = value.filter(|value| !value.text.is_empty());
+    if value.is_none() {
+        let names = card.parameters.iter().map(|parameter| parameter.name.as_str());
+        let help = match nearest_in_any_case(name, names) {
+            Some(close) if close != name => format!("is {close} meant to be {name}?"),
+            _ => format!("write {example}"),
+        };
+        let at = parameter.map_or(card.place, |parameter| parameter.place);
+        report.error(at, format!("*{} needs {name}=", card.keyword), help);
+    }
+    value
+}

@@ -1,0 +1,110 @@
+//! What is checked of the nodes and cells of every file.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+use whirl_text::rounded;
+
+use super::super::format::MeshUnits;
+use super::report::{LinePosition, MeshReport, count, list};
+use super::{RawMesh, Remedies};
+
+impl RawMesh {
+    /// Notes cells that have the nodes of others, and would give them their stiffness and mass again.
+    pub(super) fn cells_stand_once(&self, report: &mut MeshReport) {
+        let cells = &self.cells;
+        let mut first: HashMap<Vec<usize>, usize> = HashMap::with_capacity(cells.list.len());
+        let mut again = Vec::new();
+        for (place, cell) in
+            cells.list.iter().enumerate().filter(|(_, cell)| !cell.nodes.is_empty())
+        {
+            let mut nodes = cell.nodes.clone();
+            nodes.sort_unstable();
+            match first.entry(nodes) {
+                Entry::Occupied(other) => again.push((place, *other.get())),
+                Entry::Vacant(free) => drop(free.insert(place)),
+            }
+        }
+        let Some(&(place, other)) = again.first() else { return };
+        let label = |place: usize| cells.named.labels[place];
+        let (what, take) = match again.len() {
+            1 => (
+                format!("cell {} has the nodes of cell {}", label(place), label(other)),
+                "take one of them out",
+            ),
+            number => (
+                format!(
+                    "{number} cells have the nodes of others: {}; cell {} those of cell {}",
+                    list(again.iter().map(|&(place, _)| label(place))),
+                    label(place),
+                    label(other)
+                ),
+                "take them out, or their originals",
+            ),
+        };
+        let (here, first) = (cells.named.places[place], cells.named.places[other]);
+        let help = match (first.line, again.len()) {
+            (0, _) => take.to_owned(),
+            (_, 1) => format!("{take}: {} has the first", report.line(first, here)),
+            _ => format!("{take}, of which {} has the first", report.line(first, here)),
+        };
+        report.error(here, what, help);
+    }
+
+    /// Notes cells that the file gives no material. Where one was lost in an error, they are no further one.
+    pub(super) fn cells_have_materials(&self, remedies: &Remedies, report: &mut MeshReport) {
+        let bare: Vec<usize> =
+            (0..self.cells.list.len()).filter(|&cell| self.sections[cell].is_none()).collect();
+        if let Some(&first) = bare.first().filter(|_| self.sections_complete) {
+            let labels = list(bare.iter().map(|&cell| self.cells.named.labels[cell]));
+            let what = format!("{} without a section: {labels}", count(bare.len(), "cell"));
+            report.error(self.cells.named.places[first], what, remedies.no_section);
+        }
+    }
+
+    /// Leaves out nodes that belong to no cell, with a warning.
+    pub(super) fn drop_unused_nodes(&mut self, report: &mut MeshReport) {
+        let nodes = &mut self.nodes;
+        let mut used = vec![false; nodes.positions.len()];
+        self.cells.list.iter().flat_map(|cell| &cell.nodes).for_each(|&node| used[node] = true);
+        let labels = &nodes.named.labels;
+        let unused: Vec<usize> = (0..labels.len()).filter(|&node| !used[node]).collect();
+        let Some(&first) = unused.first() else { return };
+        let list = list(unused.iter().map(|&node| labels[node]));
+        let what = format!("{} in no cell, left out: {list}", count(unused.len(), "node"));
+        let help = "delete them, or add the cells that they belong to";
+        report.warn(nodes.named.places[first], what, help);
+        let mut place = vec![usize::MAX; used.len()];
+        let kept = (0..used.len()).filter(|&node| used[node]);
+        kept.enumerate().for_each(|(new, old)| place[old] = new);
+        let mut old = 0..;
+        nodes.positions.retain(|_| used[old.next().unwrap_or(0)]);
+        nodes.named.renumber(&place);
+        let cells = self.cells.list.iter_mut().flat_map(|cell| &mut cell.nodes);
+        cells.for_each(|node| *node = place[*node]);
+    }
+
+    /// Warns of a size that looks like other units.
+    pub(super) fn extent(&self, units: &MeshUnits, report: &mut MeshReport) {
+        const USUAL: std::ops::Range<f64> = 1e-3..50.0;
+        let positions = &self.nodes.positions;
+        let axis = |i: usize| {
+            let values = || positions.iter().map(|x| x[i]);
+            values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+        };
+        let extent = (0..3).map(axis).fold(0.0, f64::max);
+        if extent == 0.0 || USUAL.contains(&extent) {
+            return;
+        }
+        let what = format!("the mesh is {} m long", rounded(extent, 6));
+        let help = match extent > 1.0 && units.length == 1.0 {
+            true => {
+                "if its coordinates are in mm, write `units = \"mm, N, t\"` beside `mesh` in the case"
+            }
+            false => {
+                "write the units of the file beside `mesh` in the case, such as `units = \"m, N, kg\"`"
+            }
+        };
+        report.warn(LinePosition::default(), what, help);
+    }
+}

@@ -1,0 +1,113 @@
+//! Materials of a file: linear elastic, isotropic, with a density.
+
+use std::collections::BTreeMap;
+
+use whirl_text::rounded;
+
+use super::super::Material;
+use super::super::format::MeshUnits;
+use super::report::{LinePosition, MeshReport};
+
+/// A material as written.
+#[derive(Debug)]
+pub(crate) struct RawMaterial {
+    pub(crate) name: String,
+    pub(crate) place: LinePosition,
+    /// Values by symbol (`E`, `nu`, `rho`), with their places.
+    pub(crate) values: BTreeMap<&'static str, (f64, LinePosition)>,
+    /// Whether something in it was refused, so that what is missing is no further error.
+    pub(crate) broken: bool,
+}
+
+impl RawMaterial {
+    pub(crate) fn new(name: String, place: LinePosition) -> RawMaterial {
+        RawMaterial { name, place, values: BTreeMap::new(), broken: false }
+    }
+
+    /// Without places.
+    pub(crate) fn material(&self) -> Material {
+        let values = self.values.iter();
+        Material {
+            name: self.name.clone(),
+            properties: values.map(|(name, &(value, _))| (name.to_string(), value)).collect(),
+        }
+    }
+
+    /// Takes a value, or says why it cannot be one; `title` is what the file's format calls it.
+    pub(crate) fn set(
+        &mut self,
+        symbol: &'static str,
+        title: &str,
+        value: f64,
+        at: LinePosition,
+        report: &mut MeshReport,
+    ) {
+        let name = self.name.as_str();
+        match symbol {
+            "nu" if !(value > -1.0 && value < 0.5) => {
+                let what = format!("Poisson's ratio of {name} is {value}");
+                report.error(at, what, "it lies between −1 and 0.5, both excluded");
+                self.broken = true;
+            }
+            "E" | "rho" if value <= 0.0 => {
+                let what = format!("the {title} of {name} is {value}");
+                report.error(at, what, "it must be positive");
+                self.broken = true;
+            }
+            _ => {
+                self.values.insert(symbol, (value, at));
+            }
+        }
+    }
+
+    /// Values in SI units.
+    pub(super) fn convert(&mut self, units: &MeshUnits) {
+        for (symbol, (value, _)) in &mut self.values {
+            match *symbol {
+                "E" => *value = units.modulus(*value),
+                "rho" => *value = units.density(*value),
+                _ => {}
+            }
+        }
+    }
+
+    /// Notes values that cannot be meant, and warns of those that look like other units.
+    pub(super) fn judge(&self, units: &MeshUnits, report: &mut MeshReport) {
+        if self.broken {
+            return;
+        }
+        let value = |symbol: &str| self.values.get(symbol).copied();
+        let likely = match (value("E"), value("rho")) {
+            (Some((e, _)), Some((rho, place))) if !MeshUnits::is_material(e, rho) => {
+                units.likely(e, rho).map(|system| (system, e, rho, place))
+            }
+            _ => None,
+        };
+        let line = |system: &str| format!("write `units = \"{system}\"` beside `mesh` in the case");
+        let doubts = self.material().implausible_properties();
+        for doubt in &doubts {
+            if let Some((_, place)) = value(doubt.symbol) {
+                let help = match likely.filter(|_| doubt.symbol == "E") {
+                    Some((system, ..)) => {
+                        format!(
+                            "{}, if it is meant in these units; or: {}",
+                            line(system),
+                            doubt.help
+                        )
+                    }
+                    None => doubt.help.to_owned(),
+                };
+                report.error(place, doubt.what.clone(), help);
+            }
+        }
+        if let Some((system, e, rho, place)) = likely.filter(|_| doubts.is_empty()) {
+            let what = format!(
+                "material {} has E = {} Pa and ρ = {} kg/m³, which looks like other units",
+                self.name,
+                rounded(e, 6),
+                rounded(rho, 6)
+            );
+            report.warn(place, what, line(system));
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Units of a file of a mesh, and the system of units that its numbers look like.
+
+/// SI units in one unit of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshUnits {
+    /// Metres.
+    pub length: f64,
+    /// Newtons.
+    pub force: f64,
+    /// Kilograms.
+    pub mass: f64,
+}
+
+impl Default for MeshUnits {
+    fn default() -> MeshUnits {
+        MeshUnits { length: 1.0, force: 1.0, mass: 1.0 }
+    }
+}
+
+/// Systems that programs use: as a case writes them, and in SI units.
+const SYSTEMS: [(&str, MeshUnits); 6] = [
+    ("m, N, kg", MeshUnits { length: 1.0, force: 1.0, mass: 1.0 }),
+    ("mm, N, t", MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 }),
+    ("mm, mN, kg", MeshUnits { length: 1e-3, force: 1e-3, mass: 1.0 }),
+    ("mm, N, kg", MeshUnits { length: 1e-3, force: 1.0, mass: 1.0 }),
+    ("mm, kN, kg", MeshUnits { length: 1e-3, force: 1e3, mass: 1.0 }),
+    (
+        "in, lbf, lbf*s^2/in",
+        MeshUnits {
+            length: 0.0254,
+            force: 4.448_221_615_260_5,
+            mass: 4.448_221_615_260_5 / 0.0254,
+        },
+    ),
+];
+
+/// Densities of solids (kg/m³): from foams to osmium.
+const DENSITY: std::ops::Range<f64> = 5.0..25e3;
+/// √(E/ρ) of materials of machines (m/s): from elastomers to beryllium.
+const SOUND: std::ops::Range<f64> = 30.0..15e3;
+
+impl MeshUnits {
+    /// A length in m.
+    pub(super) fn length(&self, value: f64) -> f64 {
+        scaled(value, self.length)
+    }
+
+    /// A modulus in Pa.
+    pub(super) fn modulus(&self, value: f64) -> f64 {
+        value * (self.force / self.length / self.length)
+    }
+
+    /// A density in kg/m³.
+    pub(super) fn density(&self, value: f64) -> f64 {
+        value * (self.mass / (self.length * self.length * self.length))
+    }
+
+    /// Whether a material of this E and ρ in Pa and kg/m³ could be one.
+    pub(super) fn is_material(e: f64, rho: f64) -> bool {
+        DENSITY.contains(&rho) && SOUND.contains(&(e / rho).sqrt())
+    }
+
+    /// The usual system in which E and ρ, as these units make them, would be those of a material.
+    pub(super) fn likely(&self, e: f64, rho: f64) -> Option<&'static str> {
+        let (e, rho) = (e / self.modulus(1.0), rho / self.density(1.0));
+        let fits = |units: &MeshUnits| MeshUnits::is_material(units.modulus(e), units.density(rho));
+        SYSTEMS.iter().find(|(_, units)| fits(units)).map(|(name, _)| *name)
+    }
+}
+
+/// Divided by 1000 rather than multiplied by 1e-3, so that 20 mm are 0.02 m to the last digit.
+fn scaled(value: f64, factor: f64) -> f64 {
+    let inverse = 1.0 / factor;
+    match factor < 1.0 && inverse.fract() == 0.0 {
+        true => value / inverse,
+        false => value * factor,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::MeshUnits;
+
+    #[test]
+    fn steel_is_known_in_every_usual_system() {
+        let si = MeshUnits::default();
+        for (e, rho, system) in [
+            (206e9, 7850.0, "m, N, kg"),
+            (206e3, 7.85e-9, "mm, N, t"),
+            (206e6, 7.85e-6, "mm, mN, kg"),
+            (206e3, 7.85e-6, "mm, N, kg"),
+            (29.9e6, 7.35e-4, "in, lbf, lbf*s^2/in"),
+        ] {
+            assert_eq!(si.likely(e, rho), Some(system), "{e} {rho}");
+        }
+        assert_eq!(si.likely(1.0, 1e30), None);
+    }
+
+    #[test]
+    fn millimetres_are_divided() {
+        let units = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };
+        assert_eq!(units.length(35.687), 0.035687);
+        assert!((units.density(7.85e-9) / 7850.0 - 1.0).abs() < 1e-14);
+        assert!((units.modulus(206e3) / 206e9 - 1.0).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,193 @@
+//! Input files of Abaqus and CalculiX: files that are included, surfaces, parts and instances, units.
+
+use std::fs;
+
+use whirl_solver::mesh::Mesh;
+use whirl_solver::mesh::format::{MeshUnits, ReadOptions, read};
+
+use crate::{elements, open};
+
+const NODES: &str = "*NODE
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1, 1, 0
+4, 0, 1, 0
+5, 0, 0, 1
+6, 1, 0, 1
+7, 1, 1, 1
+8, 0, 1, 1
+";
+const CELLS: &str = "*ELEMENT, TYPE=C3D8I, ELSET=ALL\n1, 1, 2, 3, 4, 5, 6, 7, 8\n";
+
+fn cube(more: &str) -> Mesh {
+    let text = format!("{NODES}{CELLS}{more}");
+    open(text.as_bytes(), "cube.inp").unwrap_or_else(|errors| panic!("{errors}")).mesh
+}
+
+fn refused(text: &str, path: &str) -> String {
+    open(text.as_bytes(), path).map(|_| ()).unwrap_err().to_string()
+}
+
+fn labels(mesh: &Mesh, set: &str) -> Vec<u64> {
+    let mut labels: Vec<u64> =
+        mesh.node_set(set).unwrap().iter().map(|&node| mesh.labels()[node]).collect();
+    labels.sort_unstable();
+    labels
+}
+
+#[test]
+fn surfaces_are_node_sets() {
+    let mesh = cube(
+        "*SURFACE, NAME=Low\nALL, S1\n*SURFACE, NAME=SIDES, TYPE=ELEMENT\n1, S3\nall, s6\n\
+         *SURFACE, TYPE=NODE, NAME=TIPS\n5\n7, 1.0\n",
+    );
+    assert_eq!(labels(&mesh, "LOW"), [1, 2, 3, 4]);
+    assert_eq!(labels(&mesh, "SIDES"), [1, 2, 4, 5, 6, 8]);
+    assert_eq!(labels(&mesh, "TIPS"), [5, 7]);
+    for (number, known) in [
+        (2, [5, 6, 7, 8]),
+        (3, [1, 2, 5, 6]),
+        (4, [2, 3, 6, 7]),
+        (5, [3, 4, 7, 8]),
+        (6, [1, 4, 5, 8]),
+    ] {
+        assert_eq!(labels(&cube(&format!("*SURFACE, NAME=A\n1, S{number}\n")), "A"), known);
+    }
+}
+
+#[test]
+fn faces_of_quadratic_tetrahedra_have_their_middle_nodes() {
+    let text = "*NODE\n1,0,0,0\n2,2,0,0\n3,0,2,0\n4,0,0,2\n5,1,0,0\n6,1,1,0\n7,0,1,0\n8,0,0,1\n9,1,0,1\n\
+                10,0,1,1\n*ELEMENT, TYPE=C3D10, ELSET=ALL\n1,1,2,3,4,5,6,7,8,9,10\n";
+    for (number, known) in [
+        (1, [1, 2, 3, 5, 6, 7]),
+        (2, [1, 2, 4, 5, 8, 9]),
+        (3, [2, 3, 4, 6, 9, 10]),
+        (4, [1, 3, 4, 7, 8, 10]),
+    ] {
+        let text = format!("{text}*SURFACE, NAME=A\nALL, S{number}\n");
+        let mesh = open(text.as_bytes(), "t.inp").unwrap_or_else(|errors| panic!("{errors}")).mesh;
+        assert_eq!(labels(&mesh, "A"), known);
+    }
+}
+
+#[test]
+fn surfaces_that_are_wrong_are_refused() {
+    for (card, what) in [
+        (
+            "*SURFACE, NAME=A\nAL, S1\n",
+            "cube.inp:13:1: no cell and no set of cells is called AL\n  help: did you mean ALL?",
+        ),
+        (
+            "*SURFACE, NAME=A\nALL, S7\n",
+            "cube.inp:13:6: hex8i has no face S7\n  help: its faces are S1 to S6",
+        ),
+        ("*SURFACE, NAME=A\nALL\n", "cube.inp:13:1: a surface of cells needs their faces"),
+        ("*SURFACE, NAME=A, TYPE=NODE\n12\n", "cube.inp:13:1: node 12 is not defined"),
+        ("*SURFACE, TYPE=NODE\n1\n", "cube.inp:12:1: *SURFACE needs NAME="),
+    ] {
+        let found = refused(&format!("{NODES}{CELLS}{card}"), "cube.inp");
+        assert!(found.starts_with(what), "{found}");
+    }
+}
+
+#[test]
+fn an_instance_is_moved_and_turned() {
+    let text = format!(
+        "*PART, NAME=P\n{NODES}{CELLS}*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=P-1, PART=P\n0, 0, 5\n\
+         1, 0, 0, 1, 0, 9, 90\n*END INSTANCE\n*NSET, NSET=TIP, INSTANCE=P-1\n3\n*END ASSEMBLY\n"
+    );
+    let read = open(text.as_bytes(), "part.inp").unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(read.warnings, []);
+    let found = read.mesh.nodes()[2];
+    // (1, 1, 5), turned by 90° about the line x = 1, y = 0.
+    for (found, known) in found.iter().zip([0.0, 0.0, 5.0]) {
+        assert!((found - known).abs() < 1e-15, "{found} {known}");
+    }
+    assert_eq!(labels(&read.mesh, "TIP"), [3]);
+    let two = text.replace("*END ASSEMBLY", "*INSTANCE, NAME=P-2, PART=P\n*END ASSEMBLY");
+    assert!(refused(&two, "part.inp").contains("a second *INSTANCE is not read"));
+    let wrong = text.replace("0, 0, 5\n", "0, 5\n");
+    assert!(refused(&wrong, "part.inp").contains("moved by other numbers"));
+}
+
+#[test]
+fn files_are_included_and_their_errors_have_their_own_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    fs::create_dir(folder.path().join("parts")).unwrap();
+    fs::write(path("parts/nodes.inp"), NODES.replace("*NODE\n", "** data\n")).unwrap();
+    fs::write(path("parts/all.inp"), "*INCLUDE, INPUT=cells.inp\n*NSET, NSET=A\n1\n").unwrap();
+    fs::write(path("parts/cells.inp"), CELLS).unwrap();
+    let text = "*NODE, INPUT=parts/nodes.inp\n*INCLUDE,\nINPUT=\"parts/all.inp\"\n2\n";
+    let mesh =
+        open(text.as_bytes(), &path("m.inp")).unwrap_or_else(|errors| panic!("{errors}")).mesh;
+    assert_eq!((mesh.nodes().len(), mesh.cell_count()), (8, 1));
+    assert_eq!(labels(&mesh, "A"), [1, 2]);
+    fs::write(path("parts/cells.inp"), CELLS.replace(", 8\n", ", 9\n")).unwrap();
+    let found = refused(text, &path("m.inp"));
+    let known =
+        format!("{}:2:25: cell 1 has node 9, which is not defined", path("parts/cells.inp"));
+    assert!(found.starts_with(&known), "{found}");
+    fs::write(path("parts/cells.inp"), "*INCLUDE, INPUT=all.inp\n").unwrap();
+    let found = refused(text, &path("m.inp"));
+    assert!(
+        found.contains("cells.inp:1:17: `") && found.contains("would include itself"),
+        "{found}"
+    );
+    let found = refused("*INCLUDE, INPUT=none.inp\n", &path("m.inp"));
+    assert!(found.contains("m.inp:1:17: there is no file `"), "{found}");
+    assert!(
+        refused("*INCLUDE, FILE=none.inp\n", "m.inp")
+            .starts_with("m.inp:1:1: *INCLUDE names no file")
+    );
+    // A file that includes another twice, thirty times over, is not read for ever.
+    for level in 0..30 {
+        let twice = format!("*INCLUDE, INPUT=l{0}\n*INCLUDE, INPUT=l{0}\n", level + 1);
+        fs::write(path(&format!("l{level}")), twice).unwrap();
+    }
+    fs::write(path("l30"), "** end\n").unwrap();
+    let found = refused("*INCLUDE, INPUT=l0\n", &path("m.inp"));
+    assert!(found.contains("more than 1000 files are included"), "{found}");
+}
+
+#[test]
+fn units_scale_materials_and_others_are_guessed() {
+    let section = "*MATERIAL, NAME=STEEL\n*ELASTIC\n206000, 0.3\n*DENSITY\n7.85e-9\n\
+                   *SOLID SECTION, ELSET=ALL, MATERIAL=STEEL\n";
+    let text = format!("{NODES}{CELLS}{section}");
+    let elements = elements();
+    let units = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };
+    let options = ReadOptions { elements: &elements, open: false, units };
+    let found = read(text.clone().into_bytes(), "cube.inp", &options).unwrap();
+    assert_eq!(found.warnings, []);
+    let steel = &found.mesh.materials()[0].properties;
+    assert!(
+        (steel["E"] / 206e9 - 1.0).abs() < 1e-14 && (steel["rho"] / 7850.0 - 1.0).abs() < 1e-14
+    );
+    assert_eq!(found.mesh.nodes()[6], [1e-3, 1e-3, 1e-3]);
+    let found = refused(&text, "cube.inp");
+    assert!(found.contains("write `units = \"mm, N, t\"` beside `mesh` in the case"), "{found}");
+    // Lengths in mm, and E in GPa: sound is plausible, the density is not.
+    let odd = text.replace("206000, 0.3", "206e3, 0.3").replace("7.85e-9", "7.85e-3");
+    let read = open(odd.as_bytes(), "cube.inp").unwrap();
+    assert!(read.warnings.is_empty(), "no usual system has this: {:?}", read.warnings);
+    let inches = text.replace("206000, 0.3", "29.9e6, 0.3").replace("7.85e-9", "7.35e-4");
+    assert!(refused(&inches, "cube.inp").contains("units = \"in, lbf, lbf*s^2/in\""));
+    let large = NODES.replace("1, 0, 0\n", "300, 0, 0\n");
+    let read = open(format!("{large}{CELLS}").as_bytes(), "cube.inp").unwrap();
+    assert_eq!(read.warnings[0].what, "the mesh is 300 m long");
+    assert!(read.warnings[0].help.contains("`units = \"mm, N, t\"`"));
+}
+
+#[test]
+fn of_very_many_errors_the_first_are_listed() {
+    let mut text = format!("{NODES}{CELLS}");
+    (0..100_000)
+        .for_each(|label| text += &format!("{}, 1, 2, 3, 4, 5, 6, 7, {}\n", label + 2, label + 9));
+    let start = std::time::Instant::now();
+    let errors = open(text.as_bytes(), "cube.inp").map(|_| ()).unwrap_err();
+    assert_eq!(errors.0.len(), 101);
+    assert_eq!(errors.0[100].what, "and 99900 more");
+    assert!(start.elapsed() < std::time::Duration::from_secs(20), "{:?}", start.elapsed());
+}

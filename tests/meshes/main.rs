@@ -1,0 +1,29 @@
+//! Files of meshes in every format: what other programs wrote, the reference bodies through each format, and files
+//! that are damaged.
+
+mod damaged;
+mod gmsh;
+mod input;
+mod packed;
+mod through;
+mod writer;
+
+use whirl_solver::error::InputErrors;
+use whirl_solver::mesh::Material;
+use whirl_solver::mesh::format::{MeshUnits, ReadMesh, ReadOptions, read};
+use whirl_specs::{ELEMENTS, Element};
+
+fn elements() -> Vec<&'static Element> {
+    ELEMENTS.iter().collect()
+}
+
+/// A mesh whose material is open.
+fn open(bytes: &[u8], path: &str) -> Result<ReadMesh, InputErrors> {
+    let elements = elements();
+    let options = ReadOptions { elements: &elements, open: true, units: MeshUnits::default() };
+    read(bytes.to_vec(), path, &options)
+}
+
+fn steel() -> Material {
+    Material::isotropic("steel", 206e9, 0.3, 7850.0).unwrap()
+}
