@@ -5,6 +5,7 @@ mod errors;
 use proptest::prelude::*;
 use whirl_benches::hand::elements::ELEMENTS;
 use whirl_solver::error::InputErrors;
+use whirl_solver::mesh::format::ReadOptions;
 use whirl_solver::mesh::inp::{self, ReadMesh};
 use whirl_solver::mesh::{Cell, Material, Mesh};
 
@@ -135,7 +136,8 @@ fn what_is_odd_but_readable_is_a_warning() {
 fn sections_may_be_left_open() {
     let (whole, by) = ("ELSET=ALL, MAT", "ELSET=CUBE, MAT");
     let text = GOOD.replace(whole, by);
-    let open = |text: &str| inp::read_open(text, "cube.inp", &ELEMENTS, true);
+    let options = ReadOptions { open: true, ..ReadOptions::new(&ELEMENTS) };
+    let open = |text: &str| inp::read_with(text, "cube.inp", &options);
     let mesh = open(&text).unwrap_or_else(|errors| panic!("{errors}")).mesh;
     let names: Vec<&str> = mesh.materials().iter().map(|own| own.name.as_str()).collect();
     assert_eq!(names, ["Steel", ""]);
