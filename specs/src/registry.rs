@@ -23,6 +23,9 @@ pub struct Element {
     pub abaqus_order: &'static [usize],
     /// Element type of Gmsh that is read as this element, with the node of this element at every place of one.
     pub gmsh: Option<(u8, &'static [usize])>,
+    /// The card of Nastran that is read as this element where it lists as many nodes, with the node of this element
+    /// at every place of one.
+    pub nastran: Option<(&'static str, &'static [usize])>,
     /// VTK cell type.
     pub vtk: u8,
     /// `vtk_order[i]` is the node of this element at place i of a VTK cell.

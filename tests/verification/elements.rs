@@ -201,6 +201,7 @@ fn the_registry_says_what_the_hand_written_elements_say() {
         assert_eq!(element.nodes, reference.nodes);
         assert_eq!(element.reference_nodes, reference.reference_nodes);
         assert_eq!(element.abaqus_order, reference.abaqus_order);
+        assert_eq!(element.nastran, reference.nastran);
         assert_eq!(element.vtk, reference.vtk);
         assert_eq!(element.vtk_order, reference.vtk_order);
         for kernel in reference.forms {

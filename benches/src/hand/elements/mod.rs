@@ -19,6 +19,7 @@ pub static HEX8: Element = hexahedron(
     "trilinear hexahedron",
     &["C3D8"],
     None,
+    None,
     &[
         stiffness(hex8::stiffness, hex8::STIFFNESS_FLOPS),
         MASS_HEX8,
@@ -33,6 +34,7 @@ pub static HEX8I: Element = hexahedron(
     "hexahedron with incompatible modes (Wilson, Taylor)",
     &["C3D8I"],
     Some((5, &[0, 1, 2, 3, 4, 5, 6, 7])),
+    Some(("CHEXA", &[0, 1, 2, 3, 4, 5, 6, 7])),
     &[
         stiffness(hex8::incompatible_stiffness, hex8::INCOMPATIBLE_FLOPS),
         MASS_HEX8,
@@ -49,6 +51,7 @@ pub static WEDGE6: Element = Element {
     abaqus: &["C3D6"],
     abaqus_order: &[0, 1, 2, 3, 4, 5],
     gmsh: Some((6, &[0, 1, 2, 3, 4, 5])),
+    nastran: Some(("CPENTA", &[0, 1, 2, 3, 4, 5])),
     vtk: 13,
     // VTK lists the lower triangle the other way round.
     vtk_order: &[0, 2, 1, 3, 5, 4],
@@ -85,6 +88,7 @@ const fn hexahedron(
     title: &'static str,
     abaqus: &'static [&'static str],
     gmsh: Option<(u8, &'static [usize])>,
+    nastran: Option<(&'static str, &'static [usize])>,
     forms: &'static [FormKernel],
 ) -> Element {
     Element {
@@ -94,6 +98,7 @@ const fn hexahedron(
         abaqus,
         abaqus_order: &[0, 1, 2, 3, 4, 5, 6, 7],
         gmsh,
+        nastran,
         vtk: 12,
         vtk_order: &[0, 1, 2, 3, 4, 5, 6, 7],
         shape: hex8::shape,

@@ -33,12 +33,34 @@ impl SpecKind for ElementSpec {
     fn check(&self, all: &[&OfAnyKind]) -> Result<(), Diagnostics> {
         let forms: Vec<&Form> = of_forms(all).flat_map(|set| &set.forms).collect();
         check_enhanced(self, &forms)?;
+        check_card(self, all.iter().filter_map(|spec| spec.downcast_ref()))?;
         demand::prove(self, forms.iter().map(|form| (form.integrated_as(), form.products())))
     }
 }
 
 pub(super) fn of_forms<'a>(all: &[&'a OfAnyKind]) -> impl Iterator<Item = &'a FormSpec> {
     all.iter().filter_map(|spec| spec.downcast_ref())
+}
+
+/// A card of Nastran with so many nodes is read as one element.
+fn check_card<'a>(
+    element: &ElementSpec,
+    mut all: impl Iterator<Item = &'a ElementSpec>,
+) -> Result<(), Diagnostics> {
+    let Some((card, _)) = &element.nastran else { return Ok(()) };
+    let nodes = element.nodes.len();
+    let same = |other: &&ElementSpec| {
+        let theirs = other.nastran.as_ref();
+        // Of two elements, the one with the later name is told.
+        other.name < element.name
+            && other.nodes.len() == nodes
+            && theirs.is_some_and(|(theirs, _)| theirs.text().eq_ignore_ascii_case(card.text()))
+    };
+    let Some(other) = all.find(same) else { return Ok(()) };
+    let message =
+        format!("`{}` of {nodes} nodes is read as the element `{}`", card.text(), other.name);
+    let help = "leave out `[nastran]` in one of the files";
+    Err(card.error_here(Code::BAD_NAME, message).help(help).into())
 }
 
 /// Modes can be condensed out of symmetric forms only, and only out of forms that exist.

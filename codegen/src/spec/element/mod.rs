@@ -30,6 +30,9 @@
 //! order = [1, 2, 3, …]       # the element's nodes in the order of the other program; left out if equal
 //! [gmsh]                     # of the element that cells of Gmsh are read as; with `order` as above
 //! type = 5
+//! [nastran]                   # left out where no card of Nastran is read as this element
+//! card = "CHEXA"
+//! order = [1, 2, 3, …]
 //! [vtk]
 //! type = 12
 //! ```
@@ -92,6 +95,8 @@ pub struct ElementSpec {
     pub(crate) gmsh: Option<(u8, Vec<usize>)>,
     /// That type in digits.
     gmsh_name: Option<String>,
+    /// The card of Nastran, with the node of this element, from 0, at each place of that card.
+    pub(crate) nastran: Option<(Located, Vec<usize>)>,
     /// VTK cell type.
     pub(crate) vtk: u8,
     /// Node of this element, from 0, at each place of a VTK cell.

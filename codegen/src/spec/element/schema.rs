@@ -32,6 +32,7 @@ const ELEMENT: &[Key] = &[
     key("enhanced", Table(&[ENHANCED]), "incompatible modes"),
     needed("abaqus", Table(&[ABAQUS, ORDER]), "how mesh files call it"),
     key("gmsh", Table(&[GMSH, ORDER]), "how Gmsh calls it"),
+    key("nastran", Table(&[NASTRAN, ORDER]), "how Nastran's bulk data call it"),
     needed("vtk", Table(&[VTK, ORDER]), "how pictures call it"),
 ];
 
@@ -59,6 +60,7 @@ const ENHANCED: &[Key] = &[
 const ABAQUS: &[Key] = &[needed("types", List(&Text), "element types of Abaqus and CalculiX")];
 
 const GMSH: &[Key] = &[needed("type", Count(0, u8::MAX as usize), "element type of Gmsh")];
+const NASTRAN: &[Key] = &[needed("card", Text, "card of Nastran, such as CHEXA")];
 
 const VTK: &[Key] = &[needed("type", Count(0, u8::MAX as usize), "VTK cell type")];
 

@@ -190,6 +190,13 @@ fn registered(
         }
         None => quote!(None),
     };
+    let nastran = match &element.nastran {
+        Some((card, places)) => {
+            let (card, places) = (card.text(), order(places));
+            quote!(Some((#card, #places)))
+        }
+        None => quote!(None),
+    };
     let vtk = Literal::u8_unsuffixed(element.vtk);
     let faces = faces::entries(element);
     quote! {
@@ -201,6 +208,7 @@ fn registered(
             abaqus: &[#(#abaqus),*],
             abaqus_order: #abaqus_order,
             gmsh: #gmsh,
+            nastran: #nastran,
             vtk: #vtk,
             vtk_order: #vtk_order,
             shape,

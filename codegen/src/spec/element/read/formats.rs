@@ -45,6 +45,31 @@ impl Reader<'_> {
         }
     }
 
+    pub(super) fn nastran(
+        &self,
+        table: Table<'_>,
+        nodes: Option<usize>,
+    ) -> Option<(Located, Vec<usize>)> {
+        let card = table.string("card");
+        if let Some(card) = &card {
+            let known = nastran_nodes(card.text());
+            if let (Some(nodes), Some(known)) = (nodes, known)
+                && !known.contains(&nodes)
+            {
+                let [few, many] = known;
+                let card_name = card.text();
+                let message = format!(
+                    "{card_name} of Nastran has {few} or {many} nodes, this element has {nodes}"
+                );
+                let help = "name a card of as many nodes, or correct the list of nodes";
+                self.document.push(card.error_here(Code::BAD_VALUE, message).help(help));
+            }
+        }
+        let order = self.order(&table, nodes);
+        table.finish();
+        Some((card?, order?))
+    }
+
     pub(super) fn numbered(
         &self,
         table: Table<'_>,
@@ -107,6 +132,17 @@ fn abaqus_nodes(name: &str) -> Option<usize> {
     let number = number.strip_prefix("C3D")?;
     let digits = number.find(|c: char| !c.is_ascii_digit()).unwrap_or(number.len());
     number[..digits].parse().ok()
+}
+
+/// Nodes of Nastran's solid elements, without and with nodes on their edges.
+fn nastran_nodes(card: &str) -> Option<[usize; 2]> {
+    match card.to_ascii_uppercase().as_str() {
+        "CTETRA" => Some([4, 10]),
+        "CPYRAM" => Some([5, 13]),
+        "CPENTA" => Some([6, 15]),
+        "CHEXA" => Some([8, 20]),
+        _ => None,
+    }
 }
 
 /// Nodes of VTK's solid cells (vtkCellType.h).

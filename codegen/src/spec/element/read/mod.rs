@@ -63,6 +63,7 @@ impl<'d> Reader<'d> {
             .map(|table| cell.and_then(|cell| self.enhanced(table, cell)));
         let count = nodes.as_ref().map(Vec::len);
         let abaqus = root.table("abaqus").and_then(|table| self.abaqus(table, count));
+        let nastran = root.optional_table("nastran").map(|table| self.nastran(table, count));
         let gmsh =
             root.optional_table("gmsh").map(|table| self.numbered(table, count, &formats::GMSH));
         let vtk = root.table("vtk").and_then(|table| self.numbered(table, count, &formats::VTK));
@@ -71,6 +72,10 @@ impl<'d> Reader<'d> {
             return None;
         }
         let ((abaqus, abaqus_order), (vtk, vtk_order)) = (abaqus?, vtk?);
+        let nastran = match nastran {
+            Some(read) => Some(read?),
+            None => None,
+        };
         let enhanced = match enhanced {
             Some(enhanced) => Some(enhanced?),
             None => None,
@@ -108,6 +113,7 @@ impl<'d> Reader<'d> {
             abaqus_order,
             gmsh_name: gmsh.as_ref().map(|(kind, _)| kind.to_string()),
             gmsh,
+            nastran,
             vtk,
             vtk_order,
         })
