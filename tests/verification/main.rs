@@ -4,6 +4,7 @@ mod assembly;
 mod bearing_kernels;
 mod block;
 mod bodies;
+mod bulk_data;
 mod cached_bodies;
 mod constraints;
 mod documents;

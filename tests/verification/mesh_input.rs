@@ -64,7 +64,7 @@ fn labels(mesh: &Mesh, set: &str) -> Vec<u64> {
 
 #[test]
 fn a_good_file_gives_its_mesh() {
-    let ReadMesh { mesh, warnings } = read(GOOD).unwrap_or_else(|errors| panic!("{errors}"));
+    let ReadMesh { mesh, warnings, .. } = read(GOOD).unwrap_or_else(|errors| panic!("{errors}"));
     assert_eq!((mesh.nodes().len(), mesh.cell_count(), mesh.origin()), (10, 2, "cube.inp"));
     assert_eq!(mesh.nodes()[2], [1.0, 1.0, 0.0]);
     let names: Vec<&str> = mesh.blocks().iter().map(|b| b.element.origin.name).collect();
@@ -113,7 +113,7 @@ fn what_is_odd_but_readable_is_a_warning() {
     let text = GOOD
         .replace("10, 2, 0, 1\n", "10, 2, 0, 1\n11, 900, 0, 0\n")
         .replace("*STEP", "*NSTE, NSET=A\n*STEP");
-    let ReadMesh { mesh, warnings } = read(&text).unwrap();
+    let ReadMesh { mesh, warnings, .. } = read(&text).unwrap();
     assert_eq!(mesh.nodes().len(), 10);
     assert_eq!(labels(&mesh, "ALL").len(), 10);
     let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();

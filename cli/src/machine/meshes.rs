@@ -11,7 +11,7 @@ use whirl_solver::mesh::format::{self, Format, ReadOptions};
 use whirl_solver::mesh::{self, Cell, Material, Mesh};
 use whirl_specs::{ELEMENTS, Element};
 
-use super::selections;
+use super::{masses, selections};
 use crate::case::{self, MeshFile};
 use crate::errors::Failure;
 
@@ -71,6 +71,7 @@ fn read(
     let options = ReadOptions { elements: &elements(), open, units: file.units };
     let read = format::read(bytes, &path, &options).map_err(|errors| placed(&errors))?;
     warnings.extend(read.warnings.iter().map(ToString::to_string));
+    warnings.extend(read.masses.iter().map(|mass| masses::in_case(&path, mass)));
     let mesh = in_regions(read.mesh, regions)?;
     let bare: Vec<bool> =
         mesh.materials().iter().map(|material| material.properties.is_empty()).collect();
@@ -143,7 +144,8 @@ fn placed(errors: &InputErrors) -> Diagnostics {
         let text = &source.text;
         let span = (error.line > 0 && !text.is_empty()).then(|| {
             let start = offset(text, error.line, error.column);
-            let length = text[start..].find([',', '\n', ' ', '\r']).unwrap_or(text.len() - start);
+            let length =
+                text[start..].find([',', '\n', ' ', '\t', '\r']).unwrap_or(text.len() - start);
             start..start + length.max(1)
         });
         let diagnostic = Diagnostic::new(source, Code::BAD_VALUE, span, &error.what);

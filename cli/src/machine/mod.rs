@@ -5,6 +5,7 @@ mod forces;
 mod joined;
 mod laws;
 mod lumped;
+mod masses;
 mod meshes;
 mod outputs;
 mod plan;

@@ -6,8 +6,9 @@ use std::path::Path;
 
 use whirl_specs::Element;
 
+use super::bdf::AddedMass;
 pub use super::units::MeshUnits;
-use super::{Mesh, inp, msh};
+use super::{Mesh, bdf, inp, msh};
 use crate::error::{InputError, InputErrors};
 
 /// A mesh with what was left out of the file.
@@ -15,6 +16,8 @@ use crate::error::{InputError, InputErrors};
 pub struct ReadMesh {
     /// The mesh.
     pub mesh: Mesh,
+    /// Masses that the file gives to nodes beside the cells: no part of the mesh.
+    pub masses: Vec<AddedMass>,
     /// What was skipped or looks odd, in the order of the lines.
     pub warnings: Vec<InputError>,
 }
@@ -45,6 +48,8 @@ pub enum Format {
     Inp,
     /// Gmsh.
     Msh,
+    /// Bulk data of Nastran.
+    Bdf,
 }
 
 impl Format {
@@ -62,18 +67,23 @@ impl Format {
             {
                 Format::Msh
             }
+            _ if bdf::is_bulk_data(bytes) => Format::Bdf,
             _ if extension == "msh" => Format::Msh,
+            _ if ["bdf", "nas", "nastran"].contains(&extension.as_str()) => Format::Bdf,
             _ => Format::Inp,
         }
     }
 
     /// The line of a text, from 1, in which a cell has its label; the cell may go on in the next lines.
     pub fn line_of_cell(self, text: &str, label: u64) -> Option<usize> {
+        if self == Format::Bdf {
+            return bdf::line_of_element(text, label);
+        }
         let mut among_elements = false;
         for (number, line) in text.lines().enumerate() {
             let words = line.trim();
             let keyword = match self {
-                Format::Inp => words.starts_with('*').then_some("*ELEMENT"),
+                Format::Inp | Format::Bdf => words.starts_with('*').then_some("*ELEMENT"),
                 Format::Msh => words.starts_with('$').then_some("$ELEMENTS"),
             };
             if let Some(keyword) = keyword {
@@ -102,7 +112,17 @@ pub fn read(bytes: Vec<u8>, path: &str, options: &ReadOptions) -> Result<ReadMes
     match Format::of(&bytes, path) {
         Format::Inp => inp::read_with(&inp::decode(bytes), path, options),
         Format::Msh => msh::read(&bytes, path, options),
+        Format::Bdf => bdf::read(&inp::decode(bytes), path, options, &load),
     }
+}
+
+/// The text of an included file.
+fn load(path: &Path) -> std::io::Result<String> {
+    // A device or a pipe may have no end.
+    if !std::fs::metadata(path)?.is_file() {
+        return Err(std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is no file"));
+    }
+    std::fs::read(path).map(inp::decode)
 }
 
 #[cfg(test)]
@@ -115,6 +135,10 @@ mod tests {
         assert_eq!(Format::of(b"\xef\xbb\xbf\n** mesh\n", "a.msh"), Format::Inp);
         assert_eq!(Format::of(b"", "a.MSH"), Format::Msh);
         assert_eq!(Format::of(b"1, 2", "a"), Format::Inp);
+        assert_eq!(Format::of(b"", "a.nas"), Format::Bdf);
+        assert_eq!(Format::of(b"$ shaft\n\nSOL 103\nCEND\n", "a.inp"), Format::Bdf);
+        assert_eq!(Format::of(b"$ shaft\nGRID,1", "a.dat"), Format::Bdf);
+        assert_eq!(Format::of(b"$ shaft\ninclude 'more.dat'", "a"), Format::Bdf);
     }
 
     #[test]
@@ -125,5 +149,8 @@ mod tests {
         let text =
             "$Nodes\n3 1 2 3 4\n$EndNodes\n$Elements\n1 1 3 3\n3 1 4 1\n3 1 2 5 4 \n$EndElements\n";
         assert_eq!(Format::Msh.line_of_cell(text, 3), Some(7));
+        let text = "GRID           7\n$CHEXA        7\nCHEXA          7       1\nCPENTA*                8\nCTETRA,9,1\n";
+        let lines = [7, 8, 9, 1].map(|label| Format::Bdf.line_of_cell(text, label));
+        assert_eq!(lines, [Some(3), Some(4), Some(5), None]);
     }
 }

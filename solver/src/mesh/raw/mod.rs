@@ -105,7 +105,7 @@ impl RawMesh {
             return Err(report.into_errors());
         }
         match self.build(&report.files[0]) {
-            Ok(mesh) => Ok(ReadMesh { mesh, warnings: report.into_warnings() }),
+            Ok(mesh) => Ok(ReadMesh { mesh, masses: Vec::new(), warnings: report.into_warnings() }),
             Err(error) => {
                 report.error_in_file(error.to_string(), "");
                 Err(report.into_errors())

@@ -100,7 +100,7 @@ impl MeshReport {
 }
 
 /// The first few of a list, in words.
-pub(crate) fn list(items: impl IntoIterator<Item = u64>) -> String {
+pub(crate) fn list<T: ToString>(items: impl IntoIterator<Item = T>) -> String {
     let mut items = items.into_iter();
     let first: Vec<String> = items.by_ref().take(5).map(|item| item.to_string()).collect();
     let more = if items.next().is_some() { ", …" } else { "" };

@@ -1,0 +1,239 @@
+//! Lines of bulk data as cards: a name, and fields of eight or sixteen columns, or between commas.
+
+use std::borrow::Cow;
+
+use super::super::raw::LinePosition;
+use super::files::{Line, Sources};
+
+/// A field with its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Field<'a> {
+    /// Without blanks around it; empty where the field is blank.
+    pub(super) text: &'a str,
+    pub(super) place: LinePosition,
+    /// As Nastran counts fields of a line, the name being the first.
+    pub(super) number: usize,
+}
+
+/// A card with its continuations.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Card<'a> {
+    /// In capitals, without the asterisk.
+    pub(super) name: Cow<'a, str>,
+    pub(super) place: LinePosition,
+    /// Eight a line, blank ones among them.
+    pub(super) fields: Vec<Field<'a>>,
+    /// What is wrong with its lines: to be reported where the card is read.
+    pub(super) faults: Vec<(LinePosition, String, &'static str)>,
+    /// What the last line says about its continuation.
+    marker: &'a str,
+}
+
+impl<'a> Card<'a> {
+    /// A field, from 0 behind the name, unless it is blank.
+    pub(super) fn field(&self, at: usize) -> Option<&Field<'a>> {
+        self.fields.get(at).filter(|field| !field.text.is_empty())
+    }
+
+    /// The field's number as Nastran counts.
+    pub(super) fn number(&self, at: usize) -> usize {
+        self.fields.get(at).map_or(at + 2, |field| field.number)
+    }
+
+    /// Filled fields from one on.
+    pub(super) fn filled_from(&self, at: usize) -> impl Iterator<Item = &Field<'a>> {
+        self.fields.iter().skip(at).filter(|field| !field.text.is_empty())
+    }
+}
+
+/// What stands in bulk data.
+pub(super) enum Entry<'c, 'a> {
+    Card(&'c Card<'a>),
+    /// A comment, without the sign before it.
+    Comment(&'a str),
+    /// A continuation of nothing.
+    Orphan(LinePosition),
+}
+
+/// Goes over the cards and comments of lines of bulk data. A comment between the lines of a card comes behind it.
+pub(super) fn each<'a>(sources: &'a Sources, lines: &[Line], mut take: impl FnMut(Entry<'_, 'a>)) {
+    let mut open: Option<Card<'a>> = None;
+    let mut comments: Vec<&'a str> = Vec::new();
+    for line in lines {
+        let text = sources.text(line);
+        let (text, comment) = match text.split_once('$') {
+            Some((text, comment)) => (text, Some(comment)),
+            None => (text, None),
+        };
+        if text.trim().is_empty() {
+            comments.extend(comment);
+            continue;
+        }
+        let cut = Cut::new(text);
+        if cut.continues() {
+            match &mut open {
+                Some(card) => card.extend(&cut, line),
+                None => take(Entry::Orphan(line.place())),
+            }
+            continue;
+        }
+        if let Some(card) = open.take() {
+            take(Entry::Card(&card));
+        }
+        comments.drain(..).for_each(|comment| take(Entry::Comment(comment)));
+        let name = cut.name.trim_end_matches('*').trim_end();
+        let mut card = Card {
+            name: match name.bytes().any(|c| c.is_ascii_lowercase()) {
+                true => Cow::Owned(name.to_ascii_uppercase()),
+                false => Cow::Borrowed(name),
+            },
+            place: LinePosition { column: cut.column, ..line.place() },
+            fields: Vec::with_capacity(8),
+            faults: Vec::new(),
+            marker: "",
+        };
+        card.extend(&cut, line);
+        open = Some(card);
+    }
+    if let Some(card) = open {
+        take(Entry::Card(&card));
+    }
+    comments.into_iter().for_each(|comment| take(Entry::Comment(comment)));
+}
+
+impl<'a> Card<'a> {
+    fn extend(&mut self, cut: &Cut<'a>, line: &Line) {
+        let marker = |text: &'a str| text.trim_start_matches(['+', '*']).trim();
+        let (wanted, found) = (self.marker, marker(cut.name));
+        if cut.continues() && !wanted.is_empty() && !found.is_empty() && wanted != found {
+            let what = format!(
+                "this continuation is marked {found}, but the line above asks for {wanted}"
+            );
+            let help = "put continuations directly below the lines that they continue, or leave the marks blank";
+            self.faults.push((line.place(), what, help));
+        }
+        let place = |column: usize| LinePosition { column, ..line.place() };
+        let blank = |number: usize| Field { text: "", place: line.place(), number };
+        // A line of four wide fields may be the only one of its pair.
+        if !cut.wide {
+            while self.fields.len() % 8 != 0 {
+                self.fields.push(blank(0));
+            }
+        }
+        let width = if cut.wide { 4 } else { 8 };
+        let first = if self.fields.len() % 8 == 4 { 6 } else { 2 };
+        self.marker = "";
+        let mut taken = 0;
+        for (piece, column) in cut.pieces() {
+            if taken < width {
+                let number = first + taken;
+                self.fields.push(Field { text: piece, place: place(column), number });
+            } else if taken == width && (piece.starts_with(['+', '*']) || !cut.free) {
+                self.marker = marker(piece);
+            } else if cut.free && !piece.is_empty() {
+                let what = format!("{} has more than {width} values in a line", self.name);
+                let help = match cut.wide {
+                    true => "go on in the next line, which begins with *,",
+                    false => "go on in the next line, which begins with a comma",
+                };
+                self.faults.push((place(column), what, help));
+                break;
+            }
+            taken += 1;
+        }
+        (taken..width).for_each(|at| self.fields.push(blank(first + at)));
+    }
+}
+
+/// A line with its name cut off.
+struct Cut<'a> {
+    name: &'a str,
+    /// Of the name.
+    column: usize,
+    text: &'a str,
+    free: bool,
+    wide: bool,
+}
+
+impl<'a> Cut<'a> {
+    fn new(text: &'a str) -> Cut<'a> {
+        let free = text.contains(',');
+        let (name, column) = match free {
+            true => trimmed(text.split(',').next().unwrap_or_default(), 1),
+            false => Columns::new(text, 8, 8).next().unwrap_or(("", 1)),
+        };
+        let wide = name.starts_with('*') || name.ends_with('*');
+        Cut { name, column, text, free, wide }
+    }
+
+    fn continues(&self) -> bool {
+        self.name.is_empty() || self.name.starts_with(['+', '*'])
+    }
+
+    /// What stands behind the name, with columns.
+    fn pieces(&self) -> Box<dyn Iterator<Item = (&'a str, usize)> + 'a> {
+        if self.free {
+            let mut column = 1;
+            return Box::new(
+                self.text
+                    .split(',')
+                    .map(move |piece| {
+                        let own = trimmed(piece, column);
+                        column += piece.chars().count() + 1;
+                        own
+                    })
+                    .skip(1),
+            );
+        }
+        let width = if self.wide { 16 } else { 8 };
+        let most = if self.wide { 6 } else { 10 };
+        Box::new(Columns::new(self.text, 8, width).take(most).skip(1))
+    }
+}
+
+/// Without blanks around it, and the column of the rest.
+fn trimmed(piece: &str, column: usize) -> (&str, usize) {
+    let start = piece.trim_start();
+    let blanks = piece[..piece.len() - start.len()].chars().count();
+    (start.trim_end(), column + blanks)
+}
+
+/// Pieces of so many columns; a tab goes to the next multiple of eight.
+struct Columns<'a> {
+    text: &'a str,
+    width: usize,
+    next_width: usize,
+    at: usize,
+    /// In characters from 0, and as printed.
+    character: usize,
+    column: usize,
+    end: usize,
+}
+
+impl<'a> Columns<'a> {
+    fn new(text: &'a str, width: usize, next_width: usize) -> Columns<'a> {
+        Columns { text, width, next_width, at: 0, character: 0, column: 0, end: 0 }
+    }
+}
+
+impl<'a> Iterator for Columns<'a> {
+    type Item = (&'a str, usize);
+
+    fn next(&mut self) -> Option<(&'a str, usize)> {
+        if self.at >= self.text.len() {
+            return None;
+        }
+        self.end += self.width;
+        self.width = self.next_width;
+        let (from, first) = (self.at, self.character);
+        for c in self.text[from..].chars() {
+            if self.column >= self.end {
+                break;
+            }
+            self.column = if c == '\t' { (self.column / 8 + 1) * 8 } else { self.column + 1 };
+            self.at += c.len_utf8();
+            self.character += 1;
+        }
+        Some(trimmed(&self.text[from..self.at], first + 1))
+    }
+}

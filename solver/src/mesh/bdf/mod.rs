@@ -1,0 +1,161 @@
+//! Meshes in Nastran's bulk data, in small, large and free fields.
+//!
+//! Read are `GRID` and `GRDSET` with coordinate systems (`CORD1R`, `CORD2R`, …), the solid elements that
+//! specs/elements names, `MAT1`, `PSOLID`, `RBE2` and `RBE3` as sets of their nodes, `SET` of case control, `SET1`,
+//! `SET3`, `CONM2`, `PARAM,WTMASS` and `INCLUDE`. Other elements, loads and constraints are left out with a line that
+//! counts them; what would make the mesh another one is an error. A file's errors are all given at once.
+
+mod bulk;
+mod cells;
+mod fields;
+mod files;
+mod interfaces;
+mod known;
+mod masses;
+mod materials;
+mod names;
+mod nodes;
+mod numbers;
+mod properties;
+mod sets;
+mod spiders;
+mod systems;
+mod values;
+
+pub use self::files::Load;
+pub use self::masses::AddedMass;
+use super::format::{ReadMesh, ReadOptions};
+use super::raw::{
+    Cells, MeshReport, NodeTable, RawCell, RawMesh, Remedies, count, in_own_order, list,
+};
+use crate::error::InputErrors;
+
+const REMEDIES: Remedies = Remedies {
+    no_cells: "add CTETRA, CPENTA, CPYRAM or CHEXA; points, lines and shells are not read",
+    no_section: "add PSOLID and MAT1; in a case `material` serves, too",
+};
+
+/// Reads a mesh; `path` is used in messages, and to find included files, which `load` reads.
+///
+/// # Errors
+/// All that is wrong, each with file, line, column, and how to fix it.
+pub fn read(
+    text: &str,
+    path: &str,
+    options: &ReadOptions,
+    load: Load<'_>,
+) -> Result<ReadMesh, InputErrors> {
+    let mut report = MeshReport::new(path);
+    let sources = files::read(text, load, &mut report);
+    let bulk = bulk::read(&sources, options.elements, &mut report);
+    let frames = bulk.systems.resolve(&bulk.grids, &mut report);
+    let positions = bulk.grids.positions(&bulk.systems, &frames, &mut report);
+    bulk.cells.check_nodes(&bulk.grids, &mut report);
+    let regions = materials::regions(&bulk, options.open, &mut report);
+    let used = bulk.used(&mut report);
+    let interfaces = interfaces::find(&bulk, &frames, &positions, &used, &mut report);
+    let mut nodes = NodeTable::new();
+    for &node in &used.nodes {
+        nodes.positions.push(positions[node]);
+        nodes.named.add(bulk.grids.label(node), bulk.grids.at(node), &mut report);
+    }
+    interfaces.sets.into_iter().for_each(|(name, members)| nodes.named.sets.add(&name, members));
+    let mut cells = Cells::new();
+    let mut sections = Vec::with_capacity(bulk.cells.list.len());
+    for cell in &bulk.cells.list {
+        let place = |node: &u64| Some(used.place[bulk.grids.place_of(*node)?]);
+        let listed: Option<Vec<usize>> = cell.nodes.iter().map(place).collect();
+        let nodes = match (listed, cell.element) {
+            (Some(listed), Some(element)) => {
+                in_own_order(&listed, element.nastran.map_or(&[], |(_, order)| order))
+            }
+            _ => Vec::new(),
+        };
+        cells.list.push(RawCell { element: cell.element, nodes });
+        let index = cells.named.add(cell.label, cell.place, &mut report);
+        let region = regions.by_property.get(&cell.property);
+        if let Some(region) = region {
+            cells.named.sets.add(&region.set, index);
+        }
+        sections.push(region.and_then(|region| region.material));
+    }
+    let materials = regions.materials;
+    // A property without a material is an error by itself.
+    let sections_complete = false;
+    let raw = RawMesh { nodes, cells, materials, sections, sections_complete };
+    let mut read = raw.finish(&REMEDIES, options, report)?;
+    read.masses = interfaces.masses;
+    read.masses.iter_mut().for_each(|mass| mass.convert(&options.units));
+    Ok(read)
+}
+
+/// Whether a file is bulk data: it says so, or one of its first lines is a card of nodes or of solid elements.
+pub(super) fn is_bulk_data(bytes: &[u8]) -> bool {
+    const MOST: usize = 1 << 16;
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(MOST)]);
+    let mut lines = text.lines().map(str::trim_start).filter(|line| !line.starts_with('$'));
+    let cards = ["GRID", "GRDSET", "CEND", "INCLUDE", "CTETRA", "CHEXA", "CPENTA", "CPYRAM"];
+    lines.any(|line| {
+        let name = line.split([',', ' ', '\t', '*', '\'']).next().unwrap_or_default();
+        cards.iter().any(|card| name.eq_ignore_ascii_case(card))
+            || files::is_command(line, "BEGIN") && line.to_ascii_uppercase().contains("BULK")
+    })
+}
+
+/// The line of a text, from 1, in which a solid element begins.
+pub(super) fn line_of_element(text: &str, label: u64) -> Option<usize> {
+    let begins = |line: &str| {
+        let field = match line.split_once(',') {
+            Some((_, rest)) => rest.split(',').next(),
+            None => {
+                let wide = line.get(..8).is_some_and(|name| name.contains('*'));
+                line.get(8..).map(|rest| rest.get(..if wide { 16 } else { 8 }).unwrap_or(rest))
+            }
+        };
+        line.starts_with(['C', 'c'])
+            && field.and_then(|field| field.trim().parse().ok()) == Some(label)
+    };
+    text.lines().position(begins).map(|number| number + 1)
+}
+
+/// Nodes that belong to cells.
+struct Used {
+    /// Indices of the grid points.
+    nodes: Vec<usize>,
+    /// New index of every grid point; `usize::MAX` where no cell has it.
+    place: Vec<usize>,
+    /// Labels and new indices, by label.
+    labels: Vec<(u64, usize)>,
+}
+
+impl bulk::Bulk {
+    /// Warns of nodes in no cell, unless other elements that are left out may have them.
+    fn used(&self, report: &mut MeshReport) -> Used {
+        let mut place = vec![usize::MAX; self.grids.len()];
+        let nodes = self.cells.list.iter().flat_map(|cell| &cell.nodes);
+        for node in nodes.filter_map(|&node| self.grids.place_of(node)) {
+            place[node] = 0;
+        }
+        let nodes: Vec<usize> = (0..place.len()).filter(|&node| place[node] == 0).collect();
+        let mut labels = Vec::with_capacity(nodes.len());
+        for (new, &node) in nodes.iter().enumerate() {
+            place[node] = new;
+            labels.push((self.grids.label(node), new));
+        }
+        labels.sort_unstable();
+        let mut others: Vec<u64> = self.spiders.iter().map(|spider| spider.reference).collect();
+        others.extend(self.masses.iter().map(|mass| mass.node));
+        others.sort_unstable();
+        let unused: Vec<usize> = (0..place.len())
+            .filter(|&node| place[node] == usize::MAX)
+            .filter(|&node| others.binary_search(&self.grids.label(node)).is_err())
+            .collect();
+        if let Some(&first) = unused.first().filter(|_| self.left_out.is_empty()) {
+            let labels = list(unused.iter().map(|&node| self.grids.label(node)));
+            let what = format!("{} in no cell, left out: {labels}", count(unused.len(), "node"));
+            let help = "delete them, or add the cells that they belong to";
+            report.warn(self.grids.at(first), what, help);
+        }
+        Used { nodes, place, labels }
+    }
+}

@@ -1,0 +1,155 @@
+//! Grid points.
+
+use std::collections::HashMap;
+
+use super::super::raw::{LinePosition, MeshReport};
+use super::fields::Card;
+use super::systems::{Frames, Point, Systems};
+
+/// A grid point as written.
+#[derive(Debug, Clone)]
+struct RawGrid {
+    label: u64,
+    /// Its system; `None` where the field is blank.
+    system: Option<u64>,
+    at: Point,
+    place: LinePosition,
+}
+
+/// What `GRDSET` puts into blank fields.
+#[derive(Debug, Clone, Copy)]
+struct Defaults {
+    system: u64,
+    place: LinePosition,
+}
+
+/// Grid points in the order of the file.
+#[derive(Debug, Default)]
+pub(super) struct Grids {
+    list: Vec<RawGrid>,
+    index: HashMap<u64, usize>,
+    defaults: Option<Defaults>,
+    /// Grid points with constraints of their own (PS).
+    pub(super) held: usize,
+    held_by_default: bool,
+}
+
+impl Grids {
+    pub(super) fn read(&mut self, card: &Card, report: &mut MeshReport) {
+        let Some(label) = report.label(card, 0, "label of the node") else { return };
+        let system = card.field(1).map(|_| report.count_or_zero(card, 1, "coordinate system"));
+        let mut at = [0.0; 3];
+        for (i, value) in at.iter_mut().enumerate() {
+            *value = report.real_or_zero(card, 2 + i, "coordinate").unwrap_or(0.0);
+        }
+        self.held += match card.field(6) {
+            Some(field) => usize::from(field.text != "0"),
+            None => usize::from(self.held_by_default),
+        };
+        in_residual(card, report);
+        if let Some(&first) = self.index.get(&label) {
+            let line = report.line(self.list[first].place, card.place);
+            let what = format!("node {label} is defined twice");
+            report.error(
+                card.place,
+                what,
+                format!("{line} has the first; give this one another label"),
+            );
+            return;
+        }
+        self.index.insert(label, self.list.len());
+        self.list.push(RawGrid { label, system: system.flatten(), at, place: card.place });
+    }
+
+    /// Reads `GRDSET`.
+    pub(super) fn read_defaults(&mut self, card: &Card, report: &mut MeshReport) {
+        let system = report.count_or_zero(card, 1, "coordinate system").unwrap_or(0);
+        in_residual(card, report);
+        if let Some(first) = self.defaults {
+            let line = report.line(first.place, card.place);
+            report.error(
+                card.place,
+                "there is a second GRDSET",
+                format!("{line} has the first; take one out"),
+            );
+            return;
+        }
+        self.held_by_default = card.field(6).is_some_and(|field| field.text != "0");
+        self.defaults = Some(Defaults { system, place: card.place });
+    }
+
+    /// System and coordinates of a grid point.
+    pub(super) fn raw(&self, label: u64) -> Option<(u64, Point)> {
+        let grid = &self.list[*self.index.get(&label)?];
+        Some((self.system(grid), grid.at))
+    }
+
+    fn system(&self, grid: &RawGrid) -> u64 {
+        grid.system.or(self.defaults.map(|defaults| defaults.system)).unwrap_or(0)
+    }
+
+    /// Where all are, in the basic system, in the order of the file.
+    pub(super) fn positions(
+        &self,
+        systems: &Systems,
+        frames: &Frames,
+        report: &mut MeshReport,
+    ) -> Vec<Point> {
+        let mut unknown: HashMap<u64, usize> = HashMap::new();
+        let mut first_of: Vec<(u64, LinePosition, u64)> = Vec::new();
+        let mut positions = Vec::with_capacity(self.list.len());
+        for grid in &self.list {
+            let system = self.system(grid);
+            match frames.get(system) {
+                Ok(Some(frame)) => positions.push(frame.position(grid.at)),
+                Ok(None) => positions.push([0.0; 3]),
+                Err(()) => {
+                    positions.push([0.0; 3]);
+                    *unknown.entry(system).or_insert_with(|| {
+                        first_of.push((system, grid.place, grid.label));
+                        0
+                    }) += 1;
+                }
+            }
+        }
+        for (system, place, label) in first_of {
+            let what = match unknown[&system] {
+                1 => format!(
+                    "node {label} is given in coordinate system {system}, which is not defined"
+                ),
+                number => format!(
+                    "{number} nodes, such as {label}, are given in coordinate system {system}, which is not defined"
+                ),
+            };
+            report.error(place, what, systems.known());
+        }
+        positions
+    }
+
+    pub(super) fn place_of(&self, label: u64) -> Option<usize> {
+        self.index.get(&label).copied()
+    }
+
+    pub(super) fn label(&self, index: usize) -> u64 {
+        self.list[index].label
+    }
+
+    pub(super) fn at(&self, index: usize) -> LinePosition {
+        self.list[index].place
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.list.len()
+    }
+}
+
+/// Notes a grid point of a superelement.
+fn in_residual(card: &Card, report: &mut MeshReport) {
+    if let Some(&field) = card.field(7).filter(|field| field.text != "0") {
+        let what = format!(
+            "{} puts nodes into superelement {}, which are not read",
+            card.name, field.text
+        );
+        report.error(field.place, what, "write the model without superelements");
+    }
+}
