@@ -48,17 +48,18 @@ fn mutants_of_cases_give_diagnostics_and_nothing_else() {
 
 #[test]
 fn mutants_of_meshes_give_diagnostics_and_nothing_else() {
-    let (corpus, gmsh) = (mutants::meshes(), mutants::gmsh_meshes());
+    let (corpus, gmsh, bulk) = (mutants::meshes(), mutants::gmsh_meshes(), mutants::bulk_data());
     let elements: Vec<_> = whirl_specs::ELEMENTS.iter().collect();
     let options = ReadOptions::new(&elements);
     let mut refused = 0;
     for number in 0..10 * MUTANTS {
         let random = &mut Random::new(number);
-        let text = match number % 2 {
+        let text = match number % 3 {
             0 => mutants::mesh(random, &corpus),
-            _ => mutants::gmsh_mesh(random, &gmsh),
+            1 => mutants::gmsh_mesh(random, &gmsh),
+            _ => mutants::bulk(random, &bulk),
         };
-        let options = ReadOptions { open: number % 2 == 1, ..options };
+        let options = ReadOptions { open: number % 3 == 1, ..options };
         let start = Instant::now();
         let read = || format::read(text.clone().into_bytes(), "mesh.inp", &options);
         let outcome = catch_unwind(AssertUnwindSafe(read));

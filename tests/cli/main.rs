@@ -3,6 +3,7 @@
 mod bad_input;
 mod bad_machine;
 mod bodies;
+mod bulk_data;
 mod cached;
 mod eccentricity;
 mod every_key;

@@ -225,6 +225,75 @@ pub(crate) fn mesh(random: &mut Random, corpus: &[String]) -> String {
     mutant(random, corpus, ENTRIES, ',')
 }
 
+/// Values and lines that bulk data do not expect.
+const FIELDS: &[&str] = &[
+    "0",
+    "-1",
+    "1",
+    "8",
+    "99999999999999999999",
+    "18446744073709551615",
+    "1.+308",
+    "1.+999",
+    "1.5-3",
+    "nan",
+    "inf",
+    "1.0D0",
+    ".",
+    "",
+    " ",
+    "x",
+    "+",
+    "*",
+    "THRU",
+    "EXCEPT",
+    "BY",
+    "GRID,1",
+    "GRID*,2,,1.,2.",
+    "GRDSET,,7",
+    "CORD1R,7,1,2,3,8,4,5,6",
+    "CORD2S,8,7,0.,0.,0.,0.,0.,1.",
+    ",1.,0.,0.",
+    "CHEXA,9,1,1,2,3,4",
+    "CTETRA,9,1,1,2,3,4",
+    "RBE2,1,2,123,1,THRU,9",
+    "RBE3,1,,2,123,1.,123,1",
+    "CONM2,3,1,7,1.",
+    "MAT1,1,1.,1.,.3",
+    "PSOLID,1,7",
+    "SET 5 = 1 THRU 9",
+    "INCLUDE '/dev/zero'",
+    "BEGIN BULK",
+    "ENDDATA",
+    "$HMNAME PROP 1\"",
+    "$HMMOVE 1",
+    "$ 1THRU9",
+    "$",
+    "\u{feff}",
+    "\u{e4}",
+    "\0",
+    "\r",
+    "\t",
+];
+
+/// Small bulk data to begin with.
+pub(crate) fn bulk_data() -> Vec<String> {
+    let cube = "SOL 103\nCEND\nSET 5 = 1 THRU 4 EXCEPT 2,\n 9\nBEGIN BULK\nGRDSET,,7\nCORD2C,7,8,0.,0.,0.,0.,0.,1.\n\
+        ,1.,0.,0.\nCORD2R,8,,0.,0.,1.,0.,1.,1.\n,1.,0.,0.\nGRID,1,0,0.,0.,0.\nGRID,2,0,1.,0.,0.\nGRID,3,0,1.,1.+0,0.\n\
+        GRID,4,0,0.,1.,0.\nGRID*,5,0,0.,0.,*\n*,1.\nGRID,6,0,1.,0.,1.\nGRID,7,0,1.,1.,1.\nGRID,8,0,0.,1.,1.\n\
+        GRID,9,,2.,0.,0.\nGRID,10,,2.,0.,1.\nCHEXA,101,1,1,2,3,4,5,6\n,7,8\nCPENTA,102,2,2,9,3,6,10,7\n\
+        RBE2,17,20,123,1,THRU,4\nRBE3,18,,20,123,1.,123,5,6\nGRID,20\nCONM2,21,20,,5.5\nMAT1,1,2.+11,,.3,7860.\n\
+        PSOLID,1,1\nPSOLID,2,1\nENDDATA\n";
+    let tetrahedra = "$HMNAME PROP 1\"all\"\nGRID,1\nGRID,2,,1.\nGRID,3,,0.,1.\nGRID,4,,0.,0.,1.\nGRID,5,,1.,1.,1.\n\
+        CTETRA,1,1,1,2,3,4\nCTETRA,2,1,2,3,4,5\nMAT1,1,2.+11,7.7+10,,7860.\nPSOLID,1,1\nCTRIA3,9,2,1,2,3\n";
+    vec![cube.to_owned(), tetrahedra.to_owned()]
+}
+
+/// Bulk data with one to four changes.
+pub(crate) fn bulk(random: &mut Random, corpus: &[String]) -> String {
+    mutant(random, corpus, FIELDS, ',')
+}
+
 /// The texts of all cases in a folder.
 pub(crate) fn cases(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry"));

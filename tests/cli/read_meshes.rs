@@ -8,7 +8,7 @@ use crate::bad_input::{case, refused};
 use crate::workbench::Workbench;
 
 /// A reference mesh as text.
-fn reference(name: &str) -> String {
+pub(crate) fn reference(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../tests/data/{name}.inp.gz"));
     let packed =
         fs::File::open(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
