@@ -259,7 +259,7 @@ fn masses_are_in_units_of_the_file() {
         .replace("CONM2         21      20           5.5", "CONM2,21,20,,5.5-3,,,2.\n,4.,,5.,,,6.")
         .replace("2.+11 ", "2.+5  ")
         .replace("7.+10 ", "7.+4  ")
-        .replace("7860.", "7.86-9")
+        .replace(" 7860.", "7.86-9")
         .replace("2700.", "2.7-9");
     let read = bdf::read(&text, "cube.bdf", &ReadOptions { units, ..options() }, &no_files);
     let read = read.unwrap_or_else(|errors| panic!("{errors}"));

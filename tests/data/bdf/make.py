@@ -40,7 +40,7 @@ for card, corners in CORNERS.items():
                 if system == 7:
                     at = [2.0 + 0.25 * z, 80.0 + 8.0 * x, 40.0 + 8.0 * y]
                 else:
-                    at = [2.0 + 0.25 * x, 40.0 + 8.0 * y, 3.0 * cell + 0.5 * z]
+                    at = [2.0 + 0.25 * x, 40.0 + 8.0 * y, 1.0 * cell + 0.5 * z]
                 model.add_grid(node, at, cp=system)
                 nodes.append(node)
                 node += 1
