@@ -126,9 +126,9 @@ pub(super) fn write(mesh: &Mesh, form: Form) -> String {
 pub(super) fn many(mesh: &Mesh, times: u64) -> String {
     let mut text = String::new();
     for time in 0..times {
-        nodes(&mut text, mesh, Form::Small, 10_000 * time, 0.125 * time as f64);
-        cells(&mut text, mesh, Form::Small, 10_000 * time);
+        nodes(&mut text, mesh, Form::Free, 10_000 * time, 0.125 * time as f64);
+        cells(&mut text, mesh, Form::Free, 10_000 * time);
     }
-    materials(&mut text, mesh, Form::Small);
+    materials(&mut text, mesh, Form::Free);
     text
 }
