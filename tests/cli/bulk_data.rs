@@ -42,7 +42,8 @@ fn bulk_data(mesh: &str) -> String {
                 writeln!(bulk, "GRID,{},,{}", values[0], values[1..].join(",")).expect("text")
             }
             "*ELEMENT" => {
-                let fields = [&[values[0], properties.to_string().as_str()], &values[1..]].concat();
+                let property = properties.to_string();
+                let fields = [&[values[0], property.as_str()], &values[1..]].concat();
                 let lines: Vec<String> = fields.chunks(8).map(|own| own.join(",")).collect();
                 writeln!(bulk, "{card},{}", lines.join("\n,")).expect("text");
             }
@@ -68,7 +69,8 @@ fn the_reference_shaft_is_the_same_in_bulk_data() {
     let bulk = bulk_data(&mesh);
     let (wanted, _) = checked("shaft.inp", &mesh);
     let (found, warnings) = checked("shaft.bdf", &bulk);
-    assert_eq!(found.replace("MAT1_1", "STEEL"), wanted);
+    // That set stands beside *NODE, which has no match among cards.
+    assert_eq!(found.replace("MAT1_1", "STEEL"), wanted.replace(", Nall (1925)", ""));
     assert_eq!(warnings, "");
     // The content counts, whatever the file's name.
     assert_eq!(checked("shaft.dat", &bulk).0, found);
@@ -100,7 +102,7 @@ fn errors_of_included_files_are_shown_there() {
         &bench,
         &[
             "--> part.bdf:1:",
-            "property (field 3 of CPENTA) must be a whole number from 1, found `x`",
+            "label of the element (field 2 of CPENTA) must be a whole number from 1, found `x`",
             "1 | CPENTA,",
         ],
     );
