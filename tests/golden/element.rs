@@ -244,8 +244,8 @@ pub mod tet4 {
             title: "Linear tetrahedron, 4 nodes",
             source: "Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., ch. 6",
             spec: "elements/tet4.toml",
-            text: "kind = \"element\"\nname = \"tet4\"\ntitle = \"Linear tetrahedron, 4 nodes\"\nsource = \"Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., ch. 6\"\ncell = \"tetrahedron\"\n\nnodes = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n# Volume coordinates.\nshape = ['1 - xi - eta - zeta', 'xi', 'eta', 'zeta']\n\n# Products of the functions are quadratic.\n[quadrature]\nrule = [\"tetrahedron(4)\"]\ndegree = 2\n\n# Their gradients are constant.\n[quadrature.forms.stiffness]\nrule = [\"tetrahedron(1)\"]\ndegree = 1\n\n[abaqus]\ntypes = [\"C3D4\"]\n\n[gmsh]\ntype = 4\n\n[vtk]\ntype = 10\n",
-            hash: "0c461561dc783611e9b8366d02e2f12a",
+            text: "kind = \"element\"\nname = \"tet4\"\ntitle = \"Linear tetrahedron, 4 nodes\"\nsource = \"Zienkiewicz, Taylor & Zhu, The Finite Element Method, 7th ed., ch. 6\"\ncell = \"tetrahedron\"\n\nnodes = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n# Volume coordinates.\nshape = ['1 - xi - eta - zeta', 'xi', 'eta', 'zeta']\n\n# Products of the functions are quadratic.\n[quadrature]\nrule = [\"tetrahedron(4)\"]\ndegree = 2\n\n# Their gradients are constant.\n[quadrature.forms.stiffness]\nrule = [\"tetrahedron(1)\"]\ndegree = 1\n\n[abaqus]\ntypes = [\"C3D4\"]\n\n[gmsh]\ntype = 4\n\n[nastran]\ncard = \"CTETRA\"\n\n[vtk]\ntype = 10\n",
+            hash: "5fa26dbfd7ebbcc3e9d211b76c799fd3",
         },
         nodes: 4,
         reference_nodes: &[
@@ -257,6 +257,7 @@ pub mod tet4 {
         abaqus: &["C3D4"],
         abaqus_order: &[0, 1, 2, 3],
         gmsh: Some((4, &[0, 1, 2, 3])),
+        nastran: Some(("CTETRA", &[0, 1, 2, 3])),
         vtk: 10,
         vtk_order: &[0, 1, 2, 3],
         shape,
