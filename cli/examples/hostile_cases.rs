@@ -39,7 +39,7 @@ fn main() -> Result<(), String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folders = ["specs/cases", "tests/cli/messages"].map(|folder| root.join(folder));
     let cases = folders.iter().flat_map(|folder| mutants::cases(folder)).collect::<Vec<_>>();
-    let (meshes, gmsh) = (mutants::meshes(), mutants::gmsh_meshes());
+    let (meshes, gmsh, bulk) = (mutants::meshes(), mutants::gmsh_meshes(), mutants::bulk_data());
     let elements: Vec<_> = whirl_specs::ELEMENTS.iter().collect();
     let folder = std::env::temp_dir().join(format!("whirl-hostile-{}", std::process::id()));
     fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
@@ -54,6 +54,7 @@ fn main() -> Result<(), String> {
         let text = match is_case {
             true => mutants::case(random, &cases),
             false if input % 4 == 1 => mutants::gmsh_mesh(random, &gmsh),
+            false if input % 4 == 2 => mutants::bulk(random, &bulk),
             false => mutants::mesh(random, &meshes),
         };
         let wall = Instant::now();

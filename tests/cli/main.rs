@@ -20,6 +20,7 @@ mod messages;
 mod mutants;
 mod new;
 mod outputs;
+mod own_mesh;
 mod read_meshes;
 mod readme;
 mod schema;

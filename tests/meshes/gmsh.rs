@@ -54,7 +54,7 @@ fn every_version_and_kind_of_file_gives_the_same_mesh() {
     for (name, element, volume) in BODIES {
         let first = made(name, VARIANTS[0]).mesh;
         for variant in VARIANTS {
-            let ReadMesh { mesh, warnings } = made(name, variant);
+            let ReadMesh { mesh, warnings, .. } = made(name, variant);
             assert!(warnings.iter().all(|w| w.what.starts_with("left out: ")), "{warnings:?}");
             assert_eq!(mesh.blocks().len(), 1, "{name}");
             assert_eq!(mesh.blocks()[0].element.origin.name, element);

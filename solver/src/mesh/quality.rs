@@ -1,5 +1,6 @@
 //! How well the cells of a mesh are shaped, and the axis about which it is round.
 
+use super::measure::circle;
 use super::surface::faces_within;
 use super::{Cell, Mesh};
 
@@ -83,24 +84,14 @@ impl Mesh {
         if count < 12 || count < lines.len() / 20 {
             return None;
         }
-        // By all normals that go through it: Σ (n·t)² least, with t across.
-        let (mut matrix, mut right) = ([[0.0; 2]; 2], [0.0; 2]);
-        for ([x, y], [a, b]) in lines.iter().filter(|own| beside(own, centre) < 1e-3 * extent) {
-            let across = [-b, *a];
-            let offset = across[0] * x + across[1] * y;
-            for i in 0..2 {
-                right[i] += across[i] * offset;
-                for j in 0..2 {
-                    matrix[i][j] += across[i] * across[j];
-                }
-            }
-        }
-        let [[a, b], [c, d]] = matrix;
-        let det = a * d - b * c;
-        let fitted = [(d * right[0] - b * right[1]) / det, (a * right[1] - c * right[0]) / det];
+        // Normals of faces are not those of the cylinder that they stand for, but nodes are on it.
+        let cylinders = self.cylinders_with_nodes(centre);
+        let (_, nodes) = cylinders.iter().max_by_key(|(_, nodes)| nodes.len())?;
+        let points: Vec<[f64; 2]> =
+            nodes.iter().map(|&node| self.nodes()[node]).map(|[x, y, _]| [x, y]).collect();
+        let fitted = circle(&points)?.centre;
         // Rounding of the coordinates of a file is no offset.
-        let fitted = fitted.map(|x: f64| if x.abs() < 1e-6 * extent { 0.0 } else { x });
-        fitted.iter().all(|x| x.is_finite()).then_some(fitted)
+        Some(fitted.map(|x: f64| if x.abs() < 1e-6 * extent { 0.0 } else { x }))
     }
 }
 

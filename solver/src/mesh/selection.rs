@@ -1,9 +1,9 @@
 //! Node sets by where they are: what a mesh file has no sets of.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::surface::{SurfaceFace, faces_within};
-use super::{Mesh, MeshParts};
+use super::{Mesh, MeshParts, connected};
 
 /// Nodes by their place, in the coordinates of the mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,39 +95,51 @@ impl Mesh {
         Mesh { parts }
     }
 
-    /// The cylinders about an axis parallel to z that are parts of the surface, by radius and then by z.
+    /// The cylinders about an axis parallel to z that are parts of the surface, by z and then by radius.
     pub fn cylinders(&self, centre: [f64; 2]) -> Vec<Cylinder> {
+        self.cylinders_with_nodes(centre).into_iter().map(|(cylinder, _)| cylinder).collect()
+    }
+
+    /// Each with its nodes: faces that share nodes, are as far from the axis and look the same way.
+    pub(super) fn cylinders_with_nodes(&self, centre: [f64; 2]) -> Vec<(Cylinder, Vec<usize>)> {
         let all = vec![true; self.nodes().len()];
         let faces = self.surface_within(&all);
-        let mut seen: Vec<(SeenFace, &SurfaceFace)> = Vec::new();
-        for face in &faces {
-            let own = self.seen(face, centre);
-            // All nodes of a face on a cylinder are as far from the axis.
-            if own.normal[0].abs() >= ALONG && own.spread <= SAME * own.radius {
-                seen.push((own, face));
+        let faces = faces.iter().map(|face| (self.seen(face, centre), face));
+        // All nodes of a face on a cylinder are as far from the axis.
+        let round = |(own, _): &(SeenFace, &SurfaceFace)| {
+            own.normal[0].abs() >= ALONG && own.spread <= SAME * own.radius
+        };
+        let faces: Vec<(SeenFace, &SurfaceFace)> = faces.filter(round).collect();
+        let mut known: HashMap<(usize, bool), Vec<usize>> = HashMap::new();
+        let mut pairs = Vec::new();
+        for (place, (own, face)) in faces.iter().enumerate() {
+            for node in face.nodes() {
+                let others = known.entry((node, own.normal[0] < 0.0)).or_default();
+                let same = |&&other: &&usize| {
+                    (faces[other].0.radius - own.radius).abs() <= SAME * own.radius
+                };
+                pairs.extend(others.iter().find(same).map(|&other| (place, other)));
+                others.push(place);
             }
         }
-        seen.sort_by(|a, b| a.0.radius.total_cmp(&b.0.radius).then(a.0.z[0].total_cmp(&b.0.z[0])));
-        let mut found: Vec<(Cylinder, f64)> = Vec::new();
-        for (own, _) in seen {
-            let hollow = own.normal[0] < 0.0;
-            let same = found.iter_mut().find(|(known, _)| {
-                let touches = own.z[0] <= known.z[1] + SAME * own.radius
-                    && known.z[0] <= own.z[1] + SAME * own.radius;
-                known.hollow == hollow
-                    && (known.radius - own.radius).abs() <= SAME * own.radius
-                    && touches
+        let mut found: BTreeMap<usize, (Cylinder, f64, BTreeSet<usize>)> = BTreeMap::new();
+        let parts = connected(faces.len(), pairs.into_iter());
+        for ((own, face), part) in faces.iter().zip(parts) {
+            let (cylinder, count, nodes) = found.entry(part).or_insert_with(|| {
+                let hollow = own.normal[0] < 0.0;
+                (Cylinder { radius: 0.0, z: own.z, hollow }, 0.0, BTreeSet::new())
             });
-            match same {
-                Some((known, count)) => {
-                    known.radius = (known.radius * *count + own.radius) / (*count + 1.0);
-                    known.z = [known.z[0].min(own.z[0]), known.z[1].max(own.z[1])];
-                    *count += 1.0;
-                }
-                None => found.push((Cylinder { radius: own.radius, z: own.z, hollow }, 1.0)),
-            }
+            *count += 1.0;
+            cylinder.radius += (own.radius - cylinder.radius) / *count;
+            cylinder.z = [cylinder.z[0].min(own.z[0]), cylinder.z[1].max(own.z[1])];
+            nodes.extend(face.nodes());
         }
-        found.into_iter().map(|(cylinder, _)| cylinder).collect()
+        let mut found: Vec<_> =
+            found.into_values().map(|(own, _, nodes)| (own, nodes.into_iter().collect())).collect();
+        found.sort_by(|(a, _): &(Cylinder, Vec<usize>), (b, _)| {
+            a.z[0].total_cmp(&b.z[0]).then(a.radius.total_cmp(&b.radius))
+        });
+        found
     }
 
     /// Faces of one cell only, all of whose nodes are inside.

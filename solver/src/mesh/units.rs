@@ -17,12 +17,13 @@ impl Default for MeshUnits {
     }
 }
 
-/// Systems that programs use: as a case writes them, and in SI units.
+/// Systems that programs use: as a case writes them, and in SI units. Of two that fit the first is the likelier one: steel in
+/// mm, N, kg would be rubber in mm, mN, kg.
 const SYSTEMS: [(&str, MeshUnits); 6] = [
     ("m, N, kg", MeshUnits { length: 1.0, force: 1.0, mass: 1.0 }),
     ("mm, N, t", MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 }),
-    ("mm, mN, kg", MeshUnits { length: 1e-3, force: 1e-3, mass: 1.0 }),
     ("mm, N, kg", MeshUnits { length: 1e-3, force: 1.0, mass: 1.0 }),
+    ("mm, mN, kg", MeshUnits { length: 1e-3, force: 1e-3, mass: 1.0 }),
     ("mm, kN, kg", MeshUnits { length: 1e-3, force: 1e3, mass: 1.0 }),
     (
         "in, lbf, lbf*s^2/in",
@@ -99,7 +100,8 @@ mod tests {
     #[test]
     fn millimetres_are_divided() {
         let units = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };
-        assert_eq!(units.length(35.687), 0.035687);
+        assert_eq!(units.length(20.0), 0.02);
+        assert_eq!(units.length(12.5), 0.0125);
         assert!((units.density(7.85e-9) / 7850.0 - 1.0).abs() < 1e-14);
         assert!((units.modulus(206e3) / 206e9 - 1.0).abs() < 1e-14);
     }

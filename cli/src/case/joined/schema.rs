@@ -42,7 +42,7 @@ pub(crate) const BODY: &[Key] = &[
     key("held", NAMES, "node sets held in x, y and z, or to the frame that turns")
         .like("[\"MOUNTS\"]"),
     key("ground_spring", List(&Table(&[GROUND_SPRING])), "springs to the ground"),
-    key("axial_restraint", Text, "set of one node held along z").like("\"NAME_OF_A_NODE_SET\""),
+    key("axial_restraint", Text, "set whose nodes are held along z on average").like("\"NAME_OF_A_NODE_SET\""),
     key(
         "section",
         NAMES,

@@ -2,7 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
-use whirl_solver::mesh::{Mesh, NodeSetMean};
+use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 use whirl_solver::model::{Form as ModelForm, Place};
 use whirl_solver::rigid::RigidBody;
 
@@ -168,9 +168,17 @@ impl PlannedBody {
         }
         let Some(case) = meshed(joined, place) else { return };
         if let Some(axial) = &case.axial_restraint {
-            let node = plan.node(axial, errors).unwrap_or(0);
-            let held = plan.retain(axial, node, 2);
-            plan.spec.constraints.fix(format!("axial_restraint ({} z)", axial.text()), held);
+            let held = match plan.nodes(axial, errors).as_slice() {
+                [] => None,
+                [node] => Some(plan.retain(axial, *node, 2)),
+                nodes => {
+                    let mean = plan.mean(nodes);
+                    Some(plan.retain_mean(axial, mean, MeanComponent::Displacement(2)))
+                }
+            };
+            if let Some(held) = held {
+                plan.spec.constraints.fix(format!("axial_restraint ({} z)", axial.text()), held);
+            }
         }
         clamp(plan, case, errors);
         // What is held to the frame turns with it.

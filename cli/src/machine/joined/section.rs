@@ -38,7 +38,8 @@ pub(super) fn tie(plan: &mut BodyPlan, name: &Located, errors: &mut Diagnostics)
             "{} has no two nodes at opposite ends of a diameter by which its rotation could be told",
             plan.mesh.origin()
         );
-        let help = "name two: `section = [\"TOP\", \"BOTTOM\"]`, sets of one node each";
+        let help = "name a set of nodes around the axis, such as a journal: `section = \"JOURNAL\"`; or two of one node each, \
+                    opposite to each other";
         errors.push(name.error_here(Code::BAD_VALUE, message).help(help));
         return;
     };
