@@ -63,7 +63,7 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
             }
         }
     };
-    found.warnings.iter().for_each(|warning| streams::warn(warning));
+    found.warnings.iter().for_each(streams::warn);
     let mut text = String::new();
     let called = match format {
         Format::Inp => "Abaqus or CalculiX input",

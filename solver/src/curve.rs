@@ -37,6 +37,11 @@ impl Curve {
         Ok(Curve { slopes: Some(slopes), ..curve })
     }
 
+    /// The last x, beyond which the curve stays as it is; none of a periodic one.
+    pub(crate) fn last(&self) -> Option<f64> {
+        self.x.last().copied().filter(|_| !self.periodic)
+    }
+
     /// y at x.
     pub fn value(&self, x: f64) -> f64 {
         match self.piece(x) {

@@ -7,10 +7,10 @@ pub use crate::bodies::{Body, BodyPlace, Rotation};
 
 use crate::bearing::{Bearing, SpringLaw, Springs, axis_motion};
 use crate::bodies::{Layout, Owner};
+use crate::body::BodyNode;
 use crate::error::Error;
 use crate::linalg::dot;
 use crate::loads::Load;
-use crate::model::Field;
 use crate::output::Output;
 use crate::shaft::Shaft;
 
@@ -47,6 +47,14 @@ pub struct Machine {
     pub(crate) outputs: Vec<Output>,
     /// All nodes of some of the bodies, for what is written of whole bodies.
     pub fields: Vec<Field>,
+}
+
+/// All nodes of a body, with their motion.
+pub struct Field {
+    /// The body, by its place.
+    pub body: usize,
+    /// In the order of its mesh.
+    pub nodes: Vec<BodyNode>,
 }
 
 /// How the outputs of a bearing are computed.

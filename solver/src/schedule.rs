@@ -65,6 +65,11 @@ impl Schedule {
         Schedule { starts, coefficients }
     }
 
+    /// The time (s) from which on the speed stays as it is.
+    pub(crate) fn last(&self) -> f64 {
+        self.starts.last().copied().unwrap_or(0.0)
+    }
+
     /// θ (rad), θ̇ (rad/s) and θ̈ (rad/s²) at time t (s).
     pub fn at(&self, t: f64) -> [f64; 3] {
         let after = self.starts.partition_point(|start| *start <= t);

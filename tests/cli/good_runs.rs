@@ -273,3 +273,36 @@ fn a_drive_of_either_sign_ends_at_its_target() {
     assert!(speeds[0] >= 0.9 * target && speeds[0] < 1.15 * target, "{speeds:?}");
     assert!((speeds[0] + speeds[1]).abs() < 1e-3 * target, "{speeds:?}");
 }
+
+/// Rest repeats itself, but a load, a ramp or a drive that is still to come makes it no steady state.
+#[test]
+fn what_is_still_to_come_is_waited_for() {
+    let case = |rest: &str| {
+        format!(
+            "title = \"a wheel on springs\"\n[body.wheel]\nturns = \"free\"\nmass = \"2 kg\"\n\
+             polar_inertia = \"1e-2 kg*m^2\"\n[joint.spring]\nkind = \"bushing\"\nfirst = {{ body = \"wheel\" }}\n\
+             stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n\
+             damping = {{ xx = \"2e3 N*s/m\", yy = \"2e3 N*s/m\" }}\n{rest}\n\
+             [march]\ntime_step = \"1e-4 s\"\nduration = \"0.5 s\"\ncycle_frequency = \"100 Hz\"\n\
+             stop_when_steady = true\n"
+        )
+    };
+    let load = "[loads.push]\nbody = \"wheel\"\nforce = \"100 N\"\n";
+    let drive = "[drives.motor]\nbody = \"wheel\"\ntorque = \"0.5 N*m\"\n";
+    let turns = "[drives.motor]\nbody = \"wheel\"\ntorque = \"50 N*m\"\ntarget_speed = \"1 rpm\"\n";
+    let ends = |rest: &str| -> f64 {
+        let bench = Workbench::new().file("case.toml", &case(rest));
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        *bench.history("out").column("t_s").last().expect("a row")
+    };
+    let at_once = ends(&format!("{turns}{load}"));
+    assert!(at_once < 0.1, "{at_once}");
+    let stepped = ends(&format!("{turns}{load}start = \"0.2 s\"\n"));
+    assert!(stepped > 0.2 && stepped < 0.3, "{stepped}");
+    let ramped = ends(&format!("{turns}{load}ramp = [\"0.1 s\", \"0.3 s\"]\n"));
+    assert!(ramped > 0.3 && ramped < 0.4, "{ramped}");
+    // 4 rad/s after 0.08 s.
+    let driven = ends(&format!("{drive}target_speed = \"10 rad/s\"\n{load}"));
+    assert!(driven > 0.2 && driven < 0.3, "{driven}");
+}

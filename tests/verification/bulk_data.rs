@@ -235,7 +235,7 @@ fn files_include_files() {
     assert_eq!(with(cells, &end).unwrap().mesh.cell_count(), 2);
     let help = "take the line out: files must not include each other in a circle";
     assert_eq!(
-        with(cells, &format!("{end}").replace("ENDDATA", "INCLUDE '../../cube.bdf'")).unwrap_err(),
+        with(cells, &end.to_string().replace("ENDDATA", "INCLUDE '../../cube.bdf'")).unwrap_err(),
         format!("models/parts/more/end.bdf:13:1: ../../cube.bdf includes itself\n  help: {help}")
     );
     assert_eq!(
@@ -247,7 +247,7 @@ fn files_include_files() {
     );
     let twice = "INCLUDE '../cells.bdf'\n";
     assert_eq!(
-        with(cells, &format!("{end}").replace("ENDDATA", twice)).unwrap_err(),
+        with(cells, &end.to_string().replace("ENDDATA", twice)).unwrap_err(),
         "models/parts/more/end.bdf:13:1: ../cells.bdf is included twice, or includes itself\n  help: take one out: \
          line 23 of models/cube.bdf has the first"
     );

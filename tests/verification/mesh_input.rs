@@ -124,10 +124,10 @@ fn what_is_odd_but_readable_is_a_warning() {
     assert_eq!(warnings[1], "cube.inp:40:1: *NSTE is left out\n  help: is *NSET meant?");
     let millimetres = GOOD.replace(" 9, 2, 0, 0", " 9, 2000, 0, 0");
     let warnings = read(&millimetres).unwrap().warnings;
-    assert!(
-        warnings[0]
-            .to_string()
-            .starts_with("cube.inp: the mesh is 2000 m long\n  help: coordinates are read in m")
+    assert_eq!(
+        warnings[0].to_string(),
+        "cube.inp: the mesh is 2000 m long\n  help: if its coordinates are in mm, write `units = \"mm, N, t\"` beside `mesh` \
+         in the case"
     );
 }
 

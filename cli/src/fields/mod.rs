@@ -7,8 +7,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use whirl_solver::machine::Machine;
-use whirl_solver::model::Field;
+use whirl_solver::machine::{Field, Machine};
 
 pub(crate) use self::frames::{FRAMES, Frame, FrameWriter, Schedule, read};
 use crate::machine::Built;

@@ -11,6 +11,7 @@ use super::outputs::write_outputs;
 use super::quality::Quality;
 use super::restart::LastState;
 use super::row::{displacements, write_row};
+use super::settled::settled_from;
 use super::steady::{SteadyState, SteadyTest};
 use super::system::System;
 use crate::bearing::Worst;
@@ -146,6 +147,8 @@ pub struct March<'m> {
     row: Vec<f64>,
     /// Values of the row before those of the outputs by request.
     usual: usize,
+    /// From when on nothing changes that is told over time (s).
+    settled: f64,
 }
 
 impl<'m> March<'m> {
@@ -211,6 +214,7 @@ impl<'m> March<'m> {
             tally,
             row: vec![0.0; columns],
             usual: columns - asked,
+            settled: settled_from(machine),
             options: options.clone(),
         })
     }
@@ -281,12 +285,19 @@ impl<'m> March<'m> {
         let (usual, asked) = self.row.split_at_mut(self.usual);
         write_row(&self.system, &self.state, time, self.last_iterations, usual);
         write_outputs(&mut self.system, &self.state, time, asked);
-        if let Some(test) = &mut self.tally.steady {
+        let settled = time >= self.settled && self.is_released();
+        if let Some(test) = self.tally.steady.as_mut().filter(|_| settled) {
             let displacements = &self.row[displacements(self.machine.monitors.len())];
             test.add(time, self.system.springs.forces.iter().chain(displacements));
         }
         self.system.springs.observe(&self.machine.springs, time);
         Ok(())
+    }
+
+    /// Whether no drive is on its way to its target speed.
+    fn is_released(&self) -> bool {
+        let mut loads = self.machine.loads.iter().zip(&self.system.released);
+        loads.all(|(load, released)| *released || load.target().is_none())
     }
 
     /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge.

@@ -16,6 +16,7 @@ mod release;
 mod restart;
 mod row;
 mod rows;
+mod settled;
 #[cfg(test)]
 mod small;
 mod spring_tangent;

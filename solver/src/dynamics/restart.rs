@@ -179,9 +179,15 @@ impl<'m> March<'m> {
 fn content(body: &Body) -> Key {
     match body {
         Body::Turning { shaft, .. } => {
-            Key::of(&(&shaft.coordinates, &shaft.mass.data, &shaft.stiffness.data))
+            let turning = (shaft.j0, &shaft.spin_inertia.data, &shaft.spin_net.data);
+            Key::of(&(&shaft.coordinates, &shaft.mass.data, &shaft.stiffness.data, turning))
         }
-        Body::Standing { support, .. } => Key::of(&(&support.coordinates, &support.stiffness)),
+        // Coordinates of what stands have unit mass: what they are depends on the mass itself.
+        Body::Standing { support, .. } => {
+            let centre = &support.centre_of_mass;
+            let moved = (centre.mass, &centre.node.shapes.data);
+            Key::of(&(&support.coordinates, &support.stiffness, moved))
+        }
     }
 }
 

@@ -123,7 +123,7 @@ impl Mesh {
             }
         }
         let mut found: BTreeMap<usize, (Cylinder, f64, BTreeSet<usize>)> = BTreeMap::new();
-        let parts = connected(faces.len(), pairs.into_iter());
+        let parts = connected(faces.len(), pairs);
         for ((own, face), part) in faces.iter().zip(parts) {
             let (cylinder, count, nodes) = found.entry(part).or_insert_with(|| {
                 let hollow = own.normal[0] < 0.0;

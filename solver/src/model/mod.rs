@@ -77,11 +77,10 @@ pub use self::body::{
 pub use self::load::{LoadAction, LoadModel};
 use crate::bearing::{Bearing, SpringLaw};
 use crate::bodies::Body;
-use crate::body::BodyNode;
 use crate::cache::Cache;
 use crate::error::Error;
 use crate::gravity::weights;
-use crate::machine::{Machine, MachineParts};
+use crate::machine::{Field, Machine, MachineParts};
 use crate::output::{Output, Wanted};
 
 /// Where on a body something acts.
@@ -91,14 +90,6 @@ pub enum Place {
     Nodes(Vec<usize>),
     /// On one of its mean motions, by its place.
     Mean(usize),
-}
-
-/// All nodes of a body, with their motion.
-pub struct Field {
-    /// The body, by its place.
-    pub body: usize,
-    /// In the order of its mesh.
-    pub nodes: Vec<BodyNode>,
 }
 
 /// A machine before its bodies are reduced.

@@ -116,7 +116,7 @@ impl<'a> Card<'a> {
         let blank = |number: usize| Field { text: "", place: line.place(), number };
         // A line of four wide fields may be the only one of its pair.
         if !cut.wide {
-            while self.fields.len() % 8 != 0 {
+            while !self.fields.len().is_multiple_of(8) {
                 self.fields.push(blank(0));
             }
         }

@@ -101,7 +101,8 @@ impl Ranges {
                 let start = known.partition_point(|(label, _)| *label < from);
                 let own = known[start..].iter().take_while(|(label, _)| *label <= to);
                 let before = found.len();
-                let fits = |label: u64| (label - first) % step == 0 && !excepted.has(label);
+                let fits =
+                    |label: u64| (label - first).is_multiple_of(*step) && !excepted.has(label);
                 found.extend(own.filter(|(label, _)| fits(*label)).map(|(_, index)| *index));
                 missing += usize::from(first == last && found.len() == before);
             }
