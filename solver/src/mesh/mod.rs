@@ -1,6 +1,6 @@
 //! Meshes of solid bodies: nodes, blocks of cells of one element and material, named sets.
 //!
-//! A mesh is read ([`format`]: [`inp`], [`msh`], [`bdf`]) or made from a few dimensions ([`shaft`], [`crank`], [`support`]) and does not change
+//! A mesh is read ([`mod@format`]: [`inp`], [`msh`], [`bdf`]) or made from a few dimensions ([`shaft`], [`crank`], [`support`]) and does not change
 //! afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
 
 pub mod bdf;
