@@ -12,7 +12,8 @@ use crate::case::{Case, Start, System, Turning};
 use crate::errors::Failure;
 use crate::machine::Built;
 use crate::progress::ProgressMode;
-use crate::results::STATE;
+use crate::results::{STATE, SUMMARY};
+use crate::streams;
 
 /// Layout of the file.
 const LAYOUT: &str = "whirl state 1";
@@ -34,6 +35,12 @@ pub(crate) fn begin<'m>(
             let march = March::from_last(machine, options, &last);
             let march = march.map_err(|error| refused(folder.text(), error))?;
             show.note(&going_on(folder.text(), &last));
+            if was_unsound(Path::new(folder.text())) {
+                streams::warn(&format!(
+                    "the run in `{}`, from which this one goes on, is NOT SOUND by its own verdict, which does not count here",
+                    folder.text()
+                ));
+            }
             return Ok(march);
         }
         Start::Rest => rest(case, built),
@@ -71,6 +78,13 @@ fn refused(folder: &str, error: Error) -> Failure {
         }
         error => error.into(),
     }
+}
+
+/// Whether the summary of a run says that it is not sound.
+fn was_unsound(folder: &Path) -> bool {
+    let text = fs::read_to_string(folder.join(SUMMARY)).unwrap_or_default();
+    let summary: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    summary["verdict"]["sound"] == serde_json::Value::Bool(false)
 }
 
 fn going_on(folder: &str, last: &LastState) -> String {
@@ -125,7 +139,9 @@ fn words(case: &Case, found: &Equilibrium) -> String {
     } else {
         ""
     };
-    format!("starting in equilibrium: {}{what}", parts.join(", "))
+    let found =
+        if parts.is_empty() { String::new() } else { format!(": {}{what}", parts.join(", ")) };
+    format!("starting in equilibrium{found}")
 }
 
 /// Writes the state after the last step of a run.

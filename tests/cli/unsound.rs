@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use crate::workbench::Workbench;
+use crate::workbench::{SHORT, Workbench};
 
 /// A mass between stops, with a part to be added.
 fn case(time_step: &str, steps: usize, law: &str, more: &str) -> String {
@@ -33,6 +33,23 @@ fn quiet_runs_still_say_that_they_are_not_sound() {
     let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--quiet", "--no-figures"]);
     assert_eq!((outcome.stdout.as_str(), outcome.stderr.as_str()), ("", ""));
     assert_eq!(verdict(&bench)["sound"], true);
+}
+
+/// A march that goes on from what is not sound measures only itself.
+#[test]
+fn going_on_from_an_unsound_run_says_so() {
+    let second = format!("{SHORT}\n[start]\nfrom = \"results/first\"\n");
+    let bench = Workbench::new().file("first.toml", SHORT).file("second.toml", &second);
+    let warned = |name: &str| {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        outcome.stderr.contains("is NOT SOUND by its own verdict")
+    };
+    assert!(!warned("first") && !warned("second"));
+    let path = bench.path("results/first/summary.json");
+    let summary = fs::read_to_string(&path).expect("a summary");
+    fs::write(&path, summary.replace("\"sound\": true", "\"sound\": false")).expect("a file");
+    assert!(warned("second"));
 }
 
 /// √(h/1 mm) has no value beyond the gap.
