@@ -36,7 +36,7 @@ pub(crate) fn begin<'m>(
             let march = march.map_err(|error| refused(folder.text(), error))?;
             show.note(&going_on(folder.text(), &last));
             if was_unsound(Path::new(folder.text())) {
-                streams::warn(&format!(
+                streams::warn(format_args!(
                     "the run in `{}`, from which this one goes on, is NOT SOUND by its own verdict, which does not count here",
                     folder.text()
                 ));
