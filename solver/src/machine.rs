@@ -5,7 +5,7 @@ use whirl_specs::{Clearance, Motion};
 
 pub use crate::bodies::{Body, BodyPlace, Rotation};
 
-use crate::bearing::{Bearing, SpringLaw, Springs, axis_motion};
+use crate::bearing::{Bearing, MotionKind, SpringLaw, Springs, axis_motion};
 use crate::bodies::{Layout, Owner};
 use crate::body::BodyNode;
 use crate::error::Error;
@@ -65,6 +65,9 @@ pub(crate) struct Monitor {
     pub(crate) label: String,
     /// Its planes of springs.
     pub(crate) planes: Vec<usize>,
+    /// The plane in which its law on tilts acts, and that of its law along z.
+    pub(crate) tilts: Option<usize>,
+    pub(crate) along: Option<usize>,
     /// Whether its laws turn or brake the journal.
     pub(crate) torque: bool,
     /// The bodies of journal and bore.
@@ -243,14 +246,20 @@ fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs)
     let sides = &bearing.sides;
     let [journal, bore] = sides.bodies.map(|body| &bodies[body]);
     let node = &journal.nodes()[bearing.journal[1]];
-    let planes = springs.planes.iter().enumerate();
-    let planes = planes.filter(|(_, plane)| plane.bearing == number);
-    let planes: Vec<usize> = planes.map(|(place, _)| place).collect();
+    let planes_of = |other: Option<MotionKind>| -> Vec<usize> {
+        let planes = springs.planes.iter().enumerate();
+        let own = planes.filter(|(_, plane)| plane.bearing == number && plane.other == other);
+        own.map(|(place, _)| place).collect()
+    };
+    let planes = planes_of(None);
+    let other = |kind: MotionKind| planes_of(Some(kind)).first().copied();
     Monitor {
         name: bearing.name.clone(),
         label: bearing.label.clone().unwrap_or_else(|| (number + 1).to_string()),
         torque: planes.iter().any(|&plane| springs.gives_torque(plane)),
         planes,
+        tilts: other(MotionKind::Tilts),
+        along: other(MotionKind::Along),
         bodies: sides.bodies,
         journal: [0, 1].map(|axis| (0..journal.size()).map(|j| node.shapes[(axis, j)]).collect()),
         bore: axis_motion(bearing, bore),
@@ -261,6 +270,11 @@ fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs)
 }
 
 impl Monitor {
+    /// Its planes of all kinds.
+    pub(crate) fn all_planes(&self) -> impl Iterator<Item = usize> {
+        self.planes.iter().copied().chain(self.tilts).chain(self.along)
+    }
+
     /// Displacement of the journal in the frame of its body, and of the bore's axis in that of its own (m).
     pub(crate) fn displacements(&self, journal: &[f64], bore: &[f64]) -> [[f64; 2]; 2] {
         [

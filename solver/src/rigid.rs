@@ -1,5 +1,5 @@
-//! Rigid bodies, given by numbers or taken from a mesh: displacements of the centre along x and y and, where it may tilt,
-//! two tilts.
+//! Rigid bodies, given by numbers or taken from a mesh: displacements of the centre along x and y, two tilts where it may
+//! tilt, and the displacement along z where it may move so.
 //!
 //! A body that turns has its coordinates in the frame that turns with it. A point at (ξ, η, ζ) from the centre moves by
 //! (u + βζ, v − αζ, αη − βξ) with tilts α about x and β about y, and by (αβη − β²ξ, αβξ − α²η)/2 of second order towards
@@ -25,6 +25,8 @@ pub struct RigidBody {
     pub polar_inertia: f64,
     /// I_d (kg·m²) about x and y through the centre; a body without does not tilt.
     pub transverse_inertia: Option<f64>,
+    /// Whether it may move along z.
+    pub along: bool,
     /// Its centre (m), among the nodes of the body.
     pub centre: [f64; 3],
     /// To the ground along x and y (N/m), of a body that does not turn.
@@ -56,6 +58,7 @@ impl RigidBody {
             centre: self.centre,
             second: [[half, 0.0, 0.0], [0.0, half, 0.0], [0.0, 0.0, along]],
             tilts: self.transverse_inertia.is_some(),
+            along: self.along,
         }
     }
 }
@@ -71,51 +74,61 @@ pub struct RigidInertia {
     pub second: [[f64; 3]; 3],
     /// Whether the body may tilt.
     pub tilts: bool,
+    /// Whether it may move along z.
+    pub along: bool,
 }
 
+/// Motions of the centre along x and y, tilts about x and y, motion along z: those that a body has are its coordinates.
+const MOTIONS: usize = 5;
+
+/// A number for each of the motions by each.
+type Entries = [[f64; MOTIONS]; MOTIONS];
+
 impl RigidInertia {
-    /// Of a mesh that tilts, but does not deform.
+    /// Of a mesh that tilts and, if it is `along`, moves along z, but does not deform.
     ///
     /// # Errors
     /// As [`mass_properties`].
-    pub fn of(mesh: &Mesh) -> Result<RigidInertia, Error> {
+    pub fn of(mesh: &Mesh, along: bool) -> Result<RigidInertia, Error> {
         let own = mass_properties(mesh)?;
         let second = [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| own.second_moment[i][j] - own.mass * own.centre[i] * own.centre[j])
         });
-        Ok(RigidInertia { mass: own.mass, centre: own.centre, second, tilts: true })
+        Ok(RigidInertia { mass: own.mass, centre: own.centre, second, tilts: true, along })
     }
 
     /// As a body that turns, with nodes at `positions` (m, from its axis).
     pub fn turning(&self, positions: &[[f64; 3]]) -> Shaft {
         let &RigidInertia { mass, centre: [a, b, _], second, .. } = self;
         let [[xx, xy, xz], [_, yy, yz], [.., zz]] = second;
-        let n = self.size();
-        let first = |values: [f64; 4]| values[..n].to_vec();
-        let matrix = |entries: [[f64; 4]; 4]| Matrix::from_fn(n, n, |i, j| entries[i][j]);
-        let pairs = |lateral: f64, tilts: [[f64; 2]; 2]| {
+        let first = |values: [f64; MOTIONS]| self.own(&values);
+        let matrix = |entries: Entries| self.square(&entries);
+        let pairs = |[lateral, axial]: [f64; 2], tilts: [[f64; 2]; 2]| {
             let [[p, q], [r, s]] = tilts;
             matrix([
-                [lateral, 0.0, 0.0, 0.0],
-                [0.0, lateral, 0.0, 0.0],
-                [0.0, 0.0, p, q],
-                [0.0, 0.0, r, s],
+                [lateral, 0.0, 0.0, 0.0, 0.0],
+                [0.0, lateral, 0.0, 0.0, 0.0],
+                [0.0, 0.0, p, q, 0.0],
+                [0.0, 0.0, r, s, 0.0],
+                [0.0, 0.0, 0.0, 0.0, axial],
             ])
         };
+        let n = self.size();
         Shaft {
             j0: xx + yy + mass * (a * a + b * b),
-            y0: first([mass * a, mass * b, -yz, xz]),
-            g0: first([-mass * b, mass * a, -xz, -yz]),
-            mass: pairs(mass, [[zz + yy, -xy], [-xy, zz + xx]]),
+            y0: first([mass * a, mass * b, -yz, xz, 0.0]),
+            g0: first([-mass * b, mass * a, -xz, -yz, 0.0]),
+            mass: pairs([mass; 2], [[zz + yy, -xy], [-xy, zz + xx]]),
             stiffness: Matrix::zeros(n, n),
             damping: Matrix::zeros(n, n),
-            spin_inertia: pairs(mass, [[zz, 0.0], [0.0, zz]]),
-            spin_net: pairs(mass, [[zz - yy, xy], [xy, zz - xx]]),
+            spin_inertia: pairs([mass, 0.0], [[zz, 0.0], [0.0, zz]]),
+            spin_net: pairs([mass, 0.0], [[zz - yy, xy], [xy, zz - xx]]),
             spin_coupling: matrix([
-                [0.0, mass, 0.0, 0.0],
-                [-mass, 0.0, 0.0, 0.0],
-                [0.0, 0.0, 0.0, zz],
-                [0.0, 0.0, -zz, 0.0],
+                [0.0, mass, 0.0, 0.0, 0.0],
+                [-mass, 0.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, zz, 0.0],
+                [0.0, 0.0, -zz, 0.0, 0.0],
+                [0.0; MOTIONS],
             ]),
             hertz: Vec::new(),
             coordinates: self.names(),
@@ -135,8 +148,7 @@ impl RigidInertia {
     ) -> Support {
         let scales = self.to_unit_mass();
         let by_mass = |values: [f64; 2]| {
-            let values = [values[0] / self.mass, values[1] / self.mass, 0.0, 0.0];
-            values[..self.size()].to_vec()
+            self.own(&[values[0] / self.mass, values[1] / self.mass, 0.0, 0.0, 0.0])
         };
         Support {
             stiffness: by_mass(stiffness),
@@ -152,9 +164,10 @@ impl RigidInertia {
     /// The motions of sections with these centres (m), of a body that turns or one that stands.
     pub fn measures(&self, centres: &[[f64; 3]], turns: bool) -> Vec<MeanMotion> {
         let by = if turns { UNIT } else { self.to_unit_mass() };
-        let n = self.size();
-        let rotation =
-            Matrix::from_fn(3, n, |i, j| if self.tilts && i < 2 { by[2 + i][j] } else { 0.0 });
+        let motions = self.motions();
+        let rotation = Matrix::from_fn(3, motions.len(), |i, j| {
+            if self.tilts && i < 2 { by[2 + i][motions[j]] } else { 0.0 }
+        });
         let measure = |&centre: &[f64; 3]| MeanMotion {
             centre,
             displacement: self.node(centre, &by).shapes,
@@ -163,21 +176,40 @@ impl RigidInertia {
         centres.iter().map(measure).collect()
     }
 
-    fn centre_of_mass(&self, by: &[[f64; 4]; 4]) -> CentreOfMass {
+    fn centre_of_mass(&self, by: &Entries) -> CentreOfMass {
         CentreOfMass { mass: self.mass, node: self.node(self.centre, by) }
     }
 
+    /// The motions that it has.
+    fn motions(&self) -> Vec<usize> {
+        let has = [true, true, self.tilts, self.tilts, self.along];
+        (0..MOTIONS).filter(|&motion| has[motion]).collect()
+    }
+
     fn size(&self) -> usize {
-        if self.tilts { 4 } else { 2 }
+        self.motions().len()
+    }
+
+    /// Values of the motions that it has.
+    fn own<T: Clone>(&self, values: &[T; MOTIONS]) -> Vec<T> {
+        self.motions().into_iter().map(|motion| values[motion].clone()).collect()
+    }
+
+    /// Of the motions that it has by each other.
+    fn square(&self, entries: &Entries) -> Matrix {
+        let motions = self.motions();
+        Matrix::from_fn(motions.len(), motions.len(), |i, j| entries[motions[i]][motions[j]])
     }
 
     fn names(&self) -> Vec<String> {
-        let all = ["centre x", "centre y", "tilt about x", "tilt about y"];
-        all[..self.size()].iter().map(|&name| name.to_owned()).collect()
+        self.own(
+            &["centre x", "centre y", "tilt about x", "tilt about y", "centre z"]
+                .map(str::to_owned),
+        )
     }
 
     /// Displacements of the centre and tilts by a unit of each of the coordinates in which M is the identity: row by row.
-    fn to_unit_mass(self) -> [[f64; 4]; 4] {
+    fn to_unit_mass(self) -> Entries {
         let [[xx, xy, _], [_, yy, _], [.., zz]] = self.second;
         let lateral = 1.0 / self.mass.sqrt();
         // The inverse of Lᵀ, with L Lᵀ the block of the tilts.
@@ -185,26 +217,35 @@ impl RigidInertia {
         let below = -xy / first;
         let last = (zz + xx - below * below).sqrt();
         [
-            [lateral, 0.0, 0.0, 0.0],
-            [0.0, lateral, 0.0, 0.0],
-            [0.0, 0.0, 1.0 / first, -below / (first * last)],
-            [0.0, 0.0, 0.0, 1.0 / last],
+            [lateral, 0.0, 0.0, 0.0, 0.0],
+            [0.0, lateral, 0.0, 0.0, 0.0],
+            [0.0, 0.0, 1.0 / first, -below / (first * last), 0.0],
+            [0.0, 0.0, 0.0, 1.0 / last, 0.0],
+            [0.0, 0.0, 0.0, 0.0, lateral],
         ]
     }
 
     /// A node that moves with the body; `by`: displacements of the centre and tilts by a unit of each coordinate.
-    fn node(&self, position: [f64; 3], by: &[[f64; 4]; 4]) -> BodyNode {
+    fn node(&self, position: [f64; 3], by: &Entries) -> BodyNode {
         let [x, y, z] = [0, 1, 2].map(|axis| position[axis] - self.centre[axis]);
-        let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -z, y], [z, 0.0, -x]];
-        let n = self.size();
-        let shapes = Matrix::from_fn(3, n, |i, j| (0..n).map(|k| columns[k][i] * by[k][j]).sum());
+        let columns =
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -z, y], [z, 0.0, -x], [0.0, 0.0, 1.0]];
+        let motions = self.motions();
+        let shapes = Matrix::from_fn(3, motions.len(), |i, j| {
+            motions.iter().map(|&k| columns[k][i] * by[k][motions[j]]).sum()
+        });
         BodyNode { position, shapes }
     }
 }
 
-/// Displacements of the centre and tilts as coordinates themselves.
-const UNIT: [[f64; 4]; 4] =
-    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+/// The motions as coordinates themselves.
+const UNIT: Entries = [
+    [1.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0, 0.0],
+    [0.0, 0.0, 0.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 0.0, 1.0],
+];
 
 #[cfg(test)]
 mod tests {
@@ -215,6 +256,7 @@ mod tests {
             mass: 4.0,
             polar_inertia: 0.5,
             transverse_inertia: Some(0.25),
+            along: false,
             centre: [0.1, 0.0, 0.2],
             stiffness: [1e4, 2e4],
             damping: [8.0, 0.0],
@@ -232,6 +274,22 @@ mod tests {
                 assert!((shapes[(i, j)] - value).abs() < 1e-15, "{i} {j}");
             }
         }
+    }
+
+    #[test]
+    fn a_body_that_moves_along_z_has_its_mass_there_and_no_spin() {
+        let body = RigidBody { along: true, ..body() };
+        let shaft = body.turning(&[[0.3, -0.1, 0.5]]);
+        assert_eq!(shaft.coordinates.last().map(String::as_str), Some("centre z"));
+        let matrices = [&shaft.mass, &shaft.spin_inertia, &shaft.spin_net, &shaft.spin_coupling];
+        assert_eq!(matrices.map(|own| own[(4, 4)]), [4.0, 0.0, 0.0, 0.0]);
+        assert!(
+            (0..4).all(|j| matrices.iter().all(|own| own[(4, j)] == 0.0 && own[(j, 4)] == 0.0))
+        );
+        assert_eq!(shaft.nodes[0].shapes.col(4), [0.0, 0.0, 1.0]);
+        let flat = RigidBody { transverse_inertia: None, ..body }.standing(&[[0.0; 3]]);
+        assert_eq!(flat.nodes[0].shapes.col(2), [0.0, 0.0, 0.5]);
+        assert_eq!(flat.measures[0].displacement.col(2), [0.0, 0.0, 0.5]);
     }
 
     #[test]
@@ -284,7 +342,7 @@ mod tests {
         let second = [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| points.iter().map(|(x, m)| m * arm(x, i) * arm(x, j)).sum())
         });
-        let shaft = RigidInertia { mass, centre, second, tilts: true }.turning(&[]);
+        let shaft = RigidInertia { mass, centre, second, tilts: true, along: false }.turning(&[]);
         let energy = |eta: [f64; 4], rate: [f64; 4], speed: f64| -> f64 {
             let product =
                 |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
@@ -349,7 +407,7 @@ mod tests {
     #[test]
     fn tilts_of_a_standing_body_have_mass_one() {
         let second = [[0.5, 0.2, 0.1], [0.2, 0.7, -0.3], [0.1, -0.3, 0.9]];
-        let own = RigidInertia { mass: 3.0, centre: [0.0; 3], second, tilts: true };
+        let own = RigidInertia { mass: 3.0, centre: [0.0; 3], second, tilts: true, along: false };
         let by = own.to_unit_mass();
         let mass = own.turning(&[]).mass;
         for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {

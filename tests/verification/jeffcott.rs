@@ -72,6 +72,7 @@ fn run(rotation: Rotation, options: &MarchOptions) -> (Outcome, f64) {
     let (shaft, mass) = rotor();
     let spring = Spring { k: 0.5 * mass * OMEGA * OMEGA, d: ZETA * mass * OMEGA };
     let bearing = |number: usize| Bearing {
+        others: Vec::new(),
         name: format!("bearing {}", number + 1),
         label: None,
         sides: Sides::default(),

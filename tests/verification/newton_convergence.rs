@@ -125,6 +125,7 @@ fn between_stops() -> Machine {
     let laws: Vec<Box<dyn SpringLaw>> =
         vec![Box::new(LawOf("right", stop(right))), Box::new(LawOf("left", stop(left)))];
     let bearing = |law: usize, angle: f64| Bearing {
+        others: Vec::new(),
         name: format!("stop {}", law + 1),
         label: None,
         sides: Sides::default(),

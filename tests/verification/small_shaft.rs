@@ -123,6 +123,7 @@ pub(crate) fn ring() -> Vec<f64> {
 /// `bore`: places in `Support::nodes` of the bore rings of each bearing.
 pub(crate) fn bearings(angles: &[f64], bore: [[Vec<usize>; 3]; 2]) -> Vec<Bearing> {
     let bearing = |(number, bore): (usize, [Vec<usize>; 3])| Bearing {
+        others: Vec::new(),
         name: format!("bearing {}", number + 1),
         label: None,
         sides: Sides::default(),

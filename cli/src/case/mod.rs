@@ -29,7 +29,7 @@ pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
 pub(crate) use joined::{
     Attached, Carried, Dimensions, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad,
-    MeshedBody, NamedBody, Side as JointSide, Turning,
+    MeshedBody, NamedBody, OtherLaw, Side as JointSide, Turning,
 };
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::embedded_cases;
@@ -37,7 +37,7 @@ pub(crate) use loads::{Acting, Load, Spread, Variation};
 pub(crate) use lumped::{Lumped, Side, Unbalance};
 pub(crate) use march::MarchSettings;
 pub(crate) use outputs::{Output, Wanted};
-pub(crate) use parameters::{BearingFacts, rounded};
+pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
 pub(crate) use read::{SystemDraft, draft};
 pub(crate) use rotor::RotorDraft;

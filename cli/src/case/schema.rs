@@ -46,6 +46,8 @@ measures! {
     CROSS_DAMPING: DAMPING, "1e4 N*s/m", Any;
     TORSIONAL_STIFFNESS: TORQUE, "1e4 N*m/rad", NotNegative;
     TORSIONAL_DAMPING: TORSIONAL_DAMPING, "10 N*m*s/rad", NotNegative;
+    TILTING_STIFFNESS: TORQUE, "1e4 N*m/rad", Any;
+    TILTING_DAMPING: TORSIONAL_DAMPING, "10 N*m*s/rad", Any;
     DAMPING: DAMPING, "20 N*s/m", NotNegative;
     FORCE: FORCE, "1000 N", Any;
     TOLERANCE: FORCE, "1e-3 N", Positive;

@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
+use whirl_solver::bearing::MotionKind;
 use whirl_text::rounded;
 
-use crate::case::{Attached, Carried, JoinedMachine, Joint, JointKind, Turning};
+use crate::case::{Attached, Carried, JoinedMachine, Joint, JointKind, SetParameter, Turning};
 use crate::errors::Failure;
 use crate::machine::{Built, JoinedPlan, PlannedBody};
 use crate::report::table;
@@ -136,14 +137,34 @@ fn of_joint(joint: &Joint, law: &str) -> String {
 /// All stiffness and damping of a bushing or a coupling.
 fn values(joint: &Joint) -> String {
     let units = match joint.kind {
-        JointKind::Coupling => ["N m/rad", "N m s/rad"],
-        _ => ["N/m", "N s/m"],
+        JointKind::Coupling => TORSIONAL,
+        _ => LINEAR,
     };
+    let mut text = match &joint.table {
+        Some(file) => format!(", stiffness and damping over the speed in {}", file.text()),
+        None => coefficients(&joint.bearing.parameters, "", units, false),
+    };
+    for own in &joint.others {
+        text.push_str(&match own.kind {
+            MotionKind::Tilts => coefficients(&own.parameters, "tilting ", TORSIONAL, false),
+            MotionKind::Along => coefficients(&own.parameters, "axial ", LINEAR, true),
+        });
+    }
+    text
+}
+
+const LINEAR: [&str; 2] = ["N/m", "N s/m"];
+const TORSIONAL: [&str; 2] = ["N m/rad", "N m s/rad"];
+
+/// Stiffness and damping; `one`: only those along x of the law, which stand for another direction.
+fn coefficients(set: &[SetParameter], called: &str, units: [&str; 2], one: bool) -> String {
     let of = |letter: &str| {
-        let own = joint.bearing.parameters.iter().filter(|own| own.name().starts_with(letter));
+        let own = set.iter().filter(|own| own.name().starts_with(letter));
+        let own = own.filter(|own| !one || own.name().ends_with("_xx"));
         let shown = own.map(|own| {
             let value = rounded(own.value(), 10);
             let direction = own.name().split_once('_').map_or("", |(_, direction)| direction);
+            let direction = if one { "" } else { direction };
             let space = if direction.is_empty() { "" } else { " " };
             let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
             let value = if plain { value.to_string() } else { format!("{value:e}") };
@@ -151,7 +172,7 @@ fn values(joint: &Joint) -> String {
         });
         shown.collect::<Vec<_>>().join(", ")
     };
-    format!(", stiffness {} {}, damping {} {}", of("k"), units[0], of("c"), units[1])
+    format!(", {called}stiffness {} {}, damping {} {}", of("k"), units[0], of("c"), units[1])
 }
 
 /// Mass, z of the centre, polar and transverse inertia of a body with what it carries.

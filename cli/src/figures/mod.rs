@@ -192,13 +192,13 @@ mod tests {
     use crate::case::SupportName;
     use crate::history::{HistoryFile, HistoryWriter};
     use crate::report::last_cycle;
-    use whirl_solver::history::History;
+    use whirl_solver::history::{History, JointColumns};
 
     /// One support, two revolutions at 10 Hz after 0.1 s at rest, in steps of 1 ms.
     fn history() -> (tempfile::TempDir, HistoryFile) {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("history.csv");
-        let names = History::for_bearings(&[("1", false)], &[], &[]).names().to_vec();
+        let names = History::for_bearings(&[JointColumns::of("1")], &[], &[]).names().to_vec();
         let mut history = HistoryWriter::create(&path, &names).unwrap();
         for step in 1..=300 {
             let time = 1e-3 * f64::from(step);
@@ -280,7 +280,10 @@ mod tests {
     fn reactions_and_orbits_go_through_their_own_columns_in_the_last_cycle() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("history.csv");
-        let names = History::for_bearings(&[("1", false), ("2", false)], &[], &[]).names().to_vec();
+        let names =
+            History::for_bearings(&[JointColumns::of("1"), JointColumns::of("2")], &[], &[])
+                .names()
+                .to_vec();
         let mut writer = HistoryWriter::create(&path, &names).unwrap();
         // Every column has values of its own, which no cycle of 0.1 s repeats.
         let angle = |step: u32| 0.3 + TAU * 10.0 * 1e-3 * f64::from(step);

@@ -32,6 +32,7 @@ pub(super) fn describe<'a>(
     let mut bearings = Vec::with_capacity(lumped.stops.len());
     for (place, stop) in lumped.stops.iter().enumerate() {
         bearings.push(Bearing {
+            others: Vec::new(),
             name: format!("stop {}", place + 1),
             label: None,
             sides: Sides::default(),

@@ -66,6 +66,7 @@ fn bearings(rotor: &Rotor, plan: &MachinePlan, laws: &mut Laws) -> Result<Vec<Be
         let journal = plan.journals[place];
         let ends = [journal[0], journal[2]].map(|node| plan.shaft.position(node)[2]);
         bearings.push(Bearing {
+            others: Vec::new(),
             name: format!("bearing {}", place + 1),
             label: None,
             sides: Sides::default(),

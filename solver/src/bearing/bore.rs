@@ -285,6 +285,7 @@ mod tests {
     fn the_bore_stands_the_clearance_out_from_the_journal() {
         let nodes = rigid(&[[0.3, 0.4], [-0.4, 0.3], [0.0, -0.7], [0.0, 0.3]]);
         let bearing = Bearing {
+            others: Vec::new(),
             name: String::new(),
             label: None,
             sides: Sides::default(),

@@ -3,6 +3,7 @@
 mod apart;
 mod bore;
 pub mod law;
+mod other;
 mod place;
 mod projected;
 mod spin;
@@ -14,6 +15,7 @@ pub(crate) mod work;
 use std::ops::Range;
 
 pub use law::{SpringLaw, Validity};
+pub use other::{MotionKind, OtherMotion};
 pub use spline::{periodic_spline, spline_passes};
 pub use state::SpringState;
 pub(crate) use state::TurnedRows;
@@ -51,6 +53,8 @@ pub struct Bearing {
     pub angles: Vec<f64>,
     /// Which of the laws given to `Springs::new`.
     pub law: usize,
+    /// Other motions of its sides, each with a law of its own.
+    pub others: Vec<OtherMotion>,
 }
 
 /// The bodies that a bearing joins, and how they stand to each other undeformed.
@@ -107,10 +111,12 @@ pub(crate) struct Plane {
     pub(crate) law: usize,
     /// Which bearing, counted from 0.
     pub(crate) bearing: usize,
+    /// What of its sides moves, where it is not their displacement in the plane.
+    pub(crate) other: Option<MotionKind>,
     /// Its springs among those of the law; one if the law acts once a plane.
     pub(crate) springs: Range<usize>,
     /// The angle of the journal, or of its section, against the bore, and the displacement ε_x and ε_y of the journal in the frame of its
-    /// body, as Σ coefficient · q. Where the axes are apart the last terms of ε are of θ of the journal, and change.
+    /// body, as Σ coefficient · q; another motion in place of ε where it has one. Where the axes are apart the last terms of ε are of θ of the journal, and change.
     pub(crate) rows: [Vec<(usize, f64)>; 3],
     /// The axes of both bodies, where they are apart.
     pub(crate) apart: Option<Apart>,

@@ -7,6 +7,7 @@ use whirl_specs::Clearance;
 
 use super::bore::{Bore, at_springs, between, journal_radius};
 use super::law::{BoundLaw, SpringLaw};
+use super::other::{MotionKind, OtherMotion, Part};
 use super::valid::Measures;
 use super::{Apart, Bearing, Bores, PlacedLaw, Plane, Springs};
 use crate::bodies::{Body, BodyPlace};
@@ -38,12 +39,12 @@ impl Springs {
         };
         for (place, law) in laws.into_iter().enumerate() {
             let name = law.name().to_owned();
-            let users = bearings.iter().enumerate().filter(|(_, bearing)| bearing.law == place);
-            let users: Vec<(usize, &Bearing)> = users.collect();
+            let users: Vec<Part> =
+                Part::all(bearings).into_iter().filter(|part| part.law == place).collect();
             match BoundLaw::new(Arc::from(law), kernels.contacts) {
                 Ok(law) => placing.place(&law, &users),
                 Err(wrong) => {
-                    let bearing = users.first().map(|(number, _)| *number);
+                    let bearing = users.first().map(|part| part.number);
                     let (what, help) = (wrong.what, wrong.help);
                     placing.errors.push(Error::Law { law: name, bearing, what, help });
                 }
@@ -103,28 +104,51 @@ struct MotionRows {
 
 impl Placing<'_> {
     /// Places a law in the bearings that name it, body of the bores by body.
-    fn place(&mut self, law: &BoundLaw, users: &[(usize, &Bearing)]) {
+    fn place(&mut self, law: &BoundLaw, users: &[Part]) {
         let mut bodies: Vec<usize> = Vec::new();
-        for (_, bearing) in users {
-            let bore = bearing.sides.bodies[1];
+        for part in users {
+            let bore = part.bearing.sides.bodies[1];
             if !bodies.contains(&bore) {
                 bodies.push(bore);
             }
         }
         for body in bodies {
-            let users = users.iter().filter(|(_, bearing)| bearing.sides.bodies[1] == body);
-            let users: Vec<(usize, &Bearing)> = users.copied().collect();
+            let users = users.iter().filter(|part| part.bearing.sides.bodies[1] == body);
+            let users: Vec<Part> = users.copied().collect();
             self.place_in(law.clone(), body, &users);
         }
     }
 
     /// Places a law in bearings whose bores are on one body.
-    fn place_in(&mut self, law: BoundLaw, body: usize, users: &[(usize, &Bearing)]) {
+    fn place_in(&mut self, law: BoundLaw, body: usize, users: &[Part]) {
         let (kind, first) = (law.kind, self.planes.len());
         let needed = law.motions();
         let mut motions = vec![MotionRows::default(); kind.bore.len()];
         let mut angles = Vec::new();
-        for &(number, bearing) in users {
+        for &Part { number, bearing, other, .. } in users {
+            if let Some(other) = other {
+                if kind.each_spring {
+                    self.errors.push(Error::Law {
+                        law: law.law.name().to_owned(),
+                        bearing: Some(number),
+                        what: "acts at springs, but tilts and displacements along z have none"
+                            .to_owned(),
+                        help: "give it the forces of a ring, F_x and F_y".to_owned(),
+                    });
+                    continue;
+                }
+                for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
+                    if *needed {
+                        own.rows.push(other.of_second(&self.bodies[body], *motion));
+                        own.offset.push(0.0);
+                    }
+                }
+                let spring = angles.len();
+                angles.push(0.0);
+                let plane = self.plane_of_other((number, bearing), other, spring);
+                self.planes.push(plane);
+                continue;
+            }
             let radius = self.radius(&law, (number, bearing));
             let along_ring = kind.bore.iter().zip(&needed).any(|(m, own)| *own && at_springs(*m));
             let bore = Bore::new(self.kernels, (number, bearing), &self.bodies[body], along_ring);
@@ -213,6 +237,7 @@ impl Placing<'_> {
         Plane {
             law: self.laws.len(),
             bearing: number,
+            other: None,
             springs,
             rows: [angle, x, y],
             apart,
@@ -221,6 +246,34 @@ impl Placing<'_> {
             clearance: bearing.clearance,
             radius: radius.unwrap_or(0.0),
             arm: radius.filter(|radius| *radius > 0.0).unwrap_or(1.0),
+        }
+    }
+
+    /// The only plane of another motion of a bearing, of the law that is placed next.
+    fn plane_of_other(
+        &self,
+        (number, bearing): (usize, &Bearing),
+        other: &OtherMotion,
+        spring: usize,
+    ) -> Plane {
+        let [first, second] = bearing.sides.bodies.map(|body| &self.places[body]);
+        let body = &self.bodies[bearing.sides.bodies[0]];
+        let [x, y] = other.of_first(body, first.flexible.start);
+        let turns = other.kind == MotionKind::Tilts;
+        let rotations = [(first.rotation, 1.0), (second.rotation, -1.0)].into_iter();
+        let angle = rotations.filter_map(|(place, sign)| Some((place.filter(|_| turns)?, sign)));
+        Plane {
+            law: self.laws.len(),
+            bearing: number,
+            other: Some(other.kind),
+            springs: spring..spring + 1,
+            rows: [angle.collect(), x, y],
+            apart: None,
+            run_out: [0.0; 2],
+            spin: body.rotation().and_then(|own| own.spin()).filter(|_| turns),
+            clearance: bearing.clearance,
+            radius: 0.0,
+            arm: 1.0,
         }
     }
 

@@ -188,7 +188,7 @@ fn joint_power(system: &System, joint: usize, state: &State) -> f64 {
     let place = &system.machine.places()[monitor.bodies[0]];
     let is_own = |i: usize| place.rotation == Some(i) || place.flexible.contains(&i);
     let mut power = 0.0;
-    for &plane in &monitor.planes {
+    for plane in monitor.all_planes() {
         for (row, force) in system.springs.rows(plane).iter().zip(system.springs.plane_force(plane))
         {
             let own = row.iter().filter(|(i, _)| is_own(*i));

@@ -56,6 +56,15 @@ pub(super) fn write_row(
             row[other] = torques.sum();
             other += 1;
         }
+        if let Some(plane) = monitor.tilts {
+            let [_, x, y] = springs.plane_force(plane);
+            row[other..other + 2].copy_from_slice(&frame.to_space([x, y]));
+            other += 2;
+        }
+        if let Some(plane) = monitor.along {
+            row[other] = springs.plane_force(plane)[1];
+            other += 1;
+        }
     }
     for own in turning {
         row[other..other + 2].copy_from_slice(&own);

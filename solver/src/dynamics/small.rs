@@ -83,6 +83,7 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
         (0..5).map(|i| f64::from(i).sin_cos()).map(|(y, x)| [x, y, 0.0]).collect();
     let support = Support::lumped(4.0, [500.0, 800.0], [20.0, 28.0], &around);
     let bearing = |law: usize| Bearing {
+        others: Vec::new(),
         name: format!("bearing {law}"),
         label: None,
         sides: Sides::default(),

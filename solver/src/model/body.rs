@@ -34,8 +34,8 @@ pub struct BodyModel<'a> {
 pub enum Form<'a> {
     /// A mesh that deforms.
     Flexible(MeshModel<'a>),
-    /// A mesh taken as rigid.
-    RigidMesh(MeshModel<'a>),
+    /// A mesh taken as rigid, and whether it may move along z.
+    RigidMesh(MeshModel<'a>, bool),
     /// Numbers, with the positions of its points (m).
     Rigid(&'a RigidBody, &'a [[f64; 3]]),
     /// A point that turns, ready as it is.
@@ -144,16 +144,16 @@ impl BodyModel<'_> {
                     }
                 }
             }
-            (Form::RigidMesh(own), Some(rotation)) => {
-                let (inertia, positions) = own.rigid()?;
+            (Form::RigidMesh(own, along), Some(rotation)) => {
+                let (inertia, positions) = own.rigid(*along)?;
                 let measures = inertia.measures(&own.centres(), true);
                 let shaft = inertia.turning(&positions);
                 let nodes = own.seen(&shaft.nodes, &measures);
                 let shaft = self.carrying(Shaft { nodes, measures, ..shaft });
                 Body::turning(self.name, shaft, rotation.clone())
             }
-            (Form::RigidMesh(own), None) => {
-                let (inertia, positions) = own.rigid()?;
+            (Form::RigidMesh(own, along), None) => {
+                let (inertia, positions) = own.rigid(*along)?;
                 let measures = inertia.measures(&own.centres(), false);
                 let support = inertia.standing(&positions, [0.0; 2], [0.0; 2]);
                 let nodes = own.seen(&support.nodes, &measures);
@@ -204,9 +204,9 @@ impl MeshModel<'_> {
     }
 
     /// The inertia of the mesh, and where the nodes of the spec are (m).
-    fn rigid(&self) -> Result<(RigidInertia, Vec<[f64; 3]>), Error> {
+    fn rigid(&self, along: bool) -> Result<(RigidInertia, Vec<[f64; 3]>), Error> {
         let positions = self.spec.nodes.iter().map(|&node| self.mesh.nodes()[node]).collect();
-        Ok((RigidInertia::of(self.mesh)?, positions))
+        Ok((RigidInertia::of(self.mesh, along)?, positions))
     }
 
     fn centres(&self) -> Vec<[f64; 3]> {

@@ -201,6 +201,7 @@ impl ByHand {
             let journal = [0, 1, 2].map(|end| 3 * place + end);
             let [left, _, right] = journal.map(|node| shaft.nodes[node].position[2]);
             placed.push(Bearing {
+                others: Vec::new(),
                 label: None,
                 sides: Sides::default(),
                 name: format!("bearing {place}"),

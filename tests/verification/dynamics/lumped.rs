@@ -2,7 +2,7 @@
 
 use whirl_solver::bearing::{Bearing, SpringLaw};
 use whirl_solver::dynamics::{March, MarchOptions, march};
-use whirl_solver::history::History;
+use whirl_solver::history::{History, JointColumns};
 use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::shaft::Shaft;
@@ -35,7 +35,7 @@ impl Stop {
         let [mut x, mut v] = at(&march);
         let flowing = self.energy(x, v).abs().max(0.5 * self.mass * v * v);
         let (mut met, mut between) = (0, 0.0);
-        let mut history = History::for_bearings(&[("1", false)], &[], &[]);
+        let mut history = History::for_bearings(&[JointColumns::of("1")], &[], &[]);
         for step in 0..options.steps {
             march.advance().unwrap_or_else(|error| panic!("{error}"));
             history.push(march.row());

@@ -120,6 +120,7 @@ pub(crate) fn bores() -> Support {
 /// A bearing of the middle three discs in [`bores`], with springs in four planes.
 pub(crate) fn bearing(law: usize) -> Bearing {
     Bearing {
+        others: Vec::new(),
         name: "bearing 1".to_owned(),
         label: None,
         sides: Sides::default(),
@@ -136,6 +137,7 @@ pub(crate) fn bearing(law: usize) -> Bearing {
 /// A bearing of one ring without a support, at a journal of one node.
 pub(crate) fn stops(name: &str, gap: f64, angles: &[f64], law: usize) -> Bearing {
     Bearing {
+        others: Vec::new(),
         name: name.to_owned(),
         label: None,
         sides: Sides::default(),

@@ -23,6 +23,8 @@ pub(super) struct BodyDraft {
 
 /// Keys of a rigid body.
 const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffness"];
+/// Keys of rigid bodies, with a mesh or without, and of all.
+const OF_BOTH: [&str; 4] = ["z", "damping", "ground_spring", "moves_along_z"];
 /// Keys of a body with a mesh.
 const MESHED: [&str; 12] = [
     "mesh",
@@ -44,7 +46,10 @@ const OF_FLEXIBLE: [(&str, &str); 7] = [
     ("modes", "leave it out"),
     ("damping", "leave it out: a rigid body has no deformation to damp"),
     ("stiffening", "leave it out: it is exact for a rigid body"),
-    ("axial_restraint", "leave it out: a rigid body does not move along z"),
+    (
+        "axial_restraint",
+        "leave it out: a rigid body moves along z with `moves_along_z = true` only",
+    ),
     ("section", "leave it out: all sections of a rigid body turn alike"),
     ("held", "leave the body out, and let its joints name the ground"),
     ("ground_spring", "join the body to the ground by a `bushing`"),
@@ -82,7 +87,7 @@ pub(super) fn read(
             table.push(table.written(rigid).error_here(Code::BAD_VALUE, message).help(help));
             selections::read(table);
             MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
-            ["z", "damping", "ground_spring"].iter().for_each(|key| table.pass_over(key));
+            OF_BOTH.iter().for_each(|key| table.pass_over(key));
             None
         }
         (Some(_), None) => read_meshed(store, table, materials, turned).map(Form::Meshed),
@@ -92,7 +97,7 @@ pub(super) fn read(
                 "add `mesh = \"body.inp\"`, a table of `dimensions`, or the `mass` of a rigid body";
             table.absent("mesh", help);
             MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
-            ["z", "damping", "ground_spring"].iter().for_each(|key| table.pass_over(key));
+            OF_BOTH.iter().for_each(|key| table.pass_over(key));
             None
         }
     };
@@ -198,10 +203,17 @@ fn read_meshed(
         let help = "such as `section = \"END\"`";
         table.push(table.written("section").error_here(Code::BAD_VALUE, message).help(help));
     }
-    if turns && !rigid && axial_restraint.is_none() && held.is_empty() {
-        table.demand("axial_restraint");
-    }
     let ground_springs = if turns { Vec::new() } else { machine::ground_springs(table) };
+    let moves_along_z = table.optional_boolean("moves_along_z").unwrap_or(false);
+    if moves_along_z && !rigid {
+        let message = "`moves_along_z` is of a rigid body, and this one deforms";
+        let help = if turns {
+            "leave it out, and `axial_restraint`, too: a bushing with `axial_stiffness` holds the body then"
+        } else {
+            "leave it out: what is not held moves along z"
+        };
+        table.push(table.written("moves_along_z").error_here(Code::BAD_VALUE, message).help(help));
+    }
     let stiffening = turns && table.optional_boolean("stiffening").unwrap_or(true);
     Some(Box::new(MeshedBody {
         body: body?,
@@ -211,6 +223,7 @@ fn read_meshed(
         section,
         stiffening,
         rigid,
+        moves_along_z,
     }))
 }
 
@@ -280,6 +293,7 @@ fn read_rigid(table: &Table, turns: bool) -> RigidBody {
         mass: table.quantity_or_one("mass"),
         polar_inertia: polar_inertia.unwrap_or(if turns { 1.0 } else { 0.0 }),
         transverse_inertia,
+        moves_along_z: table.optional_boolean("moves_along_z").unwrap_or(false),
         z: table.quantity("z"),
         stiffness: to_ground("stiffness"),
         damping: to_ground("damping"),

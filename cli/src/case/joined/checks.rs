@@ -2,6 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_solver::bearing::MotionKind;
 use whirl_specs::Motion;
 
 use super::fit;
@@ -69,6 +70,29 @@ impl Checks<'_, '_> {
             };
             self.note(&of_second, message, help);
         }
+        if let (Some(table), false) = (&joint.table, first) {
+            let message = format!(
+                "`{}` does not turn: a table over the speed has none of it",
+                of_first.text()
+            );
+            self.note(table, message, "write `stiffness` and `damping` in its place");
+        }
+        for own in &joint.others {
+            if !joint.sides.iter().any(|side| self.has_motion(side, own.kind)) {
+                let (what, help) = match own.kind {
+                    MotionKind::Tilts => (
+                        "tilts",
+                        "give a rigid body of it a `transverse_inertia`, or leave this out",
+                    ),
+                    MotionKind::Along => (
+                        "moves along z",
+                        "write `moves_along_z = true` on a rigid body of it, or leave this out",
+                    ),
+                };
+                let message = format!("neither side of `{}` {what}", joint.name.text());
+                self.note(&own.place, message, help);
+            }
+        }
         if joint.kind == JointKind::Coupling && !first {
             let message =
                 format!("`{}` does not turn: a coupling joins rotations", of_first.text());
@@ -77,6 +101,17 @@ impl Checks<'_, '_> {
                 false => "name a body that turns",
             };
             self.note(&of_first, message, help);
+        }
+    }
+
+    /// Whether the body of a side has tilts, or moves along z.
+    fn has_motion(&self, side: &Side, kind: MotionKind) -> bool {
+        let Some(body) = side.body else { return false };
+        match (&self.machine.bodies[body].form, kind) {
+            (Form::Rigid(own), MotionKind::Tilts) => own.transverse_inertia.is_some(),
+            (Form::Rigid(own), MotionKind::Along) => own.moves_along_z,
+            (Form::Meshed(own), MotionKind::Along) => !own.rigid || own.moves_along_z,
+            (Form::Meshed(_), MotionKind::Tilts) => true,
         }
     }
 
@@ -187,6 +222,7 @@ impl Checks<'_, '_> {
                 self.note(&body.name.clone(), message, help);
             }
         }
+        self.along_z(body, &joints);
         let (tilts, without) = match &body.form {
             Form::Rigid(rigid) => {
                 (rigid.transverse_inertia.is_some(), "leave `transverse_inertia` out, ")
@@ -212,6 +248,33 @@ impl Checks<'_, '_> {
             self.note(&body.name.clone(), message, help);
         }
     }
+
+    /// Notes a body that nothing holds along z.
+    fn along_z(&mut self, body: &NamedBody, joints: &[&Joint]) {
+        let name = body.name.text();
+        let acts = |joint: &&Joint| joint.others.iter().any(|own| own.kind == MotionKind::Along);
+        if joints.iter().any(acts) {
+            return;
+        }
+        let moves = match &body.form {
+            Form::Rigid(own) => own.moves_along_z,
+            Form::Meshed(own) => own.moves_along_z,
+        };
+        if moves {
+            let message = format!("nothing acts on the motion of `{name}` along z");
+            let help = "add a bushing with `axial_stiffness` on it, or leave `moves_along_z` out";
+            self.note(&body.name.clone(), message, help);
+        }
+        let Form::Meshed(own) = &body.form else { return };
+        let held = own.rigid || own.axial_restraint.is_some() || !own.held.is_empty();
+        if body.turning.is_some() && !held {
+            let message =
+                format!("`[body.{name}]` has no `axial_restraint`: nothing holds it along z");
+            let help = "add `axial_restraint = \"…\"`, a node set that is held along z; or a bushing with \
+                        `axial_stiffness` on it";
+            self.file.push(body.name.error_here(Code::MISSING_KEY, message).help(help));
+        }
+    }
 }
 
 /// Whether a body stands on the ground by itself.
@@ -230,7 +293,8 @@ fn acts_along(joint: &Joint, axis: usize) -> bool {
         JointKind::Coupling => false,
         JointKind::Bushing => {
             let letter = ["x", "y"][axis];
-            joint.bearing.parameters.iter().any(|set| set.acts_along(letter))
+            joint.table.is_some()
+                || joint.bearing.parameters.iter().any(|set| set.acts_along(letter))
         }
     }
 }
@@ -254,7 +318,8 @@ fn in_one_plane(joints: &[&Joint]) -> bool {
 
 /// Whether a joint acts on tilts by itself.
 fn long(joint: &Joint) -> bool {
-    joint.bearing.stations.len() > 1
+    joint.others.iter().any(|own| own.kind == MotionKind::Tilts)
+        || joint.bearing.stations.len() > 1
         || joint.bearing.stations.is_empty() && joint.sides.iter().any(|side| side.sets.len() == 3)
 }
 

@@ -11,7 +11,7 @@ use whirl_codegen::units::Quantity;
 use super::fit::Room;
 use super::names::{self, GROUND};
 use super::schema;
-use super::{Joint, JointKind, Side};
+use super::{Joint, JointKind, OtherLaw, Side, bushing};
 use crate::case::law::{self, NamedLaw};
 use crate::case::library::FileStore;
 use crate::case::lumped;
@@ -41,7 +41,7 @@ pub(super) fn read(
     let parts = match kind {
         JointKind::Bearing => bearing(store, table),
         JointKind::Stop => stop(store, table),
-        JointKind::Bushing => bushing(table),
+        JointKind::Bushing => bushing::read(store, table),
         JointKind::Coupling => coupling(table),
     };
     let of_bearing = matches!(kind, JointKind::Bearing | JointKind::Stop);
@@ -60,7 +60,8 @@ pub(super) fn read(
         table.push(bore.place.error_here(Code::BAD_VALUE, message).help(help));
         return None;
     }
-    let Parts { springs, law, parameters, mut facts, clearance, stations, angle } = parts?;
+    let parts = parts?;
+    let Parts { springs, law, parameters, mut facts, clearance, stations, angle, .. } = parts;
     let sets = |side: &Side| match side.sets.as_slice() {
         [one] => vec![one.clone(); 3],
         sets => sets.to_vec(),
@@ -104,7 +105,8 @@ pub(super) fn read(
         places: table.places(),
     };
     let (name, sides) = (name.clone(), [journal, bore]);
-    Some(Joint { name, kind, sides, bearing, angle, run_out, offset })
+    let (others, table) = (parts.others, parts.table);
+    Some(Joint { name, kind, sides, bearing, others, table, angle, run_out, offset })
 }
 
 /// One side; the second one is the ground if it is left out.
@@ -149,7 +151,7 @@ fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
 }
 
 /// What a joint of any kind has.
-struct Parts {
+pub(super) struct Parts {
     springs: usize,
     law: NamedLaw,
     parameters: Vec<SetParameter>,
@@ -157,6 +159,35 @@ struct Parts {
     clearance: f64,
     stations: Vec<f64>,
     angle: Option<f64>,
+    others: Vec<OtherLaw>,
+    table: Option<Located>,
+}
+
+impl Parts {
+    /// Of a joint that acts once, without clearance, by a law with these values.
+    pub(super) fn of_law(law: NamedLaw, parameters: Vec<SetParameter>) -> Parts {
+        Parts {
+            springs: 1,
+            law,
+            parameters,
+            facts: BearingFacts::default(),
+            clearance: 0.0,
+            stations: Vec::new(),
+            angle: None,
+            others: Vec::new(),
+            table: None,
+        }
+    }
+
+    /// With laws on other motions, and the file of its coefficients.
+    pub(super) fn with(self, others: Vec<OtherLaw>, table: Option<Located>) -> Parts {
+        Parts { others, table, ..self }
+    }
+}
+
+/// A joint whose law is shipped.
+fn shipped(table: &Table, name: &str, parameters: Vec<SetParameter>) -> Option<Parts> {
+    Some(Parts::of_law(bushing::shipped(table, name)?, parameters))
 }
 
 /// What messages call the values of a bearing and of a stop.
@@ -193,12 +224,10 @@ fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
     parameters::check(table, &law, &parameters, OF_BEARING, &mut facts);
     (table.errors() == before).then(|| Parts {
         springs: springs.unwrap_or(1),
-        law,
-        parameters,
         facts,
         clearance: clearance.map_or(0.0, |clearance| clearance.si()),
         stations,
-        angle: None,
+        ..Parts::of_law(law, parameters)
     })
 }
 
@@ -227,52 +256,18 @@ fn stop(store: FileStore, table: &Table) -> Option<Parts> {
     parameters::check(table, &law, &parameters, OF_STOP, &mut facts);
     let around = facts.radial_clearance.as_ref().map_or(0.0, nearest);
     (table.errors() == before).then(|| Parts {
-        springs: 1,
-        law,
-        parameters,
         facts,
         clearance: match side {
             lumped::Side::Around => around,
             _ => gap.map_or(1.0, |gap| gap.si()),
         },
-        stations: Vec::new(),
         angle: match side {
             lumped::Side::Above => Some(0.0),
             lumped::Side::Below => Some(PI),
             lumped::Side::Around => None,
         },
+        ..Parts::of_law(law, parameters)
     })
-}
-
-/// Directions of force and motion, as keys of bushings and parameters of their law call them.
-const DIRECTIONS: [&str; 4] = ["xx", "xy", "yx", "yy"];
-
-fn bushing(table: &Table) -> Option<Parts> {
-    let (mut set, mut right) = (Vec::with_capacity(8), true);
-    for (key, letter, zero) in [("stiffness", "k", "0 N/m"), ("damping", "c", "0 N*s/m")] {
-        let before = table.errors();
-        let values = |own: &Table| {
-            DIRECTIONS.map(|direction| {
-                let place = own.written(direction);
-                (place, own.exact_quantity(direction))
-            })
-        };
-        let of_text = names::is_text(table, key, |text| format!("{{ xx = {text}, yy = {text} }}"));
-        let given = if of_text { None } else { table.in_table(key, values) };
-        right &= table.errors() == before;
-        for (place, direction) in DIRECTIONS.iter().enumerate() {
-            let (at, value) =
-                given.as_ref().map_or((table.written(key), None), |own| own[place].clone());
-            let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
-            set.push(SetParameter::new(&format!("{letter}_{direction}"), &at, value));
-        }
-    }
-    if !table.has("stiffness") && !table.has("damping") {
-        let help = "add `stiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }`";
-        table.absent("stiffness", help);
-    }
-    right = right && acts(table, "bushing", &set);
-    right.then(|| shipped(table, "bushing", set)).flatten()
 }
 
 fn coupling(table: &Table) -> Option<Parts> {
@@ -287,39 +282,8 @@ fn coupling(table: &Table) -> Option<Parts> {
         let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
         set.push(SetParameter::new(name, &table.written(key), value));
     }
-    right = right && acts(table, "coupling", &set);
+    right = right && bushing::acts(table, "coupling", &set);
     right.then(|| shipped(table, "coupling", set)).flatten()
-}
-
-/// Notes a joint that gives no force at all, unless it lacks its stiffness, which is noted.
-fn acts(table: &Table, called: &str, set: &[SetParameter]) -> bool {
-    let key = ["stiffness", "damping"].into_iter().find(|key| table.gives(key));
-    let Some(key) = key.filter(|_| set.iter().all(|own| own.value() == 0.0)) else { return true };
-    let message = format!("this {called} has neither stiffness nor damping: it joins nothing");
-    let help = format!(
-        "such as `{key} = {}`, or take the {called} out",
-        match called {
-            "bushing" => "{ xx = \"1e8 N/m\", yy = \"1e8 N/m\" }",
-            _ => "\"1e4 N*m/rad\"",
-        }
-    );
-    table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
-    false
-}
-
-/// A joint whose law is shipped.
-fn shipped(table: &Table, name: &str, parameters: Vec<SetParameter>) -> Option<Parts> {
-    let name = table.heading().text(name);
-    let law = NamedLaw { source: law::find(FileStore::Embedded, table, &name)?, name };
-    Some(Parts {
-        springs: 1,
-        law,
-        parameters,
-        facts: BearingFacts::default(),
-        clearance: 0.0,
-        stations: Vec::new(),
-        angle: None,
-    })
 }
 
 /// No place, one for all rings, or one each.

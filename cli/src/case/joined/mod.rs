@@ -3,6 +3,7 @@
 
 mod attached;
 mod bodies;
+mod bushing;
 mod checks;
 mod fit;
 mod forces;
@@ -14,6 +15,7 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_solver::bearing::MotionKind;
 use whirl_solver::error::Error;
 use whirl_solver::mesh;
 use whirl_solver::mesh::crank::CrankThrow;
@@ -24,9 +26,11 @@ use whirl_specs::{Element, Motion};
 pub(crate) use self::attached::{Attached, Carried};
 use super::columns::Columns;
 use super::gravity::{self, Gravity};
+use super::law::NamedLaw;
 use super::library::FileStore;
 use super::loads;
 use super::machine::Materials;
+use super::parameters::SetParameter;
 use super::rotor::{self, Bearing, GroundSpring};
 
 /// Keys that make a file one of named bodies.
@@ -122,6 +126,8 @@ pub(crate) struct MeshedBody {
     pub(crate) stiffening: bool,
     /// Whether it is taken as rigid, and not reduced.
     pub(crate) rigid: bool,
+    /// Whether it may move along z, if it is rigid.
+    pub(crate) moves_along_z: bool,
 }
 
 /// A rigid body.
@@ -133,6 +139,8 @@ pub(crate) struct RigidBody {
     pub(crate) polar_inertia: f64,
     /// About x and y through its centre, kg·m²; a body without does not tilt.
     pub(crate) transverse_inertia: Option<f64>,
+    /// Whether it may move along z.
+    pub(crate) moves_along_z: bool,
     /// z of its centre, m, if the case says it.
     pub(crate) z: Option<f64>,
     /// To the ground along x and y, N/m.
@@ -178,12 +186,29 @@ pub(crate) struct Joint {
     pub(crate) sides: [Side; 2],
     /// Its law and what the case says of it; the sets are those of the sides.
     pub(crate) bearing: Bearing,
+    /// Laws of a bushing on other motions than the displacement in its plane.
+    pub(crate) others: Vec<OtherLaw>,
+    /// The file of its coefficients over the speed, if a bushing has one.
+    pub(crate) table: Option<Located>,
     /// Angle of the only spring of a stop on one side, rad.
     pub(crate) angle: Option<f64>,
     /// Of the journal at the left end, the middle and the right end, m.
     pub(crate) run_out: [[f64; 2]; 3],
     /// Of the bore at the same, m.
     pub(crate) offset: [[f64; 2]; 3],
+}
+
+/// The law of a bushing on the tilts of its sides, or on their displacement along z.
+#[derive(Debug, Clone)]
+pub(crate) struct OtherLaw {
+    /// On which.
+    pub(crate) kind: MotionKind,
+    /// Stiffness and damping.
+    pub(crate) law: NamedLaw,
+    /// Their values.
+    pub(crate) parameters: Vec<SetParameter>,
+    /// Where the case gives them.
+    pub(crate) place: Located,
 }
 
 /// Kinds of joints.

@@ -8,8 +8,8 @@ use whirl_codegen::document::schema::{Key, Shape, key, merged};
 use crate::case::schema::{
     ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
     GROUND_SPRING, INERTIA, LENGTH, MASS, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION, NAMES,
-    PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION, STIFFNESS, TARGET_SPEED, TORQUE,
-    TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
+    PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION, STIFFNESS, TARGET_SPEED, TILTING_DAMPING,
+    TILTING_STIFFNESS, TORQUE, TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
 };
 
 /// A place in the plane.
@@ -69,6 +69,7 @@ pub(crate) const BODY: &[Key] = &[
         Flag,
         "of a mesh that turns: false leaves out the stiffness by the centrifugal stress",
     ),
+    key("moves_along_z", Flag, "of a rigid body: true lets it move along z"),
 ];
 
 const DISC: &[Key] = &[
@@ -179,6 +180,26 @@ pub(crate) const JOINT: &[Key] = &[
         "of a coupling; of a bushing, by direction of force and speed",
     )
     .like("{ xx = \"2e4 N*s/m\", yy = \"2e4 N*s/m\" }"),
+    key(
+        "table",
+        Text,
+        "of a bushing: a file of its stiffness and damping over the speed of the first side, in place of both",
+    )
+    .like("\"film.csv\""),
+    key(
+        "tilting_stiffness",
+        Table(&[BUSHING_TILTING_STIFFNESS]),
+        "of a bushing, by axis of moment and of tilt",
+    )
+    .like("{ xx = \"1e4 N*m/rad\", yy = \"1e4 N*m/rad\" }"),
+    key(
+        "tilting_damping",
+        Table(&[BUSHING_TILTING_DAMPING]),
+        "of a bushing, by axis of moment and of rate of tilt",
+    )
+    .like("{ xx = \"10 N*m*s/rad\", yy = \"10 N*m*s/rad\" }"),
+    key("axial_stiffness", CROSS_STIFFNESS, "of a bushing, along z").like("\"1e8 N/m\""),
+    key("axial_damping", CROSS_DAMPING, "of a bushing, along z").like("\"2e4 N*s/m\""),
 ];
 
 const END: &[Key] = &[
@@ -207,6 +228,20 @@ const BUSHING_DAMPING: &[Key] = &[
     key("xy", CROSS_DAMPING, "force along x against a speed along y"),
     key("yx", CROSS_DAMPING, "force along y against a speed along x"),
     key("yy", CROSS_DAMPING, "force along y against a speed along y"),
+];
+
+const BUSHING_TILTING_STIFFNESS: &[Key] = &[
+    key("xx", TILTING_STIFFNESS, "moment about x against a tilt about x"),
+    key("xy", TILTING_STIFFNESS, "moment about x against a tilt about y"),
+    key("yx", TILTING_STIFFNESS, "moment about y against a tilt about x"),
+    key("yy", TILTING_STIFFNESS, "moment about y against a tilt about y"),
+];
+
+const BUSHING_TILTING_DAMPING: &[Key] = &[
+    key("xx", TILTING_DAMPING, "moment about x against a rate of tilt about x"),
+    key("xy", TILTING_DAMPING, "moment about x against a rate of tilt about y"),
+    key("yx", TILTING_DAMPING, "moment about y against a rate of tilt about x"),
+    key("yy", TILTING_DAMPING, "moment about y against a rate of tilt about y"),
 ];
 
 pub(crate) const DRIVE: &[Key] = &[

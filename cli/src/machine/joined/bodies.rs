@@ -69,6 +69,7 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
                 mass: rigid.mass,
                 polar_inertia: rigid.polar_inertia,
                 transverse_inertia: rigid.transverse_inertia,
+                along: rigid.moves_along_z,
                 centre: [x, y, rigid.z.unwrap_or(0.0)],
                 stiffness: rigid.stiffness,
                 damping: rigid.damping,
@@ -95,6 +96,7 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     let mut plan = BodyPlan::new(mesh, &own.body, held_by);
     plan.spec.stiffening = own.stiffening;
     plan.rigid = own.rigid;
+    plan.along = own.moves_along_z;
     let free = matches!(body.turning, Some(case::Turning::Free { .. }));
     plan.held_to_frame = body.turning.is_some() && held_against_turning(&plan.mesh, &own.held);
     plan.mean_frame = free && own.section.is_empty() && !plan.held_to_frame;

@@ -4,13 +4,14 @@ mod attached;
 mod bodies;
 mod compare;
 mod joints;
+mod others;
 mod section;
 mod surfaces;
 
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};
-use whirl_solver::bearing::{Bearing, Sides};
+use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
 use whirl_solver::bodies::Rotation;
 use whirl_solver::dynamics::BodyStart;
 use whirl_solver::loads::Release;
@@ -156,6 +157,11 @@ pub(super) fn describe<'a>(
     let mut bearings = Vec::with_capacity(joined.joints.len());
     for ((joint, own), law) in joined.joints.iter().zip(&plan.joints).zip(&plan.laws) {
         let springs = own.bearing.springs;
+        let mut others = Vec::with_capacity(own.others.len());
+        for other in &own.others {
+            let law = laws.place(&other.law)?;
+            others.push(OtherMotion { kind: other.kind, sections: other.sections, law });
+        }
         bearings.push(Bearing {
             name: format!("{} {}", joint.kind.words().0, joint.name.text()),
             label: Some(format!("_{}", joint.name.text())),
@@ -167,6 +173,7 @@ pub(super) fn describe<'a>(
             stations: rotor::stations(&own.bearing, [own.z[0], own.z[2]]),
             angles: joint.angle.map_or_else(|| angles(springs), |angle| vec![angle]),
             law: laws.place(law)?,
+            others,
         });
     }
     let loads = joined.loads.iter().zip(&plan.loads);

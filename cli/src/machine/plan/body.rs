@@ -35,6 +35,8 @@ pub(crate) struct BodyPlan {
     made_from: Located,
     /// Whether it is rigid, and nothing of it is reduced.
     pub(crate) rigid: bool,
+    /// Whether it may move along z, if it is rigid.
+    pub(in crate::machine) along: bool,
     /// Whether what is held keeps it from turning in its frame.
     pub(in crate::machine) held_to_frame: bool,
     /// Whether it turns freely, in the frame in which deformations have no angular momentum; else a section turns with the
@@ -88,6 +90,7 @@ impl BodyPlan {
             held_by,
             made_from,
             rigid: false,
+            along: false,
             held_to_frame: false,
             mean_frame: false,
             follows: None,
@@ -362,7 +365,7 @@ impl BodyPlan {
     pub(in crate::machine) fn form(&self) -> Form<'_> {
         let BodyPlan { mesh, spec, points, follows, .. } = self;
         let own = MeshModel { mesh, spec, points, follows: *follows };
-        if self.rigid { Form::RigidMesh(own) } else { Form::Flexible(own) }
+        if self.rigid { Form::RigidMesh(own, self.along) } else { Form::Flexible(own) }
     }
 
     /// Asks for the motion of all nodes; the place of the first one among the output points.

@@ -52,6 +52,7 @@ fn shaft() -> Shaft {
 
 fn bearing(name: &str, bodies: [usize; 2], bore: Vec<usize>, clearance: f64) -> Bearing {
     Bearing {
+        others: Vec::new(),
         name: name.to_owned(),
         label: None,
         sides: Sides { bodies, ..Sides::default() },
@@ -145,6 +146,7 @@ fn forces_and_couples_of_a_floating_ring_are_balanced() {
 fn in_clearance(weight: f64) -> Machine {
     let law = LAWS.iter().find(|law| law.origin.name == "hu2003-linear").expect("is shipped");
     let body = RigidBody {
+        along: false,
         mass: 10.0,
         polar_inertia: 0.1,
         transverse_inertia: Some(0.06),

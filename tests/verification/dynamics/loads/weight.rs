@@ -26,6 +26,7 @@ fn rotor() -> Shaft {
 
 fn plain() -> Shaft {
     let body = RigidBody {
+        along: false,
         mass: 4.0,
         polar_inertia: 0.02,
         transverse_inertia: Some(0.03),

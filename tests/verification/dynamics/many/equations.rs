@@ -2,14 +2,15 @@
 //! against differences.
 
 use num_dual::Dual64;
-use whirl_solver::bearing::Bearing;
+use whirl_solver::bearing::{Bearing, MotionKind};
 use whirl_solver::dynamics::{BodyStart, Coefficients, March, Newmark, State, System};
 use whirl_solver::history::History;
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 
 use super::super::audit::{strict, without_bearings, worst_row};
+use super::super::contacts::Formula;
 use super::super::wild;
-use super::{LAWS, Measures, every_load, everything, measures};
+use super::{LAWS, Measures, every_load, everything, measures, other_measures};
 
 /// A state in which nothing is small: angles and speeds of their size, displacements a part of the clearance.
 fn wild_state(machine: &Machine, seed: u64) -> State {
@@ -35,6 +36,11 @@ fn springs(own: &Bearing) -> usize {
 
 /// What the law of a bearing gives at a spring.
 fn given(own: &Bearing, spring: usize, moving: &Measures) -> Vec<Dual64> {
+    given_by(LAWS[own.law], own.angles[spring], moving)
+}
+
+/// What a law gives at an angle ψ.
+fn given_by(law: &Formula, psi: f64, moving: &Measures) -> Vec<Dual64> {
     let [h, s, alpha, e_x, e_y] = moving.values;
     let taken = |name: &&str| match *name {
         "h" => h.re,
@@ -42,14 +48,13 @@ fn given(own: &Bearing, spring: usize, moving: &Measures) -> Vec<Dual64> {
         "v_t" => s.eps,
         "omega" => alpha.eps,
         "theta" => moving.theta.re,
-        "psi" => own.angles[spring],
+        "psi" => psi,
         "e_x" => e_x.re,
         "e_y" => e_y.re,
         "e_x_dot" => e_x.eps,
         "e_y_dot" => e_y.eps,
         other => panic!("{other} is no input"),
     };
-    let law = LAWS[own.law];
     let inputs: Vec<Dual64> = law.inputs.iter().map(taken).map(Dual64::from).collect();
     (law.value)(&inputs)
 }
@@ -60,24 +65,31 @@ fn products(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<Vec<f
     let direction = |along: &[f64]| -> Vec<Dual64> {
         state.q.iter().zip(along).map(|(q, v)| Dual64::new(*q, *v)).collect()
     };
+    let mut add = |law: &Formula, psi: f64, at: &dyn Fn(&[f64]) -> Measures| {
+        let given = given_by(law, psi, &at(&state.v));
+        for (place, products) in products.iter_mut().enumerate() {
+            let mut unit = vec![0.0; machine.size()];
+            unit[place] = 1.0;
+            let slopes = at(&unit).values.map(|own| own.eps);
+            for (name, force) in law.outputs.iter().zip(&given) {
+                let measure = ["Q", "T", "M_z", "F_x", "F_y"];
+                let measure = measure.iter().position(|own| own == name).expect("known");
+                products.push(force.re * slopes[measure]);
+            }
+        }
+    };
     for own in &parts.bearings {
-        let law = LAWS[own.law];
         for station in &own.stations {
             for spring in 0..springs(own) {
-                let at =
-                    |along: &[f64]| measures(machine, own, *station, spring, &direction(along));
-                let given = given(own, spring, &at(&state.v));
-                for (place, products) in products.iter_mut().enumerate() {
-                    let mut unit = vec![0.0; machine.size()];
-                    unit[place] = 1.0;
-                    let slopes = at(&unit).values.map(|own| own.eps);
-                    for (name, force) in law.outputs.iter().zip(&given) {
-                        let measure = ["Q", "T", "M_z", "F_x", "F_y"];
-                        let measure = measure.iter().position(|own| own == name).expect("known");
-                        products.push(force.re * slopes[measure]);
-                    }
-                }
+                add(LAWS[own.law], own.angles[spring], &|along| {
+                    measures(machine, own, *station, spring, &direction(along))
+                });
             }
+        }
+        for other in &own.others {
+            add(LAWS[other.law], 0.0, &|along| {
+                other_measures(machine, own, other, &direction(along))
+            });
         }
     }
     products
@@ -146,6 +158,22 @@ fn outputs_are_what_the_laws_see() {
             for (found, exact) in pairs {
                 let error = (found - exact).abs();
                 assert!(error < 1e-9 * (1.0 + exact.abs()), "{number} {name}: {found} {exact}");
+            }
+        }
+        for other in &own.others {
+            let given = given_by(LAWS[other.law], 0.0, &other_measures(&machine, own, other, &q));
+            let [x, y] = turn(angle(bore), [given[0].re, given[1].re]);
+            let columns = match other.kind {
+                MotionKind::Tilts => vec![("MX", x, "Nm"), ("MY", y, "Nm")],
+                MotionKind::Along => vec![("RZ", given[0].re, "N")],
+            };
+            for (name, exact, unit) in columns {
+                let found = column(format!("{name}_{number}_{unit}"));
+                let error = (found - exact).abs();
+                assert!(
+                    exact != 0.0 && error < 1e-9 * (1.0 + exact.abs()),
+                    "{number} {name}: {found} {exact}"
+                );
             }
         }
     }

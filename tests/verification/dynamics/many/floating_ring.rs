@@ -56,6 +56,7 @@ fn machine([journal, ring]: [f64; 2], held: f64) -> Machine {
     let driven = Rotation::Prescribed { speed: SPEED, acceleration: 0.0 };
     let bearing =
         |law: usize, bodies: [usize; 2], bore: Vec<usize>, [radius, _, c, _]: [f64; 4]| Bearing {
+            others: Vec::new(),
             name: format!("film {law}"),
             label: None,
             sides: Sides { bodies, ..Sides::default() },

@@ -38,6 +38,7 @@ fn rigid(mass: f64, inertia: f64) -> Shaft {
 
 fn bearing(law: usize, bodies: [usize; 2]) -> Bearing {
     Bearing {
+        others: Vec::new(),
         name: "joint".to_owned(),
         label: None,
         sides: Sides { bodies, ..Sides::default() },

@@ -8,7 +8,7 @@ mod torsion;
 use std::sync::Arc;
 
 use num_dual::{Dual64, DualNum};
-use whirl_solver::bearing::{Bearing, Sides, periodic_spline};
+use whirl_solver::bearing::{Bearing, MotionKind, OtherMotion, Sides, periodic_spline};
 use whirl_solver::body::BodyNode;
 use whirl_solver::centre_of_mass::CentreOfMass;
 use whirl_solver::curve::Curve;
@@ -86,6 +86,7 @@ fn around(radius: f64) -> Vec<[f64; 3]> {
 /// A rigid body of a mass (kg) and a moment of inertia about its axis (kg·m²), with nodes at `positions` (m).
 fn rigid(mass: f64, polar_inertia: f64, positions: &[[f64; 3]]) -> Shaft {
     let body = RigidBody {
+        along: false,
         mass,
         polar_inertia,
         transverse_inertia: None,
@@ -96,13 +97,13 @@ fn rigid(mass: f64, polar_inertia: f64, positions: &[[f64; 3]]) -> Shaft {
     body.turning(positions)
 }
 
-/// A section that turns with `size` coordinates in any way.
+/// A section that moves with `size` coordinates in any way.
 fn section(size: usize, seed: u64) -> MeanMotion {
     let mut random = wild(seed);
     MeanMotion {
         centre: [0.0; 3],
-        displacement: Matrix::zeros(3, size),
         rotation: Matrix::from_fn(3, size, |_, _| 20.0 * random()),
+        displacement: Matrix::from_fn(3, size, |_, _| random()),
     }
 }
 
@@ -123,6 +124,7 @@ fn bodies() -> Vec<Body> {
         node.position[1] += CASING_AXIS[1];
     };
     casing.nodes.iter_mut().for_each(shift);
+    casing.measures.push(section(casing.size(), 14));
     let mut ring = vec![[0.0; 3]];
     ring.extend(around(0.04));
     let driven = Rotation::Prescribed { speed: 80.0, acceleration: -300.0 };
@@ -139,13 +141,14 @@ fn bodies() -> Vec<Body> {
 const CASING_AXIS: [f64; 2] = [0.4, -0.3];
 
 /// Eight bearings of four laws, with offsets, run-outs, crooked bores and axes apart; a bushing, and a coupling of two
-/// sections.
+/// sections, both with laws on tilts and along z.
 fn bearings() -> Vec<Bearing> {
     let row = |first: usize| (first..first + 7).collect::<Vec<usize>>();
     let angles = |count: usize, first: f64| {
         (0..count).map(|j| first + std::f64::consts::TAU * j as f64 / count as f64).collect()
     };
     let base = |place: usize, law: usize, bodies: [usize; 2]| Bearing {
+        others: Vec::new(),
         name: format!("joint {place}"),
         label: Some(format!("_{place}")),
         sides: Sides { bodies, ..Sides::default() },
@@ -195,11 +198,19 @@ fn bearings() -> Vec<Bearing> {
         Bearing {
             bore: [Vec::new(), row(14), Vec::new()],
             sides: Sides { bodies: [0, 2], bore_axis: CASING_AXIS, ..Sides::default() },
+            others: vec![
+                OtherMotion { kind: MotionKind::Tilts, sections: [Some(0); 2], law: 4 },
+                OtherMotion { kind: MotionKind::Along, sections: [Some(0); 2], law: 4 },
+            ],
             ..ends(3, base(8, 4, [0, 2]))
         },
         Bearing {
             bore: [const { Vec::new() }; 3],
             sides: Sides { sections: [Some(0); 2], bodies: [0, 3], ..Sides::default() },
+            others: vec![
+                OtherMotion { kind: MotionKind::Tilts, sections: [Some(0); 2], law: 4 },
+                OtherMotion { kind: MotionKind::Along, sections: [None, Some(0)], law: 4 },
+            ],
             ..base(9, 5, [0, 3])
         },
     ]
@@ -322,6 +333,35 @@ fn measures(
         ],
         theta,
     }
+}
+
+/// The measures of a law on another motion of the sides of a bearing: e_x and e_y are tilts in the frame of the second
+/// side, or a displacement along z.
+fn other_measures(machine: &Machine, own: &Bearing, other: &OtherMotion, q: &[Dual64]) -> Measures {
+    let side = |k: usize, axis: usize| {
+        let Some(section) = other.sections[k] else { return Dual64::from(0.0) };
+        let body = own.sides.bodies[k];
+        let section = &machine.bodies[body].measures()[section];
+        let (rows, row) = match other.kind {
+            MotionKind::Tilts => (&section.rotation, axis),
+            MotionKind::Along => (&section.displacement, 2),
+        };
+        let parts = machine.places()[body].flexible.clone().enumerate();
+        parts.fold(Dual64::from(0.0), |sum, (j, place)| sum + q[place] * rows[(row, j)])
+    };
+    let angle =
+        |body: usize| machine.places()[body].rotation.map_or(Dual64::from(0.0), |place| q[place]);
+    let zero = Dual64::from(0.0);
+    let [x, y] = match other.kind {
+        MotionKind::Along => [side(0, 2) - side(1, 2), zero],
+        MotionKind::Tilts => {
+            let [first, second] = own.sides.bodies;
+            let (sin, cos) = (angle(first) - angle(second)).sin_cos();
+            let (x, y) = (side(0, 0), side(0, 1));
+            [cos * x - sin * y - side(1, 0), sin * x + cos * y - side(1, 1)]
+        }
+    };
+    Measures { values: [zero, zero, zero, x, y], theta: zero }
 }
 
 /// One load of every kind on the bodies of the machine of everything.

@@ -75,6 +75,7 @@ fn shaft() -> Shaft {
 
 fn machine(shaft: &Shaft, sections: [Option<usize>; 2]) -> Machine {
     let coupling = Bearing {
+        others: Vec::new(),
         name: "coupling".to_owned(),
         label: None,
         sides: Sides { sections, ..Sides::default() },

@@ -33,6 +33,7 @@ fn ocvirk() -> &'static Law {
 /// A film at a journal of one node, in a rigid bore.
 fn film(name: &str, journal: usize) -> Bearing {
     Bearing {
+        others: Vec::new(),
         name: name.to_owned(),
         label: None,
         sides: Sides::default(),
@@ -54,6 +55,7 @@ fn rigid_rotor(mass: f64, load: f64, z: f64, rotation: Rotation) -> Machine {
 /// As [`rigid_rotor`]; `transverse`: I_d over the mass (m²), where I_p is 0.02 of it.
 fn tilting_rotor([mass, transverse]: [f64; 2], load: f64, z: f64, rotation: Rotation) -> Machine {
     let body = RigidBody {
+        along: false,
         mass,
         polar_inertia: 0.02 * mass,
         transverse_inertia: Some(transverse * mass),

@@ -1,0 +1,213 @@
+//! Bushings: stiffness and damping in the plane, as numbers or over the speed, of tilts, and along the axis.
+
+use std::sync::Arc;
+
+use whirl_codegen::diagnostic::{Code, Located, Source};
+use whirl_codegen::document::Table;
+use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::units::Quantity;
+use whirl_solver::bearing::MotionKind;
+
+use super::joints::Parts;
+use super::{OtherLaw, names};
+use crate::case::law::{self, GivenLaw, LawSource, NamedLaw};
+use crate::case::library::FileStore;
+use crate::case::parameters::SetParameter;
+
+/// Directions of force and motion, as keys of bushings and parameters of their law call them.
+const DIRECTIONS: [&str; 4] = ["xx", "xy", "yx", "yy"];
+
+/// The law whose coefficients are columns of a file, and that file.
+const OVER_SPEED: (&str, &str) = ("bushing-over-speed", "bushing-over-speed.csv");
+
+/// Stiffness and damping, as a case names them and as the law does.
+const BOTH: [(&str, &str); 2] = [("stiffness", "k"), ("damping", "c")];
+
+/// Keys of which one is enough.
+const ANY: [&str; 7] = [
+    "stiffness",
+    "damping",
+    "table",
+    "tilting_stiffness",
+    "tilting_damping",
+    "axial_stiffness",
+    "axial_damping",
+];
+
+pub(super) fn read(store: FileStore, table: &Table) -> Option<Parts> {
+    if !ANY.into_iter().any(|key| table.has(key)) {
+        let help = "add `stiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }`";
+        table.absent("stiffness", help);
+    }
+    let before = table.errors();
+    let in_plane = coefficients(table, "");
+    let tilting = coefficients(table, "tilting_");
+    let along = axial(table);
+    let file = over_speed(store, table);
+    if table.errors() > before {
+        return None;
+    }
+    let mut others = Vec::new();
+    for (kind, prefix, set) in
+        [(MotionKind::Tilts, "tilting_", tilting), (MotionKind::Along, "axial_", along)]
+    {
+        let keys = [format!("{prefix}stiffness"), format!("{prefix}damping")];
+        let Some(key) = keys.iter().find(|key| table.has(key)) else { continue };
+        let place = table.written(key);
+        others.push(OtherLaw { kind, law: shipped(table, "bushing")?, parameters: set?, place });
+    }
+    let parts = match file {
+        Some((name, law)) => Parts::of_law(law, Vec::new()).with(others, Some(name)),
+        None => {
+            let set = in_plane?;
+            let all: Vec<SetParameter> =
+                others.iter().flat_map(|own| own.parameters.clone()).chain(set.clone()).collect();
+            if !acts(table, "bushing", &all) {
+                return None;
+            }
+            Parts::of_law(shipped(table, "bushing")?, set).with(others, None)
+        }
+    };
+    Some(parts)
+}
+
+/// The coefficients of `stiffness` and `damping` with this prefix: those of the law, those left out zero.
+fn coefficients(table: &Table, prefix: &str) -> Option<Vec<SetParameter>> {
+    let mut set = Vec::with_capacity(8);
+    for (called, letter) in BOTH {
+        let key = format!("{prefix}{called}");
+        let values = |own: &Table| {
+            DIRECTIONS.map(|direction| (own.written(direction), own.exact_quantity(direction)))
+        };
+        let of_text = names::is_text(table, &key, |text| format!("{{ xx = {text}, yy = {text} }}"));
+        let given = if of_text { None } else { table.in_table(&key, values) };
+        for (place, direction) in DIRECTIONS.iter().enumerate() {
+            let (at, value) =
+                given.as_ref().map_or((table.written(&key), None), |own| own[place].clone());
+            set.push(coefficient(&format!("{letter}_{direction}"), &at, value.as_ref(), letter)?);
+        }
+    }
+    Some(set)
+}
+
+/// Stiffness and damping along z, as those along x of the law.
+fn axial(table: &Table) -> Option<Vec<SetParameter>> {
+    let mut set = Vec::with_capacity(8);
+    for (called, letter) in BOTH {
+        let key = format!("axial_{called}");
+        let (at, value) = (table.written(&key), table.exact_quantity(&key));
+        for direction in DIRECTIONS {
+            let own = value.as_ref().filter(|_| direction == "xx");
+            set.push(coefficient(&format!("{letter}_{direction}"), &at, own, letter)?);
+        }
+    }
+    Some(set)
+}
+
+/// A coefficient in the units of the law: a moment for 1 rad is the force for 1 m at an arm of 1 m.
+fn coefficient(
+    name: &str,
+    at: &Located,
+    value: Option<&Quantity>,
+    letter: &str,
+) -> Option<SetParameter> {
+    let unit = if letter == "k" { "N/m" } else { "N*s/m" };
+    let own = Quantity::parse(&format!("0 {unit}")).ok()?;
+    let value = match value {
+        Some(value) if value.dimension() == own.dimension() => value.clone(),
+        Some(value) => Quantity::parse(&format!("{:e} {unit}", value.si())).ok()?,
+        None => own,
+    };
+    Some(SetParameter::new(name, at, value))
+}
+
+/// The law with the coefficients of the file that the case names, and where it does.
+fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
+    let name = table.optional_string("table")?;
+    for (key, _) in BOTH {
+        if table.has(key) {
+            table.conflict(key, "table");
+        }
+    }
+    let file = match store.read_beside(name.source(), name.text()) {
+        Ok(file) => file,
+        Err(message) => {
+            let error = name.error_here(Code::BAD_VALUE, message);
+            table.push(error.help("paths are relative to the file that names them"));
+            return None;
+        }
+    };
+    if !has_columns(table, &name, &file) {
+        return None;
+    }
+    let shipped = shipped(table, OVER_SPEED.0)?;
+    let spec = shipped.source.spec();
+    let beside = |wanted: &str| match wanted == OVER_SPEED.1 {
+        true => Ok(file.clone()),
+        false => Err(format!("there is no file `{wanted}`")),
+    };
+    // The file of the law says what is wrong with its tables, in the file of the case.
+    match LawSpec::read_with(&spec.file, &beside) {
+        Ok(spec) => {
+            let called = format!("{} ({})", OVER_SPEED.0, file.path.display());
+            let law = GivenLaw { spec: Arc::new(spec), given: Vec::new(), name: called };
+            let source = LawSource::Given(Arc::new(law));
+            Some((name, NamedLaw { source, name: shipped.name }))
+        }
+        Err(errors) => {
+            errors.into_iter().for_each(|error| table.push(error));
+            None
+        }
+    }
+}
+
+/// Whether the file has the columns of the law; those that it has not are noted.
+fn has_columns(table: &Table, name: &Located, file: &Source) -> bool {
+    let text = |line: &str| line.split('#').next().unwrap_or("").trim().to_owned();
+    let heads = file.text.trim_start_matches('\u{feff}').lines().map(text);
+    let heads = heads.into_iter().find(|line| !line.is_empty()).unwrap_or_default();
+    let has = |wanted: &str| {
+        heads.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|head| head == wanted)
+    };
+    let columns = ["k", "c"]
+        .into_iter()
+        .flat_map(|letter| DIRECTIONS.map(|direction| format!("{letter}_{direction}")));
+    let columns: Vec<String> = std::iter::once("speed".to_owned()).chain(columns).collect();
+    let missing: Vec<&str> =
+        columns.iter().map(String::as_str).filter(|column| !has(column)).collect();
+    if missing.is_empty() {
+        return true;
+    }
+    let message = format!("`{}` has no column {}", name.text(), missing.join(", "));
+    let help = "its first line is such as `speed [rpm], k_xx [N/m], k_xy [N/m], k_yx [N/m], k_yy [N/m], c_xx [N*s/m], \
+                c_xy [N*s/m], c_yx [N*s/m], c_yy [N*s/m]`";
+    table.push(name.error_here(Code::TABLE, message).help(help));
+    false
+}
+
+/// A law that is shipped, named at the heading of the table.
+pub(super) fn shipped(table: &Table, name: &str) -> Option<NamedLaw> {
+    let name = table.heading().text(name);
+    Some(NamedLaw { source: law::find(FileStore::Embedded, table, &name)?, name })
+}
+
+/// Notes a joint that gives no force at all, unless it lacks its stiffness, which is noted.
+pub(super) fn acts(table: &Table, called: &str, set: &[SetParameter]) -> bool {
+    let key = ANY.into_iter().find(|key| table.gives(key));
+    let Some(key) = key.filter(|_| set.iter().all(|own| own.value() == 0.0)) else { return true };
+    let message = format!("this {called} has neither stiffness nor damping: it joins nothing");
+    let help = format!(
+        "such as `{key} = {}`, or take the {called} out",
+        match (called, key) {
+            ("bushing", "axial_stiffness") => "\"1e8 N/m\"",
+            ("bushing", "axial_damping") => "\"1e4 N*s/m\"",
+            ("bushing", "tilting_stiffness") => "{ xx = \"1e4 N*m/rad\", yy = \"1e4 N*m/rad\" }",
+            ("bushing", "tilting_damping") => "{ xx = \"10 N*m*s/rad\", yy = \"10 N*m*s/rad\" }",
+            ("bushing", "damping") => "{ xx = \"1e4 N*s/m\", yy = \"1e4 N*s/m\" }",
+            ("bushing", _) => "{ xx = \"1e8 N/m\", yy = \"1e8 N/m\" }",
+            _ => "\"1e4 N*m/rad\"",
+        }
+    );
+    table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+    false
+}
