@@ -1,5 +1,6 @@
 //! Machines of named bodies, run by the binary: what they do, and what is said of them.
 
+mod bushings;
 mod joints;
 pub(crate) mod meshes;
 mod rings;

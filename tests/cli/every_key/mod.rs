@@ -17,7 +17,7 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 16] = [
+const FILES: [(&str, &str); 17] = [
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
@@ -26,6 +26,7 @@ const FILES: [(&str, &str); 16] = [
     ("forced.toml", include_str!("forced.toml")),
     ("tied.toml", include_str!("tied.toml")),
     ("gas.csv", include_str!("gas.csv")),
+    ("coefficients.csv", include_str!("coefficients.csv")),
     ("motor.csv", include_str!("motor.csv")),
     ("run-up.csv", include_str!("run-up.csv")),
     ("goes-on.toml", include_str!("goes-on.toml")),

@@ -59,7 +59,7 @@ pub(super) fn read(
     store: FileStore,
     table: &Table,
     name: &Located,
-    materials: &Materials,
+    (materials, thrust): (&Materials, bool),
 ) -> BodyDraft {
     let before = table.errors();
     let turns = table.optional_word("turns");
@@ -90,7 +90,7 @@ pub(super) fn read(
             OF_BOTH.iter().for_each(|key| table.pass_over(key));
             None
         }
-        (Some(_), None) => read_meshed(store, table, materials, turned).map(Form::Meshed),
+        (Some(_), None) => read_meshed(store, table, materials, (turned, thrust)).map(Form::Meshed),
         (None, Some(_)) => Some(Form::Rigid(read_rigid(table, turned))),
         (None, None) => {
             let help =
@@ -177,7 +177,7 @@ fn read_meshed(
     store: FileStore,
     table: &Table,
     materials: &Materials,
-    turns: bool,
+    (turns, thrust): (bool, bool),
 ) -> Option<Box<MeshedBody>> {
     let rigid = table.optional_boolean("rigid").unwrap_or(false);
     if rigid {
@@ -202,6 +202,10 @@ fn read_meshed(
             "`section` is one set, or two sets of one node at opposite ends of a diameter";
         let help = "such as `section = \"END\"`";
         table.push(table.written("section").error_here(Code::BAD_VALUE, message).help(help));
+    }
+    // Where a joint acts along z, it may hold the body.
+    if turns && !rigid && !thrust && axial_restraint.is_none() && held.is_empty() {
+        table.demand("axial_restraint");
     }
     let ground_springs = if turns { Vec::new() } else { machine::ground_springs(table) };
     let moves_along_z = table.optional_boolean("moves_along_z").unwrap_or(false);

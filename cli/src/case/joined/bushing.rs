@@ -71,6 +71,11 @@ pub(super) fn read(store: FileStore, table: &Table) -> Option<Parts> {
     Some(parts)
 }
 
+/// Whether a joint acts along z.
+pub(super) fn acts_along(joint: &Table) -> bool {
+    ["axial_stiffness", "axial_damping"].into_iter().any(|key| joint.gives(key))
+}
+
 /// The coefficients of `stiffness` and `damping` with this prefix: those of the law, those left out zero.
 fn coefficients(table: &Table, prefix: &str) -> Option<Vec<SetParameter>> {
     let mut set = Vec::with_capacity(8);
@@ -141,13 +146,10 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
         return None;
     }
     let shipped = shipped(table, OVER_SPEED.0)?;
-    let spec = shipped.source.spec();
-    let beside = |wanted: &str| match wanted == OVER_SPEED.1 {
-        true => Ok(file.clone()),
-        false => Err(format!("there is no file `{wanted}`")),
-    };
-    // The file of the law says what is wrong with its tables, in the file of the case.
-    match LawSpec::read_with(&spec.file, &beside) {
+    let law = shipped.source.spec().file.clone();
+    let named = name.text().replace('\\', "\\\\").replace('"', "\\\"");
+    let law = Source::new(&law.path, law.text.replace(OVER_SPEED.1, &named));
+    match LawSpec::read_with(&law, &|_| Ok(file.clone())) {
         Ok(spec) => {
             let called = format!("{} ({})", OVER_SPEED.0, file.path.display());
             let law = GivenLaw { spec: Arc::new(spec), given: Vec::new(), name: called };

@@ -72,7 +72,7 @@ impl Checks<'_, '_> {
         }
         if let (Some(table), false) = (&joint.table, first) {
             let message = format!(
-                "`{}` does not turn: a table over the speed has none of it",
+                "`{}` does not turn: there is no speed over which a table could be read",
                 of_first.text()
             );
             self.note(table, message, "write `stiffness` and `damping` in its place");

@@ -306,8 +306,10 @@ impl JoinedMachine {
         let before = file.errors();
         let materials = Materials::read(file);
         let (mut bodies, mut motions) = (Vec::new(), Vec::new());
+        let joints = names::in_order(file, "joint");
+        let thrust = joints.iter().any(|(_, joint)| bushing::acts_along(joint));
         for (name, table) in names::in_order(file, "body") {
-            let read = table.read(|table| bodies::read(store, table, &name, &materials));
+            let read = table.read(|table| bodies::read(store, table, &name, (&materials, thrust)));
             bodies.push(read.body);
             motions.extend(read.motion);
         }
@@ -317,7 +319,6 @@ impl JoinedMachine {
         let known: Vec<Located> = bodies.iter().map(|(name, _)| name.clone()).collect();
         let bodies: Option<Vec<NamedBody>> = bodies.into_iter().map(|(_, own)| own).collect();
         let turns = |body: usize| bodies.as_ref().map(|all| &all[body]);
-        let joints = names::in_order(file, "joint");
         let labels: Vec<Located> = joints.iter().map(|(name, _)| name.clone()).collect();
         names::distinct(file, "body", &known);
         names::distinct(file, "joint", &labels);
