@@ -17,8 +17,8 @@ fn modes_that_the_iteration_misses_are_searched_for() {
     let order: Vec<usize> = (0..n).collect();
     let components: Vec<usize> = order.iter().map(|dof| dof % 3).collect();
     let pencil = Pencil {
-        stiffness: &stiffness,
-        mass: &mass,
+        stiffness: &stiffness.into(),
+        mass: &mass.into(),
         order: &order,
         components: &components,
         memory: usize::MAX,

@@ -25,7 +25,7 @@ pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,
 };
-pub use sparse::{Inertia, SparseCholesky, inertia};
+pub use sparse::{Inertia, SparseCholesky, SparseLdlt};
 pub(crate) use sums::{largest_and_sum, sum_of};
 
 use faer::{MatMut, MatRef};

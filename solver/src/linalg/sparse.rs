@@ -4,8 +4,8 @@ use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymbolicCholeskyRaw,
+    SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, Par, Side};
@@ -83,42 +83,76 @@ impl SparseCholesky {
     }
 }
 
-/// The inertia of a symmetric matrix, by LDLᵀ without pivoting (Sylvester's law); `None` if a leading
-/// minor is singular to rounding, so that the signs of the pivots cannot be trusted.
-///
-/// # Errors
-/// As [`SparseCholesky::new`], but for definiteness.
-pub fn inertia(
-    a: &LowerTriangle,
-    order: &[usize],
-    limit: usize,
-) -> Result<Option<Inertia>, LinearAlgebraError> {
-    let symbolic = symbolic(a, order, limit)?;
-    let mut values = vec![0.0; symbolic.len_val()];
-    let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
-    let outcome = symbolic.factorize_numeric_ldlt(
-        &mut values,
-        matrix(a),
-        Side::Lower,
-        Default::default(),
-        Par::Seq,
-        MemStack::new(&mut MemBuffer::new(scratch)),
-        Default::default(),
-    );
-    if outcome.is_err() {
-        return Ok(None);
+/// Sparse factorisation PAPᵀ = LDLᵀ of a symmetric matrix, without pivoting.
+#[derive(Debug)]
+pub struct SparseLdlt {
+    symbolic: SymbolicCholesky<usize>,
+    values: Vec<f64>,
+    inertia: Inertia,
+}
+
+impl SparseLdlt {
+    /// Factors `a` in the order given; `None` if a leading minor is singular to rounding, so that the signs of the pivots
+    /// cannot be trusted.
+    ///
+    /// # Errors
+    /// As [`SparseCholesky::new`], but for definiteness.
+    pub fn new(
+        a: &LowerTriangle,
+        order: &[usize],
+        limit: usize,
+    ) -> Result<Option<Self>, LinearAlgebraError> {
+        let symbolic = symbolic(a, order, limit)?;
+        let mut values = vec![0.0; symbolic.len_val()];
+        let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
+        let outcome = symbolic.factorize_numeric_ldlt(
+            &mut values,
+            matrix(a),
+            Side::Lower,
+            Default::default(),
+            Par::Seq,
+            MemStack::new(&mut MemBuffer::new(scratch)),
+            Default::default(),
+        );
+        if outcome.is_err() {
+            return Ok(None);
+        }
+        let inertia = inertia(&symbolic, &values);
+        Ok(inertia.map(|inertia| SparseLdlt { symbolic, values, inertia }))
     }
+
+    /// That of the matrix, by Sylvester's law.
+    pub fn inertia(&self) -> Inertia {
+        self.inertia
+    }
+
+    /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b.
+    pub fn solve_in_place(&self, rhs: &mut [f64]) {
+        let n = self.symbolic.nrows();
+        let cols = rhs.len().checked_div(n).unwrap_or(0);
+        let scratch = self.symbolic.solve_in_place_scratch::<f64>(cols, Par::Seq);
+        LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            view_mut(n, cols, rhs),
+            Par::Seq,
+            MemStack::new(&mut MemBuffer::new(scratch)),
+        );
+    }
+}
+
+/// The signs of the pivots; `None` where one has none.
+fn inertia(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> Option<Inertia> {
     let SymbolicCholeskyRaw::Supernodal(supernodes) = symbolic.raw() else {
         unreachable!("the symbolic factorisation is forced to be supernodal");
     };
-    let factor: SupernodalLdltRef<usize, f64> = SupernodalLdltRef::new(supernodes, &values);
+    let factor: SupernodalLdltRef<usize, f64> = SupernodalLdltRef::new(supernodes, values);
     let mut count = Inertia { negative: 0, positive: 0 };
     for s in 0..supernodes.n_supernodes() {
         let block = factor.supernode(s).val();
         for j in 0..block.ncols() {
             let pivot: f64 = block[(j, j)];
             if !pivot.is_finite() || pivot == 0.0 {
-                return Ok(None);
+                return None;
             }
             if pivot < 0.0 {
                 count.negative += 1;
@@ -127,7 +161,7 @@ pub fn inertia(
             }
         }
     }
-    Ok(Some(count))
+    Some(count)
 }
 
 fn symbolic(
@@ -201,8 +235,14 @@ mod tests {
         for shift in [0.01, 0.5, 1.7, 3.9] {
             let angle = |k: usize| k as f64 * std::f64::consts::PI / (2 * n + 2) as f64;
             let below = (1..=n).filter(|&k| 4.0 * angle(k).sin().powi(2) < shift).count();
-            let inertia = inertia(&string(n, 2.0 - shift), &order, usize::MAX).unwrap();
-            assert_eq!(inertia, Some(Inertia { negative: below, positive: n - below }));
+            let a = string(n, 2.0 - shift);
+            let factor = SparseLdlt::new(&a, &order, usize::MAX).unwrap().unwrap();
+            let x: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
+            let mut b = vec![0.0; n];
+            a.multiply(&x, &mut b);
+            factor.solve_in_place(&mut b);
+            assert!(b.iter().zip(&x).all(|(got, want)| (got - want).abs() < 1e-8));
+            assert_eq!(factor.inertia(), Inertia { negative: below, positive: n - below });
         }
     }
 

@@ -2,15 +2,14 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::linalg::{
-    LinearAlgebraError, LowerTriangle, Matrix, SparseCholesky, transpose_multiply,
-};
+use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, transpose_multiply};
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
 use super::modes::{Modes, Pencil};
-use super::partition::{Interface, Partition};
+use super::partition::{Interface, Parted, Partition};
 use super::rigid::{Row, free_motions};
+use super::updated::UpdatedCholesky;
 use crate::error::{FreeMotion, ReductionError};
 
 /// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
@@ -101,10 +100,13 @@ impl Solid<'_> {
         if !motions.is_empty() {
             return Err(ReductionError::Mechanism { motions });
         }
-        let parted = partition.part(&whole);
+        let parted = self.part(&whole, &partition, interface)?;
         let stiffness = &parted.inner;
-        let mass = partition.part(&*lower(self.mass, "mass")?).inner;
-        let order = self.elimination(&whole, &partition);
+        let mut mass = partition.part(&*lower(self.mass, "mass")?).inner;
+        if stiffness.pairs.is_empty() && !mass.pairs.is_empty() {
+            mass = mass.merged();
+        }
+        let order = self.order(&whole, &partition.inner);
         let components: Vec<usize> = partition.inner.iter().map(|dof| dof % 3).collect();
         let pencil = Pencil {
             stiffness,
@@ -178,8 +180,9 @@ impl Solid<'_> {
     ) -> Result<Vec<f64>, ReductionError> {
         let partition = Partition::new(self.mass.size(), interface)?;
         let whole = lower(self.stiffness, "stiffness")?;
-        let order = self.elimination(&whole, &partition);
-        let factor = SparseCholesky::new(&partition.part(&whole).inner, &order, self.memory)?;
+        let order = self.order(&whole, &partition.inner);
+        let parted = self.part(&whole, &partition, interface)?;
+        let factor = UpdatedCholesky::new(&parted.inner, &order, self.memory)?;
         let mut inner = partition.inner_load(force);
         factor.solve_in_place(&mut inner);
         Ok(partition.displacement(&inner))
@@ -194,8 +197,8 @@ impl Solid<'_> {
         let (stiffness, mass) = (lower(self.stiffness, "stiffness")?, lower(self.mass, "mass")?);
         let components: Vec<usize> = all.iter().map(|dof| dof % 3).collect();
         let pencil = Pencil {
-            stiffness: &stiffness,
-            mass: &mass,
+            stiffness: &stiffness.clone().into_owned().into(),
+            mass: &mass.into_owned().into(),
             order: &self.order(&stiffness, &all),
             components: &components,
             memory: self.memory,
@@ -203,13 +206,31 @@ impl Solid<'_> {
         pencil.free_modes(count)
     }
 
-    /// Order of elimination of the inner dofs. A mean couples its dofs with each other: they come last, where the factor
-    /// is dense anyway.
-    fn elimination(&self, whole: &LowerTriangle, partition: &Partition) -> Vec<usize> {
-        let in_means = partition.in_means();
-        let order = self.order(whole, &partition.inner).into_iter();
-        let (first, last): (Vec<usize>, Vec<usize>) = order.partition(|&dof| !in_means[dof]);
-        [first, last].concat()
+    /// The stiffness in parts. Its factor begins without the pairs of the means, with the dofs that they replace at zero:
+    /// where these leave the body loose, the pairs are put into the sparse matrix.
+    fn part(
+        &self,
+        whole: &LowerTriangle,
+        partition: &Partition,
+        interface: &Interface,
+    ) -> Result<Parted, ReductionError> {
+        let mut parted = partition.part(whole);
+        if parted.inner.pairs.is_empty() {
+            return Ok(parted);
+        }
+        let single = interface.retained.iter().filter(|row| row.len() == 1).cloned();
+        let dofs = interface.held.iter().copied().chain(partition.replaced());
+        let rows: Vec<Row> = single.chain(dofs.map(|dof| vec![(dof, 1.0)])).collect();
+        if !free_motions(self.coordinates, whole, &rows)?.is_empty() {
+            let coupled = partition.coupled();
+            let bytes = coupled.saturating_mul(coupled).saturating_mul(MERGED);
+            if bytes > self.memory {
+                let (size, limit) = (partition.inner.len(), self.memory);
+                return Err(LinearAlgebraError::TooLarge { size, bytes, limit }.into());
+            }
+            parted.inner = parted.inner.merged();
+        }
+        Ok(parted)
     }
 
     /// Order of elimination of the dofs listed (ascending), as places in that list.
@@ -240,6 +261,9 @@ impl Solid<'_> {
             .collect()
     }
 }
+
+/// Bytes for a pair of dofs of a mean that the sparse matrix and its factor have.
+const MERGED: usize = 40;
 
 /// A row divided by the sum of its coefficients' absolute values.
 fn of_order_one(row: &Row) -> Row {

@@ -7,11 +7,11 @@
 use std::ops::Range;
 
 use crate::linalg::{
-    Cholesky, Columns, LinearAlgebraError, Matrix, SparseCholesky, dot, multiply, multiply_add,
-    symmetric_eigen, transpose_multiply,
+    Cholesky, Columns, LinearAlgebraError, Matrix, dot, multiply, multiply_add, symmetric_eigen,
+    transpose_multiply,
 };
 
-use crate::sparse::SparseMatrix;
+use super::updated::{UpdatedCholesky, UpdatedMatrix};
 
 use crate::error::ReductionError;
 
@@ -40,8 +40,8 @@ fn capacity(count: usize) -> usize {
 
 /// The state of the iteration: an M-orthonormal basis V and T = VᵀM A⁻¹M V.
 pub(super) struct Lanczos<'a> {
-    factor: &'a SparseCholesky,
-    mass: &'a SparseMatrix,
+    factor: &'a UpdatedCholesky,
+    mass: &'a UpdatedMatrix,
     wanted: usize,
     /// V: n × (capacity + BLOCK); columns `..size + BLOCK` are set.
     basis: Matrix,
@@ -69,8 +69,8 @@ struct Ritz {
 impl<'a> Lanczos<'a> {
     /// An iteration for the `wanted` largest θ, where `factor` is that of A.
     pub(super) fn new(
-        factor: &'a SparseCholesky,
-        mass: &'a SparseMatrix,
+        factor: &'a UpdatedCholesky,
+        mass: &'a UpdatedMatrix,
         wanted: usize,
     ) -> Result<Self, ReductionError> {
         let (n, capacity) = (mass.size(), capacity(wanted));

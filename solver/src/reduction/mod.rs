@@ -7,12 +7,14 @@ mod modes;
 mod partition;
 mod rigid;
 mod sturm;
+mod updated;
 
 pub use craig_bampton::{CraigBampton, Solid};
 pub use modes::{Modes, Pencil, hertz};
 pub use partition::Interface;
 pub use rigid::Row;
 pub(crate) use rigid::{free_motions, free_shapes};
+pub use updated::{UpdatedCholesky, UpdatedMatrix};
 
 use crate::error::{FreeMotion, ReductionError};
 use crate::mesh::Mesh;

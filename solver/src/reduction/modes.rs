@@ -1,10 +1,7 @@
-use crate::linalg::{
-    LinearAlgebraError, LowerTriangle, Matrix, SparseCholesky, generalised_symmetric_eigen,
-};
-
-use crate::sparse::SparseMatrix;
+use crate::linalg::{LinearAlgebraError, Matrix, generalised_symmetric_eigen};
 
 use super::lanczos::{Lanczos, dense_limit};
+use super::updated::{UpdatedCholesky, UpdatedMatrix};
 use super::{convention, sturm};
 use crate::error::ReductionError;
 
@@ -42,9 +39,9 @@ pub fn hertz(omega_squared: f64) -> f64 {
 #[derive(Debug, Clone, Copy)]
 pub struct Pencil<'a> {
     /// K (N/m).
-    pub stiffness: &'a LowerTriangle,
+    pub stiffness: &'a UpdatedMatrix,
     /// M (kg).
-    pub mass: &'a LowerTriangle,
+    pub mass: &'a UpdatedMatrix,
     /// Order of elimination.
     pub order: &'a [usize],
     /// Direction of each dof: 0 x, 1 y, 2 z.
@@ -58,7 +55,7 @@ impl Pencil<'_> {
     ///
     /// # Errors
     /// See [`ReductionError`]; none of the modes asked for is ever missing.
-    pub fn lowest_modes(&self, count: usize) -> Result<(Modes, SparseCholesky), ReductionError> {
+    pub fn lowest_modes(&self, count: usize) -> Result<(Modes, UpdatedCholesky), ReductionError> {
         self.shifted_modes(count, 0.0)
     }
 
@@ -89,8 +86,8 @@ impl Pencil<'_> {
         &self,
         count: usize,
         shift: f64,
-    ) -> Result<(Modes, SparseCholesky), ReductionError> {
-        let n = self.mass.size;
+    ) -> Result<(Modes, UpdatedCholesky), ReductionError> {
+        let n = self.mass.size();
         if count > n {
             return Err(ReductionError::TooManyModes { asked: count, available: n });
         }
@@ -99,7 +96,7 @@ impl Pencil<'_> {
         } else {
             self.stiffness.plus(shift, self.mass)
         };
-        let factor = SparseCholesky::new(&definite, self.order, self.memory)?;
+        let factor = UpdatedCholesky::new(&definite, self.order, self.memory)?;
         let mut modes = if n <= dense_limit(count + GUARD) {
             self.all_dense(&definite, shift, count)?
         } else {
@@ -116,13 +113,13 @@ impl Pencil<'_> {
     /// By decomposition of M x = θ (K + shift·M) x, which gives the lowest ω² with the most digits.
     fn all_dense(
         &self,
-        definite: &LowerTriangle,
+        definite: &UpdatedMatrix,
         shift: f64,
         count: usize,
     ) -> Result<Modes, ReductionError> {
-        let n = self.mass.size;
+        let n = self.mass.size();
         let wanted = (count + GUARD).min(n);
-        let eigen = generalised_symmetric_eigen(&dense(self.mass), &dense(definite))?;
+        let eigen = generalised_symmetric_eigen(&self.mass.dense(), &definite.dense())?;
         let mut modes =
             Modes { eigenvalues: Vec::with_capacity(wanted), vectors: Matrix::zeros(n, wanted) };
         for i in 0..wanted {
@@ -147,14 +144,13 @@ impl Pencil<'_> {
     /// By block Lanczos, until the Sturm count agrees.
     fn by_iteration(
         &self,
-        factor: &SparseCholesky,
-        definite: &LowerTriangle,
+        factor: &UpdatedCholesky,
+        definite: &UpdatedMatrix,
         shift: f64,
         count: usize,
     ) -> Result<Modes, ReductionError> {
         let mut wanted = count + GUARD;
-        let mass = SparseMatrix::Symmetric(self.mass.clone());
-        let mut lanczos = Lanczos::new(factor, &mass, wanted)?;
+        let mut lanczos = Lanczos::new(factor, self.mass, wanted)?;
         let mut searches = 0;
         loop {
             let (theta, vectors) = lanczos.run()?;
@@ -165,13 +161,14 @@ impl Pencil<'_> {
                 wanted *= 2;
                 let widest = wanted > WIDEST * (count + GUARD);
                 let hopeless = widest || self.hides(&modes.eigenvalues);
-                if self.mass.size <= dense_limit(wanted) || hopeless && self.mass.size <= DENSE {
+                if self.mass.size() <= dense_limit(wanted) || hopeless && self.mass.size() <= DENSE
+                {
                     return self.all_dense(definite, shift, count);
                 }
                 if hopeless {
                     return Err(self.hidden(&modes.eigenvalues));
                 }
-                lanczos = Lanczos::new(factor, &mass, wanted)?;
+                lanczos = Lanczos::new(factor, self.mass, wanted)?;
                 continue;
             };
             if counted == below {
@@ -227,20 +224,10 @@ impl Pencil<'_> {
     }
 }
 
-fn dense(a: &LowerTriangle) -> Matrix {
-    let mut full = Matrix::zeros(a.size, a.size);
-    for j in 0..a.size {
-        for (i, value) in a.column(j) {
-            full[(i, j)] = value;
-            full[(j, i)] = value;
-        }
-    }
-    full
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::linalg::LowerTriangle;
 
     #[test]
     fn a_missing_mode_is_counted() {
@@ -252,8 +239,8 @@ mod tests {
         let mass = LowerTriangle::from_columns(n, |j| std::iter::once((j, 1.0)));
         let order: Vec<usize> = (0..n).collect();
         let pencil = Pencil {
-            stiffness: &stiffness,
-            mass: &mass,
+            stiffness: &stiffness.into(),
+            mass: &mass.into(),
             order: &order,
             components: &order.iter().map(|dof| dof % 3).collect::<Vec<_>>(),
             memory: usize::MAX,
@@ -286,8 +273,8 @@ mod tests {
         let mass = LowerTriangle::from_columns(n, |j| std::iter::once((j, 1.0)));
         let order: Vec<usize> = (0..n).collect();
         let pencil = Pencil {
-            stiffness: &stiffness,
-            mass: &mass,
+            stiffness: &stiffness.into(),
+            mass: &mass.into(),
             order: &order,
             components: &order.iter().map(|dof| dof % 3).collect::<Vec<_>>(),
             memory: usize::MAX,

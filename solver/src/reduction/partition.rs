@@ -1,12 +1,12 @@
 //! Which dofs of a body stay coordinates, which are held, and which follow from the others.
 
-use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::ReductionError;
 use crate::linalg::{LowerTriangle, Matrix};
 
 use super::rigid::Row;
+use super::updated::UpdatedMatrix;
 
 /// What is left of a row after elimination counts as zero below this part of its largest coefficient.
 const ROUNDING: f64 = 1e-11;
@@ -36,7 +36,8 @@ enum Place {
 /// The dofs u of a body as a linear function of v, the inner dofs and then the retained motions: u = T v.
 ///
 /// A retained mean Σ cᵢ uᵢ = m takes the place of the dof k that weighs most in it, u_k = (m − Σ_{i≠k} cᵢ uᵢ)/c_k. A matrix
-/// of the body becomes TᵀAT, in which the other dofs of the mean are coupled with each other.
+/// of the body becomes TᵀAT: itself without these dofs, and a pair of rows for each, which couple the dofs of the mean with
+/// each other.
 pub(super) struct Partition {
     /// Inner dofs, ascending.
     pub(super) inner: Vec<usize>,
@@ -114,15 +115,16 @@ impl Partition {
         }
     }
 
-    /// Whether each inner dof belongs to a retained mean.
-    pub(super) fn in_means(&self) -> Vec<bool> {
-        let mut belongs = vec![false; self.inner.len()];
-        for &(column, _) in self.dependent.iter().flatten() {
-            if let Some(slot) = belongs.get_mut(column) {
-                *slot = true;
-            }
-        }
-        belongs
+    /// Dofs whose place a retained mean takes.
+    pub(super) fn replaced(&self) -> impl Iterator<Item = usize> {
+        let is_dependent = |dof: &usize| matches!(self.place[*dof], Place::Dependent(_));
+        (0..self.place.len()).filter(is_dependent)
+    }
+
+    /// Number of inner dofs that belong to a retained mean.
+    pub(super) fn coupled(&self) -> usize {
+        let columns = self.dependent.iter().flatten().map(|&(column, _)| column);
+        columns.filter(|column| *column < self.inner.len()).collect::<BTreeSet<_>>().len()
     }
 
     /// TᵀAT, parted.
@@ -165,7 +167,7 @@ impl Partition {
         self.dependent.iter().cloned().zip(sums).collect()
     }
 
-    fn inner(&self, whole: &LowerTriangle, folded: &[(Row, Row)]) -> LowerTriangle {
+    fn inner(&self, whole: &LowerTriangle, folded: &[(Row, Row)]) -> UpdatedMatrix {
         let size = self.inner.len();
         let own = |j: usize| {
             whole.column(self.inner[j]).filter_map(|(row, value)| match self.place[row] {
@@ -173,45 +175,9 @@ impl Partition {
                 _ => None,
             })
         };
-        if folded.is_empty() {
-            return LowerTriangle::from_columns(size, own);
-        }
-        // For every column the rows that stand in it, as (factor, row of T or g).
-        let mut factors: Vec<Vec<(f64, &Row)>> = vec![Vec::new(); size];
-        for (t, g) in folded {
-            for (left, right) in [(t, g), (g, t)] {
-                for &(column, value) in left.iter().filter(|(column, _)| *column < size) {
-                    factors[column].push((value, right));
-                }
-            }
-        }
-        // Sums over a column, and which rows have one.
-        let scratch = RefCell::new((vec![0.0; size], vec![false; size]));
-        LowerTriangle::from_columns(size, |j| {
-            if factors[j].is_empty() {
-                return own(j).collect::<Vec<_>>().into_iter();
-            }
-            let (sums, touched) = &mut *scratch.borrow_mut();
-            let mut rows = Vec::new();
-            let mut add = |i: usize, value: f64| {
-                if !touched[i] {
-                    touched[i] = true;
-                    rows.push(i);
-                }
-                sums[i] += value;
-            };
-            own(j).for_each(|(i, value)| add(i, value));
-            for (factor, row) in &factors[j] {
-                let from = row.partition_point(|(i, _)| *i < j);
-                let below = row[from..].iter().take_while(|(i, _)| *i < size);
-                below.for_each(|&(i, value)| add(i, factor * value));
-            }
-            let column: Vec<(usize, f64)> = rows.iter().map(|&i| (i, sums[i])).collect();
-            for i in rows {
-                (sums[i], touched[i]) = (0.0, false);
-            }
-            column.into_iter()
-        })
+        let inner = |row: &Row| row.iter().copied().filter(|(column, _)| *column < size).collect();
+        let pairs = folded.iter().map(|(t, g)| (inner(t), inner(g))).collect();
+        UpdatedMatrix { sparse: LowerTriangle::from_columns(size, own), pairs }
     }
 
     /// The blocks (inner, retained) and (retained, retained) of TᵀAT.
@@ -304,7 +270,7 @@ impl Partition {
 /// A matrix of the body in v.
 pub(super) struct Parted {
     /// The block of the inner dofs.
-    pub(super) inner: LowerTriangle,
+    pub(super) inner: UpdatedMatrix,
     folded: Vec<(Row, Row)>,
 }
 

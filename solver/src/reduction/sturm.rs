@@ -1,6 +1,8 @@
 //! How many eigenvalues lie below a value: the check that no mode was missed.
 
-use crate::linalg::{LinearAlgebraError, LowerTriangle, inertia};
+use crate::linalg::LinearAlgebraError;
+
+use super::updated::{UpdatedMatrix, negative};
 
 /// A cut is put into a gap at least this wide, relative to the eigenvalues: much wider than a multiple
 /// eigenvalue is spread by the mesh's own digits.
@@ -10,14 +12,13 @@ const SAFETY: f64 = 1e3;
 
 /// The number of eigenvalues of K x = λ M x below `cut`.
 pub(super) fn count_below(
-    stiffness: &LowerTriangle,
-    mass: &LowerTriangle,
+    stiffness: &UpdatedMatrix,
+    mass: &UpdatedMatrix,
     order: &[usize],
     cut: f64,
     limit: usize,
 ) -> Result<Option<usize>, LinearAlgebraError> {
-    let shifted = stiffness.plus(-cut, mass);
-    Ok(inertia(&shifted, order, limit)?.map(|inertia| inertia.negative))
+    negative(&stiffness.plus(-cut, mass), order, limit)
 }
 
 /// Places for a cut between consecutive ascending eigenvalues: (how many are below, λ of the cut). Only

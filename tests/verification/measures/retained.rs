@@ -97,6 +97,58 @@ fn modes_with_means_retained_are_those_of_the_free_mesh() {
     }
 }
 
+/// The dof that weighs most in a retained row stands along z, and the body turns about z: without the rest of the row it is
+/// loose.
+#[test]
+fn a_row_may_hold_the_body_by_what_weighs_less_in_it() {
+    let mesh = beam([1, 2, 6], [0.03, 0.05, 0.4]);
+    let matrices = Matrices::new(&mesh);
+    let at = |place: [f64; 2], set: &str| {
+        let nodes = mesh.node_set(set).unwrap().iter().copied();
+        let far = |node: &usize| {
+            let [x, y, _] = mesh.nodes()[*node];
+            (x - place[0]).hypot(y - place[1])
+        };
+        nodes.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap()
+    };
+    let (a, b, c) = (at([0.0; 2], "ROOT"), at([0.0; 2], "TIP"), at([0.03, 0.05], "TIP"));
+    let mut retained: Vec<Row> =
+        [3 * a, 3 * a + 1, 3 * a + 2, 3 * b, 3 * b + 1].map(|dof| vec![(dof, 1.0)]).into();
+    retained.push(vec![(3 * c, 0.9), (3 * c + 2, 1.0)]);
+    let interface = Interface { retained: &retained, held: &[] };
+    let all = frequencies(&matrices, &[], 1e8);
+    let modes = mesh.dof_count() - 6;
+    let reduced = matrices.solid(&mesh).reduce(&interface, modes).unwrap();
+    retains(&reduced, &retained);
+    let shifted = Matrix::from_fn(modes + 6, modes + 6, |i, j| {
+        reduced.stiffness[(i, j)] + 1e8 * reduced.mass[(i, j)]
+    });
+    let eigen = generalised_symmetric_eigen(&shifted, &reduced.mass).unwrap();
+    for (square, want) in eigen.values.iter().zip(&all).skip(6).take(10) {
+        let found = hertz(square - 1e8);
+        assert!((found / want - 1.0).abs() < 1e-9, "{found} Hz for {want}");
+    }
+}
+
+/// A mean of very many dofs costs no more than they do: its pairs of rows stand beside the sparse factor.
+#[test]
+fn a_mean_of_all_nodes_is_reduced_as_that_of_a_few() {
+    let mesh = beam([8, 8, 60], [0.04, 0.06, 0.4]);
+    let matrices = Matrices::new(&mesh);
+    let nodes: Vec<usize> = (0..mesh.nodes().len()).collect();
+    let all = NodeSetMean::new(&mesh, &nodes).unwrap();
+    let retained = rows(&[all]);
+    assert!(retained[0].len() > 4000);
+    let interface = Interface { retained: &retained, held: &[] };
+    let reduced = matrices.solid(&mesh).reduce(&interface, 6).unwrap();
+    retains(&reduced, &retained);
+    // Moving all of it costs nothing, and its modes are those of the free body but for what the mean weighs otherwise.
+    let free = matrices.solid(&mesh).free_modes(12).unwrap().hertz();
+    for (found, want) in reduced.hertz.iter().zip(&free[6..]) {
+        assert!(found / want > 0.999 && found / want < 1.05, "{found} Hz for {want}");
+    }
+}
+
 #[test]
 fn a_rigid_motion_is_reproduced() {
     let mesh = beam([2, 2, 6], [0.03, 0.05, 0.4]);

@@ -18,8 +18,6 @@ use crate::machine::{Counts, meshes};
 const FACTOR_MEMORY: usize = 8 << 30;
 /// Most coordinates of a reduced body, whose matrices are dense.
 const MOST_KEPT: usize = 5_000;
-/// Most degrees of freedom in a mean motion that is retained: it couples them with each other, some 40 bytes a pair.
-const MOST_COUPLED: usize = 4_000;
 
 /// A body before its reduction.
 pub(crate) struct BodyPlan {
@@ -379,17 +377,6 @@ impl BodyPlan {
 
     /// Notes more coordinates than there is memory for dense matrices of.
     pub(in crate::machine) fn bound(&self, errors: &mut Diagnostics) {
-        let largest = self.spec.retained.iter().map(|own| own.terms.len()).max().unwrap_or(0);
-        if largest > MOST_COUPLED {
-            let message = format!(
-                "{} keeps a mean motion of {largest} degrees of freedom, which it couples with each other; at most \
-                 {MOST_COUPLED} are allowed",
-                self.mesh.origin()
-            );
-            let help =
-                "name a smaller set for the joint or the drive, such as the nodes of its edge";
-            errors.push(self.held_by.error_here(Code::BAD_VALUE, message).help(help));
-        }
         let kept = self.spec.retained.len();
         if kept + self.spec.modes > MOST_KEPT {
             let message = format!(
