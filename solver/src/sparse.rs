@@ -182,7 +182,15 @@ impl SparseMatrix {
         let n = self.size();
         match self {
             SparseMatrix::General(columns) => columns.multiply(x, y),
-            SparseMatrix::Symmetric(lower) => multiply_symmetric(lower, x, y),
+            SparseMatrix::Symmetric(lower) => {
+                by_blocks(
+                    n,
+                    x,
+                    y,
+                    |x, y| multiply_lower(lower, x, y),
+                    |x, y| multiply_lower(lower, x, y),
+                );
+            }
             SparseMatrix::Kronecker { scalar, pattern } => {
                 by_blocks(
                     n,
@@ -201,15 +209,6 @@ impl SparseMatrix {
         self.multiply(y, &mut product);
         x.iter().zip(&product).map(|(x, p)| x * p).sum()
     }
-}
-
-/// y = A x for each column of `x`, of a symmetric matrix by its lower triangle.
-pub(crate) fn multiply_symmetric(lower: &LowerTriangle, x: &[f64], y: &mut [f64]) {
-    let (wide, one) = (
-        |x: &[_], y: &mut [_]| multiply_lower(lower, x, y),
-        |x: &[_], y: &mut [_]| multiply_lower(lower, x, y),
-    );
-    by_blocks(lower.size, x, y, wide, one);
 }
 
 fn is_symmetric(pattern: &[[f64; 3]; 3]) -> bool {

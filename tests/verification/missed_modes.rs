@@ -1,7 +1,7 @@
 //! Modes that the iteration misses are found by their count.
 
 use whirl_solver::linalg::LowerTriangle;
-use whirl_solver::reduction::Pencil;
+use whirl_solver::reduction::{Constraints, Pencil};
 
 #[test]
 fn modes_that_the_iteration_misses_are_searched_for() {
@@ -17,9 +17,10 @@ fn modes_that_the_iteration_misses_are_searched_for() {
     let order: Vec<usize> = (0..n).collect();
     let components: Vec<usize> = order.iter().map(|dof| dof % 3).collect();
     let pencil = Pencil {
-        stiffness: &stiffness.into(),
-        mass: &mass.into(),
+        stiffness: &stiffness,
+        mass: &mass,
         order: &order,
+        constraints: Constraints::NONE,
         components: &components,
         memory: usize::MAX,
     };

@@ -6,10 +6,10 @@ use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, transpose_multipl
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
+use super::constrained::{ConstrainedCholesky, Constraints};
 use super::modes::{Modes, Pencil};
-use super::partition::{Interface, Parted, Partition};
-use super::rigid::{Row, free_motions};
-use super::updated::UpdatedCholesky;
+use super::partition::{Interface, Partition};
+use super::rigid::{Row, free_motions, free_shapes_of_parts, pins};
 use crate::error::{FreeMotion, ReductionError};
 
 /// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
@@ -34,8 +34,7 @@ pub struct CraigBampton {
     /// Retained motions Σ cᵢ uᵢ over dofs i, in the order of their coordinates.
     pub retained: Vec<Row>,
     /// φ = [X Y; 0 I]: displacement of each dof (3·nodes rows) by a unit of each coordinate; the modes
-    /// X come first, then the constraint modes Y. Rows of held dofs are zero, rows of dofs whose place a retained mean
-    /// takes follow from the others.
+    /// X come first, then the constraint modes Y. Rows of held dofs are zero.
     pub shapes: Matrix,
     /// M̄ = φᵀMφ.
     pub mass: Matrix,
@@ -100,18 +99,16 @@ impl Solid<'_> {
         if !motions.is_empty() {
             return Err(ReductionError::Mechanism { motions });
         }
-        let parted = self.part(&whole, &partition, interface)?;
-        let stiffness = &parted.inner;
-        let mut mass = partition.part(&*lower(self.mass, "mass")?).inner;
-        if stiffness.pairs.is_empty() && !mass.pairs.is_empty() {
-            mass = mass.merged();
-        }
+        let stiffness = partition.inner(&whole);
+        let mass = partition.inner(&*lower(self.mass, "mass")?);
         let order = self.order(&whole, &partition.inner);
+        let pins = self.pins(&whole, &partition, interface)?;
         let components: Vec<usize> = partition.inner.iter().map(|dof| dof % 3).collect();
         let pencil = Pencil {
-            stiffness,
+            stiffness: &stiffness,
             mass: &mass,
             order: &order,
+            constraints: Constraints { rows: &partition.rows, pins: &pins },
             components: &components,
             memory: self.memory,
         };
@@ -133,16 +130,17 @@ impl Solid<'_> {
             return Err(loose(row));
         }
 
-        let (coupling, held) = partition.coupling(&whole, &parted);
+        let (coupling, held) = partition.coupling(&whole);
         let mut constraint = coupling.clone();
         constraint.data.iter_mut().for_each(|value| *value = -*value);
-        factor.solve_in_place(&mut constraint.data);
+        let multipliers = factor.solve_with(&mut constraint.data, &partition.given());
 
-        // K̄ of the retained dofs is the Schur complement K_rr − K_ri K_ii⁻¹ K_ir.
+        // K̄ of the retained dofs is the Schur complement K_rr − K_ri K_ii⁻¹ K_ir, that of the means what brings them about.
         let mut condensed = transpose_multiply(coupling.view(), constraint.view());
         for (value, k) in condensed.data.iter_mut().zip(&held.data) {
             *value += k;
         }
+        partition.add_multipliers(&multipliers, &mut condensed);
         let condensed = condensed.symmetric_part();
         let size = modes + retained.len();
         let stiffness = Matrix::from_fn(size, size, |i, j| {
@@ -181,8 +179,10 @@ impl Solid<'_> {
         let partition = Partition::new(self.mass.size(), interface)?;
         let whole = lower(self.stiffness, "stiffness")?;
         let order = self.order(&whole, &partition.inner);
-        let parted = self.part(&whole, &partition, interface)?;
-        let factor = UpdatedCholesky::new(&parted.inner, &order, self.memory)?;
+        let pins = self.pins(&whole, &partition, interface)?;
+        let constraints = Constraints { rows: &partition.rows, pins: &pins };
+        let stiffness = partition.inner(&whole);
+        let factor = ConstrainedCholesky::new(&stiffness, &order, constraints, self.memory)?;
         let mut inner = partition.inner_load(force);
         factor.solve_in_place(&mut inner);
         Ok(partition.displacement(&inner))
@@ -197,40 +197,32 @@ impl Solid<'_> {
         let (stiffness, mass) = (lower(self.stiffness, "stiffness")?, lower(self.mass, "mass")?);
         let components: Vec<usize> = all.iter().map(|dof| dof % 3).collect();
         let pencil = Pencil {
-            stiffness: &stiffness.clone().into_owned().into(),
-            mass: &mass.into_owned().into(),
+            stiffness: &stiffness,
+            mass: &mass,
             order: &self.order(&stiffness, &all),
+            constraints: Constraints::NONE,
             components: &components,
             memory: self.memory,
         };
         pencil.free_modes(count)
     }
 
-    /// The stiffness in parts. Its factor begins without the pairs of the means, with the dofs that they replace at zero:
-    /// where these leave the body loose, the pairs are put into the sparse matrix.
-    fn part(
+    /// Inner dofs, by their places, without which nothing of the body moves freely while its means may: those that the rigid
+    /// motions move most. None where there are no means.
+    fn pins(
         &self,
         whole: &LowerTriangle,
         partition: &Partition,
         interface: &Interface,
-    ) -> Result<Parted, ReductionError> {
-        let mut parted = partition.part(whole);
-        if parted.inner.pairs.is_empty() {
-            return Ok(parted);
+    ) -> Result<Vec<usize>, ReductionError> {
+        if partition.rows.is_empty() {
+            return Ok(Vec::new());
         }
-        let single = interface.retained.iter().filter(|row| row.len() == 1).cloned();
-        let dofs = interface.held.iter().copied().chain(partition.replaced());
-        let rows: Vec<Row> = single.chain(dofs.map(|dof| vec![(dof, 1.0)])).collect();
-        if !free_motions(self.coordinates, whole, &rows)?.is_empty() {
-            let coupled = partition.coupled();
-            let bytes = coupled.saturating_mul(coupled).saturating_mul(MERGED);
-            if bytes > self.memory {
-                let (size, limit) = (partition.inner.len(), self.memory);
-                return Err(LinearAlgebraError::TooLarge { size, bytes, limit }.into());
-            }
-            parted.inner = parted.inner.merged();
-        }
-        Ok(parted)
+        let single = interface.retained.iter().filter(|row| matches!(row[..], [(_, 1.0)])).cloned();
+        let held = interface.held.iter().map(|&dof| vec![(dof, 1.0)]);
+        let rows: Vec<Row> = single.chain(held).collect();
+        let motions = free_shapes_of_parts(self.coordinates, whole, &rows)?;
+        Ok(pins(motions, &partition.inner))
     }
 
     /// Order of elimination of the dofs listed (ascending), as places in that list.
@@ -261,9 +253,6 @@ impl Solid<'_> {
             .collect()
     }
 }
-
-/// Bytes for a pair of dofs of a mean that the sparse matrix and its factor have.
-const MERGED: usize = 40;
 
 /// A row divided by the sum of its coefficients' absolute values.
 fn of_order_one(row: &Row) -> Row {

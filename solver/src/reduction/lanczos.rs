@@ -11,7 +11,9 @@ use crate::linalg::{
     transpose_multiply,
 };
 
-use super::updated::{UpdatedCholesky, UpdatedMatrix};
+use crate::sparse::SparseMatrix;
+
+use super::constrained::ConstrainedCholesky;
 
 use crate::error::ReductionError;
 
@@ -40,8 +42,8 @@ fn capacity(count: usize) -> usize {
 
 /// The state of the iteration: an M-orthonormal basis V and T = VᵀM A⁻¹M V.
 pub(super) struct Lanczos<'a> {
-    factor: &'a UpdatedCholesky,
-    mass: &'a UpdatedMatrix,
+    factor: &'a ConstrainedCholesky,
+    mass: &'a SparseMatrix,
     wanted: usize,
     /// V: n × (capacity + BLOCK); columns `..size + BLOCK` are set.
     basis: Matrix,
@@ -69,8 +71,8 @@ struct Ritz {
 impl<'a> Lanczos<'a> {
     /// An iteration for the `wanted` largest θ, where `factor` is that of A.
     pub(super) fn new(
-        factor: &'a UpdatedCholesky,
-        mass: &'a UpdatedMatrix,
+        factor: &'a ConstrainedCholesky,
+        mass: &'a SparseMatrix,
         wanted: usize,
     ) -> Result<Self, ReductionError> {
         let (n, capacity) = (mass.size(), capacity(wanted));

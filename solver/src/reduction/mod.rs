@@ -1,5 +1,6 @@
 //! Reduction of a body's mesh matrices to a few coordinates: its lowest modes and its retained dofs.
 
+mod constrained;
 mod convention;
 mod craig_bampton;
 mod lanczos;
@@ -7,14 +8,13 @@ mod modes;
 mod partition;
 mod rigid;
 mod sturm;
-mod updated;
 
+pub use constrained::{ConstrainedCholesky, Constraints};
 pub use craig_bampton::{CraigBampton, Solid};
 pub use modes::{Modes, Pencil, hertz};
 pub use partition::Interface;
 pub use rigid::Row;
 pub(crate) use rigid::{free_motions, free_shapes};
-pub use updated::{UpdatedCholesky, UpdatedMatrix};
 
 use crate::error::{FreeMotion, ReductionError};
 use crate::mesh::Mesh;

@@ -1,7 +1,12 @@
-use crate::linalg::{LinearAlgebraError, Matrix, generalised_symmetric_eigen};
+use crate::linalg::{
+    Cholesky, LinearAlgebraError, LowerTriangle, Matrix, generalised_symmetric_eigen, multiply,
+    symmetric_eigen, transpose_multiply,
+};
 
+use crate::sparse::SparseMatrix;
+
+use super::constrained::{ConstrainedCholesky, Constraints};
 use super::lanczos::{Lanczos, dense_limit};
-use super::updated::{UpdatedCholesky, UpdatedMatrix};
 use super::{convention, sturm};
 use crate::error::ReductionError;
 
@@ -39,11 +44,13 @@ pub fn hertz(omega_squared: f64) -> f64 {
 #[derive(Debug, Clone, Copy)]
 pub struct Pencil<'a> {
     /// K (N/m).
-    pub stiffness: &'a UpdatedMatrix,
+    pub stiffness: &'a LowerTriangle,
     /// M (kg).
-    pub mass: &'a UpdatedMatrix,
+    pub mass: &'a LowerTriangle,
     /// Order of elimination.
     pub order: &'a [usize],
+    /// On what they leave to move.
+    pub constraints: Constraints<'a>,
     /// Direction of each dof: 0 x, 1 y, 2 z.
     pub components: &'a [usize],
     /// Bytes that a factor may take.
@@ -55,7 +62,10 @@ impl Pencil<'_> {
     ///
     /// # Errors
     /// See [`ReductionError`]; none of the modes asked for is ever missing.
-    pub fn lowest_modes(&self, count: usize) -> Result<(Modes, UpdatedCholesky), ReductionError> {
+    pub fn lowest_modes(
+        &self,
+        count: usize,
+    ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
         self.shifted_modes(count, 0.0)
     }
 
@@ -86,19 +96,21 @@ impl Pencil<'_> {
         &self,
         count: usize,
         shift: f64,
-    ) -> Result<(Modes, UpdatedCholesky), ReductionError> {
-        let n = self.mass.size();
-        if count > n {
-            return Err(ReductionError::TooManyModes { asked: count, available: n });
+    ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
+        let n = self.mass.size;
+        let available = n - self.constraints.rows.len();
+        if count > available {
+            return Err(ReductionError::TooManyModes { asked: count, available });
         }
         let definite = if shift == 0.0 {
             self.stiffness.clone()
         } else {
             self.stiffness.plus(shift, self.mass)
         };
-        let factor = UpdatedCholesky::new(&definite, self.order, self.memory)?;
+        let factor =
+            ConstrainedCholesky::new(&definite, self.order, self.constraints, self.memory)?;
         let mut modes = if n <= dense_limit(count + GUARD) {
-            self.all_dense(&definite, shift, count)?
+            self.all_dense((&definite, &factor), shift, count)?
         } else {
             self.by_iteration(&factor, &definite, shift, count)?
         };
@@ -113,13 +125,16 @@ impl Pencil<'_> {
     /// By decomposition of M x = θ (K + shift·M) x, which gives the lowest ω² with the most digits.
     fn all_dense(
         &self,
-        definite: &UpdatedMatrix,
+        (definite, factor): (&LowerTriangle, &ConstrainedCholesky),
         shift: f64,
         count: usize,
     ) -> Result<Modes, ReductionError> {
-        let n = self.mass.size();
+        let n = self.mass.size;
+        if !self.constraints.rows.is_empty() {
+            return self.all_constrained(factor, shift, count);
+        }
         let wanted = (count + GUARD).min(n);
-        let eigen = generalised_symmetric_eigen(&self.mass.dense(), &definite.dense())?;
+        let eigen = generalised_symmetric_eigen(&dense(self.mass), &dense(definite))?;
         let mut modes =
             Modes { eigenvalues: Vec::with_capacity(wanted), vectors: Matrix::zeros(n, wanted) };
         for i in 0..wanted {
@@ -141,16 +156,50 @@ impl Pencil<'_> {
         Ok(modes)
     }
 
+    /// By decomposition of LᵀGL with M = LLᵀ and G the inverse of K + shift·M on the allowed motions.
+    fn all_constrained(
+        &self,
+        factor: &ConstrainedCholesky,
+        shift: f64,
+        count: usize,
+    ) -> Result<Modes, ReductionError> {
+        let n = self.mass.size;
+        let wanted = (count + GUARD).min(n - self.constraints.rows.len());
+        let mass = dense(self.mass);
+        let mut lower = Cholesky::new(n);
+        lower.factor(&mass.data)?;
+        let lower = Matrix::from_fn(n, n, |i, j| if i >= j { lower.lower(i, j) } else { 0.0 });
+        let mut moved = lower.clone();
+        factor.solve_in_place(&mut moved.data);
+        let eigen =
+            symmetric_eigen(&transpose_multiply(lower.view(), moved.view()).symmetric_part())?;
+        let all: Vec<usize> = (0..n).collect();
+        let highest: Vec<usize> = (n - wanted..n).rev().collect();
+        // x = G L y / θ, which is allowed, and xᵀMx = 1.
+        let mut vectors = multiply(moved.view(), eigen.vectors.select(&all, &highest).view());
+        let mut eigenvalues = Vec::with_capacity(wanted);
+        for (i, &place) in highest.iter().enumerate() {
+            let theta = eigen.values[place];
+            if theta <= 0.0 {
+                return Err(ReductionError::TooManyModes { asked: count, available: i });
+            }
+            eigenvalues.push(1.0 / theta - shift);
+            vectors.col_mut(i).iter_mut().for_each(|value| *value /= theta);
+        }
+        Ok(Modes { eigenvalues, vectors })
+    }
+
     /// By block Lanczos, until the Sturm count agrees.
     fn by_iteration(
         &self,
-        factor: &UpdatedCholesky,
-        definite: &UpdatedMatrix,
+        factor: &ConstrainedCholesky,
+        definite: &LowerTriangle,
         shift: f64,
         count: usize,
     ) -> Result<Modes, ReductionError> {
         let mut wanted = count + GUARD;
-        let mut lanczos = Lanczos::new(factor, self.mass, wanted)?;
+        let mass = SparseMatrix::Symmetric(self.mass.clone());
+        let mut lanczos = Lanczos::new(factor, &mass, wanted)?;
         let mut searches = 0;
         loop {
             let (theta, vectors) = lanczos.run()?;
@@ -161,14 +210,13 @@ impl Pencil<'_> {
                 wanted *= 2;
                 let widest = wanted > WIDEST * (count + GUARD);
                 let hopeless = widest || self.hides(&modes.eigenvalues);
-                if self.mass.size() <= dense_limit(wanted) || hopeless && self.mass.size() <= DENSE
-                {
-                    return self.all_dense(definite, shift, count);
+                if self.mass.size <= dense_limit(wanted) || hopeless && self.mass.size <= DENSE {
+                    return self.all_dense((definite, factor), shift, count);
                 }
                 if hopeless {
                     return Err(self.hidden(&modes.eigenvalues));
                 }
-                lanczos = Lanczos::new(factor, self.mass, wanted)?;
+                lanczos = Lanczos::new(factor, &mass, wanted)?;
                 continue;
             };
             if counted == below {
@@ -214,9 +262,7 @@ impl Pencil<'_> {
         count: usize,
     ) -> Result<Option<(usize, f64, usize)>, LinearAlgebraError> {
         for (below, cut) in sturm::cuts(eigenvalues, self.blur(), count) {
-            if let Some(counted) =
-                sturm::count_below(self.stiffness, self.mass, self.order, cut, self.memory)?
-            {
+            if let Some(counted) = sturm::count_below(self, cut)? {
                 return Ok(Some((below, cut, counted)));
             }
         }
@@ -224,10 +270,20 @@ impl Pencil<'_> {
     }
 }
 
+fn dense(a: &LowerTriangle) -> Matrix {
+    let mut full = Matrix::zeros(a.size, a.size);
+    for j in 0..a.size {
+        for (i, value) in a.column(j) {
+            full[(i, j)] = value;
+            full[(j, i)] = value;
+        }
+    }
+    full
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linalg::LowerTriangle;
 
     #[test]
     fn a_missing_mode_is_counted() {
@@ -239,9 +295,10 @@ mod tests {
         let mass = LowerTriangle::from_columns(n, |j| std::iter::once((j, 1.0)));
         let order: Vec<usize> = (0..n).collect();
         let pencil = Pencil {
-            stiffness: &stiffness.into(),
-            mass: &mass.into(),
+            stiffness: &stiffness,
+            mass: &mass,
             order: &order,
+            constraints: Constraints::NONE,
             components: &order.iter().map(|dof| dof % 3).collect::<Vec<_>>(),
             memory: usize::MAX,
         };
@@ -273,9 +330,10 @@ mod tests {
         let mass = LowerTriangle::from_columns(n, |j| std::iter::once((j, 1.0)));
         let order: Vec<usize> = (0..n).collect();
         let pencil = Pencil {
-            stiffness: &stiffness.into(),
-            mass: &mass.into(),
+            stiffness: &stiffness,
+            mass: &mass,
             order: &order,
+            constraints: Constraints::NONE,
             components: &order.iter().map(|dof| dof % 3).collect::<Vec<_>>(),
             memory: usize::MAX,
         };

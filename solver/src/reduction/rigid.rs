@@ -136,15 +136,11 @@ pub(crate) fn free_motions(
     stiffness: &LowerTriangle,
     rows: &[Row],
 ) -> Result<Vec<FreeMotion>, LinearAlgebraError> {
-    let pairs = (0..stiffness.size)
-        .flat_map(|dof| stiffness.column(dof).map(move |(other, _)| (dof / 3, other / 3)));
-    let part_of = connected(coordinates.len(), pairs);
-    let count = part_of.iter().max().map_or(0, |last| last + 1);
+    let parts = parts(coordinates.len(), stiffness);
+    let count = parts.len();
     if count < 2 {
         return RigidMotions::new(coordinates).free(stiffness, rows);
     }
-    let mut parts: Vec<Vec<usize>> = vec![Vec::new(); count];
-    part_of.iter().enumerate().for_each(|(node, &part)| parts[part].push(node));
     // The first of the largest.
     let largest = (0..count).rev().max_by_key(|&part| parts[part].len()).unwrap_or(0);
     let mut free = Vec::new();
@@ -176,6 +172,61 @@ pub(crate) fn free_shapes(solid: &Solid, rows: &[Row]) -> Result<Matrix, Reducti
     let motions = RigidMotions::new(solid.coordinates);
     let free = motions.combinations(&stiffness, rows)?;
     Ok(multiply(motions.shapes.view(), free.view()))
+}
+
+/// The rigid motions of every part of a body by itself that make every one of `rows` zero and strain nothing: for each part
+/// 3·nodes × as many.
+pub(super) fn free_shapes_of_parts(
+    coordinates: &[[f64; 3]],
+    stiffness: &LowerTriangle,
+    rows: &[Row],
+) -> Result<Vec<Matrix>, LinearAlgebraError> {
+    let shapes = |motions: RigidMotions| -> Result<Matrix, LinearAlgebraError> {
+        let free = motions.combinations(stiffness, rows)?;
+        Ok(multiply(motions.shapes.view(), free.view()))
+    };
+    parts(coordinates.len(), stiffness)
+        .iter()
+        .map(|nodes| shapes(RigidMotions::of_part(coordinates, nodes)))
+        .collect()
+}
+
+/// For each of these motions of the parts a dof of those listed, by its place there: the one that it moves most when the
+/// dofs before stand still. Ascending.
+pub(super) fn pins(motions: Vec<Matrix>, dofs: &[usize]) -> Vec<usize> {
+    let mut pins = Vec::new();
+    for mut motions in motions {
+        for _ in 0..motions.cols {
+            let square =
+                |dof: usize| -> f64 { (0..motions.cols).map(|j| motions[(dof, j)].powi(2)).sum() };
+            let places = (0..dofs.len()).map(|place| (place, square(dofs[place])));
+            let larger =
+                |a: &(usize, f64), b: &(usize, f64)| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0));
+            let Some((place, most)) = places.max_by(larger).filter(|(_, most)| *most > 0.0) else {
+                break;
+            };
+            pins.push(place);
+            // What is left of the motions does not move it.
+            let own: Vec<f64> = (0..motions.cols).map(|j| motions[(dofs[place], j)]).collect();
+            for i in 0..motions.rows {
+                let along: f64 = (0..motions.cols).map(|j| motions[(i, j)] * own[j]).sum();
+                (0..motions.cols).for_each(|j| motions[(i, j)] -= along / most * own[j]);
+            }
+        }
+    }
+    pins.sort_unstable();
+    pins
+}
+
+/// The nodes of each part of a body.
+fn parts(nodes: usize, stiffness: &LowerTriangle) -> Vec<Vec<usize>> {
+    let pairs = (0..stiffness.size)
+        .flat_map(|dof| stiffness.column(dof).map(move |(other, _)| (dof / 3, other / 3)));
+    let part_of = connected(nodes, pairs);
+    let count = part_of.iter().max().map_or(0, |last| last + 1);
+    let mut parts: Vec<Vec<usize>> = vec![Vec::new(); count];
+    part_of.iter().enumerate().for_each(|(node, &part)| parts[part].push(node));
+    parts
 }
 
 /// Loose parts that are reported.

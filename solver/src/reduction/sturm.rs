@@ -2,7 +2,8 @@
 
 use crate::linalg::LinearAlgebraError;
 
-use super::updated::{UpdatedMatrix, negative};
+use super::constrained::negative;
+use super::modes::Pencil;
 
 /// A cut is put into a gap at least this wide, relative to the eigenvalues: much wider than a multiple
 /// eigenvalue is spread by the mesh's own digits.
@@ -11,14 +12,9 @@ const GAP: f64 = 1e-6;
 const SAFETY: f64 = 1e3;
 
 /// The number of eigenvalues of K x = λ M x below `cut`.
-pub(super) fn count_below(
-    stiffness: &UpdatedMatrix,
-    mass: &UpdatedMatrix,
-    order: &[usize],
-    cut: f64,
-    limit: usize,
-) -> Result<Option<usize>, LinearAlgebraError> {
-    negative(&stiffness.plus(-cut, mass), order, limit)
+pub(super) fn count_below(pencil: &Pencil, cut: f64) -> Result<Option<usize>, LinearAlgebraError> {
+    let shifted = pencil.stiffness.plus(-cut, pencil.mass);
+    negative(&shifted, pencil.order, pencil.constraints, pencil.memory)
 }
 
 /// Places for a cut between consecutive ascending eigenvalues: (how many are below, λ of the cut). Only
