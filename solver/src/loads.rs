@@ -122,7 +122,19 @@ impl Load {
 
     /// Whether θ̇ = `speed` (rad/s) is at the load's target or beyond it.
     pub(crate) fn reaches(&self, speed: f64) -> bool {
-        self.target().is_some_and(|(target, _)| speed * target.signum() >= target.abs())
+        self.target().is_some_and(|(target, _)| {
+            let way = self.way(target);
+            speed * way >= target * way
+        })
+    }
+
+    /// The way in which the load changes the speed up to its target, 1 or −1: that of its couple, or else that in which the
+    /// target is from rest.
+    pub(crate) fn way(&self, target: f64) -> f64 {
+        match self.action {
+            Action::Couple { couple: [.., about_z], .. } if about_z != 0.0 => about_z.signum(),
+            _ => target.signum(),
+        }
     }
 
     /// |F| times how far a unit of a coordinate moves the node, or |M| times how far it turns: what the load could do there,

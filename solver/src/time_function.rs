@@ -37,9 +37,10 @@ pub enum TimeFunction {
     },
     /// A curve over θ̇ (rad/s) of the body on which the load acts.
     OverSpeed(Arc<Curve>),
-    /// Constant until θ̇ is at the target or beyond it, as seen from rest; zero from then on.
+    /// Constant until θ̇ is at the target or beyond it, in the way in which a couple drives or brakes, or as seen from rest;
+    /// zero from then on.
     UntilSpeed {
-        /// Target of θ̇ (rad/s); negative where the shaft is driven that way.
+        /// Target of θ̇ (rad/s), of either sign.
         target: f64,
         /// When it ends.
         release: Release,

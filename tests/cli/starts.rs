@@ -116,6 +116,29 @@ fn a_run_cut_in_two_by_a_restart_has_the_rows_of_the_whole_one() {
     assert!((simulated - 23.0 * 7.4e-5).abs() < 1e-12, "{simulated}");
 }
 
+/// A brake of 5 N·m on 0.2 kg·m², from 400 rad/s to 390 rad/s: what it takes in work and time is exact.
+#[test]
+fn a_couple_brakes_from_the_start_to_its_target() {
+    let case = "title = \"a brake\"\n[body.rotor]\nturns = \"free\"\ninitial_speed = \"400 rad/s\"\nmass = \"10 kg\"\n\
+                polar_inertia = \"0.2 kg*m^2\"\n[joint.hub]\nkind = \"bushing\"\nfirst = { body = \"rotor\" }\n\
+                stiffness = { xx = \"1e6 N/m\", yy = \"1e6 N/m\" }\n\
+                [drives.brake]\nbody = \"rotor\"\ntorque = \"-5 N*m\"\ntarget_speed = \"390 rad/s\"\n\
+                [march]\ntime_step = \"5e-5 s\"\nsteps = 10000\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let history = bench.history("results/case");
+    let (t, speed) = (history.column("t_s"), history.column("omega_rad_s"));
+    for (t, speed) in t.iter().zip(speed) {
+        let exact = f64::max(400.0 - 5.0 / 0.2 * t, 390.0);
+        assert!((speed - exact).abs() < 1e-6, "{speed} for {exact} at {t}");
+    }
+    // Half a second, of which 0.4 s are braked.
+    let exact = 395.0 * 0.4 + 390.0 * 0.1;
+    let theta = history.last("theta_rad");
+    assert!((theta - exact).abs() < 1e-6, "{theta} for {exact}");
+}
+
 #[test]
 fn a_state_that_does_not_fit_is_refused_by_name() {
     let from = |folder: &str| format!("[start]\nfrom = \"{folder}\"\n");

@@ -50,7 +50,10 @@ impl March<'_> {
     fn beyond_target(&self, load: &Load, state: &State) -> Option<f64> {
         let (target, Release::Located) = load.target()? else { return None };
         let theta = self.machine.places()[load.body].rotation?;
-        Some(state.v[theta] * target.signum() - target.abs() * (1.0 - 4.0 * f64::EPSILON))
+        let way = load.way(target);
+        // Nearer by rounding, on whichever side of zero it is.
+        let near = 1.0 - 4.0 * f64::EPSILON * (target * way).signum();
+        Some(state.v[theta] * way - target * way * near)
     }
 
     /// Whether the state is at the target of a load that is to end there, or beyond it.

@@ -303,7 +303,7 @@ impl JoinedMachine {
         let drives = names::in_order(file, "drives");
         names::plain(file, "drive", drives.iter().map(|(name, _)| name));
         let drives = drives.into_iter().map(|(name, table)| {
-            table.read(|table| forces::drive(store, table, &name, &known, turns))
+            table.read(|table| forces::drive(store, table, &name, &known, turns, goes_on))
         });
         let drives: Vec<Option<Drive>> = drives.collect();
         let loads = names::in_order(file, "loads");

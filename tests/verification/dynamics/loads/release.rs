@@ -72,6 +72,41 @@ fn theta_is_of_second_order_where_the_release_is_located() {
     }
 }
 
+/// From 200 rad/s a couple the other way brakes to the target, which is above zero, zero or below it.
+#[test]
+fn a_couple_brakes_to_a_target_below_the_start() {
+    const START: f64 = 200.0;
+    let (rate, most) = (DRAG / INERTIA, TORQUE / DRAG);
+    for (sign, target) in
+        [(1.0, 150.0), (-1.0, 150.0), (1.0, 0.0), (1.0, -50.0), (-1.0, 0.0), (-1.0, -50.0)]
+    {
+        let at = ((START + most) / (target + most)).ln() / rate;
+        let down = (START + most) / rate * (1.0 - (-rate * at).exp()) - most * at;
+        let rest = 0.01;
+        let theta = down + target / rate * (1.0 - (-rate * rest).exp());
+        let errors = [50.0, 101.0, 203.0].map(|steps| {
+            let dt = at / (steps + 0.5);
+            let whole = ((at + rest) / dt).floor();
+            let mut machine = machine(-sign, Release::Located);
+            let until =
+                TimeFunction::UntilSpeed { target: sign * target, release: Release::Located };
+            machine.loads[0].time_function = until;
+            let mut options = options(dt, whole as usize);
+            options.initial[0].speed = sign * START;
+            let state = end(&machine, &options);
+            let left = at + rest - whole * dt;
+            let carried = state.q[0] + state.v[0] / rate * (1.0 - (-rate * left).exp());
+            let speed = sign * target * (-rate * (whole * dt - at)).exp();
+            assert!((state.v[0] - speed).abs() < 1e-4 * START, "{} for {speed}", state.v[0]);
+            (sign * carried - theta).abs()
+        });
+        println!("from {START} to {target} rad/s, {sign}: {errors:?}");
+        for pair in errors.windows(2) {
+            assert!((3.6..4.4).contains(&(pair[0] / pair[1])), "{errors:?}");
+        }
+    }
+}
+
 /// The speed is met, not passed; the energy stays balanced through the split step, and all its rows are solved.
 #[test]
 fn a_split_step_is_as_good_as_any() {
