@@ -210,3 +210,23 @@ fn the_documented_start_runs() {
     let reaction = history.column("RX_inner_N");
     assert!(reaction.iter().all(|force| (force / 98.1 - 1.0).abs() < 0.01), "{reaction:?}");
 }
+
+/// A rotation that a table tells has its speed at t = 0.
+#[test]
+fn an_equilibrium_of_a_told_rotation_is_at_its_first_speed() {
+    let case = |speed: &str| {
+        rotor("10 kg", "-98.1 N", 20, "[start]\nkind = \"equilibrium\"\n")
+            .replace("turns = \"free\"\ninitial_speed = \"3819.72 rpm\"", speed)
+    };
+    let bench = Workbench::new()
+        .file("speeds.csv", "time [s], speed [rpm]\n-1, 0\n1, 2000\n")
+        .file("told.toml", &case("turns = \"prescribed\"\ntable = \"speeds.csv\""))
+        .file("same.toml", &case("turns = \"prescribed\"\nspeed = \"1000 rpm\""));
+    let [told, same] = ["told.toml", "same.toml"].map(|name| {
+        let outcome = bench.whirl(&["check", name]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let start = outcome.stdout.lines().find(|line| line.starts_with("starting in equilibrium"));
+        start.expect("a start").to_owned()
+    });
+    assert_eq!(told, same);
+}
