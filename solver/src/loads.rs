@@ -5,7 +5,7 @@
 //! Q_θ = (x0+u) × F. A couple M on a section that turns by Ψη against its frame gives Q_η = ΨᵀAᵀM, or ΨᵀM, and Q_θ = M_z:
 //! turns are small, so that θ turns every section about z of space.
 
-pub use crate::time_function::{Onset, Release, TimeFunction};
+pub use crate::time_function::{Onset, Release, Target, TimeFunction};
 
 use crate::bodies::BodyPlace;
 use crate::body::BodyNode;
@@ -112,29 +112,20 @@ impl Load {
         }
     }
 
-    /// Speed (rad/s) at which the load ends, and how.
-    pub(crate) fn target(&self) -> Option<(f64, Release)> {
+    /// Speed at which the load ends, and how.
+    pub(crate) fn target(&self) -> Option<Target> {
         match self.time_function {
-            TimeFunction::UntilSpeed { target, release } => Some((target, release)),
+            TimeFunction::UntilSpeed(target) => Some(target),
             _ => None,
         }
     }
 
     /// Whether θ̇ = `speed` (rad/s) is at the load's target or beyond it.
     pub(crate) fn reaches(&self, speed: f64) -> bool {
-        self.target().is_some_and(|(target, _)| {
-            let way = self.way(target);
-            speed * way >= target * way
+        self.target().is_some_and(|Target { speed: target, from_above, .. }| match from_above {
+            true => speed <= target,
+            false => speed >= target,
         })
-    }
-
-    /// The way in which the load changes the speed up to its target, 1 or −1: that of its couple, or else that in which the
-    /// target is from rest.
-    pub(crate) fn way(&self, target: f64) -> f64 {
-        match self.action {
-            Action::Couple { couple: [.., about_z], .. } if about_z != 0.0 => about_z.signum(),
-            _ => target.signum(),
-        }
     }
 
     /// |F| times how far a unit of a coordinate moves the node, or |M| times how far it turns: what the load could do there,

@@ -37,14 +37,19 @@ pub enum TimeFunction {
     },
     /// A curve over θ̇ (rad/s) of the body on which the load acts.
     OverSpeed(Arc<Curve>),
-    /// Constant until θ̇ is at the target or beyond it, in the way in which a couple drives or brakes, or as seen from rest;
-    /// zero from then on.
-    UntilSpeed {
-        /// Target of θ̇ (rad/s), of either sign.
-        target: f64,
-        /// When it ends.
-        release: Release,
-    },
+    /// Constant until θ̇ is at the target or beyond it; zero from then on.
+    UntilSpeed(Target),
+}
+
+/// A speed at which a load ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    /// θ̇ (rad/s).
+    pub speed: f64,
+    /// Whether the load brings the speed down to it, as a negative couple does, and not up.
+    pub from_above: bool,
+    /// When it ends.
+    pub release: Release,
 }
 
 /// When a couple ends that acts until a speed is reached.
@@ -122,7 +127,7 @@ impl TimeFunction {
             TimeFunction::Sine { frequency, phase } => {
                 (std::f64::consts::TAU * frequency * at.t + phase).sin()
             }
-            TimeFunction::UntilSpeed { .. } => f64::from(!released),
+            TimeFunction::UntilSpeed(_) => f64::from(!released),
             TimeFunction::Order { body, order, phase } => {
                 let theta = at.angle(*body).map_or(0.0, |(_, theta)| theta);
                 (order * theta + phase).sin()
@@ -155,7 +160,7 @@ impl TimeFunction {
             TimeFunction::Constant
             | TimeFunction::Sine { .. }
             | TimeFunction::OverTime(_)
-            | TimeFunction::UntilSpeed { .. } => None,
+            | TimeFunction::UntilSpeed(_) => None,
         }
     }
 }

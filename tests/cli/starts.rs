@@ -139,6 +139,22 @@ fn a_couple_brakes_from_the_start_to_its_target() {
     assert!((theta - exact).abs() < 1e-6, "{theta} for {exact}");
 }
 
+/// The couple of two forces on nodes brakes as one on a rotation does.
+#[test]
+fn two_forces_brake_a_shaft_to_its_target() {
+    let case = "include = \"hu2003.machine.toml\"\ntitle = \"braked\"\n\
+                [drive]\ntorque = \"-109 N*m\"\ntarget_speed = \"4400 rpm\"\nrelease = \"located\"\n\
+                [start]\nspeed = \"4500 rpm\"\n[march]\nsteps = 60\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let history = bench.history("results/case");
+    let rpm = |row: usize| history.column("omega_rad_s")[row] * 30.0 / std::f64::consts::PI;
+    assert!(rpm(5) < 4495.0 && rpm(5) > 4450.0, "{}", rpm(5));
+    // Let go, the shaft swings in torsion about the target, by less than a tenth of what the couple took.
+    assert!((rpm(59) - 4400.0).abs() < 10.0, "{}", rpm(59));
+}
+
 #[test]
 fn a_state_that_does_not_fit_is_refused_by_name() {
     let from = |folder: &str| format!("[start]\nfrom = \"{folder}\"\n");

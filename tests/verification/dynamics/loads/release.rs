@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use whirl_solver::curve::Curve;
 use whirl_solver::dynamics::{March, MarchOptions, NewtonOptions};
-use whirl_solver::loads::{Frame, Load, Release, TimeFunction};
+use whirl_solver::loads::{Frame, Load, Release, Target, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 
@@ -21,7 +21,8 @@ const END: f64 = 0.5;
 fn machine(sign: f64, release: Release) -> Machine {
     let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
     let drag = Curve::linear(&[[-1e3, DRAG * 1e3], [1e3, -DRAG * 1e3]], false).expect("a curve");
-    let until = TimeFunction::UntilSpeed { target: sign * TARGET, release };
+    let until =
+        TimeFunction::UntilSpeed(Target { speed: sign * TARGET, from_above: sign < 0.0, release });
     parts.loads = vec![
         Load::couple(0, rigid_turn(), [0.0, 0.0, sign * TORQUE], until, Frame::Body),
         Load::couple(
@@ -88,8 +89,11 @@ fn a_couple_brakes_to_a_target_below_the_start() {
             let dt = at / (steps + 0.5);
             let whole = ((at + rest) / dt).floor();
             let mut machine = machine(-sign, Release::Located);
-            let until =
-                TimeFunction::UntilSpeed { target: sign * target, release: Release::Located };
+            let until = TimeFunction::UntilSpeed(Target {
+                speed: sign * target,
+                from_above: sign > 0.0,
+                release: Release::Located,
+            });
             machine.loads[0].time_function = until;
             let mut options = options(dt, whole as usize);
             options.initial[0].speed = sign * START;
