@@ -120,6 +120,15 @@ impl TimeFunction {
         }
     }
 
+    /// The same, following the body at another place if it follows one.
+    pub(crate) fn of(&self, body: usize) -> TimeFunction {
+        match self.clone() {
+            TimeFunction::Order { order, phase, .. } => TimeFunction::Order { body, order, phase },
+            TimeFunction::OverAngle { curve, .. } => TimeFunction::OverAngle { body, curve },
+            other => other,
+        }
+    }
+
     /// The factor on the amplitude of a load on `body`; `released` once the target speed was reached.
     pub(crate) fn factor(&self, at: &Instant, body: usize, released: bool) -> f64 {
         match self {
