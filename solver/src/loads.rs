@@ -108,7 +108,7 @@ impl Load {
         let factor = self.time_function.factor(at, self.body, released);
         match self.onset {
             Onset::Start => factor,
-            onset => onset.factor(at.t) * factor,
+            onset => onset.factor(at) * factor,
         }
     }
 
@@ -194,7 +194,7 @@ impl Load {
                 Slope::Speed(place, by) => (place, a1 * by),
             };
             let column = &mut matrix[column * rows..(column + 1) * rows];
-            self.add_force(-by * self.onset.factor(at.t), position, q, own, column);
+            self.add_force(-by * self.onset.factor(at), position, q, own, column);
         }
         let factor = self.factor(at, released);
         let Some(theta) = own.rotation.filter(|_| factor != 0.0) else { return };

@@ -77,6 +77,8 @@ pub enum Onset {
 pub(crate) struct Instant<'s> {
     /// s.
     pub(crate) t: f64,
+    /// Whether what begins at this instant does not act yet.
+    pub(crate) before: bool,
     pub(crate) q: &'s [f64],
     pub(crate) v: &'s [f64],
     pub(crate) places: &'s [BodyPlace],
@@ -100,11 +102,12 @@ pub(crate) enum Slope {
 }
 
 impl Onset {
-    /// The part of the load that acts at t (s).
-    pub(crate) fn factor(self, t: f64) -> f64 {
+    /// The part of the load that acts at an instant.
+    pub(crate) fn factor(self, &Instant { t, before, .. }: &Instant) -> f64 {
         match self {
             Onset::Start => 1.0,
             // A sum of steps may miss a time by rounding.
+            Onset::Step(from) if before => f64::from(t > from + 1e-12 * from.abs()),
             Onset::Step(from) => f64::from(t >= from - 1e-12 * from.abs()),
             Onset::Ramp(from, to) => ((t - from) / (to - from)).clamp(0.0, 1.0),
         }

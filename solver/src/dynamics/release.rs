@@ -33,7 +33,7 @@ impl March<'_> {
         let step = Coefficients::new(self.options.newmark, dt);
         step.predict(start, &mut self.state);
         let State { q, v, a } = &mut self.state;
-        self.machine.set_given(t + dt, q, v, a);
+        self.machine.set_given(t + dt, self.system.before, [q, v, a]);
         let report = self.newton.solve(&mut self.system, t + dt, &step, &mut self.state);
         self.last_iterations += report.iterations;
         report

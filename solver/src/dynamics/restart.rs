@@ -123,7 +123,7 @@ impl LastState {
     /// Whether rotations that are prescribed go on from the state.
     fn check_rotations(&self, machine: &Machine, state: &State) -> Result<(), Error> {
         let mut given = state.clone();
-        machine.set_given(self.time, &mut given.q, &mut given.v, &mut given.a);
+        machine.set_given(self.time, false, [&mut given.q, &mut given.v, &mut given.a]);
         for at in 0..machine.first_unknown() {
             let apart = (given.q[at] - state.q[at]).abs();
             let jump = (given.v[at] - state.v[at]).abs();

@@ -49,7 +49,7 @@ impl<'m> Balance<'m> {
     pub(super) fn new(machine: &'m Machine, speeds: &[Option<f64>]) -> Result<Self, Error> {
         let (size, rotations) = (machine.size(), machine.rotations());
         let mut state = State::new(size);
-        machine.set_given(0.0, &mut state.q, &mut state.v, &mut state.a);
+        machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
         state.a.fill(0.0);
         let mut places: Vec<usize> = (rotations..size).collect();
         let flexible = places.len();
@@ -60,7 +60,7 @@ impl<'m> Balance<'m> {
                 continue;
             };
             let theta = machine.places()[number].rotation.expect("a body that turns");
-            if rotation.given(0.0).is_none() {
+            if rotation.given(0.0, false).is_none() {
                 match speeds.get(number).copied().flatten() {
                     Some(speed) => state.v[theta] = speed,
                     None => places.push(theta),
