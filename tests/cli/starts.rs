@@ -282,6 +282,32 @@ fn the_documented_start_runs() {
     assert!(reaction.iter().all(|force| (force / 98.1 - 1.0).abs() < 0.01), "{reaction:?}");
 }
 
+/// A motor of 8 N·m a 100 rpm below 3000 rpm turns a rotor at the speed at which the films take that couple.
+#[test]
+fn a_rotor_driven_over_its_speed_starts_where_its_couples_balance() {
+    let motor = "[drives.motor]\nbody = \"rotor\"\ntable = \"motor.csv\"\n[start]\nkind = \"equilibrium\"\n";
+    let case =
+        rotor("10 kg", "-98.1 N", 100, motor).replace("initial_speed = \"3819.72 rpm\"\n", "");
+    let brake = "[loads.brake]\nbody = \"rotor\"\ncouple = \"-4 N*m\"\n";
+    let rows = "speed [rpm], couple [N*m]\n0, 6\n2500, 20\n2900, 8\n3000, 0\n3100, -8\n";
+    let bench = Workbench::new()
+        .file("motor.csv", rows)
+        .file("idle.toml", &case)
+        .file("braked.toml", &format!("{case}{brake}"));
+    for (name, brake) in [("idle", 0.0), ("braked", 4.0)] {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        assert!(outcome.stderr.contains("rotor turns at "), "{}", outcome.stderr);
+        let history = bench.history(&format!("results/{name}"));
+        let speed = history.column("omega_rad_s");
+        let (first, last) = (speed[0], speed[99]);
+        assert!((last / first - 1.0).abs() < 1e-6, "{first} {last}");
+        let slip = 3000.0 - first * 30.0 / std::f64::consts::PI;
+        let taken: f64 = 0.08 * slip - brake;
+        assert!((0.0..2.0).contains(&taken), "the films take {taken} N·m at {first} rad/s");
+    }
+}
+
 /// A rotation that a table tells has its speed at t = 0.
 #[test]
 fn an_equilibrium_of_a_told_rotation_is_at_its_first_speed() {

@@ -4,7 +4,7 @@
 //! given. With η = η_s + η_c(θ̇), η̇ = θ̇ L η_s, θ = 0 and x_b at rest the rows are
 //! f = Q_e + Q_s − K η_s − C η̇ (bodies that stand: K x_b), and Q_e + Q_s in the rows of θ of speeds that are not given.
 
-use super::turning::TurningStart;
+use super::turning::{TurningStart, idle_speed};
 use crate::bearing::Springs;
 use crate::dynamics::newmark::State;
 use crate::dynamics::spring_tangent::SpringTangent;
@@ -72,7 +72,9 @@ impl<'m> Balance<'m> {
         let fastest = state.v[..rotations]
             .iter()
             .fold(0.0, |most: f64, speed| if speed.abs() > most.abs() { *speed } else { most });
-        places[flexible..].iter().for_each(|&theta| state.v[theta] = 0.5 * fastest);
+        for &theta in &places[flexible..] {
+            state.v[theta] = idle_speed(machine, theta).unwrap_or(0.5 * fastest);
+        }
         let rows = places.len();
         let mut balance = Balance {
             machine,

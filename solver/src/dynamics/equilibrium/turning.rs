@@ -3,6 +3,8 @@
 
 use crate::error::Error;
 use crate::linalg::{GeneralisedEigen, Lu, Matrix, dot, generalised_symmetric_eigen, multiply};
+use crate::loads::{Load, TimeFunction};
+use crate::machine::Machine;
 use crate::shaft::Shaft;
 
 /// Share of M beside Y in the projection of [`quarter_turn`]: it decides what coordinates do that move nothing sideways, and
@@ -127,4 +129,15 @@ fn size(shaft: &Shaft) -> f64 {
     }
     let all = shaft.nodes.iter().flat_map(|node| node.position);
     all.fold(0.0, |most: f64, own| most.max(own.abs()))
+}
+
+/// The speed (rad/s) at which the couples over the speed end that act on the rotation at place `theta` of q: where a motor
+/// turns without a load.
+pub(super) fn idle_speed(machine: &Machine, theta: usize) -> Option<f64> {
+    let on_it = |load: &&Load| machine.places()[load.body].rotation == Some(theta);
+    let idle = machine.loads.iter().filter(on_it).filter_map(|load| match &load.time_function {
+        TimeFunction::OverSpeed(curve) => curve.last_fall(),
+        _ => None,
+    });
+    idle.reduce(f64::max)
 }
