@@ -36,8 +36,9 @@ pub enum Rotation {
 }
 
 impl Rotation {
-    /// θ (rad), θ̇ (rad/s) and θ̈ (rad/s²) of the frame at time `t` (s); none of a rotation that is free.
-    pub(crate) fn given(&self, t: f64) -> Option<[f64; 3]> {
+    /// θ (rad), θ̇ (rad/s) and θ̈ (rad/s²) of the frame at time `t` (s); none of a rotation that is free. `before`: θ̈ where it
+    /// jumps at t is that until then.
+    pub(crate) fn given(&self, t: f64, before: bool) -> Option<[f64; 3]> {
         match self {
             Rotation::Free => None,
             Rotation::Held | Rotation::Spinning { .. } => Some([0.0; 3]),
@@ -45,6 +46,7 @@ impl Rotation {
                 let angle = (speed + 0.5 * acceleration * t) * t;
                 Some([angle, speed + acceleration * t, *acceleration])
             }
+            Rotation::Scheduled(schedule) if before => Some(schedule.until(t)),
             Rotation::Scheduled(schedule) => Some(schedule.at(t)),
         }
     }
@@ -215,7 +217,7 @@ pub(crate) struct Layout {
 
 impl Layout {
     pub(crate) fn new(bodies: &[Body]) -> Layout {
-        let is_given = |body: &Body| body.rotation().map(|own| own.given(0.0).is_some());
+        let is_given = |body: &Body| body.rotation().map(|own| own.given(0.0, false).is_some());
         let turning = |given: bool| {
             let bodies = bodies.iter().enumerate();
             bodies.filter(move |(_, body)| is_given(body) == Some(given)).map(|(place, _)| place)
@@ -263,8 +265,8 @@ mod tests {
     #[test]
     fn a_prescribed_angle_is_the_integral_of_its_speed() {
         let rotation = Rotation::Prescribed { speed: 3.0, acceleration: -2.0 };
-        assert_eq!(rotation.given(2.0), Some([2.0, -1.0, -2.0]));
-        assert_eq!(Rotation::Free.given(2.0), None);
-        assert_eq!(Rotation::Held.given(2.0), Some([0.0; 3]));
+        assert_eq!(rotation.given(2.0, false), Some([2.0, -1.0, -2.0]));
+        assert_eq!(Rotation::Free.given(2.0, false), None);
+        assert_eq!(Rotation::Held.given(2.0, false), Some([0.0; 3]));
     }
 }

@@ -42,6 +42,14 @@ impl Curve {
         self.x.last().copied().filter(|_| !self.periodic)
     }
 
+    /// The last x at which y falls through zero, or comes to it.
+    pub(crate) fn last_fall(&self) -> Option<f64> {
+        let falls = |row: &usize| self.y[*row] > 0.0 && self.y[row + 1] <= 0.0;
+        let row = (0..self.x.len() - 1).rev().find(falls)?;
+        let share = self.y[row] / (self.y[row] - self.y[row + 1]);
+        Some(self.x[row] + share * (self.x[row + 1] - self.x[row]))
+    }
+
     /// y at x.
     pub fn value(&self, x: f64) -> f64 {
         match self.piece(x) {

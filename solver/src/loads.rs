@@ -5,7 +5,7 @@
 //! Q_θ = (x0+u) × F. A couple M on a section that turns by Ψη against its frame gives Q_η = ΨᵀAᵀM, or ΨᵀM, and Q_θ = M_z:
 //! turns are small, so that θ turns every section about z of space.
 
-pub use crate::time_function::{Onset, Release, TimeFunction};
+pub use crate::time_function::{Onset, Release, Target, TimeFunction};
 
 use crate::bodies::BodyPlace;
 use crate::body::BodyNode;
@@ -108,21 +108,24 @@ impl Load {
         let factor = self.time_function.factor(at, self.body, released);
         match self.onset {
             Onset::Start => factor,
-            onset => onset.factor(at.t) * factor,
+            onset => onset.factor(at) * factor,
         }
     }
 
-    /// Speed (rad/s) at which the load ends, and how.
-    pub(crate) fn target(&self) -> Option<(f64, Release)> {
+    /// Speed at which the load ends, and how.
+    pub(crate) fn target(&self) -> Option<Target> {
         match self.time_function {
-            TimeFunction::UntilSpeed { target, release } => Some((target, release)),
+            TimeFunction::UntilSpeed(target) => Some(target),
             _ => None,
         }
     }
 
     /// Whether θ̇ = `speed` (rad/s) is at the load's target or beyond it.
     pub(crate) fn reaches(&self, speed: f64) -> bool {
-        self.target().is_some_and(|(target, _)| speed * target.signum() >= target.abs())
+        self.target().is_some_and(|Target { speed: target, from_above, .. }| match from_above {
+            true => speed <= target,
+            false => speed >= target,
+        })
     }
 
     /// |F| times how far a unit of a coordinate moves the node, or |M| times how far it turns: what the load could do there,
@@ -191,7 +194,7 @@ impl Load {
                 Slope::Speed(place, by) => (place, a1 * by),
             };
             let column = &mut matrix[column * rows..(column + 1) * rows];
-            self.add_force(-by * self.onset.factor(at.t), position, q, own, column);
+            self.add_force(-by * self.onset.factor(at), position, q, own, column);
         }
         let factor = self.factor(at, released);
         let Some(theta) = own.rotation.filter(|_| factor != 0.0) else { return };

@@ -194,10 +194,12 @@ impl Machine {
     }
 
     /// Sets θ, θ̇ and θ̈ of the rotations that are given to what they are at time `t` (s).
-    pub(crate) fn set_given(&self, t: f64, q: &mut [f64], v: &mut [f64], a: &mut [f64]) {
+    /// `before`: what jumps at this instant has not done so yet.
+    pub(crate) fn set_given(&self, t: f64, before: bool, state: [&mut [f64]; 3]) {
+        let [q, v, a] = state;
         for place in 0..self.layout.given {
             let rotation = self.bodies[self.owner(place).body].rotation();
-            if let Some([angle, speed, rate]) = rotation.and_then(|own| own.given(t)) {
+            if let Some([angle, speed, rate]) = rotation.and_then(|own| own.given(t, before)) {
                 (q[place], v[place], a[place]) = (angle, speed, rate);
             }
         }

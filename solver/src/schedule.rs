@@ -9,6 +9,8 @@ pub struct Schedule {
     starts: Vec<f64>,
     /// θ = Σ cₖ τᵏ, τ from the start of the piece.
     coefficients: Vec<[f64; 6]>,
+    /// Times at which θ̈ jumps (s), ascending.
+    jumps: Vec<f64>,
 }
 
 impl Schedule {
@@ -31,6 +33,11 @@ impl Schedule {
         let mut schedule = Schedule::of_pieces(pieces);
         let [before, ..] = schedule.at(0.0);
         schedule.coefficients.iter_mut().for_each(|own| own[0] -= before);
+        let rates = || schedule.coefficients.iter().map(|own| own[2]);
+        let jumps = std::iter::once(0.0).chain(rates()).zip(rates()).zip(&schedule.starts);
+        // Rows on one line have one slope but for rounding.
+        let jump = |a: f64, b: f64| (a - b).abs() > 1e-9 * a.abs().max(b.abs());
+        schedule.jumps = jumps.filter(|((a, b), _)| jump(*a, *b)).map(|(_, time)| *time).collect();
         Ok(schedule)
     }
 
@@ -62,7 +69,7 @@ impl Schedule {
 
     fn of_pieces(pieces: Vec<(f64, [f64; 6])>) -> Schedule {
         let (starts, coefficients) = pieces.into_iter().unzip();
-        Schedule { starts, coefficients }
+        Schedule { starts, coefficients, jumps: Vec::new() }
     }
 
     /// The time (s) from which on the speed stays as it is.
@@ -70,9 +77,24 @@ impl Schedule {
         self.starts.last().copied().unwrap_or(0.0)
     }
 
+    /// Times (s) at which the acceleration jumps.
+    pub(crate) fn jumps(&self) -> &[f64] {
+        &self.jumps
+    }
+
     /// θ (rad), θ̇ (rad/s) and θ̈ (rad/s²) at time t (s).
     pub fn at(&self, t: f64) -> [f64; 3] {
-        let after = self.starts.partition_point(|start| *start <= t);
+        self.in_piece(self.starts.partition_point(|start| *start <= t), t)
+    }
+
+    /// The same, where the acceleration jumps that until t, which a sum of steps may miss by rounding.
+    pub(crate) fn until(&self, t: f64) -> [f64; 3] {
+        let rounding = 1e-12 * t.abs();
+        self.in_piece(self.starts.partition_point(|start| *start < t - rounding), t)
+    }
+
+    /// In the piece before the start at place `after`.
+    fn in_piece(&self, after: usize, t: f64) -> [f64; 3] {
         let piece = after.saturating_sub(1);
         let tau = t - self.starts[piece];
         let [c0, c1, c2, c3, c4, c5] = self.coefficients[piece];

@@ -37,13 +37,19 @@ pub enum TimeFunction {
     },
     /// A curve over θ̇ (rad/s) of the body on which the load acts.
     OverSpeed(Arc<Curve>),
-    /// Constant until θ̇ is at the target or beyond it, as seen from rest; zero from then on.
-    UntilSpeed {
-        /// Target of θ̇ (rad/s); negative where the shaft is driven that way.
-        target: f64,
-        /// When it ends.
-        release: Release,
-    },
+    /// Constant until θ̇ is at the target or beyond it; zero from then on.
+    UntilSpeed(Target),
+}
+
+/// A speed at which a load ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    /// θ̇ (rad/s).
+    pub speed: f64,
+    /// Whether the load brings the speed down to it, as a negative couple does, and not up.
+    pub from_above: bool,
+    /// When it ends.
+    pub release: Release,
 }
 
 /// When a couple ends that acts until a speed is reached.
@@ -71,6 +77,8 @@ pub enum Onset {
 pub(crate) struct Instant<'s> {
     /// s.
     pub(crate) t: f64,
+    /// Whether what begins at this instant does not act yet.
+    pub(crate) before: bool,
     pub(crate) q: &'s [f64],
     pub(crate) v: &'s [f64],
     pub(crate) places: &'s [BodyPlace],
@@ -94,11 +102,12 @@ pub(crate) enum Slope {
 }
 
 impl Onset {
-    /// The part of the load that acts at t (s).
-    pub(crate) fn factor(self, t: f64) -> f64 {
+    /// The part of the load that acts at an instant.
+    pub(crate) fn factor(self, &Instant { t, before, .. }: &Instant) -> f64 {
         match self {
             Onset::Start => 1.0,
             // A sum of steps may miss a time by rounding.
+            Onset::Step(from) if before => f64::from(t > from + 1e-12 * from.abs()),
             Onset::Step(from) => f64::from(t >= from - 1e-12 * from.abs()),
             Onset::Ramp(from, to) => ((t - from) / (to - from)).clamp(0.0, 1.0),
         }
@@ -114,6 +123,15 @@ impl TimeFunction {
         }
     }
 
+    /// The same, following the body at another place if it follows one.
+    pub(crate) fn of(&self, body: usize) -> TimeFunction {
+        match self.clone() {
+            TimeFunction::Order { order, phase, .. } => TimeFunction::Order { body, order, phase },
+            TimeFunction::OverAngle { curve, .. } => TimeFunction::OverAngle { body, curve },
+            other => other,
+        }
+    }
+
     /// The factor on the amplitude of a load on `body`; `released` once the target speed was reached.
     pub(crate) fn factor(&self, at: &Instant, body: usize, released: bool) -> f64 {
         match self {
@@ -121,7 +139,7 @@ impl TimeFunction {
             TimeFunction::Sine { frequency, phase } => {
                 (std::f64::consts::TAU * frequency * at.t + phase).sin()
             }
-            TimeFunction::UntilSpeed { .. } => f64::from(!released),
+            TimeFunction::UntilSpeed(_) => f64::from(!released),
             TimeFunction::Order { body, order, phase } => {
                 let theta = at.angle(*body).map_or(0.0, |(_, theta)| theta);
                 (order * theta + phase).sin()
@@ -154,7 +172,7 @@ impl TimeFunction {
             TimeFunction::Constant
             | TimeFunction::Sine { .. }
             | TimeFunction::OverTime(_)
-            | TimeFunction::UntilSpeed { .. } => None,
+            | TimeFunction::UntilSpeed(_) => None,
         }
     }
 }

@@ -5,6 +5,7 @@ mod bad_machine;
 mod bodies;
 mod bulk_data;
 mod cached;
+mod cycles;
 mod eccentricity;
 mod every_key;
 mod explain;

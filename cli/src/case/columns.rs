@@ -225,12 +225,16 @@ impl Columns {
         self.rows.iter().fold(0.0, |most: f64, row| most.max(row[1].abs()))
     }
 
+    /// From the first row to the last one: the period of a table that is periodic.
+    pub(crate) fn span(&self) -> f64 {
+        self.rows[self.rows.len() - 1][0] - self.rows[0][0]
+    }
+
     /// Notes rows that do not span one period, or that do not end with the value with which they begin.
     pub(super) fn closes(&self, table: &Table, period: f64, written: &Located) -> bool {
         let (first, last) = (0, self.rows.len() - 1);
-        let span = self.rows[last][0] - self.rows[first][0];
         let [from, to] = [first, last].map(|row| &self.places[row]);
-        if (span / period - 1.0).abs() > 1e-9 {
+        if (self.span() / period - 1.0).abs() > 1e-9 {
             let message = format!(
                 "the rows of `{}` go from {} to {}, which is not one `period`",
                 self.name.text(),

@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::{Load, SystemDraft};
+use whirl_codegen::units::Dimension;
+
+use super::{Load, SystemDraft, Variation};
 
 /// A cycle and what it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,23 +25,28 @@ const MISSED: f64 = 1e-4;
 /// The common period of rotation and loads; without one the longest period of the loads, or else two revolutions at the
 /// fastest speed. Of an unbalance one revolution. None where nothing turns and no load changes.
 pub(super) fn of(system: &SystemDraft) -> Option<Cycle> {
-    let (loads, turns) = (frequencies(system), turns(system));
+    let (mut loads, turns) = (frequencies(system), turns(system));
+    loads.extend(of_tables_over_time(system));
+    let over_angles = over_angles(system);
     let own = |time, called| Some(Cycle { time, called, common: true });
-    let slowest = loads.iter().copied().reduce(f64::min);
-    let Some(slowest) = slowest else {
+    let least = |all: &[f64]| all.iter().copied().reduce(f64::min);
+    let all: Vec<f64> = loads.iter().chain(&over_angles).chain(&turns).copied().collect();
+    let Some(slowest) = least(&loads) else {
         let (time, called) = revolutions(system)?;
         let fastest = turns.iter().copied().reduce(f64::max);
         // A film may whirl once in two revolutions.
-        let both = common(&turns, fastest.map_or(0.0, |fastest| 0.5 * fastest));
+        let whirl = fastest.map_or(0.0, |fastest| 0.5 * fastest);
+        let both = common(&all, least(&over_angles).map_or(whirl, |own| own.min(whirl)));
         return match both {
-            _ if turns.len() < 2 => own(time, called),
-            Some(time) => own(time, "a common period of all rotations"),
+            _ if turns.is_empty() => own(time, called),
+            Some(time) if turns.len() == 1 && time <= (1.0 + MISSED) / whirl => own(time, called),
+            Some(time) if over_angles.is_empty() => own(time, "a common period of all rotations"),
+            Some(time) => own(time, "a common period of rotation and loads"),
             None => Some(Cycle { time, called, common: false }),
         };
     };
-    let all: Vec<f64> = loads.iter().chain(&turns).copied().collect();
     let alone = (1.0 / slowest, "a period of the loads");
-    match common(&all, all.iter().copied().fold(slowest, f64::min)) {
+    match common(&all, least(&all).unwrap_or(slowest)) {
         Some(time) if time <= alone.0 * (1.0 + MISSED) => own(alone.0, alone.1),
         Some(time) if turns.is_empty() => own(time, "a common period of the loads"),
         Some(time) => own(time, "a common period of rotation and loads"),
@@ -63,17 +70,60 @@ pub(super) fn shortest(system: &SystemDraft) -> Vec<(f64, &'static str)> {
     period.into_iter().chain(revolutions(system)).collect()
 }
 
-/// Frequencies of the loads (Hz).
-fn frequencies(system: &SystemDraft) -> Vec<f64> {
-    let loads: Vec<&Load> = match system {
-        SystemDraft::Rotor(rotor) => rotor.loads.iter().collect(),
+/// Loads, each with the body that carries it.
+fn loads(system: &SystemDraft) -> Vec<(&Load, usize)> {
+    match system {
+        SystemDraft::Rotor(rotor) => rotor.loads.iter().map(|load| (load, 0)).collect(),
         SystemDraft::Lumped(_) => Vec::new(),
         SystemDraft::Joined(joined) => {
             let loads = joined.iter().flat_map(|joined| &joined.loads);
-            loads.map(|own| &own.load).collect()
+            loads.map(|own| (&own.load, own.body)).collect()
         }
-    };
-    loads.iter().filter_map(|load| load.frequency()).collect()
+    }
+}
+
+/// Frequencies of the loads that are sines in time (Hz).
+fn frequencies(system: &SystemDraft) -> Vec<f64> {
+    loads(system).into_iter().filter_map(|(load, _)| load.frequency()).collect()
+}
+
+/// Of periodic tables over time (Hz). What happens within a period, and how fast, is no matter of the cycle.
+fn of_tables_over_time(system: &SystemDraft) -> Vec<f64> {
+    let all = loads(system).into_iter();
+    all.filter_map(|(load, _)| match &load.variation {
+        Variation::Table(columns, true) if columns.measures[0] == Dimension::TIME => {
+            Some(1.0 / columns.span())
+        }
+        _ => None,
+    })
+    .collect()
+}
+
+/// Of loads that follow the angle of what turns at a constant speed in the end, by an order or a periodic table (Hz).
+fn over_angles(system: &SystemDraft) -> Vec<f64> {
+    let all = loads(system).into_iter().filter_map(|(load, body)| {
+        // Periods of the load in a revolution.
+        let order = match &load.variation {
+            Variation::Order(order, _) => order.abs(),
+            Variation::Table(columns, true) if load.turns_with_angle() => TAU / columns.span(),
+            _ => return None,
+        };
+        let speed = constant_speed(system, load.of.unwrap_or(body))?;
+        Some(order * speed.abs() / TAU)
+    });
+    all.filter(|frequency| *frequency > 0.0).collect()
+}
+
+/// The speed that a body has in the end (rad/s), where the case gives one.
+fn constant_speed(system: &SystemDraft, body: usize) -> Option<f64> {
+    match system {
+        SystemDraft::Rotor(rotor) => {
+            let drive = rotor.drive.as_ref().filter(|drive| drive.acts)?;
+            Some(drive.target_speed)
+        }
+        SystemDraft::Joined(joined) => joined.as_ref()?.constant_speed(body),
+        SystemDraft::Lumped(_) => None,
+    }
 }
 
 /// Revolutions a second of what turns at a constant speed in the end.
@@ -91,14 +141,14 @@ fn turns(system: &SystemDraft) -> Vec<f64> {
     speeds.iter().map(|speed| speed.abs() / TAU).filter(|turns| *turns > 0.0).collect()
 }
 
-/// Two revolutions at the speed that the drive aims at; one of an unbalance.
+/// Two revolutions at the speed that the drive aims at, or at the fastest of its table; one of an unbalance.
 fn revolutions(system: &SystemDraft) -> Option<(f64, &'static str)> {
     match system {
         SystemDraft::Rotor(rotor) => {
             let drive = rotor.drive.as_ref()?;
-            let aims = drive.acts && drive.target_speed != 0.0;
-            let two = 2.0 * TAU / drive.target_speed.abs();
-            aims.then_some((two, "a cycle of two revolutions"))
+            let speed = drive.top_speed();
+            let turns = drive.acts && speed != 0.0;
+            turns.then_some((2.0 * TAU / speed, "a cycle of two revolutions"))
         }
         SystemDraft::Joined(joined) => {
             let fastest = joined.as_ref()?.speeds().into_iter().reduce(f64::max)?;

@@ -215,8 +215,16 @@ fn variation(load: &Table, columns: Option<Arc<Columns>>) -> Variation {
     let frequency = load.quantity("frequency");
     let order = load.optional_number("order").map(|(order, _)| nearest(&order));
     if load.has("phase") && !load.has("frequency") && !load.has("order") {
-        let message = "a load without `frequency` is constant: its `phase` has no effect";
-        let help = "add `frequency = \"37.5 Hz\"`, or leave `phase` out";
+        let (message, help) = match load.has("table") {
+            true => (
+                "a `table` says at which times or angles a load has its values: `phase` has no effect",
+                "leave `phase` out, and shift the first column of the table",
+            ),
+            false => (
+                "a load without `frequency` or `order` is constant: its `phase` has no effect",
+                "add `frequency = \"37.5 Hz\"` or `order = 2`, or leave `phase` out",
+            ),
+        };
         load.push(load.written("phase").error_here(Code::BAD_VALUE, message).help(help));
     }
     let phase = load.quantity("phase").unwrap_or(0.0);

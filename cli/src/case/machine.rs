@@ -14,7 +14,7 @@ use whirl_specs::{MOTIONS, Motion};
 pub(super) use self::bodies::{
     body as meshed, crank_throw, ground_springs, ring_support, solid_shaft,
 };
-pub(super) use self::drive::{needs_a_section, read_one as drive};
+pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as drive};
 pub(super) use self::materials::Materials;
 use super::library::FileStore;
 use super::rotor::RotorDraft;
@@ -23,13 +23,19 @@ use super::{gravity, loads};
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
 
-pub(super) fn read(store: FileStore, file: &Table, start_speed: Option<f64>) -> RotorDraft {
+/// `goes_on`: the shaft has the speed of another run, and not that of the start.
+pub(super) fn read(
+    store: FileStore,
+    file: &Table,
+    start_speed: Option<f64>,
+    goes_on: bool,
+) -> RotorDraft {
     let materials = Materials::read(file);
     RotorDraft {
         shaft: bodies::shaft(store, file, &materials),
         support: bodies::support(store, file, &materials),
         bearings: bearings::bearings(store, file),
-        drive: drive::drive(store, file),
+        drive: drive::drive(store, file, (!goes_on).then_some(start_speed.unwrap_or(0.0))),
         loads: loads::read(store, file),
         gravity: gravity::read(file),
         start_speed,

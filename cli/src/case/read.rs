@@ -177,6 +177,7 @@ fn system(store: FileStore, file: &Table, start: Option<&StartDraft>) -> SystemD
             store,
             file,
             start.and_then(|own| own.speed),
+            goes_on,
         )));
     }
     if file.gives("shaft") {

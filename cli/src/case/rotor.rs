@@ -58,6 +58,17 @@ pub(crate) struct RotorDraft {
 }
 
 impl Drive {
+    /// The speed at which it ends, or the fastest in its table (rad/s); 0 of a table over time.
+    pub(super) fn top_speed(&self) -> f64 {
+        let over_speed = |own: &&Arc<Columns>| own.measures[0] == Dimension::ANGULAR_SPEED;
+        match self.table.as_ref().filter(over_speed) {
+            Some(columns) => {
+                columns.rows.iter().fold(0.0, |most, row| f64::max(most, row[0].abs()))
+            }
+            None => self.target_speed.abs(),
+        }
+    }
+
     /// What it is, for people; speeds in rpm.
     pub(crate) fn described(&self) -> String {
         match &self.table {

@@ -238,7 +238,7 @@ const DRIVE: &[Key] = &[
     )
     .like("\"END\""),
     key("torque", TORQUE, "until the target speed is reached; negative turns the other way"),
-    key("target_speed", TARGET_SPEED, "of the shaft, with the sign of the torque"),
+    key("target_speed", TARGET_SPEED, "at which the couple ends"),
     key(
         "release",
         Words(&["located", "step"]),

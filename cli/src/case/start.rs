@@ -2,9 +2,10 @@
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_codegen::units::Dimension;
 use whirl_specs::Motion;
 
-use super::joined::Turning;
+use super::joined::{Drive, Turning};
 use super::{JoinedMachine, RotorDraft, SystemDraft, machine};
 
 /// How a machine begins.
@@ -108,7 +109,13 @@ fn check_joined(file: &Table, draft: &StartDraft, joined: &JoinedMachine) {
         return;
     }
     check_motion(file, draft, joined.motion);
-    for drive in joined.drives.iter().filter(|drive| drive.couple.acts) {
+    // Of a couple over the speed the speed is found at which it is balanced.
+    let over_speed = |drive: &&Drive| {
+        let table = drive.couple.table.as_ref();
+        table.is_some_and(|own| own.measures[0] == Dimension::ANGULAR_SPEED)
+    };
+    let driven = joined.drives.iter().filter(|drive| drive.couple.acts && !over_speed(drive));
+    for drive in driven {
         let body = &joined.bodies[drive.body];
         if matches!(body.turning, Some(Turning::Free { initial_speed: None })) {
             let name = body.name.text();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use whirl_codegen::units::Dimension;
 use whirl_solver::bodies::Body;
 use whirl_solver::curve::Curve;
-use whirl_solver::loads::{Frame, Onset, TimeFunction};
+use whirl_solver::loads::{Frame, Onset, Target, TimeFunction};
 use whirl_solver::model::{LoadAction, LoadModel, Place};
 
 use crate::case::{self, Acting, Columns, Gravity, Variation};
@@ -49,8 +49,9 @@ pub(super) fn drive(own: &case::Drive, body: usize, place: &Place) -> Option<Loa
     let (torque, time_function) = match &own.table {
         Some(columns) => (1.0, curve(columns)),
         None => {
-            let (target, release) = (own.target_speed, own.release);
-            (own.torque, TimeFunction::UntilSpeed { target, release })
+            let (speed, release) = (own.target_speed, own.release);
+            let target = Target { speed, from_above: own.torque < 0.0, release };
+            (own.torque, TimeFunction::UntilSpeed(target))
         }
     };
     let (action, onset, frame) =

@@ -19,6 +19,11 @@ const REFERENCE: &str =
 const ORDERS: [f64; 5] = [1.0, 2.0, 3.0, 0.5, 1.5];
 /// Rows for one unknown, at least.
 const ROWS: usize = 2;
+/// Rows a revolution, at least: four in a period of the highest order that is fitted. With N of them what oscillates m times
+/// a revolution is seen as |m − N|, so that all up to m = N − 4 leaves the orders that are fitted alone.
+const LEAST_ROWS: f64 = 12.0;
+/// Rows a revolution below which that is said: as many as the steps that a cycle has at least.
+pub(super) const FEW_ROWS: f64 = 23.0;
 
 /// All orders of a run.
 #[derive(Debug, Serialize)]
@@ -40,6 +45,8 @@ pub(crate) struct Signal {
     angle: String,
     /// Whole revolutions that were fitted.
     pub(crate) revolutions: usize,
+    /// On average.
+    pub(super) rows_per_revolution: f64,
     /// Once a revolution.
     #[serde(rename = "1X")]
     pub(crate) first: Order,
@@ -100,10 +107,22 @@ pub(crate) fn orders(
             }
             before = Some(row[0]);
         })?;
+        let rows_per_revolution = fit.rows as f64 / revolutions as f64;
+        if rows_per_revolution < LEAST_ROWS {
+            continue;
+        }
         let Some(found) = fit.solve() else { continue };
         for ((column, title), [first, second]) in columns.into_iter().zip(found) {
             let (signal, angle) = (column.to_string(), angle.clone());
-            signals.push(Signal { signal, title, angle, revolutions, first, second });
+            signals.push(Signal {
+                signal,
+                title,
+                angle,
+                revolutions,
+                rows_per_revolution,
+                first,
+                second,
+            });
         }
     }
     Ok((!signals.is_empty()).then_some(OrderFacts { reference: REFERENCE, signals }))
@@ -216,6 +235,47 @@ impl Fit {
 mod tests {
     use super::*;
     use crate::history::HistoryWriter;
+
+    /// 1X of 20 µm beside an order of 5 µm, in so many rows a revolution over ten of them.
+    fn of_rows(count: u32, order: f64) -> Option<Signal> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let names = ["t_s", "theta_rad", "x_um"].map(str::to_owned).to_vec();
+        let mut writer = HistoryWriter::create(&path, &names).unwrap();
+        for step in 0..=10 * count {
+            let t = f64::from(step) / f64::from(count);
+            let theta = TAU * t;
+            writer.push(&[t, theta, 20.0 * theta.cos() + 5.0 * (order * theta).cos()]).unwrap();
+        }
+        writer.finish().unwrap();
+        let history = HistoryFile::open(&path).unwrap();
+        let all = [Oscillation {
+            title: "disc".into(),
+            quantity: "displacement",
+            unit: "µm",
+            columns: vec![("x_um".into(), "x")],
+            angle: Some("theta_rad".into()),
+        }];
+        orders(&history, &all, 10.0).unwrap().map(|mut found| found.signals.remove(0))
+    }
+
+    #[test]
+    fn orders_of_few_rows_are_left_out_or_marked() {
+        // What is seen as 1X is 8X.
+        assert!(of_rows(7, 8.0).is_none() && of_rows(11, 8.0).is_none());
+        let found = of_rows(14, 8.0).expect("enough for 8X");
+        assert!((found.first.amplitude - 20.0).abs() < 1e-6, "{found:?}");
+        assert!((found.rows_per_revolution - 14.0).abs() < 0.2, "{found:?}");
+        let seen = of_rows(14, 13.0).expect("too few for 13X");
+        assert!((seen.first.amplitude - 25.0).abs() < 1e-6, "{seen:?}");
+        let few = |count: u32| {
+            let signals = vec![of_rows(count, 4.0).expect("orders")];
+            super::super::of_orders(Some(&OrderFacts { reference: REFERENCE, signals }))
+        };
+        let said = "few rows: 14 a revolution; what oscillates 12 times or more in one may be counted as 1X or 2X";
+        assert!(few(14).contains(said), "{}", few(14));
+        assert!(!few(24).contains("few rows"), "{}", few(24));
+    }
 
     /// Known amplitudes and phases, among other orders, through a run-up and through steps that no revolution is a whole
     /// number of.

@@ -1,6 +1,7 @@
 //! Tables of text for the terminal.
 
 use super::OrderFacts;
+use super::orders::FEW_ROWS;
 use super::summary::{Statistics, SupportSummary};
 
 /// Rows of text in columns, the first one to the left, the others to the right.
@@ -59,7 +60,18 @@ pub(crate) fn of_orders(facts: Option<&OrderFacts>) -> String {
         1 => "the last revolution".to_string(),
         many => format!("the last {many} revolutions"),
     };
-    format!("orders of {over}: A cos(nθ + φ), A from 0 to the peak\n{}", table(&rows))
+    let rows_each = facts.signals.iter().map(|own| own.rows_per_revolution);
+    let fewest_rows = rows_each.fold(f64::INFINITY, f64::min);
+    let few = match fewest_rows < FEW_ROWS {
+        true => format!(
+            "few rows: {:.0} a revolution; what oscillates {:.0} times or more in one may be counted as 1X or 2X; a shorter \
+             `output_step` or `time_step` shows\n",
+            fewest_rows,
+            fewest_rows.round() - 2.0
+        ),
+        false => String::new(),
+    };
+    format!("orders of {over}: A cos(nθ + φ), A from 0 to the peak\n{}{few}", table(&rows))
 }
 
 fn statistics(

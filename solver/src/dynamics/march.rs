@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use super::checkpoint::{Checkpoint, Clock, Tally};
 use super::energy::EnergyBalance;
+use super::jumps::jumps;
 use super::meters::Meters;
 use super::newmark::{Newmark, State};
 use super::newton::{Ending, Newton, NewtonOptions, NewtonState, StepReport};
@@ -149,6 +150,8 @@ pub struct March<'m> {
     usual: usize,
     /// From when on nothing changes that is told over time (s).
     settled: f64,
+    /// When loads begin and told accelerations jump (s), ascending.
+    pub(super) jumps: Vec<f64>,
 }
 
 impl<'m> March<'m> {
@@ -161,7 +164,7 @@ impl<'m> March<'m> {
         for (start, place) in options.initial.iter().zip(machine.places()) {
             start.write(place, &mut state);
         }
-        machine.set_given(0.0, &mut state.q, &mut state.v, &mut state.a);
+        machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
         let released = machine.loads.iter().map(|load| {
             let theta = machine.places()[load.body].rotation;
             theta.is_some_and(|theta| load.reaches(state.v[theta]))
@@ -215,6 +218,7 @@ impl<'m> March<'m> {
             row: vec![0.0; columns],
             usual: columns - asked,
             settled: settled_from(machine),
+            jumps: jumps(machine),
             options: options.clone(),
         })
     }
@@ -278,7 +282,7 @@ impl<'m> March<'m> {
             self.release(start)?;
         }
         self.last_iterations = 0;
-        self.part(start, dt, 0)?;
+        self.leap(start, dt)?;
         self.tally.step += 1;
         self.tally.iterations += self.last_iterations;
         let time = self.time();
@@ -301,7 +305,7 @@ impl<'m> March<'m> {
     }
 
     /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge.
-    fn part(&mut self, t: f64, dt: f64, depth: usize) -> Result<(), Error> {
+    pub(super) fn part(&mut self, t: f64, dt: f64, depth: usize) -> Result<(), Error> {
         let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
         start.copy_from(&self.state);
         let (mut report, mut taken) = (self.attempt(t, dt, &start), dt);

@@ -4,6 +4,7 @@ mod checkpoint;
 mod energy;
 mod equilibrium;
 mod histogram;
+mod jumps;
 mod march;
 mod meters;
 mod modes;

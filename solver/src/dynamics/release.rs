@@ -21,7 +21,7 @@ impl March<'_> {
     /// Ends the loads for which a step starts at their target or beyond it.
     pub(super) fn release_at_step(&mut self) {
         for (load, released) in self.machine.loads.iter().zip(&mut self.system.released) {
-            if let Some((_, Release::AtStep)) = load.target() {
+            if load.target().is_some_and(|target| target.release == Release::AtStep) {
                 let theta = self.machine.places()[load.body].rotation;
                 *released |= theta.is_some_and(|theta| load.reaches(self.state.v[theta]));
             }
@@ -33,7 +33,7 @@ impl March<'_> {
         let step = Coefficients::new(self.options.newmark, dt);
         step.predict(start, &mut self.state);
         let State { q, v, a } = &mut self.state;
-        self.machine.set_given(t + dt, q, v, a);
+        self.machine.set_given(t + dt, self.system.before, [q, v, a]);
         let report = self.newton.solve(&mut self.system, t + dt, &step, &mut self.state);
         self.last_iterations += report.iterations;
         report
@@ -48,9 +48,13 @@ impl March<'_> {
     }
 
     fn beyond_target(&self, load: &Load, state: &State) -> Option<f64> {
-        let (target, Release::Located) = load.target()? else { return None };
+        let target = load.target().filter(|target| target.release == Release::Located)?;
         let theta = self.machine.places()[load.body].rotation?;
-        Some(state.v[theta] * target.signum() - target.abs() * (1.0 - 4.0 * f64::EPSILON))
+        let rounding = 4.0 * f64::EPSILON * target.speed.abs();
+        Some(match target.from_above {
+            true => target.speed + rounding - state.v[theta],
+            false => state.v[theta] - (target.speed - rounding),
+        })
     }
 
     /// Whether the state is at the target of a load that is to end there, or beyond it.

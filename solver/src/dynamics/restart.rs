@@ -13,6 +13,7 @@ use super::newton::NewtonState;
 use super::system::System;
 use crate::cache::Key;
 use crate::error::Error;
+use crate::loads::Load;
 use crate::machine::{Body, Machine};
 
 /// Differences of angle (rad), and of speed as a share of it, that are rounding.
@@ -122,7 +123,7 @@ impl LastState {
     /// Whether rotations that are prescribed go on from the state.
     fn check_rotations(&self, machine: &Machine, state: &State) -> Result<(), Error> {
         let mut given = state.clone();
-        machine.set_given(self.time, &mut given.q, &mut given.v, &mut given.a);
+        machine.set_given(self.time, false, [&mut given.q, &mut given.v, &mut given.a]);
         for at in 0..machine.first_unknown() {
             let apart = (given.q[at] - state.q[at]).abs();
             let jump = (given.v[at] - state.v[at]).abs();
@@ -191,9 +192,15 @@ fn content(body: &Body) -> Key {
     }
 }
 
-/// Each load by what it is.
+/// Each load by what it is, of bodies by name: their order is no matter.
 fn loads(machine: &Machine) -> Vec<Key> {
-    machine.loads.iter().map(|load| Key::of(&format!("{load:?}"))).collect()
+    let name = |body: usize| machine.bodies[body].name();
+    let key = |load: &Load| {
+        let followed = load.time_function.follows().map(name);
+        let placed = Load { time_function: load.time_function.of(0), body: 0, ..load.clone() };
+        Key::of(&(name(load.body), followed, format!("{placed:?}")))
+    };
+    machine.loads.iter().map(key).collect()
 }
 
 /// Everything that acts on a machine at an instant, to the bit, in the order of its coordinates.

@@ -4,6 +4,7 @@ use super::newmark::State;
 use super::newton::{CONTRACTION, NewtonOptions};
 use super::system::{System, instant};
 use super::turning::TurningBody;
+use crate::time_function::Instant;
 
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
 /// forces cancel, what is left of them is rounding of the state.
@@ -132,7 +133,7 @@ impl System<'_> {
     fn projected_loads<'s>(&'s self, state: &'s State, i: usize) -> impl Iterator<Item = f64> + 's {
         let (machine, owner) = (self.machine, self.machine.owner(i));
         let loads = machine.loads.iter().zip(&self.released);
-        let now = instant(machine, self.time, state);
+        let now = Instant { before: self.before, ..instant(machine, self.time, state) };
         loads.filter(move |(load, _)| load.body == owner.body).map(move |(load, released)| {
             let flexible = machine.places()[load.body].flexible.clone();
             let factor = load.factor(&now, *released);

@@ -33,6 +33,8 @@ pub struct System<'m> {
     pub(crate) springs: SpringState,
     /// For every load whether it has stopped driving.
     pub(crate) released: Vec<bool>,
+    /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::jumps`.
+    pub(super) before: bool,
     /// What every row may have by its own terms; see `System::row_error`.
     pub(super) row_bounds: Vec<f64>,
     spring_tangent: SpringTangent,
@@ -64,6 +66,7 @@ impl<'m> System<'m> {
             spring: values(),
             springs: SpringState::new(&machine.springs),
             released: vec![false; machine.loads.len()],
+            before: false,
             row_bounds: values(),
             spring_tangent: SpringTangent::new(&machine.springs),
         }
@@ -94,7 +97,7 @@ impl<'m> System<'m> {
         }
 
         self.load.fill(0.0);
-        let now = instant(machine, t, state);
+        let now = Instant { before: self.before, ..instant(machine, t, state) };
         for (load, released) in machine.loads.iter().zip(&self.released) {
             let (place, position) = placed(machine, load, &state.q);
             let factor = load.factor(&now, *released);
@@ -123,7 +126,7 @@ impl<'m> System<'m> {
         for body in &mut self.turning {
             body.add_tangent(state, step, out);
         }
-        let now = instant(machine, t, state);
+        let now = Instant { before: self.before, ..instant(machine, t, state) };
         for (load, released) in machine.loads.iter().zip(&self.released) {
             let (_, position) = placed(machine, load, &state.q);
             load.subtract_tangent(&now, *released, &position, step.a1, out);
@@ -211,7 +214,7 @@ impl<'m> System<'m> {
 
 /// An instant of a machine, as its loads see it.
 pub(super) fn instant<'s>(machine: &'s Machine, t: f64, state: &'s State) -> Instant<'s> {
-    Instant { t, q: &state.q, v: &state.v, places: machine.places() }
+    Instant { t, before: false, q: &state.q, v: &state.v, places: machine.places() }
 }
 
 /// Where the coordinates of a load's body stand, and how its frame is turned.

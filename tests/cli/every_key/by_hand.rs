@@ -8,7 +8,7 @@ use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring};
 use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions, march};
 use whirl_solver::history::History;
-use whirl_solver::loads::{Frame, Load, Release, TimeFunction};
+use whirl_solver::loads::{Frame, Load, Release, Target, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::mesh::Mesh;
 use whirl_solver::shaft::Shaft;
@@ -239,7 +239,11 @@ impl ByHand {
             // ±F along y, as far apart along x as the nodes: a couple about +z.
             let force = torque / (top.position[0] - bottom.position[0]);
             for (node, force) in [(top, force), (bottom, -force)] {
-                let time_function = TimeFunction::UntilSpeed { target, release: Release::AtStep };
+                let time_function = TimeFunction::UntilSpeed(Target {
+                    speed: target,
+                    from_above: torque < 0.0,
+                    release: Release::AtStep,
+                });
                 let force = [0.0, force, 0.0];
                 placed.push(Load::force(0, node, force, time_function, Frame::Body));
             }

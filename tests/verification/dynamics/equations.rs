@@ -2,7 +2,7 @@
 
 use whirl_solver::dynamics::{Coefficients, Newmark, State, System};
 use whirl_solver::linalg::generalised_symmetric_eigen;
-use whirl_solver::loads::{Frame, Release, TimeFunction};
+use whirl_solver::loads::{Frame, Release, Target, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 use whirl_specs::Motion;
@@ -24,7 +24,11 @@ fn busy(motion: &'static Motion) -> Machine {
         force(
             &driven,
             [0.0, 60.0, 0.0],
-            TimeFunction::UntilSpeed { target: 1e9, release: Release::AtStep },
+            TimeFunction::UntilSpeed(Target {
+                speed: 1e9,
+                from_above: false,
+                release: Release::AtStep,
+            }),
             Frame::Body,
         ),
     ];

@@ -2,7 +2,7 @@
 
 use whirl_solver::bearing::Bearing;
 use whirl_solver::dynamics::{BodyStart, Checkpoint, March, MarchOptions};
-use whirl_solver::loads::{Frame, Release, TimeFunction};
+use whirl_solver::loads::{Frame, Release, Target, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 
 use super::validity::MEASURED;
@@ -21,7 +21,7 @@ pub(super) fn machine(target: f64, release: Release) -> Machine {
     parts.bearings = vec![Bearing { clearance: 5e-4, ..bearing(0) }];
     let node = |place: usize| parts.bodies[0].nodes()[place].clone();
     let sine = TimeFunction::Sine { frequency: 80.0, phase: 0.3 };
-    let drive = TimeFunction::UntilSpeed { target, release };
+    let drive = TimeFunction::UntilSpeed(Target { speed: target, from_above: false, release });
     parts.loads = vec![
         force(&node(2), [60.0, 20.0, 0.0], TimeFunction::Constant, Frame::Space),
         force(&node(1), [0.0, 30.0, 0.0], sine, Frame::Space),

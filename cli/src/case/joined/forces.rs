@@ -9,13 +9,15 @@ use crate::case::library::FileStore;
 use crate::case::loads::Acting;
 use crate::case::{loads, machine};
 
-/// The couple of a table; `body_of` gives the body at a place, if all are right.
+/// The couple of a table; `body_of` gives the body at a place, if all are right; `goes_on`: bodies have the speeds of another
+/// run.
 pub(super) fn drive<'a>(
     store: FileStore,
     table: &Table,
     name: &Located,
     known: &[Located],
     body_of: impl Fn(usize) -> Option<&'a NamedBody>,
+    goes_on: bool,
 ) -> Option<Drive> {
     let couple = machine::drive(store, table);
     let place = table.optional_string("body")?;
@@ -28,6 +30,11 @@ pub(super) fn drive<'a>(
             Some(_) => "leave the drive out: a prescribed rotation takes the couple that it needs",
         };
         table.push(place.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    if let Some(Turning::Free { initial_speed }) = own.turning {
+        let start = (!goes_on).then_some(initial_speed.unwrap_or(0.0));
+        let key = format!("`initial_speed` in `[body.{}]`", place.text());
+        machine::leads_to_its_target(table, start, &key);
     }
     match own.form {
         Form::Meshed(_) => machine::needs_a_section(table),

@@ -329,7 +329,7 @@ impl JoinedMachine {
         let drives = names::in_order(file, "drives");
         names::plain(file, "drive", drives.iter().map(|(name, _)| name));
         let drives = drives.into_iter().map(|(name, table)| {
-            table.read(|table| forces::drive(store, table, &name, &known, turns))
+            table.read(|table| forces::drive(store, table, &name, &known, turns, goes_on))
         });
         let drives: Vec<Option<Drive>> = drives.collect();
         let loads = names::in_order(file, "loads");
@@ -370,20 +370,29 @@ impl JoinedMachine {
         aims.map(|drive| drive.couple.target_speed.abs()).fold(given.abs(), f64::max)
     }
 
-    /// Speeds that bodies have in the end: those that drives aim at, and that are prescribed and constant (rad/s).
+    /// Speeds that bodies have in the end: those that drives aim at, and that are prescribed and constant, or
+    /// the last ones of a table (rad/s).
     pub(super) fn constant_speeds(&self) -> Vec<f64> {
-        let aims = self.drives.iter().filter(|drive| drive.couple.acts);
-        let given = self.bodies.iter().filter_map(|body| match &body.turning {
+        (0..self.bodies.len()).filter_map(|body| self.constant_speed(body)).collect()
+    }
+
+    /// That of one body.
+    pub(super) fn constant_speed(&self, body: usize) -> Option<f64> {
+        let aims = || {
+            let own = self.drives.iter().find(|drive| drive.body == body && drive.couple.acts)?;
+            own.couple.table.is_none().then_some(own.couple.target_speed)
+        };
+        match &self.bodies[body].turning {
             Some(Turning::Prescribed { speed, acceleration: 0.0 }) => Some(*speed),
-            _ => None,
-        });
-        aims.map(|drive| drive.couple.target_speed).chain(given).collect()
+            Some(Turning::Table(columns)) => columns.rows.last().map(|row| row[1]),
+            _ => aims(),
+        }
     }
 
     /// Speeds about which revolutions are counted: those that drives aim at, and that are prescribed (rad/s).
     pub(super) fn speeds(&self) -> Vec<f64> {
         let aims = self.drives.iter().filter(|drive| drive.couple.acts);
-        let aims = aims.map(|drive| drive.couple.target_speed);
+        let aims = aims.map(|drive| drive.couple.top_speed());
         let given = self.bodies.iter().filter_map(|body| match &body.turning {
             Some(Turning::Prescribed { speed, .. }) => Some(*speed),
             Some(Turning::Table(columns)) => Some(columns.largest()),

@@ -1,5 +1,7 @@
 //! The couple that drives the shaft.
 
+use std::f64::consts::TAU;
+
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_codegen::units::Dimension;
@@ -9,11 +11,12 @@ use super::super::columns;
 use super::super::library::FileStore;
 use super::super::rotor::Drive;
 
-/// The table `[drive]`.
-pub(super) fn drive(store: FileStore, file: &Table) -> Option<Drive> {
+/// The table `[drive]`; `start`: the speed of the shaft at t = 0 (rad/s), where it is known.
+pub(super) fn drive(store: FileStore, file: &Table, start: Option<f64>) -> Option<Drive> {
     let one = |table: Table| {
         table.read(|table| {
             needs_a_section(table);
+            leads_to_its_target(table, start, "`speed` in `[start]`");
             read_one(store, table)
         })
     };
@@ -22,7 +25,7 @@ pub(super) fn drive(store: FileStore, file: &Table) -> Option<Drive> {
 
 /// The couple that a table describes.
 pub(in crate::case) fn read_one(store: FileStore, table: &Table) -> Drive {
-    leads_to_its_target(table);
+    super::speed(table, "target_speed");
     let measures: [&[Dimension]; 2] =
         [&[Dimension::TIME, Dimension::ANGULAR_SPEED], &[Dimension::TORQUE]];
     let curve = columns::read(store, table, "table", measures);
@@ -63,11 +66,13 @@ pub(in crate::case) fn needs_a_section(table: &Table) {
     }
 }
 
-/// Notes a couple that never brings the shaft to the target speed: it starts at rest.
-fn leads_to_its_target(table: &Table) {
-    let (torque, target) = (table.quantity("torque"), super::speed(table, "target_speed"));
-    let (Some(torque), Some(target)) = (torque, target) else { return };
-    if torque * target > 0.0 || table.optional_boolean("acts") == Some(false) {
+/// Notes a couple that never brings the shaft from its speed at the `start` (rad/s) to the target speed; `key`: where the
+/// case may give the former. A shaft that is beyond its target already, in the direction of the couple, is not driven.
+pub(in crate::case) fn leads_to_its_target(table: &Table, start: Option<f64>, key: &str) {
+    let (torque, target) = (table.quantity("torque"), table.quantity("target_speed"));
+    let (Some(torque), Some(target), Some(start)) = (torque, target, start) else { return };
+    let leads = torque * target > 0.0 || torque * (target - start) > 0.0;
+    if leads || table.optional_boolean("acts") == Some(false) {
         return;
     }
     // What stands there is a string, with its quotes.
@@ -82,23 +87,39 @@ fn leads_to_its_target(table: &Table) {
         Some(rest) => rest.trim_start().to_owned(),
         None => format!("-{}", text.trim_start_matches('+')),
     };
-    let (place, message, help) = if target == 0.0 {
-        let message = "a shaft that starts at rest is at this `target_speed` at once".to_owned();
-        (&target_text, message, "name the speed to reach, or write `acts = false`".to_owned())
-    } else if torque == 0.0 {
+    let rpm = |speed: f64| whirl_text::shown(speed * 60.0 / TAU, 6, 1e-3..1e7);
+    let (place, message, help) = if torque == 0.0 {
         let message = "a `torque` of zero turns nothing".to_owned();
         (&torque_text, message, "name a couple, or write `acts = false`".to_owned())
+    } else if target == start {
+        let message = match start == 0.0 {
+            true => "a shaft that starts at rest is at this `target_speed` at once".to_owned(),
+            false => format!(
+                "a shaft that starts at {} rpm is at this `target_speed` at once",
+                rpm(start)
+            ),
+        };
+        (&target_text, message, "name the speed to reach, or write `acts = false`".to_owned())
     } else {
+        let from = match start == 0.0 {
+            true => "rest".to_owned(),
+            false => format!("{} rpm", rpm(start)),
+        };
         let message = format!(
-            "a couple of {} leads away from a `target_speed` of {}",
+            "a couple of {} leads away from a `target_speed` of {}: the shaft starts at {from}",
             bare(&torque_text),
             bare(&target_text)
         );
-        let help = format!(
-            "write `target_speed = \"{}\"` to turn the shaft that way, or `torque = \"{}\"`",
-            opposite(bare(&target_text)),
-            opposite(bare(&torque_text))
-        );
+        let mut help = format!("write `torque = \"{}\"`", opposite(bare(&torque_text)));
+        if torque * target < 0.0 && torque * (target + start) < 0.0 {
+            let other = opposite(bare(&target_text));
+            help = format!(
+                "write `target_speed = \"{other}\"` to turn the shaft that way, or {}",
+                help.trim_start_matches("write ")
+            );
+        }
+        let side = if torque < 0.0 { "above" } else { "below" };
+        help += &format!("; to brake to the target, give a start {side} it, by {key}");
         (&target_text, message, help)
     };
     table.push(place.error_here(Code::BAD_VALUE, message).help(help));

@@ -4,7 +4,7 @@
 //! given. With η = η_s + η_c(θ̇), η̇ = θ̇ L η_s, θ = 0 and x_b at rest the rows are
 //! f = Q_e + Q_s − K η_s − C η̇ (bodies that stand: K x_b), and Q_e + Q_s in the rows of θ of speeds that are not given.
 
-use super::turning::TurningStart;
+use super::turning::{TurningStart, idle_speed};
 use crate::bearing::Springs;
 use crate::dynamics::newmark::State;
 use crate::dynamics::spring_tangent::SpringTangent;
@@ -49,7 +49,7 @@ impl<'m> Balance<'m> {
     pub(super) fn new(machine: &'m Machine, speeds: &[Option<f64>]) -> Result<Self, Error> {
         let (size, rotations) = (machine.size(), machine.rotations());
         let mut state = State::new(size);
-        machine.set_given(0.0, &mut state.q, &mut state.v, &mut state.a);
+        machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
         state.a.fill(0.0);
         let mut places: Vec<usize> = (rotations..size).collect();
         let flexible = places.len();
@@ -60,7 +60,7 @@ impl<'m> Balance<'m> {
                 continue;
             };
             let theta = machine.places()[number].rotation.expect("a body that turns");
-            if rotation.given(0.0).is_none() {
+            if rotation.given(0.0, false).is_none() {
                 match speeds.get(number).copied().flatten() {
                     Some(speed) => state.v[theta] = speed,
                     None => places.push(theta),
@@ -72,7 +72,9 @@ impl<'m> Balance<'m> {
         let fastest = state.v[..rotations]
             .iter()
             .fold(0.0, |most: f64, speed| if speed.abs() > most.abs() { *speed } else { most });
-        places[flexible..].iter().for_each(|&theta| state.v[theta] = 0.5 * fastest);
+        for &theta in &places[flexible..] {
+            state.v[theta] = idle_speed(machine, theta).unwrap_or(0.5 * fastest);
+        }
         let rows = places.len();
         let mut balance = Balance {
             machine,

@@ -4,6 +4,7 @@ use whirl_specs::{CLEARANCES, LAWS, MOTIONS};
 
 use super::balance::Balance;
 use super::equilibrium;
+use super::turning::TurningStart;
 use crate::bearing::{Bearing, Sides};
 use crate::body::BodyNode;
 use crate::centre_of_mass::CentreOfMass;
@@ -99,6 +100,26 @@ fn floating_ring() -> Machine {
         loads,
     })
     .expect("a machine")
+}
+
+/// A node of a mesh is on the axis but for the digits of its file, the middle of a surface but for rounding.
+#[test]
+fn a_journal_next_to_the_axis_turns_as_one_on_it() {
+    let on_axis = shaft();
+    let quarter_turn = |shaft: &Shaft| TurningStart::new(shaft).expect("a start").quarter_turn;
+    let exact = quarter_turn(&on_axis);
+    for off in [1e-18, 1e-9, 1e-7] {
+        let mut other = shaft();
+        other.nodes[0].position = [off, -off, 0.0];
+        assert_eq!(quarter_turn(&other), exact, "{off}");
+    }
+    // A crank pin is none.
+    let mut pin = shaft();
+    pin.nodes[0].position = [0.02, 0.0, 0.0];
+    assert_ne!(quarter_turn(&pin), exact);
+    let mut without = shaft();
+    without.nodes.remove(0);
+    assert_eq!(quarter_turn(&pin), quarter_turn(&without));
 }
 
 /// Column by column: shapes, rates of standing deflections, centrifugal deflection, speed of the ring, loads.

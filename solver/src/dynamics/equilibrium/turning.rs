@@ -3,11 +3,16 @@
 
 use crate::error::Error;
 use crate::linalg::{GeneralisedEigen, Lu, Matrix, dot, generalised_symmetric_eigen, multiply};
+use crate::loads::{Load, TimeFunction};
+use crate::machine::Machine;
 use crate::shaft::Shaft;
 
 /// Share of M beside Y in the projection of [`quarter_turn`]: it decides what coordinates do that move nothing sideways, and
 /// costs lateral ones this share of their rotary inertia.
 const REGULARISED: f64 = 1e-3;
+/// Share of the body's radius of gyration that is on the axis still: so much of a twist a point there moves sideways, as
+/// little as the share of M changes.
+const ON_AXIS: f64 = 1e-3;
 /// Multiples of n · eps of the stiffest eigenvalue of K below which one is none: rounding of a motion that bends nothing.
 const RIGID: f64 = 64.0;
 
@@ -94,7 +99,9 @@ fn quarter_turn(shaft: &Shaft) -> Result<Matrix, Error> {
         // A share of M moves as its lateral part does.
         (1.0 + REGULARISED) * shaft.spin_coupling[(i, j)]
     });
-    let on_axis = shaft.nodes.iter().filter(|node| node.position[..2] == [0.0; 2]);
+    let near = ON_AXIS * size(shaft);
+    let on_axis =
+        shaft.nodes.iter().filter(|node| node.position[0].hypot(node.position[1]) <= near);
     let largest = (0..n).map(|i| m[(i, i)]).fold(0.0, f64::max);
     for node in on_axis {
         let [row_x, row_y] =
@@ -112,4 +119,25 @@ fn quarter_turn(shaft: &Shaft) -> Result<Matrix, Error> {
     lu.factor(&square.data)?;
     lu.solve_in_place(&mut turned.data);
     Ok(turned)
+}
+
+/// Radius of gyration about the axis (m), or how far the nodes are from the origin where the mass is not known.
+fn size(shaft: &Shaft) -> f64 {
+    let mass = shaft.centre_of_mass.mass;
+    if mass > 0.0 {
+        return (shaft.j0 / mass).sqrt();
+    }
+    let all = shaft.nodes.iter().flat_map(|node| node.position);
+    all.fold(0.0, |most: f64, own| most.max(own.abs()))
+}
+
+/// The speed (rad/s) at which the couples over the speed end that act on the rotation at place `theta` of q: where a motor
+/// turns without a load.
+pub(super) fn idle_speed(machine: &Machine, theta: usize) -> Option<f64> {
+    let on_it = |load: &&Load| machine.places()[load.body].rotation == Some(theta);
+    let idle = machine.loads.iter().filter(on_it).filter_map(|load| match &load.time_function {
+        TimeFunction::OverSpeed(curve) => curve.last_fall(),
+        _ => None,
+    });
+    idle.reduce(f64::max)
 }

@@ -1,6 +1,7 @@
 //! Loads, drives and weights of machines as they run.
 
 mod couple;
+mod jumps;
 mod orders;
 mod prescribed;
 mod release;

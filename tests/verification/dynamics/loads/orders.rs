@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use whirl_solver::curve::Curve;
 use whirl_solver::dynamics::March;
-use whirl_solver::loads::{Frame, Load, Release, TimeFunction};
+use whirl_solver::loads::{Frame, Load, Release, Target, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 
@@ -19,7 +19,11 @@ const PHASE: f64 = 0.7;
 fn displacement(time_function: TimeFunction) -> f64 {
     let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
     let node = parts.bodies[0].nodes()[1].clone();
-    let drive = TimeFunction::UntilSpeed { target: 200.0, release: Release::Located };
+    let drive = TimeFunction::UntilSpeed(Target {
+        speed: 200.0,
+        from_above: false,
+        release: Release::Located,
+    });
     parts.loads = vec![
         force(&node, [300.0, -100.0, 0.0], time_function, Frame::Space),
         Load::couple(0, rigid_turn(), [0.0, 0.0, 30.0], drive, Frame::Body),

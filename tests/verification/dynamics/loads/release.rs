@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use whirl_solver::curve::Curve;
 use whirl_solver::dynamics::{March, MarchOptions, NewtonOptions};
-use whirl_solver::loads::{Frame, Load, Release, TimeFunction};
+use whirl_solver::loads::{Frame, Load, Release, Target, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 
@@ -21,7 +21,8 @@ const END: f64 = 0.5;
 fn machine(sign: f64, release: Release) -> Machine {
     let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
     let drag = Curve::linear(&[[-1e3, DRAG * 1e3], [1e3, -DRAG * 1e3]], false).expect("a curve");
-    let until = TimeFunction::UntilSpeed { target: sign * TARGET, release };
+    let until =
+        TimeFunction::UntilSpeed(Target { speed: sign * TARGET, from_above: sign < 0.0, release });
     parts.loads = vec![
         Load::couple(0, rigid_turn(), [0.0, 0.0, sign * TORQUE], until, Frame::Body),
         Load::couple(
@@ -69,6 +70,44 @@ fn theta_is_of_second_order_where_the_release_is_located() {
             assert!((1.8..2.3).contains(&(pair[0] / pair[1])), "{at_step:?}");
         }
         assert!(at_step[2] > 20.0 * located[2], "{at_step:?} {located:?}");
+    }
+}
+
+/// From 200 rad/s a couple the other way brakes to the target, which is above zero, zero or below it.
+#[test]
+fn a_couple_brakes_to_a_target_below_the_start() {
+    const START: f64 = 200.0;
+    let (rate, most) = (DRAG / INERTIA, TORQUE / DRAG);
+    for (sign, target) in
+        [(1.0, 150.0), (-1.0, 150.0), (1.0, 0.0), (1.0, -50.0), (-1.0, 0.0), (-1.0, -50.0)]
+    {
+        let at = ((START + most) / (target + most)).ln() / rate;
+        let down = (START + most) / rate * (1.0 - (-rate * at).exp()) - most * at;
+        let rest = 0.01;
+        let theta = down + target / rate * (1.0 - (-rate * rest).exp());
+        let errors = [50.0, 101.0, 203.0].map(|steps| {
+            let dt = at / (steps + 0.5);
+            let whole = ((at + rest) / dt).floor();
+            let mut machine = machine(-sign, Release::Located);
+            let until = TimeFunction::UntilSpeed(Target {
+                speed: sign * target,
+                from_above: sign > 0.0,
+                release: Release::Located,
+            });
+            machine.loads[0].time_function = until;
+            let mut options = options(dt, whole as usize);
+            options.initial[0].speed = sign * START;
+            let state = end(&machine, &options);
+            let left = at + rest - whole * dt;
+            let carried = state.q[0] + state.v[0] / rate * (1.0 - (-rate * left).exp());
+            let speed = sign * target * (-rate * (whole * dt - at)).exp();
+            assert!((state.v[0] - speed).abs() < 1e-4 * START, "{} for {speed}", state.v[0]);
+            (sign * carried - theta).abs()
+        });
+        println!("from {START} to {target} rad/s, {sign}: {errors:?}");
+        for pair in errors.windows(2) {
+            assert!((3.6..4.4).contains(&(pair[0] / pair[1])), "{errors:?}");
+        }
     }
 }
 

@@ -1,0 +1,69 @@
+//! Where loads begin at once, and the accelerations of told rotations jump.
+//!
+//! The trapezoidal rule averages a jump into the step in which it is, which makes the motion wrong by O(Δt). So the step is
+//! split there: its first part ends with what acts before the jump, and the accelerations start anew from what acts after it.
+
+use super::march::{March, accelerate};
+use super::newmark::State;
+use crate::error::Error;
+use crate::loads::Onset;
+use crate::machine::{Body, Machine, Rotation};
+
+/// Parts of a step shorter than this part of it are none.
+const SHORTEST: f64 = 1e-6;
+/// Jumps within a step that are located.
+const MOST_JUMPS: usize = 2;
+
+/// Times (s), ascending, at which a load begins at once, or the acceleration of a told rotation jumps.
+pub(super) fn jumps(machine: &Machine) -> Vec<f64> {
+    let mut jumps: Vec<f64> = Vec::new();
+    jumps.extend(machine.loads.iter().filter_map(|load| match load.onset {
+        Onset::Step(time) => Some(time),
+        _ => None,
+    }));
+    for rotation in machine.bodies.iter().filter_map(Body::rotation) {
+        if let Rotation::Scheduled(schedule) = rotation {
+            jumps.extend(schedule.jumps());
+        }
+    }
+    jumps.sort_by(f64::total_cmp);
+    jumps.dedup();
+    jumps
+}
+
+impl March<'_> {
+    /// Takes a step of `dt` from time `t`, in parts where something jumps within it. Where much does in one step, as of a
+    /// table with rows closer than steps, all of it counts at the end of the step.
+    pub(super) fn leap(&mut self, t: f64, dt: f64) -> Result<(), Error> {
+        let (near, end) = (SHORTEST * dt, t + dt);
+        let upto = |time: f64| self.jumps.partition_point(|jump| *jump <= time + near);
+        let within = upto(t)..upto(end);
+        if within.is_empty() || within.len() > MOST_JUMPS {
+            return self.part(t, dt, 0);
+        }
+        let mut begun = t;
+        for place in within {
+            let at = self.jumps[place];
+            let next = if at < end - near { at } else { end };
+            let taken = if begun == t && next == end { dt } else { next - begun };
+            if taken > near {
+                self.system.before = true;
+                let solved = self.part(begun, taken, 0);
+                self.system.before = false;
+                solved?;
+                begun = next;
+            }
+            self.jump(at.max(begun))?;
+        }
+        if end - begun > near { self.part(begun, end - begun, 0) } else { Ok(()) }
+    }
+
+    /// Starts the accelerations anew from what acts from time `t` (s) on.
+    fn jump(&mut self, t: f64) -> Result<(), Error> {
+        let State { q, v, a } = &mut self.state;
+        self.machine.set_given(t, false, [q, v, a]);
+        accelerate(&mut self.system, t, &mut self.state)?;
+        self.meters.jump(&self.system);
+        Ok(())
+    }
+}
