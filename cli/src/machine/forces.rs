@@ -84,7 +84,8 @@ pub(super) fn unmoved(own: Option<&Gravity>, bodies: &[Body]) -> Option<String> 
         heavy.filter(|body| !moves(body)).map(|body| format!("`{}`", body.name())).collect();
     (!still.is_empty()).then(|| {
         format!(
-            "{}: the part of `gravity` along z has no effect on {}, which {} not move along z",
+            "{}: the part of `gravity` along z has no effect on {}, which {} not move along z: with `moves_along_z = true` \
+             a rigid body does",
             own.place.source().path.display(),
             still.join(", "),
             if still.len() == 1 { "does" } else { "do" }

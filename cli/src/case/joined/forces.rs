@@ -107,9 +107,9 @@ fn followed<'a>(
 
 /// Notes a force or a couple along or about an axis along or about which a rigid body does not move.
 fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
-    let tilts = match &body.form {
-        Form::Rigid(rigid) => rigid.transverse_inertia.is_some(),
-        Form::Meshed(meshed) if meshed.rigid => true,
+    let (tilts, along) = match &body.form {
+        Form::Rigid(rigid) => (rigid.transverse_inertia.is_some(), rigid.moves_along_z),
+        Form::Meshed(meshed) if meshed.rigid => (true, meshed.moves_along_z),
         Form::Meshed(_) => return,
     };
     let name = body.name.text();
@@ -117,9 +117,9 @@ fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
         table.push(load.place.error_here(Code::BAD_VALUE, message).help(help));
     };
     match load.acting {
-        Acting::Force([.., z]) if z != 0.0 => note(
+        Acting::Force([.., z]) if z != 0.0 && !along => note(
             format!("`{name}` is rigid and does not move along z: a force along z has no effect"),
-            "leave its part along z out",
+            "leave its part along z out, or write `moves_along_z = true` on the body",
         ),
         Acting::Couple([x, y, _]) if x.hypot(y) != 0.0 && !tilts => {
             note(

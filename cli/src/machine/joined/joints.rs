@@ -4,15 +4,14 @@ use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
-use whirl_solver::bearing::{MotionKind, Sides};
+use whirl_solver::bearing::Sides;
 use whirl_solver::mesh::MeanComponent;
-use whirl_text::rounded;
 
 use super::bodies::retain_in_plane;
 use super::others::{self, PlannedOther};
 use super::section::nodes_at;
 use super::{PlannedBody, at, meshed, surfaces, turns};
-use crate::case::{self, JoinedMachine, Joint, JointKind, JointSide, SetParameter};
+use crate::case::{self, JoinedMachine, Joint, JointKind, JointSide};
 use crate::machine::laws::Measured;
 use crate::machine::plan::BodyPlan;
 use crate::machine::plan::geometry::{mm, nodes_of};
@@ -140,41 +139,6 @@ pub(super) fn place(
     }
     let others = others::place(joint, bodies, errors);
     Some(PlannedJoint { bearing, sides, axis: of_journal, journal, bore, z, others })
-}
-
-/// Warnings of a bushing that pushes away what moves, as a magnetic pull does: the symmetric part of its stiffness or of
-/// its damping has a negative eigenvalue.
-pub(super) fn pushes_away(joint: &Joint) -> Vec<String> {
-    if joint.kind != JointKind::Bushing {
-        return Vec::new();
-    }
-    let mut warnings = of_coefficients(joint, &joint.bearing.parameters, "");
-    for own in &joint.others {
-        let called = if own.kind == MotionKind::Tilts { "tilting " } else { "axial " };
-        warnings.extend(of_coefficients(joint, &own.parameters, called));
-    }
-    warnings
-}
-
-fn of_coefficients(joint: &Joint, parameters: &[SetParameter], called: &str) -> Vec<String> {
-    let value = |name: String| {
-        parameters.iter().find(|own| own.name() == name).map_or(0.0, SetParameter::value)
-    };
-    let units = if called == "tilting " { ["N m/rad", "N m s/rad"] } else { ["N/m", "N s/m"] };
-    let mut warnings = Vec::new();
-    for ((letter, what), unit) in [("k", "stiffness"), ("c", "damping")].into_iter().zip(units) {
-        let [xx, xy, yx, yy] = ["xx", "xy", "yx", "yy"].map(|own| value(format!("{letter}_{own}")));
-        let least = 0.5 * (xx + yy) - (0.5 * (xx - yy)).hypot(0.5 * (xy + yx));
-        if least < -1e-9 * [xx, xy, yx, yy].map(f64::abs).into_iter().fold(0.0, f64::max) {
-            let along = if called == "axial " { "" } else { " along one direction at least" };
-            warnings.push(format!(
-                "the {called}{what} of the bushing `{}` is negative{along} ({} {unit}): it drives what it joins apart",
-                joint.name.text(),
-                rounded(least, 6)
-            ));
-        }
-    }
-    warnings
 }
 
 /// Whether a bore or a stop that does not turn stands about the axis of its own body.

@@ -5,6 +5,7 @@ mod bodies;
 mod compare;
 mod joints;
 mod others;
+mod pushing;
 mod section;
 mod surfaces;
 
@@ -58,7 +59,7 @@ impl JoinedPlan {
         (wanted, fields): (&[Output], Option<&Fields>),
         warnings: &mut Vec<String>,
     ) -> Result<JoinedPlan, Failure> {
-        warnings.extend(joined.joints.iter().flat_map(joints::pushes_away));
+        warnings.extend(joined.joints.iter().flat_map(pushing::pushes_away));
         let mut errors = Diagnostics::new();
         let mut bodies = bodies::plan(joined, warnings)?;
         let carried = joined.bodies.iter().zip(&mut bodies);
