@@ -57,6 +57,9 @@ pub(crate) struct RunArguments {
     /// Write no figures
     #[arg(long)]
     pub(crate) no_figures: bool,
+    /// Write the history once more as history.npz, for NumPy: an array a column, by its name
+    #[arg(long)]
+    pub(crate) npz: bool,
     /// Resume an interrupted run in the same folder
     #[arg(long)]
     pub(crate) resume: bool,

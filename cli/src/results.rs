@@ -124,7 +124,10 @@ fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) -> Option<Loc
 fn names() -> impl Iterator<Item = String> {
     let figures =
         figures::NAMES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
-    [history::NAME, SUMMARY, CHECKPOINT, STATE, FRAMES].map(String::from).into_iter().chain(figures)
+    [history::NAME, history::NPZ, SUMMARY, CHECKPOINT, STATE, FRAMES]
+        .map(String::from)
+        .into_iter()
+        .chain(figures)
 }
 
 #[cfg(test)]

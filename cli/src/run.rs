@@ -93,6 +93,12 @@ fn report(
         Ok((history, summary)) => {
             problems.extend(results.write(SUMMARY, summary.json().as_bytes()).err());
             problems.extend(write_fields((case, built), results, marched.step));
+            if arguments.npz {
+                let path = results.path(history::NPZ);
+                let written = history::write_npz(&history, &path);
+                let failed = |error| format!("cannot write `{}`: {error}", path.display());
+                problems.extend(written.err().map(failed));
+            }
             // On a full disk the numbers come first.
             if !arguments.no_figures && !matches!(marched.end, End::NotWritten(_)) {
                 let write = |name: &str, content: &[u8]| results.write(name, content);

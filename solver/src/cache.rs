@@ -130,6 +130,17 @@ pub fn write_aside(
     path: &Path,
     bytes: &[u8],
 ) -> io::Result<impl FnOnce() -> io::Result<()> + use<>> {
+    write_aside_by(path, &mut |file| file.write_all(bytes))
+}
+
+/// As [`write_aside`], of a file that `write` fills.
+///
+/// # Errors
+/// As there, and what `write` fails with.
+pub fn write_aside_by(
+    path: &Path,
+    write: &mut dyn FnMut(&mut fs::File) -> io::Result<()>,
+) -> io::Result<impl FnOnce() -> io::Result<()> + use<>> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let mut aside = tempfile::Builder::new();
     aside.prefix(ASIDE[0]).suffix(ASIDE[1]);
@@ -139,7 +150,7 @@ pub fn write_aside(
     #[cfg(unix)]
     aside.permissions(mode);
     let mut file = aside.tempfile_in(folder.unwrap_or_else(|| Path::new(".")))?;
-    file.write_all(bytes)?;
+    write(file.as_file_mut())?;
     file.as_file().sync_all()?;
     let path = path.to_path_buf();
     Ok(move || file.persist(path).map(|_| ()).map_err(|error| error.error))

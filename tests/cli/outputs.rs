@@ -200,3 +200,26 @@ fn a_run_stops_at_its_steady_state() {
         assert!(check.contains(words), "{check}");
     }
 }
+
+/// The archive for NumPy has every column, and goes with the next run that does not want it.
+#[test]
+fn an_archive_for_numpy_has_all_columns() {
+    let case = "title = \"x\"\n[body.a]\nturns = \"no\"\nmass = \"1 kg\"\nstiffness = { x = \"1e6 N/m\", y = \"1e6 N/m\" }\n\
+                [march]\ntime_step = \"1e-4 s\"\nsteps = 20\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let run = |more: &[&str]| {
+        let usual = ["run", "case.toml", "--no-figures", "--out", "out"];
+        let outcome = bench.whirl(&[&usual, more].concat());
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    };
+    run(&["--npz"]);
+    let archive = std::fs::read(bench.path("out/history.npz")).expect("an archive");
+    let head = std::fs::read_to_string(bench.path("out/history.csv")).expect("a history");
+    for name in head.lines().next().expect("names").split(',') {
+        let file = format!("{name}.npy");
+        let count = archive.windows(file.len()).filter(|part| *part == file.as_bytes()).count();
+        assert_eq!(count, 2, "{name}: in its header and in the directory");
+    }
+    run(&[]);
+    assert!(!bench.path("out/history.npz").exists());
+}

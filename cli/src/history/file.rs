@@ -40,6 +40,31 @@ impl HistoryFile {
         self.end
     }
 
+    /// Names of the columns.
+    pub(crate) fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Number of rows.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub(crate) fn count(&self) -> io::Result<u64> {
+        let mut file = File::open(&self.path)?;
+        file.seek(SeekFrom::Start(self.first))?;
+        let mut bytes = BufReader::with_capacity(1 << 18, file.take(self.end - self.first));
+        let mut count = 0;
+        loop {
+            let block = bytes.fill_buf()?;
+            if block.is_empty() {
+                return Ok(count);
+            }
+            count += block.iter().filter(|byte| **byte == b'\n').count() as u64;
+            let read = block.len();
+            bytes.consume(read);
+        }
+    }
+
     /// Where the rows begin, for [`HistoryFile::scan`].
     pub(crate) fn start(&self) -> u64 {
         self.first
