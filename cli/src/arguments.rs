@@ -76,6 +76,9 @@ pub(crate) struct RunArguments {
 pub(crate) struct CheckArguments {
     /// Path of a case or spec file, or the name of a built-in case (see `whirl list`)
     pub(crate) case: String,
+    /// Say how far the bores of reduced bodies yield less than those of the meshes
+    #[arg(long)]
+    pub(crate) contacts: bool,
     /// Where reduced machines are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,

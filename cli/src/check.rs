@@ -21,6 +21,7 @@ macro_rules! line {
     };
 }
 
+mod contacts;
 mod joined;
 
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
@@ -61,6 +62,9 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     })?;
     if let (System::Joined(joined), Some(Plan::Joined(plan))) = (&case.system, &plan) {
         joined::say(&mut text, joined, plan, &built, case.march.duration())?;
+    }
+    if arguments.contacts {
+        contacts::say(&mut text, &case, plan.as_ref(), arguments.cache.open().as_ref())?;
     }
     say_laws(&mut text, &laws);
     say_march(&mut text, &case);

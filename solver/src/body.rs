@@ -81,6 +81,8 @@ pub struct BodySpec {
     pub stiffening: bool,
     /// Node sets whose mean motion is wanted.
     pub means: Vec<NodeSetMean>,
+    /// Loads on dofs whose static answers are kept beside the modes.
+    pub corrections: Vec<Row>,
     /// Bytes that a factor of K may take.
     pub memory: usize,
 }
@@ -129,6 +131,19 @@ impl BodySpec {
         })
     }
 
+    /// The displacement under each of these loads in its own direction, with what is retained and held at zero (m/N, of a
+    /// load in N).
+    ///
+    /// # Errors
+    /// As [`BodySpec::reduce`].
+    pub(crate) fn compliances(&self, mesh: &Mesh, loads: &[Row]) -> Result<Vec<f64>, Error> {
+        let body = self.assemble(mesh)?;
+        let rows = self.rows();
+        let solid = body.solid(mesh, self.memory);
+        let found = solid.compliances(&self.interface(&rows), loads);
+        found.map_err(|error| error.with_labels(mesh).into())
+    }
+
     /// The retained motions, as rows over dofs.
     pub(crate) fn rows(&self) -> Vec<Row> {
         self.retained.iter().map(|retained| retained.terms.clone()).collect()
@@ -136,7 +151,7 @@ impl BodySpec {
 
     /// What is retained, as [`BodySpec::rows`] gives it, and what is held.
     pub(crate) fn interface<'a>(&'a self, rows: &'a [Row]) -> Interface<'a> {
-        Interface { retained: rows, held: &self.held }
+        Interface { retained: rows, held: &self.held, corrections: &self.corrections }
     }
 
     /// The coordinates of a reduction that the constraints leave.

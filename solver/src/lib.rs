@@ -8,6 +8,7 @@ pub mod body;
 pub mod cache;
 pub mod centre_of_mass;
 pub mod constraints;
+pub mod contacts;
 pub mod curve;
 pub mod dynamics;
 pub mod error;

@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::measure::MeanMotion;
 use crate::mesh::{Mesh, NodeSetMean};
-use crate::reduction::CraigBampton;
+use crate::reduction::{CraigBampton, Row};
 use crate::sparse::SparseMatrix;
 use crate::stiffening::stiffening;
 
@@ -176,8 +176,24 @@ impl Reduced {
         let program = (PROGRAM, instruction_set());
         let body = (mesh.nodes(), blocks, materials);
         let nodes = output_nodes(mesh, spec);
-        let interface = (retained, held, spec.modes, springs);
+        let interface = (retained, held, spec.modes, springs, &spec.corrections);
         Key::of(&(program, kind, body, interface, nodes, held_while_turning))
+    }
+
+    /// The displacement of the modes, and of what corrects them, under a load in its own direction (m/N): Σ (f·x)²/ω². None
+    /// for a load on nodes whose shapes are not kept.
+    pub(crate) fn modal_compliance(&self, load: &Row) -> Option<f64> {
+        let (shapes, stiffness) = (&self.reduction.shapes, &self.reduction.stiffness);
+        let placed = load.iter().map(|&(dof, force)| {
+            let node = self.nodes.binary_search(&(dof / 3)).ok()?;
+            Some((3 * node + dof % 3, force))
+        });
+        let placed: Vec<(usize, f64)> = placed.collect::<Option<_>>()?;
+        let by_mode = (0..self.reduction.modes()).map(|j| {
+            let along: f64 = placed.iter().map(|&(row, force)| force * shapes[(row, j)]).sum();
+            along.powi(2) / stiffness[(j, j)]
+        });
+        Some(by_mode.sum())
     }
 
     pub(crate) fn node(&self, active: &Coordinates, place: usize) -> BodyNode {

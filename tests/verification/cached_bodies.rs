@@ -38,6 +38,7 @@ fn body() -> Body {
     let mut constraints = Constraints::new();
     constraints.fix("axial", 4);
     let spec = BodySpec {
+        corrections: Vec::new(),
         retained: retained.map(|dof| Retained::dof(dof, format!("dof {dof}"))).collect(),
         held: Vec::new(),
         modes: 4,

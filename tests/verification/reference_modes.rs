@@ -88,6 +88,7 @@ fn reference_shaft() {
     constraints.fix("axial", 24);
     constraints.equation("torsion", [(25, 1.0), (26, -1.0)]);
     let spec = BodySpec {
+        corrections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 50,
@@ -142,6 +143,7 @@ fn reference_support() {
     retained.iter().enumerate().for_each(|(i, mount)| mounts.fix(&*mount.name, i));
     let bore = mesh.node_set("BORE1_LEFT").unwrap();
     let spec = BodySpec {
+        corrections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 150,
@@ -170,6 +172,7 @@ fn a_dof_retained_twice_is_named() {
     again.name = "LEFT_END y".to_owned();
     retained.push(again);
     let spec = BodySpec {
+        corrections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 1,

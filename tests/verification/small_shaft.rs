@@ -69,6 +69,7 @@ pub(crate) fn shaft(mesh: &Mesh) -> Shaft {
     constraints.fix("axial", axial);
     constraints.equation("drive", [(top, 1.0), (bottom, -1.0)]);
     let spec = BodySpec {
+        corrections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 8,

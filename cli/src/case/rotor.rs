@@ -150,6 +150,8 @@ pub(crate) struct Body<D> {
     pub(crate) modes: usize,
     /// C = damping · K, in s; K with the ground springs.
     pub(crate) damping: f64,
+    /// Where the case says that static answers to loads on bores are kept, if it does.
+    pub(crate) static_correction: Option<Located>,
 }
 
 /// The rotating body.

@@ -176,6 +176,11 @@ const SUPPORT: &[Key] = &[
     key("dimensions", Table(&[SUPPORT_DIMENSIONS]), "a mesh made from a few dimensions"),
     merged("mounts", Text, "node set held in x, y and z").like("\"NAME_OF_A_NODE_SET\""),
     key("ground_spring", List(&Table(&[GROUND_SPRING])), "springs to the ground"),
+    key(
+        "static_correction",
+        Flag,
+        "true keeps the static answers to loads on the bores beside the modes",
+    ),
 ];
 
 const SUPPORT_DIMENSIONS: &[Key] = &[

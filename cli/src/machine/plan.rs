@@ -282,6 +282,11 @@ fn place_support(
         }
         bores.push(bore);
     }
+    for (number, bore) in bores.iter().enumerate() {
+        let rings = bore.iter().map(|ring| support.mesh_nodes(ring)).collect();
+        support.add_bore(format!("bearing {}", number + 1), AXIS, rings);
+    }
+    support.correct(errors);
     let held = support.nodes(mounts, errors);
     support.hold("mounts", mounts, &held);
     for spring in &case.ground_springs {

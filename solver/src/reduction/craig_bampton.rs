@@ -2,11 +2,12 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, transpose_multiply};
+use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, dot, transpose_multiply};
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
 use super::constrained::{ConstrainedCholesky, Constraints};
+use super::correction::corrected;
 use super::modes::{Modes, Pencil};
 use super::partition::{Interface, Partition};
 use super::rigid::{Row, free_motions, free_shapes_of_parts, pins};
@@ -29,7 +30,7 @@ pub struct Solid<'a> {
 /// of its retained dofs. Source: Craig, Bampton, AIAA J. 6 (1968) 1313–1319.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CraigBampton {
-    /// Frequencies of the fixed-interface modes (Hz), ascending.
+    /// Frequencies of the fixed-interface modes (Hz), ascending; behind them those of the shapes that correct the statics.
     pub hertz: Vec<f64>,
     /// Retained motions Σ cᵢ uᵢ over dofs i, in the order of their coordinates.
     pub retained: Vec<Row>,
@@ -77,7 +78,7 @@ impl Solid<'_> {
         modes: usize,
     ) -> Result<CraigBampton, ReductionError> {
         let retained: Vec<Row> = retained.iter().map(|&dof| vec![(dof, 1.0)]).collect();
-        self.reduce(&Interface { retained: &retained, held: &[] }, modes)
+        self.reduce(&Interface { retained: &retained, ..Interface::default() }, modes)
     }
 
     /// The Craig–Bampton reduction with `modes` fixed-interface modes: those with the retained motions and the held dofs at
@@ -129,6 +130,10 @@ impl Solid<'_> {
         if let Some(row) = moves_freely(&fixed, &pencil) {
             return Err(loose(row));
         }
+
+        let loads = partition.inner_loads(interface.corrections);
+        let fixed = corrected(fixed, &pencil, &factor, loads)?;
+        let modes = fixed.eigenvalues.len();
 
         let (coupling, held) = partition.coupling(&whole);
         let mut constraint = coupling.clone();
@@ -186,6 +191,29 @@ impl Solid<'_> {
         let mut inner = partition.inner_load(force);
         factor.solve_in_place(&mut inner);
         Ok(partition.displacement(&inner))
+    }
+
+    /// The displacement under each of these loads in its own direction, with the retained motions and the held dofs at
+    /// zero.
+    ///
+    /// # Errors
+    /// As [`Solid::held`].
+    pub(crate) fn compliances(
+        &self,
+        interface: &Interface,
+        loads: &[Row],
+    ) -> Result<Vec<f64>, ReductionError> {
+        let partition = Partition::new(self.mass.size(), interface)?;
+        let whole = lower(self.stiffness, "stiffness")?;
+        let order = self.order(&whole, &partition.inner);
+        let pins = self.pins(&whole, &partition, interface)?;
+        let constraints = Constraints { rows: &partition.rows, pins: &pins };
+        let stiffness = partition.inner(&whole);
+        let factor = ConstrainedCholesky::new(&stiffness, &order, constraints, self.memory)?;
+        let loads = partition.inner_loads(loads);
+        let mut moved = loads.clone();
+        factor.solve_in_place(&mut moved.data);
+        Ok((0..loads.cols).map(|j| dot(loads.col(j), moved.col(j))).collect())
     }
 
     /// The `count` lowest modes of the body with no dof held, rigid motions first.

@@ -2,6 +2,7 @@
 
 mod constrained;
 mod convention;
+mod correction;
 mod craig_bampton;
 mod lanczos;
 mod modes;

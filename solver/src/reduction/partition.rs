@@ -18,6 +18,8 @@ pub struct Interface<'a> {
     pub retained: &'a [Row],
     /// Dofs that do not move, in any order.
     pub held: &'a [usize],
+    /// Loads on dofs whose static answers are kept beside the modes.
+    pub corrections: &'a [Row],
 }
 
 /// Where a dof goes.
@@ -147,6 +149,19 @@ impl Partition {
                 row.iter().for_each(|&(i, c)| forces[(i, j)] -= c * lambda);
             }
         }
+    }
+
+    /// Loads on the inner dofs, a column each.
+    pub(super) fn inner_loads(&self, loads: &[Row]) -> Matrix {
+        let mut inner = Matrix::zeros(self.inner.len(), loads.len());
+        for (j, load) in loads.iter().enumerate() {
+            for &(dof, value) in load {
+                if let Place::Inner(i) = self.place[dof] {
+                    inner[(i, j)] += value;
+                }
+            }
+        }
+        inner
     }
 
     /// Forces on the inner dofs by forces on all dofs.

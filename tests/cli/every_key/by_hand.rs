@@ -72,6 +72,7 @@ fn node(mesh: &Mesh, set: &str) -> usize {
 fn body(mesh: &Mesh, which: usize, own: &ByHand, held: Held, nodes: Vec<usize>) -> BodySpec {
     assert!(nodes.iter().all(|&node| node < mesh.nodes().len()));
     BodySpec {
+        corrections: Vec::new(),
         retained: held.retained,
         held: Vec::new(),
         modes: own.modes[which],

@@ -19,7 +19,7 @@ fn a_cantilever_held_at_its_root_has_the_frequencies_of_the_mesh() {
     let mesh = beam([2, 2, 20], [side, side, length]);
     let matrices = Matrices::new(&mesh);
     let held = dofs(&mesh, "ROOT");
-    let interface = Interface { retained: &[], held: &held };
+    let interface = Interface { corrections: &[], retained: &[], held: &held };
     let reduced = matrices.solid(&mesh).reduce(&interface, 8).unwrap();
     assert_eq!((reduced.shapes.cols, reduced.coordinates()), (8, 8));
     let all = frequencies(&matrices, &held, 0.0);
@@ -83,7 +83,7 @@ fn a_set_of_thousands_of_nodes_costs_no_constraint_modes() {
     assert_eq!(support.size(), 4);
     let matrices = Matrices::new(&mesh);
     let retained = [own.retained[0].terms.clone()];
-    let interface = Interface { retained: &retained, held: &own.held };
+    let interface = Interface { corrections: &[], retained: &retained, held: &own.held };
     assert_eq!(matrices.solid(&mesh).reduce(&interface, 3).unwrap().shapes.cols, 4);
 }
 

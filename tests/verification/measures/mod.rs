@@ -1,5 +1,6 @@
 //! Measures of bodies: mean motions of node sets, as outputs and as retained coordinates, and held sets.
 
+mod bores;
 mod held;
 mod means;
 mod retained;
@@ -172,6 +173,7 @@ fn near(got: &[f64], want: &[f64], part: f64) {
 
 fn spec(modes: usize) -> BodySpec {
     BodySpec {
+        corrections: Vec::new(),
         retained: Vec::new(),
         held: Vec::new(),
         modes,

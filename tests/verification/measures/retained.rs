@@ -43,7 +43,7 @@ fn statics_under_forces_on_a_mean_are_those_of_the_mesh() {
     {
         let retained = [&rows(&[mean(&mesh, "TIP")]), retained].concat();
         let held: Vec<usize> = root.iter().copied().chain(more).collect();
-        let interface = Interface { retained: &retained, held: &held };
+        let interface = Interface { corrections: &[], retained: &retained, held: &held };
         let reduced = matrices.solid(&mesh).reduce(&interface, 5).unwrap();
         assert_eq!(reduced.coordinates(), 5 + retained.len());
         retains(&reduced, &retained);
@@ -79,7 +79,7 @@ fn modes_with_means_retained_are_those_of_the_free_mesh() {
     let mesh = beam([1, 2, 6], [0.03, 0.05, 0.4]);
     let matrices = Matrices::new(&mesh);
     let retained = rows(&[mean(&mesh, "ROOT"), mean(&mesh, "TIP")]);
-    let interface = Interface { retained: &retained, held: &[] };
+    let interface = Interface { corrections: &[], retained: &retained, held: &[] };
     let all = frequencies(&matrices, &[], 1e8);
     let elastic = all.iter().position(|&f| f > 100.0).unwrap();
     assert_eq!(elastic, 6);
@@ -115,7 +115,7 @@ fn a_row_may_hold_the_body_by_what_weighs_less_in_it() {
     let mut retained: Vec<Row> =
         [3 * a, 3 * a + 1, 3 * a + 2, 3 * b, 3 * b + 1].map(|dof| vec![(dof, 1.0)]).into();
     retained.push(vec![(3 * c, 0.9), (3 * c + 2, 1.0)]);
-    let interface = Interface { retained: &retained, held: &[] };
+    let interface = Interface { corrections: &[], retained: &retained, held: &[] };
     let all = frequencies(&matrices, &[], 1e8);
     let modes = mesh.dof_count() - 6;
     let reduced = matrices.solid(&mesh).reduce(&interface, modes).unwrap();
@@ -139,7 +139,7 @@ fn a_mean_of_all_nodes_is_reduced_as_that_of_a_few() {
     let all = NodeSetMean::new(&mesh, &nodes).unwrap();
     let retained = rows(&[all]);
     assert!(retained[0].len() > 4000);
-    let interface = Interface { retained: &retained, held: &[] };
+    let interface = Interface { corrections: &[], retained: &retained, held: &[] };
     let reduced = matrices.solid(&mesh).reduce(&interface, 6).unwrap();
     retains(&reduced, &retained);
     // Moving all of it costs nothing, and its modes are those of the free body but for what the mean weighs otherwise.
@@ -156,7 +156,7 @@ fn a_rigid_motion_is_reproduced() {
     let means = [mean(&mesh, "ROOT"), mean(&mesh, "TIP")];
     // Of the root all, of the tip the displacement alone.
     let retained = rows(&means)[..9].to_vec();
-    let interface = Interface { retained: &retained, held: &[] };
+    let interface = Interface { corrections: &[], retained: &retained, held: &[] };
     let reduced = matrices.solid(&mesh).reduce(&interface, 4).unwrap();
     retains(&reduced, &retained);
     let u = rigid(mesh.nodes(), [1.0, -2.0, 0.5], [3.0, 7.0, -11.0]);

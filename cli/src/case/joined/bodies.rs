@@ -11,6 +11,7 @@ use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attache
 use crate::case::columns;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
+use crate::case::rotor::Body;
 use crate::case::selections;
 
 /// What a table says of a body.
@@ -26,7 +27,7 @@ const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffn
 /// Keys of rigid bodies, with a mesh or without, and of all.
 const OF_BOTH: [&str; 4] = ["z", "damping", "ground_spring", "moves_along_z"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 12] = [
+const MESHED: [&str; 13] = [
     "mesh",
     "units",
     "dimensions",
@@ -35,6 +36,7 @@ const MESHED: [&str; 12] = [
     "regions",
     "sets",
     "modes",
+    "static_correction",
     "held",
     "axial_restraint",
     "section",
@@ -42,7 +44,7 @@ const MESHED: [&str; 12] = [
 ];
 
 /// Keys of a mesh that a rigid one has not, and what to do instead.
-const OF_FLEXIBLE: [(&str, &str); 7] = [
+const OF_FLEXIBLE: [(&str, &str); 8] = [
     ("modes", "leave it out"),
     ("damping", "leave it out: a rigid body has no deformation to damp"),
     ("stiffening", "leave it out: it is exact for a rigid body"),
@@ -50,6 +52,7 @@ const OF_FLEXIBLE: [(&str, &str); 7] = [
         "axial_restraint",
         "leave it out: a rigid body moves along z with `moves_along_z = true` only",
     ),
+    ("static_correction", "leave it out: a rigid body has no deformation"),
     ("section", "leave it out: all sections of a rigid body turn alike"),
     ("held", "leave the body out, and let its joints name the ground"),
     ("ground_spring", "join the body to the ground by a `bushing`"),
@@ -219,8 +222,9 @@ fn read_meshed(
         table.push(table.written("moves_along_z").error_here(Code::BAD_VALUE, message).help(help));
     }
     let stiffening = turns && table.optional_boolean("stiffening").unwrap_or(true);
+    let static_correction = machine::static_correction(table);
     Some(Box::new(MeshedBody {
-        body: body?,
+        body: Body { static_correction, ..body? },
         held,
         ground_springs,
         axial_restraint,

@@ -35,6 +35,11 @@ pub(crate) const BODY: &[Key] = &[
     key("sets", Named(&Table(&[SELECTION])), "node sets by where they are, in place of sets of the mesh"),
     key("modes", Count(0, MOST_MODES), "fixed-interface modes kept").like("20"),
     key(
+        "static_correction",
+        Flag,
+        "of a mesh with bores: true keeps the static answers to loads on them beside the modes",
+    ),
+    key(
         "damping",
         Either(&[DAMPING_TIME, Table(&[PLANE_DAMPING])]),
         "C = damping · K of a mesh; of a rigid body to the ground, by x and y",

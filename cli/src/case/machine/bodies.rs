@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use whirl_codegen::diagnostic::Code;
+use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::crank::CrankThrow;
@@ -42,7 +42,15 @@ pub(super) fn support(store: FileStore, file: &Table, materials: &Materials) -> 
 fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Option<Support> {
     let body = body(store, table, materials, ring_support);
     let ground_springs = ground_springs(table);
-    Some(Support { mounts: table.text_or_none("mounts"), ground_springs, body: body? })
+    let static_correction = static_correction(table);
+    let mounts = table.text_or_none("mounts");
+    Some(Support { mounts, ground_springs, body: Body { static_correction, ..body? } })
+}
+
+/// Where static answers to loads on bores are asked for.
+pub(in crate::case) fn static_correction(table: &Table) -> Option<Located> {
+    let asked = table.optional_boolean("static_correction").unwrap_or(false);
+    asked.then(|| table.written("static_correction"))
 }
 
 /// The springs of a body to the ground.
@@ -74,6 +82,7 @@ pub(in crate::case) fn body<D>(
     Some(Body {
         modes: table.count_or_one("modes"),
         damping: table.quantity("damping").unwrap_or(0.0),
+        static_correction: None,
         material,
         regions,
         selections,

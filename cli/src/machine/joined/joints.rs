@@ -42,6 +42,25 @@ pub(super) struct PlannedJoint {
 }
 
 impl PlannedJoint {
+    /// Adds the bore to what its body knows of bores.
+    pub(super) fn add_bore(&self, joint: &Joint, bodies: &mut [PlannedBody]) {
+        let acts = matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
+        let Some(PlannedBody::Meshed(plan)) = bodies.get_mut(self.sides.bodies[1]) else { return };
+        let rings: Vec<Vec<usize>> = match &self.sides.surface {
+            Some(_) => {
+                let set = joint.sides[1].sets.first();
+                set.and_then(|set| nodes_of(&plan.mesh, set))
+                    .map(<[usize]>::to_vec)
+                    .into_iter()
+                    .collect()
+            }
+            None => self.bore.iter().map(|ring| plan.mesh_nodes(ring)).collect(),
+        };
+        if acts {
+            plan.add_bore(joint.name.text().to_owned(), self.sides.bore_axis, rings);
+        }
+    }
+
     /// What meshes say of it.
     pub(super) fn measured(&self, bodies: &[PlannedBody]) -> Measured {
         let [x, y] = self.sides.bore_axis;

@@ -87,7 +87,13 @@ impl JoinedPlan {
             }
             loads.push(body.loaded(load, &mut errors));
         }
+        for (joint, own) in joined.joints.iter().zip(&joints) {
+            own.add_bore(joint, &mut bodies);
+        }
         for (place, body) in bodies.iter_mut().enumerate() {
+            if let PlannedBody::Meshed(plan) = &mut *body {
+                plan.correct(&mut errors);
+            }
             body.hold(place, joined, &mut errors);
         }
         // Last, so that their points are the last nodes of their bodies.

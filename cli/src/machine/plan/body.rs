@@ -4,6 +4,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::assemble;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
+use whirl_solver::contacts::{BoreNodes, patterns};
 use whirl_solver::error::Error;
 use whirl_solver::error::{FreeMotion, ReductionError};
 use whirl_solver::mesh::{Cell, Material, MeanComponent, Mesh, NodeSetMean};
@@ -35,6 +36,9 @@ pub(crate) struct BodyPlan {
     pub(crate) rigid: bool,
     /// Whether it may move along z, if it is rigid.
     pub(in crate::machine) along: bool,
+    /// Its bores, and where the case asks for static answers to loads on them.
+    pub(crate) bores: Vec<BoreNodes>,
+    static_correction: Option<Located>,
     /// Whether what is held keeps it from turning in its frame.
     pub(in crate::machine) held_to_frame: bool,
     /// Whether it turns freely, in the frame in which deformations have no angular momentum; else a section turns with the
@@ -68,6 +72,7 @@ impl Default for HoldingWords {
 impl BodyPlan {
     pub(in crate::machine) fn new<D>(mesh: Mesh, case: &case::Body<D>, held_by: &Located) -> Self {
         let spec = BodySpec {
+            corrections: Vec::new(),
             retained: Vec::new(),
             held: Vec::new(),
             modes: case.modes,
@@ -87,6 +92,8 @@ impl BodyPlan {
             points: Vec::new(),
             held_by,
             made_from,
+            bores: Vec::new(),
+            static_correction: case.static_correction.clone(),
             rigid: false,
             along: false,
             held_to_frame: false,
@@ -94,6 +101,35 @@ impl BodyPlan {
             follows: None,
             sprung: Vec::new(),
             words,
+        }
+    }
+
+    /// Adds a bore with its rings, or a surface as one.
+    pub(in crate::machine) fn add_bore(
+        &mut self,
+        name: String,
+        axis: [f64; 2],
+        rings: Vec<Vec<usize>>,
+    ) {
+        self.bores.push(BoreNodes { name, rings, axis });
+    }
+
+    /// Asks for static answers to loads on all bores, if the case does.
+    pub(in crate::machine) fn correct(&mut self, errors: &mut Diagnostics) {
+        let Some(place) = &self.static_correction else { return };
+        if self.bores.is_empty() {
+            let message = format!(
+                "`static_correction` keeps the answers to loads on bores, and {} has none",
+                self.mesh.origin()
+            );
+            let help = "leave it out";
+            errors.push(place.error_here(Code::BAD_VALUE, message).help(help));
+            return;
+        }
+        for bore in &self.bores {
+            // Sets without nodes are noted where they are read.
+            let Ok(patterns) = patterns(&self.mesh, bore) else { continue };
+            self.spec.corrections.extend(patterns.into_iter().map(|own| own.load));
         }
     }
 
@@ -114,7 +150,7 @@ impl BodyPlan {
             internal_dofs: physical - retained,
             retained_dofs: retained,
             modes: self.spec.modes,
-            craig_bampton_dofs: self.spec.modes + retained,
+            craig_bampton_dofs: self.spec.modes + self.spec.corrections.len() + retained,
         }
     }
 
@@ -122,11 +158,13 @@ impl BodyPlan {
     pub(crate) fn active(&self) -> usize {
         let spec = &self.spec;
         let follows = usize::from(self.follows.is_some());
-        spec.modes + spec.retained.len() - spec.constraints.equations().len() - follows
+        spec.modes + spec.corrections.len() + spec.retained.len()
+            - spec.constraints.equations().len()
+            - follows
     }
 
     /// An error of the reduction, at its place in the case or in the mesh's file.
-    pub(in crate::machine) fn explain(&self, error: Error) -> Failure {
+    pub(crate) fn explain(&self, error: Error) -> Failure {
         match error {
             Error::InvertedCells { .. } => meshes::inverted(&error),
             Error::Reduction(ReductionError::Mechanism { motions }) => self.free(&motions).into(),
@@ -349,6 +387,15 @@ impl BodyPlan {
         }
         all.push(retained);
         all.len() - 1
+    }
+
+    /// Nodes of the mesh that are these output nodes.
+    pub(in crate::machine) fn mesh_nodes(&self, places: &[usize]) -> Vec<usize> {
+        let node = |&place: &usize| match self.points[place] {
+            Point::Node(node) => Some(self.spec.nodes[node]),
+            Point::OnMean(..) => None,
+        };
+        places.iter().filter_map(node).collect()
     }
 
     /// Where an output point is (m), undeformed.

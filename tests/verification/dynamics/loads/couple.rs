@@ -32,6 +32,7 @@ fn a_couple_twists_and_bends_a_shaft_and_turns_its_frame() {
         retained.push(Retained::mean(&last, motion, format!("last {motion:?}")));
     }
     let spec = BodySpec {
+        corrections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 10,

@@ -59,6 +59,7 @@ fn shaft() -> Shaft {
     let mut constraints = Constraints::new();
     constraints.fix("frame", 0);
     let spec = BodySpec {
+        corrections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 12,

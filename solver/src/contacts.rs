@@ -1,0 +1,97 @@
+//! How well a reduced body follows the loads that bearings bring to its bores: compliances under harmonics of the angle,
+//! reduced against full, and the loads whose static answers correct the reduction.
+
+use crate::body::BodySpec;
+use crate::error::Error;
+use crate::mesh::{Mesh, NodeSetMean};
+use crate::reduced::Reduced;
+use crate::reduction::Row;
+
+/// Harmonics of the angle, from 0 (the bore widens) and 1 (it is shifted) to 4.
+pub const HARMONICS: usize = 5;
+
+/// The nodes of a bore.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoreNodes {
+    /// What it is called.
+    pub name: String,
+    /// Nodes of the mesh, ring by ring; or all of a surface as one.
+    pub rings: Vec<Vec<usize>>,
+    /// x and y of its axis (m).
+    pub axis: [f64; 2],
+}
+
+/// A radial load on a bore, cos nψ or sin nψ around it: forces on dofs that sum to 1 N without sign, about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pattern {
+    /// n.
+    pub harmonic: usize,
+    /// Forces (N) on dofs.
+    pub load: Row,
+}
+
+/// The loads of all harmonics on each ring of a bore; a node has the part of its face's area.
+///
+/// # Errors
+/// As [`NodeSetMean::new`].
+pub fn patterns(mesh: &Mesh, bore: &BoreNodes) -> Result<Vec<Pattern>, Error> {
+    let mut patterns = Vec::new();
+    for ring in bore.rings.iter().filter(|ring| !ring.is_empty()) {
+        let mean = NodeSetMean::new(mesh, ring)?;
+        let nodes: Vec<(usize, f64, f64)> = mean
+            .nodes()
+            .iter()
+            .zip(mean.weights())
+            .map(|(&node, &weight)| {
+                let [x, y, _] = mesh.nodes()[node];
+                (node, weight, (y - bore.axis[1]).atan2(x - bore.axis[0]))
+            })
+            .collect();
+        for harmonic in 0..HARMONICS {
+            let shapes: &[fn(f64) -> f64] =
+                if harmonic == 0 { &[f64::cos] } else { &[f64::cos, f64::sin] };
+            for shape in shapes {
+                let load = nodes.iter().flat_map(|&(node, weight, angle)| {
+                    let force = weight * shape(harmonic as f64 * angle);
+                    let (sin, cos) = angle.sin_cos();
+                    [(3 * node, force * cos), (3 * node + 1, force * sin)]
+                });
+                patterns.push(Pattern { harmonic, load: load.collect() });
+            }
+        }
+    }
+    Ok(patterns)
+}
+
+/// Of each harmonic the largest part of the static compliance of a bore, by its own load and with what is retained held,
+/// that the reduced body lacks.
+///
+/// # Errors
+/// As the reduction of the mesh.
+pub fn lacking(
+    mesh: &Mesh,
+    spec: &BodySpec,
+    reduced: &Reduced,
+    bores: &[BoreNodes],
+) -> Result<Vec<[f64; HARMONICS]>, Error> {
+    let mut all = Vec::new();
+    for bore in bores {
+        all.push(patterns(mesh, bore)?);
+    }
+    let loads: Vec<Row> = all.iter().flatten().map(|pattern| pattern.load.clone()).collect();
+    let mut full = spec.compliances(mesh, &loads)?.into_iter();
+    let mut lacking = Vec::with_capacity(bores.len());
+    for (bore, patterns) in bores.iter().zip(&all) {
+        let mut worst = [0.0; HARMONICS];
+        for (pattern, full) in patterns.iter().zip(full.by_ref()) {
+            let has = reduced.modal_compliance(&pattern.load).ok_or_else(|| Error::Mesh {
+                origin: mesh.origin().to_owned(),
+                what: format!("the motion of the nodes of {} is not kept", bore.name),
+            })?;
+            let part = if full > 0.0 { ((full - has) / full).max(0.0) } else { 0.0 };
+            worst[pattern.harmonic] = f64::max(worst[pattern.harmonic], part);
+        }
+        lacking.push(worst);
+    }
+    Ok(lacking)
+}
