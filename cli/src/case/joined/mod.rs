@@ -178,6 +178,8 @@ pub(crate) struct Joint {
     pub(crate) sides: [Side; 2],
     /// Its law and what the case says of it; the sets are those of the sides.
     pub(crate) bearing: Bearing,
+    /// Whether its radial clearance is that which the meshes of both sides leave.
+    pub(crate) clearance_from_mesh: bool,
     /// Angle of the only spring of a stop on one side, rad.
     pub(crate) angle: Option<f64>,
     /// Of the journal at the left end, the middle and the right end, m.

@@ -6,11 +6,12 @@ use std::f64::consts::TAU;
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::Sides;
 use whirl_solver::mesh::MeanComponent;
+use whirl_solver::mesh::measure::Circle;
 use whirl_text::rounded;
 
 use super::bodies::retain_in_plane;
 use super::section::nodes_at;
-use super::{PlannedBody, at, meshed, surfaces, turns};
+use super::{PlannedBody, at, clearance, meshed, surfaces, turns};
 use crate::case::{self, JoinedMachine, Joint, JointKind, JointSide};
 use crate::machine::laws::Measured;
 use crate::machine::plan::BodyPlan;
@@ -37,6 +38,8 @@ pub(super) struct PlannedJoint {
     pub(super) bore: [Vec<usize>; 3],
     /// z of the left end, the middle and the right end, m.
     pub(super) z: [f64; 3],
+    /// The circles of journal and bore, where the meshes have both.
+    pub(super) circles: Option<[Circle; 2]>,
 }
 
 impl PlannedJoint {
@@ -135,7 +138,10 @@ pub(super) fn place(
         let help = "add `journal_radius = \"25 mm\"`, with the radius that the journal has";
         errors.push(name.error_here(Code::MISSING_KEY, message).help(help));
     }
-    Some(PlannedJoint { bearing, sides, axis: of_journal, journal, bore, z })
+    clearance::measure((joint, &sides), bodies, &mut bearing, errors)?;
+    let of_bearing = joint.kind == JointKind::Bearing;
+    let circles = clearance::circles(joint, bodies).filter(|_| of_bearing);
+    Some(PlannedJoint { bearing, sides, axis: of_journal, journal, bore, z, circles })
 }
 
 /// Warnings of a bushing that pushes away what moves, as a magnetic pull does: the symmetric part of its stiffness or of
