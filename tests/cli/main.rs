@@ -19,6 +19,7 @@ mod machines;
 mod messages;
 mod mutants;
 mod new;
+mod new_from_meshes;
 mod outputs;
 mod own_mesh;
 mod read_meshes;
