@@ -16,6 +16,7 @@ mod hostile;
 mod law_values;
 mod lost_work;
 mod machines;
+mod mesh_pictures;
 mod messages;
 mod mutants;
 mod new;

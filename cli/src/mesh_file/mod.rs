@@ -1,6 +1,7 @@
 //! `whirl mesh`: what is in a mesh file, with the lines by which a case uses it.
 
 mod open;
+mod picture;
 
 use std::fmt::Write;
 use std::path::Path;
@@ -26,6 +27,10 @@ macro_rules! line {
 /// A file that cannot be read, whatever is wrong with it, and units that are none.
 pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
     let path = arguments.file.display().to_string();
+    // Before the mesh is read.
+    if let Some(file) = &arguments.picture {
+        picture::kind(file)?;
+    }
     let Opened { mesh, format, units } = open(&arguments.file, arguments.units.as_deref())?;
     let mut text = String::new();
     let called = match format {
@@ -43,6 +48,9 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
     }
     say(&mut text, &mesh);
     lines(&mut text, &arguments.file, (&mesh, units.as_deref()));
+    if let Some(file) = &arguments.picture {
+        picture::draw(&mesh, &path, file)?;
+    }
     Ok(text)
 }
 
