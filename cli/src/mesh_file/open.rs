@@ -52,14 +52,17 @@ pub(crate) fn open(file: &Path, units: Option<&str>) -> Result<Opened, Failure> 
     let (units, found) = match given {
         Some((text, units)) => (Some(text), read(units)?),
         None => {
-            let found = read(MeshUnits::default())?;
-            match largest(&found.mesh) > LARGEST {
-                true => {
-                    let units = mesh_units(MILLIMETRES).unwrap_or_default();
-                    (Some(MILLIMETRES.to_owned()), read(units)?)
-                }
-                false => (None, found),
-            }
+            let in_millimetres = || read(mesh_units(MILLIMETRES).unwrap_or_default());
+            let found = match read(MeshUnits::default()) {
+                Ok(found) if largest(&found.mesh) <= LARGEST => Ok((None, found)),
+                Ok(_) => in_millimetres().map(|found| (Some(MILLIMETRES.to_owned()), found)),
+                // Materials may fit in the other system only. What is wrong in both is said of the first.
+                Err(failure) => match in_millimetres() {
+                    Ok(found) => Ok((Some(MILLIMETRES.to_owned()), found)),
+                    Err(_) => Err(failure),
+                },
+            };
+            found?
         }
     };
     found.warnings.iter().for_each(streams::warn);
