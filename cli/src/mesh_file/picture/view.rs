@@ -40,9 +40,13 @@ impl View {
             }
         }
         let scale = (width / (high[0] - low[0])).min(height / (high[1] - low[1]));
-        view.scale = if scale.is_finite() { scale } else { 1.0 };
         let middle = [left + 0.5 * width, top + 0.5 * height];
-        view.origin = [0, 1].map(|k| middle[k] - view.scale * 0.5 * (low[k] + high[k]));
+        view.origin = middle;
+        // Of nothing, and of a point, there is nothing to fit in.
+        if scale.is_finite() && scale > 0.0 {
+            view.scale = scale;
+            view.origin = [0, 1].map(|k| middle[k] - scale * 0.5 * (low[k] + high[k]));
+        }
         view
     }
 
@@ -82,4 +86,44 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOX: [f64; 4] = [10.0, 20.0, 200.0, 100.0];
+
+    #[test]
+    fn everything_is_in_its_box() {
+        let corners: Vec<[f64; 3]> =
+            (0..8).map(|k| [0, 1, 2].map(|axis| f64::from(k >> axis & 1) - 3.0)).collect();
+        let view = View::of(corners.iter(), BOX);
+        for [x, y, _] in corners.iter().map(|corner| view.seen(*corner)) {
+            assert!((10.0 - 1e-9..=210.0 + 1e-9).contains(&x), "{x}");
+            assert!((20.0 - 1e-9..=120.0 + 1e-9).contains(&y), "{y}");
+        }
+        // x is up, and z to the right and away from the viewer.
+        let [right, down, _] = view.direction([1.0, 0.0, 0.0]);
+        assert!(right.abs() < 1e-12 && down < -0.5);
+        let [right, _, towards] = view.direction([0.0, 0.0, 1.0]);
+        assert!(right > 0.5 && towards < 0.0);
+    }
+
+    #[test]
+    fn faces_that_look_away_have_no_brightness() {
+        let face = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let mut back = face;
+        back.reverse();
+        assert!(View::of(face.iter(), BOX).shade(&face).is_some_and(|own| own > 0.5));
+        assert_eq!(View::of(face.iter(), BOX).shade(&back), None);
+    }
+
+    #[test]
+    fn a_view_of_nothing_is_finite() {
+        let one = [[1.0, 2.0, 3.0]];
+        for view in [View::of([].iter(), BOX), View::of(one.iter(), BOX)] {
+            assert!(view.seen([0.0; 3]).iter().all(|own| own.is_finite()));
+        }
+    }
 }
