@@ -44,6 +44,9 @@ pub(crate) struct MeshArguments {
     /// Units of length, force and mass in the file, such as "mm, N, t"
     #[arg(long, value_name = "UNITS")]
     pub(crate) units: Option<String>,
+    /// Draw the surface of the mesh with its sets: FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
 }
 
 /// Arguments of `whirl run`.
@@ -103,9 +106,18 @@ pub(crate) struct ExplainArguments {
 pub(crate) struct NewArguments {
     /// What to begin
     pub(crate) kind: NewKind,
-    /// Its name: the file is NAME.toml
-    #[arg(value_name = "NAME")]
-    pub(crate) name: String,
+    /// Its name: the file is NAME.toml (`case`, if it is made from meshes and this is left out)
+    #[arg(value_name = "NAME", required_unless_present = "shaft")]
+    pub(crate) name: Option<String>,
+    /// The mesh of a shaft: writes a case of it and the mesh of its support, with bearings where both meet
+    #[arg(long, value_name = "FILE", requires = "support")]
+    pub(crate) shaft: Option<PathBuf>,
+    /// The mesh of the support
+    #[arg(long, value_name = "FILE", requires = "shaft")]
+    pub(crate) support: Option<PathBuf>,
+    /// Units of length, force and mass in both meshes, such as "mm, N, t" (by their size, if left out)
+    #[arg(long, value_name = "UNITS", requires = "shaft")]
+    pub(crate) units: Option<String>,
     /// Folder of the file
     #[arg(long, value_name = "DIR", default_value = ".", hide_default_value = true)]
     pub(crate) dir: PathBuf,

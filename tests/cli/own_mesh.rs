@@ -11,7 +11,7 @@ use crate::workbench::Workbench;
 const PAGE: &str = include_str!("../../docs/own-mesh.md");
 
 /// A folder with both meshes.
-fn bench() -> Workbench {
+pub(crate) fn bench() -> Workbench {
     let bench = Workbench::new();
     for name in ["rotor.msh", "housing.msh"] {
         let path =
@@ -64,6 +64,39 @@ fn the_case_of_the_page_runs_and_is_sound() {
         assert!(largest > 0.1 && largest.is_finite(), "{column}: {largest}");
     }
     assert!(bench.path("out/fields/housing.pvd").exists());
+}
+
+#[test]
+fn the_clearance_is_that_of_the_meshes() {
+    let bench = bench().file("case.toml", &case().replace("\"0.2 s\"", "\"0.001 s\""));
+    let outcome = bench.whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    for wanted in [
+        "bearing front: journal rotor, bore housing, c = 50 µm from mesh, law hu2003-nonlinear",
+        "measured on the meshes: journal of radius 10 mm (out of round by 0 µm), bore of radius 10.05 mm (out of round by 0 µm)",
+    ] {
+        assert!(outcome.stdout.contains(wanted), "{wanted}\nin\n{}", outcome.stdout);
+    }
+    let said =
+        bench.file("said.toml", &case().replace("from mesh", "50 um").replace("0.2 s", "0.001 s"));
+    for name in ["case", "said"] {
+        let run = ["run", &format!("{name}.toml"), "--no-figures", "--out", name];
+        let outcome = said.whirl(&run);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let summary = said.summary(name);
+        for joint in summary["supports"].as_array().expect("a list") {
+            let c = joint["clearance_um"].as_f64().expect("µm");
+            assert!((c / 50.0 - 1.0).abs() < 1e-8, "{c}");
+        }
+    }
+    // The same but for rounding of the coordinates.
+    let [a, b] = ["case", "said"].map(|name| said.history(name));
+    for column in ["RX_front_N", "EX_back_um"] {
+        let (a, b) = (a.column(column), b.column(column));
+        let largest = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let apart = a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+        assert!(apart <= 1e-6 * largest, "{column}: {apart} of {largest}");
+    }
 }
 
 #[test]

@@ -257,7 +257,7 @@ const SHORT: &str =
 
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 4] = [
-    "/body/chosen/turns=free /output/chosen/joint /fields/bodies rigid moves_along_z dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
+    "/body/chosen/turns=free /output/chosen/joint /fields/bodies rigid moves_along_z static_correction dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
      /body/chosen/stiffness /body/chosen/damping /body/chosen/speed /body/chosen/table acceleration held ground_spring \
      /joint/chosen/kind=bearing first second side gap /joint/chosen/stiffness /joint/chosen/damping \
      /joint/chosen/table tilting_stiffness tilting_damping axial_stiffness axial_damping",

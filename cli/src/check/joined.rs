@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
 use whirl_solver::bearing::MotionKind;
+use whirl_solver::mesh::measure::Circle;
 use whirl_text::rounded;
 
 use crate::case::{Attached, Carried, JoinedMachine, Joint, JointKind, SetParameter, Turning};
@@ -39,8 +40,17 @@ pub(super) fn say(
         turning(text, joined, built, &body.name, duration)?;
     }
     line!(text, "{} active coordinates", built.machine.active());
-    for (joint, law) in joined.joints.iter().zip(&plan.laws) {
-        line!(text, "{}", of_joint(joint, &law.name()));
+    for (place, (joint, law)) in joined.joints.iter().zip(&plan.laws).enumerate() {
+        let (c, circles) = plan.clearance(place);
+        line!(text, "{}", of_joint(joint, &law.name(), c));
+        if let Some([journal, bore]) = circles {
+            line!(
+                text,
+                "  measured on the meshes: journal of radius {}, bore of radius {}",
+                round(journal),
+                round(bore)
+            );
+        }
         let turns = |body: usize| joined.bodies[body].turning.is_some();
         let turning = joint.sides[1].body.filter(|body| turns(*body));
         if let Some(bore) = turning.filter(|_| law.damps_against_bore()) {
@@ -118,12 +128,19 @@ fn rpm(speed: f64) -> f64 {
     rounded(speed * 60.0 / TAU, 10)
 }
 
-fn of_joint(joint: &Joint, law: &str) -> String {
+/// Radius and roundness of a circle.
+fn round(circle: Circle) -> String {
+    let micrometres = (1e9 * circle.deviation).round() / 1e3;
+    format!("{} mm (out of round by {micrometres} µm)", rounded(1e3 * circle.radius, 8))
+}
+
+fn of_joint(joint: &Joint, law: &str, c: f64) -> String {
     let (kind, [first, second]) = joint.kind.words();
     let [a, b] = joint.sides.each_ref().map(|side| side.place.text());
     let clearance = match joint.kind {
-        JointKind::Bearing | JointKind::Stop if joint.bearing.radial_clearance != 0.0 => {
-            format!(", c = {} µm", rounded(1e6 * joint.bearing.radial_clearance, 10))
+        JointKind::Bearing | JointKind::Stop if c != 0.0 => {
+            let from = if joint.clearance_from_mesh { " from mesh" } else { "" };
+            format!(", c = {} µm{from}", rounded(1e6 * c, 10))
         }
         _ => String::new(),
     };

@@ -33,6 +33,7 @@ pub(crate) const NAMES: [&str; 8] = [
     "waterfall",
 ];
 
+pub(crate) use self::draw::png;
 pub(crate) use self::laws::{Curve, curves};
 
 /// Draws a law as `stem.svg` and `stem.png` into `output`.

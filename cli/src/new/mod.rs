@@ -1,5 +1,7 @@
 //! `whirl new`: a commented file to start from.
 
+mod from_meshes;
+
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -7,6 +9,7 @@ use std::path::{Path, PathBuf};
 use whirl_codegen::diagnostic::{Code, Diagnostic, Source};
 
 use crate::arguments::{NewArguments, NewKind};
+use crate::created::CreatedFolders;
 use crate::errors::Failure;
 
 /// Stands in the templates where the name belongs.
@@ -26,22 +29,50 @@ fn template(kind: NewKind) -> &'static str {
 /// # Errors
 /// A name that cannot be one, a file of this name that is there already, a folder that cannot be written.
 pub(crate) fn new(arguments: &NewArguments) -> Result<String, Failure> {
-    let NewArguments { kind, name, dir } = arguments;
+    let NewArguments { kind, dir, .. } = arguments;
+    let name = arguments.name.as_deref().unwrap_or("case");
     check_name(*kind, name)?;
     let file = format!("{name}.toml");
     // Shown without the folder where there is none.
     let path = if dir == Path::new(".") { PathBuf::from(file) } else { dir.join(file) };
-    let text = template(*kind).replace(NAME, name);
-    let failure = |reason: String| Failure::Output { path: path.clone(), reason };
+    let (text, decided) = match (&arguments.shaft, &arguments.support) {
+        (Some(_), Some(_)) if *kind != NewKind::Case => {
+            return Err(Failure::Argument {
+                message: "`--shaft` and `--support` are of `whirl new case`".to_owned(),
+                help: "leave them out, or write `whirl new case --shaft FILE --support FILE`"
+                    .to_owned(),
+            });
+        }
+        (Some(shaft), Some(support)) => {
+            // What is there already is said before meshes are read.
+            if path.exists() {
+                return Err(taken(&path));
+            }
+            from_meshes::case([shaft, support], arguments.units.as_deref(), dir)?
+        }
+        _ => (template(*kind).replace(NAME, name), String::new()),
+    };
+    write(&path, dir, &text)?;
+    Ok(format!("{}\n{decided}{}", path.display(), next(*kind, &path)))
+}
+
+/// Writes a file that is not there yet, all of it or nothing.
+fn write(path: &Path, dir: &Path, text: &str) -> Result<(), Failure> {
+    let failure = |reason: String| Failure::Output { path: path.to_path_buf(), reason };
+    let mut created = CreatedFolders::missing(dir);
     std::fs::create_dir_all(dir).map_err(|error| failure(error.to_string()))?;
     // Made anew or not at all: an older file is never written over, not even by two commands at once.
-    let mut file = match OpenOptions::new().write(true).create_new(true).open(&path) {
+    let mut file = match OpenOptions::new().write(true).create_new(true).open(path) {
         Ok(file) => file,
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => return Err(taken(&path)),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => return Err(taken(path)),
         Err(error) => return Err(failure(error.to_string())),
     };
-    file.write_all(text.as_bytes()).map_err(|error| failure(error.to_string()))?;
-    Ok(format!("{}\n{}", path.display(), next(*kind, &path)))
+    if let Err(error) = file.write_all(text.as_bytes()) {
+        let _ = std::fs::remove_file(path);
+        return Err(failure(error.to_string()));
+    }
+    created.keep();
+    Ok(())
 }
 
 /// What comes next.

@@ -7,6 +7,7 @@ use serde::Serialize;
 use whirl_solver::dynamics::{EnergyBalance, Outcome};
 use whirl_solver::machine::{Body, BodyPlace};
 use whirl_specs::{CLEARANCES, ELEMENTS};
+use whirl_text::rounded;
 
 use super::{OrderFacts, VerdictFacts, last_cycle, orders, oscillations};
 use crate::case::{Case, SupportName, System};
@@ -89,6 +90,8 @@ pub(crate) struct SupportSummary {
     /// Of a joint that has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     joint: Option<String>,
+    /// The radial clearance with which it was run.
+    clearance_um: f64,
     #[serde(rename = "RX_N")]
     pub(crate) rx: Statistics,
     #[serde(rename = "RY_N")]
@@ -117,6 +120,7 @@ impl SupportSummary {
     fn all(
         history: &HistoryFile,
         (supports, named): (&[SupportName], bool),
+        clearances: &[f64],
         cycle: f64,
     ) -> io::Result<Vec<Self>> {
         let names: Vec<String> = supports.iter().flat_map(SupportSummary::columns).collect();
@@ -138,6 +142,7 @@ impl SupportSummary {
         let of = |(place, own): (usize, &[Statistics])| SupportSummary {
             support: place + 1,
             joint: named.then(|| supports[place].title.clone()),
+            clearance_um: rounded(1e6 * clearances[place], 10),
             rx: own[0],
             ry: own[1],
             x: own[2],
@@ -261,7 +266,7 @@ impl Summary {
                 factorisations: outcome.factorisations,
                 halved_steps: outcome.halved_steps,
             },
-            supports: SupportSummary::all(history, (&supports, named), cycle)?,
+            supports: SupportSummary::all(history, (&supports, named), &built.clearances, cycle)?,
             orders: orders(history, &oscillations(case, &built.machine), cycle)?,
             cycle_s: cycle,
             cycle: case.march.cycle_called,

@@ -10,7 +10,7 @@ use whirl_codegen::units::Quantity;
 
 use super::fit::Room;
 use super::names::{self, GROUND};
-use super::schema;
+use super::schema::{self, FROM_MESH};
 use super::{Joint, JointKind, OtherLaw, Side, bushing};
 use crate::case::law::{self, NamedLaw};
 use crate::case::library::FileStore;
@@ -105,8 +105,19 @@ pub(super) fn read(
         places: table.places(),
     };
     let (name, sides) = (name.clone(), [journal, bore]);
-    let (others, table) = (parts.others, parts.table);
-    Some(Joint { name, kind, sides, bearing, others, table, angle, run_out, offset })
+    let (others, table, clearance_from_mesh) = (parts.others, parts.table, parts.from_mesh);
+    Some(Joint {
+        name,
+        kind,
+        sides,
+        bearing,
+        clearance_from_mesh,
+        others,
+        table,
+        angle,
+        run_out,
+        offset,
+    })
 }
 
 /// One side; the second one is the ground if it is left out.
@@ -157,6 +168,8 @@ pub(super) struct Parts {
     parameters: Vec<SetParameter>,
     facts: BearingFacts,
     clearance: f64,
+    /// Whether the meshes say the clearance.
+    from_mesh: bool,
     stations: Vec<f64>,
     angle: Option<f64>,
     others: Vec<OtherLaw>,
@@ -172,6 +185,7 @@ impl Parts {
             parameters,
             facts: BearingFacts::default(),
             clearance: 0.0,
+            from_mesh: false,
             stations: Vec::new(),
             angle: None,
             others: Vec::new(),
@@ -194,12 +208,23 @@ fn shipped(table: &Table, name: &str, parameters: Vec<SetParameter>) -> Option<P
 const OF_BEARING: Keys = Keys { clearance: "radial_clearance" };
 const OF_STOP: Keys = Keys { clearance: "gap" };
 
+/// Whether the clearance is to be measured on the meshes.
+fn is_from_mesh(table: &Table) -> bool {
+    let key = "radial_clearance";
+    let said = table.gives(key) && table.written(key).text().trim_matches(['"', '\'']) == FROM_MESH;
+    if said {
+        table.pass_over(key);
+    }
+    said
+}
+
 fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
     table.demand("law");
     let law = law::read(store, table);
     let parameters = parameters::read(table);
     let springs = table.optional_count("springs");
-    let clearance = table.exact_quantity("radial_clearance");
+    let from_mesh = is_from_mesh(table);
+    let clearance = if from_mesh { None } else { table.exact_quantity("radial_clearance") };
     let exactly = |quantity: Option<Quantity>| quantity.as_ref().map(parameters::exactly);
     let mut facts = BearingFacts {
         radial_clearance: clearance.as_ref().map(parameters::exactly),
@@ -222,10 +247,16 @@ fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
     }
     let before = table.errors();
     parameters::check(table, &law, &parameters, OF_BEARING, &mut facts);
+    if from_mesh && facts.radial_clearance.is_some() {
+        let message = "the `parameters` say the clearance of this bearing, which is to be measured on the meshes";
+        let help = "leave that parameter out: the law takes it from the bearing; or leave `radial_clearance` out";
+        table.push(table.written("parameters").error_here(Code::BAD_VALUE, message).help(help));
+    }
     (table.errors() == before).then(|| Parts {
         springs: springs.unwrap_or(1),
         facts,
         clearance: clearance.map_or(0.0, |clearance| clearance.si()),
+        from_mesh,
         stations,
         ..Parts::of_law(law, parameters)
     })

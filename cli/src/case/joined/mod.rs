@@ -190,6 +190,8 @@ pub(crate) struct Joint {
     pub(crate) others: Vec<OtherLaw>,
     /// The file of its coefficients over the speed, if a bushing has one.
     pub(crate) table: Option<Located>,
+    /// Whether its radial clearance is that which the meshes of both sides leave.
+    pub(crate) clearance_from_mesh: bool,
     /// Angle of the only spring of a stop on one side, rad.
     pub(crate) angle: Option<f64>,
     /// Of the journal at the left end, the middle and the right end, m.

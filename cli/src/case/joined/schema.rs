@@ -12,6 +12,8 @@ use crate::case::schema::{
     TILTING_STIFFNESS, TORQUE, TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
 };
 
+/// In place of a clearance: the radius of the bore less that of the journal, as the meshes have them.
+pub(crate) const FROM_MESH: &str = "from mesh";
 /// A place in the plane.
 const PLACE: Shape = Tuple(&POSITION, 2);
 /// One place for all planes, or one each at the left end, the middle and the right end.
@@ -147,7 +149,12 @@ pub(crate) const JOINT: &[Key] = &[
     key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
     key("springs", Count(3, MOST_SPRINGS), "in a ring, of a law that acts spring by spring")
         .like("24"),
-    key("radial_clearance", CLEARANCE, "of the undeformed bearing"),
+    key(
+        "radial_clearance",
+        Either(&[CLEARANCE, Words(&[FROM_MESH])]),
+        "of the undeformed bearing; or that which the meshes of journal and bore leave",
+    )
+    .like("\"35 um\""),
     key(
         "journal_radius",
         LENGTH,

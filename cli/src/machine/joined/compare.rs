@@ -7,7 +7,7 @@ use whirl_solver::mesh::Mesh;
 
 use super::PlannedBody;
 use super::joints::PlannedJoint;
-use super::{surfaces, turns};
+use super::{clearance, surfaces, turns};
 use crate::case::{JoinedMachine, JointKind};
 use crate::errors::Failure;
 use crate::machine::plan::BearingOutline;
@@ -24,6 +24,9 @@ pub(super) fn compare(
     for (place, (joint, own)) in joined.joints.iter().zip(joints).enumerate() {
         if !matches!(joint.kind, JointKind::Bearing | JointKind::Stop) {
             continue;
+        }
+        if let Some(circles) = own.circles {
+            clearance::warn(joint, circles, warnings);
         }
         if joint.sides.iter().any(|side| side.surface) {
             surfaces::compare(joint, own, bodies, warnings, errors);

@@ -2,9 +2,11 @@
 
 mod attached;
 mod bodies;
+mod clearance;
 mod compare;
 mod joints;
 mod others;
+mod planes;
 mod pushing;
 mod section;
 mod surfaces;
@@ -16,6 +18,7 @@ use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
 use whirl_solver::bodies::Rotation;
 use whirl_solver::dynamics::BodyStart;
 use whirl_solver::loads::Release;
+use whirl_solver::mesh::measure::Circle;
 use whirl_solver::model::{Attachment, BodyModel, Form, Model, Place};
 use whirl_solver::schedule::Schedule;
 
@@ -24,7 +27,7 @@ use self::joints::PlannedJoint;
 use super::described::Described;
 use super::laws::laws_of;
 use super::plan::geometry;
-use super::springs::{Laws, angles, clearance};
+use super::springs::{self, Laws, angles};
 use super::{forces, outputs, rotor};
 use crate::case::{self, Fields, JoinedMachine, LawSource, Output, Turning};
 use crate::errors::Failure;
@@ -117,6 +120,12 @@ impl JoinedPlan {
         Ok(JoinedPlan { bodies, attached, joints, drives, loads, outputs, fields, laws })
     }
 
+    /// Radial clearance of a joint (m), and the circles of journal and bore where the meshes have both.
+    pub(crate) fn clearance(&self, joint: usize) -> (f64, Option<[Circle; 2]>) {
+        let own = &self.joints[joint];
+        (own.bearing.radial_clearance, own.circles)
+    }
+
     /// Checks for what would keep the bodies from being reduced, without reducing them.
     ///
     /// # Errors
@@ -201,7 +210,7 @@ pub(super) fn describe<'a>(
         model: Model {
             bodies,
             motion: joined.motion,
-            clearance: clearance(),
+            clearance: springs::clearance(),
             laws: laws.into_laws(),
             bearings,
             loads: loads.chain(drives).collect(),

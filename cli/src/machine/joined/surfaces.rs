@@ -4,14 +4,13 @@ use std::collections::HashMap;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::bearing::BoreSurface;
-use whirl_solver::mesh::measure::circle;
 use whirl_solver::mesh::{MeanComponent, Surface};
 
-use super::PlannedBody;
 use super::joints::PlannedJoint;
+use super::{PlannedBody, clearance};
 use crate::case::Joint;
 use crate::machine::plan::BodyPlan;
-use crate::machine::plan::geometry::{mm, nodes_of};
+use crate::machine::plan::geometry::mm;
 
 /// z of both ends of a surface; an error where the set has no faces.
 pub(super) fn ends(
@@ -126,15 +125,8 @@ pub(super) fn compare(
     let c = planned.bearing.radial_clearance;
     let mut radii = Vec::new();
     for (place, side) in joint.sides.iter().enumerate() {
-        let (Some(PlannedBody::Meshed(plan)), [set]) =
-            (side.body.map(|body| &bodies[body]), side.sets.as_slice())
-        else {
-            continue;
-        };
-        let Some(nodes) = nodes_of(&plan.mesh, set).filter(|_| side.surface) else { continue };
-        let points: Vec<[f64; 2]> =
-            nodes.iter().map(|&node| plan.mesh.nodes()[node]).map(|[x, y, _]| [x, y]).collect();
-        let Some(found) = circle(&points) else { continue };
+        let (true, [set]) = (side.surface, side.sets.as_slice()) else { continue };
+        let Some(found) = clearance::circle_of(side, bodies) else { continue };
         radii.push(found.radius);
         // What a case says of an offset may be drawn in the mesh, or not.
         let axes = match place {

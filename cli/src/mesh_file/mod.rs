@@ -1,20 +1,18 @@
 //! `whirl mesh`: what is in a mesh file, with the lines by which a case uses it.
 
+mod open;
+mod picture;
+
 use std::fmt::Write;
-use std::fs;
 use std::path::Path;
 
-use whirl_solver::mesh::format::{self, Format, MeshUnits, ReadOptions};
-use whirl_solver::mesh::{Cylinder, Mesh};
-use whirl_specs::ELEMENTS;
-use whirl_text::rounded;
+use whirl_solver::mesh::Mesh;
+use whirl_solver::mesh::format::Format;
 
+pub(crate) use self::open::{Opened, body_name, bounds, mm, named, open};
 use crate::arguments::MeshArguments;
-use crate::case::mesh_units;
 use crate::errors::Failure;
-use crate::machine::placed_errors;
 use crate::report::table;
-use crate::streams;
 
 /// Adds a line to a text.
 macro_rules! line {
@@ -23,47 +21,17 @@ macro_rules! line {
     };
 }
 
-/// No machine is larger (m): numbers that are, are millimetres.
-const LARGEST: f64 = 20.0;
-/// What a file in millimetres is taken for.
-const MILLIMETRES: &str = "mm, N, t";
-
 /// Reads a mesh file and says what is in it.
 ///
 /// # Errors
 /// A file that cannot be read, whatever is wrong with it, and units that are none.
 pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
     let path = arguments.file.display().to_string();
-    let bytes = fs::read(&arguments.file).map_err(|error| Failure::Argument {
-        message: format!("cannot read `{path}`: {error}"),
-        help: "name a mesh file, such as `rotor.msh`, `housing.inp` or `casing.bdf`".to_owned(),
-    })?;
-    let format = Format::of(&bytes, &path);
-    let given = arguments.units.as_deref().map(|text| {
-        let wrong = |(message, help)| Failure::Argument { message, help };
-        mesh_units(text).map(|units| (text.to_owned(), units)).map_err(wrong)
-    });
-    let given = given.transpose()?;
-    let read = |units: MeshUnits| {
-        let elements: Vec<_> = ELEMENTS.iter().collect();
-        let options = ReadOptions { elements: &elements, open: true, units };
-        let read = format::read(bytes.clone(), &path, &options);
-        read.map_err(|errors| Failure::from(placed_errors(&errors)))
-    };
-    let (units, found) = match given {
-        Some((text, units)) => (Some(text), read(units)?),
-        None => {
-            let found = read(MeshUnits::default())?;
-            match largest(&found.mesh) > LARGEST {
-                true => {
-                    let units = mesh_units(MILLIMETRES).unwrap_or_default();
-                    (Some(MILLIMETRES.to_owned()), read(units)?)
-                }
-                false => (None, found),
-            }
-        }
-    };
-    found.warnings.iter().for_each(streams::warn);
+    // Before the mesh is read.
+    if let Some(file) = &arguments.picture {
+        picture::kind(file)?;
+    }
+    let Opened { mesh, format, units } = open(&arguments.file, arguments.units.as_deref())?;
     let mut text = String::new();
     let called = match format {
         Format::Inp => "Abaqus or CalculiX input",
@@ -78,32 +46,12 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
         (Some(units), Some(_)) => line!(text, "units: \"{units}\""),
         (None, _) => line!(text, "units: m, N, kg, by its size; else give `--units`"),
     }
-    say(&mut text, &found.mesh);
-    lines(&mut text, &arguments.file, (&found.mesh, units.as_deref()));
-    Ok(text)
-}
-
-/// The longest side of the box around a mesh (m).
-fn largest(mesh: &Mesh) -> f64 {
-    let [low, high] = bounds(mesh.nodes().iter());
-    (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max)
-}
-
-/// Corners of the box around nodes (m).
-fn bounds<'a>(nodes: impl Iterator<Item = &'a [f64; 3]>) -> [[f64; 3]; 2] {
-    let mut ends = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    for node in nodes {
-        for k in 0..3 {
-            ends[0][k] = ends[0][k].min(node[k]);
-            ends[1][k] = ends[1][k].max(node[k]);
-        }
+    say(&mut text, &mesh);
+    lines(&mut text, &arguments.file, (&mesh, units.as_deref()));
+    if let Some(file) = &arguments.picture {
+        picture::draw(&mesh, &path, file)?;
     }
-    ends
-}
-
-/// A length in mm.
-fn mm(x: f64) -> String {
-    rounded(1e3 * x, 6).to_string()
+    Ok(text)
 }
 
 /// Nodes, cells, sets, materials, quality.
@@ -167,9 +115,7 @@ fn lines(text: &mut String, file: &Path, (mesh, units): (&Mesh, Option<&str>)) {
             line!(text, "{}", table(&rows).trim_end());
         }
     }
-    let name = file.file_stem().map_or("part".into(), |stem| stem.to_string_lossy());
-    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
-    let name: String = name.chars().map(|c| if plain(c) { c } else { '_' }).collect();
+    let name = body_name(file);
     line!(text, "\nIn a case:\n\n[body.{name}]");
     line!(text, "mesh = {:?}", file.display().to_string());
     if let Some(units) = units {
@@ -183,15 +129,4 @@ fn lines(text: &mut String, file: &Path, (mesh, units): (&Mesh, Option<&str>)) {
         line!(text, "radius = \"{} mm\"", mm(own.radius));
         line!(text, "z = [\"{} mm\", \"{} mm\"]", mm(own.z[0]), mm(own.z[1]));
     }
-}
-
-/// Names for cylinders.
-fn named(cylinders: &[Cylinder]) -> impl Iterator<Item = (String, &Cylinder)> {
-    let (mut holes, mut outsides) = (0, 0);
-    cylinders.iter().map(move |own| {
-        let (word, count) =
-            if own.hollow { ("BORE", &mut holes) } else { ("JOURNAL", &mut outsides) };
-        *count += 1;
-        (format!("{word}_{count}"), own)
-    })
 }
