@@ -272,7 +272,7 @@ const NAMED: [&str; 4] = [
      /body/chosen/speed /body/chosen/table acceleration initial_speed section stiffening /joint/chosen/kind=bushing journal bore /joint/chosen/table \
      /joint/chosen/law parameters /joint/chosen/springs radial_clearance journal_radius \
      /joint/chosen/length stations run_out offset side gap /march/duration /loads/chosen/couple /loads/chosen/order",
-    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh units dimensions rigid /body/chosen/material regions /body/chosen/sets modes held ground_spring \
+    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh units dimensions rigid /body/chosen/material regions /body/chosen/sets modes static_correction held ground_spring \
      axial_restraint section stiffening polar_inertia /body/chosen/speed /body/chosen/table acceleration initial_speed \
      /joint/chosen/kind=coupling journal bore /joint/chosen/law parameters /joint/chosen/springs \
      radial_clearance journal_radius /joint/chosen/length stations run_out offset side gap \
