@@ -25,7 +25,7 @@ fn a_case_of_two_meshes_is_checked_and_runs() {
         "bearing_2: JOURNAL_5 of rotor (radius 10 mm) in BORE_2 of housing (10.05 mm), z 80 to 100 mm",
         "guessed: rotor.msh is in \"mm, N, t\", by its size",
         "guessed: housing is of steel, where its mesh has no material",
-        "guessed: housing is held at its end, z = -5 mm (FOOT)",
+        "guessed: housing is held at its lower side, x = -30 mm (FOOT)",
         "whirl check case.toml",
     ] {
         assert!(outcome.stdout.contains(wanted), "{wanted}\nin\n{}", outcome.stdout);

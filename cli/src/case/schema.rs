@@ -143,6 +143,11 @@ pub(super) const SELECTION: &[Key] = &[
     key("point", Tuple(&POSITION, 3), "nodes near it").like("[\"0 mm\", \"0 mm\", \"100 mm\"]"),
     key("plane", POSITION, "z of faces across the axis: their nodes"),
     key(
+        "across",
+        Words(&["x", "y", "z"]),
+        "of a plane: the axis across which it stands, and on which its place is; z if left out",
+    ),
+    key(
         "within",
         LENGTH,
         "how far nodes may be from it: 1 % of the radius, 0.01 mm from a plane if left out",

@@ -43,11 +43,21 @@ fn one(name: Located, own: &Table) -> Option<NamedSelection> {
             own.push(own.written(key).error_here(Code::BAD_VALUE, message).help(help));
         }
     }
+    let across = match own.optional_word("across") {
+        Some("x") => 0,
+        Some("y") => 1,
+        _ => 2,
+    };
+    if own.gives("across") && !own.gives("plane") {
+        let message = "`across` is of a plane";
+        let help = "take it out, or add the `plane`";
+        own.push(own.written("across").error_here(Code::BAD_VALUE, message).help(help));
+    }
     match given[..] {
         [_] => {}
         [] => {
             let help = "add `radius = \"20 mm\"` for a cylinder, `point = [\"0 mm\", \"0 mm\", \"100 mm\"]` for nodes near \
-                        it, or `plane = \"0 mm\"` for faces across the axis";
+                        it, or `plane = \"0 mm\"` for faces across the axis (with `across = \"x\"` across x)";
             own.absent("radius", help);
             return None;
         }
@@ -65,7 +75,7 @@ fn one(name: Located, own: &Table) -> Option<NamedSelection> {
         }
         Selection::Point { at, within: within? }
     } else {
-        Selection::Plane { z: plane?, within: within.unwrap_or(FLAT) }
+        Selection::Plane { across, at: plane?, within: within.unwrap_or(FLAT) }
     };
     Some(NamedSelection { name, selection, about_axis: !own.gives("centre") })
 }

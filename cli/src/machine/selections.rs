@@ -3,6 +3,7 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::mesh::{Mesh, Selection};
 
+use super::plan::AXES;
 use super::plan::geometry::mm;
 use crate::case::NamedSelection;
 use crate::errors::Failure;
@@ -90,13 +91,14 @@ fn nothing(mesh: &Mesh, selection: &Selection) -> (String, String) {
             });
             (message, help)
         }
-        Selection::Plane { z, within } => {
-            let along = || mesh.nodes().iter().map(|node| node[2]);
-            let nearest = along().min_by(|a, b| (a - z).abs().total_cmp(&(b - z).abs()));
+        Selection::Plane { across, at, within } => {
+            let along = || mesh.nodes().iter().map(|node| node[across]);
+            let nearest = along().min_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()));
+            let axis = AXES[across];
             let message =
-                format!("no face of {origin} is in the plane z = {} ± {}", mm(z), mm(within));
+                format!("no face of {origin} is in the plane {axis} = {} ± {}", mm(at), mm(within));
             let help = format!(
-                "the mesh reaches from z = {} to {}; its nodes nearest to the plane are at z = {}",
+                "the mesh reaches from {axis} = {} to {}; its nodes nearest to the plane are at {axis} = {}",
                 mm(along().fold(f64::INFINITY, f64::min)),
                 mm(along().fold(f64::NEG_INFINITY, f64::max)),
                 mm(nearest.unwrap_or(0.0))

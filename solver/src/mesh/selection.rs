@@ -26,10 +26,12 @@ pub enum Selection {
         /// How far from it (m).
         within: f64,
     },
-    /// Of the faces in a plane across z.
+    /// Of the faces in a plane across an axis.
     Plane {
-        /// z (m).
-        z: f64,
+        /// 0 x, 1 y, 2 z.
+        across: usize,
+        /// Where on it (m).
+        at: f64,
         /// How far nodes may be from it (m).
         within: f64,
     },
@@ -65,12 +67,12 @@ impl Mesh {
                 let square: f64 = (0..3).map(|k| (node[k] - at[k]).powi(2)).sum();
                 square <= within * within
             }
-            Selection::Plane { z, within } => (node[2] - z).abs() <= within,
+            Selection::Plane { across, at, within } => (node[across] - at).abs() <= within,
         };
         let inside: Vec<bool> = self.nodes().iter().map(near).collect();
-        let normal_fits = |[radial, axial]: [f64; 2]| match selection {
-            Selection::Cylinder { .. } => radial.abs() >= ALONG,
-            Selection::Plane { .. } => axial.abs() >= ALONG,
+        let fits = |face: &SeenFace| match *selection {
+            Selection::Cylinder { .. } => face.radial.abs() >= ALONG,
+            Selection::Plane { across, .. } => face.normal[across].abs() >= ALONG,
             Selection::Point { .. } => true,
         };
         let centre = match *selection {
@@ -81,7 +83,7 @@ impl Mesh {
             Selection::Point { .. } => (0..inside.len()).filter(|&node| inside[node]).collect(),
             _ => {
                 let faces = self.surface_within(&inside);
-                let fit = faces.iter().filter(|face| normal_fits(self.seen(face, centre).normal));
+                let fit = faces.iter().filter(|face| fits(&self.seen(face, centre)));
                 fit.flat_map(SurfaceFace::nodes).collect()
             }
         };
@@ -107,14 +109,14 @@ impl Mesh {
         let faces = faces.iter().map(|face| (self.seen(face, centre), face));
         // All nodes of a face on a cylinder are as far from the axis.
         let round = |(own, _): &(SeenFace, &SurfaceFace)| {
-            own.normal[0].abs() >= ALONG && own.spread <= SAME * own.radius
+            own.radial.abs() >= ALONG && own.spread <= SAME * own.radius
         };
         let faces: Vec<(SeenFace, &SurfaceFace)> = faces.filter(round).collect();
         let mut known: HashMap<(usize, bool), Vec<usize>> = HashMap::new();
         let mut pairs = Vec::new();
         for (place, (own, face)) in faces.iter().enumerate() {
             for node in face.nodes() {
-                let others = known.entry((node, own.normal[0] < 0.0)).or_default();
+                let others = known.entry((node, own.radial < 0.0)).or_default();
                 let same = |&&other: &&usize| {
                     (faces[other].0.radius - own.radius).abs() <= SAME * own.radius
                 };
@@ -126,7 +128,7 @@ impl Mesh {
         let parts = connected(faces.len(), pairs);
         for ((own, face), part) in faces.iter().zip(parts) {
             let (cylinder, count, nodes) = found.entry(part).or_insert_with(|| {
-                let hollow = own.normal[0] < 0.0;
+                let hollow = own.radial < 0.0;
                 (Cylinder { radius: 0.0, z: own.z, hollow }, 0.0, BTreeSet::new())
             });
             *count += 1.0;
@@ -165,7 +167,8 @@ impl Mesh {
             radius: 0.5 * (low[0] + high[0]),
             spread: high[0] - low[0],
             z: [low[1], high[1]],
-            normal: [radial, normal[2]],
+            normal,
+            radial,
         }
     }
 }
@@ -176,6 +179,7 @@ struct SeenFace {
     /// Largest less smallest distance of its nodes from the axis.
     spread: f64,
     z: [f64; 2],
-    /// Parts of its outward unit normal along the radius and along z.
-    normal: [f64; 2],
+    /// Its outward unit normal, and the part of it along the radius.
+    normal: [f64; 3],
+    radial: f64,
 }

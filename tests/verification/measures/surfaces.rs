@@ -130,11 +130,17 @@ fn cylinders_and_sets_are_found_where_they_are() {
         };
         let half = ring.selected(&half);
         assert!(half.iter().all(|&node| on(node, OUTER) && ring.nodes()[node][2] > 0.49 * LENGTH));
-        let end = ring.selected(&Selection::Plane { z: LENGTH, within: 1e-9 });
+        let end = ring.selected(&Selection::Plane { across: 2, at: LENGTH, within: 1e-9 });
         let at_end = (0..ring.nodes().len()).filter(|&node| ring.nodes()[node][2] == LENGTH);
         assert_eq!(end, at_end.collect::<Vec<_>>(), "{}", element.origin.name);
+        // Across x the ring has no flat side.
+        let side = Selection::Plane { across: 0, at: 0.1 + OUTER, within: 1e-9 };
+        assert!(ring.selected(&side).is_empty());
         // A section within is no surface.
-        assert!(ring.selected(&Selection::Plane { z: 0.5 * LENGTH, within: 1e-9 }).is_empty());
+        assert!(
+            ring.selected(&Selection::Plane { across: 2, at: 0.5 * LENGTH, within: 1e-9 })
+                .is_empty()
+        );
         let at = ring.nodes()[7];
         assert!(ring.selected(&Selection::Point { at, within: 1e-9 }).contains(&7));
         let found = ring.cylinders([0.1, -0.2]);
@@ -143,5 +149,22 @@ fn cylinders_and_sets_are_found_where_they_are() {
         assert!(hollow && !outside.hollow);
         near(&[radius, z[0], z[1]], &[INNER, 0.0, LENGTH], 1e-9);
         near(&[outside.radius, outside.z[0], outside.z[1]], &[OUTER, 0.0, LENGTH], 1e-9);
+    }
+}
+
+#[test]
+fn a_plane_may_stand_across_any_axis() {
+    let sides = [0.04, 0.06, 0.3];
+    let mesh = super::beam([2, 3, 5], sides);
+    for across in 0..3 {
+        let low = if across == 2 { 0.0 } else { -0.5 * sides[across] };
+        for at in [low, low + sides[across]] {
+            let found = mesh.selected(&Selection::Plane { across, at, within: 1e-9 });
+            let on = |node: &usize| (mesh.nodes()[*node][across] - at).abs() < 1e-9;
+            let want: Vec<usize> = (0..mesh.nodes().len()).filter(on).collect();
+            assert_eq!(found, want, "{across}");
+        }
+        let middle = low + 0.5 * sides[across];
+        assert!(mesh.selected(&Selection::Plane { across, at: middle, within: 1e-9 }).is_empty());
     }
 }

@@ -37,8 +37,8 @@ impl Part {
 enum Held {
     /// By a node set of its mesh.
     Set(String),
-    /// By its faces in a plane across the axis, at this z (m).
-    Plane(f64),
+    /// By its faces in a plane across x (0) or z (2), at this place (m).
+    Plane(usize, f64),
 }
 
 /// What a case says, before it is written.
@@ -114,7 +114,8 @@ const FLAT: f64 = 1e-5;
 /// The other end is taken where it has so many times the nodes.
 const LARGER: usize = 2;
 
-/// What may hold the support: a set that is called so, or an end of it that is no end of a bore.
+/// What may hold the support: a set that is called so, its lower side (x is up), or an end of it; no plane with an end of a
+/// bore.
 fn held(mesh: &Mesh, axis: [f64; 2], meetings: &[Meeting]) -> Option<Held> {
     let by_name = |(name, nodes): &(&String, &Vec<usize>)| {
         let name = name.to_ascii_uppercase();
@@ -129,13 +130,17 @@ fn held(mesh: &Mesh, axis: [f64; 2], meetings: &[Meeting]) -> Option<Held> {
     });
     let bores: BTreeSet<usize> = bores.collect();
     let [low, high] = bounds(mesh.nodes().iter());
-    let [lower, upper] = [low[2], high[2]].map(|z| {
-        let nodes = mesh.selected(&Selection::Plane { z, within: FLAT });
+    let nodes_at = |across: usize, at: f64| {
+        let nodes = mesh.selected(&Selection::Plane { across, at, within: FLAT });
         let free = nodes.len() > 2 && !nodes.iter().any(|node| bores.contains(node));
-        (z, if free { nodes.len() } else { 0 })
-    });
+        if free { nodes.len() } else { 0 }
+    };
+    if nodes_at(0, low[0]) > 0 {
+        return Some(Held::Plane(0, low[0]));
+    }
+    let [lower, upper] = [low[2], high[2]].map(|z| (z, nodes_at(2, z)));
     let chosen = if upper.1 > LARGER * lower.1 { upper } else { lower };
-    (chosen.1 > 0).then_some(Held::Plane(chosen.0))
+    (chosen.1 > 0).then_some(Held::Plane(2, chosen.0))
 }
 
 /// The path of a file as a case in a folder names it.

@@ -112,18 +112,24 @@ fn standing(text: &mut String, draft: &Draft) {
         Some(Held::Set(set)) => {
             line!(text, "held = [{}]                        # by its name: guessed", quoted(set))
         }
-        Some(Held::Plane(_)) => line!(text, "held = [{FOOT:?}]                        # guessed"),
+        Some(Held::Plane(..)) => line!(text, "held = [{FOOT:?}]                        # guessed"),
         None => line!(
             text,
             "# held = [\"SET\"]                        # the node sets at which it is fixed"
         ),
     }
-    if let Some(Held::Plane(z)) = &draft.held {
-        line!(
-            text,
-            "\n[body.{name}.sets.{FOOT}]                # faces across the axis\nplane = {}",
-            length(*z)
-        );
+    if let Some(Held::Plane(across, at)) = draft.held {
+        let place = length(at);
+        match across {
+            0 => line!(
+                text,
+                "\n[body.{name}.sets.{FOOT}]                # faces at its lower side\nplane = {place}\nacross = \"x\""
+            ),
+            _ => line!(
+                text,
+                "\n[body.{name}.sets.{FOOT}]                # faces across the axis\nplane = {place}"
+            ),
+        }
     }
     sets(text, name, &draft.meetings, 1);
 }
@@ -190,8 +196,14 @@ pub(super) fn decided(draft: &Draft) -> String {
     }
     match &draft.held {
         Some(Held::Set(set)) => line!(text, "guessed: {} is held at its set {set}", support.name),
-        Some(Held::Plane(z)) => {
-            line!(text, "guessed: {} is held at its end, z = {} mm ({FOOT})", support.name, mm(*z));
+        Some(Held::Plane(across, at)) => {
+            let what = if *across == 0 { "lower side, x" } else { "end, z" };
+            line!(
+                text,
+                "guessed: {} is held at its {what} = {} mm ({FOOT})",
+                support.name,
+                mm(*at)
+            );
         }
         None => {
             line!(text, "to fill in: `held` of {}, the sets at which it is fixed", support.name)
