@@ -156,15 +156,15 @@ fn cylinders_and_sets_are_found_where_they_are() {
 fn a_plane_may_stand_across_any_axis() {
     let sides = [0.04, 0.06, 0.3];
     let mesh = super::beam([2, 3, 5], sides);
-    for across in 0..3 {
-        let low = if across == 2 { 0.0 } else { -0.5 * sides[across] };
-        for at in [low, low + sides[across]] {
+    for (across, side) in sides.into_iter().enumerate() {
+        let low = if across == 2 { 0.0 } else { -0.5 * side };
+        for at in [low, low + side] {
             let found = mesh.selected(&Selection::Plane { across, at, within: 1e-9 });
             let on = |node: &usize| (mesh.nodes()[*node][across] - at).abs() < 1e-9;
             let want: Vec<usize> = (0..mesh.nodes().len()).filter(on).collect();
             assert_eq!(found, want, "{across}");
         }
-        let middle = low + 0.5 * sides[across];
+        let middle = low + 0.5 * side;
         assert!(mesh.selected(&Selection::Plane { across, at: middle, within: 1e-9 }).is_empty());
     }
 }
