@@ -60,7 +60,7 @@ fn displacement(
     let forces = &reduction.shapes.apply_transpose(&load)[modes..];
     let mut active = transform.apply_transpose(forces);
     let mut stiffness = congruence(&condensed, &transform).symmetric_part();
-    support(&mut stiffness, &transform, &free, retained)?;
+    support(&mut stiffness, (&transform, &free), retained, stiffness_of_a_dof(body))?;
     if !active.is_empty() {
         let mut factor = Cholesky::new(active.len());
         factor.factor(&stiffness.data).map_err(failed)?;
@@ -111,12 +111,19 @@ fn balanced(load: &[f64], free: &Matrix, body: &Assembled) -> Result<Vec<f64>, E
     Ok(balanced)
 }
 
-/// Adds stiffness against the free motions, as much as the body's own: of a load in balance they carry nothing.
+/// The mean stiffness of a dof with all others held (N/m).
+fn stiffness_of_a_dof(body: &Assembled) -> f64 {
+    let diagonal = body.stiffness.lower().map(|lower| lower.diagonal()).unwrap_or_default();
+    diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64
+}
+
+/// Adds stiffness against the free motions, `own` as that of a dof: of a load in balance they carry nothing. What the
+/// retained dofs have themselves may be rounding, where they hold the body as a table stands on three legs.
 fn support(
     stiffness: &mut Matrix,
-    transform: &Matrix,
-    free: &Matrix,
+    (transform, free): (&Matrix, &Matrix),
     retained: &[Row],
+    own: f64,
 ) -> Result<(), Error> {
     if free.cols == 0 || stiffness.rows == 0 {
         return Ok(());
@@ -131,9 +138,8 @@ fn support(
     factor.factor(&gram.data).map_err(failed)?;
     factor.solve_in_place(&mut coordinates.data);
     let n = stiffness.rows;
-    let mean = (0..n).map(|i| stiffness[(i, i)]).sum::<f64>() / n as f64;
     for motion in coordinates.data.chunks_exact(n) {
-        let scale = mean / dot(motion, motion);
+        let scale = own / dot(motion, motion);
         for j in 0..n {
             for i in 0..n {
                 stiffness[(i, j)] += scale * motion[i] * motion[j];
