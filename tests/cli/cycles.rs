@@ -107,3 +107,19 @@ fn a_rotor_driven_over_its_speed_has_a_cycle_in_either_form() {
         assert_eq!(cycle(&bench, name), (0.026667, "a cycle of two revolutions".to_owned()));
     }
 }
+
+/// A rotor that only its start turns has the speed of its start, and a load over two of its revolutions that cycle.
+#[test]
+fn a_rotor_that_no_couple_turns_has_a_cycle_by_its_start() {
+    let case = "title = \"x\"\n[body.rotor]\nturns = \"free\"\ninitial_speed = \"1000 rpm\"\nmass = \"10 kg\"\n\
+                polar_inertia = \"0.1 kg*m^2\"\n[joint.m]\nkind = \"bushing\"\nfirst = { body = \"rotor\" }\n\
+                stiffness = { xx = \"1e6 N/m\", yy = \"1e6 N/m\" }\n[loads.half]\nbody = \"rotor\"\nforce = \"10 N\"\n\
+                order = 0.5\n[march]\ntime_step = \"2e-4 s\"\nsteps = 3000\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let said = bench.whirl(&["check", "case.toml"]).stdout;
+    assert!(said.contains("a cycle is 0.120000 s"), "{said}");
+    let driven = "[drives.brake]\nbody = \"rotor\"\ntorque = \"-1 N*m\"\ntarget_speed = \"-500 rpm\"\n[march]";
+    let bench = Workbench::new().file("case.toml", &case.replace("[march]", driven));
+    let said = bench.whirl(&["check", "case.toml"]).stdout;
+    assert!(said.contains("a cycle is 0.240000 s"), "{said}");
+}

@@ -372,8 +372,8 @@ impl JoinedMachine {
         aims.map(|drive| drive.couple.target_speed.abs()).fold(given.abs(), f64::max)
     }
 
-    /// Speeds that bodies have in the end: those that drives aim at, and that are prescribed and constant, or
-    /// the last ones of a table (rad/s).
+    /// Speeds that bodies have in the end: those that drives aim at, that are prescribed and constant or the last ones of a
+    /// table, and those with which bodies start that no couple acts on (rad/s).
     pub(super) fn constant_speeds(&self) -> Vec<f64> {
         (0..self.bodies.len()).filter_map(|body| self.constant_speed(body)).collect()
     }
@@ -387,8 +387,24 @@ impl JoinedMachine {
         match &self.bodies[body].turning {
             Some(Turning::Prescribed { speed, acceleration: 0.0 }) => Some(*speed),
             Some(Turning::Table(columns)) => columns.rows.last().map(|row| row[1]),
+            Some(Turning::Free { initial_speed }) => aims()
+                .or_else(|| initial_speed.filter(|speed| *speed != 0.0 && !self.is_turned(body))),
             _ => aims(),
         }
+    }
+
+    /// Whether a couple acts on a body that turns freely: of a drive, of a load, or of the law of a joint.
+    fn is_turned(&self, body: usize) -> bool {
+        let drives = self.drives.iter().any(|own| own.body == body && own.couple.acts);
+        let couples =
+            |own: &Load| matches!(own.load.acting, loads::Acting::Couple([.., z]) if z != 0.0);
+        let turns = |joint: &Joint| {
+            let joins = joint.sides.iter().any(|side| side.body == Some(body));
+            joins && joint.bearing.law.source.gives_torque()
+        };
+        drives
+            || self.loads.iter().any(|own| own.body == body && couples(own))
+            || self.joints.iter().any(turns)
     }
 
     /// Speeds about which revolutions are counted: those that drives aim at, and that are prescribed (rad/s).
@@ -400,6 +416,11 @@ impl JoinedMachine {
             Some(Turning::Table(columns)) => Some(columns.largest()),
             _ => None,
         });
+        let free = (0..self.bodies.len()).filter_map(|body| match self.bodies[body].turning {
+            Some(Turning::Free { .. }) => self.constant_speed(body),
+            _ => None,
+        });
+        let given = given.chain(free);
         aims.chain(given).map(f64::abs).filter(|speed| *speed > 0.0).collect()
     }
 }
