@@ -140,3 +140,20 @@ fn a_file_that_is_no_mesh_is_refused() {
     let text = refused(&["mesh", "."]);
     assert!(text.contains("cannot read `.`"), "{text}");
 }
+
+/// The bores of free tetrahedra yield as those of the mesh; without the correction their modes lack most of it.
+#[test]
+fn bores_of_the_page_yield_as_those_of_the_mesh() {
+    let corrected = "static_correction = true\n";
+    assert!(case().contains(corrected));
+    let bench = bench().file("case.toml", case()).file("few.toml", &case().replace(corrected, ""));
+    let lacking = |name: &str| -> Vec<f64> {
+        let outcome = bench.whirl(&["check", name, "--contacts"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let table = outcome.stdout.split_once("n = 4").expect("a table").1.to_owned();
+        let line = table.lines().find(|line| line.starts_with("front")).expect("a bore").to_owned();
+        line.split_whitespace().filter_map(|cell| cell.parse().ok()).collect()
+    };
+    assert_eq!(lacking("case.toml"), [0.0; 5]);
+    assert!(lacking("few.toml").iter().all(|part| *part > 20.0));
+}

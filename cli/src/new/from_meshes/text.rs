@@ -108,6 +108,7 @@ fn turning(text: &mut String, draft: &Draft) {
 fn standing(text: &mut String, draft: &Draft) {
     let name = &draft.support.name;
     body(text, &draft.support, draft.axis, "turns = \"no\"");
+    line!(text, "static_correction = true               # its bores yield as those of the mesh");
     match &draft.held {
         Some(Held::Set(set)) => {
             line!(text, "held = [{}]                        # by its name: guessed", quoted(set))
