@@ -234,7 +234,10 @@ mod tests {
         last.sort_unstable();
         // A column of the grid, which parts it.
         assert_eq!(last, (last[0]..last[0] + n).collect::<Vec<_>>());
-        assert!(last[0] % n == 0 && (n / 2..3 * n / 2).contains(&(last[0] / n)), "{last:?}");
+        assert!(
+            last[0].is_multiple_of(n) && (n / 2..3 * n / 2).contains(&(last[0] / n)),
+            "{last:?}"
+        );
     }
 
     #[test]
