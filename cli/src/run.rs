@@ -82,17 +82,20 @@ fn report(
     let time = times(built, &marched, start);
     let reason = marched.end.reason(marched.step, case.march.steps);
     let history = HistoryFile::open(&results.path(history::NAME));
+    let motions = fields::Motions::read((case, built), results.folder(), marched.step);
+    let motions = motions.and_then(|read| read.map_err(|problem| problems.push(problem)).ok());
     let made = history.and_then(|history| {
         let converged = !matches!(marched.end, End::Diverged(_));
         let run = ((case, built), (&marched.outcome, &history), (marched.step, converged));
-        let summary = Summary::new(run.0, run.1, run.2, time, reason.clone())?;
+        let mut summary = Summary::new(run.0, run.1, run.2, time, reason.clone())?;
+        summary.stresses = motions.as_ref().map(fields::Motions::largest).unwrap_or_default();
         Ok((history, summary))
     });
     match made {
         Err(error) => problems.push(format!("no summary and no figures: {error}")),
         Ok((history, summary)) => {
             problems.extend(results.write(SUMMARY, summary.json().as_bytes()).err());
-            problems.extend(write_fields((case, built), results, marched.step));
+            problems.extend(motions.and_then(|own| write_fields(&own, results)));
             if arguments.npz {
                 let path = results.path(history::NPZ);
                 let written = history::write_npz(&history, &path);
@@ -133,13 +136,10 @@ fn report(
     })
 }
 
-/// Writes the motions of whole bodies, if the case wants them; why they cannot be written.
-fn write_fields((case, built): (&Case, &Built), results: &Results, step: usize) -> Option<String> {
-    let schedule = fields::Schedule::new(case)?;
-    let path = results.path(fields::FRAMES);
-    let frames = fields::read(&path, &schedule, (built.machine.size(), step as u64));
-    let written = frames.and_then(|frames| fields::write(built, &frames, results.folder()));
+/// Writes the motions of whole bodies; why they cannot be written.
+fn write_fields(motions: &fields::Motions, results: &Results) -> Option<String> {
     let folder = results.path(fields::FOLDER);
+    let written = motions.write(results.folder());
     written.err().map(|error| format!("cannot write `{}`: {error}", folder.display()))
 }
 
@@ -173,9 +173,12 @@ fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String
         }
         None => "not steady".to_string(),
     };
+    let stresses: String = (summary.stresses.iter())
+        .map(|(body, own)| format!("largest stress of {body}: {}\n", own.words()))
+        .collect();
     format!(
         "{}: {}\n\nlast cycle ({:.2} ms), {steady}\n{table}\n{}\
-         {}\
+         {stresses}{}\
          {:.4} s simulated in {:.3} s ({:.3} of real time), reduction {:.2} s{}\n\
          results in {}\n",
         case.name,

@@ -1,17 +1,12 @@
 //! From a mesh and a form to a sparse matrix: kernels evaluated block by block, then scattered.
 
-use whirl_specs::{Batch, CellMatrix, FormKernel, Structure};
+use whirl_specs::{CellMatrix, Structure};
 
-use crate::error::{Error, InvertedCell};
+use crate::cells::{BlockKernel, evaluate};
+use crate::error::Error;
 use crate::linalg::LowerTriangle;
 use crate::mesh::{Block, Mesh};
 use crate::sparse::{SparseColumns, SparseMatrix};
-
-/// Cells evaluated by one call of a kernel: many lanes' worth, few enough to stay in cache.
-const BATCH: usize = 256;
-
-/// Inverted cells that an error lists.
-const LISTED: usize = 5;
 
 /// The matrix of the form called `form` (`stiffness` K, `mass` M, `spin_inertia` Y, `spin_coupling` H)
 /// over all cells of a mesh, `3·nodes` rows, SI.
@@ -35,9 +30,11 @@ pub fn assemble_under(
     form: &str,
     displacement: &[f64],
 ) -> Result<SparseMatrix, Error> {
-    let kernels = kernels(mesh, form)?;
-    let mut scatter = Scatter::new(mesh, common_structure(&kernels));
-    evaluate(mesh, &kernels, displacement, |block, cell, values| scatter.add(block, cell, values))?;
+    let (kernels, structures) = kernels(mesh, form)?;
+    let mut scatter = Scatter::new(mesh, common_structure(&structures));
+    evaluate(mesh, &kernels, displacement, |block, cell, values| {
+        scatter.add(structures[block], cell, values);
+    })?;
     Ok(scatter.finish())
 }
 
@@ -59,10 +56,15 @@ pub struct MassProperties {
 /// # Errors
 /// As [`assemble`].
 pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
-    let kernels = kernels(mesh, "mass")?;
+    let (kernels, structures) = kernels(mesh, "mass")?;
+    // kg/m³; 1 where the material has none.
+    let density = |block: &Block| {
+        let properties = &mesh.materials()[block.material].properties;
+        properties.get("rho").copied().unwrap_or(1.0)
+    };
     let (mut mass, mut volume, mut first, mut second) = (0.0, 0.0, [0.0; 3], [[0.0; 3]; 3]);
     evaluate(mesh, &kernels, &[], |block, cell, values| {
-        let entry = Entries { structure: block.kernel.structure, nodes: cell.len(), values };
+        let entry = Entries { structure: structures[block], nodes: cell.len(), values };
         let mut cell_mass = 0.0;
         for (a, &node) in cell.iter().enumerate() {
             let x = mesh.nodes()[node];
@@ -80,99 +82,23 @@ pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
             }
         }
         mass += cell_mass;
-        volume += cell_mass / block.density;
+        volume += cell_mass / density(&mesh.blocks()[block]);
     })?;
     Ok(MassProperties { mass, volume, centre: first.map(|m| m / mass), second_moment: second })
 }
 
-/// A block of cells with the kernel of one form and its material values.
-struct BlockKernel<'a> {
-    block: &'a Block,
-    kernel: &'static FormKernel,
-    material: Vec<f64>,
-    /// kg/m³; 1 where the material has none.
-    density: f64,
-}
-
-fn kernels<'a>(mesh: &'a Mesh, form: &str) -> Result<Vec<BlockKernel<'a>>, Error> {
-    let with_kernel = |block: &'a Block| {
-        let element = block.element;
-        let kernel = element.form(form).ok_or_else(|| Error::MissingForm {
-            element: element.origin.name.to_owned(),
-            form: form.to_owned(),
-            known: element.forms.iter().map(|kernel| kernel.form).collect::<Vec<_>>().join(", "),
-        })?;
-        let material = &mesh.materials()[block.material];
-        let value = |name: &str| {
-            material.properties.get(name).copied().ok_or_else(|| Error::MissingProperty {
-                origin: mesh.origin().to_owned(),
-                material: material.name.clone(),
-                property: name.to_owned(),
-                form: form.to_owned(),
-            })
-        };
-        Ok(BlockKernel {
-            block,
-            kernel,
-            material: kernel.material.iter().map(|v| value(v.name)).collect::<Result<_, _>>()?,
-            density: material.properties.get("rho").copied().unwrap_or(1.0),
-        })
-    };
-    mesh.blocks().iter().map(with_kernel).collect()
-}
-
-/// Evaluates the kernels and hands each cell's nodes and values to `take`.
-fn evaluate(
-    mesh: &Mesh,
-    kernels: &[BlockKernel],
-    displacement: &[f64],
-    mut take: impl FnMut(&BlockKernel, &[usize], CellMatrix),
-) -> Result<(), Error> {
-    let mut inverted = Vec::new();
-    let mut count = 0;
-    for block in kernels {
-        let nodes = block.block.element.nodes;
-        let stored = block.kernel.structure.len(nodes);
-        let mut coordinates = Vec::with_capacity(2 * BATCH * nodes * 3);
-        let mut matrices = Batch::storage(BATCH, stored);
-        let mut jacobians = vec![0.0; BATCH];
-        let batches = block.block.connectivity.chunks(BATCH * nodes);
-        for (connectivity, labels) in batches.zip(block.block.labels.chunks(BATCH)) {
-            let cells = labels.len();
-            coordinates.clear();
-            for cell in connectivity.chunks_exact(nodes) {
-                coordinates.extend(cell.iter().flat_map(|&node| mesh.nodes()[node]));
-                if block.kernel.under_stress {
-                    coordinates.extend(cell.iter().flat_map(|&n| &displacement[3 * n..][..3]));
-                }
-            }
-            let jacobians = &mut jacobians[..cells];
-            (block.kernel.evaluate)(&coordinates, &block.material, &mut matrices, jacobians);
-            for (&jacobian, &label) in jacobians.iter().zip(labels) {
-                let upright = jacobian > 0.0;
-                if !upright {
-                    count += 1;
-                    if inverted.len() < LISTED {
-                        let element = block.block.element.origin.name.to_owned();
-                        inverted.push(InvertedCell { label, element, jacobian });
-                    }
-                }
-            }
-            for (place, cell) in connectivity.chunks_exact(nodes).enumerate() {
-                take(block, cell, CellMatrix::new(&matrices, stored, place));
-            }
-        }
-    }
-    if count > 0 {
-        let origin = mesh.origin().to_owned();
-        return Err(Error::InvertedCells { origin, cells: inverted, count });
-    }
-    Ok(())
+/// The kernels of a form, and how each stores its matrices; a block each.
+fn kernels<'a>(
+    mesh: &'a Mesh,
+    form: &str,
+) -> Result<(Vec<BlockKernel<'a>>, Vec<Structure>), Error> {
+    let own = mesh.blocks().iter().map(|block| BlockKernel::of_form(mesh, block, form));
+    Ok(own.collect::<Result<Vec<_>, _>>()?.into_iter().unzip())
 }
 
 /// The most special structure that holds the matrices of all blocks.
-fn common_structure(kernels: &[BlockKernel]) -> Structure {
-    let structures = || kernels.iter().map(|block| block.kernel.structure);
+fn common_structure(structures: &[Structure]) -> Structure {
+    let structures = || structures.iter().copied();
     let Some(first) = structures().next() else { return Structure::Symmetric };
     let symmetric = |structure: Structure| match structure {
         Structure::Symmetric => true,
@@ -250,8 +176,8 @@ impl Scatter {
         }
     }
 
-    fn add(&mut self, block: &BlockKernel, cell: &[usize], values: CellMatrix) {
-        let entries = Entries { structure: block.kernel.structure, nodes: cell.len(), values };
+    fn add(&mut self, structure: Structure, cell: &[usize], values: CellMatrix) {
+        let entries = Entries { structure, nodes: cell.len(), values };
         match self {
             Scatter::Kronecker { scalar, .. } => {
                 for_lower_pairs(cell, |a, b| {

@@ -6,6 +6,7 @@ pub mod bearing;
 pub mod bodies;
 pub mod body;
 pub mod cache;
+mod cells;
 pub mod centre_of_mass;
 pub mod constraints;
 pub mod contacts;
@@ -32,6 +33,7 @@ pub mod schedule;
 pub mod shaft;
 pub mod sparse;
 mod stiffening;
+pub mod stress;
 pub mod support;
 mod time_function;
 

@@ -60,6 +60,26 @@ pub struct FormKernel {
     pub evaluate: CellKernel,
 }
 
+/// The stress that a form gives to a displacement, on one element.
+#[derive(Debug, Clone, Copy)]
+pub struct StressKernel {
+    /// Its name in the spec: `sigma`.
+    pub stress: &'static str,
+    /// The form that gives it, at whose points it is found: `stiffness`.
+    pub form: &'static str,
+    /// Material properties in the order the kernel takes them.
+    pub material: &'static [Variable],
+    /// The points (ξ, η, ζ) and their weights.
+    pub points: &'static [([f64; 3], f64)],
+    /// Exponents of (ξ, η, ζ) in the monomials of which the cell's linear functions are sums, the lowest first.
+    pub linear: &'static [[u8; 3]],
+    /// Floating-point operations a cell, as of forms.
+    pub flops: usize,
+    /// The kernel; it takes nodes and their displacements as one of a form under a stress, and gives σ_xx, σ_yy, σ_zz,
+    /// σ_xy, σ_yz, σ_zx (Pa) at every point in place of a matrix.
+    pub evaluate: CellKernel,
+}
+
 impl FormKernel {
     /// The matrix of one cell, [`Structure::len`] values, and its smallest det J. `coordinates`: those of its nodes and no
     /// more (nodes × 3, m), with the displacements behind them where there is a stress.

@@ -24,7 +24,7 @@ mod wide;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use cell_kernel::{CellKernel, FormKernel, Structure};
+pub use cell_kernel::{CellKernel, FormKernel, StressKernel, Structure};
 pub use lane::{Lane, Shared};
 pub use matrices::{Batch, CellMatrix, Matrix};
 pub use origin::{Origin, Variable};

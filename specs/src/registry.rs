@@ -5,7 +5,7 @@
     reason = "the signature of a kernel is read where it is stored, with its arguments named"
 )]
 
-use crate::cell_kernel::FormKernel;
+use crate::cell_kernel::{FormKernel, StressKernel};
 use crate::origin::{Origin, Variable};
 
 /// A finite element and the kernels of every form on it.
@@ -36,12 +36,19 @@ pub struct Element {
     pub faces: &'static [Face],
     /// One kernel a form.
     pub forms: &'static [FormKernel],
+    /// One kernel a stress.
+    pub stresses: &'static [StressKernel],
 }
 
 impl Element {
     /// The kernel of the form called `form`, if the specs declare one.
     pub fn form(&self, form: &str) -> Option<&'static FormKernel> {
         self.forms.iter().find(|kernel| kernel.form == form)
+    }
+
+    /// The kernel of the stress that the form called `form` gives, if the specs name one.
+    pub fn stress_of(&self, form: &str) -> Option<&'static StressKernel> {
+        self.stresses.iter().find(|kernel| kernel.form == form)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Files of meshes in every format: what other programs wrote, the reference bodies through each format, and files
 //! that are damaged.
 
+mod calculix;
 mod damaged;
 mod gmsh;
 mod input;

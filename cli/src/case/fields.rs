@@ -14,6 +14,8 @@ pub(crate) struct Fields {
     pub(crate) frames: usize,
     /// Times of further frames (s).
     pub(crate) times: Vec<f64>,
+    /// Whether stresses are written, too.
+    pub(crate) stresses: bool,
 }
 
 /// Frames of the last cycle, where a case says neither frames nor times.
@@ -22,9 +24,10 @@ const FRAMES: usize = 24;
 pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<Fields> {
     file.optional_table("fields")?.read(|table| {
         let (frames, times) = (table.optional_count("frames"), table.quantities("times"));
+        let stresses = table.optional_boolean("stresses").unwrap_or(false);
         let bodies = bodies(table, system);
         let usual = if times.is_empty() { FRAMES } else { 0 };
-        Some(Fields { bodies: bodies?, frames: frames.unwrap_or(usual), times })
+        Some(Fields { bodies: bodies?, frames: frames.unwrap_or(usual), times, stresses })
     })
 }
 

@@ -369,6 +369,7 @@ const FIELDS: &[Key] = &[
     key("frames", Count(1, 1000), "of the last cycle; 24 if neither they nor times are given")
         .like("24"),
     key("times", List(&DURATION), "of further frames").like("[\"10 ms\"]"),
+    key("stresses", Flag, "at the nodes of every frame, and the largest over the cycle"),
 ];
 
 const FIGURES: &[Key] = &[

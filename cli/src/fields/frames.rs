@@ -16,6 +16,8 @@ pub(crate) struct Frame {
     /// s.
     pub(crate) time: f64,
     pub(crate) q: Vec<f64>,
+    /// Whether it is one of the last cycle.
+    pub(crate) of_cycle: bool,
 }
 
 /// Which steps are kept, and where.
@@ -104,7 +106,8 @@ pub(crate) fn read(
     for (place, record) in bytes.chunks_exact(16 + 8 * size).enumerate() {
         let step = u64::from_le_bytes(number(&record[..8]));
         let of_cycle = (place as u64) < schedule.slots;
-        let wanted = if of_cycle { step + schedule.cycle > last } else { true };
+        let in_cycle = step + schedule.cycle > last;
+        let wanted = in_cycle || !of_cycle;
         // A record that was never written is of step 0.
         if step == 0 || step > last || !wanted {
             continue;
@@ -112,9 +115,10 @@ pub(crate) fn read(
         let values = record[8..].chunks_exact(8).map(|own| f64::from_le_bytes(number(own)));
         let mut values = values.collect::<Vec<f64>>();
         let q = values.split_off(1);
-        frames.push(Frame { step, time: values[0], q });
+        frames.push(Frame { step, time: values[0], q, of_cycle: of_cycle && in_cycle });
     }
-    frames.sort_by_key(|frame| frame.step);
+    // Of a step that is kept twice, the frame of the cycle.
+    frames.sort_by_key(|frame| (frame.step, !frame.of_cycle));
     frames.dedup_by_key(|frame| frame.step);
     Ok(frames)
 }

@@ -1,15 +1,21 @@
 //! Motions of whole bodies for other programs: frames kept during the march, written as VTU files when it is over.
 
 mod frames;
+mod motion;
+mod stresses;
 mod vtu;
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::path::Path;
 
-use whirl_solver::machine::{Field, Machine};
-
-pub(crate) use self::frames::{FRAMES, Frame, FrameWriter, Schedule, read};
+pub(crate) use self::frames::{FRAMES, FrameWriter, Schedule};
+use self::frames::{Frame, read};
+use self::motion::motion;
+use self::stresses::Envelope;
+pub(crate) use self::stresses::LargestStress;
+use crate::case::Case;
 use crate::machine::Built;
 
 /// The folder of the files among the results.
@@ -30,48 +36,80 @@ pub(crate) fn clear(results: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Writes the files of all bodies: one a frame, and one a body that lists them with their times.
-///
-/// # Errors
-/// What cannot be written.
-pub(crate) fn write(built: &Built, frames: &[Frame], results: &Path) -> io::Result<()> {
-    let folder = results.join(FOLDER);
-    fs::create_dir_all(&folder)?;
-    for (field, own) in built.machine.fields.iter().zip(&built.fields) {
-        let name = built.machine.bodies[field.body].name();
-        let mut listed = Vec::with_capacity(frames.len());
-        for (number, frame) in frames.iter().enumerate() {
-            let file = format!("{name}_{number:04}.vtu");
-            let moved = moved(&built.machine, field, (own.axis, frame));
-            vtu::write(&folder.join(&file), &own.mesh, &moved)?;
-            listed.push((frame.time, file));
+/// The motions of whole bodies that a run has left.
+pub(crate) struct Motions<'a> {
+    built: &'a Built,
+    frames: Vec<Frame>,
+    /// The largest stresses of each body, where the case wants them.
+    stresses: Vec<Option<Envelope>>,
+}
+
+impl<'a> Motions<'a> {
+    /// Of a run up to a step; none if the case wants none.
+    ///
+    /// # Errors
+    /// The frames cannot be read, or a mesh has no stresses, in words.
+    pub(crate) fn read(
+        (case, built): (&Case, &'a Built),
+        results: &Path,
+        step: usize,
+    ) -> Option<Result<Self, String>> {
+        let (schedule, fields) = (Schedule::new(case)?, case.fields.as_ref()?);
+        let path = results.join(FRAMES);
+        let frames = read(&path, &schedule, (built.machine.size(), step as u64));
+        let frames = frames.map_err(|error| format!("cannot read `{}`: {error}", path.display()));
+        let motions = frames.and_then(|frames| {
+            let all = built.machine.fields.iter().zip(&built.fields);
+            let stresses = all.map(|(field, own)| {
+                (fields.stresses && own.flexible)
+                    .then(|| Envelope::new(&own.mesh, &built.machine, field, &frames))
+                    .transpose()
+            });
+            let stresses = stresses.collect::<Result<_, _>>();
+            let stresses = stresses.map_err(|error| format!("no stresses: {error}"))?;
+            Ok(Motions { built, frames, stresses })
+        });
+        Some(motions)
+    }
+
+    /// The largest stress of each body.
+    pub(crate) fn largest(&self) -> BTreeMap<String, LargestStress> {
+        let all = self.built.machine.fields.iter().zip(&self.built.fields).zip(&self.stresses);
+        let largest = all.filter_map(|((field, own), stresses)| {
+            let name = self.built.machine.bodies[field.body].name();
+            Some((name.to_owned(), stresses.as_ref()?.largest(&own.mesh)?))
+        });
+        largest.collect()
+    }
+
+    /// Writes the files of all bodies: one a frame, one of the largest stresses, and one a body that lists those of frames
+    /// with their times.
+    ///
+    /// # Errors
+    /// What cannot be written.
+    pub(crate) fn write(&self, results: &Path) -> io::Result<()> {
+        let (machine, folder) = (&self.built.machine, results.join(FOLDER));
+        fs::create_dir_all(&folder)?;
+        let all = machine.fields.iter().zip(&self.built.fields).zip(&self.stresses);
+        for ((field, own), stresses) in all {
+            let name = machine.bodies[field.body].name();
+            let mut listed = Vec::with_capacity(self.frames.len());
+            for (number, frame) in self.frames.iter().enumerate() {
+                let file = format!("{name}_{number:04}.vtu");
+                let motion = motion(machine, field, frame);
+                let mut arrays = motion.moved(own.axis);
+                if stresses.is_some() {
+                    arrays.extend(motion.stresses(&own.mesh).map_err(io::Error::other)?);
+                }
+                vtu::write(&folder.join(&file), &own.mesh, &arrays)?;
+                listed.push((frame.time, file));
+            }
+            vtu::collection(&folder.join(format!("{name}.pvd")), &listed)?;
+            if let Some(stresses) = stresses {
+                let arrays = stresses.arrays(&own.mesh, own.axis);
+                vtu::write(&folder.join(format!("{name}_largest.vtu")), &own.mesh, &arrays)?;
+            }
         }
-        vtu::collection(&folder.join(format!("{name}.pvd")), &listed)?;
+        Ok(())
     }
-    Ok(())
-}
-
-/// A body at an instant, in space.
-struct Moved {
-    /// Where its nodes would be without deformation (m).
-    positions: Vec<[f64; 3]>,
-    /// By which they are beside that (m).
-    deformation: Vec<[f64; 3]>,
-}
-
-/// `axis`: x and y in space of where the coordinates of the nodes count from (m).
-fn moved(machine: &Machine, field: &Field, (axis, frame): ([f64; 2], &Frame)) -> Moved {
-    let place = &machine.places()[field.body];
-    let theta = place.rotation.map_or(0.0, |at| frame.q[at]);
-    let (sin, cos) = theta.sin_cos();
-    let turned = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
-    let flexible = &frame.q[place.flexible.clone()];
-    let mut moved = Moved { positions: Vec::new(), deformation: Vec::new() };
-    for node in &field.nodes {
-        let [x, y, z] = turned(node.position);
-        moved.positions.push([x + axis[0], y + axis[1], z]);
-        let along = |i: usize| (0..flexible.len()).map(|j| node.shapes[(i, j)] * flexible[j]).sum();
-        moved.deformation.push(turned([0, 1, 2].map(along)));
-    }
-    moved
 }

@@ -6,51 +6,59 @@ use std::path::Path;
 
 use whirl_solver::mesh::Mesh;
 
-use super::Moved;
+/// Numbers at the nodes of a mesh.
+pub(super) struct Array {
+    /// With its unit.
+    pub(super) name: &'static str,
+    pub(super) values: Values,
+}
 
-/// The arrays behind the XML, one after the other.
+/// What an array has at every node.
+pub(super) enum Values {
+    Scalars(Vec<f64>),
+    Vectors(Vec<[f64; 3]>),
+    /// xx, yy, zz, xy, yz, zx.
+    Tensors(Vec<[f64; 6]>),
+}
+
+const POINTS: &str = "points";
+
+impl Array {
+    /// Where the nodes are (m).
+    pub(super) fn points(points: Vec<[f64; 3]>) -> Self {
+        Array { name: POINTS, values: Values::Vectors(points) }
+    }
+}
+
+impl Values {
+    /// The numbers one after the other, and how many a node has.
+    fn flat(&self) -> (&[f64], usize) {
+        match self {
+            Values::Scalars(values) => (values, 1),
+            Values::Vectors(values) => (values.as_flattened(), 3),
+            Values::Tensors(values) => (values.as_flattened(), 6),
+        }
+    }
+}
+
+/// The arrays behind the XML, one after the other, and what it says of them.
 #[derive(Default)]
 struct Appended {
     bytes: Vec<u8>,
 }
 
 impl Appended {
-    /// Adds an array; its place.
-    fn add(&mut self, values: impl Iterator<Item = impl AsRef<[u8]>>) -> usize {
+    /// Adds an array: its element.
+    fn add(
+        &mut self,
+        (kind, name, components): (&str, &str, usize),
+        values: impl Iterator<Item = impl AsRef<[u8]>>,
+    ) -> String {
         let place = self.bytes.len();
         self.bytes.extend([0; 8]);
         values.for_each(|value| self.bytes.extend(value.as_ref()));
         let length = (self.bytes.len() - place - 8) as u64;
         self.bytes[place..place + 8].copy_from_slice(&length.to_le_bytes());
-        place
-    }
-
-    fn vectors(&mut self, values: &[[f64; 3]]) -> usize {
-        self.add(values.iter().flatten().map(|value| value.to_le_bytes()))
-    }
-}
-
-/// Writes a mesh at an instant.
-///
-/// # Errors
-/// It cannot be written.
-pub(super) fn write(path: &Path, mesh: &Mesh, moved: &Moved) -> io::Result<()> {
-    let mut data = Appended::default();
-    let points = data.vectors(&moved.positions);
-    let deformation = data.vectors(&moved.deformation);
-    let cells =
-        || mesh.blocks().iter().flat_map(|block| block.cells().map(move |own| (block, own)));
-    let connectivity = data.add(cells().flat_map(|(block, cell)| {
-        let order = block.element.vtk_order.iter();
-        order.map(|&place| (cell[place] as i64).to_le_bytes()).collect::<Vec<_>>()
-    }));
-    let mut end = 0;
-    let offsets = data.add(cells().map(|(block, _)| {
-        end += block.element.nodes as i64;
-        end.to_le_bytes()
-    }));
-    let types = data.add(cells().map(|(block, _)| [block.element.vtk]));
-    let array = |kind: &str, name: &str, components: usize, place: usize| {
         let components = match components {
             1 => String::new(),
             count => format!(" NumberOfComponents=\"{count}\""),
@@ -58,8 +66,46 @@ pub(super) fn write(path: &Path, mesh: &Mesh, moved: &Moved) -> io::Result<()> {
         format!(
             "<DataArray type=\"{kind}\" Name=\"{name}\"{components} format=\"appended\" offset=\"{place}\"/>\n"
         )
-    };
-    let (nodes, cells) = (moved.positions.len(), mesh.cell_count());
+    }
+
+    fn numbers(&mut self, array: &Array) -> String {
+        let (values, components) = array.values.flat();
+        let about = ("Float64", array.name, components);
+        self.add(about, values.iter().map(|value| value.to_le_bytes()))
+    }
+}
+
+/// Writes a mesh with numbers at its nodes, where these are among them.
+///
+/// # Errors
+/// It cannot be written.
+pub(super) fn write(path: &Path, mesh: &Mesh, arrays: &[Array]) -> io::Result<()> {
+    let mut data = Appended::default();
+    let (mut points, mut at_nodes) = (String::new(), String::new());
+    for array in arrays {
+        let target = if array.name == POINTS { &mut points } else { &mut at_nodes };
+        target.push_str(&data.numbers(array));
+    }
+    let cells =
+        || mesh.blocks().iter().flat_map(|block| block.cells().map(move |own| (block, own)));
+    let connectivity = data.add(
+        ("Int64", "connectivity", 1),
+        cells().flat_map(|(block, cell)| {
+            let order = block.element.vtk_order.iter();
+            order.map(|&place| (cell[place] as i64).to_le_bytes()).collect::<Vec<_>>()
+        }),
+    );
+    let mut end = 0;
+    let ends = cells().map(|(block, _)| {
+        end += block.element.nodes as i64;
+        end.to_le_bytes()
+    });
+    let offsets = data.add(("Int64", "offsets", 1), ends);
+    let types = data.add(("UInt8", "types", 1), cells().map(|(block, _)| [block.element.vtk]));
+    let vectors =
+        arrays.iter().find(|own| own.name != POINTS && matches!(own.values, Values::Vectors(_)));
+    let shown = vectors.map_or(String::new(), |own| format!(" Vectors=\"{}\"", own.name));
+    let (nodes, cells) = (mesh.nodes().len(), mesh.cell_count());
     let mut file = BufWriter::new(File::create(path)?);
     write!(
         file,
@@ -67,15 +113,10 @@ pub(super) fn write(path: &Path, mesh: &Mesh, moved: &Moved) -> io::Result<()> {
          <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
          <UnstructuredGrid>\n\
          <Piece NumberOfPoints=\"{nodes}\" NumberOfCells=\"{cells}\">\n\
-         <PointData Vectors=\"deformation_m\">\n{}</PointData>\n\
-         <Points>\n{}</Points>\n\
-         <Cells>\n{}{}{}</Cells>\n\
+         <PointData{shown}>\n{at_nodes}</PointData>\n\
+         <Points>\n{points}</Points>\n\
+         <Cells>\n{connectivity}{offsets}{types}</Cells>\n\
          </Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_",
-        array("Float64", "deformation_m", 3, deformation),
-        array("Float64", "points", 3, points),
-        array("Int64", "connectivity", 1, connectivity),
-        array("Int64", "offsets", 1, offsets),
-        array("UInt8", "types", 1, types),
     )?;
     file.write_all(&data.bytes)?;
     file.write_all(b"\n</AppendedData>\n</VTKFile>\n")?;

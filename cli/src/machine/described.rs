@@ -7,7 +7,7 @@ use whirl_solver::bodies::Body;
 use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::BodyStart;
 use whirl_solver::machine::MachineParts;
-use whirl_solver::model::Model;
+use whirl_solver::model::{Form, Model};
 
 use super::plan::BodyPlan;
 use super::springs::explain;
@@ -47,7 +47,9 @@ impl Described<'_> {
     ) -> Result<Built, Failure> {
         let (bodies, facts) = self.reduce(cache, warnings)?;
         let fields = self.model.fields.iter().filter_map(|&(body, _)| {
-            Some(FieldMesh { mesh: self.plans[body]?.mesh.clone(), axis: self.axes[body] })
+            let flexible = matches!(self.model.bodies[body].form, Form::Flexible(_));
+            let mesh = self.plans[body]?.mesh.clone();
+            Some(FieldMesh { mesh, axis: self.axes[body], flexible })
         });
         let fields = fields.collect();
         let Described { model, initial, laws, law_hashes, law_places, bore_places, .. } = self;

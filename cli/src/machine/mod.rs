@@ -51,6 +51,8 @@ pub(crate) struct FieldMesh {
     pub(crate) mesh: Mesh,
     /// x and y in space of the axis from which its coordinates count (m).
     pub(crate) axis: [f64; 2],
+    /// Whether it deforms.
+    pub(crate) flexible: bool,
 }
 
 /// Facts about the reduced bodies.

@@ -11,6 +11,7 @@ use whirl_text::rounded;
 
 use super::{OrderFacts, VerdictFacts, last_cycle, orders, oscillations};
 use crate::case::{Case, SupportName, System};
+use crate::fields::LargestStress;
 use crate::history::HistoryFile;
 use crate::machine::{BodyFacts, Built, Counts};
 use crate::version;
@@ -33,6 +34,9 @@ pub(crate) struct Summary {
     /// Over the last whole revolutions, where something turns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) orders: Option<OrderFacts>,
+    /// The largest over the cycle, by body, where the case wants stresses.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) stresses: BTreeMap<String, LargestStress>,
     cycle_s: f64,
     /// What the cycle is.
     cycle: &'static str,
@@ -268,6 +272,7 @@ impl Summary {
             },
             supports: SupportSummary::all(history, (&supports, named), &built.clearances, cycle)?,
             orders: orders(history, &oscillations(case, &built.machine), cycle)?,
+            stresses: BTreeMap::new(),
             cycle_s: cycle,
             cycle: case.march.cycle_called,
             steady_state: SteadyFacts {

@@ -69,6 +69,29 @@ impl Cell {
         }
     }
 
+    /// Exponents of monomials that take one value at each corner, the lowest first; the sums of them over a hexahedron
+    /// are its trilinear functions.
+    pub(crate) fn linear(self) -> &'static [[u8; 3]] {
+        const ALL: [[u8; 3]; 8] = [
+            [0, 0, 0],
+            [1, 0, 0],
+            [0, 1, 0],
+            [0, 0, 1],
+            [1, 1, 0],
+            [0, 1, 1],
+            [1, 0, 1],
+            [1, 1, 1],
+        ];
+        const WEDGE: [[u8; 3]; 6] =
+            [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 1, 1], [1, 0, 1]];
+        match self {
+            Cell::Hexahedron => &ALL,
+            Cell::Wedge => &WEDGE,
+            Cell::Tetrahedron => &ALL[..4],
+            Cell::Pyramid => &ALL[..5],
+        }
+    }
+
     /// Whether a point belongs to the cell, its boundary included.
     pub(crate) fn contains(self, [xi, eta, zeta]: &[Rational; 3]) -> bool {
         let one = Rational::one();

@@ -63,6 +63,7 @@ pub static WEDGE6: Element = Element {
         scalar("spin_inertia", LATERAL, wedge6::mass, wedge6::MASS_FLOPS),
         scalar("spin_coupling", QUARTER_TURN, wedge6::mass, wedge6::MASS_FLOPS),
     ],
+    stresses: &[],
 };
 
 /// All of them.
@@ -104,6 +105,7 @@ const fn hexahedron(
         shape: hex8::shape,
         faces: &[],
         forms,
+        stresses: &[],
     }
 }
 

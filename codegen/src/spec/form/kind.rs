@@ -22,9 +22,9 @@ impl SpecKind for FormSpec {
         About { name, title, reference, file, beside: Vec::new() }
     }
 
-    /// The name of the set of forms, and those of the forms.
+    /// The name of the set of forms, and those of the forms and stresses.
     fn names(&self) -> Vec<(&'static str, &str)> {
-        let forms = self.forms.iter().map(|form| ("form", form.name.as_str()));
+        let forms = self.kernels().map(|form| ("form", form.name.as_str()));
         std::iter::once(("set of forms", self.name.as_str())).chain(forms).collect()
     }
 }

@@ -78,6 +78,8 @@ pub struct FormSpec {
     pub(crate) coefficients: Vec<Coefficient>,
     /// The forms, in the order of the file.
     pub forms: Vec<Form>,
+    /// The stresses, each at the points of the form that gives it.
+    pub stresses: Vec<Form>,
 }
 
 /// A property of the material.
@@ -156,6 +158,11 @@ impl FormSpec {
         })
     }
 
+    /// All that has a kernel of its own: the forms, then the stresses.
+    pub(crate) fn kernels(&self) -> impl Iterator<Item = &Form> {
+        self.forms.iter().chain(&self.stresses)
+    }
+
     /// Properties that a form uses, in the order of the file.
     pub(crate) fn material_of(&self, form: &Form) -> Vec<&Property> {
         let of_stress = form.stress.iter().flat_map(|stress| stress.components.iter().flatten());
@@ -186,14 +193,15 @@ impl Reader<'_> {
         if let Some(table) = root.optional_table("matrices") {
             self.matrices(table);
         }
-        let stresses = root.optional_table("stresses").map(|table| self.stresses(table));
-        let forms =
-            root.table("forms").map(|table| self.forms(table, &stresses.unwrap_or_default()));
+        let named = root.optional_table("stresses").map(|table| self.stresses(table));
+        let named = named.unwrap_or_default();
+        let forms = root.table("forms").map(|table| self.forms(table, &named));
         root.finish();
         if self.document.has_errors() {
             return None;
         }
         let [name, title, reference] = head.texts()?;
+        let (forms, stresses) = forms?;
         Some(FormSpec {
             name,
             title,
@@ -202,7 +210,8 @@ impl Reader<'_> {
             graph: self.graph,
             material: material?,
             coefficients: coefficients.unwrap_or_default(),
-            forms: forms?,
+            forms,
+            stresses,
         })
     }
 
@@ -312,18 +321,21 @@ impl Reader<'_> {
             let (name, form) = (self.take(&key), table.string(key.text()));
             let (Some(name), Some(form)) = (name, form) else { continue };
             let symbols = stress::symbols(&mut self.graph, &name);
-            self.names.stresses.insert(name, symbols);
-            stresses.push(Named { form, symbols });
+            self.names.stresses.insert(name.clone(), symbols);
+            stresses.push(Named { name, form, symbols });
         }
         table.finish();
         stresses
     }
 
-    fn forms(&mut self, table: Table<'_>, stresses: &[Named]) -> Vec<Form> {
+    /// The forms, and the stresses at points.
+    fn forms(&mut self, table: Table<'_>, stresses: &[Named]) -> (Vec<Form>, Vec<Form>) {
         let mut forms = Vec::new();
         for key in table.names() {
             let Some(text) = table.string(key.text()) else { continue };
-            let Some(name) = read::name(self.document, &key, form_name) else { continue };
+            let stresses = &self.names.stresses;
+            let free = |name| form_name(name).and_then(|name| apart(name, stresses));
+            let Some(name) = read::name(self.document, &key, free) else { continue };
             let expanded = parse(&text).and_then(|formula| {
                 expand(&formula, &mut self.graph, &self.names).map_err(|error| (*error).into())
             });
@@ -335,7 +347,7 @@ impl Reader<'_> {
                     self.document.push(error.help(
                         "use lower powers, fewer products of sums, or numbers of fewer digits",
                     ));
-                    return forms;
+                    return (forms, Vec::new());
                 }
                 Ok(bilinear) if bilinear.is_empty() => {
                     let message = format!("`{name}` is zero whatever u and v are");
@@ -355,12 +367,24 @@ impl Reader<'_> {
         }
         table.finish();
         // A form that is wrong is missing, which has been noted.
-        if !self.document.has_errors()
-            && let Err(errors) = stress::resolve(&mut self.graph, stresses, &mut forms)
-        {
-            self.document.append(errors);
+        if self.document.has_errors() {
+            return (forms, Vec::new());
         }
-        forms
+        match stress::resolve(&mut self.graph, stresses, &mut forms) {
+            Ok(at_points) => (forms, at_points),
+            Err(errors) => {
+                self.document.append(errors);
+                (forms, Vec::new())
+            }
+        }
+    }
+}
+
+/// Forms and stresses have kernels by their names.
+fn apart<T>(name: String, stresses: &BTreeMap<String, T>) -> Result<String, String> {
+    match stresses.contains_key(&name) {
+        true => Err(format!("the name `{name}` is taken")),
+        false => Ok(name),
     }
 }
 

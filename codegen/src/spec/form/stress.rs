@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use num_traits::One;
 
 use super::expand::Place;
-use super::{Form, Structure};
+use super::{Bilinear, Form, Structure};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
 use crate::expression::{Graph, Id, Rational, normal};
 
@@ -23,10 +23,14 @@ pub struct Stress {
     pub(crate) components: [[Id; 3]; 3],
     /// Coefficients of the scalar matrix by the parts of test and trial function, with these components in them.
     pub(crate) scalar: BTreeMap<(usize, usize), Id>,
+    /// Whether the components themselves are wanted at the points, and nothing is integrated.
+    pub(crate) at_points: bool,
 }
 
 /// A stress as it is declared.
 pub(super) struct Named {
+    /// Its name in forms.
+    pub(super) name: String,
     /// The form that gives it.
     pub(super) form: Located,
     /// Symbols of its components.
@@ -45,7 +49,7 @@ pub(in crate::spec) fn slope(j: usize, l: usize) -> String {
     format!("w_{}{}_", AXES[j], AXES[l])
 }
 
-/// Finds the stresses in the forms, and derives them from the forms that they are of.
+/// Finds the stresses in the forms, and derives them from the forms that they are of; the stresses at the points.
 ///
 /// # Errors
 /// A stress of no form, or of one that has none; a form with two of them, or one that is no scalar matrix of gradients.
@@ -53,8 +57,9 @@ pub(super) fn resolve(
     graph: &mut Graph,
     named: &[Named],
     forms: &mut [Form],
-) -> Result<(), Diagnostics> {
+) -> Result<Vec<Form>, Diagnostics> {
     let mut errors = Diagnostics::new();
+    let mut at_points = Vec::new();
     for stress in named {
         let used: Vec<bool> = forms.iter().map(|form| depends(graph, form, stress)).collect();
         let (slopes, components) = match components(graph, stress, forms, &used) {
@@ -88,11 +93,36 @@ pub(super) fn resolve(
             let scalar =
                 scalar.iter().map(|(parts, id)| (*parts, graph.substitute(*id, &by))).collect();
             let of = stress.form.text().to_owned();
+            let symbols = stress.symbols;
             form.stress =
-                Some(Stress { form: of, symbols: stress.symbols, slopes, components, scalar });
+                Some(Stress { form: of, symbols, slopes, components, scalar, at_points: false });
         }
+        at_points.push(stress.at_points(slopes, components));
     }
-    errors.into_result(())
+    errors.into_result(at_points)
+}
+
+impl Named {
+    /// The stress itself, as what a form would multiply the products of gradients with.
+    fn at_points(&self, slopes: [[Id; 3]; 3], components: [[Id; 3]; 3]) -> Form {
+        let places = || (0..9).map(|n| (n / 3, n % 3));
+        let by_parts = |of: [[Id; 3]; 3]| -> BTreeMap<(usize, usize), Id> {
+            places().map(|(i, k)| ((1 + i, 1 + k), of[i][k])).collect()
+        };
+        let unit = from_fn(|i| from_fn(|j| Rational::from(i64::from(i == j))));
+        let structure =
+            Structure::Kronecker { pattern: Box::new(unit), scalar: by_parts(self.symbols) };
+        let stress = Stress {
+            form: self.form.text().to_owned(),
+            symbols: self.symbols,
+            slopes,
+            components,
+            scalar: by_parts(components),
+            at_points: true,
+        };
+        let (name, text) = (self.name.clone(), self.form.clone());
+        Form { name, text, bilinear: Bilinear::new(), structure, stress: Some(stress) }
+    }
 }
 
 fn depends(graph: &Graph, form: &Form, stress: &Named) -> bool {

@@ -100,8 +100,16 @@ impl CellForm<'_> {
         (text, flops)
     }
 
+    /// Whether it is a stress at the points, and no matrix.
+    pub(super) fn at_points(&self) -> bool {
+        self.form.stress.as_ref().is_some_and(|stress| stress.at_points)
+    }
+
     /// Stored values of a cell.
     fn stored(&self) -> usize {
+        if self.at_points() {
+            return 6 * self.element.rule(self.form.integrated_as()).points.len();
+        }
         let (nodes, size) = (self.element.nodes.len(), 3 * self.element.nodes.len());
         match self.form.structure {
             Structure::Symmetric => size * (size + 1) / 2,
@@ -114,6 +122,11 @@ impl CellForm<'_> {
         let (nodes, form) = (self.element.nodes.len(), self.form);
         let (size, stored) = (3 * nodes, self.stored());
         let matrix = match &form.structure {
+            _ if self.at_points() => {
+                format!(
+                    "σ_xx, σ_yy, σ_zz, σ_xy, σ_yz, σ_zx (Pa) at every point of the rule: {stored} values"
+                )
+            }
             Structure::Symmetric => {
                 format!("symmetric {size} × {size}, upper triangle by rows: {stored} values")
             }
@@ -133,13 +146,15 @@ impl CellForm<'_> {
             ),
             None => String::new(),
         };
+        let what = match self.at_points() {
+            true => format!("the stress of a displacement as `{}` has it", form.text.text()),
+            false => format!("∫ `{}` dV, rows from v, columns from u", form.text.text()),
+        };
         format!(
-            "`{}`: ∫ `{}` dV (`{}`), rows from v, columns from u, of every cell of a block \
-             ([`crate::CellKernel`]).\n\nA cell: {nodes} nodes × 3 (m){given}; {}; {matrix}; the smallest det J.\n\nRule: {}. {about} Together \
+            "`{}`: {what} (`{}`), of every cell of a block ([`crate::CellKernel`]).\n\nA cell: {nodes} nodes × 3 (m){given}; {}; {matrix}; the smallest det J.\n\nRule: {}. {about} Together \
              {flops} operations a cell, a multiplication with the addition behind it counted as two; {} \
              bytes read, {} written.",
             form.name,
-            form.text.text(),
             self.spec.file.path.display(),
             material.join(", "),
             self.element.rule(form.integrated_as()).title,

@@ -54,16 +54,19 @@ impl Compiled for ElementSpec {
         let before = || others.iter().filter_map(Other::of::<ElementSpec>).map(|(spec, ..)| spec);
         let mut tables = Tables::new(self);
         let mut functions = TokenStream::new();
-        let (mut entries, mut known) = (Vec::new(), Vec::new());
+        let (mut entries, mut stresses, mut known) = (Vec::new(), Vec::new(), Vec::new());
         for (spec, pairs, _) in &forms {
-            for (form, pairs) in spec.forms.iter().zip(*pairs) {
+            for (form, pairs) in spec.kernels().zip(*pairs) {
                 let same_kernel =
                     before().find(|other| other.integrates_as(self, form.integrated_as()));
                 let point = &programs.points[form.integrated_as()];
                 let cell = CellForm { element: self, spec, form, pairs, point, same_kernel };
                 let (text, flops) = cell.functions(&mut tables, &mut known);
                 functions.extend(text);
-                entries.push(entry(&cell, flops));
+                match cell.at_points() {
+                    true => stresses.push(stress_entry(&cell, flops)),
+                    false => entries.push(entry(&cell, flops)),
+                }
             }
         }
         let read = tables.read();
@@ -73,7 +76,7 @@ impl Compiled for ElementSpec {
         let works = known.iter().map(|kernel| kernel.work.as_str());
         let beside = forms.iter().map(|(.., text)| *text).chain(works).collect();
         let about = About { beside, ..self.about() };
-        let registered = registered(self, &about, &tables.all(), &entries);
+        let registered = registered(self, &about, &tables.all(), [&entries, &stresses]);
         let heading = documented(&heading(self, &about));
         let name = identifier(&self.name);
         // An self may do nothing that another does not.
@@ -81,10 +84,12 @@ impl Compiled for ElementSpec {
         let called = ["cells", "forms", "Batch", "Lane", "Matrix", "Register"];
         let called = called.iter().filter(|name| used.contains(**name));
         let called = called.map(|name| format_ident!("{name}"));
+        let types = (!stresses.is_empty()).then(|| format_ident!("StressKernel"));
+        let types = types.iter();
         kernel::text(quote! {
             #heading
             pub mod #name {
-                use crate::{#(#called,)* Element, Face, FacePoint, FormKernel, Origin, Structure, Variable};
+                use crate::{#(#called,)* Element, Face, FacePoint, FormKernel, Origin, #(#types,)* Structure, Variable};
                 #functions
                 #registered
             }
@@ -165,11 +170,41 @@ fn entry(cell: &CellForm, flops: usize) -> TokenStream {
     }
 }
 
+/// The entry of a stress.
+fn stress_entry(cell: &CellForm, flops: usize) -> TokenStream {
+    let (name, form) = (&cell.form.name, cell.form.integrated_as());
+    let flops = Literal::usize_unsuffixed(flops);
+    let function = identifier(name);
+    let material = (cell.spec.material_of(cell.form).into_iter())
+        .map(|p| variable(&p.name, &p.unit.dimension().si_unit(), &p.title));
+    let rule = cell.element.rule(form);
+    let points = rule.points.iter().map(|point| {
+        let weight = number(rule.field.to_f64(&point.weight));
+        let [xi, eta, zeta] = point.at.each_ref().map(|x| number(rule.field.to_f64(x)));
+        quote!(([#xi, #eta, #zeta], #weight))
+    });
+    let linear = cell.element.cell.linear().iter().map(|powers| {
+        let powers = powers.iter().map(|power| Literal::u8_unsuffixed(*power));
+        quote!([#(#powers),*])
+    });
+    quote! {
+        StressKernel {
+            stress: #name,
+            form: #form,
+            material: &[#(#material),*],
+            points: &[#(#points),*],
+            linear: &[#(#linear),*],
+            flops: #flops,
+            evaluate: #function,
+        }
+    }
+}
+
 fn registered(
     element: &ElementSpec,
     about: &About,
     tables: &TokenStream,
-    entries: &[TokenStream],
+    [entries, stresses]: [&[TokenStream]; 2],
 ) -> TokenStream {
     let origin = about.origin(tables);
     let count = Literal::usize_unsuffixed(element.nodes.len());
@@ -214,6 +249,7 @@ fn registered(
             shape,
             faces: &[#(#faces),*],
             forms: &[#(#entries),*],
+            stresses: &[#(#stresses),*],
         };
     }
 }

@@ -26,10 +26,13 @@ impl CellForm<'_> {
             [nodes, 2 * nodes, total, points].map(count);
         let module = identifier(&self.spec.name);
         let (once, sums) = (once_name(self.form), pairs_name(self.form));
-        let mut flops = fill_flops
-            + points * (total * SLOPE_FLOPS + 9 + pairs.flops())
-            + points * (nodes * WEIGHT_FLOPS + nodes * (nodes + 1) / 2 * PRODUCT_FLOPS);
-        let mut about = format!("{} pairs × {points} points.", nodes * (nodes + 1) / 2);
+        let mut flops = fill_flops + points * (total * SLOPE_FLOPS + 9 + pairs.flops());
+        let mut about = format!("{points} points.");
+        if !self.at_points() {
+            let pair_count = nodes * (nodes + 1) / 2;
+            flops += points * (nodes * WEIGHT_FLOPS + pair_count * PRODUCT_FLOPS);
+            about = format!("{pair_count} pairs × {about}");
+        }
         let (whole, follow) = if modes > 0 {
             let stress = self.stress_form();
             let (of_stress, once_of_stress) = (pairs_name(stress), once_name(stress));

@@ -21,13 +21,13 @@ impl Compiled for FormSpec {
     type Programs = Vec<Pairs>;
 
     fn schedule(&self, _: &[&OfAnyKind]) -> Result<Vec<Pairs>, Diagnostics> {
-        let pairs = self.forms.iter().map(|form| Pairs::new(self, form));
+        let pairs = self.kernels().map(|form| Pairs::new(self, form));
         let pairs: Result<_, _> = pairs.collect();
         pairs.map_err(|error| unscheduled(&self.file, &error))
     }
 
     fn emit(&self, pairs: &Vec<Pairs>, _: &[Other<'_>]) -> String {
-        let functions: TokenStream = (self.forms.iter().zip(pairs))
+        let functions: TokenStream = (self.kernels().zip(pairs))
             .filter(|(form, pairs)| !by_values(form, pairs))
             .map(|(form, pairs)| function(self, form, pairs))
             .collect();
@@ -71,9 +71,12 @@ pub(in crate::spec) fn by_values(form: &Form, pairs: &Pairs) -> bool {
     kronecker && pairs.moments.iter().all(|moment| *moment == (0, 0))
 }
 
-/// Name of the function of a form.
+/// Name of the function of a form, or of a stress.
 pub(in crate::spec) fn pairs_name(form: &Form) -> Ident {
-    format_ident!("{}_pairs_", identifier(&form.name))
+    match form.stress.as_ref().is_some_and(|stress| stress.at_points) {
+        true => format_ident!("{}_points_", identifier(&form.name)),
+        false => format_ident!("{}_pairs_", identifier(&form.name)),
+    }
 }
 
 /// The sums over the points for every pair of basis functions, and the components that the form makes of them.
@@ -84,8 +87,11 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     let (block, both, length) =
         (block_name(form), block_of_form.functions(spec), count(block_of_form.once.len()));
     if pairs.under_stress {
-        let under_stress = under_stress(form, pairs, &length);
-        return quote!(#both #under_stress);
+        let function = match form.stress.as_ref().is_some_and(|stress| stress.at_points) {
+            true => at_points(form, pairs, &length),
+            false => under_stress(form, pairs, &length),
+        };
+        return quote!(#both #function);
     }
     let loops = match &form.structure {
         Structure::Kronecker { .. } => each_pair(
@@ -147,6 +153,38 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
                 }
             }
             L::shared(Pairs { basis, points, once, matrix })
+        }
+    }
+}
+
+/// The components of a stress at the points.
+fn at_points(form: &Form, pairs: &Pairs, length: &impl quote::ToTokens) -> TokenStream {
+    let (name, block) = (pairs_name(form), block_name(form));
+    let of = form.integrated_as();
+    let about = documented(&format!(
+        "`{}`: the stress of a displacement as `{of}` has it, at the points.\n\nbasis: functions × points × (∂N/∂x, \
+         ∂N/∂y, ∂N/∂z), each times √(w det J); roots: √(w det J). displacement: of all functions, those of the nodes and \
+         those of modes. once: what [`{}`] gives. stresses: xx, yy, zz, xy, yz, zx at every point.\n\nA point: the slopes \
+         of the displacement, then {}.",
+        form.name,
+        once_name(form),
+        pairs.pair_counts(),
+    ));
+    quote! {
+        #about
+        #[inline(always)]
+        pub fn #name<L: Register, const POINTS: usize>(
+            basis: &[[[L; 3]; POINTS]],
+            roots: &[L; POINTS],
+            displacement: [&[[L; 3]]; 2],
+            once: [L; #length],
+            mut stresses: Matrix<L>,
+        ) {
+            for q in 0..cells::looped(POINTS) {
+                let [[xx, xy, _], [_, yy, yz], [zx, _, zz]] =
+                    #block(cells::slopes(basis, roots, displacement, q), once);
+                stresses.set(6 * q, &[xx, yy, zz, xy, yz, zx]);
+            }
         }
     }
 }

@@ -1,0 +1,88 @@
+//! The nodes of a body at an instant.
+
+use whirl_solver::Error;
+use whirl_solver::machine::{Field, Machine};
+use whirl_solver::mesh::Mesh;
+use whirl_solver::stress::{Stress, at_nodes, von_mises};
+
+use super::frames::Frame;
+use super::vtu::{Array, Values};
+
+/// A body in its own frame, and how far that has turned.
+pub(super) struct Motion {
+    /// Where its nodes would be without deformation (m).
+    positions: Vec<[f64; 3]>,
+    /// By which they are beside that (m), 3·nodes.
+    deformation: Vec<f64>,
+    /// sin and cos of the angle.
+    angle: [f64; 2],
+}
+
+/// Of a frame.
+pub(super) fn motion(machine: &Machine, field: &Field, frame: &Frame) -> Motion {
+    let place = &machine.places()[field.body];
+    let angle = place.rotation.map_or(0.0, |at| frame.q[at]).sin_cos();
+    let flexible = &frame.q[place.flexible.clone()];
+    let mut deformation = Vec::with_capacity(3 * field.nodes.len());
+    for node in &field.nodes {
+        let along = |i: usize| (0..flexible.len()).map(|j| node.shapes[(i, j)] * flexible[j]).sum();
+        deformation.extend([0, 1, 2].map(along) as [f64; 3]);
+    }
+    let positions = field.nodes.iter().map(|node| node.position).collect();
+    Motion { positions, deformation, angle: angle.into() }
+}
+
+impl Motion {
+    fn turned(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let [sin, cos] = self.angle;
+        [cos * x - sin * y, sin * x + cos * y, z]
+    }
+
+    /// Points and deformation in space; `axis`: x and y of where the coordinates of the nodes count from (m).
+    pub(super) fn moved(&self, axis: [f64; 2]) -> Vec<Array> {
+        let place = |position: &[f64; 3]| {
+            let [x, y, z] = self.turned(*position);
+            [x + axis[0], y + axis[1], z]
+        };
+        let (deformation, _) = self.deformation.as_chunks::<3>();
+        let deformation = deformation.iter().map(|own| self.turned(*own)).collect();
+        vec![
+            Array::points(self.positions.iter().map(place).collect()),
+            Array { name: "deformation_m", values: Values::Vectors(deformation) },
+        ]
+    }
+
+    /// The stress at every node, in the frame of the body.
+    ///
+    /// # Errors
+    /// As [`at_nodes`].
+    pub(super) fn in_body(&self, mesh: &Mesh) -> Result<Vec<Stress>, Error> {
+        at_nodes(mesh, &self.deformation)
+    }
+
+    /// The stress at every node, in space, and its size by von Mises.
+    ///
+    /// # Errors
+    /// As [`at_nodes`].
+    pub(super) fn stresses(&self, mesh: &Mesh) -> Result<[Array; 2], Error> {
+        let [s, c] = self.angle;
+        // R σ Rᵀ for a turn about z.
+        let turned = |[xx, yy, zz, xy, yz, zx]: Stress| {
+            [
+                c * c * xx - 2.0 * s * c * xy + s * s * yy,
+                s * s * xx + 2.0 * s * c * xy + c * c * yy,
+                zz,
+                s * c * (xx - yy) + (c * c - s * s) * xy,
+                s * zx + c * yz,
+                c * zx - s * yz,
+            ]
+        };
+        let stresses = self.in_body(mesh)?;
+        let sizes = stresses.iter().map(von_mises).collect();
+        let stresses = stresses.into_iter().map(turned).collect();
+        Ok([
+            Array { name: "stress_Pa", values: Values::Tensors(stresses) },
+            Array { name: "von_mises_Pa", values: Values::Scalars(sizes) },
+        ])
+    }
+}
