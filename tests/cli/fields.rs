@@ -1,5 +1,6 @@
 //! Motions of whole bodies as VTU files.
 
+use std::f64::consts::PI;
 use std::fs;
 use std::path::Path;
 
@@ -62,10 +63,12 @@ impl Vtu {
     }
 
     fn vectors(&self, name: &str) -> Vec<[f64; 3]> {
+        self.numbers(name).as_chunks::<3>().0.to_vec()
+    }
+
+    fn numbers(&self, name: &str) -> Vec<f64> {
         let values = self.array(name).chunks_exact(8);
-        let values: Vec<f64> =
-            values.map(|own| f64::from_le_bytes(own.try_into().unwrap())).collect();
-        values.chunks_exact(3).map(|own| [own[0], own[1], own[2]]).collect()
+        values.map(|own| f64::from_le_bytes(own.try_into().unwrap())).collect()
     }
 }
 
@@ -158,4 +161,53 @@ fn fields_change_nothing_that_is_computed() {
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     assert!(!with.path("out/fields/rotor.pvd").exists());
     assert!(with.path("out/fields/notes.txt").exists());
+}
+
+/// A shaft that turns under a hundred times its weight, in equilibrium: in space the bending stress stands still, while the
+/// shaft turns through it.
+#[test]
+fn stresses_are_those_of_bending() {
+    let bench = Workbench::new().file("case.toml", include_str!("fields-weight.toml"));
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    // The octagon with the area of the circle.
+    let (sectors, radius) = (8.0_f64, 21.053798e-3_f64);
+    let angle = 2.0 * PI / sectors;
+    let inertia = sectors * radius.powi(4) / 24.0 * angle.sin() * (2.0 + angle.cos());
+    let weight = 7860.0 * PI * 0.02_f64.powi(2) * 981.0;
+    let moment = weight * (0.36_f64.powi(2) / 8.0 - 0.02_f64.powi(2) / 2.0);
+    let largest = moment * radius / inertia;
+    let mut angles = Vec::new();
+    for (_, file) in listed(&bench.path("out/fields/rotor.pvd")) {
+        let vtu = Vtu::read(&bench.path("out/fields").join(file));
+        let stresses = vtu.numbers("stress_Pa");
+        let middle = |[x, y, z]: [f64; 3]| {
+            (z - 0.2).abs() < 1e-6 && (x.hypot(y) / radius - 1.0).abs() < 1e-6
+        };
+        let points = vtu.vectors("points").into_iter().zip(stresses.as_chunks::<6>().0);
+        let middle: Vec<_> = points.filter(|(point, _)| middle(*point)).collect();
+        assert_eq!(middle.len(), 8);
+        for ([x, _, _], [xx, yy, zz, xy, yz, zx]) in &middle {
+            // Tension at the lower side: weight acts along -x.
+            let known = -moment * x / inertia;
+            assert!((zz - known).abs() < 0.01 * largest, "{zz} {known}");
+            let others = [xx, yy, xy, yz, zx].into_iter().all(|own| own.abs() < 0.03 * largest);
+            assert!(others, "{xx} {yy} {xy} {yz} {zx}");
+        }
+        angles.push(middle[0].0[0].atan2(middle[0].0[1]));
+    }
+    angles.dedup_by(|a, b| (*a - *b).abs() < 0.1);
+    assert_eq!(angles.len(), 8, "eight places of one node: {angles:?}");
+
+    let summary = bench.summary("out");
+    let found = &summary["stresses"]["rotor"];
+    let size = found["von_mises_MPa"].as_f64().expect("a number");
+    assert!((1e6 * size / largest - 1.0).abs() < 0.03, "{size} {largest}");
+    assert_eq!(found["position_mm"][2].as_f64(), Some(200.0));
+    assert!(outcome.stdout.contains("largest stress of rotor: "), "{}", outcome.stdout);
+    let envelope = Vtu::read(&bench.path("out/fields/rotor_largest.vtu"));
+    let sizes = envelope.numbers("von_mises_Pa");
+    let most = sizes.iter().fold(0.0, |a: f64, b| a.max(*b));
+    assert!((most / (1e6 * size) - 1.0).abs() < 1e-5);
+    assert_eq!(sizes.len(), envelope.numbers("time_s").len());
 }

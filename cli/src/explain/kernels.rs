@@ -55,8 +55,13 @@ fn explain_generated(page: &mut Page, spec: &Spec) {
 
 /// The functions of these forms: their own, and those of the element on which they are shown.
 fn of_forms(spec: &FormSpec, mut generated: Vec<(String, String)>) -> Vec<(String, String)> {
-    let is_form = |name: &str| spec.forms.iter().any(|form| form.name == name);
-    generated.retain(|(name, _)| is_form(name) || name.strip_suffix("_pairs").is_some_and(is_form));
+    let all = || spec.forms.iter().chain(&spec.stresses);
+    let is_form = |name: &str| all().any(|form| form.name == name);
+    let of_form = |name: &str| {
+        let shared = name.strip_suffix("_pairs").or_else(|| name.strip_suffix("_points"));
+        shared.is_some_and(is_form)
+    };
+    generated.retain(|(name, _)| is_form(name) || of_form(name));
     for (name, _) in generated.iter_mut().filter(|(name, _)| is_form(name)) {
         name.push_str(&format!(", on the element {SHOWN_ON}"));
     }

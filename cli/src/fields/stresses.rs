@@ -78,7 +78,8 @@ impl Envelope {
         (self.sizes[node] > 0.0).then(|| LargestStress {
             size: rounded(1e-6 * self.sizes[node], 6),
             node: mesh.labels()[node],
-            position: mesh.nodes()[node].map(|x| rounded(1e3 * x, 6)),
+            // To a nanometre.
+            position: mesh.nodes()[node].map(|x| (1e9 * x).round() / 1e6 + 0.0),
             time: self.times[node],
         })
     }

@@ -1,5 +1,7 @@
 //! What a set of forms says, and the structure found in each.
 
+use std::collections::BTreeMap;
+
 use num_traits::One;
 
 use super::{Form, FormSpec, Place, Structure};
@@ -28,6 +30,9 @@ impl Explained for FormSpec {
         self.report(page);
         for form in &self.forms {
             components(page, self, form);
+        }
+        for stress in &self.stresses {
+            stress_components(page, self, stress);
         }
     }
 
@@ -81,6 +86,28 @@ fn components(page: &mut Page, spec: &FormSpec, form: &Form) {
                 here.map(|(Place { test, trial, .. }, id)| ((*test, *trial), *id)).collect();
             page.item(&format!("k_{row}{column} = {}", sum(&mut graph, &terms)));
         }
+    }
+}
+
+/// The components of a stress over the slopes of the displacement.
+fn stress_components(page: &mut Page, spec: &FormSpec, form: &Form) {
+    let Some(stress) = &form.stress else { return };
+    page.heading(&format!(
+        "{}, the stress of a displacement w in {}, as derived",
+        form.name, stress.form
+    ));
+    let mut graph = spec.graph.clone();
+    let slopes: BTreeMap<Id, Id> = (0..9)
+        .map(|n| (n / 3, n % 3))
+        .map(|(j, l)| {
+            let name = format!("dw{}_d{}", AXES[j], AXES[l]);
+            (stress.slopes[j][l], graph.scalar(&name))
+        })
+        .collect();
+    for (i, k) in [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)] {
+        let component = graph.substitute(stress.components[i][k], &slopes);
+        let text = display_rounded(&graph, component);
+        page.item(&format!("{}_{}{} = {text}", form.name, AXES[i], AXES[k]));
     }
 }
 
