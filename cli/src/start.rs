@@ -50,6 +50,7 @@ pub(crate) fn begin<'m>(
             found.bodies
         }
     };
+    beyond(built, &initial).iter().for_each(streams::warn);
     let options = MarchOptions { initial, ..options.clone() };
     March::new(machine, &options).map_err(|failure| failure.error.into())
 }
@@ -100,6 +101,23 @@ fn rest(case: &Case, built: &Built) -> Vec<BodyStart> {
         own.speed = speed.unwrap_or(own.speed);
     }
     initial
+}
+
+/// Couples that end before they begin, as the body is at their target at the start.
+fn beyond(built: &Built, initial: &[BodyStart]) -> Vec<String> {
+    let rpm = |speed: f64| whirl_text::rounded(speed * 60.0 / std::f64::consts::TAU, 6);
+    let idle = built.machine.loads.iter().filter_map(|load| {
+        let (speed, target) = (initial.get(load.body)?.speed, load.target()?.speed);
+        let name = built.machine.bodies[load.body].name();
+        load.reaches(speed).then(|| {
+            format!(
+                "a couple on `{name}` until {} rpm does nothing: the start at {} rpm is at its target or beyond it",
+                rpm(target),
+                rpm(speed)
+            )
+        })
+    });
+    idle.collect()
 }
 
 /// Speeds of the bodies at t = 0 (rad/s), where the case gives them, in the order of the machine.

@@ -113,7 +113,7 @@ impl Load {
     }
 
     /// Speed at which the load ends, and how.
-    pub(crate) fn target(&self) -> Option<Target> {
+    pub fn target(&self) -> Option<Target> {
         match self.time_function {
             TimeFunction::UntilSpeed(target) => Some(target),
             _ => None,
@@ -121,7 +121,7 @@ impl Load {
     }
 
     /// Whether θ̇ = `speed` (rad/s) is at the load's target or beyond it.
-    pub(crate) fn reaches(&self, speed: f64) -> bool {
+    pub fn reaches(&self, speed: f64) -> bool {
         self.target().is_some_and(|Target { speed: target, from_above, .. }| match from_above {
             true => speed <= target,
             false => speed >= target,
