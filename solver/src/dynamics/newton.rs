@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
-use crate::linalg::{Lu, copy_block_from, largest_and_sum, sum_of};
+use crate::linalg::{Lu, RoughInverse, copy_block_from, largest_and_sum, sum_of};
 
 /// How the equations of a step are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,6 +54,8 @@ impl Default for NewtonOptions {
 const SOLVED: f64 = 5e-7;
 /// Worst contraction for which factors are kept.
 pub(super) const CONTRACTION: f64 = 0.2;
+/// Directions from factors before they are inverted, which takes as long as some hundred directions from the inverse save.
+const FACTORED: usize = 64;
 /// Share of the decrease promised by the slope of φ that a step must bring.
 const SUFFICIENT: f64 = 1e-4;
 /// Shortest step tried.
@@ -95,6 +97,8 @@ pub(crate) struct NewtonState {
     dt: f64,
     /// How often a matrix was factored.
     pub(crate) factorisations: usize,
+    /// Directions that the factors have given.
+    directions: usize,
     /// Largest spring force of all steps (N).
     largest_force: f64,
 }
@@ -112,6 +116,9 @@ pub(crate) struct Newton {
     options: NewtonOptions,
     first: usize,
     lu: Lu,
+    /// The inverse of factors that are kept for long, and whether it is of those.
+    inverse: RoughInverse,
+    is_inverse: bool,
     /// [AK] of all coordinates, where not all are unknown.
     whole: Vec<f64>,
     kept: NewtonState,
@@ -137,6 +144,8 @@ impl Newton {
             options,
             first,
             lu: Lu::new(unknowns),
+            inverse: RoughInverse::new(unknowns),
+            is_inverse: false,
             whole: vec![0.0; if first > 0 { size * size } else { 0 }],
             kept: NewtonState {
                 time: 0.0,
@@ -144,6 +153,7 @@ impl Newton {
                 released: vec![false; machine.loads.len()],
                 dt: 0.0,
                 factorisations: 0,
+                directions: 0,
                 largest_force: 0.0,
             },
             weights: vec![1.0; unknowns],
@@ -169,6 +179,10 @@ impl Newton {
             system.evaluate(kept.time, &kept.state);
             let step = Coefficients::new(method, kept.dt);
             self.factor(system, kept.time, &kept.state, &step);
+            if kept.directions >= FACTORED {
+                self.weigh(system, &step);
+                self.is_inverse = self.inverse.invert(&mut self.lu, &self.weights);
+            }
         }
         self.kept = kept;
     }
@@ -300,7 +314,14 @@ impl Newton {
     /// Solves for the direction at the state that was last evaluated.
     fn direct(&mut self, system: &System) {
         self.direction.copy_from_slice(&system.residual[self.first..]);
-        self.lu.solve_in_place(&mut self.direction);
+        if self.kept.directions == FACTORED {
+            self.is_inverse = self.inverse.invert(&mut self.lu, &self.weights);
+        }
+        match self.is_inverse {
+            true => self.inverse.apply(&mut self.direction),
+            false => self.lu.solve_in_place(&mut self.direction),
+        }
+        self.kept.directions += 1;
     }
 
     fn factor(&mut self, system: &mut System, t: f64, at: &State, step: &Coefficients) -> bool {
@@ -312,7 +333,9 @@ impl Newton {
             copy_block_from(first, &self.whole, size, self.lu.values_mut());
         }
         let done = self.lu.factor_in_place().is_ok();
+        self.is_inverse = false;
         let kept = &mut self.kept;
+        kept.directions = 0;
         kept.factorisations += 1;
         (kept.time, kept.dt) = (t, if done { step.dt } else { 0.0 });
         kept.state.copy_from(at);

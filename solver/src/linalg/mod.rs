@@ -10,6 +10,7 @@ mod lower;
 mod lu;
 mod matrix;
 mod product;
+mod rough_inverse;
 mod sparse;
 mod sums;
 
@@ -25,6 +26,7 @@ pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,
 };
+pub(crate) use rough_inverse::RoughInverse;
 pub use sparse::{Inertia, SparseCholesky, SparseLdlt};
 pub(crate) use sums::{largest_and_sum, sum_of};
 
