@@ -3,6 +3,7 @@
 mod checkpoint;
 mod energy;
 mod equilibrium;
+mod extrapolation;
 mod histogram;
 mod jumps;
 mod march;

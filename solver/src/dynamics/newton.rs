@@ -9,6 +9,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::extrapolation::Extrapolation;
 use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
 use crate::linalg::{Lu, RoughInverse, copy_block_from, largest_and_sum, sum_of};
@@ -101,6 +102,8 @@ pub(crate) struct NewtonState {
     directions: usize,
     /// Largest spring force of all steps (N).
     largest_force: f64,
+    /// Where the next step begins.
+    extrapolation: Extrapolation,
 }
 
 impl NewtonState {
@@ -155,6 +158,7 @@ impl Newton {
                 factorisations: 0,
                 directions: 0,
                 largest_force: 0.0,
+                extrapolation: Extrapolation::new(unknowns),
             },
             weights: vec![1.0; unknowns],
             weights_dt: 0.0,
@@ -197,8 +201,9 @@ impl Newton {
     ) -> StepReport {
         self.weigh(system, step);
         self.predicted.copy_from(end);
+        self.kept.extrapolation.begin(step.dt, &mut self.correction);
+        step.correct(&self.predicted, self.correction.iter().copied(), self.first, end);
         self.trial.copy_from(end);
-        self.correction.fill(0.0);
         system.evaluate(t, end);
         let mut norm = self.norm(system);
         self.residuals.clear();
@@ -246,6 +251,7 @@ impl Newton {
                 let row_error = system.row_error(end, &self.predicted, &options);
                 if row_error <= 1.0 {
                     self.kept.largest_force = most;
+                    self.kept.extrapolation.learn(&self.correction, &self.weights);
                     let ending = Ending::Converged;
                     let iterations = iteration;
                     return StepReport {
