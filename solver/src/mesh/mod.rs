@@ -35,6 +35,9 @@ use whirl_text::nearest_in_any_case;
 
 use crate::error::Error;
 
+/// Farthest a coordinate may be from the origin (m): beyond it squares and products of lengths lose what is meant.
+const FARTHEST: f64 = 1e6;
+
 /// Cells of one element and one material.
 #[derive(Debug, Clone)]
 pub struct Block {
@@ -119,6 +122,12 @@ impl Mesh {
         }
         if let Some(bad) = parts.nodes.iter().position(|x| x.iter().any(|x| !x.is_finite())) {
             return Some(format!("the position of node {} is not finite", parts.labels[bad]));
+        }
+        if let Some(far) = parts.nodes.iter().position(|x| x.iter().any(|x| x.abs() > FARTHEST)) {
+            return Some(format!(
+                "node {} is farther than 1000 km from the origin: look at the units",
+                parts.labels[far]
+            ));
         }
         for block in &parts.blocks {
             if block.connectivity.len() != block.len() * block.element.nodes {

@@ -3,6 +3,7 @@
 mod bushings;
 mod joints;
 pub(crate) mod meshes;
+mod missing_sets;
 mod rings;
 mod surfaces;
 mod weight;

@@ -13,7 +13,7 @@ mod surfaces;
 
 use std::sync::Arc;
 
-use whirl_codegen::diagnostic::{Diagnostics, Located};
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
 use whirl_solver::bodies::Rotation;
 use whirl_solver::dynamics::BodyStart;
@@ -70,7 +70,14 @@ impl JoinedPlan {
             carried.map(|(own, body)| attached::plan(&own.attached, body, &mut errors)).collect();
         let mut joints = Vec::with_capacity(joined.joints.len());
         for joint in &joined.joints {
-            joints.extend(joints::place(joint, joined, &mut bodies, &mut errors));
+            let placed = joints::place(joint, joined, &mut bodies, &mut errors);
+            if placed.is_none() && errors.is_empty() {
+                // A machine without one of its joints must not run, whatever the reason.
+                let message =
+                    format!("the joint `{}` cannot be placed on its bodies", joint.name.text());
+                errors.push(joint.name.error_here(Code::BAD_VALUE, message));
+            }
+            joints.extend(placed);
         }
         if joints.len() == joined.joints.len() {
             compare::compare(joined, &joints, &bodies, warnings, &mut errors)?;

@@ -67,6 +67,9 @@ fn ends_of_surfaces(
     bodies: &[PlannedBody],
     errors: &mut Diagnostics,
 ) -> Option<Option<[f64; 3]>> {
+    if !joint.sides.iter().any(|side| side.surface) {
+        return Some(None);
+    }
     let mut common = [f64::NEG_INFINITY, f64::INFINITY];
     let mut ranges = Vec::new();
     for side in &joint.sides {
@@ -79,14 +82,18 @@ fn ends_of_surfaces(
                 }
                 surfaces::ends(plan, set, &nodes, errors)?
             }
-            (_, [_, _, _]) => on_mesh(side, bodies).map(|[left, _, right]| [left, right])?,
+            (_, sets @ [_, _, _]) => {
+                let Some([left, _, right]) = on_mesh(side, bodies) else {
+                    // Says which is missing.
+                    sets.iter().for_each(|set| drop(plan.nodes(set, errors)));
+                    return None;
+                };
+                [left, right]
+            }
             _ => continue,
         };
         ranges.push((own, side));
         common = [common[0].max(own[0].min(own[1])), common[1].min(own[0].max(own[1]))];
-    }
-    if !joint.sides.iter().any(|side| side.surface) {
-        return Some(None);
     }
     if let (false, [(first, _), (second, side)]) = (common[0] < common[1], ranges.as_slice()) {
         let message = format!(
