@@ -14,10 +14,11 @@ const BATCH: usize = 256;
 const LISTED: usize = 5;
 
 /// The matrix of the form called `form` (`stiffness` K, `mass` M, `spin_inertia` Y, `spin_coupling` H)
-/// over all cells of a mesh, `3·nodes` rows, SI.
+/// over all cells of a mesh, or that which a body of matrices has; `3·nodes` rows, SI.
 ///
 /// # Errors
-/// [`Error::MissingForm`], [`Error::MissingProperty`], or [`Error::InvertedCells`] naming the cells.
+/// [`Error::MissingForm`], [`Error::MissingProperty`], or [`Error::InvertedCells`] naming the cells; [`Error::Mesh`] for a
+/// matrix that a body of matrices lacks.
 pub fn assemble(mesh: &Mesh, form: &str) -> Result<SparseMatrix, Error> {
     assemble_under(mesh, form, &[])
 }
@@ -35,6 +36,9 @@ pub fn assemble_under(
     form: &str,
     displacement: &[f64],
 ) -> Result<SparseMatrix, Error> {
+    if let Some(own) = mesh.matrices() {
+        return own.form(form, mesh.origin());
+    }
     let kernels = kernels(mesh, form)?;
     let mut scatter = Scatter::new(mesh, common_structure(&kernels));
     evaluate(mesh, &kernels, displacement, |block, cell, values| scatter.add(block, cell, values))?;
@@ -46,7 +50,7 @@ pub fn assemble_under(
 pub struct MassProperties {
     /// ∫ρ dV (kg).
     pub mass: f64,
-    /// ∫dV (m³).
+    /// ∫dV (m³); 0 of a body of matrices.
     pub volume: f64,
     /// ∫ρ x dV / mass (m).
     pub centre: [f64; 3],
@@ -59,6 +63,9 @@ pub struct MassProperties {
 /// # Errors
 /// As [`assemble`].
 pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
+    if let Some(own) = mesh.matrices() {
+        return Ok(own.rigid_mass(mesh).properties());
+    }
     let kernels = kernels(mesh, "mass")?;
     let (mut mass, mut volume, mut first, mut second) = (0.0, 0.0, [0.0; 3], [[0.0; 3]; 3]);
     evaluate(mesh, &kernels, &[], |block, cell, values| {
