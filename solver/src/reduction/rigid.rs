@@ -100,7 +100,11 @@ impl RigidMotions {
         let moves = multiply(self.shapes.view(), loose.view());
         let mut forces = Matrix::zeros(moves.rows, moves.cols);
         stiffness.multiply(&moves.data, &mut forces.data);
-        let stiffest = stiffness.diagonal().into_iter().fold(0.0, f64::max);
+        // Coordinates without a place, such as those of modes, have another measure.
+        let placed = |dof: usize| (0..6).any(|j| self.shapes[(dof, j)] != 0.0);
+        let diagonal = stiffness.diagonal().into_iter().enumerate();
+        let stiffest =
+            diagonal.filter(|(dof, _)| placed(*dof)).fold(0.0, |most: f64, (_, own)| most.max(own));
         let energy = transpose_multiply(moves.view(), forces.view());
         Ok(multiply(loose.view(), small(&energy, NEGLIGIBLE * stiffest)?.view()))
     }

@@ -9,6 +9,8 @@ use crate::sparse::SparseMatrix;
 /// A rigid motion is resisted if it costs at least this part of what its dofs would cost alone: text keeps nine digits or
 /// more of each entry.
 const RESISTED: f64 = 1e-8;
+/// And at least this part of what the stiffest displacement of a node costs.
+const NEGLIGIBLE: f64 = 1e-10;
 
 /// Mass, first and second moments by the rigid motions of a body.
 pub(crate) struct RigidMass {
@@ -58,13 +60,19 @@ pub(super) fn resisted(
     let mut forces = Matrix::zeros(shapes.rows, 6);
     stiffness.multiply(&shapes.data, &mut forces.data);
     let diagonal = stiffness.lower().map(|lower| lower.diagonal()).unwrap_or_default();
+    let of_nodes =
+        slots.iter().zip(&diagonal).filter(|(slot, _)| matches!(slot, Slot::Translation(_)));
+    let stiffest = of_nodes.map(|(_, own)| *own).fold(0.0, f64::max);
+    let reach = about.iter().flatten().fold(0.0, |most: f64, x| most.max(x * x));
     std::array::from_fn(|j| {
         let (mut energy, mut alone) = (0.0, 0.0);
         for (dof, own) in diagonal.iter().enumerate() {
             energy += shapes[(dof, j)] * forces[(dof, j)];
             alone += own * shapes[(dof, j)].powi(2);
         }
-        energy > RESISTED * alone
+        // A motion that costs little alone has the rounding of the stiff dofs all the same.
+        let least = NEGLIGIBLE * stiffest * if j < 3 { 1.0 } else { reach };
+        energy > (RESISTED * alone).max(least)
     })
 }
 
