@@ -212,7 +212,9 @@ fn read_meshed(
         table.push(table.written("section").error_here(Code::BAD_VALUE, message).help(help));
     }
     // Where a joint acts along z, it may hold the body.
-    if turns && !rigid && !thrust && axial_restraint.is_none() && held.is_empty() {
+    // Matrices need not have dofs along z; where they have, what may move is found.
+    let along = !table.gives("matrices");
+    if turns && along && !rigid && !thrust && axial_restraint.is_none() && held.is_empty() {
         table.demand("axial_restraint");
     }
     let ground_springs = if turns { Vec::new() } else { machine::ground_springs(table) };

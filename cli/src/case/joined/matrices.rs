@@ -41,7 +41,8 @@ pub(super) fn read(store: FileStore, table: &Table) -> Option<Body<Dimensions>> 
     let units = units(table);
     let place = table.written("matrices");
     let all_modes = !table.has("modes");
-    let modes = if all_modes { usize::MAX } else { table.count_or_one("modes") };
+    // As many as there are is known once the dofs are.
+    let modes = if all_modes { 0 } else { table.count_or_one("modes") };
     let damping = table.quantity("damping").unwrap_or(0.0);
     let request = table.in_table("matrices", |own| request(store, own, units?)).flatten();
     let right = table.errors() == before;
@@ -71,7 +72,14 @@ fn request(store: FileStore, own: &Table, units: MeshUnits) -> Option<Request> {
     let text = |key: &str| own.optional_string(key);
     let (stiffness, mass, dofs) = (text("stiffness"), text("mass"), text("dofs"));
     let (dmig, calculix, nodes) = (text("dmig"), text("calculix"), text("nodes"));
+    let others = ["spin_inertia", "spin_coupling", "spin_load", "stiffening"].map(text);
     let given: Vec<&str> = KINDS.into_iter().filter(|key| own.gives(key)).collect();
+    if !given.contains(&"dmig") {
+        for name in others.iter().flatten() {
+            file(store, own, name);
+        }
+    }
+    together(own);
     let files = match given[..] {
         ["dofs"] => {
             own.demand("stiffness");
@@ -129,14 +137,7 @@ fn request(store: FileStore, own: &Table, units: MeshUnits) -> Option<Request> {
             return None;
         }
     };
-    let others = ["spin_inertia", "spin_coupling", "spin_load", "stiffening"].map(text);
     let folder = own.source().path.parent().map(std::path::Path::to_path_buf).unwrap_or_default();
-    if !matches!(files, Files::Dmig { .. }) {
-        for name in others.iter().flatten() {
-            file(store, own, name);
-        }
-    }
-    together(own);
     let [spin_inertia, spin_coupling, spin_load, stiffening] =
         others.map(|own| own.map(|own| own.text().to_owned()));
     Some(Request { files, spin_inertia, spin_coupling, spin_load, stiffening, folder, units })

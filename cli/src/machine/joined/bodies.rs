@@ -223,6 +223,7 @@ fn tie(
     let driven = joined.drives.iter().any(|drive| drive.body == place);
     match case.section.as_slice() {
         [] if driven => {}
+        [] if plan.tie_matrices(&joined.bodies[place].name) => {}
         [] => section::tie(plan, &joined.bodies[place].name, errors),
         sets => {
             plan.tie(&section_of(sets), errors);

@@ -2,12 +2,15 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 
-use super::AXES;
+use whirl_solver::body::Retained;
+use whirl_solver::mesh::matrices::TurnAboutZ;
+
 use super::body::BodyPlan;
+use super::{AXES, Turn};
 use crate::case::{self, Acting};
 
 /// Dofs beside those that are retained of which all modes are kept where the case does not say how many.
-const ALL_MODES: usize = 300;
+const ALL_MODES: usize = 200;
 
 impl BodyPlan {
     /// Notes dofs that are retained, which a body of matrices does not have; and takes as many modes as there are.
@@ -40,7 +43,30 @@ impl BodyPlan {
             return;
         }
         let most = matrices.modes(&free).saturating_sub(means);
-        self.spec.modes = spec.modes.min(most);
+        self.spec.modes = if self.all_modes { most } else { spec.modes.min(most) };
+    }
+
+    /// Ties a body of matrices that turns to its frame by the turn of a node, or not at all where nothing of it could turn about
+    /// its axis; false where it is to be tied as a mesh.
+    pub(in crate::machine) fn tie_matrices(&mut self, name: &Located) -> bool {
+        let found = self.mesh.matrices().map(|own| own.turn_about_z(&self.mesh));
+        match found {
+            None | Some(TurnAboutZ::Displacements) => false,
+            Some(TurnAboutZ::Nothing) => {
+                self.mean_frame = false;
+                true
+            }
+            Some(TurnAboutZ::Dof(dof)) => {
+                let label = self.mesh.labels()[dof / 3];
+                self.spec
+                    .retained
+                    .push(Retained::dof(dof, format!("turn of node {label} about z")));
+                self.retained_for.push(name.clone());
+                let terms = vec![(self.spec.retained.len() - 1, 1.0)];
+                self.turns_with_frame(Turn { name: format!("torsion of {}", name.text()), terms });
+                true
+            }
+        }
     }
 
     /// Notes a set of which a body of matrices has only some nodes.

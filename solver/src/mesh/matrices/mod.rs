@@ -25,6 +25,7 @@ use serde::{Deserialize, Serialize};
 
 pub(in crate::mesh) use self::nodes::PlacedNodes;
 pub use self::read::{Files, Load, ReadMatrices, Request, read};
+pub use self::rigid::TurnAboutZ;
 use super::Mesh;
 use crate::error::Error;
 use crate::sparse::{SparseColumns, SparseMatrix};

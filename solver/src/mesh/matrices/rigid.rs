@@ -12,6 +12,9 @@ const RESISTED: f64 = 1e-8;
 /// And at least this part of what the stiffest displacement of a node costs.
 const NEGLIGIBLE: f64 = 1e-10;
 
+/// Nodes stand on the axis to this part of the largest coordinate.
+const ON_AXIS: f64 = 1e-9;
+
 /// Mass, first and second moments by the rigid motions of a body.
 pub(crate) struct RigidMass {
     /// That moves along x, y, z (kg).
@@ -112,7 +115,34 @@ impl RigidMass {
     }
 }
 
+/// What shows that a body turns about z.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TurnAboutZ {
+    /// Nothing: all nodes stand on the axis and have no turn about it.
+    Nothing,
+    /// This dof, the turn of a node.
+    Dof(usize),
+    /// Displacements of nodes away from the axis.
+    Displacements,
+}
+
 impl BodyMatrices {
+    /// What shows that the body turns about z, with the nodes of `mesh` about its axis.
+    pub fn turn_about_z(&self, mesh: &Mesh) -> TurnAboutZ {
+        if let Some(dof) = self.slots.iter().position(|slot| *slot == Slot::Turn(2)) {
+            return TurnAboutZ::Dof(dof);
+        }
+        let reach = mesh.nodes().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let away = |dof: usize| match self.slots[dof] {
+            Slot::Translation(i @ 0..2) => mesh.nodes()[dof / 3][1 - i].abs() > ON_AXIS * reach,
+            _ => false,
+        };
+        match (0..self.slots.len()).any(away) {
+            true => TurnAboutZ::Displacements,
+            false => TurnAboutZ::Nothing,
+        }
+    }
+
     /// The mass that the rigid motions of the nodes of `mesh` show.
     pub(crate) fn rigid_mass(&self, mesh: &Mesh) -> RigidMass {
         RigidMass::new(mesh.nodes(), &self.slots, &self.mass)
