@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::super::bdf::{Dmig, DmigColumn};
-use super::super::raw::{LinePosition, MeshReport, count, did_you_mean};
+use super::super::raw::{LinePosition, MeshReport, count, list};
 use super::Slot;
 use super::build::RawDof;
 use super::entries::{Entries, Entry, Form};
@@ -29,8 +29,8 @@ impl DmigFile {
         let found = self.matrices.get(&name.to_ascii_uppercase());
         if found.is_none() {
             let what = format!("the file has no DMIG `{name}`");
-            let known = did_you_mean(name, self.matrices.keys().map(String::as_str));
-            let help = format!("write its name as `{key}`; {known}");
+            let known = list(self.matrices.keys());
+            let help = format!("write its name as `{key}` of the case: the file has {known}");
             report.error(LinePosition { file: self.file, line: 0, column: 0 }, what, help);
         }
         found

@@ -19,14 +19,11 @@ pub(super) fn matrix(
     report: &mut MeshReport,
 ) -> Option<Entries> {
     let before = report.error_count();
-    let (rows, columns, form, list) = read(text, (name, file), report)?;
+    let (rows, columns, form, list) = read(text, (name, file), size, report)?;
     let at = LinePosition { file, line: 0, column: 0 };
     if rows != columns {
         let what = format!("{name} has {rows} rows and {columns} columns, and must be square");
         report.error(at, what, "export the whole matrix");
-    } else if rows != size {
-        let what = format!("{name} has {rows} rows, but {} listed", are(size));
-        report.error(at, what, "list each dof once, in the order of the rows of K and M");
     }
     (report.error_count() == before).then(|| Entries { name: name.to_owned(), file, form, list })
 }
@@ -43,11 +40,9 @@ pub(super) fn column(
     report: &mut MeshReport,
 ) -> Option<Vec<f64>> {
     let before = report.error_count();
-    let (rows, columns, _, list) = read(text, (name, file), report)?;
-    if (rows, columns) != (size, 1) {
-        let what = format!(
-            "{name} has {rows} rows and {columns} columns, and must have {size} rows and one column"
-        );
+    let (_, columns, _, list) = read(text, (name, file), size, report)?;
+    if columns != 1 {
+        let what = format!("{name} has {columns} columns, and must have one");
         let at = LinePosition { file, line: 0, column: 0 };
         report.error(at, what, "write one value a dof, in the order of the dofs");
     }
@@ -61,7 +56,12 @@ pub(super) fn column(
 
 type Read = (usize, usize, Form, Vec<Entry>);
 
-fn read(text: &str, (name, file): (&str, usize), report: &mut MeshReport) -> Option<Read> {
+fn read(
+    text: &str,
+    (name, file): (&str, usize),
+    wanted: usize,
+    report: &mut MeshReport,
+) -> Option<Read> {
     let before = report.error_count();
     let mut lines = text.lines().enumerate();
     let place = |line: usize| LinePosition { file, line, column: 0 };
@@ -118,6 +118,12 @@ fn read(text: &str, (name, file): (&str, usize), report: &mut MeshReport) -> Opt
             return None;
         }
     };
+    if rows != wanted {
+        let what = format!("{name} has {rows} rows, but {} listed", are(wanted));
+        let help = "list each dof once, in the order of the rows of K and M";
+        report.error(place(sizes.number), what, help);
+        return None;
+    }
     if form != Form::General && rows != columns {
         let what = format!("{name} is {symmetry}, but has {rows} rows and {columns} columns");
         report.error(place(sizes.number), what, "a matrix with a symmetry is square");

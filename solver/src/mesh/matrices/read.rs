@@ -218,6 +218,9 @@ impl Reader<'_> {
                 let own = DmigFile { matrices, file: index };
                 let names = [("stiffness", stiffness.as_str()), ("mass", mass.as_str())];
                 let dofs = own.dofs(&names, &mut self.report);
+                if self.failed() {
+                    return None;
+                }
                 let k = own.entries(names[0], "K", &dofs, &mut self.report);
                 let m = own.entries(names[1], "M", &dofs, &mut self.report);
                 let others = self.of_dmig(request, &own, &dofs);
