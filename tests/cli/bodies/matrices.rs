@@ -154,6 +154,65 @@ fn a_shaft_of_matrices_turns_as_its_mesh() {
     }
 }
 
+/// Taken as rigid, matrices have the mass, the centre and the moments of inertia of their mesh.
+#[test]
+fn rigid_matrices_are_the_rigid_mesh() {
+    let all = files();
+    let beside: Vec<(&str, &str)> = all.iter().map(|(name, text)| (*name, text.as_str())).collect();
+    let case = |body: &str| {
+        format!(
+            "title = \"rigid\"\n[body.shaft]\nturns = \"prescribed\"\nspeed = \"6000 rpm\"\n{body}\nrigid = true\n\
+             [joint.left]\nkind = \"bushing\"\nfirst = {{ body = \"shaft\", sets = \"LEFT\" }}\n\
+             stiffness = {{ xx = \"1e6 N/m\", yy = \"2e6 N/m\" }}\n\
+             [joint.right]\nkind = \"bushing\"\nfirst = {{ body = \"shaft\", sets = \"RIGHT\" }}\n\
+             stiffness = {{ xx = \"1e6 N/m\", yy = \"2e6 N/m\" }}\n\
+             [loads.push]\nbody = \"shaft\"\nsets = [\"TIP\"]\nforce = [\"20 N\", \"5 N\", \"0 N\"]\nfrequency = \"90 Hz\"\n{}",
+            march("1e-4 s", 300)
+        )
+    };
+    let made = run(&case("mesh = \"bar.inp\""), &beside);
+    let found = run(&labelled(&case(FORMATS[1])), &beside);
+    agree(&made.history, &found.history, 1e-9);
+}
+
+/// Two discs on a torsion spring, whose turns are dofs: told to speed up, they take the couple of both moments of inertia.
+#[test]
+fn turns_of_nodes_tie_a_body_to_its_frame() {
+    // x, y and rz of two nodes: 2 kg, and 0.01 and 0.03 kg m².
+    let dofs =
+        "node, direction, x, y, z\n1, x, 0, 0, 0\n1, y\n1, rz\n2, x, 0, 0, 0.1\n2, y\n2, rz\n";
+    let head = |symmetry: &str, count: usize| {
+        format!("%%MatrixMarket matrix coordinate real {symmetry}\n6 6 {count}\n")
+    };
+    let files = [
+        ("dofs.csv", dofs.to_owned()),
+        ("K.mtx", head("symmetric", 3) + "3 3 1e4\n6 6 1e4\n6 3 -1e4\n"),
+        ("M.mtx", head("symmetric", 6) + "1 1 2\n2 2 2\n3 3 .01\n4 4 2\n5 5 2\n6 6 .03\n"),
+        ("Y.mtx", head("symmetric", 4) + "1 1 2\n2 2 2\n4 4 2\n5 5 2\n"),
+        ("H.mtx", head("skew-symmetric", 2) + "2 1 -2\n5 4 -2\n"),
+        (
+            "load.mtx",
+            "%%MatrixMarket matrix array real general\n6 1\n0\n0\n0\n0\n0\n0\n".to_owned(),
+        ),
+    ];
+    let beside: Vec<(&str, &str)> =
+        files.iter().map(|(name, text)| (*name, text.as_str())).collect();
+    let case = format!(
+        "title = \"discs\"\n[body.discs]\nturns = \"prescribed\"\nspeed = \"0 rpm\"\nacceleration = \"100 rad/s^2\"\n\
+         damping = \"1e-3 s\"\nstiffening = false\n\
+         matrices = {{ stiffness = \"K.mtx\", mass = \"M.mtx\", dofs = \"dofs.csv\", spin_inertia = \"Y.mtx\", \
+         spin_coupling = \"H.mtx\", spin_load = \"load.mtx\" }}\n\
+         [joint.near]\nkind = \"bushing\"\nfirst = {{ body = \"discs\", sets = \"NODE_1\" }}\n\
+         stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n\
+         [joint.far]\nkind = \"bushing\"\nfirst = {{ body = \"discs\", sets = \"NODE_2\" }}\n\
+         stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n{}",
+        march("1e-4 s", 1000)
+    );
+    let done = run(&case, &beside);
+    let couple = done.last("M_discs_Nm");
+    assert!((couple / (100.0 * 0.04) - 1.0).abs() < 1e-6, "{couple} N m");
+}
+
 fn bench(case: &str, changed: &[(&str, &str)]) -> Workbench {
     let all = files();
     let bench = all.iter().fold(Workbench::new(), |bench, (name, text)| bench.file(name, text));
@@ -228,6 +287,9 @@ fn what_is_missing_is_said() {
         &bench(&standing(FORMATS[2]), &changed),
         &["1 of the nodes of `TIP` have no dofs", "such as node 95"],
     );
+    // No cells, no fields.
+    let whole = format!("{}\n[fields]\nframes = 4\n", labelled(&case));
+    refused(&bench(&whole, &small), &["no body of this case has a mesh", "`[output.NAME]`"]);
     // Files that are not there, keys that exclude each other, and Y without H.
     for (matrices, words) in [
         ("{ calculix = \"other\", nodes = \"bar.inp\" }", vec!["there is no file", "other.sti"]),

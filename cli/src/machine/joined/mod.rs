@@ -110,12 +110,10 @@ impl JoinedPlan {
         });
         let fields = fields.iter().flat_map(|own| &own.bodies);
         let fields = fields.filter_map(|&body| match &mut bodies[body] {
-            PlannedBody::Meshed(plan) if plan.has_cells(&mut errors) => {
-                Some((body, plan.output_all()))
-            }
-            _ => None,
+            PlannedBody::Meshed(plan) => Some((body, plan.output_all())),
+            PlannedBody::Rigid(_) => None,
         });
-        let fields: Vec<(usize, usize)> = fields.collect();
+        let fields = fields.collect();
         errors.into_result(())?;
         let measured = joints.iter().map(|joint| (&joint.bearing, joint.measured(&bodies)));
         let laws = laws_of(measured.collect(), "the joint")?;

@@ -100,17 +100,6 @@ impl BodyPlan {
             }
         }
     }
-
-    /// Notes that the motion of a body of matrices is asked for as a whole, which has no cells to be drawn.
-    pub(in crate::machine) fn has_cells(&self, errors: &mut Diagnostics) -> bool {
-        if self.mesh.matrices().is_none() {
-            return true;
-        }
-        let message = format!("`[fields]` has no cells to write of {}", self.mesh.origin());
-        let help = "name the bodies with meshes as `bodies` of `[fields]`; ask for nodes of this one by `[output.NAME]`";
-        errors.push(self.made_from.error_here(Code::BAD_VALUE, message).help(help));
-        false
-    }
 }
 
 const KEEP: &str = "keep this dof when the matrices are made, or name a node that has it";
