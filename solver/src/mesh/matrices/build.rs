@@ -41,16 +41,21 @@ pub(super) struct RawMatrices {
     pub(super) nodes: PlacedNodes,
     pub(super) stiffness: Entries,
     pub(super) mass: Entries,
-    pub(super) spin_inertia: Option<Entries>,
-    pub(super) spin_coupling: Option<Entries>,
-    pub(super) stiffening: Option<Entries>,
-    /// One value a dof.
-    pub(super) spin_load: Option<Vec<f64>>,
+    pub(super) others: Others,
     pub(super) units: MeshUnits,
     /// What errors of the reduction call the body.
     pub(super) origin: String,
     /// The file that says where nodes are.
     pub(super) placed_by: String,
+}
+
+/// Matrices beside K and M.
+pub(super) struct Others {
+    pub(super) spin_inertia: Option<Entries>,
+    pub(super) spin_coupling: Option<Entries>,
+    pub(super) stiffening: Option<Entries>,
+    /// One value a dof.
+    pub(super) spin_load: Option<Vec<f64>>,
 }
 
 /// Where the dofs of the files are among those of the mesh.
@@ -76,10 +81,13 @@ impl RawMatrices {
         let mass = symmetric(&self.mass, &mut report);
         checks::minors(&self.stiffness, &stiffness, &called, &mut report);
         checks::minors(&self.mass, &mass, &called, &mut report);
-        let inertia = self.spin_inertia.as_ref().map(|own| symmetric(own, &mut report));
-        let stiffening = self.stiffening.as_ref().map(|own| symmetric(own, &mut report));
-        let coupling =
-            self.spin_coupling.as_ref().map(|own| own.lower(Kind::Skew, &called, &mut report));
+        let inertia = self.others.spin_inertia.as_ref().map(|own| symmetric(own, &mut report));
+        let stiffening = self.others.stiffening.as_ref().map(|own| symmetric(own, &mut report));
+        let coupling = self
+            .others
+            .spin_coupling
+            .as_ref()
+            .map(|own| own.lower(Kind::Skew, &called, &mut report));
         if report.error_count() > 0 {
             return Err(report.into_errors());
         }
@@ -102,7 +110,7 @@ impl RawMatrices {
         let (potential, kinetic) = (force * length, kg * length * length);
         let stiffness = placed(&stiffness, potential);
         let mass = placed(&mass, kinetic);
-        let load = self.spin_load.as_ref().map(|values| {
+        let load = self.others.spin_load.as_ref().map(|values| {
             let mut load = vec![0.0; layout.slots.len()];
             for (dof, value) in values.iter().enumerate() {
                 load[layout.place[dof]] = value * (kinetic / by(dof));

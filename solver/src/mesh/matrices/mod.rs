@@ -1,6 +1,6 @@
 //! Bodies without cells: reduced or whole matrices that another program wrote, with their dofs.
 //!
-//! A file is read ([`market`], [`dmig`], [`calculix`]) into entries by dof (`entries`); `build` places the dofs on the nodes
+//! A file is read (`market`, `dmig`, `calculix`) into entries by dof (`entries`); `build` places the dofs on the nodes
 //! of a [`Mesh`] without cells, which carries the matrices. What is assembled of any other mesh is then taken from them.
 //!
 //! Three dofs a node, as everywhere: a dof that is no translation of a node with a place (a turn of a node, a modal

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::super::format::{Format, MeshUnits};
 use super::super::raw::{LinePosition, MeshReport};
 use super::super::{Mesh, bdf, inp};
-use super::build::RawMatrices;
+use super::build::{Others, RawMatrices};
 use super::dmig::{DmigFile, Dofs};
 use super::entries::Entries;
 use super::nodes::PlacedNodes;
@@ -136,109 +136,115 @@ impl Reader<'_> {
     fn read(&mut self, request: &Request) -> Option<RawMatrices> {
         match &request.files {
             Files::Market { stiffness, mass, dofs } => {
-                let (text, file) = self.text(dofs);
-                if self.failed() {
-                    return None;
-                }
-                let (list, nodes) = table::read(&text, file, &request.units, &mut self.report);
-                let size = list.len();
-                if self.failed() {
-                    return None;
-                }
-                let stiffness_entries = self.market(stiffness, "K", size);
-                let mass_entries = self.market(mass, "M", size);
-                let others = self.others(request, size);
-                Some(RawMatrices {
-                    dofs: list,
-                    nodes,
-                    stiffness: stiffness_entries?,
-                    mass: mass_entries?,
-                    spin_inertia: others.inertia,
-                    spin_coupling: others.coupling,
-                    stiffening: others.stiffening,
-                    spin_load: others.load,
-                    units: request.units,
-                    origin: shown(stiffness),
-                    placed_by: shown(dofs),
-                })
+                self.of_market(request, [stiffness, mass], dofs)
             }
-            Files::Calculix { job, nodes } => {
-                let beside = |end: &str| {
-                    let mut path = job.clone().into_os_string();
-                    path.push(end);
-                    PathBuf::from(path)
-                };
-                let (text, file) = self.text(&beside(".dof"));
-                if self.failed() {
-                    return None;
-                }
-                let list = calculix::dofs(&text, file, &mut self.report);
-                let placed = self.nodes(nodes, request.units);
-                if self.failed() {
-                    return None;
-                }
-                let size = list.len();
-                let mut matrix = |name: &str, end: &str| {
-                    let (text, file) = self.text(&beside(end));
-                    match self.failed() {
-                        true => None,
-                        false => {
-                            Some(calculix::matrix(&text, (name, file), size, &mut self.report))
-                        }
-                    }
-                };
-                let stiffness = matrix("K", ".sti");
-                let mass = matrix("M", ".mas");
-                let others = self.others(request, size);
-                Some(RawMatrices {
-                    dofs: list,
-                    nodes: placed,
-                    stiffness: stiffness?,
-                    mass: mass?,
-                    spin_inertia: others.inertia,
-                    spin_coupling: others.coupling,
-                    stiffening: others.stiffening,
-                    spin_load: others.load,
-                    units: request.units,
-                    origin: shown(&beside(".sti")),
-                    placed_by: shown(nodes),
-                })
-            }
+            Files::Calculix { job, nodes } => self.of_calculix(request, job, nodes),
             Files::Dmig { file, nodes, stiffness, mass } => {
-                let (text, index) = self.text(file);
-                let include = |path: &Path| (self.load)(path).map(inp::decode);
-                let matrices = bdf::matrices(&text, &include, &mut self.report);
-                let placed = match nodes == file {
-                    true => self.placed(&text, file, request.units),
-                    false => self.nodes(nodes, request.units),
-                };
-                if self.failed() {
-                    return None;
-                }
-                let own = DmigFile { matrices, file: index };
-                let names = [("stiffness", stiffness.as_str()), ("mass", mass.as_str())];
-                let dofs = own.dofs(&names, &mut self.report);
-                if self.failed() {
-                    return None;
-                }
-                let k = own.entries(names[0], "K", &dofs, &mut self.report);
-                let m = own.entries(names[1], "M", &dofs, &mut self.report);
-                let others = self.of_dmig(request, &own, &dofs);
-                Some(RawMatrices {
-                    dofs: dofs.list,
-                    nodes: placed,
-                    stiffness: k?,
-                    mass: m?,
-                    spin_inertia: others.inertia,
-                    spin_coupling: others.coupling,
-                    stiffening: others.stiffening,
-                    spin_load: others.load,
-                    units: request.units,
-                    origin: shown(file),
-                    placed_by: shown(nodes),
-                })
+                self.of_nastran(request, (file, nodes), [stiffness, mass])
             }
         }
+    }
+
+    fn of_market(
+        &mut self,
+        request: &Request,
+        [stiffness, mass]: [&Path; 2],
+        dofs: &Path,
+    ) -> Option<RawMatrices> {
+        let (text, file) = self.text(dofs);
+        if self.failed() {
+            return None;
+        }
+        let (list, nodes) = table::read(&text, file, &request.units, &mut self.report);
+        if self.failed() {
+            return None;
+        }
+        let size = list.len();
+        let [k, m] =
+            [(stiffness, "K"), (mass, "M")].map(|(path, name)| self.market(path, name, size));
+        let others = self.others(request, size);
+        Some(RawMatrices {
+            dofs: list,
+            nodes,
+            stiffness: k?,
+            mass: m?,
+            others,
+            units: request.units,
+            origin: shown(stiffness),
+            placed_by: shown(dofs),
+        })
+    }
+
+    fn of_calculix(&mut self, request: &Request, job: &Path, nodes: &Path) -> Option<RawMatrices> {
+        let beside = |end: &str| {
+            let mut path = job.as_os_str().to_owned();
+            path.push(end);
+            PathBuf::from(path)
+        };
+        let (text, file) = self.text(&beside(".dof"));
+        if self.failed() {
+            return None;
+        }
+        let list = calculix::dofs(&text, file, &mut self.report);
+        let placed = self.nodes(nodes, request.units);
+        if self.failed() {
+            return None;
+        }
+        let size = list.len();
+        let [k, m] = [("K", ".sti"), ("M", ".mas")].map(|(name, end)| {
+            let before = self.report.error_count();
+            let (text, file) = self.text(&beside(end));
+            let right = self.report.error_count() == before;
+            right.then(|| calculix::matrix(&text, (name, file), size, &mut self.report))
+        });
+        let others = self.others(request, size);
+        Some(RawMatrices {
+            dofs: list,
+            nodes: placed,
+            stiffness: k?,
+            mass: m?,
+            others,
+            units: request.units,
+            origin: shown(&beside(".sti")),
+            placed_by: shown(nodes),
+        })
+    }
+
+    fn of_nastran(
+        &mut self,
+        request: &Request,
+        (file, nodes): (&Path, &Path),
+        [stiffness, mass]: [&str; 2],
+    ) -> Option<RawMatrices> {
+        let (text, index) = self.text(file);
+        let include = |path: &Path| (self.load)(path).map(inp::decode);
+        let matrices = bdf::matrices(&text, &include, &mut self.report);
+        let placed = match nodes == file {
+            true => self.placed(&text, file, request.units),
+            false => self.nodes(nodes, request.units),
+        };
+        if self.failed() {
+            return None;
+        }
+        let own = DmigFile { matrices, file: index };
+        let names = [("stiffness", stiffness), ("mass", mass)];
+        let dofs = own.dofs(&names, &mut self.report);
+        if self.failed() {
+            return None;
+        }
+        let [k, m] = [(names[0], "K"), (names[1], "M")]
+            .map(|(name, called)| own.entries(name, called, &dofs, &mut self.report));
+        let others = self.of_dmig(request, &own, &dofs);
+        Some(RawMatrices {
+            dofs: dofs.list,
+            nodes: placed,
+            stiffness: k?,
+            mass: m?,
+            others,
+            units: request.units,
+            origin: shown(file),
+            placed_by: shown(nodes),
+        })
     }
 
     fn market(&mut self, path: &Path, name: &str, size: usize) -> Option<Entries> {
@@ -265,7 +271,7 @@ impl Reader<'_> {
                 false => market::column(&text, ("Y x0", file), size, &mut self.report),
             }
         });
-        Others { inertia, coupling, stiffening, load }
+        Others { spin_inertia: inertia, spin_coupling: coupling, stiffening, spin_load: load }
     }
 
     /// The other matrices as DMIG.
@@ -279,7 +285,7 @@ impl Reader<'_> {
         let stiffening = matrix("stiffening", &request.stiffening, "G");
         let load = request.spin_load.as_ref();
         let load = load.and_then(|own| file.column(("spin_load", own), dofs, &mut self.report));
-        Others { inertia, coupling, stiffening, load }
+        Others { spin_inertia: inertia, spin_coupling: coupling, stiffening, spin_load: load }
     }
 
     /// Where the nodes of a file are (m): input of Abaqus or CalculiX, or bulk data.
@@ -311,12 +317,4 @@ impl Reader<'_> {
         }
         nodes
     }
-}
-
-/// Matrices beside K and M.
-struct Others {
-    inertia: Option<Entries>,
-    coupling: Option<Entries>,
-    stiffening: Option<Entries>,
-    load: Option<Vec<f64>>,
 }
