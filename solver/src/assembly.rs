@@ -64,7 +64,13 @@ pub struct MassProperties {
 /// As [`assemble`].
 pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
     if let Some(own) = mesh.matrices() {
-        return Ok(own.rigid_mass(mesh).properties());
+        let own = own.rigid_mass(mesh);
+        return Ok(MassProperties {
+            mass: own.mass,
+            volume: 0.0,
+            centre: own.first.map(|first| first / own.mass),
+            second_moment: own.second_moments(),
+        });
     }
     let kernels = kernels(mesh, "mass")?;
     let (mut mass, mut volume, mut first, mut second) = (0.0, 0.0, [0.0; 3], [[0.0; 3]; 3]);

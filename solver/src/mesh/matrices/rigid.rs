@@ -1,7 +1,6 @@
 //! Rigid motions of a body of matrices, and the mass that they show.
 
 use super::{BodyMatrices, Slot};
-use crate::assembly::MassProperties;
 use crate::linalg::{Matrix, transpose_multiply};
 use crate::mesh::Mesh;
 use crate::sparse::SparseMatrix;
@@ -102,16 +101,11 @@ impl RigidMass {
         RigidMass { along, mass, first, inertia, momenta }
     }
 
-    /// Mass, centre and second moments; without a volume.
-    pub(crate) fn properties(&self) -> MassProperties {
+    /// ∫ρ xᵢ xⱼ dV about the origin (kg·m²).
+    pub(crate) fn second_moments(&self) -> [[f64; 3]; 3] {
         let half = 0.5 * (0..3).map(|i| self.inertia[i][i]).sum::<f64>();
         let second = |i: usize, j: usize| if i == j { half } else { 0.0 } - self.inertia[i][j];
-        MassProperties {
-            mass: self.mass,
-            volume: 0.0,
-            centre: self.first.map(|own| own / self.mass),
-            second_moment: [0, 1, 2].map(|i| [0, 1, 2].map(|j| second(i, j))),
-        }
+        [0, 1, 2].map(|i| [0, 1, 2].map(|j| second(i, j)))
     }
 }
 
