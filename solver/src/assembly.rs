@@ -9,10 +9,11 @@ use crate::mesh::{Block, Mesh};
 use crate::sparse::{SparseColumns, SparseMatrix};
 
 /// The matrix of the form called `form` (`stiffness` K, `mass` M, `spin_inertia` Y, `spin_coupling` H)
-/// over all cells of a mesh, `3·nodes` rows, SI.
+/// over all cells of a mesh, or that which a body of matrices has; `3·nodes` rows, SI.
 ///
 /// # Errors
-/// [`Error::MissingForm`], [`Error::MissingProperty`], or [`Error::InvertedCells`] naming the cells.
+/// [`Error::MissingForm`], [`Error::MissingProperty`], or [`Error::InvertedCells`] naming the cells; [`Error::Mesh`] for a
+/// matrix that a body of matrices lacks.
 pub fn assemble(mesh: &Mesh, form: &str) -> Result<SparseMatrix, Error> {
     assemble_under(mesh, form, &[])
 }
@@ -30,6 +31,9 @@ pub fn assemble_under(
     form: &str,
     displacement: &[f64],
 ) -> Result<SparseMatrix, Error> {
+    if let Some(own) = mesh.matrices() {
+        return own.form(form, mesh.origin());
+    }
     let (kernels, structures) = kernels(mesh, form)?;
     let mut scatter = Scatter::new(mesh, common_structure(&structures));
     evaluate(mesh, &kernels, displacement, |block, cell, values| {
@@ -43,7 +47,7 @@ pub fn assemble_under(
 pub struct MassProperties {
     /// ∫ρ dV (kg).
     pub mass: f64,
-    /// ∫dV (m³).
+    /// ∫dV (m³); 0 of a body of matrices.
     pub volume: f64,
     /// ∫ρ x dV / mass (m).
     pub centre: [f64; 3],
@@ -56,6 +60,15 @@ pub struct MassProperties {
 /// # Errors
 /// As [`assemble`].
 pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
+    if let Some(own) = mesh.matrices() {
+        let own = own.rigid_mass(mesh);
+        return Ok(MassProperties {
+            mass: own.mass,
+            volume: 0.0,
+            centre: own.first.map(|first| first / own.mass),
+            second_moment: own.second_moments(),
+        });
+    }
     let (kernels, structures) = kernels(mesh, "mass")?;
     // kg/m³; 1 where the material has none.
     let density = |block: &Block| {

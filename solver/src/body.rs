@@ -97,7 +97,7 @@ impl Assembled {
     /// The body to be reduced.
     pub(crate) fn solid<'a>(&'a self, mesh: &'a Mesh, memory: usize) -> Solid<'a> {
         let Assembled { stiffness, mass } = self;
-        Solid { stiffness, mass, coordinates: mesh.nodes(), memory }
+        Solid { stiffness, mass, coordinates: mesh.nodes(), slots: mesh.slots(), memory }
     }
 }
 

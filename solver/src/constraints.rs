@@ -6,6 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::{Error, FreeMotion, ReductionError};
+use crate::mesh::Mesh;
+use crate::mesh::matrices::Slot;
 use crate::reduction;
 use crate::sparse::{SparseColumns, SparseMatrix};
 
@@ -221,6 +223,26 @@ pub fn free_motions(
     k: &SparseMatrix,
     constraints: &Constraints,
 ) -> Result<Vec<FreeMotion>, Error> {
+    free_motions_of((positions, &[]), k, constraints)
+}
+
+/// The same of a mesh, or of a body of matrices, whose dofs need not be translations of its nodes.
+///
+/// # Errors
+/// As [`free_motions`].
+pub fn free_motions_of_mesh(
+    mesh: &Mesh,
+    k: &SparseMatrix,
+    constraints: &Constraints,
+) -> Result<Vec<FreeMotion>, Error> {
+    free_motions_of((mesh.nodes(), mesh.slots()), k, constraints)
+}
+
+fn free_motions_of(
+    places: (&[[f64; 3]], &[Slot]),
+    k: &SparseMatrix,
+    constraints: &Constraints,
+) -> Result<Vec<FreeMotion>, Error> {
     let lower = k.lower().ok_or(ReductionError::NotSymmetric { matrix: "stiffness" })?;
     let mut rows: Vec<reduction::Row> = Vec::with_capacity(constraints.equations().len());
     for equation in constraints.equations() {
@@ -228,7 +250,7 @@ pub fn free_motions(
         let scale = row.values().fold(0.0, |scale: f64, c| scale.max(c.abs()));
         rows.push(row.into_iter().map(|(dof, c)| (dof, c / scale)).collect());
     }
-    Ok(reduction::free_motions(positions, &lower, &rows)?)
+    Ok(reduction::free_motions(places, &lower, &rows)?)
 }
 
 #[cfg(test)]

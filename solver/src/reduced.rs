@@ -12,6 +12,7 @@ use crate::centre_of_mass::CentreOfMass;
 use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::measure::MeanMotion;
+use crate::mesh::matrices::BodyMatrices;
 use crate::mesh::{Mesh, NodeSetMean};
 use crate::reduction::{CraigBampton, Row};
 use crate::sparse::SparseMatrix;
@@ -42,25 +43,57 @@ pub(crate) struct SpinTensors {
 }
 
 impl SpinTensors {
-    /// Of a reduction with its Y and H, G if rotation stiffens, and the positions x0 of its nodes (m).
+    /// Of a reduction with its Y and H, G if rotation stiffens, and what they do to the undeformed body.
     pub(crate) fn new(
         reduction: &CraigBampton,
         inertia: &SparseMatrix,
         coupling: &SparseMatrix,
         stiffening: Option<&SparseMatrix>,
-        positions: &[[f64; 3]],
+        undeformed: &Undeformed,
     ) -> SpinTensors {
-        let x0 = positions.as_flattened();
-        let (y_x0, h_x0) = (applied(inertia, x0), applied(coupling, x0));
         let size = reduction.coordinates();
         SpinTensors {
-            j0: x0.iter().zip(&y_x0).map(|(x, y)| x * y).sum(),
-            y0: reduction.shapes.apply_transpose(&y_x0),
-            h0: reduction.shapes.apply_transpose(&h_x0),
+            j0: undeformed.j0,
+            y0: reduction.shapes.apply_transpose(&undeformed.y_x0),
+            h0: reduction.shapes.apply_transpose(&undeformed.h_x0),
             inertia: reduction.reduce(inertia),
             coupling: reduction.reduce(coupling),
             stiffening: stiffening.map_or(Matrix::zeros(size, size), |g| reduction.reduce(g)),
         }
+    }
+}
+
+/// What Y and H make of the positions x0 of the nodes.
+pub(crate) struct Undeformed {
+    /// x0ᵀY x0 (kg·m²).
+    j0: f64,
+    /// Y x0 and H x0 (kg·m), 3·nodes.
+    y_x0: Vec<f64>,
+    h_x0: Vec<f64>,
+}
+
+impl Undeformed {
+    /// By the positions (m).
+    pub(crate) fn new(
+        inertia: &SparseMatrix,
+        coupling: &SparseMatrix,
+        positions: &[[f64; 3]],
+    ) -> Undeformed {
+        let x0 = positions.as_flattened();
+        let (y_x0, h_x0) = (applied(inertia, x0), applied(coupling, x0));
+        Undeformed { j0: x0.iter().zip(&y_x0).map(|(x, y)| x * y).sum(), y_x0, h_x0 }
+    }
+
+    /// Of a mesh. Reduced matrices need not have x0 among their motions, but do have a turn about z, r: x0ᵀY x0 = rᵀM r and
+    /// H x0 = −M r.
+    fn of(mesh: &Mesh, inertia: &SparseMatrix, coupling: &SparseMatrix) -> Undeformed {
+        let given = mesh.matrices().and_then(|own| Some((own, own.spin_load()?)));
+        let Some((own, load)) = given else {
+            return Undeformed::new(inertia, coupling, mesh.nodes());
+        };
+        let rigid = own.rigid_mass(mesh);
+        let h_x0 = rigid.momenta.col(5).iter().map(|own| -own).collect();
+        Undeformed { j0: rigid.inertia[2][2], y_x0: load.to_vec(), h_x0 }
     }
 }
 
@@ -103,6 +136,13 @@ impl Weight {
         }
     }
 
+    /// Of a body of matrices.
+    fn of_matrices(reduction: &CraigBampton, mesh: &Mesh, own: &BodyMatrices) -> Weight {
+        let rigid = own.rigid_mass(mesh);
+        let momentum = |axis: usize| reduction.shapes.apply_transpose(rigid.momenta.col(axis));
+        Weight { mass: rigid.mass, first_moment: rigid.first, momenta: [0, 1, 2].map(momentum) }
+    }
+
     /// As the motion of the centre of mass by the active coordinates.
     pub(crate) fn centre_of_mass(&self, active: &Coordinates) -> CentreOfMass {
         let rows = self.momenta.each_ref().map(|own| active.transform.apply_transpose(own));
@@ -138,15 +178,21 @@ impl Reduced {
             BodyKind::Shaft => {
                 let (inertia, coupling) =
                     (assemble(mesh, "spin_inertia")?, assemble(mesh, "spin_coupling")?);
-                let load = applied(&inertia, mesh.nodes().as_flattened());
-                let under_load = || stiffening(mesh, spec, &body, &whole, &load);
+                let undeformed = Undeformed::of(mesh, &inertia, &coupling);
+                let under_load = || match mesh.matrices() {
+                    Some(_) => assemble(mesh, "stiffening"),
+                    None => stiffening(mesh, spec, &body, &whole, &undeformed.y_x0),
+                };
                 let under_load = spec.stiffening.then(under_load).transpose()?;
                 let stiffening = under_load.as_ref();
-                Some(SpinTensors::new(&whole, &inertia, &coupling, stiffening, mesh.nodes()))
+                Some(SpinTensors::new(&whole, &inertia, &coupling, stiffening, &undeformed))
             }
             BodyKind::Support => None,
         };
-        let weight = Weight::new(&whole, &body.mass, mesh.nodes());
+        let weight = match mesh.matrices() {
+            Some(own) => Weight::of_matrices(&whole, mesh, own),
+            None => Weight::new(&whole, &body.mass, mesh.nodes()),
+        };
         let nodes = output_nodes(mesh, spec);
         let row = |i: usize| 3 * nodes[i / 3] + i % 3;
         let shapes =
@@ -174,7 +220,8 @@ impl Reduced {
         let held_while_turning: Option<Vec<_>> =
             stiffens.then(|| equations.map(|equation| equation.terms.clone()).collect());
         let program = (PROGRAM, instruction_set());
-        let body = (mesh.nodes(), blocks, materials);
+        let matrices = mesh.matrices().map(BodyMatrices::content);
+        let body = (mesh.nodes(), blocks, materials, matrices);
         let nodes = output_nodes(mesh, spec);
         let interface = (retained, held, spec.modes, springs, &spec.corrections);
         Key::of(&(program, kind, body, interface, nodes, held_while_turning))

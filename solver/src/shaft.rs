@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::linalg::{Matrix, congruence};
 use crate::measure::MeanMotion;
 use crate::mesh::Mesh;
-use crate::reduced::{BodyKind, Reduced, SpinTensors, Weight};
+use crate::reduced::{BodyKind, Reduced, SpinTensors, Undeformed, Weight};
 use crate::reduction::CraigBampton;
 use crate::sparse::SparseMatrix;
 
@@ -109,7 +109,7 @@ impl Shaft {
             parts.spin_inertia,
             parts.spin_coupling,
             parts.spin_stiffening,
-            parts.positions,
+            &Undeformed::new(parts.spin_inertia, parts.spin_coupling, parts.positions),
         );
         let nodes = parts
             .nodes

@@ -18,6 +18,7 @@ mod hostile;
 mod law_values;
 mod lost_work;
 mod machines;
+mod matrices_page;
 mod mesh_pictures;
 mod messages;
 mod mutants;

@@ -1,6 +1,7 @@
 //! Verification, validation and golden tests across the crates.
 
 mod history;
+pub mod matrices;
 
 use std::env;
 use std::fs;

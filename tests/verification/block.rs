@@ -63,6 +63,7 @@ impl Block {
             stiffness: &self.stiffness,
             mass: &self.mass,
             coordinates: &self.coordinates,
+            slots: &[],
             memory: PLENTY,
         }
     }

@@ -61,6 +61,7 @@ fn body() -> Body {
         ],
         node_sets: mesh.node_sets().clone(),
         element_sets: mesh.element_sets().clone(),
+        matrices: None,
     };
     Body { kind: BodyKind::Shaft, mesh, spec }
 }

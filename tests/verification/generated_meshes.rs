@@ -289,8 +289,13 @@ fn a_crank_has_the_mass_and_the_centre_of_its_parts() {
     assert_eq!(mesh.nodes()[mesh.single_node("PIN_MIDDLE").unwrap()], [0.055, 0.0, z]);
     let (stiffness, mass) =
         (assemble(&mesh, "stiffness").unwrap(), assemble(&mesh, "mass").unwrap());
-    let solid =
-        Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: 1 << 30 };
+    let solid = Solid {
+        stiffness: &stiffness,
+        mass: &mass,
+        coordinates: mesh.nodes(),
+        slots: &[],
+        memory: 1 << 30,
+    };
     let hertz = solid.free_modes(7).unwrap().hertz();
     assert!(hertz[5] < 1e-2 * hertz[6] && hertz[6] > 500.0, "{hertz:?}");
 }

@@ -74,8 +74,13 @@ fn first_elastic(solid: &Solid) -> f64 {
 fn reference_shaft() {
     let mesh = reference("shaft");
     let [stiffness, mass] = ["stiffness", "mass"].map(|form| assemble(&mesh, form).unwrap());
-    let solid =
-        Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: PLENTY };
+    let solid = Solid {
+        stiffness: &stiffness,
+        mass: &mass,
+        coordinates: mesh.nodes(),
+        slots: &[],
+        memory: PLENTY,
+    };
     let retained = shaft_retained(&mesh);
     assert_eq!((mesh.dof_count(), retained.len()), (5775, 27));
     let reduction = solid.craig_bampton(&indices(&retained), 50).unwrap();
@@ -119,8 +124,13 @@ fn reference_support() {
     let elastic = assemble(&mesh, "stiffness").unwrap();
     let mass = assemble(&mesh, "mass").unwrap();
     let stiffness = add_ground_springs(&elastic, &ground_springs(&mesh)).unwrap();
-    let solid =
-        Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: PLENTY };
+    let solid = Solid {
+        stiffness: &stiffness,
+        mass: &mass,
+        coordinates: mesh.nodes(),
+        slots: &[],
+        memory: PLENTY,
+    };
     let retained = dofs(&mesh, &[("MOUNTS", "xyz")]);
     assert_eq!((mesh.dof_count(), retained.len()), (12807, 9));
     let reduction = solid.craig_bampton(&indices(&retained), 150).unwrap();

@@ -3,7 +3,7 @@
 use whirl_codegen::diagnostic::{Code, Located, suggest};
 use whirl_codegen::document::Table;
 
-use super::{Form, SystemDraft};
+use super::{Form, Mesh, SystemDraft};
 
 /// What is written of whole bodies.
 #[derive(Debug, Clone)]
@@ -39,7 +39,11 @@ fn bodies(table: &Table, system: &SystemDraft) -> Option<Vec<usize>> {
         SystemDraft::Rotor(_) => vec![("shaft", true), ("support", true)],
         SystemDraft::Joined(None) => return None,
         SystemDraft::Joined(Some(joined)) => {
-            let meshed = |form: &Form| matches!(form, Form::Meshed(_));
+            // Matrices have no cells to be written.
+            let meshed = |form: &Form| match form {
+                Form::Meshed(own) => !matches!(own.body.mesh, Mesh::Matrices(_)),
+                Form::Rigid(_) => false,
+            };
             joined.bodies.iter().map(|body| (body.name.text(), meshed(&body.form))).collect()
         }
         SystemDraft::Lumped(_) => Vec::new(),

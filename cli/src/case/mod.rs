@@ -42,7 +42,7 @@ pub(crate) use read::read;
 pub(crate) use read::{SystemDraft, draft};
 pub(crate) use rotor::RotorDraft;
 pub(crate) use rotor::{
-    Bearing, Body, Drive, GeneratedMesh, Mesh, MeshFile, Region, Rotor, Shaft, Support,
+    Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, Rotor, Shaft, Support,
 };
 pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;

@@ -9,6 +9,7 @@ use whirl_codegen::units::Dimension;
 use whirl_solver::loads::Release;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::format::MeshUnits;
+use whirl_solver::mesh::matrices::Request;
 use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::Motion;
@@ -101,6 +102,8 @@ pub(crate) enum Mesh<D> {
     File(MeshFile),
     /// Made from a few dimensions.
     Generated(GeneratedMesh<D>),
+    /// Matrices in place of one.
+    Matrices(Box<MatrixFiles>),
 }
 
 impl<D> Mesh<D> {
@@ -109,6 +112,7 @@ impl<D> Mesh<D> {
         match self {
             Mesh::File(file) => file.name.clone(),
             Mesh::Generated(generated) => generated.table.clone(),
+            Mesh::Matrices(files) => files.place.clone(),
         }
     }
 }
@@ -133,6 +137,17 @@ pub(crate) struct MeshFile {
     pub(crate) name: Located,
     /// Units of its numbers.
     pub(crate) units: MeshUnits,
+}
+
+/// Matrices of a body that a case names, in place of a mesh.
+#[derive(Debug, Clone)]
+pub(crate) struct MatrixFiles {
+    /// Resolved paths.
+    pub(crate) request: Request,
+    /// The table of the case.
+    pub(crate) place: Located,
+    /// Whether the case leaves out how many modes are kept.
+    pub(crate) all_modes: bool,
 }
 
 /// What a case says of either body.

@@ -1,18 +1,18 @@
 //! Meshes of a case: read from a file, or made from dimensions.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::Path;
 use std::sync::Arc;
+use std::{fs, io};
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_solver::error::{Error, InputErrors};
 use whirl_solver::mesh::format::{self, Format, ReadOptions};
-use whirl_solver::mesh::{self, Cell, Material, Mesh};
+use whirl_solver::mesh::{self, Cell, Material, Mesh, matrices};
 use whirl_specs::{ELEMENTS, Element};
 
 use super::{masses, selections};
-use crate::case::{self, MeshFile};
+use crate::case::{self, MatrixFiles, MeshFile};
 use crate::errors::Failure;
 
 /// The mesh of a body, with its materials and the sets of the case; `make` makes it from dimensions. `axis` (m) is that of
@@ -31,10 +31,11 @@ pub(super) fn mesh<D>(
             let mesh = make(&generated.dimensions, &elements());
             in_regions(mesh.map_err(|error| impossible(generated, error))?, &body.regions)
         }
+        case::Mesh::Matrices(files) => of_matrices(files, warnings),
     }?;
     // Those made from dimensions are about their own axis.
     let axis = match body.mesh {
-        case::Mesh::File(_) => axis,
+        case::Mesh::File(_) | case::Mesh::Matrices(_) => axis,
         case::Mesh::Generated(_) => [0.0; 2],
     };
     selections::with_selections(mesh, &body.selections, axis)
@@ -93,6 +94,20 @@ fn read(
         );
     }
     Ok(mesh)
+}
+
+/// A body of matrices.
+fn of_matrices(files: &MatrixFiles, warnings: &mut Vec<String>) -> Result<Mesh, Failure> {
+    let load = |path: &Path| {
+        // A device or a pipe may have no end.
+        if !fs::metadata(path)?.is_file() {
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is no file"));
+        }
+        fs::read(path)
+    };
+    let read = matrices::read(&files.request, &load).map_err(|errors| placed(&errors))?;
+    warnings.extend(read.warnings.iter().map(ToString::to_string));
+    Ok(read.mesh)
 }
 
 /// The text of a mesh file.

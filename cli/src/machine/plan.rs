@@ -4,6 +4,7 @@
 mod body;
 mod driven;
 pub(super) mod geometry;
+mod matrices;
 
 use whirl_codegen::diagnostic::{Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;

@@ -149,6 +149,7 @@ impl CrankThrow {
             materials: vec![self.material.clone()],
             node_sets,
             element_sets,
+            matrices: None,
         })
     }
 

@@ -9,6 +9,7 @@ pub mod format;
 pub mod inp;
 mod layers;
 mod material;
+pub mod matrices;
 mod mean;
 pub mod measure;
 pub mod msh;
@@ -29,10 +30,12 @@ pub use selection::{Cylinder, Selection};
 pub use surface::{Surface, SurfacePoint};
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use whirl_specs::Element;
 use whirl_text::nearest_in_any_case;
 
+use self::matrices::BodyMatrices;
 use crate::error::Error;
 
 /// Farthest a coordinate may be from the origin (m): beyond it squares and products of lengths lose what is meant.
@@ -94,6 +97,8 @@ pub struct MeshParts {
     pub node_sets: BTreeMap<String, Vec<usize>>,
     /// Cells by the set's name.
     pub element_sets: BTreeMap<String, Vec<Cell>>,
+    /// Matrices of a body without cells.
+    pub matrices: Option<Arc<BodyMatrices>>,
 }
 
 /// A mesh of solid cells, in m, kg, s.
@@ -216,7 +221,8 @@ impl Mesh {
         let found = sets.get(name).or_else(|| {
             sets.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, set)| set)
         });
-        found.map(Vec::as_slice).ok_or_else(|| Error::MissingSet {
+        let found = found.map(Vec::as_slice).or_else(|| self.node_by_label(name));
+        found.ok_or_else(|| Error::MissingSet {
             origin: self.parts.origin.clone(),
             kind: "node",
             name: name.to_owned(),

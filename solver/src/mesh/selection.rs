@@ -54,7 +54,8 @@ const ALONG: f64 = 0.7;
 const SAME: f64 = 0.01;
 
 impl Mesh {
-    /// The nodes of a selection, ascending; faces count where they are on the surface of the mesh.
+    /// The nodes of a selection, ascending; faces count where they are on the surface of the mesh. Of a body of
+    /// matrices, which has no faces, the nodes count.
     pub fn selected(&self, selection: &Selection) -> Vec<usize> {
         let near = |node: &[f64; 3]| match *selection {
             Selection::Cylinder { centre, radius, within, z } => {
@@ -69,7 +70,8 @@ impl Mesh {
             }
             Selection::Plane { across, at, within } => (node[across] - at).abs() <= within,
         };
-        let inside: Vec<bool> = self.nodes().iter().map(near).collect();
+        let placed = &self.nodes()[..self.placed()];
+        let inside: Vec<bool> = placed.iter().map(near).collect();
         let fits = |face: &SeenFace| match *selection {
             Selection::Cylinder { .. } => face.radial.abs() >= ALONG,
             Selection::Plane { across, .. } => face.normal[across].abs() >= ALONG,
@@ -80,6 +82,10 @@ impl Mesh {
             _ => [0.0; 2],
         };
         let chosen: BTreeSet<usize> = match selection {
+            // Matrices have no faces.
+            _ if self.matrices().is_some() => {
+                (0..placed.len()).filter(|&node| inside[node]).collect()
+            }
             Selection::Point { .. } => (0..inside.len()).filter(|&node| inside[node]).collect(),
             _ => {
                 let faces = self.surface_within(&inside);

@@ -150,6 +150,7 @@ impl SolidShaft {
             materials: vec![self.material.clone()],
             node_sets,
             element_sets,
+            matrices: None,
         })
     }
 

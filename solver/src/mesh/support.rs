@@ -102,6 +102,7 @@ impl RingSupport {
             materials: vec![self.material.clone()],
             node_sets,
             element_sets: BTreeMap::from([("Ehex8".to_owned(), all)]),
+            matrices: None,
         })
     }
 

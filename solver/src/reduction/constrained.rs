@@ -184,6 +184,10 @@ impl ConstrainedCholesky {
     /// Replaces each column b of `rhs` by u with A u − Cᵀλ = b and C u = d, for the columns d of `given`; the columns λ.
     pub fn solve_with(&self, rhs: &mut [f64], given: &Matrix) -> Matrix {
         let (n, k) = (self.free.len(), self.pins.len());
+        if self.size == 0 {
+            // Every dof is retained or held.
+            return Matrix::zeros(self.small.rows - k, given.cols);
+        }
         let columns = rhs.len().checked_div(self.size).unwrap_or(0);
         let mut inner = Matrix::zeros(n, columns);
         let mut last = Matrix::zeros(self.small.rows, columns);

@@ -3,6 +3,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, dot, transpose_multiply};
+use crate::mesh::matrices::Slot;
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
@@ -22,6 +23,8 @@ pub struct Solid<'a> {
     pub mass: &'a SparseMatrix,
     /// Node coordinates (m).
     pub coordinates: &'a [[f64; 3]],
+    /// What each dof is; empty where all are translations of the nodes.
+    pub slots: &'a [Slot],
     /// Bytes that the factor of K may take.
     pub memory: usize,
 }
@@ -96,7 +99,7 @@ impl Solid<'_> {
         let whole = lower(self.stiffness, "stiffness")?;
         let held = interface.held.iter().map(|&dof| vec![(dof, 1.0)]);
         let held: Vec<Row> = retained.iter().map(of_order_one).chain(held).collect();
-        let motions = free_motions(self.coordinates, &whole, &held)?;
+        let motions = free_motions((self.coordinates, self.slots), &whole, &held)?;
         if !motions.is_empty() {
             return Err(ReductionError::Mechanism { motions });
         }
@@ -249,7 +252,7 @@ impl Solid<'_> {
         let single = interface.retained.iter().filter(|row| matches!(row[..], [(_, 1.0)])).cloned();
         let held = interface.held.iter().map(|&dof| vec![(dof, 1.0)]);
         let rows: Vec<Row> = single.chain(held).collect();
-        let motions = free_shapes_of_parts(self.coordinates, whole, &rows)?;
+        let motions = free_shapes_of_parts((self.coordinates, self.slots), whole, &rows)?;
         Ok(pins(motions, &partition.inner))
     }
 

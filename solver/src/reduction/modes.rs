@@ -80,10 +80,11 @@ impl Pencil<'_> {
         Ok(self.shifted_modes(count, 1e-10 * self.highest())?.0)
     }
 
-    /// The size of the largest ω² of the mesh (rad²/s²), by its diagonals.
+    /// The size of the largest ω² of the mesh (rad²/s²), by its diagonals; dofs without mass have none.
     fn highest(&self) -> f64 {
         let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
-        k.iter().zip(&m).map(|(k, m)| k / m).fold(0.0, f64::max)
+        let heavy = k.iter().zip(&m).filter(|(_, m)| **m > 0.0);
+        heavy.map(|(k, m)| k / m).fold(0.0, f64::max)
     }
 
     /// How far rounding moves an ω² (rad²/s²): K is only known to ε of its largest entries.
@@ -245,8 +246,10 @@ impl Pencil<'_> {
     /// The error that says so, with the place of the stiffest dof in this pencil for its node.
     fn hidden(&self, eigenvalues: &[f64]) -> ReductionError {
         let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
-        let row =
-            (0..k.len()).max_by(|&a, &b| (k[a] / m[a]).total_cmp(&(k[b] / m[b]))).unwrap_or(0);
+        let row = (0..k.len())
+            .filter(|&a| m[a] > 0.0)
+            .max_by(|&a, &b| (k[a] / m[a]).total_cmp(&(k[b] / m[b])))
+            .unwrap_or(0);
         ReductionError::Hidden {
             node: row as u64,
             component: self.components[row],

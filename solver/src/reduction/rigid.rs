@@ -7,6 +7,10 @@ use crate::linalg::{
     LinearAlgebraError, LowerTriangle, Matrix, multiply, symmetric_eigen, transpose_multiply,
 };
 use crate::mesh::connected;
+use crate::mesh::matrices::Slot;
+
+/// Coordinates of the nodes (m), and what their dofs are; all are translations where this is empty.
+pub(crate) type Places<'a> = (&'a [[f64; 3]], &'a [Slot]);
 
 /// A held motion moves the retained dofs by at least this part of the body's own motion, and a sprung
 /// one costs at least this part of the stiffness of a single dof; rounding leaves far less.
@@ -23,7 +27,8 @@ pub(crate) struct RigidMotions {
 }
 
 impl RigidMotions {
-    pub(crate) fn new(coordinates: &[[f64; 3]]) -> Self {
+    /// Of nodes at these coordinates, whose dofs are these `slots`; all are translations where there are none.
+    pub(crate) fn new((coordinates, slots): Places) -> Self {
         let count = coordinates.len().max(1) as f64;
         let mut middle = [0.0; 3];
         for point in coordinates {
@@ -45,13 +50,21 @@ impl RigidMotions {
                 shapes[(3 * node + k, 3 + i)] = offset[j] / size;
             }
         }
+        for (dof, slot) in slots.iter().enumerate() {
+            if !matches!(slot, Slot::Translation(_)) {
+                (0..6).for_each(|j| shapes[(dof, j)] = 0.0);
+            }
+            if let Slot::Turn(i) = slot {
+                shapes[(dof, 3 + i)] = 1.0 / size;
+            }
+        }
         RigidMotions { middle, size, shapes }
     }
 
     /// Of the nodes listed; the others stay where they are.
     fn of_part(coordinates: &[[f64; 3]], nodes: &[usize]) -> Self {
         let own: Vec<[f64; 3]> = nodes.iter().map(|&node| coordinates[node]).collect();
-        let part = RigidMotions::new(&own);
+        let part = RigidMotions::new((&own, &[]));
         let mut shapes = Matrix::zeros(3 * coordinates.len(), 6);
         for (place, &node) in nodes.iter().enumerate() {
             for i in 0..3 {
@@ -87,7 +100,11 @@ impl RigidMotions {
         let moves = multiply(self.shapes.view(), loose.view());
         let mut forces = Matrix::zeros(moves.rows, moves.cols);
         stiffness.multiply(&moves.data, &mut forces.data);
-        let stiffest = stiffness.diagonal().into_iter().fold(0.0, f64::max);
+        // Coordinates without a place, such as those of modes, have another measure.
+        let placed = |dof: usize| (0..6).any(|j| self.shapes[(dof, j)] != 0.0);
+        let diagonal = stiffness.diagonal().into_iter().enumerate();
+        let stiffest =
+            diagonal.filter(|(dof, _)| placed(*dof)).fold(0.0, |most: f64, (_, own)| most.max(own));
         let energy = transpose_multiply(moves.view(), forces.view());
         Ok(multiply(loose.view(), small(&energy, NEGLIGIBLE * stiffest)?.view()))
     }
@@ -132,14 +149,15 @@ pub type Row = Vec<(usize, f64)>;
 /// The rigid motions of a body that make every one of `rows` (whose coefficients are of order 1) zero and strain nothing. Of a mesh in several
 /// parts each is checked alone, too: one that nothing holds is reported as a part, but for the largest.
 pub(crate) fn free_motions(
-    coordinates: &[[f64; 3]],
+    (coordinates, slots): Places,
     stiffness: &LowerTriangle,
     rows: &[Row],
 ) -> Result<Vec<FreeMotion>, LinearAlgebraError> {
-    let parts = parts(coordinates.len(), stiffness);
+    // Dofs without a place, such as modes, are parts of their own only in the stiffness.
+    let parts = if slots.is_empty() { parts(coordinates.len(), stiffness) } else { Vec::new() };
     let count = parts.len();
     if count < 2 {
-        return RigidMotions::new(coordinates).free(stiffness, rows);
+        return RigidMotions::new((coordinates, slots)).free(stiffness, rows);
     }
     // The first of the largest.
     let largest = (0..count).rev().max_by_key(|&part| parts[part].len()).unwrap_or(0);
@@ -157,7 +175,7 @@ pub(crate) fn free_motions(
     }
     if free.is_empty() {
         // Parts that equations hold together may move as one.
-        return RigidMotions::new(coordinates).free(stiffness, rows);
+        return RigidMotions::new((coordinates, slots)).free(stiffness, rows);
     }
     Ok(free)
 }
@@ -169,7 +187,7 @@ pub(crate) fn free_motions(
 /// A stiffness that is not symmetric by its structure, or with values that are not finite.
 pub(crate) fn free_shapes(solid: &Solid, rows: &[Row]) -> Result<Matrix, ReductionError> {
     let stiffness = lower(solid.stiffness, "stiffness")?;
-    let motions = RigidMotions::new(solid.coordinates);
+    let motions = RigidMotions::new((solid.coordinates, solid.slots));
     let free = motions.combinations(&stiffness, rows)?;
     Ok(multiply(motions.shapes.view(), free.view()))
 }
@@ -177,7 +195,7 @@ pub(crate) fn free_shapes(solid: &Solid, rows: &[Row]) -> Result<Matrix, Reducti
 /// The rigid motions of every part of a body by itself that make every one of `rows` zero and strain nothing: for each part
 /// 3·nodes × as many.
 pub(super) fn free_shapes_of_parts(
-    coordinates: &[[f64; 3]],
+    (coordinates, slots): Places,
     stiffness: &LowerTriangle,
     rows: &[Row],
 ) -> Result<Vec<Matrix>, LinearAlgebraError> {
@@ -185,6 +203,9 @@ pub(super) fn free_shapes_of_parts(
         let free = motions.combinations(stiffness, rows)?;
         Ok(multiply(motions.shapes.view(), free.view()))
     };
+    if !slots.is_empty() {
+        return Ok(vec![shapes(RigidMotions::new((coordinates, slots)))?]);
+    }
     parts(coordinates.len(), stiffness)
         .iter()
         .map(|nodes| shapes(RigidMotions::of_part(coordinates, nodes)))
@@ -249,7 +270,7 @@ mod tests {
         let coordinates = [[0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.5, 0.3, 1.0], [0.5, -0.3, 1.0]];
         let motions = |stiffness: &LowerTriangle, held: &[usize]| {
             let rows: Vec<Row> = held.iter().map(|&dof| vec![(dof, 1.0)]).collect();
-            RigidMotions::new(&coordinates).free(stiffness, &rows)
+            RigidMotions::new((&coordinates, &[])).free(stiffness, &rows)
         };
         let nothing = LowerTriangle::from_columns(12, |j| std::iter::once((j, 0.0)));
         let held = [0, 1, 2, 3, 4, 5];
@@ -282,7 +303,7 @@ mod tests {
         });
         let free = |held: &[usize]| {
             let rows: Vec<Row> = held.iter().map(|&dof| vec![(dof, 1.0)]).collect();
-            free_motions(&coordinates, &joined, &rows).unwrap()
+            free_motions((&coordinates, &[]), &joined, &rows).unwrap()
         };
         let first = [0, 1, 2, 3, 5, 8];
         assert_eq!(free(&first), [FreeMotion::Part { node: 3 }]);
@@ -293,6 +314,6 @@ mod tests {
         // A node alone has no turns, and is held by three dofs.
         let alone = LowerTriangle::from_columns(3, |dof| std::iter::once((dof, 0.0)));
         let held: Vec<Row> = (0..3).map(|dof| vec![(dof, 1.0)]).collect();
-        assert_eq!(free_motions(&[[1.0, 2.0, 3.0]], &alone, &held).unwrap(), []);
+        assert_eq!(free_motions((&[[1.0, 2.0, 3.0]], &[]), &alone, &held).unwrap(), []);
     }
 }

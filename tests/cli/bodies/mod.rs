@@ -2,6 +2,7 @@
 
 mod bushings;
 mod joints;
+mod matrices;
 pub(crate) mod meshes;
 mod missing_sets;
 mod rings;

@@ -17,7 +17,7 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 17] = [
+const FILES: [(&str, &str); 19] = [
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
@@ -35,10 +35,12 @@ const FILES: [(&str, &str); 17] = [
     ("buffer.toml", include_str!("buffer.toml")),
     ("skid.toml", include_str!("skid.toml")),
     ("ring.toml", include_str!("ring.toml")),
+    ("stored.toml", include_str!("stored.toml")),
+    ("punched.toml", include_str!("punched.toml")),
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 8] = [
+const CASES: [&str; 10] = [
     "generated.toml",
     "base.toml",
     "read.toml",
@@ -47,6 +49,8 @@ const CASES: [&str; 8] = [
     "goes-on.toml",
     "forced.toml",
     "tied.toml",
+    "stored.toml",
+    "punched.toml",
 ];
 
 #[test]
@@ -116,6 +120,57 @@ fn every_key_of_loads_and_drives_runs() {
     // A couple of 10 N·m at rest that falls by 10 N·m over 1500 rpm.
     let speed = found.history.last("omega_rad_s");
     assert!(speed > 1.0, "{speed}");
+}
+
+/// What bodies of matrices do is held to their meshes in `bodies`; here all of their keys stand together.
+#[test]
+fn every_key_of_matrices_runs() {
+    let dofs = "node, direction, x, y, z\n1, x, 0, 0, 0\n1, y\n2, x, 0, 0, 50\n2, y\n3, x, 0, 0, 100\n3, y\n";
+    let head = |symmetry: &str, count: usize| {
+        format!("%%MatrixMarket matrix coordinate real {symmetry}\n6 6 {count}\n")
+    };
+    // Three masses of 1 kg on a massless beam, in t and mm: what bends it is 100 N/mm · (1, −2, 1).
+    let rows = (1..=6).map(|i| format!("{i} {i} 1e-3\n"));
+    let mass = head("symmetric", 6) + &rows.collect::<String>();
+    let bend = [1.0, -2.0, 1.0];
+    let mut stiffness = head("symmetric", 12);
+    for (i, j) in (0..3).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+        let value = 100.0 * bend[i] * bend[j];
+        stiffness += &format!("{} {} {value}\n", 2 * i + 1, 2 * j + 1);
+        stiffness += &format!("{} {} {value}\n", 2 * i + 2, 2 * j + 2);
+    }
+    let skew = head("skew-symmetric", 3) + "2 1 -1e-3\n4 3 -1e-3\n6 5 -1e-3\n";
+    let load = "%%MatrixMarket matrix array real general\n6 1\n0\n0\n0\n0\n0\n0\n";
+    let none = head("symmetric", 1) + "1 1 1e-30\n";
+    let punch = "DMIG,KAAX,0,6,2,0\nDMIG,KAAX,1,1,,1,1,1.+6\nDMIG,KAAX,1,2,,1,2,1.+6\nDMIG,KAAX,1,3,,1,3,1.+6\n\
+                 DMIG,MAAX,0,6,2,0\nDMIG,MAAX,1,1,,1,1,1.\nDMIG,MAAX,1,2,,1,2,1.\nDMIG,MAAX,1,3,,1,3,1.\n";
+    let job = "1 1 1e9\n2 2 1e9\n3 3 1e9\n".to_owned();
+    let files: [(&str, String); 13] = [
+        ("job.dof", "1.1\n1.2\n1.3\n".to_owned()),
+        ("job.sti", job.clone()),
+        ("job.mas", job),
+        ("job.inp", "*NODE, NSET=N\n1, 0, 0, 0\n".to_owned()),
+        ("dofs.csv", dofs.to_owned()),
+        ("K.mtx", stiffness),
+        ("M.mtx", mass.clone()),
+        ("Y.mtx", mass),
+        ("H.mtx", skew),
+        ("load.mtx", load.to_owned()),
+        ("G.mtx", none),
+        ("body.pch", punch.to_owned()),
+        ("body.bdf", "GRID,1,,0.,0.,0.\n".to_owned()),
+    ];
+    let found = Results::of("stored", &files);
+    // At last the force stands on the far spring of 10⁵ N/m and, through the masses, on the near one.
+    let (near, far) = (found.history.last("RX_near_N"), found.history.last("RX_far_N"));
+    assert!((near + far + 10.0).abs() < 0.05, "{near} {far}");
+    let found = Results::of("punched", &files);
+    // 10 N on a spring of 10⁶ N/m.
+    assert!(
+        (found.history.last("X_far_um") - 10.0).abs() < 0.5,
+        "{}",
+        found.history.last("X_far_um")
+    );
 }
 
 /// The schemas one level down, each with what it adds to the path of a key.

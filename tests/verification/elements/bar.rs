@@ -95,8 +95,13 @@ fn shaft(fine: usize, layers: usize) -> Mesh {
 fn frequencies(fine: usize, layers: usize) -> Vec<f64> {
     let mesh = shaft(fine, layers);
     let [stiffness, mass] = ["stiffness", "mass"].map(|form| assemble(&mesh, form).unwrap());
-    let solid =
-        Solid { stiffness: &stiffness, mass: &mass, coordinates: mesh.nodes(), memory: 1 << 32 };
+    let solid = Solid {
+        stiffness: &stiffness,
+        mass: &mass,
+        coordinates: mesh.nodes(),
+        slots: &[],
+        memory: 1 << 32,
+    };
     let found = solid.free_modes(16).unwrap().hertz();
     assert!(found[5] < 1e-3 * found[6], "{found:?}");
     found[6..].to_vec()

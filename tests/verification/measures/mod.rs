@@ -41,6 +41,7 @@ fn mesh(
         materials: vec![Material::isotropic("STEEL", 2e11, 0.3, 7860.0).expect("steel")],
         node_sets: sets,
         element_sets: BTreeMap::new(),
+        matrices: None,
     })
     .expect("a mesh")
 }
@@ -101,6 +102,7 @@ impl Matrices {
             stiffness: &self.stiffness,
             mass: &self.mass,
             coordinates: mesh.nodes(),
+            slots: &[],
             memory: PLENTY,
         }
     }

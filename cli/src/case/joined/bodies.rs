@@ -7,7 +7,9 @@ use whirl_solver::mesh::Material;
 use whirl_specs::Motion;
 
 use super::schema;
-use super::{Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached, fit, names};
+use super::{
+    Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached, fit, matrices, names,
+};
 use crate::case::columns;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
@@ -27,8 +29,9 @@ const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffn
 /// Keys of rigid bodies, with a mesh or without, and of all.
 const OF_BOTH: [&str; 4] = ["z", "damping", "ground_spring", "moves_along_z"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 13] = [
+const MESHED: [&str; 14] = [
     "mesh",
+    "matrices",
     "units",
     "dimensions",
     "rigid",
@@ -96,8 +99,7 @@ pub(super) fn read(
         (Some(_), None) => read_meshed(store, table, materials, (turned, thrust)).map(Form::Meshed),
         (None, Some(_)) => Some(Form::Rigid(read_rigid(table, turned))),
         (None, None) => {
-            let help =
-                "add `mesh = \"body.inp\"`, a table of `dimensions`, or the `mass` of a rigid body";
+            let help = "add `mesh = \"body.inp\"`, a table of `dimensions` or of `matrices`, or the `mass` of a rigid body";
             table.absent("mesh", help);
             MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
             OF_BOTH.iter().for_each(|key| table.pass_over(key));
@@ -190,13 +192,16 @@ fn read_meshed(
                 table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
             }
         }
-    } else if !table.has("modes") {
+    } else if !table.has("modes") && !table.gives("matrices") {
         let help = "add `modes = 20`: so many of its lowest modes are kept, its retained nodes held; more change little";
         table.absent("modes", help);
     }
-    let body = machine::meshed(store, table, materials, |dimensions, material| {
-        made(dimensions, material, turns)
-    });
+    let body = match table.gives("matrices") {
+        true => matrices::read(store, table),
+        false => machine::meshed(store, table, materials, |dimensions, material| {
+            made(dimensions, material, turns)
+        }),
+    };
     let axial_restraint = table.optional_string("axial_restraint");
     let held = table.texts("held");
     let section = if turns { table.texts("section") } else { Vec::new() };
@@ -207,7 +212,9 @@ fn read_meshed(
         table.push(table.written("section").error_here(Code::BAD_VALUE, message).help(help));
     }
     // Where a joint acts along z, it may hold the body.
-    if turns && !rigid && !thrust && axial_restraint.is_none() && held.is_empty() {
+    // Matrices need not have dofs along z; where they have, what may move is found.
+    let along = !table.gives("matrices");
+    if turns && along && !rigid && !thrust && axial_restraint.is_none() && held.is_empty() {
         table.demand("axial_restraint");
     }
     let ground_springs = if turns { Vec::new() } else { machine::ground_springs(table) };

@@ -266,7 +266,9 @@ impl Checks<'_, '_> {
             self.note(&body.name.clone(), message, help);
         }
         let Form::Meshed(own) = &body.form else { return };
-        let held = own.rigid || own.axial_restraint.is_some() || !own.held.is_empty();
+        // Whether matrices have dofs along z is known once they are read.
+        let stored = matches!(own.body.mesh, super::rotor::Mesh::Matrices(_));
+        let held = stored || own.rigid || own.axial_restraint.is_some() || !own.held.is_empty();
         if body.turning.is_some() && !held {
             let message =
                 format!("`[body.{name}]` has no `axial_restraint`: nothing holds it along z");

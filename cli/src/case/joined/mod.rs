@@ -8,6 +8,7 @@ mod checks;
 mod fit;
 mod forces;
 mod joints;
+mod matrices;
 pub(super) mod names;
 pub(super) mod schema;
 

@@ -25,7 +25,12 @@ pub(crate) const BODY: &[Key] = &[
     merged("turns", Words(&["free", "prescribed", "no"]), "whether it turns about its axis"),
     key("axis", PLACE, "x and y of its axis, 0 if left out").like(PLACE_EXAMPLE),
     key("mesh", Text, "a mesh file: Gmsh, or input of Abaqus or CalculiX"),
-    key("units", Text, "of length, force and mass in the mesh file; m, N, kg if left out")
+    key(
+        "matrices",
+        Table(&[MATRICES]),
+        "stiffness and mass that another program wrote, in place of a mesh",
+    ),
+    key("units", Text, "of length, force and mass in the mesh file, or in `matrices`; m, N, kg if left out")
         .like("\"mm, N, t\""),
     key(
         "dimensions",
@@ -77,6 +82,30 @@ pub(crate) const BODY: &[Key] = &[
         "of a mesh that turns: false leaves out the stiffness by the centrifugal stress",
     ),
     key("moves_along_z", Flag, "of a rigid body: true lets it move along z"),
+];
+
+const MATRICES: &[Key] = &[
+    key("stiffness", Text, "a Matrix Market file of K; of DMIG the name of K, KAAX if left out")
+        .like("\"K.mtx\""),
+    key("mass", Text, "a Matrix Market file of M; of DMIG the name of M, MAAX if left out")
+        .like("\"M.mtx\""),
+    key("dofs", Text, "a table of the dofs of Matrix Market files: node, direction, x, y, z")
+        .like("\"dofs.csv\""),
+    key("dmig", Text, "a file with cards DMIG of Nastran, in place of `dofs`")
+        .like("\"model.pch\""),
+    key("calculix", Text, "the job of CalculiX that wrote .sti, .mas and .dof, in place of `dofs`")
+        .like("\"JOB\""),
+    key("nodes", Text, "the input file of `dmig` or `calculix`, with the places of the nodes")
+        .like("\"model.bdf\""),
+    key(
+        "spin_inertia",
+        Text,
+        "Y of a body that turns: a Matrix Market file, or the name of a DMIG",
+    )
+    .like("\"Y.mtx\""),
+    key("spin_coupling", Text, "H of a body that turns").like("\"H.mtx\""),
+    key("spin_load", Text, "the centrifugal load at 1 rad/s, Y x0").like("\"load.mtx\""),
+    key("stiffening", Text, "G, the stiffness by the stress of this load").like("\"G.mtx\""),
 ];
 
 const DISC: &[Key] = &[

@@ -87,12 +87,13 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     let mesh = meshes::mesh((&own.body, body.axis), Dimensions::mesh, warnings)?;
     // Meshes of files stand in space, those made from dimensions about their own axis.
     let by = match (&own.body.mesh, body.turning.is_some()) {
-        (case::Mesh::File(_), true) => body.axis.map(|x| -x),
+        (case::Mesh::File(_) | case::Mesh::Matrices(_), true) => body.axis.map(|x| -x),
         (case::Mesh::Generated(_), false) => body.axis,
         _ => [0.0; 2],
     };
     let mesh = if by == [0.0; 2] { mesh } else { mesh.moved(by)? };
     let held_by = own.axial_restraint.as_ref().or(own.held.first()).unwrap_or(&body.name);
+    suits(&mesh, own, body.turning.is_some())?;
     let mut plan = BodyPlan::new(mesh, &own.body, held_by);
     plan.spec.stiffening = own.stiffening;
     plan.rigid = own.rigid;
@@ -111,6 +112,26 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
         }
     };
     Ok(PlannedBody::Meshed(Box::new(plan.saying(HoldingWords { springs, held: "held" }))))
+}
+
+/// Notes matrices that lack what is asked of the body.
+fn suits(mesh: &Mesh, own: &MeshedBody, turns: bool) -> Result<(), Failure> {
+    let Some(matrices) = mesh.matrices() else { return Ok(()) };
+    let lacks = match (own.rigid, turns) {
+        (true, _) => matrices.lacks_to_be_free("rigid"),
+        (false, true) => matrices
+            .lacks_to_be_free("that turns")
+            .or_else(|| matrices.lacks_to_turn(own.stiffening)),
+        (false, false) => None,
+    };
+    let place = own.body.mesh.place();
+    match lacks {
+        None => Ok(()),
+        Some((what, help)) => {
+            let message = format!("{}: {what}", mesh.origin());
+            Err(Diagnostics::from(place.error_here(Code::BAD_VALUE, message).help(help)).into())
+        }
+    }
 }
 
 /// The only mean motion of a rigid body, which is its motion as a whole.
@@ -202,6 +223,7 @@ fn tie(
     let driven = joined.drives.iter().any(|drive| drive.body == place);
     match case.section.as_slice() {
         [] if driven => {}
+        [] if plan.tie_matrices(&joined.bodies[place].name) => {}
         [] => section::tie(plan, &joined.bodies[place].name, errors),
         sets => {
             plan.tie(&section_of(sets), errors);

@@ -26,14 +26,14 @@ pub(super) fn ends(mesh: &Mesh) -> [f64; 2] {
 pub(super) fn nodes_at(mesh: &Mesh, z: f64) -> Vec<usize> {
     let [first, last] = ends(mesh);
     let flat = |node: &usize| (mesh.nodes()[*node][2] - z).abs() <= FLAT * (last - first);
-    (0..mesh.nodes().len()).filter(flat).collect()
+    (0..mesh.placed()).filter(flat).collect()
 }
 
 /// Ties two opposite nodes: they move alike along the tangent, at the z at which the body is held.
 pub(super) fn tie(plan: &mut BodyPlan, name: &Located, errors: &mut Diagnostics) {
     let last = plan.spec.retained.iter().rev().find_map(Retained::single);
     let z = plan.mesh.nodes()[last.unwrap_or(0) / 3][2];
-    let Some([top, bottom]) = opposite(plan.mesh.nodes(), z) else {
+    let Some([top, bottom]) = opposite(&plan.mesh.nodes()[..plan.mesh.placed()], z) else {
         let message = format!(
             "{} has no two nodes at opposite ends of a diameter by which its rotation could be told",
             plan.mesh.origin()

@@ -3,7 +3,9 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::assemble;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
-use whirl_solver::constraints::{Constraints, GroundSpring, add_ground_springs, free_motions};
+use whirl_solver::constraints::{
+    Constraints, GroundSpring, add_ground_springs, free_motions_of_mesh,
+};
 use whirl_solver::contacts::{BoreNodes, patterns};
 use whirl_solver::error::Error;
 use whirl_solver::error::{FreeMotion, ReductionError};
@@ -26,12 +28,16 @@ pub(crate) struct BodyPlan {
     pub(crate) mesh: Mesh,
     /// How it is reduced; its nodes are the output nodes, whose motion is wanted.
     pub(crate) spec: BodySpec,
+    /// For which set each of its motions is retained, as the case says it.
+    pub(super) retained_for: Vec<Located>,
+    /// Whether the case leaves out how many modes are kept, as it may of matrices.
+    pub(super) all_modes: bool,
     /// What joints and loads see of it: their places are those of the nodes of the reduced body.
     points: Vec<Point>,
     /// What holds it, as the case says it.
     held_by: Located,
     /// What it is made from, as the case says it.
-    made_from: Located,
+    pub(super) made_from: Located,
     /// Whether it is rigid, and nothing of it is reduced.
     pub(crate) rigid: bool,
     /// Whether it may move along z, if it is rigid.
@@ -74,7 +80,8 @@ impl BodyPlan {
         let spec = BodySpec {
             corrections: Vec::new(),
             retained: Vec::new(),
-            held: Vec::new(),
+            // What matrices lack is held.
+            held: mesh.matrices().map(|own| own.absent().collect()).unwrap_or_default(),
             modes: case.modes,
             constraints: Constraints::new(),
             springs: Vec::new(),
@@ -89,6 +96,8 @@ impl BodyPlan {
         BodyPlan {
             mesh,
             spec,
+            retained_for: Vec::new(),
+            all_modes: matches!(&case.mesh, case::Mesh::Matrices(own) if own.all_modes),
             points: Vec::new(),
             held_by,
             made_from,
@@ -141,11 +150,12 @@ impl BodyPlan {
     /// Sizes of the body, as in the paper's Table 1.
     pub(crate) fn counts(&self) -> Counts {
         // Held dofs are dofs of the interface, too.
-        let retained = self.spec.retained.len() + self.spec.held.len();
-        let physical = self.mesh.dof_count();
+        let absent = self.mesh.matrices().map_or(0, |own| own.absent().count());
+        let retained = self.spec.retained.len() + self.spec.held.len() - absent;
+        let physical = self.mesh.dof_count() - absent;
         Counts {
             elements: self.mesh.cell_count(),
-            nodes: self.mesh.nodes().len(),
+            nodes: self.mesh.placed(),
             physical_dofs: physical,
             internal_dofs: physical - retained,
             retained_dofs: retained,
@@ -244,6 +254,9 @@ impl BodyPlan {
         let mut labels: Vec<u64> =
             cells.filter(|(nodes, _)| inside(nodes[0], part)).map(|(_, &label)| label).collect();
         labels.sort_unstable();
+        if mesh.matrices().is_some() {
+            return format!("what is around node {label} can move without strain");
+        }
         if labels.len() == mesh.cell_count() {
             return format!("the cells around node {label} can move without strain");
         }
@@ -287,7 +300,7 @@ impl BodyPlan {
             held.equation(&*retained.name, retained.terms.iter().copied());
         }
         self.spec.held.iter().for_each(|&dof| held.fix(self.held_by.text(), dof));
-        match free_motions(self.mesh.nodes(), &stiffness, &held)? {
+        match free_motions_of_mesh(&self.mesh, &stiffness, &held)? {
             motions if motions.is_empty() => Ok(()),
             motions => {
                 let free = ReductionError::Mechanism { motions };
@@ -324,6 +337,7 @@ impl BodyPlan {
             return place;
         }
         retained.push(Retained::dof(dof, format!("{} {}", set.text(), AXES[axis])));
+        self.retained_for.push(set.clone());
         retained.len() - 1
     }
 
@@ -386,6 +400,7 @@ impl BodyPlan {
             return place;
         }
         all.push(retained);
+        self.retained_for.push(set.clone());
         all.len() - 1
     }
 
@@ -416,14 +431,15 @@ impl BodyPlan {
     /// Asks for the motion of all nodes; the place of the first one among the output points.
     pub(in crate::machine) fn output_all(&mut self) -> usize {
         let first = self.points.len();
-        (0..self.mesh.nodes().len()).for_each(|node| {
+        (0..self.mesh.placed()).for_each(|node| {
             self.output_node(node);
         });
         first
     }
 
     /// Notes more coordinates than there is memory for dense matrices of.
-    pub(in crate::machine) fn bound(&self, errors: &mut Diagnostics) {
+    pub(in crate::machine) fn bound(&mut self, errors: &mut Diagnostics) {
+        self.settle_matrices(errors);
         let kept = self.spec.retained.len();
         if kept + self.spec.modes > MOST_KEPT {
             let message = format!(
@@ -457,7 +473,10 @@ impl BodyPlan {
             return Vec::new();
         }
         match self.mesh.node_set(set.text()) {
-            Ok(nodes) => nodes.to_vec(),
+            Ok(nodes) => {
+                self.has_all(set, errors);
+                nodes.to_vec()
+            }
             Err(error) => {
                 let message = format!("{} has no node set `{}`", self.mesh.origin(), set.text());
                 let help = match error {

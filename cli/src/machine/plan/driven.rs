@@ -21,6 +21,7 @@ impl BodyPlan {
         errors: &mut Diagnostics,
     ) -> Place {
         let nodes: Vec<usize> = load.sets.iter().flat_map(|set| self.nodes(set, errors)).collect();
+        self.carries(load, &nodes, errors);
         let couple = match load.acting {
             Acting::Force(_) if load.spread == Spread::Each => {
                 return Place::Nodes(

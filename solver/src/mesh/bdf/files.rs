@@ -14,6 +14,8 @@ const DEEPEST: usize = 32;
 /// The texts of all files.
 pub(super) struct Sources {
     texts: Vec<String>,
+    /// Index of the first text among the files of the report.
+    first: usize,
     pub(super) lines: Vec<Line>,
 }
 
@@ -35,21 +37,22 @@ impl Line {
 
 impl Sources {
     pub(super) fn text(&self, line: &Line) -> &str {
-        &self.texts[line.file][line.start..line.end]
+        &self.texts[line.file - self.first][line.start..line.end]
     }
 }
 
-/// All lines up to `ENDDATA`, with what `INCLUDE` names in its place.
+/// All lines of the last file of the report up to `ENDDATA`, with what `INCLUDE` names in its place.
 pub(super) fn read(text: &str, load: Load<'_>, report: &mut MeshReport) -> Sources {
-    let main = PathBuf::from(&report.files[0]);
+    let first = report.files.len() - 1;
+    let main = PathBuf::from(&report.files[first]);
     let mut reader = Reader {
-        sources: Sources { texts: vec![text.to_owned()], lines: Vec::new() },
+        sources: Sources { texts: vec![text.to_owned()], first, lines: Vec::new() },
         taken: HashMap::from([(normal(&main), None)]),
         load,
         report,
         ended: false,
     };
-    reader.file(0, &main, 0);
+    reader.file(first, &main, 0);
     reader.sources
 }
 
@@ -64,7 +67,7 @@ struct Reader<'a, 'r> {
 
 impl Reader<'_, '_> {
     fn file(&mut self, file: usize, path: &Path, depth: usize) {
-        let lines = lines(&self.sources.texts[file], file);
+        let lines = lines(&self.sources.texts[file - self.sources.first], file);
         let mut lines = lines.into_iter();
         while let Some(line) = lines.next() {
             let text = self.sources.text(&line);
@@ -129,7 +132,7 @@ impl Reader<'_, '_> {
         self.taken.insert(normal(&path), Some(place));
         match (self.load)(&path) {
             Ok(text) => {
-                let file = self.sources.texts.len();
+                let file = self.report.files.len();
                 self.sources.texts.push(text);
                 self.report.files.push(path.display().to_string());
                 self.file(file, &path, depth + 1);

@@ -7,6 +7,7 @@
 
 mod bulk;
 mod cells;
+mod dmig;
 mod fields;
 mod files;
 mod interfaces;
@@ -22,6 +23,7 @@ mod spiders;
 mod systems;
 mod values;
 
+pub(super) use self::dmig::{Dmig, DmigColumn, grid_points, matrices};
 pub use self::files::Load;
 pub use self::masses::AddedMass;
 use super::format::{ReadMesh, ReadOptions};

@@ -28,12 +28,13 @@ impl Piece {
     }
 }
 
-/// The lines of a file, with those of the files that it includes in their places.
+/// The lines of the last file of the report, with those of the files that it includes in their places.
 pub(super) fn pieces(text: &str, path: &str, report: &mut MeshReport) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut open = vec![PathBuf::from(path)];
     let mut in_step = false;
-    add(0, text.into(), &mut open, &mut in_step, &mut pieces, report);
+    let file = report.files.len() - 1;
+    add(file, text.into(), &mut open, &mut in_step, &mut pieces, report);
     pieces
 }
 

@@ -26,6 +26,7 @@ use self::instance::PARTS;
 use self::materials::read_materials;
 pub use super::format::ReadMesh;
 use super::format::ReadOptions;
+use super::matrices::PlacedNodes;
 use super::raw::{MeshReport, RawMesh, Remedies};
 use crate::error::InputErrors;
 
@@ -76,6 +77,28 @@ pub fn read_with(text: &str, path: &str, options: &ReadOptions) -> Result<ReadMe
     let (sections, sections_complete) = assign_sections(&cards, &cells, &materials, &mut report);
     let raw = RawMesh { nodes, cells, materials, sections, sections_complete };
     raw.finish(&REMEDIES, options, report)
+}
+
+/// Nodes and sets of nodes of the last file of a report, which is `path`, whether cells have them or not; in units of the file.
+/// Other cards are left out.
+pub(super) fn placed_nodes(text: &str, path: &str, report: &mut MeshReport) -> PlacedNodes {
+    let pieces = pieces(text, path, report);
+    let all = cards(&pieces);
+    let kept: Vec<&Card> =
+        all.iter().filter(|card| ["NODE", "NSET"].contains(&card.keyword.as_str())).collect();
+    let mut nodes = read_nodes(&kept, report);
+    instance::place(&all, &mut nodes, report);
+    if let Some(card) =
+        all.iter().find(|card| ["TRANSFORM", "SYSTEM"].contains(&card.keyword.as_str()))
+    {
+        let what = format!("*{} turns the axes of nodes, and is not read", card.keyword);
+        report.error(card.place, what, "write places and dofs in x, y, z");
+    }
+    sets::read(&kept, "NSET", &mut nodes.named, report);
+    let labels = &nodes.named.labels;
+    let places = labels.iter().copied().zip(nodes.positions.iter().copied()).collect();
+    let sets = std::mem::take(&mut nodes.named.sets).into_map(|node| labels[node]);
+    PlacedNodes { places, sets, ..PlacedNodes::default() }
 }
 
 const READ: [&str; 9] = [

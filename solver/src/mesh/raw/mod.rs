@@ -154,6 +154,7 @@ impl RawMesh {
             materials,
             node_sets: nodes.named.sets.into_map(|node| node),
             element_sets: cells.named.sets.into_map(|cell| places[cell]),
+            matrices: None,
         })
     }
 }
