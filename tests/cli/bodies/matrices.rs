@@ -83,14 +83,14 @@ fn labelled(case: &str) -> String {
         .fold(case.to_owned(), |case, (set, node)| case.replace(set, &format!("\"NODE_{node}\"")))
 }
 
-/// The columns of two histories agree to this part of the largest value of each.
+/// The columns of two histories agree to this part of the largest value of each, and to 1e-14 of their units.
 fn agree(one: &whirl_tests::History, other: &whirl_tests::History, part: f64) {
     assert_eq!(one.names(), other.names());
     for name in one.names() {
         let (mine, theirs) = (one.column(name), other.column(name));
         let largest = mine.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         for (a, b) in mine.iter().zip(theirs) {
-            assert!((a - b).abs() <= part * largest, "{name}: {a} {b} of {largest}");
+            assert!((a - b).abs() <= part * largest + 1e-14, "{name}: {a} {b} of {largest}");
         }
     }
 }

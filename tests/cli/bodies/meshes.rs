@@ -284,7 +284,7 @@ fn a_mesh_taken_as_rigid_is_the_body_of_its_numbers() {
              [loads.pull]\nbody = \"cup\"\n{first}\nforce = \"90 N\"\nfrequency = \"40 Hz\"\n{}",
             joint("near", first),
             joint("far", last),
-            march("1e-4 s", 400)
+            march("1e-4 s", 400) + "force_tolerance = \"1e-7 N\"\n"
         )
     };
     let numbers = |polar: &str| {
@@ -313,8 +313,7 @@ fn a_mesh_taken_as_rigid_is_the_body_of_its_numbers() {
                 let largest = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
                 let error = found.iter().zip(exact).map(|(a, b)| (a - b).abs());
                 let error = error.fold(0.0, f64::max);
-                // Newton stops at 1e-3 N.
-                assert!(error < 1e-4, "{column}: {error} of {largest}");
+                assert!(error < 1e-5, "{column}: {error} of {largest}");
                 most = most.max(largest);
             }
         }
