@@ -1,4 +1,4 @@
-//! A schedule evaluated at run time, without a compiler: one instruction at a time over 64 springs.
+//! A schedule evaluated at run time, without a compiler: one instruction at a time over up to 64 springs.
 //! It gives the same bits as the emitted code, because both follow the same schedule, no operation is
 //! fused, and functions come from the same implementation.
 
@@ -7,11 +7,11 @@ use std::collections::BTreeMap;
 use crate::operation::{Function, Operand, Operation, Relation};
 use crate::schedule::Program;
 
-/// Springs that one instruction covers.
+/// Most springs that one instruction covers.
 pub(crate) const WIDTH: usize = 64;
 
 /// One value of every spring of a block. Truth values are 1 and 0.
-type Register = [f64; WIDTH];
+type Register<const W: usize> = [f64; W];
 
 /// A program ready to be evaluated over rows of springs.
 #[derive(Debug, Clone)]
@@ -96,6 +96,7 @@ impl Tape {
         self.evaluate_blocks(springs, inputs, outputs, workspace);
     }
 
+    /// In blocks that are no wider than the springs need: a law of a ring has one.
     #[inline(always)]
     fn evaluate_blocks(
         &self,
@@ -104,15 +105,30 @@ impl Tape {
         outputs: &mut [f64],
         workspace: &mut [f64],
     ) {
-        let inputs = &inputs[..springs * self.inputs];
-        let outputs = &mut outputs[..springs * self.outputs.len()];
-        let (registers, _) = workspace[..self.workspace()].as_chunks_mut::<WIDTH>();
+        let rows = (&inputs[..springs * self.inputs], &mut outputs[..springs * self.outputs.len()]);
+        let workspace = &mut workspace[..self.workspace()];
+        match springs {
+            ..=1 => self.blocks_of::<1>(springs, rows, workspace),
+            2..=4 => self.blocks_of::<4>(springs, rows, workspace),
+            5..=16 => self.blocks_of::<16>(springs, rows, workspace),
+            _ => self.blocks_of::<WIDTH>(springs, rows, workspace),
+        }
+    }
+
+    #[inline(always)]
+    fn blocks_of<const W: usize>(
+        &self,
+        springs: usize,
+        (inputs, outputs): (&[f64], &mut [f64]),
+        workspace: &mut [f64],
+    ) {
+        let (registers, _) = workspace.as_chunks_mut::<W>();
         for (register, constant) in registers.iter_mut().zip(&self.constants) {
             register.fill(*constant);
         }
         let first_result = self.constants.len() + self.inputs;
-        for start in (0..springs).step_by(WIDTH) {
-            let count = WIDTH.min(springs - start);
+        for start in (0..springs).step_by(W) {
+            let count = W.min(springs - start);
             let given = &mut registers[self.constants.len()..first_result];
             for (place, register) in given.iter_mut().enumerate() {
                 let row = springs * place + start;
@@ -134,7 +150,7 @@ impl Tape {
 
 /// [`Operation::value`] of every spring.
 #[inline(always)]
-fn run(operation: Operation<usize>, known: &[Register], out: &mut Register) {
+fn run<const W: usize>(operation: Operation<usize>, known: &[Register<W>], out: &mut Register<W>) {
     match operation {
         Operation::Add(a, b) => binary(&known[a], &known[b], out, |a, b| a + b),
         Operation::Sub(a, b) => binary(&known[a], &known[b], out, |a, b| a - b),
@@ -156,7 +172,7 @@ fn run(operation: Operation<usize>, known: &[Register], out: &mut Register) {
         Operation::Not(a) => unary(&known[a], out, |a| 1.0 - a),
         Operation::Select(mask, a, b) => {
             let (mask, a, b) = (&known[mask], &known[a], &known[b]);
-            for i in 0..WIDTH {
+            for i in 0..W {
                 out[i] = if mask[i] != 0.0 { a[i] } else { b[i] };
             }
         }
@@ -169,15 +185,20 @@ fn truth(value: bool) -> f64 {
 }
 
 #[inline(always)]
-fn unary(a: &Register, out: &mut Register, f: impl Fn(f64) -> f64) {
-    for i in 0..WIDTH {
+fn unary<const W: usize>(a: &Register<W>, out: &mut Register<W>, f: impl Fn(f64) -> f64) {
+    for i in 0..W {
         out[i] = f(a[i]);
     }
 }
 
 #[inline(always)]
-fn binary(a: &Register, b: &Register, out: &mut Register, f: impl Fn(f64, f64) -> f64) {
-    for i in 0..WIDTH {
+fn binary<const W: usize>(
+    a: &Register<W>,
+    b: &Register<W>,
+    out: &mut Register<W>,
+    f: impl Fn(f64, f64) -> f64,
+) {
+    for i in 0..W {
         out[i] = f(a[i], b[i]);
     }
 }
@@ -199,18 +220,20 @@ mod tests {
         let chosen = g.select(mask, product, zero);
         let request = Request::flat(&[("x", x), ("y", y)], &[("a", chosen), ("b", half)]);
         let tape = Tape::new(&schedule(&mut g, &request).expect("a program"));
-        let springs = 150;
-        let inputs: Vec<f64> = (0..2 * springs).map(|i| f64::from(i) * 0.01 - 0.3).collect();
-        let springs = springs as usize;
-        let mut outputs = vec![f64::NAN; 2 * springs];
-        let mut workspace = vec![f64::NAN; tape.workspace()];
-        tape.evaluate(springs, &inputs, &mut outputs, &mut workspace);
-        for j in 0..springs {
-            let (x, y) = (inputs[j], inputs[springs + j]);
-            let expected = if x < 0.5 { x * libm::sin(y) } else { 0.0 };
-            assert_eq!(outputs[j].to_bits(), expected.to_bits());
-            assert_eq!(outputs[springs + j], 0.5);
+        for springs in [1, 2, 4, 5, 16, 17, 64, 150_u32] {
+            let inputs: Vec<f64> = (0..2 * springs).map(|i| f64::from(i) * 0.01 - 0.3).collect();
+            let springs = springs as usize;
+            let mut outputs = vec![f64::NAN; 2 * springs];
+            let mut workspace = vec![f64::NAN; tape.workspace()];
+            tape.evaluate(springs, &inputs, &mut outputs, &mut workspace);
+            for j in 0..springs {
+                let (x, y) = (inputs[j], inputs[springs + j]);
+                let expected = if x < 0.5 { x * libm::sin(y) } else { 0.0 };
+                assert_eq!(outputs[j].to_bits(), expected.to_bits());
+                assert_eq!(outputs[springs + j], 0.5);
+            }
         }
+        let mut workspace = vec![f64::NAN; tape.workspace()];
         tape.evaluate(0, &[], &mut [], &mut workspace);
     }
 }
