@@ -84,6 +84,9 @@ fn report(
     let history = HistoryFile::open(&results.path(history::NAME));
     let motions = fields::Motions::read((case, built), results.folder(), marched.step);
     let motions = motions.and_then(|read| read.map_err(|problem| problems.push(problem)).ok());
+    if let Some(words) = motions.as_ref().and_then(fields::Motions::without_frames) {
+        streams::warn(words);
+    }
     let made = history.and_then(|history| {
         let converged = !matches!(marched.end, End::Diverged(_));
         let run = ((case, built), (&marched.outcome, &history), (marched.step, converged));

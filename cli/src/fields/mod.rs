@@ -72,6 +72,12 @@ impl<'a> Motions<'a> {
         Some(motions)
     }
 
+    /// What is to be said of a run that was too short for any frame.
+    pub(crate) fn without_frames(&self) -> Option<&'static str> {
+        let none = self.frames.is_empty();
+        none.then_some("no frame of `[fields]` was reached: give `times` within the run, or more `frames` of the cycle")
+    }
+
     /// The largest stress of each body.
     pub(crate) fn largest(&self) -> BTreeMap<String, LargestStress> {
         let all = self.built.machine.fields.iter().zip(&self.built.fields).zip(&self.stresses);
