@@ -161,3 +161,32 @@ fn units_scale_lengths_and_need_a_material() {
         "{errors}"
     );
 }
+
+/// Parts that Gmsh cuts a mesh into have entities of their own, in the groups of those that they are parts of.
+#[test]
+fn a_mesh_in_parts_is_the_whole() {
+    // Gmsh counts the nodes anew: by their places.
+    let sets = |mesh: &Mesh| -> Vec<(String, Vec<[i64; 3]>)> {
+        let places = |nodes: &Vec<usize>| {
+            let place = |&node: &usize| mesh.nodes()[node].map(|x| (x * 1e9).round() as i64);
+            let mut places: Vec<[i64; 3]> = nodes.iter().map(place).collect();
+            places.sort_unstable();
+            places
+        };
+        mesh.node_sets().iter().map(|(name, nodes)| (name.clone(), places(nodes))).collect()
+    };
+    for variant in VARIANTS {
+        let [whole, parts] = ["cut-whole", "cut-parts"].map(|name| made(name, variant).mesh);
+        assert_eq!(whole.cell_count(), parts.cell_count(), "{variant}");
+        assert!(whole.cell_count() > 20);
+        assert_eq!(sets(&whole), sets(&parts), "{variant}");
+        let [whole, parts] = [whole, parts].map(|mesh| {
+            let steel = mesh.with_material(&steel(), |_| true).expect("a material");
+            mass_properties(&steel).expect("a body")
+        });
+        assert!((whole.mass / parts.mass - 1.0).abs() < 1e-12, "{variant}");
+        for (a, b) in whole.centre.iter().zip(parts.centre) {
+            assert!((a - b).abs() < 1e-12, "{variant}");
+        }
+    }
+}

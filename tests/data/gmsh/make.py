@@ -91,6 +91,20 @@ def pyramids_of(name, order):
     write(name)
 
 
+def partitioned(name):
+    """The tetrahedra of a cylinder, whole and cut into three parts with entities of their own."""
+    start(name)
+    gmsh.option.setNumber("Mesh.MeshSizeMax", 0.8)
+    volume = gmsh.model.occ.addCylinder(0, 0, 0, 0, 0, 2, 0.5)
+    gmsh.model.occ.synchronize()
+    groups([volume])
+    gmsh.model.mesh.generate(3)
+    write(f"{name}-whole")
+    gmsh.option.setNumber("Mesh.PartitionCreateTopology", 1)
+    gmsh.model.mesh.partition(3)
+    write(f"{name}-parts")
+
+
 gmsh.initialize()
 gmsh.option.setNumber("General.Terminal", 0)
 cylinder_of("tet4", 1)
@@ -101,4 +115,5 @@ box_of("hex8", 1, True)
 box_of("hex20", 2, True)
 pyramids_of("pyramid5", 1)
 pyramids_of("pyramid13", 2)
+partitioned("cut")
 gmsh.finalize()
