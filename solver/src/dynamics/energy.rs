@@ -31,7 +31,13 @@ pub struct EnergyBalance {
     /// summed without sign.
     #[serde(skip)]
     pub(crate) turnover: f64,
+    /// Work of the forces that act on the rounding of what they hold: a machine that stands still has no other.
+    #[serde(skip)]
+    pub(crate) rounding: f64,
 }
+
+/// Roundings of a position that may add up where nothing moves.
+const ROUNDINGS: f64 = 16.0;
 
 impl EnergyBalance {
     /// What does not balance.
@@ -40,10 +46,14 @@ impl EnergyBalance {
         self.work_in - self.kinetic - self.strain - springs - self.dissipated
     }
 
-    /// The error as a fraction of the energy in play; 0 where it is 0.
+    /// The error as a fraction of the energy in play; 0 where it is no more than rounding.
     pub fn error_fraction(&self) -> f64 {
         let error = self.error().abs();
-        if error == 0.0 { 0.0 } else { error / self.turnover }
+        if error <= self.rounding && self.rounding.is_finite() {
+            0.0
+        } else {
+            error / self.turnover
+        }
     }
 }
 
@@ -129,6 +139,12 @@ impl EnergyMeter {
     /// The balance at a state.
     pub(crate) fn balance(&self, system: &mut System, state: &State) -> EnergyBalance {
         let EnergySums { work_in, dissipated, springs, start, .. } = &self.sums;
+        let forces = system.load.iter().zip(&system.spring).zip(&system.elastic).zip(&state.q);
+        let held: f64 = forces
+            .map(|(((load, spring), elastic), q)| {
+                (load.abs() + spring.abs() + elastic.abs()) * q.abs()
+            })
+            .sum();
         EnergyBalance {
             work_in: *work_in,
             kinetic: system.kinetic_energy(state) - start.0,
@@ -137,6 +153,7 @@ impl EnergyMeter {
             spring_dissipated: springs.dissipated,
             dissipated: *dissipated,
             turnover: self.sums.turnover,
+            rounding: ROUNDINGS * f64::EPSILON * held,
         }
     }
 

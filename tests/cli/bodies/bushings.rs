@@ -229,3 +229,23 @@ force = "-300 N"
     let said = bench.whirl(&["check", "case.toml"]).stdout;
     assert!(said.contains("stiffness and damping over the speed in film.csv"), "{said}");
 }
+
+/// Nothing moves, and no energy flows: what is left of the balance is rounding, and no reason to doubt the run.
+#[test]
+fn a_machine_that_stands_still_is_sound() {
+    let bench = Workbench::new().file("case.toml", include_str!("at-rest.toml"));
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert_eq!(
+        bench.summary("out")["verdict"]["sound"].as_bool(),
+        Some(true),
+        "{}",
+        outcome.stdout
+    );
+    let history = bench.history("out");
+    for (column, held) in [("RZ_a_N", 29.43), ("MX_a_Nm", -2.0), ("MY_a_Nm", 0.0), ("RX_a_N", 0.0)]
+    {
+        let values = history.column(column);
+        assert!(values.iter().all(|own| (own - held).abs() < 1e-9), "{column}: {values:?}");
+    }
+}
