@@ -273,7 +273,8 @@ pub(super) fn floating(balance: &mut Balance) -> Option<Vec<usize>> {
     let size = |row: usize| motion[row].abs() * inertias[row].sqrt();
     rows.sort_by(|&a, &b| size(b).total_cmp(&size(a)));
     let most = rows.first().map_or(0.0, |&row| size(row));
-    rows.retain(|&row| size(row) >= 0.3 * most);
+    // Where sizes are no numbers, as of stiffnesses that none holds, the first rows stand for all.
+    rows.retain(|&row| !(size(row) < 0.3 * most));
     rows.truncate(3);
     Some(rows)
 }
