@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::checkpoint::{Checkpoint, Clock, Tally};
+use super::control::{AutomaticStep, MOST_HALVINGS, PartsTaken};
 use super::energy::EnergyBalance;
 use super::jumps::jumps;
 use super::meters::Meters;
@@ -24,8 +25,10 @@ use crate::machine::{BodyPlace, Machine};
 /// How far and how a machine is marched.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MarchOptions {
-    /// Δt (s).
+    /// Δt (s): from one row to the next, of the steady-state test and of what is summed up over cycles, too.
     pub time_step: f64,
+    /// Whether every step is integrated in parts, which the march chooses; in one otherwise.
+    pub automatic: Option<AutomaticStep>,
     /// Number of steps.
     pub steps: usize,
     /// Parameters of the time integration.
@@ -93,8 +96,10 @@ pub struct Outcome {
     pub iterations: usize,
     /// Matrices factored in all.
     pub factorisations: usize,
-    /// Steps that had to be halved.
+    /// Steps that had to be halved, as they could not be solved.
     pub halved_steps: usize,
+    /// The parts that steps took, where the march chose them.
+    pub parts: Option<PartsTaken>,
 }
 
 /// A march that ended early, with what it gave up to there.
@@ -198,19 +203,23 @@ impl<'m> March<'m> {
             true => accelerate(&mut system, time, &mut state)?,
             false => system.evaluate(time, &state),
         }
-        let meters = Meters::new(&mut system, options.newmark, options.time_step, &state)?;
+        let length = (options.time_step, options.automatic);
+        let meters = Meters::new(&mut system, options.newmark, length, &state)?;
         let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
         let steady = options.cycle.map(|cycle| SteadyTest::new(signals, cycle, options.time_step));
         let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
+        // Of parts that may be long or short, factors are kept for the lengths of which there are most.
+        let shelves = if options.automatic.is_some() { SHELVES } else { 0 };
+        let halvings = most_halvings(options);
         let columns = History::for_machine(machine).names().len();
         let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
         Ok(March {
             machine,
-            newton: Newton::new(options.newton, &system),
+            newton: Newton::new(options.newton, &system, shelves),
             meters,
             system,
             // Steps are halved, and split where loads end.
-            starts: vec![State::new(size); options.newton.max_halvings + 2 + machine.loads.len()],
+            starts: vec![State::new(size); halvings as usize + 2 + machine.loads.len()],
             state,
             clock: Clock::default(),
             last_iterations: 0,
@@ -282,7 +291,10 @@ impl<'m> March<'m> {
             self.release(start)?;
         }
         self.last_iterations = 0;
-        self.leap(start, dt)?;
+        match self.options.automatic {
+            Some(_) => self.stride(start, dt)?,
+            None => self.leap(start, dt, 0)?,
+        }
         self.tally.step += 1;
         self.tally.iterations += self.last_iterations;
         let time = self.time();
@@ -294,7 +306,21 @@ impl<'m> March<'m> {
             let displacements = &self.row[displacements(self.machine.monitors.len())];
             test.add(time, self.system.springs.forces.iter().chain(displacements));
         }
-        self.system.springs.observe(&self.machine.springs, time);
+        Ok(())
+    }
+
+    /// Takes a step of `dt` from time `t` in parts of lengths that are chosen on the way.
+    fn stride(&mut self, t: f64, dt: f64) -> Result<(), Error> {
+        let shortest = dt / f64::from(1_u32 << MOST_HALVINGS);
+        let mut at = 0;
+        while at < 1 << MOST_HALVINGS {
+            let halvings = self.meters.halvings();
+            let length = 1_u32 << (MOST_HALVINGS - halvings);
+            let span = (t + f64::from(at) * shortest, f64::from(length) * shortest);
+            self.leap(span.0, span.1, halvings)?;
+            at += length;
+            self.meters.lengthen(at);
+        }
         Ok(())
     }
 
@@ -304,33 +330,55 @@ impl<'m> March<'m> {
         loads.all(|(load, released)| *released || load.target().is_none())
     }
 
-    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge.
-    pub(super) fn part(&mut self, t: f64, dt: f64, depth: usize) -> Result<(), Error> {
+    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge or is
+    /// beyond the tolerance. `depth`: of such parts in parts; `halvings`: of a step, which led to `dt`.
+    pub(super) fn part(
+        &mut self,
+        (t, dt): (f64, f64),
+        depth: usize,
+        halvings: u32,
+    ) -> Result<(), Error> {
         let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
         start.copy_from(&self.state);
+        let most_force = self.newton.largest_force();
         let (mut report, mut taken) = (self.attempt(t, dt, &start), dt);
         if report.ending == Ending::Converged && self.overshoots() {
             (report, taken) = self.locate(t, dt, &start, report);
         }
-        let solved = match report.ending {
+        let may_halve = halvings < most_halvings(&self.options);
+        let ending = match report.ending {
             Ending::Converged => {
+                let judged = self.meters.judge(&self.system, taken, &start, &self.state);
+                // What is no number is beyond every tolerance.
+                if judged <= 1.0 || !may_halve { Some(judged) } else { None }
+            }
+            Ending::Failed => None,
+        };
+        let solved = match ending {
+            Some(judged) => {
                 let row_error = report.row_error;
                 self.meters.add(&self.system, (t, taken), &start, &self.state, row_error);
+                self.meters.accept(judged, halvings);
+                self.system.springs.observe(&self.machine.springs, t + taken);
                 match self.overshoots() {
                     true => self.release(t + taken).and_then(|()| match taken < dt {
-                        true => self.part(t + taken, dt - taken, depth + 1),
+                        true => self.part((t + taken, dt - taken), depth + 1, halvings),
                         false => Ok(()),
                     }),
                     false => Ok(()),
                 }
             }
-            Ending::Failed if depth < self.options.newton.max_halvings => {
-                self.tally.halved_steps += usize::from(depth == 0);
+            None if may_halve => {
+                let failed = report.ending == Ending::Failed;
+                self.tally.halved_steps += usize::from(failed && depth == 0);
+                self.meters.reject();
+                self.newton.forget(most_force);
                 self.state.copy_from(&start);
-                let half = 0.5 * dt;
-                self.part(t, half, depth + 1).and_then(|()| self.part(t + half, half, depth + 1))
+                let (half, halvings) = (0.5 * dt, halvings + 1);
+                let first = self.part((t, half), depth + 1, halvings);
+                first.and_then(|()| self.part((t + half, half), depth + 1, halvings))
             }
-            Ending::Failed => {
+            None => {
                 // What is kept, energies included, ends at the last state that solves its equations.
                 self.state.copy_from(&start);
                 Err(self.diverged(t + dt, dt, &report))
@@ -420,12 +468,24 @@ impl<'m> March<'m> {
             iterations: self.tally.iterations,
             factorisations: self.newton.kept().factorisations,
             halved_steps: self.tally.halved_steps,
+            parts: self.meters.parts_taken(),
         }
     }
 
     /// √(2φ) after every iteration of the last step (the merit of the Newton iteration).
     pub fn residuals(&self) -> &[f64] {
         &self.newton.residuals
+    }
+}
+
+/// Lengths of parts for which factors are kept beside those in use.
+const SHELVES: usize = 4;
+
+/// How often a step may be halved.
+fn most_halvings(options: &MarchOptions) -> u32 {
+    match options.automatic {
+        Some(_) => MOST_HALVINGS,
+        None => options.newton.max_halvings as u32,
     }
 }
 

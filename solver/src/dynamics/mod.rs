@@ -1,6 +1,7 @@
 //! Marching a machine in time.
 
 mod checkpoint;
+mod control;
 mod energy;
 mod equilibrium;
 mod extrapolation;
@@ -29,6 +30,7 @@ mod verdict;
 mod windows;
 
 pub use checkpoint::Checkpoint;
+pub use control::{AutomaticStep, PartsTaken};
 pub use energy::EnergyBalance;
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use march::{BodyStart, Failure, March, MarchOptions, Outcome, Progress, march};
