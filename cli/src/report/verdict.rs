@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use whirl_solver::bearing::{Measure, Worst};
-use whirl_solver::dynamics::{Finding, MovingPart, Outcome, findings};
+use whirl_solver::dynamics::{AutomaticStep, Finding, MovingPart, Outcome, findings};
 use whirl_solver::machine::Machine;
 
 use crate::case::SupportName;
@@ -40,17 +40,17 @@ struct Measures {
 }
 
 impl VerdictFacts {
-    /// Of a march of steps of `time_step` s; `diverged`: the steps that were done and those asked for, where the
+    /// Of a march of steps of so many s, or of parts of them that it chose; `diverged`: the steps that were done and those asked for, where the
     /// march ended in one that does not converge; `places` names the supports or stops.
     pub(crate) fn new(
         (machine, places): (&Machine, &[SupportName]),
         outcome: &Outcome,
-        time_step: f64,
+        length: (f64, Option<AutomaticStep>),
         diverged: Option<[usize; 2]>,
     ) -> Self {
         let quality = &outcome.quality;
         let of_run = diverged.into_iter().map(FindingFacts::diverged);
-        let of_steps = findings(quality, &outcome.energy, time_step).into_iter();
+        let of_steps = findings(quality, &outcome.energy, length).into_iter();
         let of_steps = of_steps.map(|finding| FindingFacts::of_steps(finding, (machine, places)));
         let measures = machine.springs.measures().iter().zip(&outcome.worst);
         let of_laws = measures.filter_map(|(measure, worst)| {

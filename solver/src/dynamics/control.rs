@@ -19,6 +19,8 @@ pub struct AutomaticStep {
     /// Local error that a part of a step may have, as a fraction of the largest displacement of the body so far. At the
     /// joints it may make ten times this fraction of the energy in play there.
     pub tolerance: f64,
+    /// Longest part (s): what acts faster than that would be passed over.
+    pub longest: f64,
 }
 
 impl AutomaticStep {
@@ -28,7 +30,7 @@ impl AutomaticStep {
 
 impl Default for AutomaticStep {
     fn default() -> Self {
-        AutomaticStep { tolerance: AutomaticStep::TOLERANCE }
+        AutomaticStep { tolerance: AutomaticStep::TOLERANCE, longest: f64::INFINITY }
     }
 }
 
@@ -80,6 +82,8 @@ impl ControlMemory {
 pub(super) struct StepControl {
     options: AutomaticStep,
     pub(super) memory: ControlMemory,
+    /// Halvings of a step that lead to parts as long as they may be.
+    least: u32,
     /// Of the part that was judged last: displacements at its end, and energies in play.
     displacements: Vec<f64>,
     energies: Vec<f64>,
@@ -98,12 +102,20 @@ pub(super) struct Measured<'m> {
 }
 
 impl StepControl {
-    /// For a machine that stands at some displacements and has so many bearings.
-    pub(super) fn new(options: AutomaticStep, displacements: &[f64], bearings: usize) -> Self {
+    /// Of steps of `dt` s of a machine that stands at some displacements and has so many bearings.
+    pub(super) fn new(
+        options: AutomaticStep,
+        dt: f64,
+        displacements: &[f64],
+        bearings: usize,
+    ) -> Self {
+        let is_short = |halvings: &u32| dt <= options.longest * f64::from(1_u32 << halvings);
+        let least = (0..MOST_HALVINGS).find(is_short).unwrap_or(MOST_HALVINGS);
         StepControl {
             options,
+            least,
             memory: ControlMemory {
-                halvings: 0,
+                halvings: least,
                 calm: 0,
                 displacements: displacements.to_vec(),
                 energies: vec![0.0; bearings],
@@ -112,6 +124,12 @@ impl StepControl {
             displacements: displacements.to_vec(),
             energies: vec![0.0; bearings],
         }
+    }
+
+    /// Goes on as an earlier march did.
+    pub(super) fn resume_from(&mut self, memory: ControlMemory) {
+        self.memory = memory;
+        self.memory.halvings = self.memory.halvings.max(self.least);
     }
 
     /// What is measured of a part over what it may be: the worst of all parts of the machine and bearings.
@@ -161,7 +179,7 @@ impl StepControl {
     /// Makes the next part twice as long where that is due, at a place in the step in units of the shortest part.
     pub(super) fn lengthen(&mut self, at: u32) {
         let memory = &mut self.memory;
-        if memory.calm >= CALM_PARTS && memory.halvings > 0 {
+        if memory.calm >= CALM_PARTS && memory.halvings > self.least {
             let twice = 1 << (MOST_HALVINGS - memory.halvings + 1);
             if at.is_multiple_of(twice) {
                 (memory.halvings, memory.calm) = (memory.halvings - 1, 0);

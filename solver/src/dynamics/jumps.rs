@@ -3,6 +3,7 @@
 //! The trapezoidal rule averages a jump into the step in which it is, which makes the motion wrong by O(Δt). So the step is
 //! split there: its first part ends with what acts before the jump, and the accelerations start anew from what acts after it.
 
+use super::control::MOST_HALVINGS;
 use super::march::{March, accelerate};
 use super::newmark::State;
 use crate::error::Error;
@@ -38,6 +39,12 @@ impl March<'_> {
         let (near, end) = (SHORTEST * dt, t + dt);
         let upto = |time: f64| self.jumps.partition_point(|jump| *jump <= time + near);
         let within = upto(t)..upto(end);
+        if within.len() > MOST_JUMPS && self.options.automatic.is_some() && halvings < MOST_HALVINGS
+        {
+            let half = 0.5 * dt;
+            self.leap(t, half, halvings + 1)?;
+            return self.leap(t + half, half, halvings + 1);
+        }
         if within.is_empty() || within.len() > MOST_JUMPS {
             return self.part((t, dt), 0, halvings);
         }

@@ -60,7 +60,7 @@ impl Meters {
             energy: EnergyMeter::new(system, state),
             errors: vec![0.0; quality.parts()],
             kinetic: vec![0.0; bearings],
-            control: automatic.map(|own| StepControl::new(own, &displacements, bearings)),
+            control: automatic.map(|own| StepControl::new(own, dt, &displacements, bearings)),
             quality,
             displacements,
         })
@@ -150,7 +150,7 @@ impl Meters {
     /// Chooses parts of steps as an earlier march did.
     pub(crate) fn resume_control(&mut self, memory: Option<ControlMemory>) {
         if let (Some(control), Some(memory)) = (&mut self.control, memory) {
-            control.memory = memory;
+            control.resume_from(memory);
         }
     }
 
