@@ -51,8 +51,6 @@ pub(super) const MOST_HALVINGS: u32 = 14;
 /// Energy that a part may make at a joint, as a multiple of the tolerance: a contact of frequency ω that begins in the middle
 /// of a part makes (ωΔt)²/4 of what it takes, where motion at ω has a local error of (ωΔt)³/12.
 const ENERGY: f64 = 10.0;
-/// Energy at a joint that is nothing, as a fraction of all that was supplied: rounding of what stands still.
-const NO_ENERGY: f64 = 1e-9;
 /// A part below this fraction of the tolerance might be twice as long, as errors grow with Δt³; after so many in a row it is:
 /// more than an oscillation stays near the place where its error is none.
 const CALM: f64 = 0.1;
@@ -97,8 +95,8 @@ pub(super) struct Measured<'m> {
     /// By bearing: what was made and flowed, and the kinetic energy of both bodies without rotations (J).
     pub(super) flows: &'m [Flow],
     pub(super) kinetic: &'m [f64],
-    /// Energy that was supplied so far (J).
-    pub(super) supplied: f64,
+    /// Work that is no more than rounding (J).
+    pub(super) rounding: f64,
 }
 
 impl StepControl {
@@ -142,13 +140,14 @@ impl StepControl {
         let errors = measured.errors.iter().zip(so_far);
         let errors = errors.map(|(error, own)| ratio(*error, tolerance * larger(*own, least)));
         let mut worst = errors.fold(0.0, larger);
-        let nothing = NO_ENERGY * measured.supplied;
         let bearings = measured.flows.iter().zip(measured.kinetic).zip(&self.memory.energies);
         for (((flow, kinetic), most), kept) in bearings.zip(&mut self.energies) {
             let in_play = flow.flowed + kinetic;
             *kept = in_play;
-            let allowed = larger(in_play, SMALLEST * most) + nothing;
-            worst = larger(worst, ratio(flow.made, ENERGY * tolerance * allowed));
+            let allowed = larger(in_play, SMALLEST * most);
+            if !(flow.made <= measured.rounding) {
+                worst = larger(worst, ratio(flow.made, ENERGY * tolerance * allowed));
+            }
         }
         worst
     }

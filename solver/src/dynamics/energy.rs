@@ -82,6 +82,15 @@ pub(crate) struct EnergyMeter {
     drive: Vec<f64>,
 }
 
+/// Work of the forces at a state that was just evaluated on the rounding of what they hold (J).
+pub(super) fn rounding(system: &System, state: &State) -> f64 {
+    let forces = system.load.iter().zip(&system.spring).zip(&system.elastic).zip(&state.q);
+    let held = forces.map(|(((load, spring), elastic), q)| {
+        (load.abs() + spring.abs() + elastic.abs()) * q.abs()
+    });
+    ROUNDINGS * f64::EPSILON * held.sum::<f64>()
+}
+
 /// Residuals of the rows of rotations that are given.
 fn drives<'s>(system: &'s System) -> &'s [f64] {
     &system.residual[..system.machine.first_unknown()]
@@ -120,11 +129,6 @@ impl EnergyMeter {
         self.measured = None;
     }
 
-    /// Energy brought by the start, loads and drives so far (J).
-    pub(crate) fn supplied(&self) -> f64 {
-        self.sums.supplied
-    }
-
     /// Adds a step that ends at a state just evaluated; the energy that it made or destroyed (J).
     pub(crate) fn add(&mut self, system: &System, start: &State, end: &State) -> f64 {
         let moved = |before: &[f64], after: &[f64]| -> f64 {
@@ -161,12 +165,6 @@ impl EnergyMeter {
     /// The balance at a state.
     pub(crate) fn balance(&self, system: &mut System, state: &State) -> EnergyBalance {
         let EnergySums { work_in, dissipated, springs, start, .. } = &self.sums;
-        let forces = system.load.iter().zip(&system.spring).zip(&system.elastic).zip(&state.q);
-        let held: f64 = forces
-            .map(|(((load, spring), elastic), q)| {
-                (load.abs() + spring.abs() + elastic.abs()) * q.abs()
-            })
-            .sum();
         EnergyBalance {
             work_in: *work_in,
             kinetic: system.kinetic_energy(state) - start.0,
@@ -175,7 +173,7 @@ impl EnergyMeter {
             spring_dissipated: springs.dissipated,
             dissipated: *dissipated,
             turnover: self.sums.turnover,
-            rounding: ROUNDINGS * f64::EPSILON * held,
+            rounding: rounding(system, state),
         }
     }
 

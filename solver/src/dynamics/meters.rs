@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::control::{AutomaticStep, ControlMemory, Measured, PartsTaken, StepControl};
-use super::energy::{EnergyBalance, EnergyMeter, EnergySums};
+use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
 use super::newmark::{Newmark, State};
 use super::quality::{Quality, QualityMeter, QualitySums, StepLength};
 use super::system::System;
@@ -76,13 +76,12 @@ impl Meters {
         for state in [start, end] {
             self.quality.raise_kinetic(system.machine, state, &mut self.kinetic);
         }
-        let supplied = self.energy.supplied();
         control.judge(&Measured {
             errors: &self.errors,
             displacements: &self.displacements,
             flows: self.energy.measure(system),
             kinetic: &self.kinetic,
-            supplied,
+            rounding: rounding(system, end),
         })
     }
 
