@@ -119,7 +119,17 @@ struct Step {
 impl Step {
     /// Of a march in steps that are all alike.
     fn fixed(march: &Table) -> Self {
-        Step { given: march.quantity("time_step"), key: "time_step" }
+        let key = "time_step";
+        let written = march.written(key);
+        let word = written.text().trim_matches(['"', '\'']);
+        if march.gives(key) && word.starts_with(char::is_alphabetic) {
+            march.pass_over(key);
+            let message = format!("`time_step` cannot be `{word}`");
+            let help = "write `time_step = \"auto\"`, or a step such as `time_step = \"7.4e-5 s\"`";
+            refuse(march, key, message, help.to_owned());
+            return Step { given: None, key };
+        }
+        Step { given: march.quantity(key), key }
     }
 
     /// From row to row of a march whose steps the program chooses, which asks for no number of them.

@@ -328,15 +328,16 @@ const BEGINNING: &[Key] = &[
 const MARCH: &[Key] = &[
     merged(
         "time_step",
-        Either(&[TIME, Words(&[AUTOMATIC])]),
+        Either(&[Words(&[AUTOMATIC]), TIME]),
         "Δt, or \"auto\" where the program chooses it, which needs a duration and output_step",
-    ),
+    )
+    .like("\"7.4e-5 s\""),
     key(
         "step_tolerance",
         Between(0.0, 0.1),
-        "local error of a step that the program chooses, as a fraction of the largest displacement; 1e-3 if left out",
+        "local error of a step that the program chooses, as a fraction of the largest displacement; 1e-4 if left out",
     )
-    .like("1e-4"),
+    .like("1e-5"),
     key("steps", Count(1, MOST_STEPS), "or a duration"),
     key("duration", DURATION, "or a number of steps"),
     key(
