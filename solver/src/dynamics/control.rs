@@ -186,3 +186,75 @@ impl StepControl {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AUTOMATIC: AutomaticStep = AutomaticStep { tolerance: 1e-3, longest: 0.3 };
+
+    fn control() -> StepControl {
+        StepControl::new(AUTOMATIC, 1.0, &[2.0, 1e-6], 1)
+    }
+
+    fn judged(control: &mut StepControl, errors: [f64; 2], made: f64, kinetic: f64) -> f64 {
+        control.judge(&Measured {
+            errors: &errors,
+            displacements: &[2.0, 1e-6],
+            flows: &[Flow { made, flowed: 0.5 }],
+            kinetic: &[kinetic],
+            rounding: 1e-12,
+        })
+    }
+
+    #[test]
+    fn errors_count_by_what_moves_and_energies_by_what_is_in_play() {
+        let mut control = control();
+        let near = |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-12, "{found}");
+        near(judged(&mut control, [4e-4, 0.0], 0.0, 0.0), 0.2);
+        // Of what hardly moves, a thousandth of what moves most.
+        near(judged(&mut control, [0.0, 1e-6], 0.0, 0.0), 0.5);
+        near(judged(&mut control, [0.0; 2], 1e-2, 1.5), 0.5);
+        assert_eq!(judged(&mut control, [0.0; 2], 1e-12, 0.0), 0.0);
+        assert!(judged(&mut control, [f64::NAN, 1.0], 1.0, 1.0).is_nan());
+        // A thousandth of what was in play once, where less is now; what was not accepted was not.
+        judged(&mut control, [0.0; 2], 0.0, 1e6);
+        near(judged(&mut control, [0.0; 2], 0.01, 0.0), 2.0);
+        judged(&mut control, [0.0; 2], 0.0, 999.5);
+        control.accept(0.0, 2);
+        near(judged(&mut control, [0.0; 2], 0.01, 0.0), 1.0);
+    }
+
+    #[test]
+    fn parts_become_longer_where_they_are_calm_and_fit() {
+        let mut control = control();
+        // A quarter of the step is the longest that it may take.
+        assert_eq!(control.memory.halvings, 2);
+        let whole = 1 << MOST_HALVINGS;
+        let mut calm = |halvings: u32, at: u32, judged: f64| {
+            control.accept(judged, halvings);
+            (0..CALM_PARTS - 1).for_each(|_| control.accept(0.1, halvings));
+            control.lengthen(at);
+            let now = control.memory.halvings;
+            (now, control.memory.taken.halvings)
+        };
+        // The first part is one of another length, or none that is calm.
+        assert_eq!(calm(3, whole, 0.0).0, 3);
+        assert_eq!(calm(3, whole, 0.0).0, 2);
+        assert_eq!(calm(3, whole / 4, 0.0).0, 3);
+        // Where the longer part would begin at no multiple of itself.
+        assert_eq!(calm(3, whole / 8, 0.0).0, 3);
+        assert_eq!(calm(3, whole / 4, 0.2), (3, Some([3, 3])));
+        assert_eq!(calm(2, whole, 0.0).0, 2);
+        assert_eq!(calm(2, whole, 0.0), (2, Some([2, 3])));
+    }
+
+    #[test]
+    fn what_is_remembered_goes_on_within_the_limits() {
+        let mut other = StepControl::new(AutomaticStep::default(), 1.0, &[0.0; 2], 1);
+        other.accept(0.0, 0);
+        let mut control = control();
+        control.resume_from(other.memory.counted_anew());
+        assert_eq!((control.memory.halvings, control.memory.taken), (2, PartsTaken::default()));
+    }
+}

@@ -33,7 +33,7 @@ pub struct NewtonOptions {
     /// Whether steps that do not lessen φ are shortened. Without it this is the plain method, which can
     /// cycle where springs switch.
     pub line_search: bool,
-    /// How often a failing step may be halved.
+    /// How often a failing step may be halved, where the march does not choose its steps.
     pub max_halvings: usize,
 }
 
