@@ -49,7 +49,8 @@ impl VerdictFacts {
         diverged: Option<[usize; 2]>,
     ) -> Self {
         let quality = &outcome.quality;
-        let of_run = diverged.into_iter().map(FindingFacts::diverged);
+        let key = if length.1.is_some() { "output_step" } else { "time_step" };
+        let of_run = diverged.into_iter().map(|steps| FindingFacts::diverged(steps, key));
         let of_steps = findings(quality, &outcome.energy, length).into_iter();
         let of_steps = of_steps.map(|finding| FindingFacts::of_steps(finding, (machine, places)));
         let measures = machine.springs.measures().iter().zip(&outcome.worst);
@@ -101,15 +102,16 @@ impl FindingFacts {
         FindingFacts { what, value, limit, unit, remedy }
     }
 
-    fn diverged([done, asked]: [usize; 2]) -> Self {
+    /// `key`: what a case sets to have shorter steps.
+    fn diverged([done, asked]: [usize; 2], key: &str) -> Self {
         FindingFacts {
             what: "steps done before one that does not converge".to_owned(),
             value: done as f64,
             limit: asked as f64,
             unit: "steps".to_owned(),
-            remedy:
-                "see `error`: a shorter `time_step` may pass, a law without a value there never will"
-                    .to_owned(),
+            remedy: format!(
+                "see `error`: a shorter `{key}` may pass, a law without a value there never will"
+            ),
         }
     }
 
