@@ -3,18 +3,19 @@
 use std::ops::ControlFlow;
 
 use super::checkpoint::{Checkpoint, Clock, Tally};
-use super::control::{AutomaticStep, MOST_HALVINGS, PartsTaken};
+use super::control::{AutomaticStep, PartsTaken};
 use super::energy::EnergyBalance;
 use super::jumps::jumps;
 use super::meters::Meters;
 use super::newmark::{Newmark, State};
-use super::newton::{Ending, Newton, NewtonOptions, NewtonState, StepReport};
+use super::newton::{Newton, NewtonOptions, NewtonState, StepReport};
 use super::outputs::write_outputs;
 use super::quality::Quality;
 use super::restart::LastState;
 use super::row::{displacements, write_row};
 use super::settled::settled_from;
 use super::steady::{SteadyState, SteadyTest};
+use super::strides::{SHELVES, most_halvings};
 use super::system::System;
 use crate::bearing::Worst;
 use crate::error::Error;
@@ -146,9 +147,9 @@ pub struct March<'m> {
     pub(super) state: State,
     clock: Clock,
     /// State at the start of the step, and memory for the ends of its parts, one a halving.
-    starts: Vec<State>,
+    pub(super) starts: Vec<State>,
     pub(super) last_iterations: usize,
-    tally: Tally,
+    pub(super) tally: Tally,
     pub(super) meters: Meters,
     row: Vec<f64>,
     /// Values of the row before those of the outputs by request.
@@ -309,86 +310,13 @@ impl<'m> March<'m> {
         Ok(())
     }
 
-    /// Takes a step of `dt` from time `t` in parts of lengths that are chosen on the way.
-    fn stride(&mut self, t: f64, dt: f64) -> Result<(), Error> {
-        let shortest = dt / f64::from(1_u32 << MOST_HALVINGS);
-        let mut at = 0;
-        while at < 1 << MOST_HALVINGS {
-            let halvings = self.meters.halvings();
-            let length = 1_u32 << (MOST_HALVINGS - halvings);
-            let span = (t + f64::from(at) * shortest, f64::from(length) * shortest);
-            self.leap(span.0, span.1, halvings)?;
-            at += length;
-            self.meters.lengthen(at);
-        }
-        Ok(())
-    }
-
     /// Whether no drive is on its way to its target speed.
     fn is_released(&self) -> bool {
         let mut loads = self.machine.loads.iter().zip(&self.system.released);
         loads.all(|(load, released)| *released || load.target().is_none())
     }
 
-    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge or is
-    /// beyond the tolerance. `depth`: of such parts in parts; `halvings`: of a step, which led to `dt`.
-    pub(super) fn part(
-        &mut self,
-        (t, dt): (f64, f64),
-        depth: usize,
-        halvings: u32,
-    ) -> Result<(), Error> {
-        let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
-        start.copy_from(&self.state);
-        let most_force = self.newton.largest_force();
-        let (mut report, mut taken) = (self.attempt(t, dt, &start), dt);
-        if report.ending == Ending::Converged && self.overshoots() {
-            (report, taken) = self.locate(t, dt, &start, report);
-        }
-        let may_halve = halvings < most_halvings(&self.options);
-        let ending = match report.ending {
-            Ending::Converged => {
-                let judged = self.meters.judge(&self.system, taken, &start, &self.state);
-                // What is no number is beyond every tolerance.
-                if judged <= 1.0 || !may_halve { Some(judged) } else { None }
-            }
-            Ending::Failed => None,
-        };
-        let solved = match ending {
-            Some(judged) => {
-                let row_error = report.row_error;
-                self.meters.add(&self.system, (t, taken), &start, &self.state, row_error);
-                self.meters.accept(judged, halvings);
-                self.system.springs.observe(&self.machine.springs, t + taken);
-                match self.overshoots() {
-                    true => self.release(t + taken).and_then(|()| match taken < dt {
-                        true => self.part((t + taken, dt - taken), depth + 1, halvings),
-                        false => Ok(()),
-                    }),
-                    false => Ok(()),
-                }
-            }
-            None if may_halve => {
-                let failed = report.ending == Ending::Failed;
-                self.tally.halved_steps += usize::from(failed && depth == 0);
-                self.meters.reject();
-                self.newton.forget(most_force);
-                self.state.copy_from(&start);
-                let (half, halvings) = (0.5 * dt, halvings + 1);
-                let first = self.part((t, half), depth + 1, halvings);
-                first.and_then(|()| self.part((t + half, half), depth + 1, halvings))
-            }
-            None => {
-                // What is kept, energies included, ends at the last state that solves its equations.
-                self.state.copy_from(&start);
-                Err(self.diverged(t + dt, dt, &report))
-            }
-        };
-        self.starts[depth] = start;
-        solved
-    }
-
-    fn diverged(&self, time: f64, dt: f64, report: &StepReport) -> Error {
+    pub(super) fn diverged(&self, time: f64, dt: f64, report: &StepReport) -> Error {
         if let Some((law, bearing)) = self.system.springs.without_value(&self.machine.springs) {
             let step = self.tally.step + 1;
             return Error::NoForce { step, time, law, bearing: bearing + 1 };
@@ -475,17 +403,6 @@ impl<'m> March<'m> {
     /// √(2φ) after every iteration of the last step (the merit of the Newton iteration).
     pub fn residuals(&self) -> &[f64] {
         &self.newton.residuals
-    }
-}
-
-/// Lengths of parts for which factors are kept beside those in use.
-const SHELVES: usize = 4;
-
-/// How often a step may be halved.
-fn most_halvings(options: &MarchOptions) -> u32 {
-    match options.automatic {
-        Some(_) => MOST_HALVINGS,
-        None => options.newton.max_halvings as u32,
     }
 }
 

@@ -12,7 +12,6 @@ use super::system::System;
 use super::windows::Windows;
 use crate::error::Error;
 use crate::linalg::Cholesky;
-use crate::machine::Machine;
 
 /// What the steps of a march were worth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -144,14 +143,14 @@ const SLOWEST: f64 = 1e-6;
 /// Measures steps.
 pub(crate) struct QualityMeter {
     pub(crate) sums: QualitySums,
-    method: Newmark,
+    pub(super) method: Newmark,
     steps: StepLength,
-    modes: MachineModes,
-    parts: Parts,
+    pub(super) modes: MachineModes,
+    pub(super) parts: Parts,
     /// A motion of the unknowns, what was before it, and what of it is in some modes.
-    motion: Vec<f64>,
+    pub(super) motion: Vec<f64>,
     before: Vec<f64>,
-    within: Vec<f64>,
+    pub(super) within: Vec<f64>,
 }
 
 impl QualityMeter {
@@ -165,7 +164,10 @@ impl QualityMeter {
         steps: StepLength,
         state: &State,
     ) -> Result<Self, Error> {
-        let modes = MachineModes::new(system, state)?;
+        let modes = match steps {
+            StepLength::Fixed(_) => MachineModes::new(system, state)?,
+            StepLength::Most(_) => modes_anywhere(system, state)?,
+        };
         let parts = Parts::new(system);
         let sums = QualitySums {
             steps: 0,
@@ -227,42 +229,6 @@ impl QualityMeter {
         modes.part(unresolved, motion, within);
         for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
             sums.motions.add(part.measure(within));
-        }
-    }
-
-    /// Largest displacements of a state, by parts (m).
-    pub(crate) fn displacements(&mut self, state: &State, out: &mut [f64]) {
-        self.parts.displacement(state, &mut self.motion);
-        let measured = self.parts.all.iter().map(|part| part.measure(&self.motion));
-        out.iter_mut().zip(measured).for_each(|(out, own)| *out = own);
-    }
-
-    /// Local errors of a step of `dt` s in all modes, by parts (m), those of a mode over 1 + β(ωΔt)².
-    pub(crate) fn errors(&mut self, dt: f64, start: &State, end: &State, out: &mut [f64]) {
-        let factor = error_factor(self.method, dt);
-        let beta = self.method.beta;
-        let QualityMeter { modes, parts, motion, within, .. } = self;
-        let first = end.a.len() - motion.len();
-        let ends = end.a[first..].iter().zip(&start.a[first..]);
-        motion.iter_mut().zip(ends).for_each(|(out, (end, start))| *out = end - start);
-        let weight = |square: f64| 1.0 / (1.0 + beta * square.max(0.0) * dt * dt);
-        modes.weighted(modes.within(f64::NEG_INFINITY..f64::INFINITY), weight, motion, within);
-        parts.refer(within);
-        let measured = parts.all.iter().map(|part| factor * part.measure(within));
-        out.iter_mut().zip(measured).for_each(|(out, own)| *out = own);
-    }
-
-    /// Number of parts of the machine.
-    pub(crate) fn parts(&self) -> usize {
-        self.parts.all.len()
-    }
-
-    /// Adds to every bearing the kinetic energy of its bodies without rotations (J) where it is more than what is there.
-    pub(crate) fn raise_kinetic(&self, machine: &Machine, state: &State, out: &mut [f64]) {
-        let rates = &state.v[machine.first_unknown()..];
-        for (out, monitor) in out.iter_mut().zip(&machine.monitors) {
-            let own = self.parts.all.iter().filter(|part| monitor.bodies.contains(&part.body));
-            *out = larger(*out, own.map(|part| part.kinetic_energy(rates)).sum());
         }
     }
 
@@ -354,6 +320,21 @@ impl QualityMeter {
     }
 }
 
+/// The modes of a machine that was just evaluated at a state, springs as they are where nothing is deformed: the same wherever
+/// a march goes on, as they choose its steps.
+fn modes_anywhere(system: &mut System, state: &State) -> Result<MachineModes, Error> {
+    let (time, released) = (system.time, system.released.clone());
+    let mut still = State::new(state.q.len());
+    let State { q, v, a } = &mut still;
+    system.machine.set_given(0.0, false, [q, v, a]);
+    system.released.fill(false);
+    system.evaluate(0.0, &still);
+    let modes = MachineModes::new(system, &still);
+    system.released = released;
+    system.evaluate(time, state);
+    modes
+}
+
 /// Local error of a step of `dt` s over the change of its accelerations (s²), Zienkiewicz and Xie (1991):
 /// (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
 pub(super) fn error_factor(method: Newmark, dt: f64) -> f64 {
@@ -416,7 +397,7 @@ mod tests {
     use super::super::small::machine;
     use super::*;
     use crate::linalg::Matrix;
-    use crate::machine::{Body, MachineParts, Rotation};
+    use crate::machine::{Body, Machine, MachineParts, Rotation};
 
     /// The small machine without springs and loads.
     fn without_springs(rotation: Rotation) -> Machine {
