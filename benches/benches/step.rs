@@ -12,6 +12,7 @@ const WARM: usize = 1500;
 fn options() -> MarchOptions {
     MarchOptions {
         time_step: 7.4e-5,
+        automatic: None,
         steps: WARM,
         newmark: Newmark::default(),
         newton: NewtonOptions::default(),

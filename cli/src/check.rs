@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
+use whirl_solver::dynamics::AutomaticStep;
 use whirl_text::rounded;
 
 use crate::arguments::CheckArguments;
@@ -206,14 +207,22 @@ fn say_laws(text: &mut String, laws: &[LawSource]) {
 
 fn say_march(text: &mut String, case: &Case) {
     let march = &case.march;
+    let what = if march.automatic.is_some() { "rows, one every" } else { "steps of" };
     line!(
         text,
-        "\n{} steps of {:e} s: {:.6} s; a cycle is {:.6} s",
+        "\n{} {what} {:e} s: {:.6} s; a cycle is {:.6} s",
         march.steps,
         march.time_step,
         march.duration(),
         march.cycle
     );
+    if let Some(AutomaticStep { tolerance, longest }) = march.automatic {
+        line!(
+            text,
+            "steps are chosen by the program, {:e} s at most, for a local error of {tolerance:e}",
+            longest.min(march.time_step)
+        );
+    }
     line!(text, "the cycle is {}", march.cycle_called);
     if march.no_common_cycle {
         line!(

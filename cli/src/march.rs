@@ -128,6 +128,7 @@ pub(crate) fn march(
 fn options(case: &Case, built: &Built) -> MarchOptions {
     MarchOptions {
         time_step: case.march.time_step,
+        automatic: case.march.automatic,
         steps: case.march.steps,
         newmark: Newmark::default(),
         newton: NewtonOptions {

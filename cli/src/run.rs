@@ -181,7 +181,7 @@ fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String
         .collect();
     format!(
         "{}: {}\n\nlast cycle ({:.2} ms), {steady}\n{table}\n{}\
-         {stresses}{}\
+         {stresses}{}{}\
          {:.4} s simulated in {:.3} s ({:.3} of real time), reduction {:.2} s{}\n\
          results in {}\n",
         case.name,
@@ -189,6 +189,7 @@ fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String
         1e3 * case.march.cycle,
         orders,
         summary.verdict.words(),
+        summary.steps_taken(),
         time.simulated_s,
         time.march_wall_s,
         time.real_time_factor,

@@ -16,7 +16,7 @@ use crate::results::{STATE, SUMMARY};
 use crate::streams;
 
 /// Layout of the file.
-const LAYOUT: &str = "whirl state 3";
+const LAYOUT: &str = "whirl state 4";
 
 /// The march of a case, whose results go to `out`, before its first step.
 ///

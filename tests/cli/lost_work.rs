@@ -126,6 +126,29 @@ fn a_killed_run_leaves_its_history_and_is_resumed_with_the_same_bytes() {
     resumes(&bench);
 }
 
+/// Steps that are chosen go on as they were chosen; and the same case twice has the same bytes.
+#[cfg(unix)]
+#[test]
+fn a_killed_run_with_chosen_steps_is_resumed_with_the_same_bytes() {
+    let case = case(1, "").replace("steps = 1\n", "duration = \"3 s\"\noutput_step = \"20 us\"\n");
+    let case =
+        case.replace("time_step = \"1e-5 s\"", "time_step = \"auto\"\nstep_tolerance = 1e-6");
+    let bench = Workbench::new().file("case.toml", &case);
+    let mut running = begin(&bench, &["run", "case.toml", "--out", "cut"]);
+    running.0.kill().expect("it is there");
+    assert_eq!(running.end().0, None, "ended by a signal");
+    resumes(&bench);
+    let facts = &numbers(&bench, "whole")["march"];
+    assert!(facts["automatic"]["rejected_steps"].as_u64().expect("a count") > 10, "{facts}");
+    let outcome = bench.whirl(&["run", "case.toml", "--out", "again", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let words = "more done again in halves";
+    assert!(outcome.stdout.contains(words), "{}", outcome.stdout);
+    let both = ["whole", "again"].map(|folder| read(bench.path(folder).join("history.csv")));
+    assert!(both[0] == both[1], "other bytes");
+    assert_eq!(numbers(&bench, "whole"), numbers(&bench, "again"));
+}
+
 #[cfg(unix)]
 #[test]
 fn interrupted_runs_end_cleanly_and_are_resumed() {

@@ -20,6 +20,7 @@ fn the_reference_system_stays_within_its_films() {
         let machine = Machine::new(parts).unwrap_or_else(|e| panic!("{e}"));
         let options = MarchOptions {
             time_step: TIME_STEP,
+            automatic: None,
             steps,
             newmark: Newmark::default(),
             newton: NewtonOptions { force_tolerance: 1e-3, ..NewtonOptions::default() },

@@ -174,6 +174,7 @@ pub(crate) fn options(time_step: f64, steps: usize) -> MarchOptions {
     };
     MarchOptions {
         time_step,
+        automatic: None,
         steps,
         newmark: Newmark::default(),
         newton,

@@ -2,16 +2,19 @@
 
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
+use whirl_solver::dynamics::AutomaticStep;
 
 use super::SystemDraft;
 use super::cycle::{self, MOST_PERIODS};
-use super::schema::MOST_STEPS;
+use super::schema::{AUTOMATIC, MOST_STEPS};
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]
 pub(crate) struct MarchSettings {
-    /// Δt in s.
+    /// Δt in s; where the program chooses the parts of it, from one row of the history to the next.
     pub(crate) time_step: f64,
+    /// How the program chooses them, where it does.
+    pub(crate) automatic: Option<AutomaticStep>,
     /// Steps.
     pub(crate) steps: usize,
     /// Largest change of a spring force between iterations, in N, at which a step has converged.
@@ -55,31 +58,40 @@ pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<MarchSettings> 
 }
 
 fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
-    let given = march.quantity("time_step");
+    let automatic = is_automatic(march);
+    let step = if automatic { Step::of_rows(march) } else { Step::fixed(march) };
+    let (given, key) = (step.given, step.key);
     let time_step = given.unwrap_or(1.0);
-    let steps = steps(march, time_step, given.is_some());
+    let steps = steps(march, &step);
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
     let frequency = march.quantity("cycle_frequency");
     let natural = cycle::of(system);
     let cycle = match frequency {
         Some(frequency) => Some((1.0 / frequency, "cycle_frequency", "a cycle")),
-        None => natural.map(|own| (own.time, "time_step", own.called)),
+        None => natural.map(|own| (own.time, key, own.called)),
     };
-    if let Some(time_step) = given {
+    let shortest = cycle::shortest(system);
+    if let (Some(time_step), false) = (given, automatic) {
         let cycle = cycle.filter(|(_, key, _)| *key == "cycle_frequency");
-        let shortest = cycle::shortest(system).into_iter();
-        let shortest = shortest.map(|(time, called)| (time, "time_step", called));
+        let shortest = shortest.iter().map(|(time, called)| (*time, key, *called));
         cycle.into_iter().chain(shortest).for_each(|own| shown(march, time_step, own));
     }
     let cycle_of_rows = cycle;
     let cycle = cycle.map_or(time_step * steps as f64, |(cycle, ..)| cycle);
-    let output_every = output_every(march, given, steps);
+    let output_every = if automatic { 1 } else { output_every(march, given, steps) };
     if let (Some(_), Some((cycle, ..))) = (given, cycle_of_rows) {
-        shown_by_rows(march, output_every as f64 * time_step, cycle);
+        shown_by_rows(march, output_every as f64 * time_step, (cycle, automatic));
     }
     let stop_when_steady = march.optional_boolean("stop_when_steady").unwrap_or(false);
     let settings = MarchSettings {
         time_step,
+        automatic: tolerance(march, automatic).map(|tolerance| AutomaticStep {
+            tolerance,
+            longest: shortest
+                .iter()
+                .map(|(time, _)| time / LEAST_STEPS)
+                .fold(f64::INFINITY, f64::min),
+        }),
         steps,
         force_tolerance,
         output_every,
@@ -96,6 +108,65 @@ fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
         has_a_steady_state(march, &settings, cycle_of_rows.is_some());
     }
     settings
+}
+
+/// The step that a case gives, and the key by which it does.
+struct Step {
+    given: Option<f64>,
+    key: &'static str,
+}
+
+impl Step {
+    /// Of a march in steps that are all alike.
+    fn fixed(march: &Table) -> Self {
+        let key = "time_step";
+        let written = march.written(key);
+        let word = written.text().trim_matches(['"', '\'']);
+        if march.gives(key) && word.starts_with(char::is_alphabetic) {
+            march.pass_over(key);
+            let message = format!("`time_step` cannot be `{word}`");
+            let help = "write `time_step = \"auto\"`, or a step such as `time_step = \"7.4e-5 s\"`";
+            refuse(march, key, message, help.to_owned());
+            return Step { given: None, key };
+        }
+        Step { given: march.quantity(key), key }
+    }
+
+    /// From row to row of a march whose steps the program chooses, which asks for no number of them.
+    fn of_rows(march: &Table) -> Self {
+        let key = "output_step";
+        march.pass_over("time_step");
+        if !march.has(key) {
+            march.absent(key, "with `time_step = \"auto\"`, add `output_step = \"0.1 ms\"`, the time between rows of history.csv");
+        }
+        if march.has("steps") {
+            let message = "`steps` has no meaning with `time_step = \"auto\"`: how many there will be is not known";
+            let help = "write `duration = \"0.1 s\"` instead of it";
+            refuse(march, "steps", message, help.to_owned());
+        }
+        Step { given: march.quantity(key), key }
+    }
+}
+
+/// Whether the program is to choose the step.
+fn is_automatic(march: &Table) -> bool {
+    let key = "time_step";
+    march.gives(key) && march.written(key).text().trim_matches(['"', '\'']) == AUTOMATIC
+}
+
+/// The tolerance by which steps are chosen, where they are.
+fn tolerance(march: &Table, automatic: bool) -> Option<f64> {
+    let key = "step_tolerance";
+    if !march.has(key) {
+        return automatic.then_some(AutomaticStep::TOLERANCE);
+    }
+    let given = march.number_or_middle(key);
+    if !automatic {
+        let message = "`step_tolerance` has no effect on a `time_step` that is given";
+        let help = "write `time_step = \"auto\"`, or leave out `step_tolerance`";
+        refuse(march, key, message, help.to_owned());
+    }
+    automatic.then_some(given)
 }
 
 /// Notes why a run could not be stopped at its steady state.
@@ -148,7 +219,7 @@ fn shown(march: &Table, time_step: f64, (cycle, key, called): (f64, &str, &str))
 }
 
 /// Notes rows that are too far apart to sum up a cycle.
-fn shown_by_rows(march: &Table, output_step: f64, cycle: f64) {
+fn shown_by_rows(march: &Table, output_step: f64, (cycle, automatic): (f64, bool)) {
     if !march.has("output_step") || cycle / output_step >= LEAST_STEPS * (1.0 - 1e-9) {
         return;
     }
@@ -158,7 +229,8 @@ fn shown_by_rows(march: &Table, output_step: f64, cycle: f64) {
         three_digits(cycle / output_step, f64::round)
     );
     let step = three_digits(cycle / LEAST_STEPS, f64::floor);
-    let help = format!("write `output_step = \"{step} s\"` or less, a multiple of `time_step`");
+    let multiple = if automatic { "" } else { ", a multiple of `time_step`" };
+    let help = format!("write `output_step = \"{step} s\"` or less{multiple}");
     refuse(march, "output_step", message, help);
 }
 
@@ -174,19 +246,22 @@ fn three_digits(value: f64, round: fn(f64) -> f64) -> String {
     plain(round(value / place + 1e-9) * place)
 }
 
-/// Steps of the march; only those that are counted, where no `time_step` is `known`.
-fn steps(march: &Table, time_step: f64, known: bool) -> usize {
+/// Steps of the march; only those that are counted, where none is known.
+fn steps(march: &Table, step: &Step) -> usize {
+    let (time_step, known, key) = (step.given.unwrap_or(1.0), step.given.is_some(), step.key);
     let (steps, duration) = (march.optional_count("steps"), march.quantity("duration"));
     match (march.has("steps"), march.has("duration")) {
-        (true, true) => march.conflict("steps", "duration"),
+        (true, true) if key == "time_step" => march.conflict("steps", "duration"),
+        (false, false) if key == "output_step" => {
+            march.absent("duration", "add `duration = \"0.1 s\"`");
+        }
         (false, false) => march.absent("steps", "add `steps = 1000` or `duration = \"0.1 s\"`"),
         _ => {}
     }
     let Some(duration) = duration else { return steps.unwrap_or(1) };
     if steps.is_none() && known && duration < time_step * (1.0 - 1e-9) {
-        let message = "`duration` is shorter than `time_step`: it has no whole step";
-        let help =
-            format!("lower `time_step` to {} s at most, or raise `duration`", plain(duration));
+        let message = format!("`duration` is shorter than `{key}`: it has no whole step");
+        let help = format!("lower `{key}` to {} s at most, or raise `duration`", plain(duration));
         refuse(march, "duration", message, help);
         return 1;
     }
@@ -194,11 +269,11 @@ fn steps(march: &Table, time_step: f64, known: bool) -> usize {
     if steps.is_none() && known && whole > MOST_STEPS as f64 {
         let most = MOST_STEPS as f64;
         let message = format!(
-            "`duration` takes {} steps of `time_step`, more than the {MOST_STEPS} that are allowed",
+            "`duration` takes {} steps of `{key}`, more than the {MOST_STEPS} that are allowed",
             plain(whole)
         );
         let help = format!(
-            "lower `duration` to {} s at most, or raise `time_step` to {} s at least",
+            "lower `duration` to {} s at most, or raise `{key}` to {} s at least",
             plain(most * time_step),
             plain(duration / most)
         );

@@ -60,6 +60,8 @@ measures! {
     ANGLE: ANGLE, "90 deg", Any;
 }
 
+/// What stands for a time step that the program chooses.
+pub(super) const AUTOMATIC: &str = "auto";
 /// Steps of a march; their history takes some gigabytes.
 pub(super) const MOST_STEPS: usize = 10_000_000;
 /// Springs of a bearing in all its rings.
@@ -324,13 +326,24 @@ const BEGINNING: &[Key] = &[
 ];
 
 const MARCH: &[Key] = &[
-    merged("time_step", TIME, "Δt"),
+    merged(
+        "time_step",
+        Either(&[Words(&[AUTOMATIC]), TIME]),
+        "Δt, or \"auto\" where the program chooses it, which needs a duration and output_step",
+    )
+    .like("\"7.4e-5 s\""),
+    key(
+        "step_tolerance",
+        Between(0.0, 0.1),
+        "local error of a step that the program chooses, as a fraction of the largest displacement; 1e-4 if left out",
+    )
+    .like("1e-5"),
     key("steps", Count(1, MOST_STEPS), "or a duration"),
     key("duration", DURATION, "or a number of steps"),
     key(
         "output_step",
         DURATION,
-        "from one row of history.csv to the next, a multiple of time_step",
+        "from one row of history.csv to the next, a multiple of a time_step that is given",
     ),
     key("force_tolerance", TOLERANCE, "change of a spring force at which a step has converged"),
     key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),

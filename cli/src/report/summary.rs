@@ -10,7 +10,7 @@ use whirl_specs::{CLEARANCES, ELEMENTS};
 use whirl_text::rounded;
 
 use super::{OrderFacts, VerdictFacts, last_cycle, orders, oscillations};
-use crate::case::{Case, SupportName, System};
+use crate::case::{Case, MarchSettings, SupportName, System};
 use crate::fields::LargestStress;
 use crate::history::HistoryFile;
 use crate::machine::{BodyFacts, Built, Counts};
@@ -78,12 +78,46 @@ struct MarchFacts {
     converged: bool,
     /// Every step that was asked for.
     complete: bool,
-    time_step_s: f64,
+    /// Where steps are all alike.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time_step_s: Option<f64>,
+    /// Where the program chose them: what `steps` counts is then from row to row.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    automatic: Option<AutomaticFacts>,
     steps_asked: usize,
     steps: usize,
     iterations: usize,
     factorisations: usize,
     halved_steps: usize,
+}
+
+/// The steps that the program chose.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct AutomaticFacts {
+    output_step_s: f64,
+    step_tolerance: f64,
+    /// Of those that were accepted; those that a load cuts where it begins or ends are not counted here.
+    shortest_step_s: f64,
+    longest_step_s: f64,
+    /// Steps that were accepted, and those that were done again in halves.
+    steps: usize,
+    rejected_steps: usize,
+}
+
+impl AutomaticFacts {
+    fn new(march: &MarchSettings, outcome: &Outcome) -> Option<Self> {
+        let (options, taken) = (march.automatic?, outcome.parts?);
+        let length = |halvings: u32| march.time_step / 2.0_f64.powi(halvings as i32);
+        let [least, most] = taken.halvings.unwrap_or_default();
+        Some(AutomaticFacts {
+            output_step_s: march.time_step,
+            step_tolerance: options.tolerance,
+            shortest_step_s: length(most),
+            longest_step_s: length(least),
+            steps: taken.parts,
+            rejected_steps: taken.rejected,
+        })
+    }
 }
 
 /// One support over the last cycle: force on the shaft (N), displacement and eccentricity (µm), in the
@@ -256,14 +290,15 @@ impl Summary {
             verdict: VerdictFacts::new(
                 (&built.machine, &supports),
                 outcome,
-                case.march.time_step,
+                (case.march.time_step, case.march.automatic),
                 (!converged).then_some([steps, case.march.steps]),
             ),
             march: MarchFacts {
                 converged,
                 complete: steps == case.march.steps
                     || case.march.stop_when_steady && outcome.steady.is_some() && error.is_none(),
-                time_step_s: case.march.time_step,
+                time_step_s: case.march.automatic.is_none().then_some(case.march.time_step),
+                automatic: AutomaticFacts::new(&case.march, outcome),
                 steps_asked: case.march.steps,
                 steps,
                 iterations: outcome.iterations,
@@ -292,6 +327,16 @@ impl Summary {
     /// When the steady state was reached, s.
     pub(crate) fn steady_time(&self) -> Option<f64> {
         self.steady_state.time_s
+    }
+
+    /// The steps that the program chose, in words; nothing where it did not.
+    pub(crate) fn steps_taken(&self) -> String {
+        let Some(own) = &self.march.automatic else { return String::new() };
+        let AutomaticFacts { shortest_step_s, longest_step_s, steps, rejected_steps, .. } = own;
+        let [shortest, longest] = [shortest_step_s, longest_step_s].map(|own| rounded(*own, 3));
+        format!(
+            "{steps} steps of {shortest:e} to {longest:e} s, {rejected_steps} more done again in halves\n"
+        )
     }
 
     /// The text of summary.json, in which numbers that are not finite are null.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use whirl_solver::bearing::{Measure, Worst};
-use whirl_solver::dynamics::{Finding, MovingPart, Outcome, findings};
+use whirl_solver::dynamics::{AutomaticStep, Finding, MovingPart, Outcome, findings};
 use whirl_solver::machine::Machine;
 
 use crate::case::SupportName;
@@ -40,17 +40,18 @@ struct Measures {
 }
 
 impl VerdictFacts {
-    /// Of a march of steps of `time_step` s; `diverged`: the steps that were done and those asked for, where the
+    /// Of a march of steps of so many s, or of parts of them that it chose; `diverged`: the steps that were done and those asked for, where the
     /// march ended in one that does not converge; `places` names the supports or stops.
     pub(crate) fn new(
         (machine, places): (&Machine, &[SupportName]),
         outcome: &Outcome,
-        time_step: f64,
+        length: (f64, Option<AutomaticStep>),
         diverged: Option<[usize; 2]>,
     ) -> Self {
         let quality = &outcome.quality;
-        let of_run = diverged.into_iter().map(FindingFacts::diverged);
-        let of_steps = findings(quality, &outcome.energy, time_step).into_iter();
+        let key = if length.1.is_some() { "output_step" } else { "time_step" };
+        let of_run = diverged.into_iter().map(|steps| FindingFacts::diverged(steps, key));
+        let of_steps = findings(quality, &outcome.energy, length).into_iter();
         let of_steps = of_steps.map(|finding| FindingFacts::of_steps(finding, (machine, places)));
         let measures = machine.springs.measures().iter().zip(&outcome.worst);
         let of_laws = measures.filter_map(|(measure, worst)| {
@@ -101,15 +102,16 @@ impl FindingFacts {
         FindingFacts { what, value, limit, unit, remedy }
     }
 
-    fn diverged([done, asked]: [usize; 2]) -> Self {
+    /// `key`: what a case sets to have shorter steps.
+    fn diverged([done, asked]: [usize; 2], key: &str) -> Self {
         FindingFacts {
             what: "steps done before one that does not converge".to_owned(),
             value: done as f64,
             limit: asked as f64,
             unit: "steps".to_owned(),
-            remedy:
-                "see `error`: a shorter `time_step` may pass, a law without a value there never will"
-                    .to_owned(),
+            remedy: format!(
+                "see `error`: a shorter `{key}` may pass, a law without a value there never will"
+            ),
         }
     }
 

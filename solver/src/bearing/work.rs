@@ -76,7 +76,7 @@ pub(crate) struct WorkAlong {
     /// if they had not turned since: what drives a spin does its work on no coordinate.
     spins: Vec<Option<Spin>>,
     without_spin: Vec<f64>,
-    /// Energy made and the work on all springs of each bearing in the last step.
+    /// Energy made and the work on all springs of each bearing in the step that was measured last.
     bearings: Vec<Flow>,
 }
 
@@ -112,8 +112,9 @@ impl WorkAlong {
         self.spins.iter_mut().zip(&state.planes).for_each(|(spin, own)| *spin = own.spin);
     }
 
-    /// The work of the step that ends at a state just evaluated, where the next one starts.
-    pub(crate) fn end(&mut self, springs: &Springs, state: &SpringState) -> SpringWork {
+    /// The work of the step that ends at a state just evaluated; the next one starts there only after
+    /// [`WorkAlong::start`].
+    pub(crate) fn measure(&mut self, springs: &Springs, state: &SpringState) -> SpringWork {
         let mut work = SpringWork::default();
         self.bearings.fill(Flow::default());
         for (place, law) in springs.laws.iter().enumerate() {
@@ -124,7 +125,6 @@ impl WorkAlong {
             self.add(springs, place, &state.laws[place], &mut work);
         }
         self.bearings.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
-        self.start(state);
         work
     }
 
@@ -133,7 +133,7 @@ impl WorkAlong {
         self.spins[law.planes.clone()].iter().any(Option::is_some)
     }
 
-    /// Of the last step, one a bearing.
+    /// Of the step that was measured last, one a bearing.
     pub(crate) fn bearings(&self) -> &[Flow] {
         &self.bearings
     }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::newmark::State;
 use super::system::System;
 use super::windows::Windows;
-use crate::bearing::work::{SpringWork, WorkAlong};
+use crate::bearing::work::{Flow, SpringWork, WorkAlong};
 
 /// The energy balance of a march, in J: work in = kinetic + strain + stored + lost + dissipated + error, each
 /// counted from the start.
@@ -74,10 +74,21 @@ pub(crate) struct EnergySums {
 pub(crate) struct EnergyMeter {
     pub(crate) sums: EnergySums,
     along: WorkAlong,
+    /// Of the step that is to be added, if it was measured.
+    measured: Option<SpringWork>,
     load: Vec<f64>,
     damper: Vec<f64>,
     /// Residuals of the rows of rotations that are given: their drives' couples with the sign changed.
     drive: Vec<f64>,
+}
+
+/// Work of the forces at a state that was just evaluated on the rounding of what they hold (J).
+pub(super) fn rounding(system: &System, state: &State) -> f64 {
+    let forces = system.load.iter().zip(&system.spring).zip(&system.elastic).zip(&state.q);
+    let held = forces.map(|(((load, spring), elastic), q)| {
+        (load.abs() + spring.abs() + elastic.abs()) * q.abs()
+    });
+    ROUNDINGS * f64::EPSILON * held.sum::<f64>()
 }
 
 /// Residuals of the rows of rotations that are given.
@@ -100,10 +111,22 @@ impl EnergyMeter {
                 start,
             },
             along: WorkAlong::new(&system.machine.springs, &system.springs),
+            measured: None,
             load: system.load.clone(),
             damper: system.damper.clone(),
             drive: drives(system).to_vec(),
         }
+    }
+
+    /// Energy made and flowed at every bearing by a step that ends at a state just evaluated and may be added then, or may not.
+    pub(crate) fn measure(&mut self, system: &System) -> &[Flow] {
+        self.measured = Some(self.along.measure(&system.machine.springs, &system.springs));
+        self.along.bearings()
+    }
+
+    /// Leaves out the step that was measured last.
+    pub(crate) fn reject(&mut self) {
+        self.measured = None;
     }
 
     /// Adds a step that ends at a state just evaluated; the energy that it made or destroyed (J).
@@ -118,7 +141,10 @@ impl EnergyMeter {
         self.sums.work_in += work_in;
         self.sums.dissipated += dissipated;
         self.jump(system);
-        let work = self.along.end(&system.machine.springs, &system.springs);
+        let springs = &system.machine.springs;
+        let known = self.measured.take();
+        let work = known.unwrap_or_else(|| self.along.measure(springs, &system.springs));
+        self.along.start(&system.springs);
         self.sums.springs.add_step(&work);
         let bearings = self.along.bearings();
         self.sums.flows.add(bearings);
@@ -139,12 +165,6 @@ impl EnergyMeter {
     /// The balance at a state.
     pub(crate) fn balance(&self, system: &mut System, state: &State) -> EnergyBalance {
         let EnergySums { work_in, dissipated, springs, start, .. } = &self.sums;
-        let forces = system.load.iter().zip(&system.spring).zip(&system.elastic).zip(&state.q);
-        let held: f64 = forces
-            .map(|(((load, spring), elastic), q)| {
-                (load.abs() + spring.abs() + elastic.abs()) * q.abs()
-            })
-            .sum();
         EnergyBalance {
             work_in: *work_in,
             kinetic: system.kinetic_energy(state) - start.0,
@@ -153,7 +173,7 @@ impl EnergyMeter {
             spring_dissipated: springs.dissipated,
             dissipated: *dissipated,
             turnover: self.sums.turnover,
-            rounding: ROUNDINGS * f64::EPSILON * held,
+            rounding: rounding(system, state),
         }
     }
 

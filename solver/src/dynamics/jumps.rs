@@ -3,6 +3,7 @@
 //! The trapezoidal rule averages a jump into the step in which it is, which makes the motion wrong by O(Δt). So the step is
 //! split there: its first part ends with what acts before the jump, and the accelerations start anew from what acts after it.
 
+use super::control::MOST_HALVINGS;
 use super::march::{March, accelerate};
 use super::newmark::State;
 use crate::error::Error;
@@ -33,13 +34,19 @@ pub(super) fn jumps(machine: &Machine) -> Vec<f64> {
 
 impl March<'_> {
     /// Takes a step of `dt` from time `t`, in parts where something jumps within it. Where much does in one step, as of a
-    /// table with rows closer than steps, all of it counts at the end of the step.
-    pub(super) fn leap(&mut self, t: f64, dt: f64) -> Result<(), Error> {
+    /// table with rows closer than steps, all of it counts at the end of the step. `halvings`: of a step, which led to `dt`.
+    pub(super) fn leap(&mut self, t: f64, dt: f64, halvings: u32) -> Result<(), Error> {
         let (near, end) = (SHORTEST * dt, t + dt);
         let upto = |time: f64| self.jumps.partition_point(|jump| *jump <= time + near);
         let within = upto(t)..upto(end);
+        if within.len() > MOST_JUMPS && self.options.automatic.is_some() && halvings < MOST_HALVINGS
+        {
+            let half = 0.5 * dt;
+            self.leap(t, half, halvings + 1)?;
+            return self.leap(t + half, half, halvings + 1);
+        }
         if within.is_empty() || within.len() > MOST_JUMPS {
-            return self.part(t, dt, 0);
+            return self.part((t, dt), 0, halvings);
         }
         let mut begun = t;
         for place in within {
@@ -48,14 +55,14 @@ impl March<'_> {
             let taken = if begun == t && next == end { dt } else { next - begun };
             if taken > near {
                 self.system.before = true;
-                let solved = self.part(begun, taken, 0);
+                let solved = self.part((begun, taken), 0, halvings);
                 self.system.before = false;
                 solved?;
                 begun = next;
             }
             self.jump(at.max(begun))?;
         }
-        if end - begun > near { self.part(begun, end - begun, 0) } else { Ok(()) }
+        if end - begun > near { self.part((begun, end - begun), 0, halvings) } else { Ok(()) }
     }
 
     /// Starts the accelerations anew from what acts from time `t` (s) on.

@@ -3,17 +3,19 @@
 use std::ops::ControlFlow;
 
 use super::checkpoint::{Checkpoint, Clock, Tally};
+use super::control::{AutomaticStep, PartsTaken};
 use super::energy::EnergyBalance;
 use super::jumps::jumps;
 use super::meters::Meters;
 use super::newmark::{Newmark, State};
-use super::newton::{Ending, Newton, NewtonOptions, NewtonState, StepReport};
+use super::newton::{Newton, NewtonOptions, NewtonState, StepReport};
 use super::outputs::write_outputs;
 use super::quality::Quality;
 use super::restart::LastState;
 use super::row::{displacements, write_row};
 use super::settled::settled_from;
 use super::steady::{SteadyState, SteadyTest};
+use super::strides::{SHELVES, most_halvings};
 use super::system::System;
 use crate::bearing::Worst;
 use crate::error::Error;
@@ -24,8 +26,10 @@ use crate::machine::{BodyPlace, Machine};
 /// How far and how a machine is marched.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MarchOptions {
-    /// Δt (s).
+    /// Δt (s): from one row to the next, of the steady-state test and of what is summed up over cycles, too.
     pub time_step: f64,
+    /// Whether every step is integrated in parts, which the march chooses; in one otherwise.
+    pub automatic: Option<AutomaticStep>,
     /// Number of steps.
     pub steps: usize,
     /// Parameters of the time integration.
@@ -93,8 +97,10 @@ pub struct Outcome {
     pub iterations: usize,
     /// Matrices factored in all.
     pub factorisations: usize,
-    /// Steps that had to be halved.
+    /// Steps that had to be halved, as they could not be solved.
     pub halved_steps: usize,
+    /// The parts that steps took, where the march chose them.
+    pub parts: Option<PartsTaken>,
 }
 
 /// A march that ended early, with what it gave up to there.
@@ -141,9 +147,9 @@ pub struct March<'m> {
     pub(super) state: State,
     clock: Clock,
     /// State at the start of the step, and memory for the ends of its parts, one a halving.
-    starts: Vec<State>,
+    pub(super) starts: Vec<State>,
     pub(super) last_iterations: usize,
-    tally: Tally,
+    pub(super) tally: Tally,
     pub(super) meters: Meters,
     row: Vec<f64>,
     /// Values of the row before those of the outputs by request.
@@ -198,19 +204,23 @@ impl<'m> March<'m> {
             true => accelerate(&mut system, time, &mut state)?,
             false => system.evaluate(time, &state),
         }
-        let meters = Meters::new(&mut system, options.newmark, options.time_step, &state)?;
+        let length = (options.time_step, options.automatic);
+        let meters = Meters::new(&mut system, options.newmark, length, &state)?;
         let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
         let steady = options.cycle.map(|cycle| SteadyTest::new(signals, cycle, options.time_step));
         let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
+        // Of parts that may be long or short, factors are kept for the lengths of which there are most.
+        let shelves = if options.automatic.is_some() { SHELVES } else { 0 };
+        let halvings = most_halvings(options);
         let columns = History::for_machine(machine).names().len();
         let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
         Ok(March {
             machine,
-            newton: Newton::new(options.newton, &system),
+            newton: Newton::new(options.newton, &system, shelves),
             meters,
             system,
             // Steps are halved, and split where loads end.
-            starts: vec![State::new(size); options.newton.max_halvings + 2 + machine.loads.len()],
+            starts: vec![State::new(size); halvings as usize + 2 + machine.loads.len()],
             state,
             clock: Clock::default(),
             last_iterations: 0,
@@ -282,7 +292,10 @@ impl<'m> March<'m> {
             self.release(start)?;
         }
         self.last_iterations = 0;
-        self.leap(start, dt)?;
+        match self.options.automatic {
+            Some(_) => self.stride(start, dt)?,
+            None => self.leap(start, dt, 0)?,
+        }
         self.tally.step += 1;
         self.tally.iterations += self.last_iterations;
         let time = self.time();
@@ -294,7 +307,6 @@ impl<'m> March<'m> {
             let displacements = &self.row[displacements(self.machine.monitors.len())];
             test.add(time, self.system.springs.forces.iter().chain(displacements));
         }
-        self.system.springs.observe(&self.machine.springs, time);
         Ok(())
     }
 
@@ -304,43 +316,7 @@ impl<'m> March<'m> {
         loads.all(|(load, released)| *released || load.target().is_none())
     }
 
-    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge.
-    pub(super) fn part(&mut self, t: f64, dt: f64, depth: usize) -> Result<(), Error> {
-        let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
-        start.copy_from(&self.state);
-        let (mut report, mut taken) = (self.attempt(t, dt, &start), dt);
-        if report.ending == Ending::Converged && self.overshoots() {
-            (report, taken) = self.locate(t, dt, &start, report);
-        }
-        let solved = match report.ending {
-            Ending::Converged => {
-                let row_error = report.row_error;
-                self.meters.add(&self.system, (t, taken), &start, &self.state, row_error);
-                match self.overshoots() {
-                    true => self.release(t + taken).and_then(|()| match taken < dt {
-                        true => self.part(t + taken, dt - taken, depth + 1),
-                        false => Ok(()),
-                    }),
-                    false => Ok(()),
-                }
-            }
-            Ending::Failed if depth < self.options.newton.max_halvings => {
-                self.tally.halved_steps += usize::from(depth == 0);
-                self.state.copy_from(&start);
-                let half = 0.5 * dt;
-                self.part(t, half, depth + 1).and_then(|()| self.part(t + half, half, depth + 1))
-            }
-            Ending::Failed => {
-                // What is kept, energies included, ends at the last state that solves its equations.
-                self.state.copy_from(&start);
-                Err(self.diverged(t + dt, dt, &report))
-            }
-        };
-        self.starts[depth] = start;
-        solved
-    }
-
-    fn diverged(&self, time: f64, dt: f64, report: &StepReport) -> Error {
+    pub(super) fn diverged(&self, time: f64, dt: f64, report: &StepReport) -> Error {
         if let Some((law, bearing)) = self.system.springs.without_value(&self.machine.springs) {
             let step = self.tally.step + 1;
             return Error::NoForce { step, time, law, bearing: bearing + 1 };
@@ -420,6 +396,7 @@ impl<'m> March<'m> {
             iterations: self.tally.iterations,
             factorisations: self.newton.kept().factorisations,
             halved_steps: self.tally.halved_steps,
+            parts: self.meters.parts_taken(),
         }
     }
 

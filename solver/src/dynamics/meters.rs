@@ -2,9 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::energy::{EnergyBalance, EnergyMeter, EnergySums};
+use super::control::{AutomaticStep, ControlMemory, Measured, PartsTaken, StepControl};
+use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
 use super::newmark::{Newmark, State};
-use super::quality::{Quality, QualityMeter, QualitySums};
+use super::quality::{Quality, QualityMeter, QualitySums, StepLength};
 use super::system::System;
 use crate::error::Error;
 
@@ -12,6 +13,13 @@ use crate::error::Error;
 pub(crate) struct Meters {
     energy: EnergyMeter,
     quality: QualityMeter,
+    /// Chooses the parts of steps, where the march does.
+    control: Option<StepControl>,
+    /// By parts of the machine: local errors of a part of a step, and displacements at its end.
+    errors: Vec<f64>,
+    displacements: Vec<f64>,
+    /// Kinetic energies by bearing.
+    kinetic: Vec<f64>,
 }
 
 /// What the meters carry from step to step.
@@ -19,23 +27,89 @@ pub(crate) struct Meters {
 pub(crate) struct MeterSums {
     energy: EnergySums,
     quality: QualitySums,
+    control: Option<ControlMemory>,
+}
+
+impl MeterSums {
+    /// What was remembered of the parts of steps.
+    pub(super) fn control(&self) -> Option<&ControlMemory> {
+        self.control.as_ref()
+    }
 }
 
 impl Meters {
-    /// Starts at a state that was just evaluated, for steps of `dt` s.
+    /// Starts at a state that was just evaluated, for steps of `dt` s, or of parts of it where the march chooses them.
     ///
     /// # Errors
     /// A mass matrix that is not positive definite.
     pub(crate) fn new(
         system: &mut System,
         method: Newmark,
-        dt: f64,
+        (dt, automatic): (f64, Option<AutomaticStep>),
         state: &State,
     ) -> Result<Self, Error> {
+        let length = match automatic {
+            Some(_) => StepLength::Most(dt),
+            None => StepLength::Fixed(dt),
+        };
+        let mut quality = QualityMeter::new(system, method, length, state)?;
+        let bearings = system.machine.springs.bearings;
+        let mut displacements = vec![0.0; quality.parts()];
+        quality.displacements(state, &mut displacements);
         Ok(Meters {
             energy: EnergyMeter::new(system, state),
-            quality: QualityMeter::new(system, method, dt, state)?,
+            errors: vec![0.0; quality.parts()],
+            kinetic: vec![0.0; bearings],
+            control: automatic.map(|own| StepControl::new(own, dt, &displacements, bearings)),
+            quality,
+            displacements,
         })
+    }
+
+    /// What a part of a step of `dt` s is worth that ends at a state just evaluated, over what it may be; 0 where steps are
+    /// fixed. It leaves no trace in what was measured so far.
+    pub(crate) fn judge(&mut self, system: &System, dt: f64, start: &State, end: &State) -> f64 {
+        let Some(control) = &mut self.control else { return 0.0 };
+        self.quality.errors(dt, start, end, &mut self.errors);
+        self.quality.displacements(end, &mut self.displacements);
+        self.kinetic.fill(0.0);
+        for state in [start, end] {
+            self.quality.raise_kinetic(system.machine, state, &mut self.kinetic);
+        }
+        control.judge(&Measured {
+            errors: &self.errors,
+            displacements: &self.displacements,
+            flows: self.energy.measure(system),
+            kinetic: &self.kinetic,
+            rounding: rounding(system, end),
+        })
+    }
+
+    /// Leaves out the part of a step that was judged last, or was not solved.
+    pub(crate) fn reject(&mut self) {
+        self.energy.reject();
+        if let Some(control) = &mut self.control {
+            control.reject();
+        }
+    }
+
+    /// Takes the part of a step that was judged, with so many halvings.
+    pub(crate) fn accept(&mut self, judged: f64, halvings: u32) {
+        if let Some(control) = &mut self.control {
+            control.accept(judged, halvings);
+        }
+    }
+
+    /// Halvings of a step that lead to its next part.
+    pub(crate) fn halvings(&self) -> u32 {
+        self.control.as_ref().map_or(0, |own| own.memory.halvings)
+    }
+
+    /// Makes the next part longer where that is due; see [`StepControl::lengthen`].
+    pub(crate) fn lengthen(&mut self, at: u32) {
+        if let Some(control) = &mut self.control {
+            control.lengthen(at);
+        }
     }
 
     /// Adds a step of `dt` s from `start` at time `t` (s) to `end`, which was just evaluated.
@@ -58,13 +132,30 @@ impl Meters {
 
     /// What was measured so far.
     pub(crate) fn sums(&self) -> MeterSums {
-        MeterSums { energy: self.energy.sums.clone(), quality: self.quality.sums.clone() }
+        MeterSums {
+            energy: self.energy.sums.clone(),
+            quality: self.quality.sums.clone(),
+            control: self.control.as_ref().map(|own| own.memory.clone()),
+        }
     }
 
     /// Goes on from what was measured before, at a state that was just evaluated.
     pub(crate) fn resume_from(&mut self, system: &System, sums: MeterSums) {
         self.energy.resume_from(system, sums.energy);
         self.quality.sums = sums.quality;
+        self.resume_control(sums.control);
+    }
+
+    /// Chooses parts of steps as an earlier march did.
+    pub(crate) fn resume_control(&mut self, memory: Option<ControlMemory>) {
+        if let (Some(control), Some(memory)) = (&mut self.control, memory) {
+            control.resume_from(memory);
+        }
+    }
+
+    /// The parts that steps took; none where steps are fixed.
+    pub(crate) fn parts_taken(&self) -> Option<PartsTaken> {
+        self.control.as_ref().map(|own| own.memory.taken)
     }
 
     /// The energy balance at a state.

@@ -1,6 +1,7 @@
 //! Marching a machine in time.
 
 mod checkpoint;
+mod control;
 mod energy;
 mod equilibrium;
 mod extrapolation;
@@ -12,6 +13,7 @@ mod modes;
 mod newmark;
 mod newton;
 mod outputs;
+mod part_errors;
 mod parts;
 mod quality;
 mod release;
@@ -23,12 +25,14 @@ mod settled;
 mod small;
 mod spring_tangent;
 mod steady;
+mod strides;
 mod system;
 mod turning;
 mod verdict;
 mod windows;
 
 pub use checkpoint::Checkpoint;
+pub use control::{AutomaticStep, PartsTaken};
 pub use energy::EnergyBalance;
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use march::{BodyStart, Failure, March, MarchOptions, Outcome, Progress, march};

@@ -33,7 +33,7 @@ pub struct NewtonOptions {
     /// Whether steps that do not lessen φ are shortened. Without it this is the plain method, which can
     /// cycle where springs switch.
     pub line_search: bool,
-    /// How often a failing step may be halved.
+    /// How often a failing step may be halved, where the march does not choose its steps.
     pub max_halvings: usize,
 }
 
@@ -104,6 +104,18 @@ pub(crate) struct NewtonState {
     largest_force: f64,
     /// Where the next step begins.
     extrapolation: Extrapolation,
+    /// Where the factors on the shelves were computed, and the shelf that is emptied next.
+    shelved: Vec<Factored>,
+    next_shelf: usize,
+}
+
+/// Where factors were computed: time (s), state, released loads and step length (s), 0 where there are none.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Factored {
+    time: f64,
+    state: State,
+    released: Vec<bool>,
+    dt: f64,
 }
 
 impl NewtonState {
@@ -119,6 +131,8 @@ pub(crate) struct Newton {
     options: NewtonOptions,
     first: usize,
     lu: Lu,
+    /// Factors for other step lengths.
+    shelves: Vec<Lu>,
     /// The inverse of factors that are kept for long, and whether it is of those.
     inverse: RoughInverse,
     is_inverse: bool,
@@ -139,21 +153,28 @@ pub(crate) struct Newton {
 }
 
 impl Newton {
-    pub(crate) fn new(options: NewtonOptions, system: &System) -> Self {
+    /// With factors kept for so many step lengths beside the one in use.
+    pub(crate) fn new(options: NewtonOptions, system: &System, shelves: usize) -> Self {
         let machine = system.machine;
         let (size, first) = (machine.size(), machine.first_unknown());
         let unknowns = size - first;
+        let released = vec![false; machine.loads.len()];
+        let nothing =
+            || Factored { time: 0.0, state: State::new(size), released: released.clone(), dt: 0.0 };
         Newton {
             options,
             first,
             lu: Lu::new(unknowns),
+            shelves: (0..shelves).map(|_| Lu::new(unknowns)).collect(),
             inverse: RoughInverse::new(unknowns),
             is_inverse: false,
             whole: vec![0.0; if first > 0 { size * size } else { 0 }],
             kept: NewtonState {
                 time: 0.0,
                 state: State::new(size),
-                released: vec![false; machine.loads.len()],
+                shelved: (0..shelves).map(|_| nothing()).collect(),
+                next_shelf: 0,
+                released,
                 dt: 0.0,
                 factorisations: 0,
                 directions: 0,
@@ -178,6 +199,12 @@ impl Newton {
 
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
     pub(crate) fn resume_from(&mut self, system: &mut System, method: Newmark, kept: NewtonState) {
+        for (shelf, own) in kept.shelved.iter().enumerate().filter(|(_, own)| own.dt > 0.0) {
+            system.released.copy_from_slice(&own.released);
+            system.evaluate(own.time, &own.state);
+            self.factor(system, own.time, &own.state, &Coefficients::new(method, own.dt));
+            std::mem::swap(&mut self.lu, &mut self.shelves[shelf]);
+        }
         if kept.dt > 0.0 {
             system.released.copy_from_slice(&kept.released);
             system.evaluate(kept.time, &kept.state);
@@ -191,6 +218,46 @@ impl Newton {
         self.kept = kept;
     }
 
+    /// Puts the factors of another step length on a shelf, and takes those of `dt` s from theirs.
+    fn exchange(&mut self, dt: f64) {
+        let kept = &mut self.kept;
+        if kept.dt == dt || kept.shelved.is_empty() {
+            return;
+        }
+        let known = kept.shelved.iter().position(|own| own.dt == dt);
+        let free = || kept.shelved.iter().position(|own| own.dt == 0.0);
+        let Some(shelf) = known.or_else(|| (kept.dt > 0.0).then(free).flatten()).or_else(|| {
+            let next = kept.next_shelf;
+            (kept.dt > 0.0).then(|| {
+                kept.next_shelf = (next + 1) % kept.shelved.len();
+                next
+            })
+        }) else {
+            return;
+        };
+        std::mem::swap(&mut self.lu, &mut self.shelves[shelf]);
+        let own = &mut kept.shelved[shelf];
+        std::mem::swap(&mut kept.time, &mut own.time);
+        std::mem::swap(&mut kept.state, &mut own.state);
+        std::mem::swap(&mut kept.released, &mut own.released);
+        std::mem::swap(&mut kept.dt, &mut own.dt);
+        if kept.dt != dt {
+            kept.dt = 0.0;
+        }
+        // An inverse is not kept: it is made again where these factors give many directions again.
+        (self.is_inverse, kept.directions) = (false, 0);
+    }
+
+    /// Largest spring force of all steps (N).
+    pub(crate) fn largest_force(&self) -> f64 {
+        self.kept.largest_force
+    }
+
+    /// Forgets the forces of a step that is not accepted: the largest was so much before it (N).
+    pub(crate) fn forget(&mut self, largest_force: f64) {
+        self.kept.largest_force = largest_force;
+    }
+
     /// Solves for the state at `t`, the end of `step`, from the prediction in `end`.
     pub(crate) fn solve(
         &mut self,
@@ -199,6 +266,7 @@ impl Newton {
         step: &Coefficients,
         end: &mut State,
     ) -> StepReport {
+        self.exchange(step.dt);
         self.weigh(system, step);
         self.predicted.copy_from(end);
         self.kept.extrapolation.begin(step.dt, &mut self.correction);
@@ -410,7 +478,7 @@ mod tests {
         for (rotation, first) in [(Rotation::Free, 0), (Rotation::Held, 1)] {
             let machine = machine(rotation.clone());
             let mut system = System::new(&machine);
-            let mut newton = Newton::new(NewtonOptions::default(), &system);
+            let mut newton = Newton::new(NewtonOptions::default(), &system, 0);
             let r = [3.0, -70.0, 20.0, 50.0, -11.0];
             system.residual.copy_from_slice(&r);
             // Anew for every step length.
@@ -438,7 +506,7 @@ mod tests {
             residual_tolerance: 1e3,
             ..NewtonOptions::default()
         };
-        let mut newton = Newton::new(options, &system);
+        let mut newton = Newton::new(options, &system, 0);
         let step = Coefficients::new(Newmark::default(), 0.01);
         let report = newton.solve(&mut system, 0.01, &step, &mut state(5));
         assert_eq!(report.ending, Ending::Converged);
@@ -451,7 +519,7 @@ mod tests {
     fn the_worst_coordinate_has_the_largest_part_of_the_merit() {
         let machine = machine(Rotation::Held);
         let system = System::new(&machine);
-        let mut newton = Newton::new(NewtonOptions::default(), &system);
+        let mut newton = Newton::new(NewtonOptions::default(), &system, 0);
         // Without inertia 1/s is 1/900, 1/1700, 1/125 and 1/200.
         newton.weigh(&system, &Coefficients { dt: 1.0, a1: 0.0, a2: 1e-9 });
         assert_eq!(newton.worst(&[1e9, 1.0, 1.0, 1.0, 1.0]), 3);

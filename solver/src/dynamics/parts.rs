@@ -53,6 +53,16 @@ impl Part {
             Weight::Identity(mass) => (dot(x, x) / mass).sqrt(),
         }
     }
+
+    /// Kinetic energy of what is no rotation at these rates of the unknowns (J); that of a rotation is not counted.
+    pub(super) fn kinetic_energy(&self, rates: &[f64]) -> f64 {
+        match self.weight {
+            Weight::Angle(_) => 0.0,
+            Weight::Mass(_, mass) | Weight::Identity(mass) => {
+                0.5 * mass * self.measure(rates).powi(2)
+            }
+        }
+    }
 }
 
 /// The parts of a machine, and what their angles are counted from.
@@ -117,8 +127,19 @@ impl Parts {
     pub(super) fn displacement(&self, state: &State, out: &mut [f64]) {
         out.copy_from_slice(&state.q[self.first..]);
         for group in &self.groups {
-            let from = group.zero(&state.q);
+            let from = group.zero(|place| state.q[place]);
             group.members.iter().for_each(|(place, _)| out[place - self.first] -= from);
+        }
+    }
+
+    /// Makes a motion of the unknowns, in which given rotations do not move, one whose angles are counted as their groups
+    /// have them.
+    pub(super) fn refer(&self, motion: &mut [f64]) {
+        let first = self.first;
+        for group in &self.groups {
+            let of = |place: usize| if place < first { 0.0 } else { motion[place - first] };
+            let from = group.zero(of);
+            group.members.iter().for_each(|(place, _)| motion[place - first] -= from);
         }
     }
 }
@@ -133,13 +154,14 @@ impl Group {
         !matches!(self.from, From::Mean) || self.members.len() > 1
     }
 
-    fn zero(&self, q: &[f64]) -> f64 {
+    /// What its angles are counted from, where each stands at an angle by its place in q.
+    fn zero(&self, angle: impl Fn(usize) -> f64) -> f64 {
         match self.from {
             From::Ground => 0.0,
-            From::Given(place) => q[place],
+            From::Given(place) => angle(place),
             From::Mean => {
                 let inertia: f64 = self.members.iter().map(|(_, inertia)| inertia).sum();
-                let weighed = self.members.iter().map(|(place, inertia)| inertia * q[*place]);
+                let weighed = self.members.iter().map(|(place, inertia)| inertia * angle(*place));
                 weighed.sum::<f64>() / inertia
             }
         }

@@ -1,5 +1,7 @@
 //! How good the steps of a march are: the energy that they make, their local error, what is left in their rows.
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
@@ -71,7 +73,7 @@ const ALL_SAMPLED: u64 = 128;
 
 /// A part whose largest displacement is a smaller fraction of that of any part is measured by that fraction: what hardly
 /// moves is of no account.
-const SMALLEST: f64 = 1e-3;
+pub(super) const SMALLEST: f64 = 1e-3;
 
 /// What is carried from step to step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -110,30 +112,62 @@ impl PartSums {
     }
 }
 
+/// How long the steps of a march are (s).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum StepLength {
+    /// So long; parts of a step that was cut are judged as what the whole one resolves.
+    Fixed(f64),
+    /// So long at most: each is judged by its own length.
+    Most(f64),
+}
+
+impl StepLength {
+    fn most(self) -> f64 {
+        match self {
+            StepLength::Fixed(dt) | StepLength::Most(dt) => dt,
+        }
+    }
+
+    /// That by which a step of `dt` s is judged.
+    fn of(self, dt: f64) -> f64 {
+        match self {
+            StepLength::Fixed(all) => all,
+            StepLength::Most(_) => dt,
+        }
+    }
+}
+
+/// Motions of more than 6000 steps a period are left out, so that a body that turns is not measured by its angle.
+const SLOWEST: f64 = 1e-6;
+
 /// Measures steps.
 pub(crate) struct QualityMeter {
     pub(crate) sums: QualitySums,
-    beta: f64,
-    modes: MachineModes,
-    parts: Parts,
+    pub(super) method: Newmark,
+    steps: StepLength,
+    pub(super) modes: MachineModes,
+    pub(super) parts: Parts,
     /// A motion of the unknowns, what was before it, and what of it is in some modes.
-    motion: Vec<f64>,
+    pub(super) motion: Vec<f64>,
     before: Vec<f64>,
-    within: Vec<f64>,
+    pub(super) within: Vec<f64>,
 }
 
 impl QualityMeter {
-    /// For steps of `dt` s from `state`, which was just evaluated.
+    /// For steps from `state`, which was just evaluated.
     ///
     /// # Errors
     /// A mass matrix that is not positive definite.
     pub(crate) fn new(
         system: &mut System,
         method: Newmark,
-        dt: f64,
+        steps: StepLength,
         state: &State,
     ) -> Result<Self, Error> {
-        let modes = MachineModes::new(system, dt, state)?;
+        let modes = match steps {
+            StepLength::Fixed(_) => MachineModes::new(system, state)?,
+            StepLength::Most(_) => modes_anywhere(system, state)?,
+        };
         let parts = Parts::new(system);
         let sums = QualitySums {
             steps: 0,
@@ -144,14 +178,22 @@ impl QualityMeter {
         };
         let values = || vec![0.0; system.machine.active()];
         let (motion, before, within) = (values(), values(), values());
-        let beta = method.beta;
-        let mut meter = QualityMeter { sums, beta, modes, parts, motion, before, within };
+        let mut meter = QualityMeter { sums, method, steps, modes, parts, motion, before, within };
         meter.add_displacement(state);
         Ok(meter)
     }
 
+    /// The modes that a step of `dt` s resolves, and those that it does not.
+    fn modes_by(&self, dt: f64) -> [Range<usize>; 2] {
+        let square = |length: f64| length * length;
+        let slowest = SLOWEST / square(self.steps.most());
+        let fastest = 1.0 / square(self.steps.of(dt));
+        [slowest..fastest, fastest..f64::INFINITY].map(|squares| self.modes.within(squares))
+    }
+
     /// Adds the displacement of a state to the largest.
     fn add_displacement(&mut self, state: &State) {
+        let [resolved, unresolved] = self.modes_by(self.steps.most());
         let QualityMeter { sums, modes, parts, motion, within, .. } = self;
         parts.displacement(state, motion);
         let mut each = |x: &[f64], largest: fn(&mut PartSums) -> &mut f64| {
@@ -161,21 +203,21 @@ impl QualityMeter {
             }
         };
         each(motion, |sums| &mut sums.displacement);
-        modes.resolved.part(motion, within);
+        modes.part(resolved, motion, within);
         each(within, |sums| &mut sums.amplitude);
-        modes.unresolved.part(motion, within);
+        modes.part(unresolved, motion, within);
         each(within, |sums| &mut sums.unresolved_amplitude);
     }
 
     /// Adds the error of a step of `dt` s, and its motion in modes that are not resolved.
     fn add_step(&mut self, dt: f64, start: &State, end: &State) {
-        let QualityMeter { sums, modes, parts, motion, before, within, beta } = self;
-        // Zienkiewicz and Xie (1991): (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
-        let factor = (*beta - 1.0 / 6.0).abs() * dt * dt;
+        let [resolved, unresolved] = self.modes_by(dt);
+        let factor = error_factor(self.method, dt);
+        let QualityMeter { sums, modes, parts, motion, before, within, .. } = self;
         let first = end.a.len() - motion.len();
         let ends = end.a[first..].iter().zip(&start.a[first..]);
         motion.iter_mut().zip(ends).for_each(|(out, (end, start))| *out = end - start);
-        modes.resolved.part(motion, within);
+        modes.part(resolved, motion, within);
         for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
             let error = factor * part.measure(within);
             sums.errors.add(error);
@@ -184,7 +226,7 @@ impl QualityMeter {
         parts.displacement(end, motion);
         parts.displacement(start, before);
         motion.iter_mut().zip(&*before).for_each(|(out, before)| *out -= before);
-        modes.unresolved.part(motion, within);
+        modes.part(unresolved, motion, within);
         for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
             sums.motions.add(part.measure(within));
         }
@@ -257,6 +299,7 @@ impl QualityMeter {
         let bodies = sums.parts.iter().zip(&self.parts.all).filter(|(_, part)| !part.turns());
         let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
         let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
+        let fastest = self.modes.fastest();
         Quality {
             energy_made_share: worst.map_or(0.0, |(_, fraction)| fraction),
             bearing: worst.map(|(bearing, _)| bearing),
@@ -272,13 +315,34 @@ impl QualityMeter {
             sensible_displacement: largest_sensible(system.machine),
             row_error: sums.row_error,
             resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
-            mode_step: self.modes.fastest.map(|omega| RESOLVED / omega),
+            mode_step: (fastest * self.steps.most() >= 1.0).then_some(RESOLVED / fastest),
         }
     }
 }
 
+/// The modes of a machine that was just evaluated at a state, springs as they are where nothing is deformed: the same wherever
+/// a march goes on, as they choose its steps.
+fn modes_anywhere(system: &mut System, state: &State) -> Result<MachineModes, Error> {
+    let (time, released) = (system.time, system.released.clone());
+    let mut still = State::new(state.q.len());
+    let State { q, v, a } = &mut still;
+    system.machine.set_given(0.0, false, [q, v, a]);
+    system.released.fill(false);
+    system.evaluate(0.0, &still);
+    let modes = MachineModes::new(system, &still);
+    system.released = released;
+    system.evaluate(time, state);
+    modes
+}
+
+/// Local error of a step of `dt` s over the change of its accelerations (s²), Zienkiewicz and Xie (1991):
+/// (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
+pub(super) fn error_factor(method: Newmark, dt: f64) -> f64 {
+    (method.beta - 1.0 / 6.0).abs() * dt * dt
+}
+
 /// The larger of two; what is no number is larger than any, and stays it.
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b <= a || a.is_nan() { a } else { b }
 }
 
@@ -367,7 +431,8 @@ mod tests {
         let states: Vec<State> =
             [1.0, 2.0, 4.0, 8.0].map(|q| State { q: vec![q; 5], ..State::new(5) }).into();
         let mut meter =
-            QualityMeter::new(&mut system, Newmark::default(), 0.5, &states[0]).unwrap();
+            QualityMeter::new(&mut system, Newmark::default(), StepLength::Fixed(0.5), &states[0])
+                .unwrap();
         for (place, made) in [(0, 3.0), (1, 7.0), (2, 5.0)] {
             let t = 10.0 + place as f64;
             meter.add((t, 0.5), &states[place], &states[place + 1], made, 0.0);

@@ -7,6 +7,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::checkpoint::{Checkpoint, Clock};
+use super::control::ControlMemory;
 use super::march::{March, MarchOptions};
 use super::newmark::State;
 use super::newton::NewtonState;
@@ -35,6 +36,8 @@ pub struct LastState {
     /// The terms of all rows.
     acting: Key,
     newton: NewtonState,
+    /// What was remembered of the parts of steps, where the march chose them.
+    control: Option<ControlMemory>,
 }
 
 /// A body of it.
@@ -51,7 +54,8 @@ struct LastBody {
 
 impl LastState {
     pub(super) fn new(machine: &Machine, time_step: f64, time: f64, from: Checkpoint) -> Self {
-        let Checkpoint { state, time: evaluated, clock, released, newton, tally, .. } = from;
+        let Checkpoint { state, time: evaluated, clock, released, newton, tally, meters, .. } =
+            from;
         let bodies = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
             let part = |all: &[f64]| all[place.flexible.clone()].to_vec();
             LastBody {
@@ -70,6 +74,7 @@ impl LastState {
             loads: loads(machine).into_iter().zip(released.iter().copied()).collect(),
             acting: acting(machine, evaluated, &state, &released),
             newton,
+            control: meters.control().map(ControlMemory::counted_anew),
         }
     }
 
@@ -162,15 +167,20 @@ impl<'m> March<'m> {
         let same_loads = own.iter().eq(last.loads.iter().map(|(load, _)| load));
         let same = acting(machine, last.evaluated, &state, &released) == last.acting;
         // With another Δt the state is no multiple of it.
-        let clock = match last.time_step == options.time_step {
+        let same_step = last.time_step == options.time_step;
+        let clock = match same_step {
             true => last.clock,
             false => Clock { time: last.time, step: 0 },
         };
         let time = if same { last.evaluated } else { last.time };
         let mut march = March::begin(machine, options, (state, released, time), !same)?;
         // A kept state has one place a coordinate and a load, in their order.
-        let newton = (same && same_loads).then(|| last.newton.counted_anew());
+        let fits = options.automatic.is_some() == last.control.is_some();
+        let newton = (same && same_loads && fits).then(|| last.newton.counted_anew());
         march.go_on(clock, time, newton);
+        if same && same_step {
+            march.meters.resume_control(last.control.clone());
+        }
         Ok(march)
     }
 }

@@ -1,5 +1,6 @@
 //! What the program itself believes of a run.
 
+use super::control::AutomaticStep;
 use super::energy::EnergyBalance;
 use super::quality::{MovingPart, Quality};
 
@@ -34,8 +35,13 @@ const UNRESOLVED_MOTION: f64 = 0.3;
 /// What does not balance, as a fraction of the energy in play: the limit of what steps may make at the bearings.
 const ENERGY_ERROR: f64 = 0.05;
 
-/// What is beyond its limit in steps of `time_step` s; nothing where the run is sound.
-pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Vec<Finding> {
+/// What is beyond its limit in steps of `time_step` s, or in parts of them that the march chose; nothing where the run is
+/// sound.
+pub fn findings(
+    quality: &Quality,
+    energy: &EnergyBalance,
+    (time_step, automatic): (f64, Option<AutomaticStep>),
+) -> Vec<Finding> {
     // What the local error asks for: it grows with Δt³, and in motion that a step cannot follow less.
     let follow = |error: f64| {
         let factor = (LOCAL_ERROR / error).cbrt();
@@ -86,7 +92,7 @@ pub fn findings(quality: &Quality, energy: &EnergyBalance, time_step: f64) -> Ve
         value,
         limit,
         unit: "1".to_owned(),
-        remedy: shorter(step),
+        remedy: automatic.map_or_else(|| shorter(step), narrower),
     };
     let too_far = runaway(quality).into_iter();
     too_far.chain(found.map(finding)).collect()
@@ -117,6 +123,11 @@ fn shorter(step: f64) -> String {
     format!("set `time_step = \"{text} s\"` in [march], and as many more steps")
 }
 
+/// The remedy where the march chooses its steps: a tenth of the tolerance, in two digits.
+fn narrower(AutomaticStep { tolerance, .. }: AutomaticStep) -> String {
+    format!("set `step_tolerance = {:.1e}` or less in [march]", 0.1 * tolerance)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -145,7 +156,7 @@ mod tests {
     }
 
     fn found(quality: Quality) -> Finding {
-        let mut found = findings(&quality, &balance(0.0), 2.36e-3);
+        let mut found = findings(&quality, &balance(0.0), (2.36e-3, None));
         assert_eq!(found.len(), 1, "{found:?}");
         found.remove(0)
     }
@@ -156,8 +167,8 @@ mod tests {
 
     #[test]
     fn what_is_at_its_limit_is_sound() {
-        assert_eq!(findings(&SOUND, &balance(ENERGY_ERROR), 1e-3), []);
-        assert_eq!(findings(&Quality::default(), &EnergyBalance::default(), 1e-3), []);
+        assert_eq!(findings(&SOUND, &balance(ENERGY_ERROR), (1e-3, None)), []);
+        assert_eq!(findings(&Quality::default(), &EnergyBalance::default(), (1e-3, None)), []);
     }
 
     #[test]
@@ -177,7 +188,7 @@ mod tests {
             let local_error = times * LOCAL_ERROR;
             assert_eq!(found(Quality { local_error, ..SOUND }).remedy, set(step));
         }
-        let unbalanced = findings(&SOUND, &balance(-0.051), 2.36e-3);
+        let unbalanced = findings(&SOUND, &balance(-0.051), (2.36e-3, None));
         assert_eq!((unbalanced.len(), &unbalanced[0].remedy), (1, &set("1.1e-3")));
     }
 
@@ -190,11 +201,18 @@ mod tests {
     }
 
     #[test]
+    fn chosen_steps_are_mended_by_their_tolerance() {
+        let automatic = Some(AutomaticStep { tolerance: 2e-3, longest: 1.0 });
+        let found = findings(&SOUND, &balance(0.06), (1e-3, automatic));
+        assert_eq!(found[0].remedy, "set `step_tolerance = 2.0e-4` or less in [march]");
+    }
+
+    #[test]
     fn what_is_no_number_is_not_sound() {
         let bad = f64::NAN;
         let quality =
             Quality { energy_made_share: bad, local_error: bad, unresolved_motion: bad, ..SOUND };
-        let found = findings(&quality, &balance(bad), 1e-3);
+        let found = findings(&quality, &balance(bad), (1e-3, None));
         assert_eq!(found.len(), 4);
         assert!(found.iter().all(|own| own.value.is_nan() && !own.remedy.contains("NaN")));
     }

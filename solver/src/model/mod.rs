@@ -50,6 +50,7 @@
 //! let machine = model.machine(bodies)?;
 //! let options = MarchOptions {
 //!     time_step: 1e-3,
+//!     automatic: None,
 //!     steps: 1000,
 //!     newmark: Newmark::default(),
 //!     newton: NewtonOptions::default(),

@@ -121,6 +121,7 @@ impl ByHand {
         });
         let options = MarchOptions {
             time_step: self.time_step,
+            automatic: None,
             steps: self.steps,
             newmark: Newmark::default(),
             newton: NewtonOptions {

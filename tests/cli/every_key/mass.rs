@@ -108,3 +108,32 @@ fn a_mass_is_what_its_case_says() {
     assert!(history.column("RY1_N").iter().all(|force| force.abs() < 1e-12));
     results.sums_up(1.0 / 12.0);
 }
+
+/// A mass on its spring in steps that are chosen: cos ωt but for its phase, at all rows.
+#[test]
+fn a_mass_moves_in_chosen_steps() {
+    let results = Results::of("chosen", &[]);
+    let (omega, tolerance) = (200.0, 1e-5);
+    let (times, places) = (results.history.column("t_s"), results.history.column("x_place_um"));
+    assert_eq!(times.len(), 100);
+    // A step of r = ωΔt has the local error r³/12 at most, and is late by r³/12: r² /12 of the phase.
+    let r = f64::cbrt(12.0 * tolerance);
+    let late = omega * 0.3 * r * r / 12.0;
+    for (step, (time, place)) in times.iter().zip(places).enumerate() {
+        assert!((time - 3e-3 * (step + 1) as f64).abs() < 1e-12, "{time}");
+        let exact = 1e3 * (omega * time).cos();
+        // r³/12 is the error but for the next term, r⁵.
+        assert!((place - exact).abs() <= 1e3 * 1.01 * late, "{time} s: {place} for {exact}");
+    }
+    let facts = &results.summary["march"]["automatic"];
+    // The first stands where the acceleration hardly changes, and may be twice as long.
+    let longest = facts["longest_step_s"].as_f64().expect("a number");
+    assert!(omega * longest <= 2.0 * r, "{facts}");
+    assert!(facts["steps"].as_u64().expect("a count") > 1000, "{facts}");
+    assert_eq!(results.summary["march"]["time_step_s"], serde_json::Value::Null);
+    let said = results.bench.whirl(&["check", "chosen.toml"]).stdout;
+    assert!(
+        said.contains("steps are chosen by the program, 3e-3 s at most, for a local error of 1e-5"),
+        "{said}"
+    );
+}

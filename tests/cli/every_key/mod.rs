@@ -17,7 +17,7 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 19] = [
+const FILES: [(&str, &str); 20] = [
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
@@ -37,10 +37,11 @@ const FILES: [(&str, &str); 19] = [
     ("ring.toml", include_str!("ring.toml")),
     ("stored.toml", include_str!("stored.toml")),
     ("punched.toml", include_str!("punched.toml")),
+    ("chosen.toml", include_str!("chosen.toml")),
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 10] = [
+const CASES: [&str; 11] = [
     "generated.toml",
     "base.toml",
     "read.toml",
@@ -51,6 +52,7 @@ const CASES: [&str; 10] = [
     "tied.toml",
     "stored.toml",
     "punched.toml",
+    "chosen.toml",
 ];
 
 #[test]

@@ -1,6 +1,7 @@
 //! Machines small enough to reason about: discs on a massless elastic line, in bores that vibrate.
 
 mod audit;
+mod automatic;
 mod contacts;
 mod eccentricity;
 mod equations;
@@ -204,6 +205,7 @@ pub(crate) fn force(
 pub(crate) fn options(time_step: f64, steps: usize) -> MarchOptions {
     MarchOptions {
         time_step,
+        automatic: None,
         steps,
         newmark: Newmark::default(),
         newton: NewtonOptions {

@@ -23,7 +23,7 @@ fn run(machine: &Machine, time_step: f64, steps: usize, start: [f64; 2]) -> Outc
 }
 
 fn verdict(outcome: &Outcome, time_step: f64) -> Vec<Finding> {
-    findings(&outcome.quality, &outcome.energy, time_step)
+    findings(&outcome.quality, &outcome.energy, (time_step, None))
 }
 
 /// Steps that are solved exactly and far too long are not sound; with the step of the remedy they are.

@@ -1,7 +1,7 @@
 //! A march resumed from a checkpoint is the march that was never interrupted, bit for bit.
 
 use whirl_solver::bearing::Bearing;
-use whirl_solver::dynamics::{BodyStart, Checkpoint, March, MarchOptions};
+use whirl_solver::dynamics::{AutomaticStep, BodyStart, Checkpoint, March, MarchOptions};
 use whirl_solver::loads::{Frame, Release, Target, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 
@@ -65,15 +65,25 @@ fn finish(march: &mut March) -> (Vec<Vec<u64>>, Vec<Vec<u8>>) {
     (rows, kept)
 }
 
+/// The same in steps of which the march chooses the parts: more of them, and fewer.
+pub(super) fn chosen() -> impl Iterator<Item = Option<AutomaticStep>> {
+    let tolerances = [1e-3, 1e-6].into_iter();
+    tolerances.map(|tolerance| Some(AutomaticStep { tolerance, ..AutomaticStep::default() }))
+}
+
 #[test]
 fn a_resumed_march_has_the_bits_of_one_never_interrupted() {
     for release in [Release::AtStep, Release::Located] {
-        resumes_with_the_same_bits(release);
+        let bits = resumes_with_the_same_bits(release, None);
+        for automatic in chosen() {
+            assert!(resumes_with_the_same_bits(release, automatic) != bits, "{automatic:?}");
+        }
     }
 }
 
-fn resumes_with_the_same_bits(release: Release) {
-    let (machine, options) = (machine(target(), release), march_options());
+fn resumes_with_the_same_bits(release: Release, automatic: Option<AutomaticStep>) -> Vec<Vec<u64>> {
+    let (machine, options) =
+        (machine(target(), release), MarchOptions { automatic, ..march_options() });
     let mut whole = March::new(&machine, &options).expect("starts");
     let (rows, checkpoints) = finish(&mut whole);
     let whole = whole.outcome();
@@ -88,6 +98,8 @@ fn resumes_with_the_same_bits(release: Release) {
         assert!(rest == rows[step..], "other bits after step {step}");
         assert_eq!(resumed.outcome(), whole);
     }
+    println!("{automatic:?}: {:?}, {} factorisations", whole.parts, whole.factorisations);
+    rows
 }
 
 #[test]

@@ -5,7 +5,7 @@ use whirl_solver::dynamics::{BodyStart, LastState, March, MarchOptions, equilibr
 use whirl_solver::loads::{Frame, Release, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 
-use super::super::resume::{CUTS, STEPS, machine, march_options, target};
+use super::super::resume::{CUTS, STEPS, chosen, machine, march_options, target};
 use super::super::{discs, force, options, parts};
 use super::short_film::load;
 use super::{C, SPEED, rigid_rotor};
@@ -25,8 +25,11 @@ fn finish(march: &mut March) -> (Vec<Vec<u64>>, LastState) {
 /// Cut once and twice, with factors that are kept and a drive that is released in between.
 #[test]
 fn a_march_cut_in_parts_has_the_bits_of_the_whole_one() {
-    for release in [Release::Located, Release::AtStep] {
-        let (machine, options) = (machine(target(), release), march_options());
+    let fixed = [Release::Located, Release::AtStep].into_iter().map(|release| (release, None));
+    let chosen = chosen().map(|automatic| (Release::Located, automatic));
+    for (release, automatic) in fixed.chain(chosen) {
+        let (machine, options) =
+            (machine(target(), release), MarchOptions { automatic, ..march_options() });
         let (whole, _) = finish(&mut March::new(&machine, &options).expect("starts"));
         for cuts in [vec![CUTS[0]], vec![CUTS[1]], vec![CUTS[2], CUTS[3]]] {
             let part = |steps: usize| MarchOptions { steps, ..options.clone() };

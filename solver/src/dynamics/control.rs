@@ -1,0 +1,260 @@
+//! How long the parts of a step are, where the march chooses them: on a ladder of halves, by what each part is worth.
+//!
+//! A part is done again as two halves where its local error, or the energy that it makes at a joint, is beyond the tolerance;
+//! after some in a row that are far below it the next ones are twice as long. So every part is the step over a power of two,
+//! every step ends with a part, and factors are used again.
+//!
+//! Here all modes count, since which of them a part resolves is what is to be found. The error of a mode is weighed by
+//! 1/(1 + β(ωΔt)²): of motion that the part resolves nothing is taken away, and one that it does not, which the estimate
+//! takes for many times what it moves, counts with about its amplitude.
+
+use serde::{Deserialize, Serialize};
+
+use super::quality::{SMALLEST, larger};
+use crate::bearing::work::Flow;
+
+/// A march that chooses the parts of its steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AutomaticStep {
+    /// Local error that a part of a step may have, as a fraction of the largest displacement of the body so far. At the
+    /// joints it may make ten times this fraction of the energy in play there.
+    pub tolerance: f64,
+    /// Longest part (s): what acts faster than that would be passed over.
+    pub longest: f64,
+}
+
+impl AutomaticStep {
+    /// Far below what a sound run may have, 3.5e-3; 59 parts a period.
+    pub const TOLERANCE: f64 = 1e-4;
+}
+
+impl Default for AutomaticStep {
+    fn default() -> Self {
+        AutomaticStep { tolerance: AutomaticStep::TOLERANCE, longest: f64::INFINITY }
+    }
+}
+
+/// The parts that the steps of a march took.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct PartsTaken {
+    /// Those that were accepted.
+    pub parts: usize,
+    /// Those that were done again as halves: beyond the tolerance, or not solved.
+    pub rejected: usize,
+    /// Halvings of a step of the longest and of the shortest that were accepted, cuts where loads begin or end not counted;
+    /// none before the first.
+    pub halvings: Option<[u32; 2]>,
+}
+
+/// Halvings of a step at most: 16 384 parts.
+pub(super) const MOST_HALVINGS: u32 = 14;
+/// Energy that a part may make at a joint, as a multiple of the tolerance: a contact of frequency ω that begins in the middle
+/// of a part makes (ωΔt)²/4 of what it takes, where motion at ω has a local error of (ωΔt)³/12.
+const ENERGY: f64 = 10.0;
+/// A part below this fraction of the tolerance might be twice as long, as errors grow with Δt³; after so many in a row it is:
+/// more than an oscillation stays near the place where its error is none.
+const CALM: f64 = 0.1;
+const CALM_PARTS: u32 = 8;
+
+/// What is remembered from part to part.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct ControlMemory {
+    /// Halvings of a step.
+    pub(super) halvings: u32,
+    /// Parts in a row that were far below the tolerance.
+    calm: u32,
+    /// Largest displacement of every part of the machine so far (m), and the most energy in play at every bearing (J).
+    displacements: Vec<f64>,
+    energies: Vec<f64>,
+    pub(super) taken: PartsTaken,
+}
+
+impl ControlMemory {
+    /// As it is, with nothing counted yet.
+    pub(super) fn counted_anew(&self) -> Self {
+        ControlMemory { taken: PartsTaken::default(), ..self.clone() }
+    }
+}
+
+/// Chooses the parts of steps.
+pub(super) struct StepControl {
+    options: AutomaticStep,
+    pub(super) memory: ControlMemory,
+    /// Halvings of a step that lead to parts as long as they may be.
+    least: u32,
+    /// Of the part that was judged last: displacements at its end, and energies in play.
+    displacements: Vec<f64>,
+    energies: Vec<f64>,
+}
+
+/// What was measured of a part that may be accepted.
+pub(super) struct Measured<'m> {
+    /// Local errors by parts of the machine (m), and displacements at the end of the part.
+    pub(super) errors: &'m [f64],
+    pub(super) displacements: &'m [f64],
+    /// By bearing: what was made and flowed, and the kinetic energy of both bodies without rotations (J).
+    pub(super) flows: &'m [Flow],
+    pub(super) kinetic: &'m [f64],
+    /// Work that is no more than rounding (J).
+    pub(super) rounding: f64,
+}
+
+impl StepControl {
+    /// Of steps of `dt` s of a machine that stands at some displacements and has so many bearings.
+    pub(super) fn new(
+        options: AutomaticStep,
+        dt: f64,
+        displacements: &[f64],
+        bearings: usize,
+    ) -> Self {
+        let is_short = |halvings: &u32| dt <= options.longest * f64::from(1_u32 << halvings);
+        let least = (0..MOST_HALVINGS).find(is_short).unwrap_or(MOST_HALVINGS);
+        StepControl {
+            options,
+            least,
+            memory: ControlMemory {
+                halvings: least,
+                calm: 0,
+                displacements: displacements.to_vec(),
+                energies: vec![0.0; bearings],
+                taken: PartsTaken::default(),
+            },
+            displacements: displacements.to_vec(),
+            energies: vec![0.0; bearings],
+        }
+    }
+
+    /// Goes on as an earlier march did.
+    pub(super) fn resume_from(&mut self, memory: ControlMemory) {
+        self.memory = memory;
+        self.memory.halvings = self.memory.halvings.max(self.least);
+    }
+
+    /// What is measured of a part over what it may be: the worst of all parts of the machine and bearings.
+    pub(super) fn judge(&mut self, measured: &Measured) -> f64 {
+        let tolerance = self.options.tolerance;
+        self.displacements.copy_from_slice(measured.displacements);
+        let so_far = &self.memory.displacements;
+        let least = SMALLEST * so_far.iter().copied().fold(0.0, larger);
+        let ratio = |value: f64, limit: f64| if value == 0.0 { 0.0 } else { value / limit };
+        let errors = measured.errors.iter().zip(so_far);
+        let errors = errors.map(|(error, own)| ratio(*error, tolerance * larger(*own, least)));
+        let mut worst = errors.fold(0.0, larger);
+        let bearings = measured.flows.iter().zip(measured.kinetic).zip(&self.memory.energies);
+        for (((flow, kinetic), most), kept) in bearings.zip(&mut self.energies) {
+            let in_play = flow.flowed + kinetic;
+            *kept = in_play;
+            let allowed = larger(in_play, SMALLEST * most);
+            if !(flow.made <= measured.rounding) {
+                worst = larger(worst, ratio(flow.made, ENERGY * tolerance * allowed));
+            }
+        }
+        worst
+    }
+
+    /// Takes the part that was judged last, with so many halvings.
+    pub(super) fn accept(&mut self, judged: f64, halvings: u32) {
+        let memory = &mut self.memory;
+        let raise = |so_far: &mut [f64], own: &[f64]| {
+            so_far.iter_mut().zip(own).for_each(|(most, own)| *most = larger(*most, *own));
+        };
+        raise(&mut memory.displacements, &self.displacements);
+        raise(&mut memory.energies, &self.energies);
+        let goes_on = judged <= CALM && memory.halvings == halvings;
+        memory.calm = if goes_on { memory.calm.saturating_add(1) } else { 0 };
+        memory.halvings = halvings;
+        let taken = &mut memory.taken;
+        taken.parts += 1;
+        let [least, most] = taken.halvings.unwrap_or([halvings; 2]);
+        taken.halvings = Some([least.min(halvings), most.max(halvings)]);
+    }
+
+    /// Counts a part that is done again.
+    pub(super) fn reject(&mut self) {
+        self.memory.calm = 0;
+        self.memory.taken.rejected += 1;
+    }
+
+    /// Makes the next part twice as long where that is due, at a place in the step in units of the shortest part.
+    pub(super) fn lengthen(&mut self, at: u32) {
+        let memory = &mut self.memory;
+        if memory.calm >= CALM_PARTS && memory.halvings > self.least {
+            let twice = 1 << (MOST_HALVINGS - memory.halvings + 1);
+            if at.is_multiple_of(twice) {
+                (memory.halvings, memory.calm) = (memory.halvings - 1, 0);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AUTOMATIC: AutomaticStep = AutomaticStep { tolerance: 1e-3, longest: 0.3 };
+
+    fn control() -> StepControl {
+        StepControl::new(AUTOMATIC, 1.0, &[2.0, 1e-6], 1)
+    }
+
+    fn judged(control: &mut StepControl, errors: [f64; 2], made: f64, kinetic: f64) -> f64 {
+        control.judge(&Measured {
+            errors: &errors,
+            displacements: &[2.0, 1e-6],
+            flows: &[Flow { made, flowed: 0.5 }],
+            kinetic: &[kinetic],
+            rounding: 1e-12,
+        })
+    }
+
+    #[test]
+    fn errors_count_by_what_moves_and_energies_by_what_is_in_play() {
+        let mut control = control();
+        let near = |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-12, "{found}");
+        near(judged(&mut control, [4e-4, 0.0], 0.0, 0.0), 0.2);
+        // Of what hardly moves, a thousandth of what moves most.
+        near(judged(&mut control, [0.0, 1e-6], 0.0, 0.0), 0.5);
+        near(judged(&mut control, [0.0; 2], 1e-2, 1.5), 0.5);
+        assert_eq!(judged(&mut control, [0.0; 2], 1e-12, 0.0), 0.0);
+        assert!(judged(&mut control, [f64::NAN, 1.0], 1.0, 1.0).is_nan());
+        // A thousandth of what was in play once, where less is now; what was not accepted was not.
+        judged(&mut control, [0.0; 2], 0.0, 1e6);
+        near(judged(&mut control, [0.0; 2], 0.01, 0.0), 2.0);
+        judged(&mut control, [0.0; 2], 0.0, 999.5);
+        control.accept(0.0, 2);
+        near(judged(&mut control, [0.0; 2], 0.01, 0.0), 1.0);
+    }
+
+    #[test]
+    fn parts_become_longer_where_they_are_calm_and_fit() {
+        let mut control = control();
+        // A quarter of the step is the longest that it may take.
+        assert_eq!(control.memory.halvings, 2);
+        let whole = 1 << MOST_HALVINGS;
+        let mut calm = |halvings: u32, at: u32, judged: f64| {
+            control.accept(judged, halvings);
+            (0..CALM_PARTS - 1).for_each(|_| control.accept(0.1, halvings));
+            control.lengthen(at);
+            let now = control.memory.halvings;
+            (now, control.memory.taken.halvings)
+        };
+        // The first part is one of another length, or none that is calm.
+        assert_eq!(calm(3, whole, 0.0).0, 3);
+        assert_eq!(calm(3, whole, 0.0).0, 2);
+        assert_eq!(calm(3, whole / 4, 0.0).0, 3);
+        // Where the longer part would begin at no multiple of itself.
+        assert_eq!(calm(3, whole / 8, 0.0).0, 3);
+        assert_eq!(calm(3, whole / 4, 0.2), (3, Some([3, 3])));
+        assert_eq!(calm(2, whole, 0.0).0, 2);
+        assert_eq!(calm(2, whole, 0.0), (2, Some([2, 3])));
+    }
+
+    #[test]
+    fn what_is_remembered_goes_on_within_the_limits() {
+        let mut other = StepControl::new(AutomaticStep::default(), 1.0, &[0.0; 2], 1);
+        other.accept(0.0, 0);
+        let mut control = control();
+        control.resume_from(other.memory.counted_anew());
+        assert_eq!((control.memory.halvings, control.memory.taken), (2, PartsTaken::default()));
+    }
+}

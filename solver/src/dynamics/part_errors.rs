@@ -1,0 +1,43 @@
+//! What is measured of a part of a step before it is accepted, by the parts of the machine; it leaves no trace in the sums.
+
+use super::newmark::State;
+use super::quality::{QualityMeter, error_factor, larger};
+use crate::machine::Machine;
+
+impl QualityMeter {
+    /// Largest displacements of a state, by parts (m).
+    pub(crate) fn displacements(&mut self, state: &State, out: &mut [f64]) {
+        self.parts.displacement(state, &mut self.motion);
+        let measured = self.parts.all.iter().map(|part| part.measure(&self.motion));
+        out.iter_mut().zip(measured).for_each(|(out, own)| *out = own);
+    }
+
+    /// Local errors of a step of `dt` s in all modes, by parts (m), those of a mode over 1 + β(ωΔt)².
+    pub(crate) fn errors(&mut self, dt: f64, start: &State, end: &State, out: &mut [f64]) {
+        let factor = error_factor(self.method, dt);
+        let beta = self.method.beta;
+        let QualityMeter { modes, parts, motion, within, .. } = self;
+        let first = end.a.len() - motion.len();
+        let ends = end.a[first..].iter().zip(&start.a[first..]);
+        motion.iter_mut().zip(ends).for_each(|(out, (end, start))| *out = end - start);
+        let weight = |square: f64| 1.0 / (1.0 + beta * square.max(0.0) * dt * dt);
+        modes.weighted(modes.within(f64::NEG_INFINITY..f64::INFINITY), weight, motion, within);
+        parts.refer(within);
+        let measured = parts.all.iter().map(|part| factor * part.measure(within));
+        out.iter_mut().zip(measured).for_each(|(out, own)| *out = own);
+    }
+
+    /// Number of parts of the machine.
+    pub(crate) fn parts(&self) -> usize {
+        self.parts.all.len()
+    }
+
+    /// Adds to every bearing the kinetic energy of its bodies without rotations (J) where it is more than what is there.
+    pub(crate) fn raise_kinetic(&self, machine: &Machine, state: &State, out: &mut [f64]) {
+        let rates = &state.v[machine.first_unknown()..];
+        for (out, monitor) in out.iter_mut().zip(&machine.monitors) {
+            let own = self.parts.all.iter().filter(|part| monitor.bodies.contains(&part.body));
+            *out = larger(*out, own.map(|part| part.kinetic_energy(rates)).sum());
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! The parts in which a step is taken: one where steps are fixed and nothing happens within them; those that the control of
+//! the step chooses; halves of what is not solved, or is beyond the tolerance.
+
+use super::control::MOST_HALVINGS;
+use super::march::{March, MarchOptions};
+use super::newmark::State;
+use super::newton::Ending;
+use crate::error::Error;
+
+/// Lengths of parts for which factors are kept beside those in use.
+pub(super) const SHELVES: usize = 4;
+
+/// How often a step may be halved.
+pub(super) fn most_halvings(options: &MarchOptions) -> u32 {
+    match options.automatic {
+        Some(_) => MOST_HALVINGS,
+        None => options.newton.max_halvings as u32,
+    }
+}
+
+impl March<'_> {
+    /// Takes a step of `dt` from time `t` in parts of lengths that are chosen on the way.
+    pub(super) fn stride(&mut self, t: f64, dt: f64) -> Result<(), Error> {
+        let shortest = dt / f64::from(1_u32 << MOST_HALVINGS);
+        let mut at = 0;
+        while at < 1 << MOST_HALVINGS {
+            let halvings = self.meters.halvings();
+            let length = 1_u32 << (MOST_HALVINGS - halvings);
+            let span = (t + f64::from(at) * shortest, f64::from(length) * shortest);
+            self.leap(span.0, span.1, halvings)?;
+            at += length;
+            self.meters.lengthen(at);
+        }
+        Ok(())
+    }
+
+    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge or is
+    /// beyond the tolerance. `depth`: of such parts in parts; `halvings`: of a step, which led to `dt`.
+    pub(super) fn part(
+        &mut self,
+        (t, dt): (f64, f64),
+        depth: usize,
+        halvings: u32,
+    ) -> Result<(), Error> {
+        let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
+        start.copy_from(&self.state);
+        let most_force = self.newton.largest_force();
+        let (mut report, mut taken) = (self.attempt(t, dt, &start), dt);
+        if report.ending == Ending::Converged && self.overshoots() {
+            (report, taken) = self.locate(t, dt, &start, report);
+        }
+        let may_halve = halvings < most_halvings(&self.options);
+        let ending = match report.ending {
+            Ending::Converged => {
+                let judged = self.meters.judge(&self.system, taken, &start, &self.state);
+                // What is no number is beyond every tolerance.
+                if judged <= 1.0 || !may_halve { Some(judged) } else { None }
+            }
+            Ending::Failed => None,
+        };
+        let solved = match ending {
+            Some(judged) => {
+                let row_error = report.row_error;
+                self.meters.add(&self.system, (t, taken), &start, &self.state, row_error);
+                self.meters.accept(judged, halvings);
+                self.system.springs.observe(&self.machine.springs, t + taken);
+                match self.overshoots() {
+                    true => self.release(t + taken).and_then(|()| match taken < dt {
+                        true => self.part((t + taken, dt - taken), depth + 1, halvings),
+                        false => Ok(()),
+                    }),
+                    false => Ok(()),
+                }
+            }
+            None if may_halve => {
+                let failed = report.ending == Ending::Failed;
+                self.tally.halved_steps += usize::from(failed && depth == 0);
+                self.meters.reject();
+                self.newton.forget(most_force);
+                self.state.copy_from(&start);
+                let (half, halvings) = (0.5 * dt, halvings + 1);
+                let first = self.part((t, half), depth + 1, halvings);
+                first.and_then(|()| self.part((t + half, half), depth + 1, halvings))
+            }
+            None => {
+                // What is kept, energies included, ends at the last state that solves its equations.
+                self.state.copy_from(&start);
+                Err(self.diverged(t + dt, dt, &report))
+            }
+        };
+        self.starts[depth] = start;
+        solved
+    }
+}

@@ -1,0 +1,216 @@
+//! Marches that choose the parts of their steps, against closed forms.
+
+use std::f64::consts::TAU;
+
+use whirl_solver::dynamics::{AutomaticStep, March, MarchOptions, Outcome, findings};
+use whirl_solver::loads::{Frame, Load, Onset, TimeFunction};
+use whirl_solver::machine::{Machine, Rotation};
+use whirl_solver::shaft::Shaft;
+use whirl_solver::support::Support;
+
+use super::audit::{stop, strict};
+use super::{force, parts};
+
+/// The push on the mass between its stops, towards the lower one (N).
+const PUSH: f64 = 10.0;
+
+fn automatic(time_step: f64, steps: usize, tolerance: f64) -> MarchOptions {
+    MarchOptions {
+        automatic: Some(AutomaticStep { tolerance, longest: f64::INFINITY }),
+        ..strict(time_step, steps)
+    }
+}
+
+/// x and v after every step.
+fn marched(
+    machine: &Machine,
+    mut options: MarchOptions,
+    start: [f64; 2],
+) -> (Vec<[f64; 2]>, Outcome) {
+    [options.initial[0].position, options.initial[0].velocity] =
+        [vec![start[0], 0.0], vec![start[1], 0.0]];
+    let mut march = March::new(machine, &options).expect("starts");
+    let mut path = Vec::new();
+    while !march.is_done() {
+        march.advance().unwrap_or_else(|error| panic!("{error}"));
+        path.push([march.state().q[1], march.state().v[1]]);
+    }
+    (path, march.outcome())
+}
+
+/// The mass between its stops a time after it was thrown from the middle, exactly: parabolas, and sines in the stops.
+fn between_stops(thrown: f64, t: f64) -> [f64; 2] {
+    let (gap, push) = (stop::GAP, -PUSH);
+    let omega = stop::STIFFNESS.sqrt();
+    let (mut x, mut v, mut left) = (0.0, thrown, t);
+    loop {
+        // Flight: x + v τ + ½ a τ² = ±gap, whichever is met first.
+        let meets = |wall: f64, from_wall: bool| -> f64 {
+            let root = (v * v + 2.0 * push * (wall - x)).sqrt();
+            let times = [(-v - root) / push, (-v + root) / push];
+            let least = if from_wall { 1e-9 } else { 0.0 };
+            times.into_iter().filter(|time| *time > least).fold(f64::INFINITY, f64::min)
+        };
+        let (below, above) = (meets(-gap, x == -gap), meets(gap, x == gap));
+        let flight = below.min(above);
+        if left <= flight {
+            return [x + v * left + 0.5 * push * left * left, v + push * left];
+        }
+        left -= flight;
+        let side = if below < above { -1.0 } else { 1.0 };
+        (x, v) = (side * gap, v + push * flight);
+        // Contact, outwards positive: u = c (1 − cos φ) + s sin φ, zero again where tan ½φ = −s/c.
+        let (c, s) = (side * push / omega.powi(2), side * v / omega);
+        let end = 2.0 * s.atan2(-c);
+        let phase = omega * left;
+        if phase <= end {
+            let u = c * (1.0 - phase.cos()) + s * phase.sin();
+            let rate = omega * (c * phase.sin() + s * phase.cos());
+            return [side * (gap + u), side * rate];
+        }
+        left -= end / omega;
+        v = -v;
+    }
+}
+
+/// Of the mass between its stops (J).
+fn energy([x, v]: [f64; 2]) -> f64 {
+    let depth = (x.abs() - stop::GAP).max(0.0);
+    0.5 * v * v + 0.5 * stop::STIFFNESS * depth * depth + PUSH * x
+}
+
+/// Largest errors of the energy and of the position (of the mass that was thrown from the middle) at the ends of all steps.
+fn errors(path: &[[f64; 2]], thrown: f64, dt: f64) -> [f64; 2] {
+    let mut errors = [0.0_f64; 2];
+    for (step, own) in path.iter().enumerate() {
+        let exact = between_stops(thrown, (step + 1) as f64 * dt);
+        errors[0] = errors[0].max((energy(*own) - 0.5 * thrown * thrown).abs());
+        errors[1] = errors[1].max((own[0] - exact[0]).abs());
+    }
+    errors
+}
+
+/// Thrown between both stops, and bouncing on the lower one.
+#[test]
+fn impacts_are_as_exact_as_with_many_more_fixed_steps() {
+    let (machine, duration) = (stop::machine(), 0.5);
+    for thrown in [-2.0, 0.0] {
+        let fixed = 2e-6_f64;
+        let many = (duration / fixed).round() as usize;
+        let (path, _) = marched(&machine, strict(fixed, many), [0.0, thrown]);
+        let by_fixed = errors(&path, thrown, fixed);
+        for (dt, steps) in [(1e-2, 50), (1e-3, 500)] {
+            for tolerance in [1e-3, 1e-4, 1e-5] {
+                let options = automatic(dt, steps, tolerance);
+                let (path, outcome) = marched(&machine, options, [0.0, thrown]);
+                let [energy_error, place_error] = errors(&path, thrown, dt);
+                let taken = outcome.parts.expect("chosen");
+                println!(
+                    "{thrown} m/s, {dt} s, {tolerance}: {energy_error:e} J {place_error:e} m {taken:?}; fixed {by_fixed:?}"
+                );
+                // In each contact the parts in which it begins and ends make energy, each ten times the tolerance of what
+                // is in play there: what flowed and the kinetic energy, each that at the lower stop at most. A pass
+                // between the stops, or up and down again, takes 44 ms at least.
+                let in_play = 2.0 * (0.5 * thrown * thrown + PUSH * stop::GAP);
+                let contacts = duration / 0.044;
+                let made = 2.0 * contacts * 10.0 * tolerance * in_play;
+                assert!(energy_error <= made, "{energy_error} J for {made} J");
+                // Δv = ΔE/v, v at least 1 m/s where it is struck, over the whole run; and every part that was shortened
+                // may be misplaced by its local error.
+                let shortened = (taken.parts - steps + taken.rejected) as f64;
+                let allowed = made * duration + shortened * tolerance * stop::GAP;
+                assert!(place_error <= allowed, "{place_error} m for {allowed} m");
+                assert_eq!(findings(&outcome.quality, &outcome.energy, (dt, None)), []);
+                if tolerance <= 1e-5 {
+                    assert!(energy_error <= by_fixed[0], "{energy_error} J for {} J", by_fixed[0]);
+                    assert!(place_error <= by_fixed[1], "{place_error} m for {} m", by_fixed[1]);
+                    assert!(100 * (taken.parts + taken.rejected) < many, "{taken:?}");
+                }
+            }
+        }
+    }
+}
+
+/// A mass on a spring: what is wrong at its end is the phase, as every step keeps the energy.
+#[test]
+fn the_error_of_an_oscillator_falls_with_the_tolerance() {
+    let omega = 200.0_f64;
+    let shaft = Shaft::lumped(2.0, [2.0 * omega * omega; 2], [0.0; 2], 0.0);
+    let parts = parts(shaft, Support::rigid(&[]), Rotation::Held);
+    let machine = Machine::new(parts).expect("a machine");
+    let (dt, steps) = (TAU / omega / 4.0, 80);
+    let mut last = f64::INFINITY;
+    for tolerance in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
+        let (path, outcome) = marched(&machine, automatic(dt, steps, tolerance), [1e-3, 0.0]);
+        let exact = |step: usize| 1e-3 * (omega * (step + 1) as f64 * dt).cos();
+        let errors = path.iter().enumerate().map(|(step, own)| (own[0] - exact(step)).abs() / 1e-3);
+        let error = errors.fold(0.0, f64::max);
+        // A part with r = ωΔt has the error r²/6 sin(atan ½r)/(1 + ¼r²), and the phase is late by r − 2 atan ½r in it.
+        let error_of = |r: f64| r * r / 6.0 * (0.5 * r).atan().sin() / (1.0 + 0.25 * r * r);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let r = 0.5 * (low + high);
+            if error_of(r) < tolerance { low = r } else { high = r }
+        }
+        let late = (1.0 - 2.0 * (0.5 * low).atan() / low) * omega * dt * steps as f64;
+        println!("{tolerance}: {error:e} for {late:e}, {:?}", outcome.parts);
+        assert!(error <= late, "{tolerance}: {error} for {late}");
+        assert!(error < 0.5 * last, "{tolerance}: {error} after {last}");
+        last = error;
+        let taken = outcome.parts.expect("chosen");
+        let [_, most] = taken.halvings.expect("parts");
+        // No part is shorter than half of what the tolerance asks for.
+        assert!(omega * dt / f64::from(1_u32 << most) > 0.5 * low, "{taken:?} for {low}");
+        // A matrix is factored for every length on the way down, and then but now and then, where rounding keeps the
+        // iteration from contracting; not with every change of the length.
+        let factored = outcome.factorisations;
+        println!("{factored} factorisations");
+        assert!(factored <= 1 + most as usize + taken.rejected / 8, "{factored}: {taken:?}");
+    }
+}
+
+/// What stands still is not taken for moving: after the first parts, the steps are as long as they may be.
+#[test]
+fn what_stands_still_takes_long_steps() {
+    let machine = stop::machine();
+    let rest = -stop::GAP - PUSH / stop::STIFFNESS;
+    let (_, outcome) = marched(&machine, automatic(1e-2, 100, 1e-6), [rest, 0.0]);
+    let taken = outcome.parts.expect("chosen");
+    assert_eq!((taken.parts, taken.rejected), (100, 0), "{taken:?}");
+}
+
+/// Loads that begin at once, more of them in a step than are located in one part: parabolas, exactly.
+#[test]
+fn parts_end_where_loads_begin() {
+    let shaft = Shaft::lumped(2.0, [0.0; 2], [0.0; 2], 0.0);
+    let mut parts = parts(shaft, Support::rigid(&[]), Rotation::Held);
+    let node = parts.bodies[0].nodes()[0].clone();
+    let starts = [1.1e-3, 2.3e-3, 2.4e-3, 4.7e-3, 7.9e-3];
+    parts.loads = starts
+        .map(|start| Load {
+            onset: Onset::Step(start),
+            ..force(&node, [3.0, 0.0, 0.0], TimeFunction::Constant, Frame::Space)
+        })
+        .into();
+    let machine = Machine::new(parts).expect("a machine");
+    let (path, outcome) = marched(&machine, automatic(1e-2, 1, 1e-2), [0.0; 2]);
+    let exact: f64 = starts.iter().map(|start| 0.5 * 1.5 * (1e-2 - start).powi(2)).sum();
+    // Nothing is left but rounding of q̈ Δt² and of the residuals, 1e-10 of the force.
+    assert!(
+        (path[0][0] / exact - 1.0).abs() < 1e-9,
+        "{} for {exact}: {:?}",
+        path[0][0],
+        outcome.parts
+    );
+}
+
+/// A load that is faster than the rows is followed: parts are no longer than they may be.
+#[test]
+fn parts_are_no_longer_than_what_acts() {
+    let machine = stop::machine();
+    let mut options = automatic(1e-2, 3, 1e-2);
+    options.automatic = Some(AutomaticStep { tolerance: 1e-2, longest: 3e-4 });
+    let (_, outcome) = marched(&machine, options, [0.0, 0.0]);
+    let taken = outcome.parts.expect("chosen");
+    assert_eq!((taken.parts, taken.rejected, taken.halvings), (3 * 64, 0, Some([6, 6])));
+}
