@@ -253,7 +253,7 @@ fn unknown(bench: &Workbench, value: &Value) -> Vec<String> {
 
 /// What files of named bodies have not.
 const SHORT: &str =
-    "include /fields/bodies /shaft /support /springs /bearing /drive /load /mass /stop";
+    "include /start/kind /fields/bodies /shaft /support /springs /bearing /drive /load /mass /stop";
 
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 7] = [
