@@ -15,6 +15,7 @@ mod list;
 mod lock;
 mod machine;
 mod march;
+mod memory;
 mod mesh_file;
 mod new;
 mod output;

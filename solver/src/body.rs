@@ -83,7 +83,7 @@ pub struct BodySpec {
     pub means: Vec<NodeSetMean>,
     /// Loads on dofs whose static answers are kept beside the modes.
     pub corrections: Vec<Row>,
-    /// Bytes that a factor of K may take.
+    /// Bytes that may be in use while it is reduced.
     pub memory: usize,
 }
 

@@ -23,6 +23,7 @@ fn modes_that_the_iteration_misses_are_searched_for() {
         constraints: Constraints::NONE,
         components: &components,
         memory: usize::MAX,
+        columns: 0,
     };
     let (modes, _) = pencil.lowest_modes(15).expect("modes");
     assert_eq!(modes.eigenvalues.len(), 15);

@@ -374,7 +374,7 @@ fn what_cannot_be_asked_is_an_error() {
     }
     let poor = Solid { memory: 1000, ..solid };
     let message = poor.craig_bampton(&held, 2).unwrap_err().to_string();
-    assert!(message.contains("limit is 1000"), "{message}");
+    assert!(message.contains("limit is 0.98 KiB"), "{message}");
 }
 
 #[test]

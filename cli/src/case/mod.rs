@@ -14,6 +14,7 @@ mod march;
 mod outputs;
 mod parameters;
 mod read;
+mod reduction;
 mod rotor;
 mod schema;
 mod selections;
@@ -65,6 +66,8 @@ pub(crate) struct Case {
     pub(crate) march: MarchSettings,
     /// How it begins.
     pub(crate) start: Start,
+    /// Bytes that reductions may take, if it says so.
+    pub(crate) memory_limit: Option<usize>,
     /// What the history has beside its usual columns.
     pub(crate) outputs: Vec<Output>,
     /// What is written of whole bodies.

@@ -12,7 +12,7 @@ use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
 use super::{
     Case, Figures, JoinedMachine, Lumped, MarchSettings, Output, RotorDraft, System, law, lumped,
-    machine, march, outputs, start,
+    machine, march, outputs, reduction, start,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -33,6 +33,7 @@ pub(crate) struct Draft {
     fields: Option<Fields>,
     march: Option<MarchSettings>,
     start: Option<StartDraft>,
+    memory_limit: Option<usize>,
     outputs: Vec<Output>,
     /// What is marched, as far as the case says it.
     pub(crate) system: SystemDraft,
@@ -76,6 +77,7 @@ impl Draft {
             outputs,
             fields,
             start,
+            memory_limit,
             system,
             errors,
         } = self;
@@ -92,6 +94,7 @@ impl Draft {
                     system,
                     march,
                     start,
+                    memory_limit,
                     outputs,
                     fields,
                     figures,
@@ -129,6 +132,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
     let march = march::read(file, &system);
     let outputs = outputs::read(file, &system);
     let fields = fields::read(file, &system);
+    let memory_limit = reduction::memory_limit(file);
     Draft {
         name: case_name(path),
         title: title.text().to_string(),
@@ -137,6 +141,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
         figures,
         march,
         start,
+        memory_limit,
         outputs,
         fields,
         system,

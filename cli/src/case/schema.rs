@@ -105,6 +105,7 @@ const CASE: &[Key] = &[
     key("stop", List(&Table(&[STOP])), "what the mass may strike"),
     key("start", Table(&[BEGINNING]), "how the machine begins; at rest if left out"),
     merged("march", Table(&[MARCH]), "steps in time"),
+    key("reduction", Table(&[REDUCTION]), "how bodies are reduced"),
     key("output", Named(&Table(&[OUTPUT])), "further columns of history.csv, by name"),
     key("fields", Table(&[FIELDS]), "motions of whole bodies as VTU files"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
@@ -349,6 +350,9 @@ const MARCH: &[Key] = &[
     key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),
     key("stop_when_steady", Flag, "true ends the run when a cycle repeats the one before"),
 ];
+
+const REDUCTION: &[Key] =
+    &[key("memory_limit", Text, "bytes that it may take at a time").like("\"8 GiB\"")];
 
 const OUTPUT: &[Key] = &[
     merged(

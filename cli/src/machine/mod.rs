@@ -85,6 +85,19 @@ pub(crate) enum Plan {
     Joined(Box<JoinedPlan>),
 }
 
+impl Plan {
+    /// The bodies that have meshes.
+    fn meshed(&mut self) -> Box<dyn Iterator<Item = &mut BodyPlan> + '_> {
+        match self {
+            Plan::Rotor(plan) => Box::new([&mut plan.shaft, &mut plan.support].into_iter()),
+            Plan::Joined(plan) => Box::new(plan.bodies.iter_mut().filter_map(|body| match body {
+                PlannedBody::Meshed(own) => Some(&mut **own),
+                PlannedBody::Rigid(_) => None,
+            })),
+        }
+    }
+}
+
 /// Sizes of a body, as in the paper's Table 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub(crate) struct Counts {
@@ -123,15 +136,17 @@ pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failu
 /// Whatever is wrong with meshes and sets.
 pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Plan>, Failure> {
     let wanted = (case.outputs.as_slice(), case.fields.as_ref());
-    Ok(match &case.system {
-        System::Rotor(rotor) => {
-            Some(Plan::Rotor(Box::new(MachinePlan::new(rotor, wanted, warnings)?)))
-        }
+    let mut plan = match &case.system {
+        System::Rotor(rotor) => Plan::Rotor(Box::new(MachinePlan::new(rotor, wanted, warnings)?)),
         System::Joined(joined) => {
-            Some(Plan::Joined(Box::new(JoinedPlan::new(joined, wanted, warnings)?)))
+            Plan::Joined(Box::new(JoinedPlan::new(joined, wanted, warnings)?))
         }
-        System::Lumped(_) => None,
-    })
+        System::Lumped(_) => return Ok(None),
+    };
+    if let Some(limit) = case.memory_limit {
+        plan.meshed().for_each(|body| body.spec.memory = limit);
+    }
+    Ok(Some(plan))
 }
 
 /// Builds the machine of a case from its [`plan`]; reduced bodies come from the cache where it has them.

@@ -9,6 +9,7 @@ mod eigen;
 mod lower;
 mod lu;
 mod matrix;
+mod memory;
 mod product;
 mod rough_inverse;
 mod sparse;
@@ -22,6 +23,7 @@ pub use lower::LowerTriangle;
 pub use lu::Lu;
 pub use matrix::{Columns, Matrix};
 pub(crate) use matrix::{copy_block_from, dot};
+pub use memory::{MemoryLimit, Stage, readable_bytes, readable_estimate};
 pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,
@@ -57,14 +59,15 @@ pub enum LinearAlgebraError {
         /// Rows of the matrix.
         size: usize,
     },
-    /// A factor would need more memory than allowed.
+    /// A factor, with what stands beside it, would need more memory than allowed.
     #[error(
-        "the factor of the sparse matrix ({size} rows) needs {bytes} bytes, the limit is {limit}"
+        "{size} unknowns take about {} of memory, and the limit is {}: take fewer of them, or allow more",
+        readable_estimate(*bytes), readable_bytes(*limit)
     )]
     TooLarge {
         /// Rows of the matrix.
         size: usize,
-        /// Bytes of the factor's values.
+        /// Bytes by the estimate.
         bytes: usize,
         /// Bytes allowed.
         limit: usize,

@@ -10,7 +10,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, Par, Side};
 
-use super::{LinearAlgebraError, LowerTriangle, view_mut};
+use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
 
 /// Sparse Cholesky factorisation PAPᵀ = LLᵀ of a symmetric positive definite matrix.
 #[derive(Debug)]
@@ -32,15 +32,15 @@ impl SparseCholesky {
     /// Factors `a`, eliminating the unknowns in the order given (`order[0]` first).
     ///
     /// # Errors
-    /// [`LinearAlgebraError::TooLarge`] before anything large is allocated, if the factor's values would
-    /// need more than `limit` bytes; [`LinearAlgebraError::NotPositiveDefinite`], also for a value that
+    /// [`LinearAlgebraError::TooLarge`] before anything large is allocated, if the factor with what stands
+    /// beside it would need more than `limit`; [`LinearAlgebraError::NotPositiveDefinite`], also for a value that
     /// is not finite.
     pub fn new(
         a: &LowerTriangle,
         order: &[usize],
-        limit: usize,
+        limit: impl Into<MemoryLimit>,
     ) -> Result<Self, LinearAlgebraError> {
-        let symbolic = symbolic(a, order, limit)?;
+        let symbolic = symbolic(a, order, limit.into())?;
         let mut values = vec![0.0; symbolic.len_val()];
         let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
         let outcome = symbolic
@@ -100,9 +100,9 @@ impl SparseLdlt {
     pub fn new(
         a: &LowerTriangle,
         order: &[usize],
-        limit: usize,
+        limit: impl Into<MemoryLimit>,
     ) -> Result<Option<Self>, LinearAlgebraError> {
-        let symbolic = symbolic(a, order, limit)?;
+        let symbolic = symbolic(a, order, limit.into())?;
         let mut values = vec![0.0; symbolic.len_val()];
         let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
         let outcome = symbolic.factorize_numeric_ldlt(
@@ -167,7 +167,7 @@ fn inertia(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> Option<Inertia
 fn symbolic(
     a: &LowerTriangle,
     order: &[usize],
-    limit: usize,
+    limit: MemoryLimit,
 ) -> Result<SymbolicCholesky<usize>, LinearAlgebraError> {
     let mut inverse = vec![0; a.size];
     for (place, &row) in order.iter().enumerate() {
@@ -183,20 +183,19 @@ fn symbolic(
         SymmetricOrdering::Custom(PermRef::new_checked(order, &inverse, a.size)),
         parameters,
     )
-    .map_err(|_| too_large(a, usize::MAX / size_of::<f64>(), limit))?;
-    let length = symbolic.len_val();
-    if length.saturating_mul(size_of::<f64>()) > limit {
-        return Err(too_large(a, length, limit));
+    .map_err(|_| too_large(a, usize::MAX, limit))?;
+    let values = symbolic.len_val().saturating_mul(size_of::<f64>());
+    let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
+    // The last factor is made beside all else.
+    let bytes = limit.estimate(values).saturating_add(scratch.unaligned_bytes_required());
+    if bytes > limit.most {
+        return Err(too_large(a, bytes, limit));
     }
     Ok(symbolic)
 }
 
-fn too_large(a: &LowerTriangle, length: usize, limit: usize) -> LinearAlgebraError {
-    LinearAlgebraError::TooLarge {
-        size: a.size,
-        bytes: length.saturating_mul(size_of::<f64>()),
-        limit,
-    }
+fn too_large(a: &LowerTriangle, bytes: usize, limit: MemoryLimit) -> LinearAlgebraError {
+    LinearAlgebraError::TooLarge { size: a.size, bytes, limit: limit.most }
 }
 
 fn matrix(a: &LowerTriangle) -> SparseColMatRef<'_, usize, f64> {

@@ -122,13 +122,17 @@ pub struct Reduction {
 }
 
 impl BodyModel<'_> {
-    /// The body.
-    pub(super) fn reduce(&self, cache: Option<&Cache>) -> Result<ReducedBody, Error> {
+    /// The body; its reduction may use one of so many equal parts of the memory that its spec allows.
+    pub(super) fn reduce(
+        &self,
+        cache: Option<&Cache>,
+        sharing: usize,
+    ) -> Result<ReducedBody, Error> {
         let mut reduction = None;
         let body = match (&self.form, &self.rotation) {
             (Form::Flexible(own), rotation) => {
                 let kind = if rotation.is_some() { BodyKind::Shaft } else { BodyKind::Support };
-                let (found, how) = own.reduce(kind, cache)?;
+                let (found, how) = own.reduce(kind, cache, sharing)?;
                 reduction = Some(how);
                 match rotation {
                     Some(rotation) => {
@@ -180,7 +184,12 @@ impl BodyModel<'_> {
 
 impl MeshModel<'_> {
     /// From the cache, or reduced and kept there.
-    fn reduce(&self, kind: BodyKind, cache: Option<&Cache>) -> Result<(Reduced, Reduction), Error> {
+    fn reduce(
+        &self,
+        kind: BodyKind,
+        cache: Option<&Cache>,
+        sharing: usize,
+    ) -> Result<(Reduced, Reduction), Error> {
         let MeshModel { mesh, spec, .. } = *self;
         let key = Reduced::key(kind, mesh, spec);
         // Which nodes and means are output, as what is applied to the body afterwards.
@@ -189,7 +198,8 @@ impl MeshModel<'_> {
         if let Some(found) = cache.and_then(|cache| cache.load(&key)) {
             return Ok((found, Reduction { content, cached: true, unkept: None }));
         }
-        let found = Reduced::new(kind, mesh, spec)?;
+        let spec = BodySpec { memory: spec.memory / sharing, ..spec.clone() };
+        let found = Reduced::new(kind, mesh, &spec)?;
         let unkept = cache.and_then(|cache| cache.store(&key, &found).err());
         Ok((found, Reduction { content, cached: false, unkept }))
     }

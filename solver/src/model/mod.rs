@@ -119,29 +119,38 @@ pub struct Model<'a> {
 }
 
 impl Model<'_> {
-    /// Meshes → bodies: each in its order or why it cannot be, found in the cache or reduced, on all processors.
+    /// Meshes → bodies: each in its order or why it cannot be, found in the cache or reduced, on all processors. Bodies
+    /// that do not fit into memory side by side are reduced one after the other.
     pub fn reduce(&self, cache: Option<&Cache>) -> Vec<Result<ReducedBody, Error>> {
         let reduced: Vec<_> = self.bodies.iter().map(|_| Mutex::new(None)).collect();
         let next = AtomicUsize::new(0);
+        let flexible = self.bodies.iter().filter(|body| matches!(body.form, Form::Flexible(_)));
+        let processors = thread::available_parallelism().map_or(1, NonZero::get);
+        let workers = flexible.count().clamp(1, processors);
         let work = || {
             loop {
                 let place = next.fetch_add(1, Ordering::Relaxed);
                 let Some(body) = self.bodies.get(place) else { return };
-                let made = body.reduce(cache);
+                let made = body.reduce(cache, workers);
                 *reduced[place].lock().unwrap_or_else(PoisonError::into_inner) = Some(made);
             }
         };
-        let flexible = self.bodies.iter().filter(|body| matches!(body.form, Form::Flexible(_)));
-        let processors = thread::available_parallelism().map_or(1, NonZero::get);
         thread::scope(|scope| {
-            for _ in 1..flexible.count().min(processors) {
+            for _ in 1..workers {
                 scope.spawn(work);
             }
             work();
         });
         let whole =
             reduced.into_iter().map(|own| own.into_inner().unwrap_or_else(PoisonError::into_inner));
-        whole.map(|own| own.expect("all were reduced")).collect()
+        let whole = whole.map(|own| own.expect("all were reduced"));
+        let alone = |(made, body): (Result<ReducedBody, Error>, &BodyModel)| match made {
+            Err(Error::Reduction(error)) if workers > 1 && error.is_of_memory() => {
+                body.reduce(cache, 1)
+            }
+            made => made,
+        };
+        whole.zip(&self.bodies).map(alone).collect()
     }
 
     /// Bodies, as [`Model::reduce`] gives them, → machine.

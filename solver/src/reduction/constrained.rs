@@ -9,8 +9,8 @@ use std::borrow::Cow;
 
 use crate::error::ReductionError;
 use crate::linalg::{
-    LinearAlgebraError, LowerTriangle, Lu, Matrix, SparseCholesky, SparseLdlt, symmetric_eigen,
-    transpose_multiply,
+    LinearAlgebraError, LowerTriangle, Lu, Matrix, MemoryLimit, SparseCholesky, SparseLdlt,
+    symmetric_eigen, transpose_multiply,
 };
 
 use super::rigid::Row;
@@ -144,7 +144,7 @@ impl ConstrainedCholesky {
         matrix: &LowerTriangle,
         order: &[usize],
         constraints: Constraints,
-        limit: usize,
+        limit: impl Into<MemoryLimit>,
     ) -> Result<Self, ReductionError> {
         let split = Split::new(matrix, order, constraints);
         let sparse = SparseCholesky::new(&split.sparse, &split.order, limit);

@@ -25,7 +25,7 @@ pub struct Solid<'a> {
     pub coordinates: &'a [[f64; 3]],
     /// What each dof is; empty where all are translations of the nodes.
     pub slots: &'a [Slot],
-    /// Bytes that the factor of K may take.
+    /// Bytes that may be in use while it is reduced.
     pub memory: usize,
 }
 
@@ -115,6 +115,7 @@ impl Solid<'_> {
             constraints: Constraints { rows: &partition.rows, pins: &pins },
             components: &components,
             memory: self.memory,
+            columns: retained.len(),
         };
         let loose = |row: usize| ReductionError::Mechanism {
             motions: vec![FreeMotion::Part { node: (partition.inner[row] / 3) as u64 }],
@@ -234,6 +235,7 @@ impl Solid<'_> {
             constraints: Constraints::NONE,
             components: &components,
             memory: self.memory,
+            columns: 0,
         };
         pencil.free_modes(count)
     }

@@ -35,6 +35,13 @@ pub(super) fn dense_limit(count: usize) -> usize {
     3 * capacity(count)
 }
 
+/// Bytes of an iteration for the `wanted` largest of a pencil with `n` dofs, its answer included.
+pub(super) fn memory(n: usize, wanted: usize) -> usize {
+    // The basis, the vectors that come of it, and in a step the block, its product, M times it and the solve's own.
+    let columns = capacity(wanted) + BLOCK + wanted + 4 * BLOCK;
+    n.saturating_mul(columns).saturating_mul(size_of::<f64>())
+}
+
 /// Vectors kept at most.
 fn capacity(count: usize) -> usize {
     (2 * count).max(count + 8 * BLOCK).next_multiple_of(BLOCK)

@@ -18,9 +18,15 @@ pub use rigid::Row;
 pub(crate) use rigid::{free_motions, free_shapes};
 
 use crate::error::{FreeMotion, ReductionError};
+use crate::linalg::LinearAlgebraError;
 use crate::mesh::Mesh;
 
 impl ReductionError {
+    /// Whether the memory allowed is too little.
+    pub(crate) fn is_of_memory(&self) -> bool {
+        matches!(self, ReductionError::LinearAlgebra(LinearAlgebraError::TooLarge { .. }))
+    }
+
     /// The same error with labels of the mesh in place of node indices.
     pub fn with_labels(mut self, mesh: &Mesh) -> Self {
         match &mut self {

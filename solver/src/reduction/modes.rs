@@ -1,13 +1,13 @@
 use crate::linalg::{
-    Cholesky, LinearAlgebraError, LowerTriangle, Matrix, generalised_symmetric_eigen, multiply,
-    symmetric_eigen, transpose_multiply,
+    Cholesky, LinearAlgebraError, LowerTriangle, Matrix, MemoryLimit, Stage,
+    generalised_symmetric_eigen, multiply, symmetric_eigen, transpose_multiply,
 };
 
 use crate::sparse::SparseMatrix;
 
 use super::constrained::{ConstrainedCholesky, Constraints};
 use super::lanczos::{Lanczos, dense_limit};
-use super::{convention, sturm};
+use super::{convention, lanczos, sturm};
 use crate::error::ReductionError;
 
 /// Modes found beyond those asked for, so that there is a gap to cut in after the last one.
@@ -53,8 +53,10 @@ pub struct Pencil<'a> {
     pub constraints: Constraints<'a>,
     /// Direction of each dof: 0 x, 1 y, 2 z.
     pub components: &'a [usize],
-    /// Bytes that a factor may take.
+    /// Bytes that may be in use while its modes are found.
     pub memory: usize,
+    /// Columns as long as the matrices that are solved for by the factor afterwards.
+    pub columns: usize,
 }
 
 impl Pencil<'_> {
@@ -109,7 +111,7 @@ impl Pencil<'_> {
             self.stiffness.plus(shift, self.mass)
         };
         let factor =
-            ConstrainedCholesky::new(&definite, self.order, self.constraints, self.memory)?;
+            ConstrainedCholesky::new(&definite, self.order, self.constraints, self.limit(count))?;
         let mut modes = if n <= dense_limit(count + GUARD) {
             self.all_dense((&definite, &factor), shift, count)?
         } else {
@@ -121,6 +123,27 @@ impl Pencil<'_> {
         modes.vectors.cols = count;
         modes.vectors.data.truncate(n * count);
         Ok((modes, factor))
+    }
+
+    /// What is in use while `count` modes are found and counted, and while the columns are solved for.
+    fn limit(&self, count: usize) -> MemoryLimit {
+        let n = self.mass.size;
+        let entries = |a: &LowerTriangle| a.rows.len() * (size_of::<f64>() + size_of::<usize>());
+        let (k, m) = (entries(self.stiffness), entries(self.mass));
+        let column = n * size_of::<f64>();
+        let wanted = count + GUARD;
+        let iteration = if n <= dense_limit(wanted) {
+            // Both matrices, the eigenvectors and what the decomposition keeps beside them.
+            Stage { factors: 1, besides: 6 * n * column + 2 * k + 2 * m }
+        } else {
+            // K assembled, of the inner dofs, as it is factored and less a cut, and as much again for what is left
+            // of the assembly and for the patterns; M of the inner dofs and in products.
+            Stage { factors: 2, besides: lanczos::memory(n, wanted) + 6 * k + 2 * m }
+        };
+        // Right sides, answers and the solve's own, then the modes with the answers twice: as shapes, and as products.
+        let columns = 3 * self.columns + count + 2 * (count + self.columns);
+        let answers = Stage { factors: 1, besides: columns * column + 2 * k + m };
+        MemoryLimit { most: self.memory, stages: [iteration, answers] }
     }
 
     /// By decomposition of M x = θ (K + shift·M) x, which gives the lowest ω² with the most digits.
@@ -304,6 +327,7 @@ mod tests {
             constraints: Constraints::NONE,
             components: &order.iter().map(|dof| dof % 3).collect::<Vec<_>>(),
             memory: usize::MAX,
+            columns: 0,
         };
         let exact = |k: usize| {
             let angle = k as f64 * std::f64::consts::PI / (2 * n + 2) as f64;
@@ -339,6 +363,7 @@ mod tests {
             constraints: Constraints::NONE,
             components: &order.iter().map(|dof| dof % 3).collect::<Vec<_>>(),
             memory: usize::MAX,
+            columns: 0,
         };
         match pencil.lowest_modes(20) {
             Err(ReductionError::Hidden { node: 1234, component: 1, stiffest, modes }) => {

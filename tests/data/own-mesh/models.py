@@ -1,12 +1,17 @@
 # The rotor and the housing of docs/own-mesh.md, in millimetres: `pip install gmsh`, then `python models.py`.
+# `python models.py 3` makes cells of a third of the size.
+import sys
+
 import gmsh
+
+FINER = float(sys.argv[1]) if len(sys.argv) > 1 else 1.0
 
 
 def save(name, size):
     gmsh.model.occ.synchronize()
-    gmsh.option.setNumber("Mesh.MeshSizeMax", size)
-    gmsh.option.setNumber("Mesh.MeshSizeMin", size / 8)
-    gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 12)
+    gmsh.option.setNumber("Mesh.MeshSizeMax", size / FINER)
+    gmsh.option.setNumber("Mesh.MeshSizeMin", size / FINER / 8)
+    gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 12 * FINER)
     gmsh.option.setNumber("Mesh.ElementOrder", 2)
     gmsh.option.setNumber("Mesh.HighOrderOptimize", 1)
     gmsh.model.mesh.generate(3)

@@ -9,6 +9,7 @@ use whirl_solver::constraints::{
 use whirl_solver::contacts::{BoreNodes, patterns};
 use whirl_solver::error::Error;
 use whirl_solver::error::{FreeMotion, ReductionError};
+use whirl_solver::linalg::{LinearAlgebraError, readable_bytes, readable_estimate};
 use whirl_solver::mesh::{Cell, Material, MeanComponent, Mesh, NodeSetMean};
 use whirl_solver::model::{Form, MeshModel, Point};
 
@@ -16,9 +17,8 @@ use super::AXES;
 use crate::case;
 use crate::errors::Failure;
 use crate::machine::{Counts, meshes};
+use crate::memory;
 
-/// Bytes that the factor of a stiffness matrix may take.
-const FACTOR_MEMORY: usize = 8 << 30;
 /// Most coordinates of a reduced body, whose matrices are dense.
 const MOST_KEPT: usize = 5_000;
 
@@ -89,7 +89,7 @@ impl BodyPlan {
             nodes: Vec::new(),
             stiffening: false,
             means: Vec::new(),
-            memory: FACTOR_MEMORY,
+            memory: memory::available().unwrap_or(usize::MAX),
         };
         let (held_by, made_from) = (held_by.clone(), case.mesh.place());
         let words = HoldingWords::default();
@@ -185,6 +185,11 @@ impl BodyPlan {
                 Diagnostics::from(self.made_from.error_here(Code::BAD_VALUE, message).help(help))
                     .into()
             }
+            Error::Reduction(ReductionError::LinearAlgebra(LinearAlgebraError::TooLarge {
+                bytes,
+                limit,
+                ..
+            })) => self.too_large(bytes, limit).into(),
             Error::StiffSpring { place, stiffness, body, most, .. } => {
                 let message = format!(
                     "this spring of {stiffness:e} N/m is {:.0e} times as stiff as the stiffest node of {} \
@@ -213,6 +218,23 @@ impl BodyPlan {
                 Diagnostics::from(self.made_from.error_here(Code::BAD_VALUE, message)).into()
             }
         }
+    }
+
+    /// A reduction that would take more memory than it may.
+    fn too_large(&self, bytes: usize, limit: usize) -> Diagnostics {
+        let BodySpec { modes, retained, .. } = &self.spec;
+        let message = format!(
+            "{}: the reduction of {} degrees of freedom to {modes} modes and {} retained ones takes about {} of memory, \
+             more than the {} that it may take",
+            self.mesh.origin(),
+            self.mesh.dof_count(),
+            retained.len(),
+            readable_estimate(bytes),
+            readable_bytes(limit)
+        );
+        let help = "make the mesh coarser, lower `modes`, or write a larger `memory_limit` in `[reduction]`; without one \
+                    it is what the machine has left";
+        self.made_from.error_here(Code::BAD_VALUE, message).help(help).into()
     }
 
     /// What can move freely: the whole body, or loose parts of it.
