@@ -42,14 +42,15 @@ impl SparseCholesky {
     ) -> Result<Self, LinearAlgebraError> {
         let symbolic = symbolic(a, order, limit.into())?;
         let mut values = vec![0.0; symbolic.len_val()];
-        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        let par = parallelism(&symbolic);
+        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(par, Default::default());
         let outcome = symbolic
             .factorize_numeric_llt(
                 &mut values,
                 matrix(a),
                 Side::Lower,
                 Default::default(),
-                Par::Seq,
+                par,
                 MemStack::new(&mut MemBuffer::new(scratch)),
                 Default::default(),
             )
@@ -104,13 +105,14 @@ impl SparseLdlt {
     ) -> Result<Option<Self>, LinearAlgebraError> {
         let symbolic = symbolic(a, order, limit.into())?;
         let mut values = vec![0.0; symbolic.len_val()];
-        let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
+        let par = parallelism(&symbolic);
+        let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Default::default());
         let outcome = symbolic.factorize_numeric_ldlt(
             &mut values,
             matrix(a),
             Side::Lower,
             Default::default(),
-            Par::Seq,
+            par,
             MemStack::new(&mut MemBuffer::new(scratch)),
             Default::default(),
         );
@@ -164,6 +166,17 @@ fn inertia(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> Option<Inertia
     Some(count)
 }
 
+/// Values of a factor beyond which its dense blocks are large enough for threads to pay.
+const MANY: usize = 1 << 23;
+/// Parts that their dense blocks are then cut into.
+const PARTS: usize = 2;
+
+/// How dense blocks of a factor are shared out. Into how many parts is of the matrix, not of the processors that there are,
+/// so that all machines compute the same.
+fn parallelism(symbolic: &SymbolicCholesky<usize>) -> Par {
+    if symbolic.len_val() < MANY { Par::Seq } else { Par::rayon(PARTS) }
+}
+
 fn symbolic(
     a: &LowerTriangle,
     order: &[usize],
@@ -185,7 +198,8 @@ fn symbolic(
     )
     .map_err(|_| too_large(a, usize::MAX, limit))?;
     let values = symbolic.len_val().saturating_mul(size_of::<f64>());
-    let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
+    let par = parallelism(&symbolic);
+    let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Default::default());
     // The last factor is made beside all else.
     let bytes = limit.estimate(values).saturating_add(scratch.unaligned_bytes_required());
     if bytes > limit.most {
