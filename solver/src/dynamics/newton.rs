@@ -100,6 +100,9 @@ pub(crate) struct NewtonState {
     pub(crate) factorisations: usize,
     /// Directions that the factors have given.
     directions: usize,
+    /// The fewest iterations of a step since, and how many more others took, summed.
+    fewest: usize,
+    excess: usize,
     /// Largest spring force of all steps (N).
     largest_force: f64,
     /// Where the next step begins.
@@ -178,6 +181,8 @@ impl Newton {
                 dt: 0.0,
                 factorisations: 0,
                 directions: 0,
+                fewest: usize::MAX,
+                excess: 0,
                 largest_force: 0.0,
                 extrapolation: Extrapolation::new(unknowns),
             },
@@ -246,6 +251,7 @@ impl Newton {
         }
         // An inverse is not kept: it is made again where these factors give many directions again.
         (self.is_inverse, kept.directions) = (false, 0);
+        (kept.fewest, kept.excess) = (usize::MAX, 0);
     }
 
     /// Largest spring force of all steps (N).
@@ -320,6 +326,7 @@ impl Newton {
                 if row_error <= 1.0 {
                     self.kept.largest_force = most;
                     self.kept.extrapolation.learn(&self.correction, &self.weights);
+                    self.count(iteration);
                     let ending = Ending::Converged;
                     let iterations = iteration;
                     return StepReport {
@@ -409,12 +416,23 @@ impl Newton {
         let done = self.lu.factor_in_place().is_ok();
         self.is_inverse = false;
         let kept = &mut self.kept;
-        kept.directions = 0;
+        (kept.directions, kept.fewest, kept.excess) = (0, usize::MAX, 0);
         kept.factorisations += 1;
         (kept.time, kept.dt) = (t, if done { step.dt } else { 0.0 });
         kept.state.copy_from(at);
         kept.released.copy_from_slice(&system.released);
         done
+    }
+
+    /// Counts the iterations of a step that is solved. Factors end where steps have taken so many more than the best one as
+    /// new factors cost, which is about one for each row.
+    fn count(&mut self, iterations: usize) {
+        let kept = &mut self.kept;
+        kept.fewest = kept.fewest.min(iterations);
+        kept.excess += iterations - kept.fewest;
+        if kept.excess > self.correction.len() {
+            kept.dt = 0.0;
+        }
     }
 
     /// Makes the weights of φ for a step length.
