@@ -14,7 +14,6 @@ mod law_file;
 mod list;
 mod lock;
 mod machine;
-mod march;
 mod memory;
 mod mesh_file;
 mod new;
@@ -25,6 +24,7 @@ mod results;
 mod run;
 mod schema;
 mod signals;
+pub mod simulate;
 mod spec_file;
 mod start;
 mod streams;
@@ -33,6 +33,10 @@ mod version;
 use std::process::ExitCode;
 
 use whirl_solver::machine::MachineParts;
+
+pub use case::Case;
+pub use history::HistoryTable;
+pub use machine::Built;
 
 use arguments::{Arguments, Command};
 use errors::Failure;

@@ -51,7 +51,7 @@ pub(crate) use units::mesh_units;
 
 /// One case, ready to be built.
 #[derive(Debug, Clone)]
-pub(crate) struct Case {
+pub struct Case {
     /// Name under which results are kept: that of the file without its ending.
     pub(crate) name: String,
     /// One line for people.

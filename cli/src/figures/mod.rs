@@ -16,7 +16,7 @@ use whirl_codegen::spec::law::LawSpec;
 use self::figure::Figure;
 use self::histories::Span;
 use crate::case::{Case, System};
-use crate::history::HistoryFile;
+use crate::history::ReadHistory;
 use crate::machine::Built;
 use crate::output::Output;
 use crate::report::oscillations;
@@ -60,7 +60,7 @@ fn pictures(stem: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
 pub(crate) fn draw(
     (case, sound): (&Case, bool),
     built: &Built,
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
     write: &dyn Fn(&str, &[u8]) -> Result<(), String>,
     stop: &dyn Fn() -> bool,
 ) -> Vec<String> {
@@ -137,7 +137,7 @@ fn figure(
     stem: &str,
     case: &Case,
     built: &Built,
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
 ) -> io::Result<Option<Figure>> {
     if matches!(stem, "spectrum" | "waterfall") {
         let all = oscillations(case, &built.machine);

@@ -28,7 +28,7 @@ use crate::case::{self, Case, LawSource, System, SystemDraft};
 use crate::errors::Failure;
 
 /// A machine with what results say about how it came about.
-pub(crate) struct Built {
+pub struct Built {
     /// The machine.
     pub(crate) machine: Machine,
     /// How the bodies begin.
