@@ -32,9 +32,10 @@ mod version;
 
 use std::process::ExitCode;
 
+use whirl_solver::cache::Cache;
 use whirl_solver::machine::MachineParts;
 
-pub use case::Case;
+pub use case::{Case, CaseText};
 pub use history::HistoryTable;
 pub use machine::Built;
 
@@ -61,6 +62,37 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
             failure.status()
         }
     }
+}
+
+/// Reads a case for a program that runs it itself, with [`simulate::in_memory`] once it is built. `case`: a path or the name
+/// of a built-in case. `warnings` are added to, here and below.
+///
+/// # Errors
+/// Everything wrong with the case, each with its place.
+pub fn read(case: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    machine::read(case, warnings)
+}
+
+/// As [`read`], of a text.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    machine::read_text(text, warnings)
+}
+
+/// Builds the machine of a case, which may be run many times, by several threads at once. Bodies that `cache` has are not
+/// reduced again: cases that differ in nothing that their bodies depend on share them through [`Cache::shared`].
+///
+/// # Errors
+/// Everything wrong with its meshes, sets, bodies and laws.
+pub fn build(
+    case: &Case,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<Built, Failure> {
+    let plan = machine::plan(case, warnings)?;
+    machine::build(case, plan.as_ref(), cache, warnings)
 }
 
 /// Checks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does

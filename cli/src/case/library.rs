@@ -8,6 +8,8 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
 use whirl_codegen::document::Wording;
 use whirl_codegen::document::tree::{Content, Node, Place, Tree};
 
+use super::CaseText;
+
 macro_rules! embedded {
     ($($file:literal),* $(,)?) => {
         /// Files of specs/cases by name.
@@ -52,19 +54,21 @@ pub(crate) fn embedded_cases() -> impl Iterator<Item = &'static str> {
 
 /// Whether files are read from the disk or among the built-in ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FileStore {
+pub(crate) enum FileStore<'a> {
     /// Files of the user.
     Disk,
     /// Files built into the program.
     Embedded,
+    /// A text with its files, and those of the user.
+    Given(&'a CaseText),
 }
 
-impl FileStore {
+impl<'a> FileStore<'a> {
     /// The store and the path of the case that the user called `case`: a path, or a built-in name.
     ///
     /// # Errors
     /// Neither a file nor a built-in case is called so.
-    pub(crate) fn find(case: &str) -> Result<(FileStore, PathBuf), Diagnostics> {
+    pub(crate) fn find(case: &str) -> Result<(FileStore<'a>, PathBuf), Diagnostics> {
         let path = Path::new(case);
         if path.is_file() {
             return Ok((FileStore::Disk, path.to_path_buf()));
@@ -87,13 +91,23 @@ impl FileStore {
             .into())
     }
 
+    /// Whether files that it does not have are looked for on the disk.
+    pub(crate) fn is_on_disk(self) -> bool {
+        self != FileStore::Embedded
+    }
+
     /// Text of the file at `path`.
     ///
     /// # Errors
     /// Why it cannot be read, for people.
     pub(crate) fn read(self, path: &Path) -> Result<Arc<Source>, String> {
+        if let FileStore::Given(text) = self
+            && let Some(source) = text.file(path)
+        {
+            return Ok(source);
+        }
         match self {
-            FileStore::Disk => {
+            FileStore::Disk | FileStore::Given(_) => {
                 // What is no file, such as a device, may never end.
                 if path.exists() && !path.is_file() {
                     return Err(format!("`{}` is not a file", path.display()));
@@ -116,11 +130,13 @@ impl FileStore {
         let path = resolve(beside, name);
         let built_in = || embedded_file(&Path::new(EMBEDDED_FOLDER).join(name));
         match self {
-            FileStore::Disk if !path.exists() => match built_in() {
+            FileStore::Embedded => self.read(&path),
+            FileStore::Given(text) if text.file(&path).is_some() => self.read(&path),
+            _ if path.exists() => self.read(&path),
+            _ => match built_in() {
                 Some(source) => Ok(source),
                 None => self.read(&path),
             },
-            _ => self.read(&path),
         }
     }
 }

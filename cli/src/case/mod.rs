@@ -19,6 +19,7 @@ mod rotor;
 mod schema;
 mod selections;
 mod start;
+mod text;
 mod units;
 
 use std::sync::Arc;
@@ -40,13 +41,14 @@ pub(crate) use march::MarchSettings;
 pub(crate) use outputs::{Output, Wanted};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
-pub(crate) use read::{SystemDraft, draft};
+pub(crate) use read::{Draft, SystemDraft, draft, draft_of};
 pub(crate) use rotor::RotorDraft;
 pub(crate) use rotor::{
     Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, Rotor, Shaft, Support,
 };
 pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;
+pub use text::CaseText;
 pub(crate) use units::mesh_units;
 
 /// One case, ready to be built.

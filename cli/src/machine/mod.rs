@@ -24,7 +24,7 @@ pub(crate) use meshes::placed as placed_errors;
 pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
 
 use self::described::Described;
-use crate::case::{self, Case, LawSource, System, SystemDraft};
+use crate::case::{self, Case, CaseText, Draft, LawSource, System, SystemDraft};
 use crate::errors::Failure;
 
 /// A machine with what results say about how it came about.
@@ -123,7 +123,18 @@ pub(crate) struct Counts {
 /// # Errors
 /// Everything that is wrong with the case; of its meshes and sets only where the case has errors.
 pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
-    let draft = case::draft(name)?;
+    checked(case::draft(name)?, warnings)
+}
+
+/// As [`read`], of a text.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    checked(case::draft_of(text)?, warnings)
+}
+
+fn checked(draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     if let (false, SystemDraft::Rotor(rotor)) = (draft.errors.is_empty(), &draft.system) {
         MachinePlan::of(&Outline::from(&**rotor), draft.errors.clone(), warnings)?;
     }
