@@ -191,7 +191,7 @@ mod tests {
     use super::laws::laws;
     use super::{NAMES, draw, figure::Figure, guarded};
     use crate::case::SupportName;
-    use crate::history::{HistoryFile, HistoryWriter};
+    use crate::history::{HistoryFile, HistoryWriter, ReadHistory};
     use crate::report::last_cycle;
     use whirl_solver::history::{History, JointColumns};
 
