@@ -87,9 +87,8 @@ fn report(
     if let Some(words) = motions.as_ref().and_then(fields::Motions::without_frames) {
         streams::warn(words);
     }
-    let made = made.and_then(|summary| {
-        Ok((HistoryFile::open(&results.path(history::NAME))?, summary))
-    });
+    let made =
+        made.and_then(|summary| Ok((HistoryFile::open(&results.path(history::NAME))?, summary)));
     match made {
         Err(error) => problems.push(format!("no summary and no figures: {error}")),
         Ok((history, summary)) => {

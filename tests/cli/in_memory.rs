@@ -21,8 +21,7 @@ fn mass(law: &str) -> String {
 }
 
 /// The start of a run-up of a flexible rotor, with stresses over the last cycle.
-const ROTOR: &str =
-    "include = \"unbalance.toml\"\n[march]\nsteps = 60\n[fields]\ntimes = [\"1 ms\"]\nstresses = true\n";
+const ROTOR: &str = "include = \"unbalance.toml\"\n[march]\nsteps = 60\n[fields]\ntimes = [\"1 ms\"]\nstresses = true\n";
 
 fn read(name: &str, text: &str) -> Case {
     let text = CaseText::new(name, Path::new(""), text);

@@ -11,8 +11,8 @@ use super::fields::{self, Fields};
 use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
 use super::{
-    Case, CaseText, Figures, JoinedMachine, Lumped, MarchSettings, Output, RotorDraft, System, law, lumped,
-    machine, march, outputs, reduction, start,
+    Case, CaseText, Figures, JoinedMachine, Lumped, MarchSettings, Output, RotorDraft, System, law,
+    lumped, machine, march, outputs, reduction, start,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.

@@ -153,12 +153,7 @@ impl ReadHistory for HistoryFile {
         Ok(low)
     }
 
-    fn scan(
-        &self,
-        from: u64,
-        columns: &[&str],
-        each: &mut dyn FnMut(&[f64]),
-    ) -> io::Result<()> {
+    fn scan(&self, from: u64, columns: &[&str], each: &mut dyn FnMut(&[f64])) -> io::Result<()> {
         self.rows(from, columns, usize::MAX, each)
     }
 

@@ -26,12 +26,7 @@ pub(crate) trait ReadHistory {
     ///
     /// # Panics
     /// If there is no column of one of these names.
-    fn scan(
-        &self,
-        from: u64,
-        columns: &[&str],
-        each: &mut dyn FnMut(&[f64]),
-    ) -> io::Result<()>;
+    fn scan(&self, from: u64, columns: &[&str], each: &mut dyn FnMut(&[f64])) -> io::Result<()>;
 
     /// As [`ReadHistory::scan`], for the first row only, if there is one.
     fn first_row(

@@ -2,8 +2,8 @@
 
 use std::io;
 
-use super::rounded::ten_digits;
 use super::read::{ReadHistory, places};
+use super::rounded::ten_digits;
 
 /// Rows of one length after each other.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -97,12 +97,7 @@ impl ReadHistory for HistoryTable {
         Ok(low as u64)
     }
 
-    fn scan(
-        &self,
-        from: u64,
-        columns: &[&str],
-        each: &mut dyn FnMut(&[f64]),
-    ) -> io::Result<()> {
+    fn scan(&self, from: u64, columns: &[&str], each: &mut dyn FnMut(&[f64])) -> io::Result<()> {
         self.read(from, columns, usize::MAX, each);
         Ok(())
     }
