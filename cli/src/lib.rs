@@ -31,11 +31,16 @@ mod streams;
 mod version;
 
 use std::process::ExitCode;
+use std::sync::Arc;
 
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::spec::list::Spec;
 use whirl_solver::cache::Cache;
 use whirl_solver::machine::MachineParts;
 
 pub use case::{Case, CaseText};
+pub use figures::{Curve, curves};
 pub use history::HistoryTable;
 pub use machine::Built;
 
@@ -79,6 +84,62 @@ pub fn read(case: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
 /// As [`read`].
 pub fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     machine::read_text(text, warnings)
+}
+
+/// What `whirl check` says of a case.
+///
+/// # Errors
+/// As [`build`].
+pub fn check_case(
+    case: &Case,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<String, Failure> {
+    check::of_case(case, (cache, false), progress::ProgressMode::Nothing, warnings)
+}
+
+/// What `whirl explain` says of a spec: the name of a built-in one, or the path of a file.
+///
+/// # Errors
+/// Nothing is called so; whatever is wrong with it.
+pub fn explain_spec(name: &str) -> Result<String, Failure> {
+    explain::of_name(name)
+}
+
+/// As [`explain_spec`], of a text.
+///
+/// # Errors
+/// Whatever is wrong with it.
+pub fn explain_text(source: &Arc<Source>) -> Result<String, Failure> {
+    explain::of_source(source, None)
+}
+
+/// The law called `name`: a built-in one, or the path of a file.
+///
+/// # Errors
+/// Nothing is called so; whatever is wrong with it; what it is, if that is no law.
+pub fn law(name: &str) -> Result<LawSpec, Failure> {
+    let (source, _) = spec_file::find(name)?;
+    law_of(&source)
+}
+
+/// As [`law`], of a text.
+///
+/// # Errors
+/// As [`law`].
+pub fn law_of(source: &Arc<Source>) -> Result<LawSpec, Failure> {
+    match spec_file::read(source)? {
+        Spec::Law(law) => Ok(*law),
+        other => {
+            let message = format!("this is a spec of the kind `{}`, not a law", other.kind().name);
+            Err(Diagnostics::from(Diagnostic::new(source, Code::BAD_VALUE, None, message)).into())
+        }
+    }
+}
+
+/// Names of the built-in cases.
+pub fn built_in_cases() -> impl Iterator<Item = &'static str> {
+    case::embedded_cases()
 }
 
 /// Builds the machine of a case, which may be run many times, by several threads at once. Bodies that `cache` has are not

@@ -72,15 +72,15 @@ fn a_run_in_memory_has_the_numbers_of_the_one_in_a_folder() {
 #[test]
 fn a_law_beside_a_text_is_the_one_in_a_file() {
     let law = include_str!("../../specs/laws/gap-linear-1e6.toml");
-    let text = CaseText::new("mass", Path::new("no/such/folder"), mass("own.toml"));
-    let given = text.clone().with_file("own.toml", law);
+    let text = || CaseText::new("mass", Path::new("no/such/folder"), mass("own.toml"));
+    let given = text().with_file("own.toml", law);
     let given = read_text(&given, &mut Vec::new()).unwrap();
     let cache = Cache::shared(None);
     let built_in = read("mass", &mass("gap-linear-1e6"));
     assert_eq!(run(&given, &cache).history, run(&built_in, &cache).history);
-    let missing = read_text(&text, &mut Vec::new()).unwrap_err().report();
+    let missing = read_text(&text(), &mut Vec::new()).unwrap_err().report();
     assert!(missing.contains("own.toml") && missing.contains("mass.toml"), "{missing}");
-    let torn = text.with_file("own.toml", law.replace("[outputs", "[outbuts"));
+    let torn = text().with_file("own.toml", law.replace("[outputs", "[outbuts"));
     let torn = read_text(&torn, &mut Vec::new()).unwrap_err().report();
     assert!(torn.contains("no/such/folder/own.toml") && torn.contains("outbuts"), "{torn}");
 }

@@ -53,7 +53,7 @@ pub(crate) fn embedded_cases() -> impl Iterator<Item = &'static str> {
 }
 
 /// Whether files are read from the disk or among the built-in ones.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) enum FileStore<'a> {
     /// Files of the user.
     Disk,
@@ -93,7 +93,7 @@ impl<'a> FileStore<'a> {
 
     /// Whether files that it does not have are looked for on the disk.
     pub(crate) fn is_on_disk(self) -> bool {
-        self != FileStore::Embedded
+        !matches!(self, FileStore::Embedded)
     }
 
     /// Text of the file at `path`.
@@ -113,7 +113,13 @@ impl<'a> FileStore<'a> {
                     return Err(format!("`{}` is not a file", path.display()));
                 }
                 match fs::read_to_string(path) {
-                    Ok(text) => Ok(Source::new(path, text)),
+                    Ok(text) => {
+                        let source = Source::new(path, text);
+                        if let FileStore::Given(text) = self {
+                            text.note(&source);
+                        }
+                        Ok(source)
+                    }
                     Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
                 }
             }

@@ -79,6 +79,20 @@ pub struct Case {
 }
 
 impl Case {
+    /// Name under which results are kept.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// One line for people.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Steps that are asked for; rows where the program chooses the steps.
+    pub fn steps(&self) -> usize {
+        self.march.steps
+    }
     /// What results call the supports, in order.
     pub(crate) fn supports(&self) -> Vec<SupportName> {
         let (word, count) = match &self.system {

@@ -2,16 +2,20 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use whirl_codegen::diagnostic::Source;
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+
+use super::library::FileStore;
 
 /// The text of a case file.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Default)]
 pub struct CaseText {
     path: PathBuf,
     text: String,
     files: BTreeMap<PathBuf, String>,
+    /// Files of the disk that it was read with so far.
+    read: Mutex<BTreeMap<PathBuf, String>>,
 }
 
 impl CaseText {
@@ -20,8 +24,20 @@ impl CaseText {
         CaseText {
             path: folder.join(format!("{name}.toml")),
             text: text.into(),
-            files: BTreeMap::new(),
+            ..CaseText::default()
         }
+    }
+
+    /// The text of a file.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn of_file(path: &Path) -> Result<Self, Diagnostics> {
+        let source = FileStore::Disk.read(path).map_err(|message| {
+            Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
+        })?;
+        let text = source.text.clone();
+        Ok(CaseText { path: path.to_path_buf(), text, ..CaseText::default() })
     }
 
     /// With a file that it or another one may name, such as `my-law.toml`: as if it stood in the same folder, before any
@@ -34,8 +50,27 @@ impl CaseText {
     }
 
     /// Where it would stand.
-    pub(super) fn path(&self) -> &Path {
+    pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// The text of the case itself.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The texts beside it by their paths, and those of the disk with which it was read: what it takes to read it elsewhere,
+    /// but for meshes and matrices.
+    pub fn files(&self) -> BTreeMap<PathBuf, String> {
+        let mut all = self.read.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        all.extend(self.files.clone());
+        all
+    }
+
+    /// Notes a file of the disk.
+    pub(super) fn note(&self, source: &Source) {
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        read.insert(source.path.clone(), source.text.clone());
     }
 
     /// The file that would stand at `path`, the case itself included.

@@ -34,7 +34,7 @@ pub(crate) const NAMES: [&str; 8] = [
 ];
 
 pub(crate) use self::draw::png;
-pub(crate) use self::laws::{Curve, curves};
+pub use self::laws::{Curve, curves};
 
 /// Draws a law as `stem.svg` and `stem.png` into `output`.
 pub(crate) fn draw_law(law: &LawSpec, stem: &str, output: &mut Output) {

@@ -16,6 +16,7 @@ mod springs;
 use serde::Serialize;
 use whirl_solver::cache::{Cache, Key};
 use whirl_solver::dynamics::BodyStart;
+use whirl_solver::history::{Column, History};
 use whirl_solver::machine::{Machine, MachineParts};
 use whirl_solver::mesh::Mesh;
 
@@ -43,6 +44,13 @@ pub struct Built {
     pub(crate) bodies: Option<BodyFacts>,
     /// The meshes of bodies that are written as wholes, in the order of the machine's fields.
     pub(crate) fields: Vec<FieldMesh>,
+}
+
+impl Built {
+    /// The columns of its history.
+    pub fn columns(&self) -> Vec<Column> {
+        History::columns_of(&self.machine)
+    }
 }
 
 /// A mesh whose motion is written.
