@@ -21,11 +21,12 @@ pub struct CaseText {
 impl CaseText {
     /// A text as if it were the file `name.toml` in `folder`: its paths are relative to that.
     pub fn new(name: &str, folder: &Path, text: impl Into<String>) -> Self {
-        CaseText {
-            path: folder.join(format!("{name}.toml")),
-            text: text.into(),
-            ..CaseText::default()
-        }
+        CaseText::at(&folder.join(format!("{name}.toml")), text)
+    }
+
+    /// A text as if it were the file at `path`.
+    pub fn at(path: &Path, text: impl Into<String>) -> Self {
+        CaseText { path: path.to_path_buf(), text: text.into(), ..CaseText::default() }
     }
 
     /// The text of a file.
@@ -43,8 +44,14 @@ impl CaseText {
     /// With a file that it or another one may name, such as `my-law.toml`: as if it stood in the same folder, before any
     /// file that does stand there.
     #[must_use]
-    pub fn with_file(mut self, name: &str, text: impl Into<String>) -> Self {
+    pub fn with_file(self, name: &str, text: impl Into<String>) -> Self {
         let path = self.path.with_file_name(name);
+        self.with_path(path, text)
+    }
+
+    /// With a file as if it stood at `path`, before any that does.
+    #[must_use]
+    pub fn with_path(mut self, path: PathBuf, text: impl Into<String>) -> Self {
         self.files.insert(path, text.into());
         self
     }

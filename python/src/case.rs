@@ -1,0 +1,136 @@
+//! A case, and its machine once that is needed.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use pyo3::prelude::*;
+use whirl_cli::errors::Failure;
+use whirl_cli::{Built, CaseText, build, check_case, read, read_text};
+use whirl_solver::history::Column;
+
+use crate::bodies::Bodies;
+use crate::errors::raised;
+use crate::run::{self, Run};
+
+/// A case that was read.
+#[pyclass(frozen, module = "whirl._whirl")]
+pub(crate) struct Case {
+    case: whirl_cli::Case,
+    /// Its text; none of one that is built in.
+    text: Option<CaseText>,
+    /// What the reader warned of.
+    #[pyo3(get)]
+    warnings: Vec<String>,
+    /// Its machine, and what there was to warn of; made once, while others wait.
+    built: Mutex<Option<(Arc<Built>, Vec<String>)>>,
+}
+
+/// What it takes to read a case elsewhere: its path, its text, and the files beside it by path.
+type State = (PathBuf, String, BTreeMap<PathBuf, String>);
+
+#[pymethods]
+impl Case {
+    /// A built-in case.
+    #[staticmethod]
+    fn built_in(py: Python<'_>, name: &str) -> PyResult<Self> {
+        Case::made(py, None, |warnings, _| read(name, warnings))
+    }
+
+    /// A file.
+    #[staticmethod]
+    fn of_file(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let text = CaseText::of_file(&path).map_err(|errors| raised(py, &errors.into()))?;
+        Case::made(py, Some(text), |warnings, text| read_text(text.expect("it was given"), warnings))
+    }
+
+    /// A text that would stand at a path, with others beside it.
+    #[staticmethod]
+    fn of_text(
+        py: Python<'_>,
+        path: PathBuf,
+        text: String,
+        files: BTreeMap<PathBuf, String>,
+    ) -> PyResult<Self> {
+        let mut own = CaseText::at(&path, text);
+        for (path, text) in files {
+            own = own.with_path(path, text);
+        }
+        Case::made(py, Some(own), |warnings, text| read_text(text.expect("it was given"), warnings))
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        self.case.name()
+    }
+
+    #[getter]
+    fn title(&self) -> &str {
+        self.case.title()
+    }
+
+    #[getter]
+    fn steps(&self) -> usize {
+        self.case.steps()
+    }
+
+    /// What it takes to read it elsewhere; none of a built-in case.
+    fn state(&self) -> Option<State> {
+        let text = self.text.as_ref()?;
+        Some((text.path().to_path_buf(), text.text().to_owned(), text.files()))
+    }
+
+    /// Report of `whirl check`, and warnings.
+    fn check(&self, py: Python<'_>, bodies: &Bodies) -> PyResult<(String, Vec<String>)> {
+        let mut warnings = Vec::new();
+        let report = py.detach(|| check_case(&self.case, Some(&bodies.cache), &mut warnings));
+        Ok((report.map_err(|failure| raised(py, &failure))?, warnings))
+    }
+
+    /// Reduces its bodies and builds its machine; warnings.
+    fn build(&self, py: Python<'_>, bodies: &Bodies) -> PyResult<Vec<String>> {
+        py.detach(|| self.machine(bodies)).map(|own| own.1).map_err(|failure| raised(py, &failure))
+    }
+
+    /// Name, unit and meaning of every column of the history.
+    fn columns(
+        &self,
+        py: Python<'_>,
+        bodies: &Bodies,
+    ) -> PyResult<Vec<(String, &'static str, String)>> {
+        let built = py.detach(|| self.machine(bodies)).map_err(|failure| raised(py, &failure))?.0;
+        let described = |Column { name, unit, meaning }| (name, unit, meaning);
+        Ok(built.columns().into_iter().map(described).collect())
+    }
+
+    /// Runs it. `progress(step, steps, time)` is called a few times a second.
+    #[pyo3(signature = (bodies, progress=None))]
+    fn run(&self, py: Python<'_>, bodies: &Bodies, progress: Option<Py<PyAny>>) -> PyResult<Run> {
+        let (built, warnings) =
+            py.detach(|| self.machine(bodies)).map_err(|failure| raised(py, &failure))?;
+        run::run(py, (&self.case, &built), warnings, progress)
+    }
+}
+
+impl Case {
+    fn made(
+        py: Python<'_>,
+        text: Option<CaseText>,
+        read: impl FnOnce(&mut Vec<String>, Option<&CaseText>) -> Result<whirl_cli::Case, Failure> + Send,
+    ) -> PyResult<Self> {
+        let mut warnings = Vec::new();
+        let case = py.detach(|| read(&mut warnings, text.as_ref()));
+        let case = case.map_err(|failure| raised(py, &failure))?;
+        Ok(Case { case, text, warnings, built: Mutex::default() })
+    }
+
+    fn machine(&self, bodies: &Bodies) -> Result<(Arc<Built>, Vec<String>), Failure> {
+        let mut built = self.built.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(own) = &*built {
+            return Ok(own.clone());
+        }
+        let mut warnings = Vec::new();
+        let made = build(&self.case, Some(&bodies.cache), &mut warnings)?;
+        Ok(built.insert((Arc::new(made), warnings)).clone())
+    }
+}
