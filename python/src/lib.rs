@@ -12,8 +12,9 @@ use pyo3::prelude::*;
 
 #[pymodule]
 mod _whirl {
+    use numpy::PyReadonlyArray2;
     use pyo3::prelude::*;
-    use whirl_cli::built_in_cases;
+    use whirl_cli::{HistoryTable, built_in_cases};
 
     #[pymodule_export]
     use crate::bodies::Bodies;
@@ -33,6 +34,12 @@ mod _whirl {
             None => whirl_cli::explain_spec(name),
         });
         page.map_err(|failure| raised(py, &failure))
+    }
+
+    /// The text of history.csv, of values of rows × columns.
+    #[pyfunction]
+    fn csv(names: Vec<String>, values: PyReadonlyArray2<'_, f64>) -> PyResult<String> {
+        Ok(HistoryTable::from_values(names, values.as_slice()?.to_vec()).csv())
     }
 
     /// Names of the built-in cases.

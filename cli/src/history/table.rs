@@ -4,6 +4,7 @@ use std::io;
 
 use super::read::{ReadHistory, places};
 use super::rounded::ten_digits;
+use super::text;
 
 /// Rows of one length after each other.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -16,6 +17,22 @@ impl HistoryTable {
     /// Without rows.
     pub(crate) fn new(names: Vec<String>) -> Self {
         HistoryTable { names, values: Vec::new() }
+    }
+
+    /// Of rows that a table had, as [`HistoryTable::values`] gives them.
+    ///
+    /// # Panics
+    /// If these are no whole rows.
+    pub fn from_values(names: Vec<String>, values: Vec<f64>) -> Self {
+        assert!(values.len().is_multiple_of(names.len().max(1)), "whole rows");
+        HistoryTable { names, values }
+    }
+
+    /// The text of history.csv.
+    pub fn csv(&self) -> String {
+        let mut text = text::head(&self.names).into_bytes();
+        self.values.chunks_exact(self.names.len().max(1)).for_each(|row| text::line(&mut text, row));
+        String::from_utf8(text).expect("names and digits")
     }
 
     /// Of all rows of another history.
