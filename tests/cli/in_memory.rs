@@ -85,6 +85,12 @@ fn a_law_beside_a_text_is_the_one_in_a_file() {
     assert!(torn.contains("no/such/folder/own.toml") && torn.contains("outbuts"), "{torn}");
 }
 
+#[test]
+fn a_text_may_be_called_as_what_it_includes() {
+    let case = read("sdnd101", "include = \"sdnd101.toml\"\n[march]\nsteps = 3\n");
+    assert_eq!((case.name(), case.steps()), ("sdnd101", 3));
+}
+
 /// Ends a run after some steps.
 struct Until(Cell<usize>);
 

@@ -193,9 +193,12 @@ const MOST_FILES: usize = 64;
 /// # Errors
 /// Every file that cannot be read or is not TOML.
 pub(crate) fn load(store: FileStore, path: &Path) -> Result<(Tree, Vec<Arc<Source>>), Diagnostics> {
-    let source = store.read(path).map_err(|message| {
-        Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
-    })?;
+    let source = match store {
+        FileStore::Given(text) => text.source(),
+        _ => store.read(path).map_err(|message| {
+            Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
+        })?,
+    };
     let mut sources = vec![source.clone()];
     let mut errors = Diagnostics::new();
     let tree = load_source(store, &source, 0, &mut sources, &mut errors);

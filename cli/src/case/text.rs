@@ -80,9 +80,14 @@ impl CaseText {
         read.insert(source.path.clone(), source.text.clone());
     }
 
-    /// The file that would stand at `path`, the case itself included.
+    /// The case as if it were a file.
+    pub(super) fn source(&self) -> Arc<Source> {
+        Source::new(&self.path, self.text.as_str())
+    }
+
+    /// The file that would stand beside it at `path`. The case itself is none of them: a text called as a file that it
+    /// includes includes that.
     pub(super) fn file(&self, path: &Path) -> Option<Arc<Source>> {
-        let text = if path == self.path { Some(&self.text) } else { self.files.get(path) };
-        text.map(|text| Source::new(path, text.as_str()))
+        self.files.get(path).map(|text| Source::new(path, text.as_str()))
     }
 }
