@@ -36,7 +36,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::spec::list::Spec;
-use whirl_solver::cache::Cache;
+use whirl_solver::cache::{Cache, Key};
 use whirl_solver::machine::MachineParts;
 
 pub use case::{Case, CaseText};
@@ -154,6 +154,14 @@ pub fn build(
 ) -> Result<Built, Failure> {
     let plan = machine::plan(case, warnings)?;
     machine::build(case, plan.as_ref(), cache, warnings)
+}
+
+/// The keys under which the bodies of a case are kept: cases with the same keys share their bodies. Nothing is reduced.
+///
+/// # Errors
+/// Everything wrong with its meshes and sets.
+pub fn body_keys(case: &Case) -> Result<Vec<Key>, Failure> {
+    machine::keys(case)
 }
 
 /// Checks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does

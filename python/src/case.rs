@@ -41,7 +41,9 @@ impl Case {
     #[staticmethod]
     fn of_file(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let text = CaseText::of_file(&path).map_err(|errors| raised(py, &errors.into()))?;
-        Case::made(py, Some(text), |warnings, text| read_text(text.expect("it was given"), warnings))
+        Case::made(py, Some(text), |warnings, text| {
+            read_text(text.expect("it was given"), warnings)
+        })
     }
 
     /// A text that would stand at a path, with others beside it.
@@ -72,6 +74,18 @@ impl Case {
     #[getter]
     fn steps(&self) -> usize {
         self.case.steps()
+    }
+
+    #[getter]
+    fn rows(&self) -> usize {
+        self.case.rows()
+    }
+
+    /// Under which its bodies are kept: the same for cases that share them. Nothing is reduced.
+    fn body_keys(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        let keys = py.detach(|| whirl_cli::body_keys(&self.case));
+        let keys = keys.map_err(|failure| raised(py, &failure))?;
+        Ok(keys.iter().map(|key| key.hex()).collect())
     }
 
     /// What it takes to read it elsewhere; none of a built-in case.
@@ -116,7 +130,8 @@ impl Case {
     fn made(
         py: Python<'_>,
         text: Option<CaseText>,
-        read: impl FnOnce(&mut Vec<String>, Option<&CaseText>) -> Result<whirl_cli::Case, Failure> + Send,
+        read: impl FnOnce(&mut Vec<String>, Option<&CaseText>) -> Result<whirl_cli::Case, Failure>
+        + Send,
     ) -> PyResult<Self> {
         let mut warnings = Vec::new();
         let case = py.detach(|| read(&mut warnings, text.as_ref()));

@@ -33,7 +33,8 @@ fn exception(py: Python<'_>, failure: &Failure) -> PyResult<PyErr> {
 }
 
 /// Message, file, line and column (from 1), help, code, and how the command would show it.
-type Described = (String, String, Option<usize>, Option<usize>, Option<String>, Option<String>, String);
+type Described =
+    (String, String, Option<usize>, Option<usize>, Option<String>, Option<String>, String);
 
 fn described(own: &Diagnostic) -> Described {
     let place = own.span.as_ref().map(|span| own.source.line_column(span.start));

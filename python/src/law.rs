@@ -111,7 +111,8 @@ impl Law {
         self.tape.evaluate(points, &si, &mut all, &mut workspace);
         // Of a value, and of its derivatives, SI for one of the unit.
         let one = |output: &LawOutput| {
-            let of_derivatives = spec.inputs.iter().map(|input| per(&output.unit) / per(&input.unit));
+            let of_derivatives =
+                spec.inputs.iter().map(|input| per(&output.unit) / per(&input.unit));
             std::iter::once(per(&output.unit)).chain(of_derivatives).collect::<Vec<f64>>()
         };
         let units = spec.outputs.iter().flat_map(one);

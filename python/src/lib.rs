@@ -30,7 +30,9 @@ mod _whirl {
     #[pyo3(signature = (name, text=None))]
     fn explain(py: Python<'_>, name: &str, text: Option<String>) -> PyResult<String> {
         let page = py.detach(|| match text {
-            Some(text) => whirl_cli::explain_text(&whirl_codegen::diagnostic::Source::new(name, text)),
+            Some(text) => {
+                whirl_cli::explain_text(&whirl_codegen::diagnostic::Source::new(name, text))
+            }
             None => whirl_cli::explain_spec(name),
         });
         page.map_err(|failure| raised(py, &failure))

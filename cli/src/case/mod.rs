@@ -93,6 +93,11 @@ impl Case {
     pub fn steps(&self) -> usize {
         self.march.steps
     }
+
+    /// Rows of a history with all steps.
+    pub fn rows(&self) -> usize {
+        self.march.steps / self.march.output_every
+    }
     /// What results call the supports, in order.
     pub(crate) fn supports(&self) -> Vec<SupportName> {
         let (word, count) = match &self.system {

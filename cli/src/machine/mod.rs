@@ -181,6 +181,15 @@ pub(crate) fn build(
     describe(case, plan)?.build(cache, warnings)
 }
 
+/// The keys under which the bodies of a case are kept that are reduced.
+///
+/// # Errors
+/// Whatever is wrong with meshes and sets.
+pub(crate) fn keys(case: &Case) -> Result<Vec<Key>, Failure> {
+    let plan = plan(case, &mut Vec::new())?;
+    Ok(describe(case, plan.as_ref())?.model.keys())
+}
+
 /// What the machine of a case is made from.
 ///
 /// # Errors

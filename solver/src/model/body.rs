@@ -122,6 +122,18 @@ pub struct Reduction {
 }
 
 impl BodyModel<'_> {
+    /// The key under which its reduction is kept; none if there is nothing to reduce.
+    pub(super) fn key(&self) -> Option<Key> {
+        match &self.form {
+            Form::Flexible(own) => Some(Reduced::key(self.kind(), own.mesh, own.spec)),
+            _ => None,
+        }
+    }
+
+    fn kind(&self) -> BodyKind {
+        if self.rotation.is_some() { BodyKind::Shaft } else { BodyKind::Support }
+    }
+
     /// The body; its reduction may use one of so many equal parts of the memory that its spec allows.
     pub(super) fn reduce(
         &self,
@@ -131,8 +143,7 @@ impl BodyModel<'_> {
         let mut reduction = None;
         let body = match (&self.form, &self.rotation) {
             (Form::Flexible(own), rotation) => {
-                let kind = if rotation.is_some() { BodyKind::Shaft } else { BodyKind::Support };
-                let (found, how) = own.reduce(kind, cache, sharing)?;
+                let (found, how) = own.reduce(self.kind(), cache, sharing)?;
                 reduction = Some(how);
                 match rotation {
                     Some(rotation) => {
