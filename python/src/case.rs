@@ -94,6 +94,16 @@ impl Case {
         Some((text.path().to_path_buf(), text.text().to_owned(), text.files()))
     }
 
+    /// As `state`, of a built-in case, too.
+    fn parts(&self) -> State {
+        self.state().unwrap_or_else(|| {
+            let mut files = self.case.files();
+            let (path, text) = files.next().expect("a case is a file");
+            let others = files.map(|(path, text)| (path.to_path_buf(), text.to_owned()));
+            (path.to_path_buf(), text.to_owned(), others.collect())
+        })
+    }
+
     /// Report of `whirl check`, and warnings.
     fn check(&self, py: Python<'_>, bodies: &Bodies) -> PyResult<(String, Vec<String>)> {
         let mut warnings = Vec::new();

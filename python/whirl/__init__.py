@@ -23,6 +23,7 @@ from .errors import (
 from .history import Column, History
 from .law import Curve, Law, LawInput, LawOutput, Parameter, explain
 from .results import Finding, Results, Summary, Verdict
+from .sweep import Sweep, SweepPoint, sweep
 
 __all__ = [
     "Bodies",
@@ -41,6 +42,8 @@ __all__ = [
     "Results",
     "RunError",
     "Summary",
+    "Sweep",
+    "SweepPoint",
     "Verdict",
     "WhirlError",
     "WhirlWarning",
@@ -49,6 +52,7 @@ __all__ = [
     "forget_bodies",
     "keep_bodies",
     "shared_bodies",
+    "sweep",
 ]
 
 __version__ = _version("whirl")

@@ -22,6 +22,7 @@ mod start;
 mod text;
 mod units;
 
+use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
@@ -87,6 +88,11 @@ impl Case {
     /// One line for people.
     pub fn title(&self) -> &str {
         &self.title
+    }
+
+    /// The files read, the case itself first: paths and texts.
+    pub fn files(&self) -> impl Iterator<Item = (&Path, &str)> {
+        self.sources.iter().map(|source| (source.path.as_path(), source.text.as_str()))
     }
 
     /// Steps that are asked for; rows where the program chooses the steps.

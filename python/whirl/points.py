@@ -1,0 +1,71 @@
+"""The cases of a sweep."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from . import _toml
+from .case import Case, _restored, _with_laws
+from .errors import WhirlError
+from .law import Law
+
+__all__ = ["Point", "expanded"]
+
+
+@dataclass(frozen=True)
+class Point:
+    """Values of the varied keys, and the case with them."""
+
+    values: Mapping[str, Any]
+    case: Case
+
+
+def expanded(case: Case, vary: Mapping[str, Iterable[Any]]) -> tuple[dict[str, list[Any]], list[Point]]:
+    """All combinations of values, the last key fastest, each with its case."""
+    if not isinstance(vary, Mapping) or not vary:
+        raise TypeError("`vary` is a dict of keys with their values, such as {'march.steps': [10, 20]}")
+    keys = {}
+    for key, values in vary.items():
+        if not isinstance(key, str) or not all(key.split(".")):
+            raise TypeError(f"{key!r} is no key of a case, such as `springs.radial_clearance`")
+        if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
+            raise TypeError(f"`vary[{key!r}]` is a list of values, not {type(values).__name__} ({values!r})")
+        keys[key] = [_value(key, own) for own in values]
+        if not keys[key]:
+            raise WhirlError(f"`vary[{key!r}]` has no values")
+    every = [dict(zip(keys, own)) for own in itertools.product(*keys.values())]
+    return keys, [Point(values, _with(case, values)) for values in every]
+
+
+def _value(key: str, value: Any) -> Any:
+    """Texts of laws as laws."""
+    is_law = key.split(".")[-1] == "law" and isinstance(value, str) and "\n" in value
+    return Law(value) if is_law else value
+
+
+def _with(case: Case, values: Mapping[str, Any]) -> Case:
+    """The case with these values: a case that includes it."""
+    changes: dict[str, Any] = {}
+    for key, value in values.items():
+        *tables, last = key.split(".")
+        inner = changes
+        for own in tables:
+            inner = inner.setdefault(own, {})
+            if not isinstance(inner, dict):
+                raise WhirlError(f"`{key}` and another varied key are the same, or one is in the other")
+        if last in inner:
+            raise WhirlError(f"`{key}` and another varied key are the same, or one is in the other")
+        inner[last] = value
+    texts: dict[str, str] = {}
+    changes = _with_laws(changes, texts)
+    path, text, files = case._inner.parts()
+    path = Path(path)
+    beside = {str(own): text for own, text in files.items()}
+    beside.update({str(path.parent / own): text for own, text in texts.items()})
+    beside[str(path)] = text
+    own = _toml.dumps({"include": path.name, **changes})
+    return _restored(str(path), own, beside)
