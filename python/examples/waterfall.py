@@ -49,7 +49,9 @@ def main():
     axes.set_xlabel("speed (rpm)")
     axes.set_ylabel("frequency (Hz)")
     unit = results.history.unit("x_left_um").replace("um", "µm")
-    figure.colorbar(image, label=f"amplitude of {results.history.column('x_left_um').meaning} ({unit})")
+    figure.colorbar(
+        image, label=f"amplitude of {results.history.column('x_left_um').meaning} ({unit})"
+    )
     figure.savefig(asked.out / "waterfall.png", dpi=120)
     largest = np.argmax(np.abs(results["x_left_um"]))
     print(f"largest displacement at {speeds[largest]:.0f} rpm")

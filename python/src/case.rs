@@ -116,6 +116,11 @@ impl Case {
         py.detach(|| self.machine(bodies)).map(|own| own.1).map_err(|failure| raised(py, &failure))
     }
 
+    /// Frees its machine, which is built anew where it is needed again.
+    fn release(&self, py: Python<'_>) {
+        py.detach(|| *self.built.lock().unwrap_or_else(PoisonError::into_inner) = None);
+    }
+
     /// Name, unit and meaning of every column of the history.
     fn columns(
         &self,

@@ -29,6 +29,19 @@ pieces = [{ when = 'h < 0', value = 'k*(-h)^1.5' }, { value = '0' }]
 """
 
 
+# √(h/1 mm) has no value beyond the gap.
+NO_NUMBER = """\
+kind = "law"
+name = "root"
+title = "root of the gap"
+source = "none"
+inputs.h = { unit = "mm", title = "clearance", range = [0.1, 3] }
+parameters.k = { value = 1, unit = "N", title = "force" }
+parameters.h_1 = { value = 1, unit = "mm", title = "one" }
+outputs.Q = { unit = "N", title = "normal force", value = 'k*sqrt(h/h_1)' }
+"""
+
+
 def a_mass(steps=900, law="gap-linear-1e6", velocity="1 m/s"):
     """A mass that strikes a stop: over in no time."""
     return {

@@ -4,9 +4,9 @@ import pathlib
 
 import numpy as np
 import pytest
+from conftest import LAW, a_mass, a_rotor
 
 import whirl
-from conftest import LAW, a_mass, a_rotor
 
 
 def test_a_case_is_a_name_a_file_a_text_or_a_dict(tmp_path):

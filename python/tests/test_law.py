@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from conftest import LAW
 
 import whirl
-from conftest import LAW
 
 
 def test_values_are_those_of_the_formula():
@@ -24,7 +24,7 @@ def test_a_law_says_what_it_is():
     assert law.outputs[0].unit == "N" and law.parameters[0].value == 40000
     page = law.explain()
     assert "my-law" in page and "40000" in page
-    assert whirl.explain(LAW) .splitlines()[0] == page.splitlines()[0]
+    assert whirl.explain(LAW).splitlines()[0] == page.splitlines()[0]
     assert "hex8" in whirl.explain("hex8")
 
 

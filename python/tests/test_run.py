@@ -10,9 +10,9 @@ import time
 
 import numpy as np
 import pytest
+from conftest import LAW, NO_NUMBER, a_mass, a_rotor
 
 import whirl
-from conftest import LAW, a_mass, a_rotor
 
 
 def read_csv(path):
@@ -32,7 +32,7 @@ def test_arrays_are_those_of_history_csv(case, tmp_path, command):
     names, values = read_csv(tmp_path / "out" / "history.csv")
     results = whirl.Case(tmp_path / f"{case}.toml").run()
     assert list(results.history) == names
-    assert results.history.values.tobytes() == values.tobytes()
+    assert results.history.array.tobytes() == values.tobytes()
     for place, name in enumerate(names):
         assert np.array_equal(results[name], values[:, place])
     saved = results.save(tmp_path / "saved")
@@ -46,13 +46,18 @@ def test_arrays_are_those_of_history_csv(case, tmp_path, command):
 def test_arrays_are_views_that_cannot_be_written(mass):
     history = mass.run().history
     column = history["RX1_N"]
-    assert column.base is not None and np.shares_memory(column, history.values)
+    assert column.base is not None and np.shares_memory(column, history.array)
     with pytest.raises(ValueError, match="read-only"):
         column[0] = 1.0
-    assert history.values.shape == (900, len(history.columns)) and history.values.flags.c_contiguous
+    assert history.array.shape == (900, len(history.columns)) and history.array.flags.c_contiguous
     assert np.all(np.diff(history.time) > 0)
+    assert dict(history).keys() == set(history.keys()) and len(list(history.values())) == len(
+        history
+    )
     with pytest.raises(KeyError, match="RX1_N"):
         history["RX1"]
+    with pytest.raises(ValueError, match=r"of the shape \(rows, 1\), not \(3, 2\)"):
+        whirl.History(np.zeros((3, 2)), [whirl.Column("t_s", "s", "time")])
 
 
 def test_progress_is_told(mass):
@@ -118,26 +123,16 @@ def test_one_case_may_be_run_by_many_threads():
 
 
 def between_stops(law, time_step, steps):
-    stop = [{"side": "above", "gap": "1 mm", "law": law}, {"side": "below", "gap": "2 mm", "law": law}]
+    stop = [
+        {"side": "above", "gap": "1 mm", "law": law},
+        {"side": "below", "gap": "2 mm", "law": law},
+    ]
     return {
         "title": "a mass between stops",
         "mass": {"mass": "1 kg", "velocity": "1 m/s"},
         "stop": stop,
         "march": {"time_step": time_step, "steps": steps},
     }
-
-
-# √(h/1 mm) has no value beyond the gap.
-NO_NUMBER = """\
-kind = "law"
-name = "root"
-title = "root of the gap"
-source = "none"
-inputs.h = { unit = "mm", title = "clearance", range = [0.1, 3] }
-parameters.k = { value = 1, unit = "N", title = "force" }
-parameters.h_1 = { value = 1, unit = "mm", title = "one" }
-outputs.Q = { unit = "N", title = "normal force", value = 'k*sqrt(h/h_1)' }
-"""
 
 
 def test_a_run_that_does_not_converge_says_so():

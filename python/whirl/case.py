@@ -168,7 +168,7 @@ class Case:
         _warn(run.warnings)
         results = Results._of(self.name, self.title, run)
         if run.error is not None:
-            run.error.results = results
+            run.error.results = results  # type: ignore[attr-defined]
             raise run.error
         if raises and run.reason is not None:
             raise RunError(run.reason, results)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -36,34 +36,34 @@ class Column:
 class History(Mapping[str, np.ndarray]):
     """The rows of a run: a mapping from names of columns to arrays of shape ``(rows,)``.
 
-    The arrays are views of :attr:`values` and cannot be written; ``history["RX1_N"].copy()`` can. The numbers are those that
+    The values are views of :attr:`array` and cannot be written; ``history["RX1_N"].copy()`` can. The numbers are those that
     ``whirl run`` writes to ``history.csv``, to the bit.
 
     Attributes
     ----------
-    values : numpy.ndarray
+    array : numpy.ndarray
         Shape ``(rows, columns)``, float64, row after row. The first column is the time in s.
     columns : tuple of Column
         Name, unit and meaning of each column.
     """
 
-    __slots__ = ("_places", "columns", "values")
+    __slots__ = ("_places", "array", "columns")
 
-    def __init__(self, values: np.ndarray, columns):
+    def __init__(self, array: np.ndarray, columns: Iterable[Column]):
         self.columns = tuple(columns)
-        values = np.asarray(values, dtype=np.float64)
-        if values.ndim != 2 or values.shape[1] != len(self.columns):
+        array = np.asarray(array, dtype=np.float64)
+        if array.ndim != 2 or array.shape[1] != len(self.columns):
             raise ValueError(
                 f"a history of {len(self.columns)} columns has values of the shape (rows, "
-                f"{len(self.columns)}), not {values.shape}"
+                f"{len(self.columns)}), not {array.shape}"
             )
-        self.values = values.view()
-        self.values.flags.writeable = False
+        self.array = array.view()
+        self.array.flags.writeable = False
         self._places = {own.name: place for place, own in enumerate(self.columns)}
 
     def __getitem__(self, name: str) -> np.ndarray:
         """The values of a column, shape ``(rows,)``."""
-        return self.values[:, self._place(name)]
+        return self.array[:, self._place(name)]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._places)
@@ -72,26 +72,26 @@ class History(Mapping[str, np.ndarray]):
         return len(self.columns)
 
     def __repr__(self) -> str:
-        rows = len(self.values)
-        span = f", t = {self.values[0, 0]:g} … {self.values[-1, 0]:g} s" if rows else ""
+        rows = len(self.array)
+        span = f", t = {self.array[0, 0]:g} … {self.array[-1, 0]:g} s" if rows else ""
         return f"<whirl.History of {rows} rows, {len(self.columns)} columns{span}>"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, History):
             return NotImplemented
         return self.columns == other.columns and np.array_equal(
-            self.values, other.values, equal_nan=True
+            self.array, other.array, equal_nan=True
         )
 
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self):
-        return History, (np.ascontiguousarray(self.values), self.columns)
+        return History, (np.ascontiguousarray(self.array), self.columns)
 
     @property
     def time(self) -> np.ndarray:
         """Times of the rows in s, shape ``(rows,)``."""
-        return self.values[:, 0]
+        return self.array[:, 0]
 
     def column(self, name: str) -> Column:
         """Name, unit and meaning of a column."""
@@ -125,7 +125,7 @@ class History(Mapping[str, np.ndarray]):
         pandas = extra("pandas", "pandas", "History.to_pandas()")
         first, *others = self.columns
         frame = pandas.DataFrame(
-            self.values[:, 1:],
+            self.array[:, 1:],
             index=pandas.Index(self.time, name=first.name),
             columns=[own.name for own in others],
         )

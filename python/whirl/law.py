@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -224,7 +223,11 @@ class Law:
             columns = min(len(curves), 2)
             rows = -(-len(curves) // columns)
             _, axes = pyplot.subplots(
-                rows, columns, squeeze=False, layout="constrained", figsize=(5 * columns, 3.4 * rows)
+                rows,
+                columns,
+                squeeze=False,
+                layout="constrained",
+                figsize=(5 * columns, 3.4 * rows),
             )
             for spare in axes.ravel()[len(curves) :]:
                 spare.set_visible(False)

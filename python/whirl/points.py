@@ -24,16 +24,22 @@ class Point:
     case: Case
 
 
-def expanded(case: Case, vary: Mapping[str, Iterable[Any]]) -> tuple[dict[str, list[Any]], list[Point]]:
+def expanded(
+    case: Case, vary: Mapping[str, Iterable[Any]]
+) -> tuple[dict[str, list[Any]], list[Point]]:
     """All combinations of values, the last key fastest, each with its case."""
     if not isinstance(vary, Mapping) or not vary:
-        raise TypeError("`vary` is a dict of keys with their values, such as {'march.steps': [10, 20]}")
+        raise TypeError(
+            "`vary` is a dict of keys with their values, such as {'march.steps': [10, 20]}"
+        )
     keys = {}
     for key, values in vary.items():
         if not isinstance(key, str) or not all(key.split(".")):
             raise TypeError(f"{key!r} is no key of a case, such as `springs.radial_clearance`")
         if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
-            raise TypeError(f"`vary[{key!r}]` is a list of values, not {type(values).__name__} ({values!r})")
+            raise TypeError(
+                f"`vary[{key!r}]` is a list of values, not {type(values).__name__} ({values!r})"
+            )
         keys[key] = [_value(key, own) for own in values]
         if not keys[key]:
             raise WhirlError(f"`vary[{key!r}]` has no values")
@@ -42,7 +48,9 @@ def expanded(case: Case, vary: Mapping[str, Iterable[Any]]) -> tuple[dict[str, l
 
 
 def _value(key: str, value: Any) -> Any:
-    """Texts of laws as laws."""
+    """Texts of laws as laws, and NumPy's numbers as Python's."""
+    if hasattr(value, "dtype") and getattr(value, "ndim", None) == 0:
+        value = value.item()
     is_law = key.split(".")[-1] == "law" and isinstance(value, str) and "\n" in value
     return Law(value) if is_law else value
 
@@ -56,7 +64,9 @@ def _with(case: Case, values: Mapping[str, Any]) -> Case:
         for own in tables:
             inner = inner.setdefault(own, {})
             if not isinstance(inner, dict):
-                raise WhirlError(f"`{key}` and another varied key are the same, or one is in the other")
+                raise WhirlError(
+                    f"`{key}` and another varied key are the same, or one is in the other"
+                )
         if last in inner:
             raise WhirlError(f"`{key}` and another varied key are the same, or one is in the other")
         inner[last] = value

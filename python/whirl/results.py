@@ -167,12 +167,19 @@ class Results:
         return cls(name, title, History(run.values, columns), run.summary, run.reason, run.notes)
 
     def __reduce__(self):
-        return Results, (self.name, self.title, self.history, self._summary, self.reason, self.notes)
+        return Results, (
+            self.name,
+            self.title,
+            self.history,
+            self._summary,
+            self.reason,
+            self.notes,
+        )
 
     def __repr__(self) -> str:
         early = f", ended early: {self.reason}" if self.reason else ""
         sound = "sound" if self.verdict else "NOT SOUND"
-        return f"<whirl.Results of {self.name}: {len(self.history.values)} rows, {sound}{early}>"
+        return f"<whirl.Results of {self.name}: {len(self.history.array)} rows, {sound}{early}>"
 
     def __getitem__(self, name: str) -> np.ndarray:
         """A column of the history, shape ``(rows,)``."""
@@ -221,7 +228,7 @@ class Results:
             with open(folder / "history.csv", "w", encoding="utf-8", newline="\n") as file:
                 from ._whirl import csv
 
-                file.write(csv(list(self.history), np.ascontiguousarray(self.history.values)))
+                file.write(csv(list(self.history), np.ascontiguousarray(self.history.array)))
             with open(folder / "summary.json", "w", encoding="utf-8", newline="\n") as file:
                 file.write(self._summary)
         except OSError as error:

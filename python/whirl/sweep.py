@@ -7,17 +7,17 @@ import itertools
 import os
 import queue
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from . import _whirl
 from .bodies import Bodies, shared_bodies
 from .case import Case
-from .errors import RunError, WhirlError, extra
+from .errors import WhirlError, extra
+from .history import History
 from .law import Law
 from .points import Point, expanded
 from .results import Results
@@ -70,7 +70,9 @@ class Sweep(Sequence[SweepPoint]):
     def __repr__(self) -> str:
         failed = sum(own.error is not None for own in self._points)
         early = f", {failed} not to their end" if failed else ""
-        return f"<whirl.Sweep of {self.name} over {', '.join(self.keys)}: {len(self)} points{early}>"
+        return (
+            f"<whirl.Sweep of {self.name} over {', '.join(self.keys)}: {len(self)} points{early}>"
+        )
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -106,6 +108,7 @@ def sweep(
     out: str | os.PathLike[str] | None = None,
     progress: Callable[[int, int, SweepPoint], object] | None = None,
     workers: int | None = None,
+    keep_histories: bool = True,
     bodies: Bodies | None = None,
 ) -> Sweep:
     """Runs a case once for every combination of values of some of its keys.
@@ -134,6 +137,8 @@ def sweep(
         KeyboardInterrupt does: points that run end after their step, and ``out`` keeps what has come.
     workers : int, optional
         Points at a time without a client; as many as there are processors if it is None.
+    keep_histories : bool, default True
+        Whether the points that are returned have their histories; without, memory does not grow with their rows.
     bodies : Bodies, optional
         Reduced bodies that are there before; :func:`whirl.shared_bodies` if none are given.
 
@@ -165,6 +170,11 @@ def sweep(
                 layout.write(own)
             if progress is not None:
                 progress(sum(point is not None for point in done), len(points), own)
+            if not keep_histories and results is not None:
+                empty = History(
+                    np.empty((0, len(results.history.columns))), results.history.columns
+                )
+                results.history = empty
     finally:
         came.close()
         if layout is not None:
@@ -173,7 +183,8 @@ def sweep(
 
 
 _Outcome = tuple[Results | None, str | None]
-_Runner = Callable[[Sequence[Point]], "Iterator[tuple[int, _Outcome]]"]
+_Outcomes = Generator[tuple[int, _Outcome], None, None]
+_Runner = Callable[[Sequence[Point]], _Outcomes]
 
 
 def _runner(client: Any, workers: int | None, bodies: Bodies) -> _Runner:
@@ -197,12 +208,13 @@ def _run(case: Case, bodies: Bodies, progress: Any = None) -> _Outcome:
         results = case.run(bodies=bodies, progress=progress, raises=False)
     except WhirlError as error:
         return None, str(error)
+    finally:
+        # A sweep needs no machine twice.
+        case._inner.release()
     return results, results.reason
 
 
-def _on_threads(
-    points: Sequence[Point], bodies: Bodies, workers: int
-) -> Iterator[tuple[int, _Outcome]]:
+def _on_threads(points: Sequence[Point], bodies: Bodies, workers: int) -> _Outcomes:
     """On threads of this process, which share the bodies; the first to need one reduces it."""
     came: queue.SimpleQueue = queue.SimpleQueue()
     left = iter(range(len(points)))
@@ -237,7 +249,7 @@ def _on_threads(
         own.start()
     try:
         for _ in points:
-            number, outcome, error = came.get()
+            number, outcome, error = _waited(came)
             if error is not None:
                 raise error
             yield number, outcome
@@ -245,6 +257,15 @@ def _on_threads(
         stop.set()
         for own in threads:
             own.join()
+
+
+def _waited(came: queue.SimpleQueue) -> Any:
+    """The next entry. Waits in pieces: a signal that another thread gets is only seen between them."""
+    while True:
+        try:
+            return came.get(timeout=0.1)
+        except queue.Empty:
+            pass
 
 
 def _reduce(case: Case, known: Sequence[bytes] = ()) -> list[bytes]:
@@ -274,7 +295,7 @@ def _groups(points: Sequence[Point]) -> dict[tuple[str, ...], list[int]]:
 
 def _on_executor(
     points: Sequence[Point], executor: concurrent.futures.Executor, bodies: Bodies
-) -> Iterator[tuple[int, _Outcome]]:
+) -> _Outcomes:
     """On an executor: a task reduces what some points share, then they are tasks with it."""
     running: dict[concurrent.futures.Future, Any] = {}
     for keys, numbers in _groups(points).items():
@@ -287,7 +308,7 @@ def _on_executor(
     try:
         while running:
             came, _ = concurrent.futures.wait(
-                running, return_when=concurrent.futures.FIRST_COMPLETED
+                running, timeout=0.1, return_when=concurrent.futures.FIRST_COMPLETED
             )
             for future in came:
                 what = running.pop(future)
@@ -308,7 +329,7 @@ def _on_executor(
             future.cancel()
 
 
-def _on_dask(points: Sequence[Point], client: Any, bodies: Bodies) -> Iterator[tuple[int, _Outcome]]:
+def _on_dask(points: Sequence[Point], client: Any, bodies: Bodies) -> _Outcomes:
     """On a cluster: bodies are tasks, and points are tasks that need them; the scheduler moves them to the workers."""
     distributed = extra("dask", "distributed", "a sweep on a dask client")
     known = client.scatter(bodies.held(), hash=False) if bodies.held() else []
@@ -379,6 +400,7 @@ class _Layout:
             self.rows = max(self.rows, len(point.results["t_s"]))
 
     def write(self, point: SweepPoint) -> None:
+        assert self.path is not None, "it is open"
         self.add(point)
         found = self._filled([point])
         place = np.unravel_index(point.number, self.shape)
@@ -391,7 +413,9 @@ class _Layout:
         if point.results is None:
             found = found[["done", "error"]]
         own = found.isel(region)
-        without = [own_name for own_name in own.variables if not set(own[own_name].dims) & set(self.keys)]
+        without = [
+            own_name for own_name in own.variables if not set(own[own_name].dims) & set(self.keys)
+        ]
         own.drop_vars([*without, *(key for key in self.keys if key in own.variables)]).to_zarr(
             self.path, region=region
         )
@@ -438,14 +462,14 @@ class _Layout:
                 put(name, ("support",), (len(values),), point, values, unit, meaning)
             for name in ("t_s", *self.columns) if self.columns else ():
                 column = point.results.history.column(name)
-                values = np.full(self.rows, np.nan)
+                padded = np.full(self.rows, np.nan)
                 own = point.results[name]
-                values[: len(own)] = own
-                put(name, ("row",), (self.rows,), point, values, column.unit, column.meaning)
+                padded[: len(own)] = own
+                put(name, ("row",), (self.rows,), point, padded, column.unit, column.meaning)
         coords = {key: (key, _labels(values)) for key, values in self.keys.items()}
-        named = next((own for own in points if own.results is not None), None)
+        named = next((own.results for own in points if own.results is not None), None)
         if named is not None:
-            names = [own.get("joint") or str(own.support) for own in named.results.summary.supports]
+            names = [own.get("joint") or str(own.support) for own in named.summary.supports]
             coords["support"] = ("support", np.array(names))
         return xarray.Dataset(arrays, coords=coords, attrs={"case": self.name})
 
@@ -456,5 +480,8 @@ def _labels(values: Sequence[Any]) -> np.ndarray:
         return np.array(values, dtype=np.float64)
     texts = [own.name if isinstance(own, Law) else str(own) for own in values]
     if len(set(texts)) < len(texts) or any("\n" in own for own in texts):
-        texts = [f"{place}: {own.splitlines()[0][:40] if own else own}" for place, own in enumerate(texts)]
+        texts = [
+            f"{place}: {own.splitlines()[0][:40] if own else own}"
+            for place, own in enumerate(texts)
+        ]
     return np.array(texts)
