@@ -26,8 +26,9 @@ pub(crate) struct Case {
     built: Mutex<Option<(Arc<Built>, Vec<String>)>>,
 }
 
-/// What it takes to read a case elsewhere: its path, its text, and the files beside it by path.
-type State = (PathBuf, String, BTreeMap<PathBuf, String>);
+/// What it takes to read a case elsewhere: its path, its text, the files beside it by path, and values in place of those that
+/// they say.
+type State = (PathBuf, String, BTreeMap<PathBuf, String>, String);
 
 #[pymethods]
 impl Case {
@@ -46,15 +47,17 @@ impl Case {
         })
     }
 
-    /// A text that would stand at a path, with others beside it.
+    /// A text that would stand at a path, with others beside it, and with values in place of theirs.
     #[staticmethod]
+    #[pyo3(signature = (path, text, files, values=String::new()))]
     fn of_text(
         py: Python<'_>,
         path: PathBuf,
         text: String,
         files: BTreeMap<PathBuf, String>,
+        values: String,
     ) -> PyResult<Self> {
-        let mut own = CaseText::at(&path, text);
+        let mut own = CaseText::at(&path, text).with_values(values);
         for (path, text) in files {
             own = own.with_path(path, text);
         }
@@ -91,7 +94,7 @@ impl Case {
     /// What it takes to read it elsewhere; none of a built-in case.
     fn state(&self) -> Option<State> {
         let text = self.text.as_ref()?;
-        Some((text.path().to_path_buf(), text.text().to_owned(), text.files()))
+        Some((text.path().to_path_buf(), text.text().to_owned(), text.files(), text.values().to_owned()))
     }
 
     /// As `state`, of a built-in case, too.
@@ -100,7 +103,7 @@ impl Case {
             let mut files = self.case.files();
             let (path, text) = files.next().expect("a case is a file");
             let others = files.map(|(path, text)| (path.to_path_buf(), text.to_owned()));
-            (path.to_path_buf(), text.to_owned(), others.collect())
+            (path.to_path_buf(), text.to_owned(), others.collect(), String::new())
         })
     }
 

@@ -154,10 +154,10 @@ def test_cancelled_points_end_after_their_step():
 
 
 def test_a_point_that_ends_early_says_so(tmp_path):
-    stop = {"side": "above", "gap": "1 mm"}
     case = {"title": "a mass", "mass": {"mass": "1 kg", "velocity": "1 m/s"}}
+    case["stop"] = [{"side": "above", "gap": "1 mm", "law": "gap-linear-1e6"}]
     case["march"] = {"time_step": "1e-4 s", "steps": 100}
-    vary = {"stop": [[{**stop, "law": whirl.Law(own)}] for own in (NO_NUMBER, LAW)]}
+    vary = {"stop.1.law": [NO_NUMBER, LAW]}
     sweep = whirl.sweep(case, vary, workers=1, out=tmp_path / "study.zarr" if zarr else None)
     assert "has no value" in sweep[0].error and 0 < len(sweep[0].results["t_s"]) < 100
     assert sweep[1].error is None and "1 not to their end" in repr(sweep)
@@ -165,6 +165,22 @@ def test_a_point_that_ends_early_says_so(tmp_path):
     assert "has no value" in str(data.error.values[0]) and str(data.error.values[1]) == ""
     assert np.isnan(data.X1_um.values[0, -1]) and not np.isnan(data.X1_um.values[1]).any()
     assert list(data.complete.values) == [False, True]
+
+
+def test_keys_of_lists_tables_and_built_in_cases_may_be_varied():
+    case = whirl.Case(a_mass())
+    gaps = whirl.sweep(case, {"stop.1.gap": ["0 mm", "2 mm"]})
+    assert gaps[0].results.history == case.run().history != gaps[1].results.history
+    whole = a_mass()
+    whole["stop"][0]["gap"] = "2 mm"
+    assert gaps[1].results.history == whirl.Case(whole).run().history
+    tables = whirl.sweep(case, {"mass": [{"mass": "50 kg", "velocity": "1 m/s"}]})
+    assert tables[0].results.history != case.run().history
+    vary = {"load.1.force": ["500 N"], "march.steps": [4]}
+    (built_in,) = whirl.sweep("hu2003-5", vary)
+    assert built_in.error is None and len(built_in.results["t_s"]) == 4
+    (other,) = whirl.sweep("hu2003-5", {"march.duration": ["3e-4 s"]})
+    assert other.results.complete
 
 
 def test_histories_need_not_be_kept():
@@ -185,7 +201,9 @@ def test_histories_need_not_be_kept():
         ({"march.steps": []}, whirl.WhirlError, "has no values"),
         ({"march..steps": [1]}, TypeError, "is no key of a case"),
         ({4: [1]}, TypeError, "is no key of a case"),
-        ({"march": [{"steps": 4}], "march.steps": [3]}, whirl.WhirlError, "another varied key"),
+        ({"march": [{"steps": 4}], "march.steps": [3]}, whirl.CaseError, "march"),
+        ({"stop.2.gap": ["1 mm"]}, whirl.CaseError, "`stop.1` for its first entry"),
+        ({"stop.gap": ["1 mm"]}, whirl.CaseError, "there is no `stop.gap`"),
         ({"march.stepz": [3]}, whirl.CaseError, "did you mean `steps`"),
         ({"marsh.steps": [3]}, whirl.CaseError, "did you mean `march`"),
         ({"mass.velocity": ["1 kg"]}, whirl.CaseError, "1 kg"),

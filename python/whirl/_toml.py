@@ -25,6 +25,11 @@ def dumps(case: Mapping[str, Any]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def line(key: str, value: Any) -> str:
+    """A line for a key with its tables, and its value."""
+    return f"{'.'.join(_key(own) for own in key.split('.'))} = {_value(_plain(value, (key,)))}\n"
+
+
 def _plain(value: Any, path: tuple[str, ...]) -> Any:
     """The value with NumPy's scalars and arrays, paths and laws as what TOML has."""
     from .law import Law

@@ -83,8 +83,8 @@ class Case:
         state = self._inner.state()
         if state is None:
             return _built_in, (self.name,)
-        path, text, files = state
-        return _restored, (str(path), text, {str(own): text for own, text in files.items()})
+        path, text, files, values = state
+        return _restored, (str(path), text, {str(own): text for own, text in files.items()}, values)
 
     def __repr__(self) -> str:
         return f"<whirl.Case {self.name}: {self.title}>"
@@ -256,8 +256,8 @@ def _built_in(name: str) -> Case:
     return _made(_whirl.Case.built_in(name))
 
 
-def _restored(path: str, text: str, files: dict[str, str]) -> Case:
-    return _made(_whirl.Case.of_text(path, text, files))
+def _restored(path: str, text: str, files: dict[str, str], values: str) -> Case:
+    return _made(_whirl.Case.of_text(path, text, files, values))
 
 
 def _made(inner: _whirl.Case) -> Case:

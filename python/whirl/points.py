@@ -56,26 +56,13 @@ def _value(key: str, value: Any) -> Any:
 
 
 def _with(case: Case, values: Mapping[str, Any]) -> Case:
-    """The case with these values: a case that includes it."""
-    changes: dict[str, Any] = {}
-    for key, value in values.items():
-        *tables, last = key.split(".")
-        inner = changes
-        for own in tables:
-            inner = inner.setdefault(own, {})
-            if not isinstance(inner, dict):
-                raise WhirlError(
-                    f"`{key}` and another varied key are the same, or one is in the other"
-                )
-        if last in inner:
-            raise WhirlError(f"`{key}` and another varied key are the same, or one is in the other")
-        inner[last] = value
+    """The case with these values."""
+    path, text, files, before = case._inner.parts()
     texts: dict[str, str] = {}
-    changes = _with_laws(changes, texts)
-    path, text, files = case._inner.parts()
-    path = Path(path)
+    lines = [before] if before else []
+    for key, value in values.items():
+        plain = _with_laws({key.split(".")[-1]: value}, texts)
+        lines.append(_toml.line(key, *plain.values()))
     beside = {str(own): text for own, text in files.items()}
-    beside.update({str(path.parent / own): text for own, text in texts.items()})
-    beside[str(path)] = text
-    own = _toml.dumps({"include": path.name, **changes})
-    return _restored(str(path), own, beside)
+    beside.update({str(Path(path).parent / own): text for own, text in texts.items()})
+    return _restored(str(path), text, beside, "".join(lines))

@@ -122,7 +122,8 @@ def sweep(
         The case.
     vary : mapping of str to iterable
         Values of keys, such as ``{"springs.radial_clearance": ["30 um", "40 um"], "springs.law": [law, "hu2003-linear"]}``. A key
-        is the tables that it is in and its name, with dots between. Values are those of a case in a dict; those of a key
+        is the tables that it is in and its name, with dots between; ``load.2.force`` is that of the second of several
+        ``[[load]]``. Values are those of a case in a dict; those of a key
         ``law`` may be laws, or their texts.
     client : optional
         Where the points run: on all cores of this process if it is None; or a :class:`concurrent.futures.Executor`, such as a

@@ -35,7 +35,11 @@ pub struct Column {
 }
 
 impl Column {
-    pub(crate) fn new(name: impl Into<String>, unit: &'static str, meaning: impl Into<String>) -> Self {
+    pub(crate) fn new(
+        name: impl Into<String>,
+        unit: &'static str,
+        meaning: impl Into<String>,
+    ) -> Self {
         Column { name: name.into(), unit, meaning: meaning.into() }
     }
 }

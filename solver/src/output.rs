@@ -155,7 +155,11 @@ impl Output {
                     vec![one(format!("mz_{name}_Nm"), "N*m", "torque on the journal")]
                 }
                 JointQuantity::Twist => {
-                    vec![one(format!("twist_{name}_rad"), "rad", "angle of the journal against the bore")]
+                    vec![one(
+                        format!("twist_{name}_rad"),
+                        "rad",
+                        "angle of the journal against the bore",
+                    )]
                 }
                 JointQuantity::TwistRate => {
                     vec![one(format!("twist_rate_{name}_rad_s"), "rad/s", "rate of twist")]
@@ -169,7 +173,11 @@ impl Output {
                 one(format!("damping_{name}_W"), "W", "power that the body's damping takes away"),
             ],
             Wanted::JointPower { .. } => {
-                vec![one(format!("power_{name}_W"), "W", "power of the joint's forces on the journal")]
+                vec![one(
+                    format!("power_{name}_W"),
+                    "W",
+                    "power of the joint's forces on the journal",
+                )]
             }
         }
     }

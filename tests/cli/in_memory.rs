@@ -91,6 +91,28 @@ fn a_text_may_be_called_as_what_it_includes() {
     assert_eq!((case.name(), case.steps()), ("sdnd101", 3));
 }
 
+#[test]
+fn values_hold_in_place_of_those_of_a_text() {
+    let cache = Cache::shared(None);
+    let with = |lines: &str| {
+        let text = CaseText::new("mass", Path::new(""), mass("gap-linear-1e6"));
+        read_text(&text.with_values(lines), &mut Vec::new())
+    };
+    let varied = with("stop.1.law = \"gap-linear-1e5\"\nmarch.steps = 900\n").unwrap();
+    let other = read("mass", &mass("gap-linear-1e5"));
+    assert_eq!(run(&varied, &cache).history, run(&other, &cache).history);
+    for (lines, said) in [
+        ("stop.2.gap = \"1 mm\"\n", "there is no `stop.2`"),
+        ("stop.0.gap = \"1 mm\"\n", "write `stop.1` for its first entry, up to `stop.1`"),
+        ("march.stepz = 4\n", "did you mean `steps`"),
+        ("mass.mass = \"3 m\"\n", "varied keys:1:"),
+        ("mass.mass = \"3 kg\"\nmass.mass = \"4 kg\"\n", "varied keys:2:"),
+    ] {
+        let report = with(lines).unwrap_err().report();
+        assert!(report.contains(said), "{said}: {report}");
+    }
+}
+
 /// Ends a run after some steps.
 struct Until(Cell<usize>);
 

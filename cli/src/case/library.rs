@@ -201,8 +201,54 @@ pub(crate) fn load(store: FileStore, path: &Path) -> Result<(Tree, Vec<Arc<Sourc
     };
     let mut sources = vec![source.clone()];
     let mut errors = Diagnostics::new();
-    let tree = load_source(store, &source, 0, &mut sources, &mut errors);
+    let mut tree = load_source(store, &source, 0, &mut sources, &mut errors);
+    if let FileStore::Given(text) = store
+        && let Some(values) = text.varied()
+    {
+        let mut varied = load_source(store, &values, 0, &mut sources, &mut errors);
+        in_lists(&mut varied, &tree, &mut errors);
+        varied.merge(tree, INSTEAD);
+        tree = varied;
+        sources.push(values);
+    }
     errors.into_result((tree, sources))
+}
+
+/// Makes lists of those tables of `varied` that count the tables of a list: with `load.2.force`, all loads as `tree` has them, the
+/// second one with another force.
+fn in_lists(varied: &mut Tree, tree: &Tree, errors: &mut Diagnostics) {
+    for (key, (_, own)) in &mut varied.entries {
+        let Some((_, node)) = tree.entries.get(key) else { continue };
+        let Content::Table(changes) = &mut own.content else { continue };
+        match &node.content {
+            Content::Table(inner) => in_lists(changes, inner, errors),
+            Content::List(items) => {
+                let mut items = items.clone();
+                for (number, (place, change)) in std::mem::take(&mut changes.entries) {
+                    let count = items.len();
+                    let found = number.parse::<usize>().ok().and_then(|k| k.checked_sub(1));
+                    let Some(item) = found.and_then(|place| items.get_mut(place)) else {
+                        let message = format!("there is no `{key}.{number}`");
+                        let help = format!(
+                            "`{key}` is a list: write `{key}.1` for its first entry, up to `{key}.{count}`"
+                        );
+                        errors.push(place.error(Code::BAD_VALUE, message).help(help));
+                        continue;
+                    };
+                    match (change.content, &mut item.content) {
+                        (Content::Table(mut change), Content::Table(inner)) => {
+                            in_lists(&mut change, inner, errors);
+                            change.merge(std::mem::take(inner), &[]);
+                            *inner = change;
+                        }
+                        (content, _) => *item = Node { place: change.place, content },
+                    }
+                }
+                own.content = Content::List(items);
+            }
+            _ => {}
+        }
+    }
 }
 
 fn load_source(

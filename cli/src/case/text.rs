@@ -8,12 +8,17 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 
 use super::library::FileStore;
 
+/// What messages call values that hold in place of those of a case.
+const VARIED: &str = "varied keys";
+
 /// The text of a case file.
 #[derive(Debug, Default)]
 pub struct CaseText {
     path: PathBuf,
     text: String,
     files: BTreeMap<PathBuf, String>,
+    /// Values that hold in place of those of the case, as lines of TOML.
+    values: String,
     /// Files of the disk that it was read with so far.
     read: Mutex<BTreeMap<PathBuf, String>>,
 }
@@ -56,6 +61,19 @@ impl CaseText {
         self
     }
 
+    /// With values in place of those that it and what it includes say: lines such as `springs.radial_clearance = "30 um"`, or
+    /// `load.2.force = "1 kN"` for the second of several `[[load]]`.
+    #[must_use]
+    pub fn with_values(mut self, lines: impl Into<String>) -> Self {
+        self.values = lines.into();
+        self
+    }
+
+    /// Those values.
+    pub fn values(&self) -> &str {
+        &self.values
+    }
+
     /// Where it would stand.
     pub fn path(&self) -> &Path {
         &self.path
@@ -83,6 +101,12 @@ impl CaseText {
     /// The case as if it were a file.
     pub(super) fn source(&self) -> Arc<Source> {
         Source::new(&self.path, self.text.as_str())
+    }
+
+    /// Its values as if they were a file beside it; none if there are none.
+    pub(super) fn varied(&self) -> Option<Arc<Source>> {
+        let path = self.path.with_file_name(VARIED);
+        (!self.values.is_empty()).then(|| Source::new(path, self.values.as_str()))
     }
 
     /// The file that would stand beside it at `path`. The case itself is none of them: a text called as a file that it

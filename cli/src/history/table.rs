@@ -31,7 +31,9 @@ impl HistoryTable {
     /// The text of history.csv.
     pub fn csv(&self) -> String {
         let mut text = text::head(&self.names).into_bytes();
-        self.values.chunks_exact(self.names.len().max(1)).for_each(|row| text::line(&mut text, row));
+        self.values
+            .chunks_exact(self.names.len().max(1))
+            .for_each(|row| text::line(&mut text, row));
         String::from_utf8(text).expect("names and digits")
     }
 
