@@ -101,7 +101,7 @@ fn report(
                 problems.extend(written.err().map(failed));
             }
             // On a full disk the numbers come first.
-            if !arguments.no_figures && !matches!(marched.end, End::NotWritten(_)) {
+            if !arguments.no_figures && !matches!(marched.end, End::NotWritten(..)) {
                 let write = |name: &str, content: &[u8]| results.write(name, content);
                 // One signal has ended the march, and figures are wanted of what is done.
                 let stop = || matches!(marched.end, End::Done) && interruption.asked();

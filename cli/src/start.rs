@@ -166,7 +166,15 @@ fn words(case: &Case, found: &Equilibrium) -> String {
 /// # Errors
 /// It cannot be written.
 pub(crate) fn write(path: &Path, state: &LastState) -> io::Result<()> {
-    write_whole(path, &pack(&Key::of(&LAYOUT), state)?)
+    write_whole(path, &packed(state)?)
+}
+
+/// The bytes of such a file.
+///
+/// # Errors
+/// The state refuses to be serialised.
+pub(crate) fn packed(state: &LastState) -> io::Result<Vec<u8>> {
+    pack(&Key::of(&LAYOUT), state)
 }
 
 /// The state in which the run in a folder ended; `out`: where the results of this run go.

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use whirl_cli::simulate::{InMemory, Watch, in_memory};
 use whirl_cli::{Built, Case};
 
@@ -18,6 +19,8 @@ pub(crate) struct Run {
     columns: Vec<(String, &'static str, String)>,
     /// JSON.
     summary: String,
+    /// state.bin, of a run that came to its end.
+    state: Option<Py<PyBytes>>,
     /// Why it has ended early, if it has.
     reason: Option<String>,
     warnings: Vec<String>,
@@ -42,13 +45,14 @@ pub(crate) fn run(
         Some(error) if ended.is_err() => return Err(error),
         error => error.map(|error| error.into_value(py).into_any()),
     };
-    let InMemory { history, summary, reason, warnings: found, notes, .. } =
+    let InMemory { history, summary, state, reason, warnings: found, notes, .. } =
         ended.map_err(|failure| raised(py, &failure))?;
     warnings.extend(found);
     let shape = [history.rows(), history.names().len()];
     let values = PyArray1::from_vec(py, history.into_values()).reshape(shape)?.unbind();
     let columns = built.columns().into_iter().map(|own| (own.name, own.unit, own.meaning));
-    Ok(Run { values, columns: columns.collect(), summary, reason, warnings, notes, error })
+    let state = state.map(|state| PyBytes::new(py, &state).unbind());
+    Ok(Run { values, columns: columns.collect(), summary, state, reason, warnings, notes, error })
 }
 
 /// Between calls of Python: a step may take less time than one.

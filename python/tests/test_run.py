@@ -37,6 +37,7 @@ def test_arrays_are_those_of_history_csv(case, tmp_path, command):
         assert np.array_equal(results[name], values[:, place])
     saved = results.save(tmp_path / "saved")
     assert (saved / "history.csv").read_bytes() == (tmp_path / "out/history.csv").read_bytes()
+    assert (saved / "state.bin").read_bytes() == (tmp_path / "out/state.bin").read_bytes()
     own, other = (json.loads((tmp_path / k / "summary.json").read_text()) for k in ("saved", "out"))
     for summary in (own, other):
         del summary["time"], summary["case"]["files"], summary["commit"]
@@ -158,6 +159,14 @@ def test_summary_and_verdict_are_objects(mass):
     with pytest.raises(AttributeError, match="did you mean `march`"):
         summary.mach
     assert summary.to_dict()["march"]["steps"] == 900
+
+
+def test_a_run_goes_on_from_saved_results(tmp_path):
+    whole = whirl.Case(a_rotor(60)).run()
+    folder = whirl.Case(a_rotor(40)).run().save(tmp_path / "first")
+    rest = whirl.Case({**a_rotor(20), "start": {"from": str(folder)}}).run()
+    assert rest["t_s"][0] > 40 * 4.9e-5 and rest.notes and "going on from" in rest.notes[0]
+    np.testing.assert_allclose(rest["x_left_um"], whole["x_left_um"][40:], rtol=1e-6)
 
 
 def test_an_unsound_run_says_why():

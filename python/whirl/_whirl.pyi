@@ -53,6 +53,7 @@ class Run:
     values: NDArray[np.float64]
     columns: list[tuple[str, str, str]]
     summary: str
+    state: bytes | None
     reason: str | None
     warnings: list[str]
     notes: list[str]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -151,7 +151,8 @@ class Results:
         history: History,
         summary: str,
         reason: str | None = None,
-        notes=(),
+        notes: Iterable[str] = (),
+        state: bytes | None = None,
     ):
         self.name = name
         self.title = title
@@ -160,21 +161,17 @@ class Results:
         self.summary = Summary(json.loads(summary))
         self.reason = reason
         self.notes = tuple(notes)
+        self._state = state
 
     @classmethod
     def _of(cls, name: str, title: str, run) -> Results:
         columns = [Column(*own) for own in run.columns]
-        return cls(name, title, History(run.values, columns), run.summary, run.reason, run.notes)
+        history = History(run.values, columns)
+        return cls(name, title, history, run.summary, run.reason, run.notes, run.state)
 
     def __reduce__(self):
-        return Results, (
-            self.name,
-            self.title,
-            self.history,
-            self._summary,
-            self.reason,
-            self.notes,
-        )
+        own = (self.name, self.title, self.history, self._summary)
+        return Results, (*own, self.reason, self.notes, self._state)
 
     def __repr__(self) -> str:
         early = f", ended early: {self.reason}" if self.reason else ""
@@ -210,7 +207,9 @@ class Results:
         return frame
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Writes ``history.csv`` and ``summary.json``, as ``whirl run`` does.
+        """Writes ``history.csv``, ``summary.json`` and ``state.bin``, as ``whirl run`` does.
+
+        A case whose ``[start]`` has ``from`` with this folder goes on from there.
 
         Parameters
         ----------
@@ -231,6 +230,10 @@ class Results:
                 file.write(csv(list(self.history), np.ascontiguousarray(self.history.array)))
             with open(folder / "summary.json", "w", encoding="utf-8", newline="\n") as file:
                 file.write(self._summary)
+            if self._state is not None:
+                (folder / "state.bin").write_bytes(self._state)
+            else:
+                (folder / "state.bin").unlink(missing_ok=True)
         except OSError as error:
             raise WhirlError(f"cannot write the results to `{folder}`: {error}") from error
         return folder

@@ -1,6 +1,7 @@
 //! Runs in memory: the numbers of a run in a folder, to the bit, and nothing on disk.
 
 use std::cell::Cell;
+use std::fs;
 use std::path::Path;
 use std::thread;
 
@@ -40,6 +41,7 @@ fn same_as_command(name: &str, text: &str) {
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     let found = run(&read(name, text), &Cache::shared(None));
     assert_same(&bench.history_text("out"), &found.history);
+    assert_eq!(found.state, Some(fs::read(bench.path("out/state.bin")).unwrap()));
     let facts = |mut summary: Value| {
         // Wall times, and what the command says of the path.
         summary["time"] = Value::Null;

@@ -1,5 +1,6 @@
 //! A history in memory: the same numbers as its file has.
 
+use std::collections::TryReserveError;
 use std::io;
 
 use super::read::{ReadHistory, places};
@@ -50,9 +51,14 @@ impl HistoryTable {
     }
 
     /// Adds a row, one value a column, each to the digits that a file keeps.
-    pub(crate) fn push(&mut self, row: &[f64]) {
+    ///
+    /// # Errors
+    /// There is no memory for it.
+    pub(crate) fn push(&mut self, row: &[f64]) -> Result<(), TryReserveError> {
         debug_assert_eq!(row.len(), self.names.len(), "one value a column");
+        self.values.try_reserve(row.len())?;
         self.values.extend(row.iter().map(|value| ten_digits(*value)));
+        Ok(())
     }
 
     /// Names of the columns.
@@ -149,7 +155,7 @@ mod tests {
             let t = f64::from(i) * 7.4e-5;
             let row = [t, (31.0 * t).sin() * 1e-5, (1e3 * t).exp() - 1.0];
             writer.push(&row).unwrap();
-            table.push(&row);
+            table.push(&row).unwrap();
         }
         writer.finish().unwrap();
         let file = HistoryFile::open(&path).unwrap();

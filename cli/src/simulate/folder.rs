@@ -89,6 +89,10 @@ impl Store for FolderStore<'_> {
         Some(self.results.folder())
     }
 
+    fn failing(&self) -> &'static str {
+        "cannot write `history.csv`"
+    }
+
     fn has_begun(&self) -> bool {
         self.writer.is_some()
     }

@@ -15,6 +15,7 @@ use crate::errors::Failure;
 use crate::fields::{FrameWriter, Schedule};
 use crate::history::{HistoryTable, NotWritten, ReadHistory};
 use crate::machine::Built;
+use crate::start;
 
 /// What a run in memory leaves.
 #[derive(Debug, Clone)]
@@ -23,6 +24,8 @@ pub struct InMemory {
     pub history: HistoryTable,
     /// summary.json: numbers of the run, and the verdict on it.
     pub summary: String,
+    /// state.bin, from which other runs can start; none where the run did not come to its end.
+    pub state: Option<Vec<u8>>,
     /// Why the march ended early, if it did: an interruption, or a step that does not converge.
     pub reason: Option<String>,
     /// Whether it was interrupted.
@@ -50,6 +53,7 @@ pub fn in_memory(case: &Case, built: &Built, watch: &dyn Watch) -> Result<InMemo
     };
     let summary = made.map_err(unfinished)?;
     let mut warnings = kept.warnings.take();
+    warnings.extend(marched.warning);
     match motions {
         Some(Err(problem)) => warnings.push(problem),
         Some(Ok(own)) => warnings.extend(own.without_frames().map(str::to_owned)),
@@ -57,6 +61,7 @@ pub fn in_memory(case: &Case, built: &Built, watch: &dyn Watch) -> Result<InMemo
     }
     Ok(InMemory {
         history: store.table,
+        state: store.last,
         summary: summary.json(),
         reason,
         interrupted: matches!(marched.end, End::Interrupted),
@@ -104,6 +109,7 @@ impl Watch for Kept<'_> {
 struct TableStore {
     table: HistoryTable,
     frames: Option<FrameWriter<Cursor<Vec<u8>>>>,
+    last: Option<Vec<u8>>,
     begun: bool,
 }
 
@@ -111,13 +117,17 @@ impl TableStore {
     fn new(case: &Case, built: &Built) -> Self {
         let names = History::for_machine(&built.machine).names().to_vec();
         let frames = Schedule::new(case).map(FrameWriter::in_memory);
-        TableStore { table: HistoryTable::new(names), frames, begun: false }
+        TableStore { table: HistoryTable::new(names), frames, last: None, begun: false }
     }
 }
 
 impl Store for TableStore {
     fn folder(&self) -> Option<&Path> {
         None
+    }
+
+    fn failing(&self) -> &'static str {
+        "cannot keep the history in memory"
     }
 
     fn has_begun(&self) -> bool {
@@ -132,7 +142,7 @@ impl Store for TableStore {
             written.map_err(|error| NotWritten(error.to_string()))?;
         }
         if step.is_multiple_of(every) {
-            self.table.push(march.row());
+            self.table.push(march.row()).map_err(|error| NotWritten(error.to_string()))?;
         }
         Ok(())
     }
@@ -148,8 +158,11 @@ impl Store for TableStore {
         Ok(None)
     }
 
-    fn keep_last(&mut self, _: LastState) -> Option<String> {
-        None
+    fn keep_last(&mut self, state: LastState) -> Option<String> {
+        let packed = start::packed(&state);
+        let failed = packed.as_ref().err().map(|error| format!("cannot keep the last state: {error}"));
+        self.last = packed.ok();
+        failed
     }
 
     fn history(&mut self) -> io::Result<&dyn ReadHistory> {

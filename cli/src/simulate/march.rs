@@ -12,7 +12,7 @@ use super::Watch;
 use crate::case::Case;
 use crate::checkpoint::Point;
 use crate::errors::Failure;
-use crate::history::{self, NotWritten, ReadHistory};
+use crate::history::{NotWritten, ReadHistory};
 use crate::machine::Built;
 use crate::start;
 
@@ -20,6 +20,9 @@ use crate::start;
 pub(crate) trait Store {
     /// The folder of results, if there is one.
     fn folder(&self) -> Option<&Path>;
+
+    /// What cannot be done where rows cannot be kept.
+    fn failing(&self) -> &'static str;
 
     /// Whether there is anything of this run yet.
     fn has_begun(&self) -> bool;
@@ -66,8 +69,8 @@ pub(crate) enum End {
     Diverged(String),
     /// The user did not want to wait.
     Interrupted,
-    /// The history cannot be written; why.
-    NotWritten(String),
+    /// The history cannot be kept; what cannot be done, and why.
+    NotWritten(&'static str, String),
 }
 
 impl End {
@@ -77,10 +80,9 @@ impl End {
             End::Done => None,
             End::Diverged(reason) => Some(reason.clone()),
             End::Interrupted => Some(format!("interrupted after step {step} of {steps}")),
-            End::NotWritten(reason) => Some(format!(
-                "cannot write `{}` after step {step} of {steps}: {reason}",
-                history::NAME
-            )),
+            End::NotWritten(what, reason) => {
+                Some(format!("{what} after step {step} of {steps}: {reason}"))
+            }
         }
     }
 }
@@ -128,7 +130,7 @@ pub(super) fn march(
             break End::Diverged(error.to_string());
         }
         if let Err(NotWritten(reason)) = store.record(&march, case.march.output_every) {
-            break End::NotWritten(reason);
+            break End::NotWritten(store.failing(), reason);
         }
         if store.is_due() {
             store.keep(march.checkpoint(), passed + start.elapsed().as_secs_f64());
@@ -148,7 +150,9 @@ pub(super) fn march(
     }
     let state = matches!(end, End::Done).then(|| march.last_state());
     let (end, warning) = match (store.finish(), end) {
-        (Err(NotWritten(reason)), End::Done | End::Interrupted) => (End::NotWritten(reason), None),
+        (Err(NotWritten(reason)), End::Done | End::Interrupted) => {
+            (End::NotWritten(store.failing(), reason), None)
+        }
         (finished, end) => (end, finished.ok().flatten()),
     };
     let warning = warning.or_else(|| store.keep_last(state?));
