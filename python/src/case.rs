@@ -94,7 +94,12 @@ impl Case {
     /// What it takes to read it elsewhere; none of a built-in case.
     fn state(&self) -> Option<State> {
         let text = self.text.as_ref()?;
-        Some((text.path().to_path_buf(), text.text().to_owned(), text.files(), text.values().to_owned()))
+        Some((
+            text.path().to_path_buf(),
+            text.text().to_owned(),
+            text.files(),
+            text.values().to_owned(),
+        ))
     }
 
     /// As `state`, of a built-in case, too.

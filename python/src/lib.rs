@@ -22,6 +22,8 @@ mod _whirl {
     use crate::case::Case;
     #[pymodule_export]
     use crate::law::Law;
+    #[pymodule_export]
+    use crate::run::Run;
 
     use crate::errors::raised;
 
