@@ -84,6 +84,11 @@ impl Case {
         self.case.rows()
     }
 
+    #[getter]
+    fn supports(&self) -> Vec<String> {
+        self.case.support_names()
+    }
+
     /// Under which its bodies are kept: the same for cases that share them. Nothing is reduced.
     fn body_keys(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         let keys = py.detach(|| whirl_cli::body_keys(&self.case));

@@ -10,7 +10,7 @@ from typing import Any
 
 from . import _toml, _whirl
 from .bodies import Bodies, shared_bodies
-from .errors import RunError, WhirlWarning
+from .errors import RunError, WhirlError, WhirlWarning
 from .history import Column
 from .law import Law
 from .results import Results
@@ -105,6 +105,11 @@ class Case:
         return self._inner.steps
 
     @property
+    def supports(self) -> tuple[str, ...]:
+        """Numbers of its supports or stops, or names of its joints, as columns and the summary have them."""
+        return tuple(self._inner.supports)
+
+    @property
     def text(self) -> str | None:
         """The text of its file; None of a built-in case."""
         state = self._inner.state()
@@ -196,8 +201,7 @@ def _of_path(path: str, texts: dict[str, str]) -> _whirl.Case:
         return _whirl.Case.built_in(path)
     if not texts:
         return _whirl.Case.of_file(path)
-    text = Path(path).read_text(encoding="utf-8")
-    return _beside(Path(path), text, texts)
+    return _beside(Path(path), _read(path), texts)
 
 
 def _of_text(
@@ -224,7 +228,7 @@ def _texts(files: Mapping[str, str | os.PathLike[str] | Law]) -> dict[str, str]:
         if isinstance(own, Law):
             texts[name] = own.text
         elif isinstance(own, os.PathLike):
-            texts[name] = Path(own).read_text(encoding="utf-8")
+            texts[name] = _read(own)
         elif isinstance(own, str):
             texts[name] = own
         else:
@@ -232,6 +236,13 @@ def _texts(files: Mapping[str, str | os.PathLike[str] | Law]) -> dict[str, str]:
                 f"`files[{name!r}]` is a text, a path or a law, not {type(own).__name__} ({own!r})"
             )
     return texts
+
+
+def _read(path: str | os.PathLike[str]) -> str:
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise WhirlError(f"cannot read `{os.fspath(path)}`: {error}") from error
 
 
 def _with_laws(value: Any, texts: dict[str, str], key: str = "") -> Any:

@@ -104,6 +104,12 @@ impl Case {
     pub fn rows(&self) -> usize {
         self.march.steps / self.march.output_every
     }
+    /// Numbers of its supports or stops, or names of its joints.
+    pub fn support_names(&self) -> Vec<String> {
+        let short = |own: SupportName| own.label.strip_prefix('_').unwrap_or(&own.label).to_owned();
+        self.supports().into_iter().map(short).collect()
+    }
+
     /// What results call the supports, in order.
     pub(crate) fn supports(&self) -> Vec<SupportName> {
         let (word, count) = match &self.system {
