@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
+use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::AutomaticStep;
 use whirl_text::rounded;
 
@@ -36,13 +37,28 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
         return explain::check(name);
     }
     let case = streams::warned(|warnings| machine::read(name, warnings))?;
+    let cache = arguments.cache.open();
+    let show = ProgressMode::on_terminal();
+    streams::warned(|warnings| of_case(&case, (cache.as_ref(), arguments.contacts), show, warnings))
+}
+
+/// What is said of a case, of the contacts of its bores, too, if they are wanted. `warnings` are added to.
+///
+/// # Errors
+/// Whatever keeps it from being marched.
+pub(crate) fn of_case(
+    case: &Case,
+    (cache, contacts): (Option<&Cache>, bool),
+    show: ProgressMode,
+    warnings: &mut Vec<String>,
+) -> Result<String, Failure> {
     let mut text = format!("{}: {}\n", case.name, case.title);
     if !case.origin.is_empty() {
         line!(text, "source: {}", case.origin);
     }
     text.push('\n');
     // Meshes are read once, and warned of once.
-    let plan = streams::warned(|warnings| machine::plan(&case, warnings))?;
+    let plan = machine::plan(case, warnings)?;
     let laws = match (&case.system, &plan) {
         (System::Rotor(rotor), Some(Plan::Rotor(plan))) => {
             say_rotor(&mut text, rotor, plan)?;
@@ -56,20 +72,17 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
         (System::Rotor(_) | System::Joined(_), _) => Vec::new(),
     };
     // What only shows when the bodies are reduced and the springs placed.
-    let built = streams::warned(|warnings| {
-        let cache = arguments.cache.open();
-        let build = || machine::build(&case, plan.as_ref(), cache.as_ref(), warnings);
-        progress::during(ProgressMode::on_terminal(), case.reducing(), build)
-    })?;
+    let build = || machine::build(case, plan.as_ref(), cache, warnings);
+    let built = progress::during(show, case.reducing(), build)?;
     if let (System::Joined(joined), Some(Plan::Joined(plan))) = (&case.system, &plan) {
         joined::say(&mut text, joined, plan, &built, case.march.duration())?;
     }
-    if arguments.contacts {
-        contacts::say(&mut text, &case, plan.as_ref(), arguments.cache.open().as_ref())?;
+    if contacts {
+        contacts::say(&mut text, case, plan.as_ref(), cache)?;
     }
     say_laws(&mut text, &laws);
-    say_march(&mut text, &case);
-    if let Some(words) = start::described(&case, &built)? {
+    say_march(&mut text, case);
+    if let Some(words) = start::described(case, &built)? {
         line!(text, "{words}");
     }
     Ok(text)

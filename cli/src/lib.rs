@@ -14,7 +14,6 @@ mod law_file;
 mod list;
 mod lock;
 mod machine;
-mod march;
 mod memory;
 mod mesh_file;
 mod new;
@@ -25,14 +24,25 @@ mod results;
 mod run;
 mod schema;
 mod signals;
+pub mod simulate;
 mod spec_file;
 mod start;
 mod streams;
 mod version;
 
 use std::process::ExitCode;
+use std::sync::Arc;
 
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::spec::list::Spec;
+use whirl_solver::cache::{Cache, Key};
 use whirl_solver::machine::MachineParts;
+
+pub use case::{Case, CaseText};
+pub use figures::{Curve, curves};
+pub use history::HistoryTable;
+pub use machine::Built;
 
 use arguments::{Arguments, Command};
 use errors::Failure;
@@ -57,6 +67,101 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
             failure.status()
         }
     }
+}
+
+/// Reads a case for a program that runs it itself, with [`simulate::in_memory`] once it is built. `case`: a path or the name
+/// of a built-in case. `warnings` are added to, here and below.
+///
+/// # Errors
+/// Everything wrong with the case, each with its place.
+pub fn read(case: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    machine::read(case, warnings)
+}
+
+/// As [`read`], of a text.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    machine::read_text(text, warnings)
+}
+
+/// What `whirl check` says of a case.
+///
+/// # Errors
+/// As [`build`].
+pub fn check_case(
+    case: &Case,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<String, Failure> {
+    check::of_case(case, (cache, false), progress::ProgressMode::Nothing, warnings)
+}
+
+/// What `whirl explain` says of a spec: the name of a built-in one, or the path of a file.
+///
+/// # Errors
+/// Nothing is called so; whatever is wrong with it.
+pub fn explain_spec(name: &str) -> Result<String, Failure> {
+    explain::of_name(name)
+}
+
+/// As [`explain_spec`], of a text.
+///
+/// # Errors
+/// Whatever is wrong with it.
+pub fn explain_text(source: &Arc<Source>) -> Result<String, Failure> {
+    explain::of_source(source, None)
+}
+
+/// The law called `name`: a built-in one, or the path of a file.
+///
+/// # Errors
+/// Nothing is called so; whatever is wrong with it; what it is, if that is no law.
+pub fn law(name: &str) -> Result<LawSpec, Failure> {
+    let (source, _) = spec_file::find(name)?;
+    law_of(&source)
+}
+
+/// As [`law`], of a text.
+///
+/// # Errors
+/// As [`law`].
+pub fn law_of(source: &Arc<Source>) -> Result<LawSpec, Failure> {
+    match spec_file::read(source)? {
+        Spec::Law(law) => Ok(*law),
+        other => {
+            let message = format!("this is a spec of the kind `{}`, not a law", other.kind().name);
+            Err(Diagnostics::from(Diagnostic::new(source, Code::BAD_VALUE, None, message)).into())
+        }
+    }
+}
+
+/// Names of the built-in cases.
+pub fn built_in_cases() -> impl Iterator<Item = &'static str> {
+    case::embedded_cases()
+}
+
+/// Builds the machine of a case, which may be run many times, by several threads at once. Bodies that `cache` has are not
+/// reduced again: cases that differ in nothing that their bodies depend on share them through [`Cache::shared`].
+///
+/// # Errors
+/// Everything wrong with its meshes, sets, bodies and laws.
+pub fn build(
+    case: &Case,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<Built, Failure> {
+    let plan = machine::plan(case, warnings)?;
+    machine::build(case, plan.as_ref(), cache, warnings)
+}
+
+/// The keys under which the bodies of a case are kept: cases with the same keys share their bodies. Nothing is reduced.
+///
+/// # Errors
+/// Everything wrong with its meshes and sets.
+pub fn body_keys(case: &Case) -> Result<Vec<Key>, Failure> {
+    machine::keys(case)
 }
 
 /// Checks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does

@@ -10,7 +10,9 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::streams::note;
+use crate::signals::Interruption;
+use crate::simulate::Watch;
+use crate::streams::{note, warn};
 
 /// How progress is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,7 +67,7 @@ pub(crate) fn during<T>(show: ProgressMode, what: &'static str, work: impl FnOnc
 }
 
 /// Progress of time steps.
-pub(crate) struct Steps {
+struct Steps {
     bar: Option<ProgressBar>,
     /// Kept while lines are shown.
     _lines: Option<ProgressLines>,
@@ -103,7 +105,7 @@ struct CurrentStep {
 }
 
 /// Progress of `steps` time steps, of which `first` are done.
-pub(crate) fn steps(show: ProgressMode, steps: usize, first: usize) -> Steps {
+fn steps(show: ProgressMode, steps: usize, first: usize) -> Steps {
     let now = Arc::<CurrentStep>::default();
     let bar = (show == ProgressMode::Bar).then(|| {
         let bar = ProgressBar::new(steps as u64).with_position(first as u64);
@@ -126,7 +128,7 @@ pub(crate) fn steps(show: ProgressMode, steps: usize, first: usize) -> Steps {
 
 impl Steps {
     /// `step` steps are done, up to `time` s.
-    pub(crate) fn done(&self, step: usize, time: f64) {
+    fn done(&self, step: usize, time: f64) {
         self.now.step.store(step, Ordering::Relaxed);
         self.now.time.store(time.to_bits(), Ordering::Relaxed);
         let Some(bar) = &self.bar else { return };
@@ -137,8 +139,52 @@ impl Steps {
     }
 
     /// Takes the bar away.
-    pub(crate) fn clear(self) {
+    fn clear(self) {
         self.bar.iter().for_each(ProgressBar::finish_and_clear);
+    }
+}
+
+/// Shows a run on stderr, and hears Ctrl-C for it.
+pub(crate) struct Terminal<'i> {
+    show: ProgressMode,
+    interruption: &'i Interruption,
+    steps: RefCell<Option<Steps>>,
+}
+
+impl<'i> Terminal<'i> {
+    /// Before the run.
+    pub(crate) fn new(show: ProgressMode, interruption: &'i Interruption) -> Self {
+        Terminal { show, interruption, steps: RefCell::default() }
+    }
+}
+
+impl Watch for Terminal<'_> {
+    fn begun(&self, all: usize, first: usize) {
+        *self.steps.borrow_mut() = Some(steps(self.show, all, first));
+    }
+
+    fn progressed(&self, step: usize, time: f64) {
+        if let Some(shown) = &*self.steps.borrow() {
+            shown.done(step, time);
+        }
+    }
+
+    fn ended(&self) {
+        if let Some(shown) = self.steps.take() {
+            shown.clear();
+        }
+    }
+
+    fn asked(&self) -> bool {
+        self.interruption.asked()
+    }
+
+    fn note(&self, words: &str) {
+        self.show.note(words);
+    }
+
+    fn warn(&self, words: &str) {
+        warn(words);
     }
 }
 

@@ -9,11 +9,11 @@ use crate::checkpoint::{self, Identity};
 use crate::errors::Failure;
 use crate::history::HistoryFile;
 use crate::machine::{self, Built};
-use crate::march::{End, Marched, march};
-use crate::progress::{self, ProgressMode};
-use crate::report::{Summary, Times, of_orders, stops, supports};
+use crate::progress::{self, ProgressMode, Terminal};
+use crate::report::{Summary, of_orders, stops, supports};
 use crate::results::{CHECKPOINT, Results, SUMMARY};
 use crate::signals::Interruption;
+use crate::simulate::{End, FolderStore, Simulated, simulate};
 use crate::{fields, figures, history, streams};
 
 /// Runs a case: read, build, march, report. What was computed is kept however the run ends; the history is on disk
@@ -48,9 +48,12 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         path: results.folder().to_path_buf(),
         reason: format!("signal handlers cannot be installed: {error}"),
     })?;
-    let marched = march((&case, &built), (&mut results, identity), from, &interruption, show)?;
-    marched.warning.iter().for_each(streams::warn);
-    report(arguments, (&case, &built), &results, (marched, &interruption), (start, show))
+    let mut store = FolderStore::new((&case, &built), &mut results, identity, from.as_ref());
+    let terminal = Terminal::new(show, &interruption);
+    let simulated = simulate((&case, &built), &mut store, from, (&terminal, start))?;
+    drop(store);
+    simulated.marched.warning.iter().for_each(streams::warn);
+    report(arguments, (&case, &built), &results, (simulated, &interruption), show)
 }
 
 fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
@@ -69,31 +72,23 @@ fn build(case: &Case, arguments: &CacheArguments, show: ProgressMode) -> Result<
     })
 }
 
-/// Makes summary and figures of a history that is on disk, and says how the run has ended.
+/// Writes what was made of a history that is on disk, draws its figures, and says how the run has ended.
 fn report(
     arguments: &RunArguments,
     (case, built): (&Case, &Built),
     results: &Results,
-    (marched, interruption): (Marched, &Interruption),
-    (start, show): (Instant, ProgressMode),
+    (simulated, interruption): (Simulated, &Interruption),
+    show: ProgressMode,
 ) -> Result<(), Failure> {
+    let Simulated { marched, reason, made, motions } = simulated;
     let mut problems = Vec::new();
     let mut closing_words = None;
-    let time = times(built, &marched, start);
-    let reason = marched.end.reason(marched.step, case.march.steps);
-    let history = HistoryFile::open(&results.path(history::NAME));
-    let motions = fields::Motions::read((case, built), results.folder(), marched.step);
     let motions = motions.and_then(|read| read.map_err(|problem| problems.push(problem)).ok());
     if let Some(words) = motions.as_ref().and_then(fields::Motions::without_frames) {
         streams::warn(words);
     }
-    let made = history.and_then(|history| {
-        let converged = !matches!(marched.end, End::Diverged(_));
-        let run = ((case, built), (&marched.outcome, &history), (marched.step, converged));
-        let mut summary = Summary::new(run.0, run.1, run.2, time, reason.clone())?;
-        summary.stresses = motions.as_ref().map(fields::Motions::largest).unwrap_or_default();
-        Ok((history, summary))
-    });
+    let made =
+        made.and_then(|summary| Ok((HistoryFile::open(&results.path(history::NAME))?, summary)));
     match made {
         Err(error) => problems.push(format!("no summary and no figures: {error}")),
         Ok((history, summary)) => {
@@ -106,7 +101,7 @@ fn report(
                 problems.extend(written.err().map(failed));
             }
             // On a full disk the numbers come first.
-            if !arguments.no_figures && !matches!(marched.end, End::NotWritten(_)) {
+            if !arguments.no_figures && !matches!(marched.end, End::NotWritten(..)) {
                 let write = |name: &str, content: &[u8]| results.write(name, content);
                 // One signal has ended the march, and figures are wanted of what is done.
                 let stop = || matches!(marched.end, End::Done) && interruption.asked();
@@ -119,7 +114,7 @@ fn report(
                     streams::print_error(&summary.verdict.words());
                     None
                 }
-                _ => Some(closing(case, &summary, time, results.folder())),
+                _ => Some(closing(case, &summary, results.folder())),
             };
         }
     }
@@ -146,20 +141,9 @@ fn write_fields(motions: &fields::Motions, results: &Results) -> Option<String> 
     written.err().map(|error| format!("cannot write `{}`: {error}", folder.display()))
 }
 
-fn times(built: &Built, marched: &Marched, start: Instant) -> Times {
-    let bodies = built.bodies.as_ref();
-    Times {
-        simulated_s: marched.time,
-        reduction_wall_s: bodies.map_or(0.0, |bodies| bodies.wall),
-        march_wall_s: marched.wall,
-        total_wall_s: start.elapsed().as_secs_f64(),
-        real_time_factor: marched.time / marched.wall,
-        reduction_cached: bodies.is_some_and(|bodies| bodies.cached),
-    }
-}
-
 /// What a run leaves on the terminal.
-fn closing(case: &Case, summary: &Summary, time: Times, folder: &Path) -> String {
+fn closing(case: &Case, summary: &Summary, folder: &Path) -> String {
+    let time = summary.time;
     let names: Vec<String> = case.supports().into_iter().map(|own| own.title).collect();
     let table = match case.system {
         System::Rotor(_) | System::Joined(_) => supports(&names, &summary.supports),

@@ -11,32 +11,31 @@ use whirl_solver::dynamics::{BodyStart, Equilibrium, LastState, March, MarchOpti
 use crate::case::{Case, Start, System, Turning};
 use crate::errors::Failure;
 use crate::machine::Built;
-use crate::progress::ProgressMode;
 use crate::results::{STATE, SUMMARY};
-use crate::streams;
+use crate::simulate::Watch;
 
 /// Layout of the file.
 const LAYOUT: &str = "whirl state 4";
 
-/// The march of a case, whose results go to `out`, before its first step.
+/// The march of a case, whose results go to `out` if they go to a folder, before its first step.
 ///
 /// # Errors
 /// No equilibrium, or no state that fits.
 pub(crate) fn begin<'m>(
     (case, built): (&Case, &'m Built),
     options: &MarchOptions,
-    out: &Path,
-    show: ProgressMode,
+    out: Option<&Path>,
+    watch: &dyn Watch,
 ) -> Result<March<'m>, Failure> {
     let machine = &built.machine;
     let initial = match &case.start {
         Start::State(folder) => {
-            let last = read(Path::new(folder.text()), Some(out))?;
+            let last = read(Path::new(folder.text()), out)?;
             let march = March::from_last(machine, options, &last);
             let march = march.map_err(|error| refused(folder.text(), error))?;
-            show.note(&going_on(folder.text(), &last));
+            watch.note(&going_on(folder.text(), &last));
             if was_unsound(Path::new(folder.text())) {
-                streams::warn(format_args!(
+                watch.warn(&format!(
                     "the run in `{}`, from which this one goes on, is NOT SOUND by its own verdict, which does not count here",
                     folder.text()
                 ));
@@ -46,11 +45,11 @@ pub(crate) fn begin<'m>(
         Start::Rest => rest(case, built),
         Start::Equilibrium => {
             let found = equilibrium(machine, &speeds(case))?;
-            show.note(&words(case, &found));
+            watch.note(&words(case, &found));
             found.bodies
         }
     };
-    beyond(built, &initial).iter().for_each(streams::warn);
+    beyond(built, &initial).iter().for_each(|words| watch.warn(words));
     let options = MarchOptions { initial, ..options.clone() };
     March::new(machine, &options).map_err(|failure| failure.error.into())
 }
@@ -167,7 +166,15 @@ fn words(case: &Case, found: &Equilibrium) -> String {
 /// # Errors
 /// It cannot be written.
 pub(crate) fn write(path: &Path, state: &LastState) -> io::Result<()> {
-    write_whole(path, &pack(&Key::of(&LAYOUT), state)?)
+    write_whole(path, &packed(state)?)
+}
+
+/// The bytes of such a file.
+///
+/// # Errors
+/// The state refuses to be serialised.
+pub(crate) fn packed(state: &LastState) -> io::Result<Vec<u8>> {
+    pack(&Key::of(&LAYOUT), state)
 }
 
 /// The state in which the run in a folder ended; `out`: where the results of this run go.

@@ -1,17 +1,22 @@
-//! Results of long computations kept on disk, found again by a hash of everything they depend on.
+//! Results of long computations kept on disk or in memory, found again by a hash of everything they depend on.
 //!
 //! A file that is not exactly what was stored under its key, down to the last bit, counts as not there.
+
+mod memory;
 
 use std::env;
 use std::ffi::OsString;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+
+use self::memory::{Memory, lock};
 
 /// First bytes of every file; another layout gets another number.
 const MAGIC: &[u8] = b"whirl cache 1\n";
@@ -28,7 +33,7 @@ pub const ABANDONED: Duration = Duration::from_secs(24 * 60 * 60);
 pub(crate) const PROGRAM: &str = env!("WHIRL_REDUCTION_SOURCES");
 
 /// What a stored value depends on, as a hash.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Key([u8; HASH]);
 
 impl Key {
@@ -51,16 +56,29 @@ fn hash(bytes: &[u8]) -> [u8; HASH] {
     Sha256::digest(bytes).into()
 }
 
-/// A folder of stored values.
+/// Stored values: in a folder, in the memory of this process, or in both.
 #[derive(Debug, Clone)]
 pub struct Cache {
-    folder: PathBuf,
+    folder: Option<PathBuf>,
+    /// Shared by all clones.
+    memory: Option<Arc<Memory>>,
+}
+
+/// A value, and how it was come by.
+#[derive(Debug)]
+pub struct Found<T> {
+    /// The value.
+    pub value: T,
+    /// Whether it was there.
+    pub cached: bool,
+    /// Why it could not be kept on disk.
+    pub unkept: Option<io::Error>,
 }
 
 impl Cache {
     /// The cache in `folder`, which is made when something is stored.
     pub fn new(folder: impl Into<PathBuf>) -> Cache {
-        Cache { folder: folder.into() }
+        Cache { folder: Some(folder.into()), memory: None }
     }
 
     /// The cache in the platform's folder for such files; `None` if the environment names none.
@@ -68,18 +86,78 @@ impl Cache {
         platform_folder(|name| env::var_os(name)).map(|folder| Cache::new(folder.join("whirl")))
     }
 
-    /// Where values are stored.
-    pub fn folder(&self) -> &Path {
-        &self.folder
+    /// A cache whose values stay in memory, too, for as long as it or a clone of it lives; in memory only where there is no
+    /// `other`. What several threads need at once is made by one of them.
+    ///
+    /// Those threads must not be workers of rayon's global pool: one that waits there for another's factorisation may be
+    /// given a task that waits for the value that it is making itself.
+    pub fn shared(other: Option<Cache>) -> Cache {
+        Cache { folder: other.and_then(|own| own.folder), memory: Some(Arc::default()) }
     }
 
-    fn path(&self, key: &Key) -> PathBuf {
-        self.folder.join(format!("{}.bin", key.hex()))
+    /// Where values are stored, if on disk.
+    pub fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    fn path(&self, key: &Key) -> Option<PathBuf> {
+        Some(self.folder.as_ref()?.join(format!("{}.bin", key.hex())))
     }
 
     /// The value stored under `key`; `None` if there is none, or one that is damaged.
     pub fn load<T: DeserializeOwned>(&self, key: &Key) -> Option<T> {
-        unpack(key, &fs::read(self.path(key)).ok()?)
+        let held = self.memory.as_ref().and_then(|memory| lock(&memory.slot(key)).clone());
+        let held = held.and_then(|bytes| unpack(key, &bytes));
+        held.or_else(|| unpack(key, &fs::read(self.path(key)?).ok()?))
+    }
+
+    /// The value stored under `key`, or the one that `make` makes, which is stored then.
+    ///
+    /// # Errors
+    /// As `make`; the next one that needs it tries again.
+    pub fn load_or_make<T: Serialize + DeserializeOwned, E>(
+        &self,
+        key: &Key,
+        make: impl FnOnce() -> Result<T, E>,
+    ) -> Result<Found<T>, E> {
+        let Some(memory) = &self.memory else {
+            if let Some(value) = self.load(key) {
+                return Ok(Found { value, cached: true, unkept: None });
+            }
+            let value = make()?;
+            let unkept = self.store(key, &value).err();
+            return Ok(Found { value, cached: false, unkept });
+        };
+        let slot = memory.slot(key);
+        let mut held = lock(&slot);
+        if held.is_none() {
+            *held = self.path(key).and_then(|path| Some(fs::read(path).ok()?.into()));
+        }
+        if let Some(value) = held.as_ref().and_then(|bytes| unpack(key, bytes)) {
+            return Ok(Found { value, cached: true, unkept: None });
+        }
+        *held = None;
+        let value = make()?;
+        let kept = pack(key, &value).and_then(|bytes| {
+            let written = self.write(key, &bytes);
+            *held = Some(bytes.into());
+            written
+        });
+        Ok(Found { value, cached: false, unkept: kept.err() })
+    }
+
+    /// The values in memory, packed, for another process; none of a cache that keeps none there.
+    pub fn held(&self) -> Vec<Arc<[u8]>> {
+        self.memory.as_ref().map(|memory| memory.all()).unwrap_or_default()
+    }
+
+    /// Takes a packed value into memory; whether it is one. It is found by who needs it on the same kind of processor and with
+    /// the same program.
+    pub fn adopt(&self, packed: &[u8]) -> bool {
+        let key = packed.strip_prefix(MAGIC).and_then(|rest| rest.first_chunk::<HASH>());
+        let (Some(key), Some(memory)) = (key, &self.memory) else { return false };
+        *lock(&memory.slot(&Key(*key))) = Some(packed.into());
+        true
     }
 
     /// Stores `value` under `key`. The file appears whole or not at all, whoever else stores or loads it.
@@ -88,9 +166,17 @@ impl Cache {
     /// The folder cannot be made or written.
     pub fn store(&self, key: &Key, value: &impl Serialize) -> io::Result<()> {
         let bytes = pack(key, value)?;
-        fs::create_dir_all(&self.folder)?;
-        remove_unfinished(&self.folder, ABANDONED);
-        write_whole(&self.path(key), &bytes)
+        if let Some(memory) = &self.memory {
+            *lock(&memory.slot(key)) = Some(bytes.as_slice().into());
+        }
+        self.write(key, &bytes)
+    }
+
+    fn write(&self, key: &Key, bytes: &[u8]) -> io::Result<()> {
+        let (Some(folder), Some(path)) = (&self.folder, self.path(key)) else { return Ok(()) };
+        fs::create_dir_all(folder)?;
+        remove_unfinished(folder, ABANDONED);
+        write_whole(&path, bytes)
     }
 }
 
@@ -207,10 +293,18 @@ mod tests {
     use super::*;
 
     fn cache(name: &str) -> Cache {
-        let folder = format!("whirl-cache-test-{name}-{}", std::process::id());
-        let cache = Cache::new(env::temp_dir().join(folder));
-        let _ = fs::remove_dir_all(cache.folder());
+        let place = format!("whirl-cache-test-{name}-{}", std::process::id());
+        let cache = Cache::new(env::temp_dir().join(place));
+        let _ = fs::remove_dir_all(folder(&cache));
         cache
+    }
+
+    fn folder(cache: &Cache) -> &Path {
+        cache.folder().unwrap()
+    }
+
+    fn file(cache: &Cache, key: &Key) -> PathBuf {
+        cache.path(key).unwrap()
     }
 
     #[test]
@@ -222,9 +316,9 @@ mod tests {
         cache.store(&key, &value).unwrap();
         assert_eq!(cache.load(&key), Some(value));
         assert_eq!(cache.load::<Vec<f64>>(&other), None);
-        fs::copy(cache.path(&key), cache.path(&other)).unwrap();
+        fs::copy(file(&cache, &key), file(&cache, &other)).unwrap();
         assert_eq!(cache.load::<Vec<f64>>(&other), None);
-        fs::remove_dir_all(cache.folder()).unwrap();
+        fs::remove_dir_all(folder(&cache)).unwrap();
     }
 
     #[test]
@@ -232,19 +326,19 @@ mod tests {
         let cache = cache("damaged");
         let key = Key::of(&"key");
         cache.store(&key, &vec![7u64; 20]).unwrap();
-        let whole = fs::read(cache.path(&key)).unwrap();
+        let whole = fs::read(file(&cache, &key)).unwrap();
         for at in 0..whole.len() {
             let mut damaged = whole.clone();
             damaged[at] ^= 1;
-            fs::write(cache.path(&key), &damaged).unwrap();
+            fs::write(file(&cache, &key), &damaged).unwrap();
             assert_eq!(cache.load::<Vec<u64>>(&key), None, "byte {at}");
-            fs::write(cache.path(&key), &whole[..at]).unwrap();
+            fs::write(file(&cache, &key), &whole[..at]).unwrap();
             assert_eq!(cache.load::<Vec<u64>>(&key), None, "cut at {at}");
         }
         cache.store(&key, &vec![7u64; 20]).unwrap();
         assert_eq!(cache.load(&key), Some(vec![7u64; 20]));
-        assert_eq!(fs::read_dir(cache.folder()).unwrap().count(), 1);
-        fs::remove_dir_all(cache.folder()).unwrap();
+        assert_eq!(fs::read_dir(folder(&cache)).unwrap().count(), 1);
+        fs::remove_dir_all(folder(&cache)).unwrap();
     }
 
     #[test]
@@ -261,40 +355,77 @@ mod tests {
                 });
             }
         });
-        assert_eq!(fs::read_dir(cache.folder()).unwrap().count(), 1, "no partial files are left");
-        fs::remove_dir_all(cache.folder()).unwrap();
+        assert_eq!(fs::read_dir(folder(&cache)).unwrap().count(), 1, "no partial files are left");
+        fs::remove_dir_all(folder(&cache)).unwrap();
+    }
+
+    #[test]
+    fn what_many_need_at_once_is_made_by_one() {
+        let shared = Cache::shared(None);
+        let (key, made) = (Key::of(&"key"), std::sync::atomic::AtomicUsize::new(0));
+        let need = || {
+            let found = shared.load_or_make(&key, || {
+                made.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+                std::thread::sleep(Duration::from_millis(20));
+                Ok::<_, ()>(vec![1.5; 100])
+            });
+            assert_eq!(found.unwrap().value, vec![1.5; 100]);
+        };
+        std::thread::scope(|scope| (0..4).for_each(|_| drop(scope.spawn(need))));
+        assert_eq!(made.into_inner(), 1);
+        let other = Cache::shared(None);
+        assert!(shared.held().iter().all(|packed| other.adopt(packed)) && !other.adopt(b"no"));
+        let found = other.load_or_make(&key, || Err::<Vec<f64>, _>("made")).unwrap();
+        assert!(found.cached && found.unkept.is_none());
+        let failed = other.load_or_make(&Key::of(&"other"), || Err::<Vec<f64>, _>("made"));
+        assert_eq!(failed.unwrap_err(), "made");
+    }
+
+    #[test]
+    fn a_shared_cache_keeps_its_values_on_disk_too() {
+        let disk = cache("shared");
+        let key = Key::of(&"key");
+        let of = |cache: &Cache| cache.load_or_make(&key, || Ok::<_, ()>(7_u64)).unwrap();
+        assert!(!of(&Cache::shared(Some(disk.clone()))).cached);
+        assert_eq!(disk.load(&key), Some(7_u64));
+        let again = Cache::shared(Some(disk.clone()));
+        assert!(of(&again).cached);
+        fs::write(file(&disk, &key), "damaged").unwrap();
+        assert!(of(&again).cached, "what is in memory is not read again");
+        assert!(!of(&Cache::shared(Some(disk.clone()))).cached);
+        fs::remove_dir_all(folder(&disk)).unwrap();
     }
 
     #[test]
     fn what_killed_processes_left_goes_and_what_others_write_stays() {
         let cache = cache("abandoned");
-        fs::create_dir_all(cache.folder()).unwrap();
-        let file = |name: &str| File::create(cache.folder().join(name)).unwrap();
+        fs::create_dir_all(folder(&cache)).unwrap();
+        let touch = |name: &str| File::create(folder(&cache).join(name)).unwrap();
         let old = SystemTime::now() - ABANDONED - Duration::from_secs(60);
-        file(".whirl-old.part").set_modified(old).unwrap();
-        file("whirl-notes.part").set_modified(old).unwrap();
-        let being_written = write_aside(&cache.folder().join("other"), b"new").unwrap();
+        touch(".whirl-old.part").set_modified(old).unwrap();
+        touch("whirl-notes.part").set_modified(old).unwrap();
+        let being_written = write_aside(&folder(&cache).join("other"), b"new").unwrap();
         cache.store(&Key::of(&"key"), &1).unwrap();
         being_written().unwrap();
-        let entries = fs::read_dir(cache.folder()).unwrap();
+        let entries = fs::read_dir(folder(&cache)).unwrap();
         let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name()).collect();
         names.sort();
         let stored = OsString::from(format!("{}.bin", Key::of(&"key").hex()));
         let mut expected = [stored, "other".into(), "whirl-notes.part".into()];
         expected.sort();
         assert_eq!(names, expected);
-        fs::remove_dir_all(cache.folder()).unwrap();
+        fs::remove_dir_all(folder(&cache)).unwrap();
     }
 
     #[test]
     fn what_cannot_be_written_leaves_the_older_file() {
         let cache = cache("older");
-        fs::create_dir_all(cache.folder().join("taken")).unwrap();
-        assert!(write_whole(&cache.folder().join("taken"), b"new").is_err());
-        assert!(write_whole(&cache.folder().join("absent/file"), b"new").is_err());
-        write_whole(&cache.folder().join("file"), b"new").unwrap();
-        assert_eq!(fs::read_dir(cache.folder()).unwrap().count(), 2);
-        fs::remove_dir_all(cache.folder()).unwrap();
+        fs::create_dir_all(folder(&cache).join("taken")).unwrap();
+        assert!(write_whole(&folder(&cache).join("taken"), b"new").is_err());
+        assert!(write_whole(&folder(&cache).join("absent/file"), b"new").is_err());
+        write_whole(&folder(&cache).join("file"), b"new").unwrap();
+        assert_eq!(fs::read_dir(folder(&cache)).unwrap().count(), 2);
+        fs::remove_dir_all(folder(&cache)).unwrap();
     }
 
     mod build {

@@ -23,6 +23,27 @@ impl<'a> JointColumns<'a> {
     }
 }
 
+/// A column of a history.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    /// Its name, with the unit as files can have it, such as `omega_rad_s`.
+    pub name: String,
+    /// Its unit, such as `rad/s`; 1 of a number without one.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: String,
+}
+
+impl Column {
+    pub(crate) fn new(
+        name: impl Into<String>,
+        unit: &'static str,
+        meaning: impl Into<String>,
+    ) -> Self {
+        Column { name: name.into(), unit, meaning: meaning.into() }
+    }
+}
+
 /// Named columns of one length, stored row by row.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
@@ -43,6 +64,11 @@ impl History {
     /// for those with laws on tilts and along z, angle and speed of the other bodies that turn, the couples (N·m) that turn bodies as they are
     /// told, the Newton iterations of the step; and the outputs by request.
     pub fn for_machine(machine: &Machine) -> Self {
+        History::with(History::columns_of(machine))
+    }
+
+    /// The columns of [`History::for_machine`] with their units and what they are.
+    pub fn columns_of(machine: &Machine) -> Vec<Column> {
         let monitors = machine.monitors.iter();
         let bearings = monitors.map(|own| JointColumns {
             label: own.label.as_str(),
@@ -54,35 +80,19 @@ impl History {
         let others = machine.turning().skip(1).map(|body| machine.bodies[body].name());
         let driven: Vec<&str> = machine.driven().map(|body| machine.bodies[body].name()).collect();
         let others = others.collect::<Vec<&str>>();
-        let mut history = History::for_bearings(&bearings, &others, &driven);
-        history.names.extend(machine.outputs.iter().flat_map(Output::columns));
-        history
+        let mut columns = columns_for(&bearings, &others, &driven);
+        columns.extend(machine.outputs.iter().flat_map(Output::described));
+        columns
     }
 
     /// The columns as [`History::for_machine`] has them, of bearings,
     /// of the bodies that turn beside the first, and of those that turn as they are told.
     pub fn for_bearings(bearings: &[JointColumns], turning: &[&str], driven: &[&str]) -> Self {
-        let mut names: Vec<String> =
-            ["t_s", "theta_rad", "omega_rad_s"].map(str::to_owned).to_vec();
-        for (prefix, unit) in [("R", "N"), ("", "um"), ("E", "um")] {
-            for JointColumns { label, .. } in bearings {
-                names.push(format!("{prefix}X{label}_{unit}"));
-                names.push(format!("{prefix}Y{label}_{unit}"));
-            }
-        }
-        for JointColumns { label, torque, tilts, along } in bearings {
-            names.extend(torque.then(|| format!("MZ{label}_Nm")));
-            let moments = ["MX", "MY"].into_iter().filter(|_| *tilts);
-            names.extend(moments.map(|prefix| format!("{prefix}{label}_Nm")));
-            names.extend(along.then(|| format!("RZ{label}_N")));
-        }
-        for body in turning {
-            names.push(format!("theta_{body}_rad"));
-            names.push(format!("omega_{body}_rad_s"));
-        }
-        names.extend(driven.iter().map(|body| format!("M_{body}_Nm")));
-        names.push("iterations".to_owned());
-        History::new(names)
+        History::with(columns_for(bearings, turning, driven))
+    }
+
+    fn with(columns: Vec<Column>) -> Self {
+        History::new(columns.into_iter().map(|own| own.name).collect())
     }
 
     /// Reserves memory for that many more rows.
@@ -116,4 +126,57 @@ impl History {
         let place = self.names.iter().position(|column| column == name)?;
         Some((0..self.rows()).map(|row| self.row(row)[place]).collect())
     }
+}
+
+fn columns_for(bearings: &[JointColumns], turning: &[&str], driven: &[&str]) -> Vec<Column> {
+    let mut columns = vec![
+        Column::new("t_s", "s", "time"),
+        Column::new("theta_rad", "rad", "angle of the first body that turns"),
+        Column::new("omega_rad_s", "rad/s", "speed of the first body that turns"),
+    ];
+    let quantities = [
+        ("R", "N", "N", "force on the journal"),
+        ("", "um", "um", "displacement of the journal's middle"),
+        ("E", "um", "um", "eccentricity of the journal against the bore"),
+    ];
+    let at = |label: &str| match label.strip_prefix('_') {
+        Some(name) => format!("joint {name}"),
+        None => format!("support {label}"),
+    };
+    for (prefix, suffix, unit, what) in quantities {
+        for JointColumns { label, .. } in bearings {
+            for (axis, letter) in [("X", "x"), ("Y", "y")] {
+                let meaning = format!("{what} along {letter} in space, {}", at(label));
+                columns.push(Column::new(format!("{prefix}{axis}{label}_{suffix}"), unit, meaning));
+            }
+        }
+    }
+    for JointColumns { label, torque, tilts, along } in bearings {
+        let place = at(label);
+        if *torque {
+            let meaning = format!("torque on the journal about its own centre, {place}");
+            columns.push(Column::new(format!("MZ{label}_Nm"), "N*m", meaning));
+        }
+        if *tilts {
+            for (prefix, letter) in [("MX", "x"), ("MY", "y")] {
+                let meaning = format!("moment on the first side about {letter} in space, {place}");
+                columns.push(Column::new(format!("{prefix}{label}_Nm"), "N*m", meaning));
+            }
+        }
+        if *along {
+            let meaning = format!("force on the first side along z, {place}");
+            columns.push(Column::new(format!("RZ{label}_N"), "N", meaning));
+        }
+    }
+    for body in turning {
+        columns.push(Column::new(format!("theta_{body}_rad"), "rad", format!("angle of {body}")));
+        let speed = format!("speed of {body}");
+        columns.push(Column::new(format!("omega_{body}_rad_s"), "rad/s", speed));
+    }
+    columns.extend(driven.iter().map(|body| {
+        let meaning = format!("couple that turns {body} as it is told");
+        Column::new(format!("M_{body}_Nm"), "N*m", meaning)
+    }));
+    columns.push(Column::new("iterations", "1", "Newton iterations of the step"));
+    columns
 }

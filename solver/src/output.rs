@@ -2,6 +2,7 @@
 
 use crate::bodies::Body;
 use crate::body::BodyNode;
+use crate::history::Column;
 use crate::loads::Frame;
 
 /// Letters of the axes in names of columns.
@@ -110,35 +111,74 @@ impl Output<usize> {
 impl Output {
     /// Names of its columns.
     pub fn columns(&self) -> Vec<String> {
+        self.described().into_iter().map(|own| own.name).collect()
+    }
+
+    /// Its columns.
+    pub(crate) fn described(&self) -> Vec<Column> {
         let name = &self.name;
-        let plane = |letter: &str, unit: &str| -> Vec<String> {
-            AXES[..2].iter().map(|axis| format!("{letter}{axis}_{name}_{unit}")).collect()
+        let plane = |letter: &str, suffix: &str, unit: &'static str, what: &str| -> Vec<Column> {
+            let of_axis = |axis: &&str| {
+                let meaning = format!("{what} along {axis}, {name}");
+                Column::new(format!("{letter}{axis}_{name}_{suffix}"), unit, meaning)
+            };
+            AXES[..2].iter().map(of_axis).collect()
+        };
+        let one = |column: String, unit: &'static str, what: &str| {
+            Column::new(column, unit, format!("{what}, {name}"))
         };
         match &self.what {
-            Wanted::Motion { motion, components, .. } => {
-                let (letter, unit) = match motion {
-                    Motion::Displacement => ("", "um"),
-                    Motion::Velocity => ("v", "mm_s"),
-                    Motion::Acceleration => ("a", "m_s2"),
+            Wanted::Motion { motion, components, frame, .. } => {
+                let (letter, suffix, unit, what) = match motion {
+                    Motion::Displacement => ("", "um", "um", "displacement"),
+                    Motion::Velocity => ("v", "mm_s", "mm/s", "velocity"),
+                    Motion::Acceleration => ("a", "m_s2", "m/s^2", "acceleration"),
+                };
+                let whose = match frame {
+                    Frame::Space => "in space",
+                    Frame::Body => "in the frame of the body",
                 };
                 let axes = components.iter().map(|&axis| AXES[axis]);
-                axes.map(|axis| format!("{letter}{axis}_{name}_{unit}")).collect()
+                let columns = axes.map(|axis| {
+                    let meaning = format!("{what} along {axis} {whose}, {name}");
+                    Column::new(format!("{letter}{axis}_{name}_{suffix}"), unit, meaning)
+                });
+                columns.collect()
             }
             Wanted::Joint { quantity, .. } => match quantity {
-                JointQuantity::Force => plane("f", "N"),
-                JointQuantity::Deformation => plane("d", "um"),
-                JointQuantity::Rate => plane("dv", "mm_s"),
-                JointQuantity::Torque => vec![format!("mz_{name}_Nm")],
-                JointQuantity::Twist => vec![format!("twist_{name}_rad")],
-                JointQuantity::TwistRate => vec![format!("twist_rate_{name}_rad_s")],
+                JointQuantity::Force => plane("f", "N", "N", "force on the journal"),
+                JointQuantity::Deformation => {
+                    plane("d", "um", "um", "displacement of the journal against the bore")
+                }
+                JointQuantity::Rate => plane("dv", "mm_s", "mm/s", "rate of deformation"),
+                JointQuantity::Torque => {
+                    vec![one(format!("mz_{name}_Nm"), "N*m", "torque on the journal")]
+                }
+                JointQuantity::Twist => {
+                    vec![one(
+                        format!("twist_{name}_rad"),
+                        "rad",
+                        "angle of the journal against the bore",
+                    )]
+                }
+                JointQuantity::TwistRate => {
+                    vec![one(format!("twist_rate_{name}_rad_s"), "rad/s", "rate of twist")]
+                }
             },
-            Wanted::Energy { .. } => {
-                ["kinetic", "strain"].map(|kind| format!("{kind}_{name}_J")).to_vec()
+            Wanted::Energy { .. } => ["kinetic", "strain"]
+                .map(|kind| one(format!("{kind}_{name}_J"), "J", &format!("{kind} energy")))
+                .to_vec(),
+            Wanted::Power { .. } => vec![
+                one(format!("power_{name}_W"), "W", "power of the loads on the body"),
+                one(format!("damping_{name}_W"), "W", "power that the body's damping takes away"),
+            ],
+            Wanted::JointPower { .. } => {
+                vec![one(
+                    format!("power_{name}_W"),
+                    "W",
+                    "power of the joint's forces on the journal",
+                )]
             }
-            Wanted::Power { .. } => {
-                ["power", "damping"].map(|kind| format!("{kind}_{name}_W")).to_vec()
-            }
-            Wanted::JointPower { .. } => vec![format!("power_{name}_W")],
         }
     }
 }

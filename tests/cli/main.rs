@@ -15,6 +15,7 @@ mod figures;
 mod first_law;
 mod good_runs;
 mod hostile;
+mod in_memory;
 mod law_values;
 mod lost_work;
 mod machines;

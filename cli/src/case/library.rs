@@ -8,6 +8,8 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
 use whirl_codegen::document::Wording;
 use whirl_codegen::document::tree::{Content, Node, Place, Tree};
 
+use super::CaseText;
+
 macro_rules! embedded {
     ($($file:literal),* $(,)?) => {
         /// Files of specs/cases by name.
@@ -51,20 +53,22 @@ pub(crate) fn embedded_cases() -> impl Iterator<Item = &'static str> {
 }
 
 /// Whether files are read from the disk or among the built-in ones.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FileStore {
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum FileStore<'a> {
     /// Files of the user.
     Disk,
     /// Files built into the program.
     Embedded,
+    /// A text with its files, and those of the user.
+    Given(&'a CaseText),
 }
 
-impl FileStore {
+impl<'a> FileStore<'a> {
     /// The store and the path of the case that the user called `case`: a path, or a built-in name.
     ///
     /// # Errors
     /// Neither a file nor a built-in case is called so.
-    pub(crate) fn find(case: &str) -> Result<(FileStore, PathBuf), Diagnostics> {
+    pub(crate) fn find(case: &str) -> Result<(FileStore<'a>, PathBuf), Diagnostics> {
         let path = Path::new(case);
         if path.is_file() {
             return Ok((FileStore::Disk, path.to_path_buf()));
@@ -87,19 +91,35 @@ impl FileStore {
             .into())
     }
 
+    /// Whether files that it does not have are looked for on the disk.
+    pub(crate) fn is_on_disk(self) -> bool {
+        !matches!(self, FileStore::Embedded)
+    }
+
     /// Text of the file at `path`.
     ///
     /// # Errors
     /// Why it cannot be read, for people.
     pub(crate) fn read(self, path: &Path) -> Result<Arc<Source>, String> {
+        if let FileStore::Given(text) = self
+            && let Some(source) = text.file(path)
+        {
+            return Ok(source);
+        }
         match self {
-            FileStore::Disk => {
+            FileStore::Disk | FileStore::Given(_) => {
                 // What is no file, such as a device, may never end.
                 if path.exists() && !path.is_file() {
                     return Err(format!("`{}` is not a file", path.display()));
                 }
                 match fs::read_to_string(path) {
-                    Ok(text) => Ok(Source::new(path, text)),
+                    Ok(text) => {
+                        let source = Source::new(path, text);
+                        if let FileStore::Given(text) = self {
+                            text.note(&source);
+                        }
+                        Ok(source)
+                    }
                     Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
                 }
             }
@@ -116,11 +136,13 @@ impl FileStore {
         let path = resolve(beside, name);
         let built_in = || embedded_file(&Path::new(EMBEDDED_FOLDER).join(name));
         match self {
-            FileStore::Disk if !path.exists() => match built_in() {
+            FileStore::Embedded => self.read(&path),
+            FileStore::Given(text) if text.file(&path).is_some() => self.read(&path),
+            _ if path.exists() => self.read(&path),
+            _ => match built_in() {
                 Some(source) => Ok(source),
                 None => self.read(&path),
             },
-            _ => self.read(&path),
         }
     }
 }
@@ -171,13 +193,62 @@ const MOST_FILES: usize = 64;
 /// # Errors
 /// Every file that cannot be read or is not TOML.
 pub(crate) fn load(store: FileStore, path: &Path) -> Result<(Tree, Vec<Arc<Source>>), Diagnostics> {
-    let source = store.read(path).map_err(|message| {
-        Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
-    })?;
+    let source = match store {
+        FileStore::Given(text) => text.source(),
+        _ => store.read(path).map_err(|message| {
+            Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
+        })?,
+    };
     let mut sources = vec![source.clone()];
     let mut errors = Diagnostics::new();
-    let tree = load_source(store, &source, 0, &mut sources, &mut errors);
+    let mut tree = load_source(store, &source, 0, &mut sources, &mut errors);
+    if let FileStore::Given(text) = store
+        && let Some(values) = text.varied()
+    {
+        let mut varied = load_source(store, &values, 0, &mut sources, &mut errors);
+        in_lists(&mut varied, &tree, &mut errors);
+        varied.merge(tree, INSTEAD);
+        tree = varied;
+        sources.push(values);
+    }
     errors.into_result((tree, sources))
+}
+
+/// Makes lists of those tables of `varied` that count the tables of a list: with `load.2.force`, all loads as `tree` has them, the
+/// second one with another force.
+fn in_lists(varied: &mut Tree, tree: &Tree, errors: &mut Diagnostics) {
+    for (key, (_, own)) in &mut varied.entries {
+        let Some((_, node)) = tree.entries.get(key) else { continue };
+        let Content::Table(changes) = &mut own.content else { continue };
+        match &node.content {
+            Content::Table(inner) => in_lists(changes, inner, errors),
+            Content::List(items) => {
+                let mut items = items.clone();
+                for (number, (place, change)) in std::mem::take(&mut changes.entries) {
+                    let count = items.len();
+                    let found = number.parse::<usize>().ok().and_then(|k| k.checked_sub(1));
+                    let Some(item) = found.and_then(|place| items.get_mut(place)) else {
+                        let message = format!("there is no `{key}.{number}`");
+                        let help = format!(
+                            "`{key}` is a list: write `{key}.1` for its first entry, up to `{key}.{count}`"
+                        );
+                        errors.push(place.error(Code::BAD_VALUE, message).help(help));
+                        continue;
+                    };
+                    match (change.content, &mut item.content) {
+                        (Content::Table(mut change), Content::Table(inner)) => {
+                            in_lists(&mut change, inner, errors);
+                            change.merge(std::mem::take(inner), &[]);
+                            *inner = change;
+                        }
+                        (content, _) => *item = Node { place: change.place, content },
+                    }
+                }
+                own.content = Content::List(items);
+            }
+            _ => {}
+        }
+    }
 }
 
 fn load_source(

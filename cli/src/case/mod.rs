@@ -19,8 +19,10 @@ mod rotor;
 mod schema;
 mod selections;
 mod start;
+mod text;
 mod units;
 
+use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
@@ -40,18 +42,19 @@ pub(crate) use march::MarchSettings;
 pub(crate) use outputs::{Output, Wanted};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
-pub(crate) use read::{SystemDraft, draft};
+pub(crate) use read::{Draft, SystemDraft, draft, draft_of};
 pub(crate) use rotor::RotorDraft;
 pub(crate) use rotor::{
     Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, Rotor, Shaft, Support,
 };
 pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;
+pub use text::CaseText;
 pub(crate) use units::mesh_units;
 
 /// One case, ready to be built.
 #[derive(Debug, Clone)]
-pub(crate) struct Case {
+pub struct Case {
     /// Name under which results are kept: that of the file without its ending.
     pub(crate) name: String,
     /// One line for people.
@@ -77,6 +80,36 @@ pub(crate) struct Case {
 }
 
 impl Case {
+    /// Name under which results are kept.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// One line for people.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// The files read, the case itself first: paths and texts.
+    pub fn files(&self) -> impl Iterator<Item = (&Path, &str)> {
+        self.sources.iter().map(|source| (source.path.as_path(), source.text.as_str()))
+    }
+
+    /// Steps that are asked for; rows where the program chooses the steps.
+    pub fn steps(&self) -> usize {
+        self.march.steps
+    }
+
+    /// Rows of a history with all steps.
+    pub fn rows(&self) -> usize {
+        self.march.steps / self.march.output_every
+    }
+    /// Numbers of its supports or stops, or names of its joints.
+    pub fn support_names(&self) -> Vec<String> {
+        let short = |own: SupportName| own.label.strip_prefix('_').unwrap_or(&own.label).to_owned();
+        self.supports().into_iter().map(short).collect()
+    }
+
     /// What results call the supports, in order.
     pub(crate) fn supports(&self) -> Vec<SupportName> {
         let (word, count) = match &self.system {

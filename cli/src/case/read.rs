@@ -11,8 +11,8 @@ use super::fields::{self, Fields};
 use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
 use super::{
-    Case, Figures, JoinedMachine, Lumped, MarchSettings, Output, RotorDraft, System, law, lumped,
-    machine, march, outputs, reduction, start,
+    Case, CaseText, Figures, JoinedMachine, Lumped, MarchSettings, Output, RotorDraft, System, law,
+    lumped, machine, march, outputs, reduction, start,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -114,9 +114,21 @@ impl Draft {
 /// Files that cannot be read or are no TOML.
 pub(crate) fn draft(name: &str) -> Result<Draft, Diagnostics> {
     let (store, path) = FileStore::find(name)?;
-    let (tree, sources) = load(store, &path)?;
+    draft_in(store, &path)
+}
+
+/// As [`draft`], of a text.
+///
+/// # Errors
+/// As [`draft`].
+pub(crate) fn draft_of(text: &CaseText) -> Result<Draft, Diagnostics> {
+    draft_in(FileStore::Given(text), text.path())
+}
+
+fn draft_in(store: FileStore, path: &Path) -> Result<Draft, Diagnostics> {
+    let (tree, sources) = load(store, path)?;
     let document = Document::of_case(&sources[0], tree);
-    let draft = document.root(Case::SHAPE).read(|file| assemble(store, &path, &sources, file));
+    let draft = document.root(Case::SHAPE).read(|file| assemble(store, path, &sources, file));
     Ok(Draft { errors: document.into_errors(), ..draft })
 }
 

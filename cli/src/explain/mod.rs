@@ -6,8 +6,9 @@ mod matrices;
 mod plot;
 
 use std::path::Path;
+use std::sync::Arc;
 
-use whirl_codegen::diagnostic::{Code, Diagnostic};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Source};
 use whirl_codegen::spec::kind::About;
 use whirl_codegen::spec::list::Spec;
 use whirl_codegen::spec::page::Page;
@@ -31,6 +32,23 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Result<String, Failure> {
         draw(&spec, path)?;
     }
     if arguments.rust { rust(&spec, origin) } else { Ok(page(&spec, origin)) }
+}
+
+/// The page of the spec called `name`, as [`explain`] prints it.
+///
+/// # Errors
+/// Nothing is called so; whatever is wrong with the spec.
+pub(crate) fn of_name(name: &str) -> Result<String, Failure> {
+    let (source, origin) = spec_file::find(name)?;
+    of_source(&source, origin)
+}
+
+/// The page of a spec.
+///
+/// # Errors
+/// Whatever is wrong with it.
+pub(crate) fn of_source(source: &Arc<Source>, origin: Option<&Origin>) -> Result<String, Failure> {
+    Ok(page(&spec_file::read(source)?, origin))
 }
 
 /// What `whirl check` says of a spec file: its report, without equations and code.

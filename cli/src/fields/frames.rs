@@ -2,7 +2,7 @@
 //! written over, and those at given times.
 
 use std::fs::{File, OpenOptions};
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io::{self, Cursor, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use crate::case::Case;
@@ -54,23 +54,37 @@ impl Schedule {
     }
 }
 
-/// Writes frames. What a march that is resumed writes again are the same bytes.
-pub(crate) struct FrameWriter {
+/// Writes frames, to a file or to memory. What a march that is resumed writes again are the same bytes.
+pub(crate) struct FrameWriter<W> {
     schedule: Schedule,
-    file: File,
+    to: W,
 }
 
-impl FrameWriter {
+impl FrameWriter<File> {
     /// Begins the file, or goes on with it.
     ///
     /// # Errors
     /// It cannot be opened.
-    pub(crate) fn open(path: &Path, schedule: Schedule, goes_on: bool) -> io::Result<FrameWriter> {
+    pub(crate) fn open(path: &Path, schedule: Schedule, goes_on: bool) -> io::Result<Self> {
         let mut options = OpenOptions::new();
-        let file = options.write(true).create(true).truncate(!goes_on).open(path)?;
-        Ok(FrameWriter { schedule, file })
+        let to = options.write(true).create(true).truncate(!goes_on).open(path)?;
+        Ok(FrameWriter { schedule, to })
+    }
+}
+
+impl FrameWriter<Cursor<Vec<u8>>> {
+    /// In memory.
+    pub(crate) fn in_memory(schedule: Schedule) -> Self {
+        FrameWriter { schedule, to: Cursor::default() }
     }
 
+    /// What a file would have.
+    pub(crate) fn into_bytes(self) -> Vec<u8> {
+        self.to.into_inner()
+    }
+}
+
+impl<W: Write + Seek> FrameWriter<W> {
     /// Keeps the state after a step, if it is one of those wanted.
     ///
     /// # Errors
@@ -82,8 +96,8 @@ impl FrameWriter {
             bytes.extend(step.to_le_bytes());
             bytes.extend(time.to_le_bytes());
             q.iter().for_each(|value| bytes.extend(value.to_le_bytes()));
-            self.file.seek(SeekFrom::Start(record * length))?;
-            self.file.write_all(&bytes)?;
+            self.to.seek(SeekFrom::Start(record * length))?;
+            self.to.write_all(&bytes)?;
         }
         Ok(())
     }
@@ -91,16 +105,7 @@ impl FrameWriter {
 
 /// The frames of the last cycle up to `last`, and those at given times, each step once and in order. `size`: coordinates of
 /// the machine.
-///
-/// # Errors
-/// The file cannot be read.
-pub(crate) fn read(
-    path: &Path,
-    schedule: &Schedule,
-    (size, last): (usize, u64),
-) -> io::Result<Vec<Frame>> {
-    let mut bytes = Vec::new();
-    File::open(path)?.read_to_end(&mut bytes)?;
+pub(crate) fn read(bytes: &[u8], schedule: &Schedule, (size, last): (usize, u64)) -> Vec<Frame> {
     let number = |bytes: &[u8]| <[u8; 8]>::try_from(bytes).expect("eight bytes");
     let mut frames = Vec::new();
     for (place, record) in bytes.chunks_exact(16 + 8 * size).enumerate() {
@@ -120,5 +125,5 @@ pub(crate) fn read(
     // Of a step that is kept twice, the frame of the cycle.
     frames.sort_by_key(|frame| (frame.step, !frame.of_cycle));
     frames.dedup_by_key(|frame| frame.step);
-    Ok(frames)
+    frames
 }

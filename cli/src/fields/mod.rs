@@ -45,20 +45,18 @@ pub(crate) struct Motions<'a> {
 }
 
 impl<'a> Motions<'a> {
-    /// Of a run up to a step; none if the case wants none.
+    /// Of a run up to a step, from the bytes of its frames; none if the case wants none.
     ///
     /// # Errors
     /// The frames cannot be read, or a mesh has no stresses, in words.
     pub(crate) fn read(
         (case, built): (&Case, &'a Built),
-        results: &Path,
+        frames: impl FnOnce() -> Result<Vec<u8>, String>,
         step: usize,
     ) -> Option<Result<Self, String>> {
         let (schedule, fields) = (Schedule::new(case)?, case.fields.as_ref()?);
-        let path = results.join(FRAMES);
-        let frames = read(&path, &schedule, (built.machine.size(), step as u64));
-        let frames = frames.map_err(|error| format!("cannot read `{}`: {error}", path.display()));
-        let motions = frames.and_then(|frames| {
+        let motions = frames().and_then(|bytes| {
+            let frames = read(&bytes, &schedule, (built.machine.size(), step as u64));
             let all = built.machine.fields.iter().zip(&built.fields);
             let stresses = all.map(|(field, own)| {
                 (fields.stresses && own.flexible)

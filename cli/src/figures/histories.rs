@@ -6,7 +6,7 @@ use std::io;
 
 use super::figure::{Dot, Figure, Line, Panel, Style};
 use crate::case::SupportName;
-use crate::history::{Bucket, HistoryFile, Thinned};
+use crate::history::{Bucket, ReadHistory, Thinned};
 use crate::report::last_cycle;
 
 /// What histories are drawn over.
@@ -20,7 +20,7 @@ pub(crate) enum Span {
 
 /// Rows to draw, and what their abscissae are.
 struct Rows<'h> {
-    history: &'h HistoryFile,
+    history: &'h dyn ReadHistory,
     span: Span,
     /// Where they begin in the file.
     from: u64,
@@ -32,12 +32,12 @@ struct Rows<'h> {
 
 impl Span {
     /// The last cycle if the shaft turns in it, else everything.
-    pub(crate) fn fitting(history: &HistoryFile, cycle: f64) -> io::Result<Span> {
+    pub(crate) fn fitting(history: &dyn ReadHistory, cycle: f64) -> io::Result<Span> {
         let turned = Span::LastCycle(cycle).rows(history)?.turned;
         Ok(if turned.abs() > 0.5 * TAU { Span::LastCycle(cycle) } else { Span::All })
     }
 
-    fn rows(self, history: &HistoryFile) -> io::Result<Rows<'_>> {
+    fn rows(self, history: &dyn ReadHistory) -> io::Result<Rows<'_>> {
         let from = match self {
             Span::All => history.start(),
             Span::LastCycle(cycle) => last_cycle(history, cycle)?,
@@ -95,7 +95,7 @@ impl Rows<'_> {
 
 /// RX and RY of every support, a panel each.
 pub(crate) fn reactions(
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
     supports: &[SupportName],
     span: Span,
 ) -> io::Result<Figure> {
@@ -126,7 +126,7 @@ pub(crate) fn reactions(
 /// Eccentricity of every journal in its bore, a panel each: equal axes, X upwards, the clearance circle
 /// (`clearances` in µm), and a dot where the keyphasor sees the shaft (θ a multiple of 360°).
 pub(crate) fn eccentricities(
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
     supports: &[SupportName],
     clearances: &[f64],
     span: Span,
@@ -237,7 +237,7 @@ fn circle(radius: f64) -> Option<Line> {
 }
 
 /// Displacement along x of the first journal against time, in mm.
-pub(crate) fn displacement(history: &HistoryFile) -> io::Result<Figure> {
+pub(crate) fn displacement(history: &dyn ReadHistory) -> io::Result<Figure> {
     let rows = Span::All.rows(history)?;
     let mut points = rows.curves(&["X1_um"])?.remove(0);
     points.iter_mut().for_each(|point| point.1 *= 1e-3);
@@ -252,7 +252,7 @@ pub(crate) fn displacement(history: &HistoryFile) -> io::Result<Figure> {
 }
 
 /// Angle and speed of rotation against time: of the shaft, or of each of `bodies`, two panels each.
-pub(crate) fn rotation(history: &HistoryFile, bodies: &[String]) -> io::Result<Figure> {
+pub(crate) fn rotation(history: &dyn ReadHistory, bodies: &[String]) -> io::Result<Figure> {
     let rows = Span::All.rows(history)?;
     let shaft = ["shaft".to_string()];
     let bodies = if bodies.is_empty() { &shaft } else { bodies };

@@ -33,21 +33,21 @@ pub(crate) fn laws(laws: &[Arc<LawSpec>]) -> Figure {
 
 /// One output of a law, or one of its derivatives, along one input, in the units of its file.
 #[derive(Debug, Clone)]
-pub(crate) struct Curve {
+pub struct Curve {
     /// The input and its unit.
-    pub(crate) x: (String, String),
+    pub x: (String, String),
     /// The output or derivative and its unit.
-    pub(crate) y: (String, String),
+    pub y: (String, String),
     /// Values of the other inputs, such as `h_dot = 0 mm/s`, zeros of many together; empty where there is none.
-    pub(crate) held: String,
+    pub held: String,
     /// Finite values from left to right.
-    pub(crate) points: Vec<(f64, f64)>,
+    pub points: Vec<(f64, f64)>,
 }
 
 /// Every output of a law along every input on which it depends, over the range of the law's report. The other
 /// inputs are zero, or in the middle of their range where zero lies outside; where the output would not
 /// change, such as friction without contact, one or two of them are at a quarter of their range.
-pub(crate) fn curves(law: &LawSpec) -> Vec<Curve> {
+pub fn curves(law: &LawSpec) -> Vec<Curve> {
     let mut curves = Vec::new();
     for output in 0..law.outputs.len() {
         let all = (0..law.inputs.len()).map(|input| held(law, output, input));

@@ -16,7 +16,7 @@ use whirl_codegen::spec::law::LawSpec;
 use self::figure::Figure;
 use self::histories::Span;
 use crate::case::{Case, System};
-use crate::history::HistoryFile;
+use crate::history::ReadHistory;
 use crate::machine::Built;
 use crate::output::Output;
 use crate::report::oscillations;
@@ -34,7 +34,7 @@ pub(crate) const NAMES: [&str; 8] = [
 ];
 
 pub(crate) use self::draw::png;
-pub(crate) use self::laws::{Curve, curves};
+pub use self::laws::{Curve, curves};
 
 /// Draws a law as `stem.svg` and `stem.png` into `output`.
 pub(crate) fn draw_law(law: &LawSpec, stem: &str, output: &mut Output) {
@@ -60,7 +60,7 @@ fn pictures(stem: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
 pub(crate) fn draw(
     (case, sound): (&Case, bool),
     built: &Built,
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
     write: &dyn Fn(&str, &[u8]) -> Result<(), String>,
     stop: &dyn Fn() -> bool,
 ) -> Vec<String> {
@@ -137,7 +137,7 @@ fn figure(
     stem: &str,
     case: &Case,
     built: &Built,
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
 ) -> io::Result<Option<Figure>> {
     if matches!(stem, "spectrum" | "waterfall") {
         let all = oscillations(case, &built.machine);
@@ -191,7 +191,7 @@ mod tests {
     use super::laws::laws;
     use super::{NAMES, draw, figure::Figure, guarded};
     use crate::case::SupportName;
-    use crate::history::{HistoryFile, HistoryWriter};
+    use crate::history::{HistoryFile, HistoryWriter, ReadHistory};
     use crate::report::last_cycle;
     use whirl_solver::history::{History, JointColumns};
 

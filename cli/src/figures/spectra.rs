@@ -11,7 +11,7 @@ use std::io;
 use realfft::RealFftPlanner;
 
 use super::figure::{Figure, Line, Mark, Panel, Style};
-use crate::history::HistoryFile;
+use crate::history::ReadHistory;
 use crate::report::Oscillation;
 
 /// Cycles of a spectrum at most, and rows.
@@ -88,7 +88,7 @@ impl Spectrum {
 
 /// Spectra over the last cycles, a panel for each that oscillates; `step`: from row to row (s). None where rows are too few.
 pub(crate) fn spectrum(
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
     all: &[Oscillation],
     (step, cycle): (f64, f64),
 ) -> io::Result<Option<Figure>> {
@@ -177,7 +177,7 @@ struct Slice {
 /// Spectra over the whole run, one above the other by speed or, where that does not rise all the time, by time; the orders
 /// are lines across. None where the speed varies little.
 pub(crate) fn waterfall(
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
     all: &[Oscillation],
     step: f64,
 ) -> io::Result<Option<Figure>> {
@@ -196,7 +196,7 @@ pub(crate) fn waterfall(
     }))
 }
 
-fn slices(history: &HistoryFile, all: &[Oscillation], step: f64) -> io::Result<Vec<Slice>> {
+fn slices(history: &dyn ReadHistory, all: &[Oscillation], step: f64) -> io::Result<Vec<Slice>> {
     let Some(end) = history.last_time()? else { return Ok(Vec::new()) };
     let total = (end / step).round() as usize;
     let reach = (total / REACH).min(MOST_ROWS / 4);
@@ -290,7 +290,7 @@ fn stacked(own: &Oscillation, k: usize, slices: &[Slice]) -> Option<Panel> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::history::HistoryWriter;
+    use crate::history::{HistoryFile, HistoryWriter};
 
     const STEP: f64 = 1e-4;
 

@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
+use super::read::{ReadHistory, places};
+
 /// A history on disk. A last line without its end is not part of it.
 #[derive(Debug)]
 pub(crate) struct HistoryFile {
@@ -40,88 +42,6 @@ impl HistoryFile {
         self.end
     }
 
-    /// Names of the columns.
-    pub(crate) fn names(&self) -> &[String] {
-        &self.names
-    }
-
-    /// Number of rows.
-    ///
-    /// # Errors
-    /// The file cannot be read.
-    pub(crate) fn count(&self) -> io::Result<u64> {
-        let mut file = File::open(&self.path)?;
-        file.seek(SeekFrom::Start(self.first))?;
-        let mut bytes = BufReader::with_capacity(1 << 18, file.take(self.end - self.first));
-        let mut count = 0;
-        loop {
-            let block = bytes.fill_buf()?;
-            if block.is_empty() {
-                return Ok(count);
-            }
-            count += block.iter().filter(|byte| **byte == b'\n').count() as u64;
-            let read = block.len();
-            bytes.consume(read);
-        }
-    }
-
-    /// Where the rows begin, for [`HistoryFile::scan`].
-    pub(crate) fn start(&self) -> u64 {
-        self.first
-    }
-
-    /// Time of the last row (s), if there is a row.
-    pub(crate) fn last_time(&self) -> io::Result<Option<f64>> {
-        if self.end == self.first {
-            return Ok(None);
-        }
-        let mut file = File::open(&self.path)?;
-        let start = self.line_start(&mut file, self.end - 1)?;
-        self.time_at(&mut file, start).map(|(time, _)| Some(time))
-    }
-
-    /// Where the first row at `time` (s) or later begins; the end if there is none.
-    pub(crate) fn place_of_time(&self, time: f64) -> io::Result<u64> {
-        let mut file = File::open(&self.path)?;
-        // Rows before `low` are earlier; the row at `high` is not.
-        let (mut low, mut high) = (self.first, self.end);
-        while low < high {
-            let start = self.line_start(&mut file, low + (high - low) / 2)?;
-            let (found, next) = self.time_at(&mut file, start)?;
-            if found < time { low = next } else { high = start }
-        }
-        Ok(low)
-    }
-
-    /// Calls `each` with the values of `columns`, row after row from byte `from` on.
-    ///
-    /// # Errors
-    /// The file cannot be read, or a cell is no number.
-    ///
-    /// # Panics
-    /// If there is no column of one of these names.
-    pub(crate) fn scan(
-        &self,
-        from: u64,
-        columns: &[&str],
-        each: &mut dyn FnMut(&[f64]),
-    ) -> io::Result<()> {
-        self.rows(from, columns, usize::MAX, each)
-    }
-
-    /// As [`HistoryFile::scan`], for the first row only, if there is one.
-    ///
-    /// # Errors
-    /// As [`HistoryFile::scan`].
-    pub(crate) fn first_row(
-        &self,
-        from: u64,
-        columns: &[&str],
-        each: &mut dyn FnMut(&[f64]),
-    ) -> io::Result<()> {
-        self.rows(from, columns, 1, each)
-    }
-
     fn rows(
         &self,
         from: u64,
@@ -129,12 +49,8 @@ impl HistoryFile {
         most: usize,
         each: &mut dyn FnMut(&[f64]),
     ) -> io::Result<()> {
-        let place = |name: &&str| {
-            let found = self.names.iter().position(|own| own == name);
-            found.unwrap_or_else(|| panic!("histories have a column {name}"))
-        };
         // Columns by their places in a line.
-        let mut places: Vec<(usize, usize)> = columns.iter().map(place).zip(0..).collect();
+        let mut places: Vec<(usize, usize)> = places(&self.names, columns).zip(0..).collect();
         places.sort_unstable();
         let wanted = places.last().map_or(0, |(last, _)| last + 1);
         let mut file = File::open(&self.path)?;
@@ -187,6 +103,67 @@ impl HistoryFile {
         let cell = text.trim_end().split(',').next().and_then(|cell| cell.parse().ok());
         let time = cell.ok_or_else(|| invalid(&self.path, &text))?;
         Ok((time, start + line.len() as u64))
+    }
+}
+
+/// A place is a byte of the file.
+impl ReadHistory for HistoryFile {
+    fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    fn count(&self) -> io::Result<u64> {
+        let mut file = File::open(&self.path)?;
+        file.seek(SeekFrom::Start(self.first))?;
+        let mut bytes = BufReader::with_capacity(1 << 18, file.take(self.end - self.first));
+        let mut count = 0;
+        loop {
+            let block = bytes.fill_buf()?;
+            if block.is_empty() {
+                return Ok(count);
+            }
+            count += block.iter().filter(|byte| **byte == b'\n').count() as u64;
+            let read = block.len();
+            bytes.consume(read);
+        }
+    }
+
+    fn start(&self) -> u64 {
+        self.first
+    }
+
+    fn last_time(&self) -> io::Result<Option<f64>> {
+        if self.end == self.first {
+            return Ok(None);
+        }
+        let mut file = File::open(&self.path)?;
+        let start = self.line_start(&mut file, self.end - 1)?;
+        self.time_at(&mut file, start).map(|(time, _)| Some(time))
+    }
+
+    fn place_of_time(&self, time: f64) -> io::Result<u64> {
+        let mut file = File::open(&self.path)?;
+        // Rows before `low` are earlier; the row at `high` is not.
+        let (mut low, mut high) = (self.first, self.end);
+        while low < high {
+            let start = self.line_start(&mut file, low + (high - low) / 2)?;
+            let (found, next) = self.time_at(&mut file, start)?;
+            if found < time { low = next } else { high = start }
+        }
+        Ok(low)
+    }
+
+    fn scan(&self, from: u64, columns: &[&str], each: &mut dyn FnMut(&[f64])) -> io::Result<()> {
+        self.rows(from, columns, usize::MAX, each)
+    }
+
+    fn first_row(
+        &self,
+        from: u64,
+        columns: &[&str],
+        each: &mut dyn FnMut(&[f64]),
+    ) -> io::Result<()> {
+        self.rows(from, columns, 1, each)
     }
 }
 

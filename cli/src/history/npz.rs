@@ -9,7 +9,7 @@ use std::path::Path;
 
 use whirl_solver::cache::write_aside_by;
 
-use super::HistoryFile;
+use super::ReadHistory;
 
 /// Rows that are in memory at a time.
 const ROWS: usize = 4096;
@@ -34,12 +34,12 @@ struct Entry {
 ///
 /// # Errors
 /// The history cannot be read, or the file cannot be written; more rows than a column of the format has.
-pub(crate) fn write_npz(history: &HistoryFile, to: &Path) -> io::Result<()> {
+pub(crate) fn write_npz(history: &dyn ReadHistory, to: &Path) -> io::Result<()> {
     let rows = history.count()?;
     write_aside_by(to, &mut |file| fill(history, rows, file))?()
 }
 
-fn fill(history: &HistoryFile, rows: u64, file: &mut File) -> io::Result<()> {
+fn fill(history: &dyn ReadHistory, rows: u64, file: &mut File) -> io::Result<()> {
     let head = header(rows);
     let length = head.len() as u64 + 8 * rows;
     if length >= LARGEST {
@@ -174,6 +174,7 @@ fn end(entries: usize, place: u64, length: u64) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::history::HistoryFile;
 
     fn number(bytes: &[u8], at: usize, count: usize) -> usize {
         bytes[at..at + count].iter().rev().fold(0, |sum, byte| 256 * sum + usize::from(*byte))

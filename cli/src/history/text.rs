@@ -19,9 +19,10 @@ pub(super) fn line(text: &mut Vec<u8>, row: &[f64]) {
 }
 
 /// Significant digits after the first: two more than forces are compared with.
-const DIGITS: usize = 9;
+pub(super) const DIGITS: usize = 9;
 
-fn number(text: &mut Vec<u8>, value: f64) {
+/// Adds a number.
+pub(super) fn number(text: &mut Vec<u8>, value: f64) {
     if value == 0.0 || !value.is_finite() {
         return write!(text, "{value}").expect("memory can be written");
     }

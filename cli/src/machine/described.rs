@@ -95,8 +95,9 @@ impl Described<'_> {
                 }
             };
             if let (Some(reduction), Some(plan)) = (own.reduction, plan) {
-                if let (Some(error), Some(cache)) = (reduction.unkept, cache) {
-                    let folder = cache.folder().display();
+                let folder = cache.and_then(Cache::folder);
+                if let (Some(error), Some(folder)) = (reduction.unkept, folder) {
+                    let folder = folder.display();
                     warnings.push(format!("cannot keep a reduced body in {folder}: {error}"));
                 }
                 cached &= reduction.cached;

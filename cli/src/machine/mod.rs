@@ -16,6 +16,7 @@ mod springs;
 use serde::Serialize;
 use whirl_solver::cache::{Cache, Key};
 use whirl_solver::dynamics::BodyStart;
+use whirl_solver::history::{Column, History};
 use whirl_solver::machine::{Machine, MachineParts};
 use whirl_solver::mesh::Mesh;
 
@@ -24,11 +25,11 @@ pub(crate) use meshes::placed as placed_errors;
 pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
 
 use self::described::Described;
-use crate::case::{self, Case, LawSource, System, SystemDraft};
+use crate::case::{self, Case, CaseText, Draft, LawSource, System, SystemDraft};
 use crate::errors::Failure;
 
 /// A machine with what results say about how it came about.
-pub(crate) struct Built {
+pub struct Built {
     /// The machine.
     pub(crate) machine: Machine,
     /// How the bodies begin.
@@ -43,6 +44,13 @@ pub(crate) struct Built {
     pub(crate) bodies: Option<BodyFacts>,
     /// The meshes of bodies that are written as wholes, in the order of the machine's fields.
     pub(crate) fields: Vec<FieldMesh>,
+}
+
+impl Built {
+    /// The columns of its history.
+    pub fn columns(&self) -> Vec<Column> {
+        History::columns_of(&self.machine)
+    }
 }
 
 /// A mesh whose motion is written.
@@ -123,7 +131,18 @@ pub(crate) struct Counts {
 /// # Errors
 /// Everything that is wrong with the case; of its meshes and sets only where the case has errors.
 pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
-    let draft = case::draft(name)?;
+    checked(case::draft(name)?, warnings)
+}
+
+/// As [`read`], of a text.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    checked(case::draft_of(text)?, warnings)
+}
+
+fn checked(draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     if let (false, SystemDraft::Rotor(rotor)) = (draft.errors.is_empty(), &draft.system) {
         MachinePlan::of(&Outline::from(&**rotor), draft.errors.clone(), warnings)?;
     }
@@ -160,6 +179,15 @@ pub(crate) fn build(
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
     describe(case, plan)?.build(cache, warnings)
+}
+
+/// The keys under which the bodies of a case are kept that are reduced.
+///
+/// # Errors
+/// Whatever is wrong with meshes and sets.
+pub(crate) fn keys(case: &Case) -> Result<Vec<Key>, Failure> {
+    let plan = plan(case, &mut Vec::new())?;
+    Ok(describe(case, plan.as_ref())?.model.keys())
 }
 
 /// What the machine of a case is made from.

@@ -14,10 +14,10 @@ pub(crate) use summary::{Summary, Times};
 pub(crate) use table::{of_orders, stops, supports, table};
 pub(crate) use verdict::VerdictFacts;
 
-use crate::history::HistoryFile;
+use crate::history::ReadHistory;
 
 /// Where the rows of the last `cycle` seconds begin.
-pub(crate) fn last_cycle(history: &HistoryFile, cycle: f64) -> io::Result<u64> {
+pub(crate) fn last_cycle(history: &dyn ReadHistory, cycle: f64) -> io::Result<u64> {
     let end = history.last_time()?.unwrap_or(0.0);
     // A row that lies a rounding error, of the sum or of its ten digits, before the cycle belongs to it.
     history.place_of_time(end - cycle - 1e-9 * (cycle + end))

@@ -10,7 +10,7 @@ use std::io;
 use serde::Serialize;
 
 use super::{Oscillation, last_cycle};
-use crate::history::HistoryFile;
+use crate::history::ReadHistory;
 
 /// What phases mean.
 const REFERENCE: &str =
@@ -70,7 +70,7 @@ pub(crate) struct Order {
 /// # Errors
 /// The history cannot be read.
 pub(crate) fn orders(
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
     all: &[Oscillation],
     cycle: f64,
 ) -> io::Result<Option<OrderFacts>> {
@@ -130,7 +130,7 @@ pub(crate) fn orders(
 
 /// Where the rows begin, the angle there and at the end, and the whole revolutions between; none if there are none.
 fn revolutions(
-    history: &HistoryFile,
+    history: &dyn ReadHistory,
     angle: &str,
     cycle: f64,
 ) -> io::Result<Option<(u64, [f64; 2], usize)>> {
@@ -234,7 +234,7 @@ impl Fit {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::history::HistoryWriter;
+    use crate::history::{HistoryFile, HistoryWriter};
 
     /// 1X of 20 µm beside an order of 5 µm, in so many rows a revolution over ten of them.
     fn of_rows(count: u32, order: f64) -> Option<Signal> {

@@ -12,7 +12,7 @@ use whirl_text::rounded;
 use super::{OrderFacts, VerdictFacts, last_cycle, orders, oscillations};
 use crate::case::{Case, MarchSettings, SupportName, System};
 use crate::fields::LargestStress;
-use crate::history::HistoryFile;
+use crate::history::ReadHistory;
 use crate::machine::{BodyFacts, Built, Counts};
 use crate::version;
 
@@ -42,7 +42,7 @@ pub(crate) struct Summary {
     cycle: &'static str,
     steady_state: SteadyFacts,
     energy_balance_j: EnergyFacts,
-    time: Times,
+    pub(crate) time: Times,
     /// Why the march ended early.
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<String>,
@@ -156,7 +156,7 @@ impl SupportSummary {
 
     /// Sums up all supports over the last `cycle` seconds of a history; `named`: whether they have names of their own.
     fn all(
-        history: &HistoryFile,
+        history: &dyn ReadHistory,
         (supports, named): (&[SupportName], bool),
         clearances: &[f64],
         cycle: f64,
@@ -273,7 +273,7 @@ impl Summary {
     /// The history cannot be read.
     pub(crate) fn new(
         (case, built): (&Case, &Built),
-        (outcome, history): (&Outcome, &HistoryFile),
+        (outcome, history): (&Outcome, &dyn ReadHistory),
         (steps, converged): (usize, bool),
         time: Times,
         error: Option<String>,

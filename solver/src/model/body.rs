@@ -6,7 +6,7 @@ use super::Place;
 use crate::attached::{Disc, PointMass, Unbalance};
 use crate::bodies::{Body, Rotation};
 use crate::body::{BodyNode, BodySpec};
-use crate::cache::{Cache, Key};
+use crate::cache::{Cache, Found, Key};
 use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::measure::MeanMotion;
@@ -122,6 +122,18 @@ pub struct Reduction {
 }
 
 impl BodyModel<'_> {
+    /// The key under which its reduction is kept; none if there is nothing to reduce.
+    pub(super) fn key(&self) -> Option<Key> {
+        match &self.form {
+            Form::Flexible(own) => Some(Reduced::key(self.kind(), own.mesh, own.spec)),
+            _ => None,
+        }
+    }
+
+    fn kind(&self) -> BodyKind {
+        if self.rotation.is_some() { BodyKind::Shaft } else { BodyKind::Support }
+    }
+
     /// The body; its reduction may use one of so many equal parts of the memory that its spec allows.
     pub(super) fn reduce(
         &self,
@@ -131,8 +143,7 @@ impl BodyModel<'_> {
         let mut reduction = None;
         let body = match (&self.form, &self.rotation) {
             (Form::Flexible(own), rotation) => {
-                let kind = if rotation.is_some() { BodyKind::Shaft } else { BodyKind::Support };
-                let (found, how) = own.reduce(kind, cache, sharing)?;
+                let (found, how) = own.reduce(self.kind(), cache, sharing)?;
                 reduction = Some(how);
                 match rotation {
                     Some(rotation) => {
@@ -195,13 +206,13 @@ impl MeshModel<'_> {
         // Which nodes and means are output, as what is applied to the body afterwards.
         let means: Vec<_> = spec.means.iter().map(|mean| (mean.nodes(), mean.weights())).collect();
         let content = Key::of(&(key.hex(), &spec.nodes, means));
-        if let Some(found) = cache.and_then(|cache| cache.load(&key)) {
-            return Ok((found, Reduction { content, cached: true, unkept: None }));
-        }
         let spec = BodySpec { memory: spec.memory / sharing, ..spec.clone() };
-        let found = Reduced::new(kind, mesh, &spec)?;
-        let unkept = cache.and_then(|cache| cache.store(&key, &found).err());
-        Ok((found, Reduction { content, cached: false, unkept }))
+        let make = || Reduced::new(kind, mesh, &spec);
+        let Found { value, cached, unkept } = match cache {
+            Some(cache) => cache.load_or_make(&key, make)?,
+            None => Found { value: make()?, cached: false, unkept: None },
+        };
+        Ok((value, Reduction { content, cached, unkept }))
     }
 
     /// The points, of the nodes and means of the spec.

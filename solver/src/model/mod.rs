@@ -79,7 +79,7 @@ pub use self::body::{
 pub use self::load::{LoadAction, LoadModel};
 use crate::bearing::{Bearing, SpringLaw};
 use crate::bodies::Body;
-use crate::cache::Cache;
+use crate::cache::{Cache, Key};
 use crate::error::Error;
 use crate::gravity::weights;
 use crate::machine::{Field, Machine, MachineParts};
@@ -151,6 +151,11 @@ impl Model<'_> {
             made => made,
         };
         whole.zip(&self.bodies).map(alone).collect()
+    }
+
+    /// The keys under which the bodies that are reduced are kept.
+    pub fn keys(&self) -> Vec<Key> {
+        self.bodies.iter().filter_map(BodyModel::key).collect()
     }
 
     /// Bodies, as [`Model::reduce`] gives them, → machine.

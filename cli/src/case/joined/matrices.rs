@@ -161,7 +161,7 @@ fn file(store: FileStore, table: &Table, name: &Located) -> Option<PathBuf> {
 }
 
 fn exists(store: FileStore, table: &Table, name: &Located, path: &std::path::Path) -> bool {
-    if store != FileStore::Disk || path.is_file() {
+    if !store.is_on_disk() || path.is_file() {
         return true;
     }
     let message = format!("there is no file `{}`", path.display());

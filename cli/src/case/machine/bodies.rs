@@ -109,7 +109,7 @@ fn mesh<D>(
         }
         (Some(name), None) => {
             let path = resolve(name.source(), name.text());
-            if store == FileStore::Disk && !path.is_file() {
+            if store.is_on_disk() && !path.is_file() {
                 let message = format!("there is no file `{}`", path.display());
                 let error = name.error_here(Code::BAD_VALUE, message);
                 table.push(error.help("paths are relative to the file that names them"));

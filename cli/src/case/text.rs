@@ -1,0 +1,117 @@
+//! A case that a program gives as text, with files that stand beside it in name only.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+
+use super::library::FileStore;
+
+/// What messages call values that hold in place of those of a case.
+const VARIED: &str = "varied keys";
+
+/// The text of a case file.
+#[derive(Debug, Default)]
+pub struct CaseText {
+    path: PathBuf,
+    text: String,
+    files: BTreeMap<PathBuf, String>,
+    /// Values that hold in place of those of the case, as lines of TOML.
+    values: String,
+    /// Files of the disk that it was read with so far.
+    read: Mutex<BTreeMap<PathBuf, String>>,
+}
+
+impl CaseText {
+    /// A text as if it were the file `name.toml` in `folder`: its paths are relative to that.
+    pub fn new(name: &str, folder: &Path, text: impl Into<String>) -> Self {
+        CaseText::at(&folder.join(format!("{name}.toml")), text)
+    }
+
+    /// A text as if it were the file at `path`.
+    pub fn at(path: &Path, text: impl Into<String>) -> Self {
+        CaseText { path: path.to_path_buf(), text: text.into(), ..CaseText::default() }
+    }
+
+    /// The text of a file.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn of_file(path: &Path) -> Result<Self, Diagnostics> {
+        let source = FileStore::Disk.read(path).map_err(|message| {
+            Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
+        })?;
+        let text = source.text.clone();
+        Ok(CaseText { path: path.to_path_buf(), text, ..CaseText::default() })
+    }
+
+    /// With a file that it or another one may name, such as `my-law.toml`: as if it stood in the same folder, before any
+    /// file that does stand there.
+    #[must_use]
+    pub fn with_file(self, name: &str, text: impl Into<String>) -> Self {
+        let path = self.path.with_file_name(name);
+        self.with_path(path, text)
+    }
+
+    /// With a file as if it stood at `path`, before any that does.
+    #[must_use]
+    pub fn with_path(mut self, path: PathBuf, text: impl Into<String>) -> Self {
+        self.files.insert(path, text.into());
+        self
+    }
+
+    /// With values in place of those that it and what it includes say: lines such as `springs.radial_clearance = "30 um"`, or
+    /// `load.2.force = "1 kN"` for the second of several `[[load]]`.
+    #[must_use]
+    pub fn with_values(mut self, lines: impl Into<String>) -> Self {
+        self.values = lines.into();
+        self
+    }
+
+    /// Those values.
+    pub fn values(&self) -> &str {
+        &self.values
+    }
+
+    /// Where it would stand.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The text of the case itself.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The texts beside it by their paths, and those of the disk with which it was read: what it takes to read it elsewhere,
+    /// but for meshes and matrices.
+    pub fn files(&self) -> BTreeMap<PathBuf, String> {
+        let mut all = self.read.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        all.extend(self.files.clone());
+        all
+    }
+
+    /// Notes a file of the disk.
+    pub(super) fn note(&self, source: &Source) {
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        read.insert(source.path.clone(), source.text.clone());
+    }
+
+    /// The case as if it were a file.
+    pub(super) fn source(&self) -> Arc<Source> {
+        Source::new(&self.path, self.text.as_str())
+    }
+
+    /// Its values as if they were a file beside it; none if there are none.
+    pub(super) fn varied(&self) -> Option<Arc<Source>> {
+        let path = self.path.with_file_name(VARIED);
+        (!self.values.is_empty()).then(|| Source::new(path, self.values.as_str()))
+    }
+
+    /// The file that would stand beside it at `path`. The case itself is none of them: a text called as a file that it
+    /// includes includes that.
+    pub(super) fn file(&self, path: &Path) -> Option<Arc<Source>> {
+        self.files.get(path).map(|text| Source::new(path, text.as_str()))
+    }
+}

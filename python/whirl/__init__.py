@@ -1,0 +1,58 @@
+"""Transient dynamics of rotating flexible shafts in flexible supports with bearing clearances.
+
+>>> import whirl
+>>> results = whirl.Case("hu2003-5").run()
+>>> results.verdict.sound
+True
+>>> results["EX1_um"].max()          # a NumPy array, in the unit that the column's name ends with
+>>> results.to_xarray()              # with units and meanings as attributes
+"""
+
+from importlib.metadata import version as _version
+
+from .bodies import Bodies, forget_bodies, keep_bodies, shared_bodies
+from .case import Case, cases
+from .errors import (
+    CaseError,
+    Diagnostic,
+    MissingExtra,
+    RunError,
+    WhirlError,
+    WhirlWarning,
+)
+from .history import Column, History
+from .law import Curve, Law, LawInput, LawOutput, Parameter, explain
+from .results import Finding, Results, Summary, Verdict
+from .sweep import Sweep, SweepPoint, sweep
+
+__all__ = [
+    "Bodies",
+    "Case",
+    "CaseError",
+    "Column",
+    "Curve",
+    "Diagnostic",
+    "Finding",
+    "History",
+    "Law",
+    "LawInput",
+    "LawOutput",
+    "MissingExtra",
+    "Parameter",
+    "Results",
+    "RunError",
+    "Summary",
+    "Sweep",
+    "SweepPoint",
+    "Verdict",
+    "WhirlError",
+    "WhirlWarning",
+    "cases",
+    "explain",
+    "forget_bodies",
+    "keep_bodies",
+    "shared_bodies",
+    "sweep",
+]
+
+__version__ = _version("whirl")
