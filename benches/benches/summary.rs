@@ -4,6 +4,7 @@
 use std::cell::RefCell;
 use std::hint::black_box;
 
+use whirl_benches::hand::elements::quadratic;
 use whirl_benches::measure::{Times, peak_operations, peak_task};
 use whirl_benches::{hand, textbook};
 use whirl_codegen::diagnostic::Source;
@@ -30,6 +31,12 @@ fn main() {
         ("hex8", "mass"),
         ("wedge6", "stiffness"),
         ("wedge6", "mass"),
+        ("tet10", "stiffness"),
+        ("wedge15", "stiffness"),
+        ("hex20", "stiffness"),
+        ("tet10", "mass"),
+        ("wedge15", "mass"),
+        ("hex20", "mass"),
     ];
     for (name, form) in kernels {
         cells(registers, name, form);
@@ -63,10 +70,43 @@ fn material(kernel: &FormKernel) -> Vec<f64> {
 /// A task and what it is called.
 type Named<'a> = (&'static str, Box<dyn FnMut() + 'a>);
 
+/// The stiffness of all cells with plain matrices, in operators and added as it is made.
+fn plain<'a>(element: &'static Element, cells: &'a [f64]) -> Vec<Named<'a>> {
+    match element.origin.name {
+        "hex8" => plain_of::<8, 24>(element, cells, textbook::gauss_8()),
+        "tet10" => plain_of::<10, 30>(element, cells, quadratic::tet_4::points()),
+        "wedge15" => plain_of::<15, 45>(element, cells, quadratic::wedge_18::points()),
+        "hex20" => plain_of::<20, 60>(element, cells, quadratic::hex_27::points()),
+        _ => Vec::new(),
+    }
+}
+
+fn plain_of<'a, const NODES: usize, const ROWS: usize>(
+    element: &'static Element,
+    cells: &'a [f64],
+    points: Vec<textbook::Point>,
+) -> Vec<Named<'a>> {
+    let plainly = move |stiffness: fn(&Element, &[textbook::Point], &[f64], (f64, f64)) -> _| {
+        let points = points.clone();
+        Box::new(move || {
+            for x in cells.chunks_exact(3 * NODES) {
+                let k: textbook::Stiffness<ROWS> =
+                    stiffness(element, &points, black_box(x), (200e9, 0.3));
+                black_box(k);
+            }
+        })
+    };
+    vec![
+        ("nalgebra, K += Bᵀ(DB)", plainly(textbook::stiffness::<NODES, ROWS>)),
+        ("nalgebra, K.gemm(Bᵀ, DB)", plainly(textbook::accumulated_stiffness::<NODES, ROWS>)),
+    ]
+}
+
 fn cells(registers: Registers, name: &str, form: &str) {
     let named = |element: &&'static Element| element.origin.name == name;
     let element = ELEMENTS.iter().find(named).expect("an element that is shipped");
-    let reference = hand::elements::ELEMENTS.into_iter().find(named).expect("a reference");
+    let references = hand::elements::ELEMENTS.into_iter().chain(quadratic::ELEMENTS);
+    let reference = references.into_iter().find(named).expect("a reference");
     let [ours, by_hand] =
         [element, reference].map(|element| element.form(form).expect("a form that is shipped"));
     let nodes = (0..CELLS).flat_map(|_| element.reference_nodes.iter().flatten());
@@ -83,20 +123,13 @@ fn cells(registers: Registers, name: &str, form: &str) {
         let Buffers { matrices, jacobians } = &mut *buffers.borrow_mut();
         (kernel.evaluate)(black_box(&cells), &material, matrices, jacobians);
     };
-    let plainly = |stiffness: fn(&Element, &[f64], f64, f64) -> textbook::Stiffness| {
-        for x in cells.chunks_exact(3 * element.nodes) {
-            black_box(stiffness(element, black_box(x), 200e9, 0.3));
-        }
-    };
     // The same kernel on narrower registers, then plain matrices.
     let mut others: Vec<Named> = Vec::new();
     for narrower in Registers::all().into_iter().filter(|other| *other < registers) {
         others.push((narrower.name(), Box::new(move || narrower.within(|| run(ours)))));
     }
-    if name == "hex8" && form == "stiffness" {
-        others.push(("nalgebra, K += Bᵀ(DB)", Box::new(|| plainly(textbook::stiffness))));
-        let added = textbook::accumulated_stiffness;
-        others.push(("nalgebra, K.gemm(Bᵀ, DB)", Box::new(move || plainly(added))));
+    if form == "stiffness" {
+        others.extend(plain(element, &cells));
     }
     let (mut most, mut generated, mut reference) =
         (|| peak_task(registers), || run(ours), || run(by_hand));

@@ -2,5 +2,6 @@
 
 pub mod hand;
 pub mod measure;
+pub mod plain;
 pub mod specs;
 pub mod textbook;

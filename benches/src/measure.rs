@@ -34,6 +34,13 @@ impl Times {
         self.0[task].iter().copied().fold(f64::INFINITY, f64::min)
     }
 
+    /// The median of all timings of a task.
+    pub fn median(&self, task: usize) -> f64 {
+        let mut sorted = self.0[task].clone();
+        sorted.sort_by(f64::total_cmp);
+        sorted[sorted.len() / 2]
+    }
+
     /// The fastest timing of a task over that of another.
     pub fn ratio(&self, task: usize, other: usize) -> f64 {
         self.fastest(task) / self.fastest(other)

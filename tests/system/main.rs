@@ -2,6 +2,7 @@
 //! histories of an independent program, and against what the paper says of its results.
 
 mod automatic;
+mod full_newton;
 mod histories;
 mod paper;
 mod run;

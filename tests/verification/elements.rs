@@ -151,6 +151,27 @@ proptest! {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+
+    /// The generated kernels of these are held against their definitions below.
+    #[test]
+    fn quadratic_kernels_equal_hand_written_ones(shifts in prop::array::uniform24(-0.1..0.1_f64)) {
+        for reference in hand::elements::quadratic::ELEMENTS {
+            let element = element(reference.origin.name);
+            let nodes = displaced(element, &shifts);
+            for form in ["stiffness", "mass"] {
+                let (made, det) = generated(element, form, &nodes);
+                let (by_hand, det_by_hand) = generated(reference, form, &nodes);
+                let error = (&made - &by_hand).amax() / by_hand.amax();
+                // A thousand terms at rounding level.
+                prop_assert!(error < 1e-12, "{} {form}: {error:.1e}", reference.origin.name);
+                prop_assert!((det / det_by_hand - 1.0).abs() < 1e-12, "{}", reference.origin.name);
+            }
+        }
+    }
+}
+
+proptest! {
     #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
 
     /// Holds of every element and form in the specs, whatever they are.

@@ -4,3 +4,4 @@ pub mod clearance;
 pub mod elements;
 pub mod law;
 pub mod motion;
+pub mod product;

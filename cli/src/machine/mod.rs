@@ -47,6 +47,11 @@ pub struct Built {
 }
 
 impl Built {
+    /// The machine.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
     /// The columns of its history.
     pub fn columns(&self) -> Vec<Column> {
         History::columns_of(&self.machine)

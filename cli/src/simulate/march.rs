@@ -159,7 +159,8 @@ pub(super) fn march(
     Ok(Marched { outcome: march.outcome(), step, time, end, wall, warning })
 }
 
-fn options(case: &Case, built: &Built) -> MarchOptions {
+/// How a case is marched.
+pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {
     MarchOptions {
         time_step: case.march.time_step,
         automatic: case.march.automatic,

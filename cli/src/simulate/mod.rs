@@ -9,12 +9,15 @@ mod watch;
 use std::io;
 use std::time::Instant;
 
+use whirl_solver::dynamics::{March, MarchOptions};
+
 use crate::case::Case;
 use crate::checkpoint::Point;
 use crate::errors::Failure;
 use crate::fields::Motions;
 use crate::machine::Built;
 use crate::report::{Summary, Times};
+use crate::start;
 
 pub(crate) use self::folder::FolderStore;
 pub use self::in_memory::{InMemory, in_memory};
@@ -56,6 +59,17 @@ pub(crate) fn simulate<'a>(
         Ok(summary)
     });
     Ok(Simulated { marched, reason, made, motions })
+}
+
+/// The march of a case that is built before its first step, and how it is marched, for programs that make the steps
+/// themselves.
+///
+/// # Errors
+/// No equilibrium, or no state that fits.
+pub fn begin<'m>(case: &Case, built: &'m Built) -> Result<(March<'m>, MarchOptions), Failure> {
+    let options = march::options(case, built);
+    let march = start::begin((case, built), &options, None, &Quiet)?;
+    Ok((march, options))
 }
 
 fn times(built: &Built, marched: &Marched, start: Instant) -> Times {

@@ -273,7 +273,7 @@ impl<'m> March<'m> {
             time: self.system.time,
             clock: self.clock,
             released: self.system.released.clone(),
-            newton: self.newton.kept().clone(),
+            newton: self.newton.kept(),
             meters: self.meters.sums(),
             worst: self.worst().to_vec(),
             tally: self.tally.clone(),
@@ -394,7 +394,7 @@ impl<'m> March<'m> {
             history: History::for_machine(self.machine),
             steady: self.tally.steady.and_then(|test| test.reached),
             iterations: self.tally.iterations,
-            factorisations: self.newton.kept().factorisations,
+            factorisations: self.newton.factorisations(),
             halved_steps: self.tally.halved_steps,
             parts: self.meters.parts_taken(),
         }

@@ -31,6 +31,11 @@ impl Lu {
         }
     }
 
+    /// Number of rows, n.
+    pub(crate) fn size(&self) -> usize {
+        self.size
+    }
+
     /// Factors a matrix given column after column (n² values).
     ///
     /// # Errors

@@ -1,4 +1,5 @@
-//! Elements written by hand: trilinear hexahedron, the same with incompatible modes, linear wedge.
+//! Elements written by hand: trilinear hexahedron, the same with incompatible modes, linear wedge; the quadratic ones in
+//! a module of their own.
 //!
 //! Code that uses all that is known of the forms: the 3 × 3 blocks of an isotropic stiffness all
 //! follow from Σ ∇Nₐ ⊗ ∇N_b, of which the upper triangle is summed with gradients scaled by √(w det J);
@@ -8,6 +9,7 @@
 mod hex8;
 mod isotropic;
 mod modes;
+pub mod quadratic;
 mod space;
 mod wedge6;
 

@@ -1,5 +1,8 @@
 //! A body to be reduced: its mesh, with the dofs to retain and to hold, and the nodes whose motion is wanted.
 
+mod explain;
+mod sets;
+
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::assemble;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
@@ -7,20 +10,14 @@ use whirl_solver::constraints::{
     Constraints, GroundSpring, add_ground_springs, free_motions_of_mesh,
 };
 use whirl_solver::contacts::{BoreNodes, patterns};
-use whirl_solver::error::Error;
-use whirl_solver::error::{FreeMotion, ReductionError};
-use whirl_solver::linalg::{LinearAlgebraError, readable_bytes, readable_estimate};
-use whirl_solver::mesh::{Cell, Material, MeanComponent, Mesh, NodeSetMean};
+use whirl_solver::error::{Error, ReductionError};
+use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 use whirl_solver::model::{Form, MeshModel, Point};
 
 use super::AXES;
 use crate::case;
-use crate::errors::Failure;
-use crate::machine::{Counts, meshes};
+use crate::machine::Counts;
 use crate::memory;
-
-/// Most coordinates of a reduced body, whose matrices are dense.
-const MOST_KEPT: usize = 5_000;
 
 /// A body before its reduction.
 pub(crate) struct BodyPlan {
@@ -171,140 +168,6 @@ impl BodyPlan {
         spec.modes + spec.corrections.len() + spec.retained.len()
             - spec.constraints.equations().len()
             - follows
-    }
-
-    /// An error of the reduction, at its place in the case or in the mesh's file.
-    pub(crate) fn explain(&self, error: Error) -> Failure {
-        match error {
-            Error::InvertedCells { .. } => meshes::inverted(&error),
-            Error::Reduction(ReductionError::Mechanism { motions }) => self.free(&motions).into(),
-            Error::Reduction(ReductionError::Hidden { .. }) => {
-                let message = format!("{}: {error}", self.mesh.origin());
-                let help =
-                    "look for a material, a cell or a spring that is far stiffer than the rest";
-                Diagnostics::from(self.made_from.error_here(Code::BAD_VALUE, message).help(help))
-                    .into()
-            }
-            Error::Reduction(ReductionError::LinearAlgebra(LinearAlgebraError::TooLarge {
-                bytes,
-                limit,
-                ..
-            })) => self.too_large(bytes, limit).into(),
-            Error::StiffSpring { place, stiffness, body, most, .. } => {
-                let message = format!(
-                    "this spring of {stiffness:e} N/m is {:.0e} times as stiff as the stiffest node of {} \
-                     ({body:.1e} N/m)",
-                    stiffness / body,
-                    self.mesh.origin()
-                );
-                let materials = self.mesh.materials().iter();
-                let softest = materials.min_by(|a, b| modulus(a).total_cmp(&modulus(b)));
-                let made = softest.map_or(String::new(), |softest| {
-                    format!(", or check E = {:e} Pa of `{}`", modulus(softest), softest.name)
-                });
-                let help = format!(
-                    "write a stiffness of {most:.0e} N/m at most, name the set in `{}` if it is to be held{made}",
-                    self.words.held
-                );
-                let at = self.sprung.get(place).unwrap_or(&self.held_by);
-                Diagnostics::from(at.error_here(Code::BAD_VALUE, message).help(help)).into()
-            }
-            Error::Reduction(_) | Error::Constraint { .. } => {
-                let message = format!("{}: {error}", self.mesh.origin());
-                Diagnostics::from(self.held_by.error_here(Code::BAD_VALUE, message)).into()
-            }
-            _ => {
-                let message = error.to_string();
-                Diagnostics::from(self.made_from.error_here(Code::BAD_VALUE, message)).into()
-            }
-        }
-    }
-
-    /// A reduction that would take more memory than it may.
-    fn too_large(&self, bytes: usize, limit: usize) -> Diagnostics {
-        let BodySpec { modes, retained, .. } = &self.spec;
-        let message = format!(
-            "{}: the reduction of {} degrees of freedom to {modes} modes and {} retained ones takes about {} of memory, \
-             more than the {} that it may take",
-            self.mesh.origin(),
-            self.mesh.dof_count(),
-            retained.len(),
-            readable_estimate(bytes),
-            readable_bytes(limit)
-        );
-        let help = "make the mesh coarser, lower `modes`, or write a larger `memory_limit` in `[reduction]`; without one \
-                    it is what the machine has left";
-        self.made_from.error_here(Code::BAD_VALUE, message).help(help).into()
-    }
-
-    /// What can move freely: the whole body, or loose parts of it.
-    fn free(&self, motions: &[FreeMotion]) -> Diagnostics {
-        let mut errors = Diagnostics::new();
-        let origin = self.mesh.origin();
-        let mut whole = Vec::new();
-        for motion in motions {
-            match motion {
-                FreeMotion::Part { node } => {
-                    let message =
-                        format!("a part of {origin} is loose: {}", self.part_around(*node));
-                    let help = "let it share nodes with the rest, hold it, or take its cells out";
-                    errors.push(self.made_from.error_here(Code::BAD_VALUE, message).help(help));
-                }
-                motion => whole.push(motion.to_string()),
-            }
-        }
-        if !whole.is_empty() {
-            let message = format!("{origin} can still move freely: {}", whole.join("; "));
-            let help =
-                format!("against each of these motions hold more nodes{}", self.words.springs);
-            errors.push(self.held_by.error_here(Code::BAD_VALUE, message).help(help));
-        }
-        errors
-    }
-
-    /// The part of the mesh with the node of this label: its cells, and the sets that lie in it.
-    fn part_around(&self, label: u64) -> String {
-        let mesh = &self.mesh;
-        let part_of = mesh.parts();
-        let Some(node) = mesh.labels().iter().position(|&own| own == label) else {
-            return format!("that around node {label}");
-        };
-        let inside = |node: usize, part: usize| part_of[node] == part;
-        let part = part_of[node];
-        let blocks = mesh.blocks().iter();
-        let cells = blocks.flat_map(|block| block.cells().zip(&block.labels));
-        let mut labels: Vec<u64> =
-            cells.filter(|(nodes, _)| inside(nodes[0], part)).map(|(_, &label)| label).collect();
-        labels.sort_unstable();
-        if mesh.matrices().is_some() {
-            return format!("what is around node {label} can move without strain");
-        }
-        if labels.len() == mesh.cell_count() {
-            return format!("the cells around node {label} can move without strain");
-        }
-        let of_cell = |cell: &Cell| mesh.blocks()[cell.block].cells().nth(cell.cell).map(|n| n[0]);
-        let node_sets = mesh
-            .node_sets()
-            .iter()
-            .filter(|(_, nodes)| !nodes.is_empty() && nodes.iter().all(|&node| inside(node, part)));
-        let element_sets = mesh.element_sets().iter().filter(|(_, cells)| {
-            !cells.is_empty()
-                && cells.iter().all(|cell| of_cell(cell).is_some_and(|node| inside(node, part)))
-        });
-        let sets: Vec<&str> = element_sets
-            .map(|(name, _)| name.as_str())
-            .chain(node_sets.map(|(name, _)| name.as_str()))
-            .collect();
-        let shown: Vec<String> = labels.iter().take(4).map(ToString::to_string).collect();
-        let (first, more) = (shown.join(", "), if labels.len() > shown.len() { ", …" } else { "" });
-        let named =
-            if sets.is_empty() { String::new() } else { format!("; sets{}", listed(&sets)) };
-        let noun = if labels.len() == 1 { "cell shares" } else { "cells share" };
-        format!(
-            "{} {noun} no node with the rest ({first}{more}{named}), and nothing holds {}",
-            labels.len(),
-            if labels.len() == 1 { "it" } else { "them" }
-        )
     }
 
     /// Notes a spring from a node to the ground.
@@ -458,97 +321,4 @@ impl BodyPlan {
         });
         first
     }
-
-    /// Notes more coordinates than there is memory for dense matrices of.
-    pub(in crate::machine) fn bound(&mut self, errors: &mut Diagnostics) {
-        self.settle_matrices(errors);
-        let kept = self.spec.retained.len();
-        if kept + self.spec.modes > MOST_KEPT {
-            let message = format!(
-                "{} keeps {kept} degrees of freedom and {} modes, at most {MOST_KEPT} are allowed",
-                self.mesh.origin(),
-                self.spec.modes
-            );
-            let help = "lower `modes`, or hold and connect smaller sets of nodes";
-            errors.push(self.held_by.error_here(Code::BAD_VALUE, message).help(help));
-        }
-    }
-
-    /// Nodes of a set, one at least; what is wrong with it is noted, and none are given.
-    pub(in crate::machine) fn nodes(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
-        let nodes = self.members(set, errors);
-        if nodes.is_empty() && self.mesh.node_set(set.text()).is_ok() {
-            let message =
-                format!("the node set `{}` of {} has no nodes", set.text(), self.mesh.origin());
-            let full = self.mesh.node_sets().iter().filter(|(_, nodes)| !nodes.is_empty());
-            let full: Vec<&str> = full.map(|(name, _)| name.as_str()).collect();
-            let help = format!("name a set that has some{}", listed(&full));
-            errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
-        }
-        nodes
-    }
-
-    /// Nodes of a set, if there is one of this name.
-    fn members(&self, set: &Located, errors: &mut Diagnostics) -> Vec<usize> {
-        // A set that the case does not say is missing, which has been noted.
-        if set.text().is_empty() && !errors.is_empty() {
-            return Vec::new();
-        }
-        match self.mesh.node_set(set.text()) {
-            Ok(nodes) => {
-                self.has_all(set, errors);
-                nodes.to_vec()
-            }
-            Err(error) => {
-                let message = format!("{} has no node set `{}`", self.mesh.origin(), set.text());
-                let help = match error {
-                    Error::MissingSet { nearest: Some(near), .. } => {
-                        format!("did you mean `{near}`?")
-                    }
-                    _ => {
-                        let sets = self.mesh.node_sets().keys();
-                        let known: Vec<&str> = sets.map(String::as_str).collect();
-                        format!("name one of its sets{}", listed(&known))
-                    }
-                };
-                errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
-                Vec::new()
-            }
-        }
-    }
-
-    /// The only node of a set; what is wrong with it is noted.
-    pub(in crate::machine) fn node(
-        &self,
-        set: &Located,
-        errors: &mut Diagnostics,
-    ) -> Option<usize> {
-        let nodes = self.members(set, errors);
-        let origin = self.mesh.origin();
-        if nodes.len() != 1 && self.mesh.node_set(set.text()).is_ok() {
-            let message = format!(
-                "the node set `{}` of {origin} must have one node, but has {}",
-                set.text(),
-                nodes.len()
-            );
-            let single = self.mesh.node_sets().iter().filter(|(_, nodes)| nodes.len() == 1);
-            let single: Vec<&str> = single.map(|(name, _)| name.as_str()).collect();
-            let help = format!("name a set of one node{}", listed(&single));
-            errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
-        }
-        nodes.first().copied()
-    }
-}
-
-/// Young's modulus (Pa).
-fn modulus(material: &Material) -> f64 {
-    material.properties.get("E").copied().unwrap_or(f64::INFINITY)
-}
-
-/// Names in a list after a colon, not too many of them; nothing if there are none.
-fn listed(names: &[&str]) -> String {
-    const MOST: usize = 16;
-    let shown: Vec<String> = names.iter().take(MOST).map(|name| format!("`{name}`")).collect();
-    let more = if names.len() > MOST { ", …" } else { "" };
-    if names.is_empty() { String::new() } else { format!(": {}{more}", shown.join(", ")) }
 }
