@@ -51,8 +51,11 @@ fn the_steps_of_all_shipped_cases_are_those_of_full_newton() {
                     continue;
                 }
                 let difference = (own[place] - full.row()[place]).abs();
+                // What does not turn but for rounding is not held to that.
+                let least = if column.unit.starts_with("rad") { 1.0 } else { 0.0 };
+                let size = f64::max(largest[column.unit], least);
                 let missing = if column.unit == "N" { MISSING } else { 0.0 };
-                let error = difference / (SHARE * largest[column.unit] + missing);
+                let error = difference / (SHARE * size + missing);
                 if error > worst.0 {
                     worst = (error, format!("{} at {:.4} s", column.name, march.time()));
                 }
