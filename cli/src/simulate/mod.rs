@@ -17,6 +17,7 @@ use crate::machine::Built;
 use crate::report::{Summary, Times};
 
 pub(crate) use self::folder::FolderStore;
+pub(crate) use self::in_memory::summed_up;
 pub use self::in_memory::{InMemory, in_memory};
 pub(crate) use self::march::{End, Marched, Store};
 pub use self::watch::{Quiet, Watch};
