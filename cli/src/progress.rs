@@ -184,8 +184,10 @@ impl Points {
 
     fn words(&self) -> String {
         let [done, bad] = [&self.done, &self.bad].map(|own| own.load(Ordering::Relaxed));
-        let bad = if bad > 0 { format!(", {bad} of them failed or not sound") } else { String::new() };
-        let left = self.left().map_or(String::new(), |left| format!(", about {} left", words(left)));
+        let bad =
+            if bad > 0 { format!(", {bad} of them failed or not sound") } else { String::new() };
+        let left =
+            self.left().map_or(String::new(), |left| format!(", about {} left", words(left)));
         format!("{done} of {} points{bad}{left}", self.all)
     }
 }

@@ -174,7 +174,8 @@ impl Store for TableStore {
 
     fn keep_last(&mut self, state: LastState) -> Option<String> {
         let packed = start::packed(&state);
-        let failed = packed.as_ref().err().map(|error| format!("cannot keep the last state: {error}"));
+        let failed =
+            packed.as_ref().err().map(|error| format!("cannot keep the last state: {error}"));
         self.last = packed.ok();
         failed
     }

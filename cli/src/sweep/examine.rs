@@ -1,11 +1,12 @@
 //! Whether a sweep can be run: every value is one that the case takes, and some point can be built.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use whirl_codegen::diagnostic::Diagnostics;
+use whirl_codegen::diagnostic::{Diagnostic, Diagnostics};
 
 use super::Sweep;
 use super::identity::Inputs;
@@ -22,6 +23,14 @@ impl Sweep {
     /// Everything that is wrong with it, at the places of its values in the sweep, or in the case.
     pub fn case(&self, point: &Point, warnings: &mut Vec<String>) -> Result<Case, Failure> {
         machine::read_with(&self.base, self.tree(point), warnings)
+    }
+
+    /// Where the range begins in which an error stands, if it stands in one.
+    fn range_of(&self, error: &Diagnostic) -> Option<usize> {
+        let span = error.span.as_ref().filter(|_| error.path() == self.source.path)?;
+        let within = |place: &Range<usize>| place.start <= span.start && span.end <= place.end;
+        let ranged = self.keys.iter().filter(|key| key.is_ranged()).map(|key| &key.place.span);
+        ranged.filter(|place| within(place)).map(|place| place.start).next()
     }
 
     /// Points of which every value of every key is one, with the first values of the other keys.
@@ -64,7 +73,7 @@ pub(super) fn examine(
         }
     });
     let found = found.into_inner().expect("no reader panics");
-    let mut inputs = found.finish(warnings)?;
+    let mut inputs = found.finish(sweep, warnings)?;
     inputs.add_bodies(&buildable(sweep)?);
     Ok(inputs.identity(sweep))
 }
@@ -87,15 +96,17 @@ impl Found {
         }
     }
 
-    fn finish(self, warnings: &mut Vec<String>) -> Result<Inputs, Failure> {
+    fn finish(self, sweep: &Sweep, warnings: &mut Vec<String>) -> Result<Inputs, Failure> {
         warnings.extend(self.warnings);
         let (mut seen, mut all) = (BTreeSet::new(), Diagnostics::new());
         for failure in self.failures.into_values() {
             let Failure::Input(errors) = failure else { return Err(failure) };
             for error in errors {
-                let place = error.span.as_ref().map(|span| (span.start, span.end));
-                // What is said of a key is said once, whichever of its values shows it.
-                if seen.insert((error.path().to_path_buf(), place, error.message.clone())) {
+                // What is wrong with a range shows at each of its values, and is said once.
+                let range = sweep.range_of(&error);
+                let place = range.or(error.span.as_ref().map(|span| span.start));
+                let message = if range.is_some() { String::new() } else { error.message.clone() };
+                if seen.insert((error.path().to_path_buf(), place, message)) {
                     all.push(error);
                 }
             }

@@ -35,7 +35,8 @@ impl SweepFolder {
     /// # Errors
     /// It cannot be written, another one writes it, or a folder has the name of a file; nothing is left behind then.
     pub(super) fn open(folder: &Path, warnings: &mut Vec<String>) -> Result<Self, Failure> {
-        let failure = |path: &Path, reason: String| Failure::Output { path: path.to_path_buf(), reason };
+        let failure =
+            |path: &Path, reason: String| Failure::Output { path: path.to_path_buf(), reason };
         let created = CreatedFolders::missing(folder);
         fs::create_dir_all(folder).map_err(|error| failure(folder, error.to_string()))?;
         if let Some(name) = files().find(|name| folder.join(name).is_dir()) {
@@ -86,7 +87,8 @@ impl SweepFolder {
     /// Why not, with the path.
     pub(super) fn write(&self, name: &str, content: &[u8]) -> Result<(), String> {
         let path = self.path(name);
-        write_whole(&path, content).map_err(|error| format!("cannot write `{}`: {error}", path.display()))
+        write_whole(&path, content)
+            .map_err(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 
     /// Keeps history, summary and last state of a point, all of them or nothing.
@@ -94,7 +96,8 @@ impl SweepFolder {
     /// # Errors
     /// Why not, with the path.
     pub(super) fn keep_point(&self, number: usize, run: &InMemory) -> Result<(), String> {
-        let (whole, half) = (self.of_point(number), self.path(POINTS).join(format!(".{number:05}.part")));
+        let (whole, half) =
+            (self.of_point(number), self.path(POINTS).join(format!(".{number:05}.part")));
         let write = || {
             absent_is_fine(fs::remove_dir_all(&half))?;
             fs::create_dir_all(&half)?;
@@ -124,7 +127,8 @@ impl SweepFolder {
     /// Why not, with the path.
     pub(super) fn keep_state(&self, number: usize, state: &[u8]) -> Result<(), String> {
         let path = self.of_chain(number);
-        let written = fs::create_dir_all(self.path(CHAINS)).and_then(|()| write_whole(&path, state));
+        let written =
+            fs::create_dir_all(self.path(CHAINS)).and_then(|()| write_whole(&path, state));
         written.map_err(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 

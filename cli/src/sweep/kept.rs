@@ -77,9 +77,14 @@ impl Kept {
         let Some(before) = &kept.identity else { return Ok(None) };
         let mut differs = before.changed_in(identity);
         if kept.others > 0 {
-            differs.push(format!("the points: {} that are done are no longer asked for", kept.others));
+            differs
+                .push(format!("the points: {} that are done are no longer asked for", kept.others));
         }
-        if differs.is_empty() { Ok(Some(kept)) } else { Err(Failure::OtherSweep { folder: folder(), differs }) }
+        if differs.is_empty() {
+            Ok(Some(kept))
+        } else {
+            Err(Failure::OtherSweep { folder: folder(), differs })
+        }
     }
 
     /// Number of points that are done.
@@ -98,7 +103,11 @@ impl Kept {
     /// It cannot be read, in words.
     pub(super) fn row(&mut self, number: usize) -> Result<Option<(usize, Row)>, String> {
         let Some(start) = self.rows[number] else { return Ok(None) };
-        match self.records.at(start).map_err(|error| format!("cannot read `{}`: {error}", journal::NAME))? {
+        match self
+            .records
+            .at(start)
+            .map_err(|error| format!("cannot read `{}`: {error}", journal::NAME))?
+        {
             Record::Done { names, row, .. } => Ok(Some((names as usize, row))),
             _ => Err(format!("`{}` has changed while it was read", journal::NAME)),
         }
@@ -120,6 +129,8 @@ pub(super) fn going_on(kept: Option<&Kept>, results: &SweepFolder, sweep: &Sweep
             let (done, all) = (kept.done(), sweep.count());
             format!("going on after {done} of {all} points")
         }
-        None => format!("no journal in {}: starting from the beginning", results.folder().display()),
+        None => {
+            format!("no journal in {}: starting from the beginning", results.folder().display())
+        }
     }
 }

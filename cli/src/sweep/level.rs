@@ -39,7 +39,9 @@ impl Level {
     /// The number with its unit, if it is one.
     pub(super) fn quantity(&self) -> Option<Quantity> {
         match &self.node.content {
-            Content::Text(text) => Quantity::parse(text).ok().filter(|own| own.unit().text() != "1"),
+            Content::Text(text) => {
+                Quantity::parse(text).ok().filter(|own| own.unit().text() != "1")
+            }
             Content::Number(number) => Quantity::parse(&digits(number.float()?)).ok(),
             _ => None,
         }
@@ -53,7 +55,9 @@ pub(super) fn in_unit_of(value: &Quantity, other: &Quantity) -> f64 {
     }
     match (value.unit().rational(), other.unit().rational()) {
         (Some(own), Some(other)) => nearest(&(&(value.value() * own) / other)),
-        _ => nearest(value.value()) * value.unit().factor().to_f64() / other.unit().factor().to_f64(),
+        _ => {
+            nearest(value.value()) * value.unit().factor().to_f64() / other.unit().factor().to_f64()
+        }
     }
 }
 

@@ -27,8 +27,8 @@ use whirl_solver::cache::Cache;
 use self::examine::examine;
 use self::folder::SweepFolder;
 use self::kept::Kept;
-use self::points::{Along, Axis};
 pub use self::points::Point;
+use self::points::{Along, Axis};
 pub(crate) use self::read::is_sweep;
 use self::vary::Varied;
 use self::workers::Ended;
@@ -115,7 +115,8 @@ pub(crate) fn sweep(arguments: &SweepArguments) -> Result<(), Failure> {
     let sweep = asked(arguments)?;
     let jobs = jobs(arguments);
     let identity = streams::warned(|warnings| examine(&sweep, jobs, warnings))?;
-    let mut results = streams::warned(|warnings| SweepFolder::open(&folder(arguments, &sweep), warnings))?;
+    let mut results =
+        streams::warned(|warnings| SweepFolder::open(&folder(arguments, &sweep), warnings))?;
     let kept = match arguments.resume {
         true => Kept::resumed(&results, &sweep, &identity)?,
         false => None,
@@ -128,7 +129,13 @@ pub(crate) fn sweep(arguments: &SweepArguments) -> Result<(), Failure> {
         reason: format!("signal handlers cannot be installed: {error}"),
     })?;
     let cache = Cache::shared(arguments.cache.open());
-    let ended = workers::run((&sweep, &identity), &mut results, kept, (&cache, jobs), (show, &interruption));
+    let ended = workers::run(
+        (&sweep, &identity),
+        &mut results,
+        kept,
+        (&cache, jobs),
+        (show, &interruption),
+    );
     report(&sweep, &results, ended, show)
 }
 
@@ -186,13 +193,18 @@ fn report(
         (None, Ok(found)) => found,
         (None, Err(reason)) => return Err(unfinished(reason)),
         (Some(reason), Ok((done, _))) => {
-            let reason = format!("{reason}; {done} of {} points are kept in {folder}", sweep.count());
+            let reason =
+                format!("{reason}; {done} of {} points are kept in {folder}", sweep.count());
             return Err(unfinished(reason));
         }
         (Some(reason), Err(_)) => return Err(unfinished(reason)),
     };
     match show {
         ProgressMode::Nothing => Ok(()),
-        _ => streams::say(&format!("{}: {done} points\n{}results in {folder}\n", sweep.name, counts.words())),
+        _ => streams::say(&format!(
+            "{}: {done} points\n{}results in {folder}\n",
+            sweep.name,
+            counts.words()
+        )),
     }
 }

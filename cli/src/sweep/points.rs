@@ -78,7 +78,10 @@ impl Point {
 
     /// The keys with their values, both as they would be written in a case: `springs.radial_clearance`, `"25 um"`.
     pub fn values(&self) -> impl Iterator<Item = (&str, &str)> {
-        self.names.iter().map(String::as_str).zip(self.levels.iter().map(|own| own.literal.as_str()))
+        self.names
+            .iter()
+            .map(String::as_str)
+            .zip(self.levels.iter().map(|own| own.literal.as_str()))
     }
 
     /// The values as lines of TOML, as [`crate::CaseText::with_values`] takes them.

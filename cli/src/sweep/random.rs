@@ -48,7 +48,10 @@ mod tests {
         // The first numbers of the authors' program for the seed 1234567.
         let mut random = Random::new(1_234_567);
         let found = [(); 3].map(|()| random.next());
-        assert_eq!(found, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);
+        assert_eq!(
+            found,
+            [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]
+        );
     }
 
     #[test]
@@ -59,7 +62,10 @@ mod tests {
             assert_eq!(drawn.len(), n);
             drawn.sort_by(f64::total_cmp);
             for (place, share) in drawn.iter().enumerate() {
-                assert!((place as f64..place as f64 + 1.0).contains(&(share * n as f64)), "{share}");
+                assert!(
+                    (place as f64..place as f64 + 1.0).contains(&(share * n as f64)),
+                    "{share}"
+                );
             }
         }
         let all = |seed| Random::new(seed).stratified(20);

@@ -71,7 +71,8 @@ impl Range {
             let help = "write ends of one sign, neither of them zero, or leave out `log`";
             return Err(at("values in equal ratios do not pass zero".to_owned()).help(help));
         }
-        let ends = [(first.1, values[0]), (last.1, values[1])].map(|(level, value)| End { value, level });
+        let ends =
+            [(first.1, values[0]), (last.1, values[1])].map(|(level, value)| End { value, level });
         Ok(Range { ends, unit, count, logarithmic, place: place.clone() })
     }
 
@@ -115,7 +116,11 @@ impl Range {
 }
 
 /// An end: its quantity, its value in a case, and where it stands in the text.
-fn end(text: &str, span: Span<usize>, place: &Place) -> Result<(Quantity, Level, Span<usize>), Diagnostic> {
+fn end(
+    text: &str,
+    span: Span<usize>,
+    place: &Place,
+) -> Result<(Quantity, Level, Span<usize>), Diagnostic> {
     let own = &text[span.clone()];
     let start = span.start + (own.len() - own.trim_start().len());
     let own = own.trim();
@@ -123,7 +128,9 @@ fn end(text: &str, span: Span<usize>, place: &Place) -> Result<(Quantity, Level,
     let own_place = part(place, text, span.clone());
     if own.is_empty() {
         let help = "write a range as `20 um .. 60 um, 9`";
-        return Err(part(place, text, 0..text.len()).error(Code::BAD_VALUE, "an end of this range is missing").help(help));
+        return Err(part(place, text, 0..text.len())
+            .error(Code::BAD_VALUE, "an end of this range is missing")
+            .help(help));
     }
     let quantity = Quantity::parse(own).map_err(|error| match own_place.span == place.span {
         true => own_place.error(error.code, error.message).maybe_help(error.help),
@@ -133,7 +140,10 @@ fn end(text: &str, span: Span<usize>, place: &Place) -> Result<(Quantity, Level,
         "1" => Level::number(quantity.si(), None, own_place),
         _ => {
             // A reader of texts skips a quote that it takes to be before them.
-            let quoted = Place { span: own_place.span.start.saturating_sub(1)..own_place.span.end, ..own_place };
+            let quoted = Place {
+                span: own_place.span.start.saturating_sub(1)..own_place.span.end,
+                ..own_place
+            };
             let content = whirl_codegen::document::tree::Content::Text(own.to_owned());
             Level::written(Node { place: quoted, content })
         }
@@ -147,16 +157,20 @@ fn options(text: &str, from: usize, place: &Place) -> Result<(Option<usize>, boo
     let mut at = from;
     for own in text[from..].split(',').skip(1) {
         at += 1;
-        let span = at + (own.len() - own.trim_start().len())..at + own.trim_end().len().max(1).min(own.len().max(1));
+        let span = at + (own.len() - own.trim_start().len())
+            ..at + own.trim_end().len().max(1).min(own.len().max(1));
         at += own.len();
-        let error = |message: String| part(place, text, span.clone()).error(Code::BAD_VALUE, message);
+        let error =
+            |message: String| part(place, text, span.clone()).error(Code::BAD_VALUE, message);
         match own.trim() {
             "log" if !logarithmic => logarithmic = true,
             number if count.is_none() && number.parse::<usize>().is_ok() => {
                 let number = number.parse::<usize>().unwrap_or_default();
                 if number < 2 {
-                    let help = "both ends are among them: write 2 at least, or one value without `..`";
-                    return Err(error(format!("a range has no {} values", digits(number as f64))).help(help));
+                    let help =
+                        "both ends are among them: write 2 at least, or one value without `..`";
+                    return Err(error(format!("a range has no {} values", digits(number as f64)))
+                        .help(help));
                 }
                 count = Some(number);
             }

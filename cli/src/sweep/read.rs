@@ -82,7 +82,17 @@ pub(super) fn of_arguments(case: &str, varied: &[String]) -> Result<Sweep, Failu
     let base = base.expect("without errors there is a case");
     let stem = base.path().file_stem().map_or("case".into(), |stem| stem.to_string_lossy());
     let name = format!("{stem}-sweep");
-    Ok(Sweep { name, title: String::new(), base, source, keys, axes, along, samples: None, keep: Keep::Nothing })
+    Ok(Sweep {
+        name,
+        title: String::new(),
+        base,
+        source,
+        keys,
+        axes,
+        along,
+        samples: None,
+        keep: Keep::Nothing,
+    })
 }
 
 /// That a file is no sweep, where the command line varies nothing.
@@ -121,10 +131,11 @@ struct Options {
 
 fn assemble(source: &Arc<Source>, tree: Tree, name: &str) -> (Option<Sweep>, Diagnostics) {
     let varied = tree.entries.get("vary").map(|(_, node)| node.clone());
-    let document = Document::of_case(source, tree);
+    let document = Document::of_case(source, tree).called("sweep");
     let mut errors = Diagnostics::new();
     let (title, case, options, keep) = document.root(Sweep::SHAPE).read(|file| {
-        let title = file.optional_string("title").map_or(String::new(), |own| own.text().to_owned());
+        let title =
+            file.optional_string("title").map_or(String::new(), |own| own.text().to_owned());
         file.has("vary");
         let keep = match file.optional_word("keep") {
             Some("histories") => Keep::Histories,
@@ -192,10 +203,12 @@ fn axes(
         return None;
     }
     let passes = options.continued.as_ref().map_or(1, |(word, _)| Along::new(word).passes());
-    let points = axes.iter().fold(passes as u128, |all, axis| all.saturating_mul(axis.count as u128));
+    let points =
+        axes.iter().fold(passes as u128, |all, axis| all.saturating_mul(axis.count as u128));
     if points > MOST_POINTS as u128 {
         let counts: Vec<String> = axes.iter().map(|axis| axis.count.to_string()).collect();
-        let product = if counts.len() > 1 { format!("{} = ", counts.join(" × ")) } else { String::new() };
+        let product =
+            if counts.len() > 1 { format!("{} = ", counts.join(" × ")) } else { String::new() };
         let message = format!("{product}{points} points: a sweep has at most {MOST_POINTS}");
         let first = axes.iter().max_by_key(|axis| axis.count).map_or(0, |axis| axis.keys[0]);
         let help = "write fewer values, or `samples = 1000` for a Latin hypercube over all keys";
@@ -218,7 +231,11 @@ fn grid(keys: &[Varied], options: &Options, errors: &mut Diagnostics) -> Vec<Axi
         let group = groups.iter().find(|group| group.contains(&place));
         let range = if let Values::Ranged(range) = &key.values { Some(range) } else { None };
         if let Some(range) = range.filter(|range| range.count.is_none()) {
-            let help = format!("write `{} = \"{}\"` for nine values with both ends", key.name, range.with_count(9));
+            let help = format!(
+                "write `{} = \"{}\"` for nine values with both ends",
+                key.name,
+                range.with_count(9)
+            );
             let message = format!("`{}` does not say how many values", key.name);
             errors.push(key.error(Code::BAD_VALUE, message).help(help));
         }
@@ -264,7 +281,9 @@ fn groups(keys: &[Varied], options: &Options, errors: &mut Diagnostics) -> Vec<V
         let mut group = Vec::new();
         for name in own {
             match find(name, &names) {
-                Ok(place) if group.contains(&place) || groups.iter().any(|all| all.contains(&place)) => {
+                Ok(place)
+                    if group.contains(&place) || groups.iter().any(|all| all.contains(&place)) =>
+                {
                     let message = format!("`{}` stands twice in `together`", name.text());
                     errors.push(name.error_here(Code::BAD_VALUE, message));
                 }
@@ -304,7 +323,12 @@ fn twice(keys: &[Varied], axis: &Axis, errors: &mut Diagnostics) {
     }
 }
 
-fn hypercube(keys: &mut [Varied], samples: usize, options: &Options, errors: &mut Diagnostics) -> Vec<Axis> {
+fn hypercube(
+    keys: &mut [Varied],
+    samples: usize,
+    options: &Options,
+    errors: &mut Diagnostics,
+) -> Vec<Axis> {
     let place = options.samples.as_ref().map(|(_, place)| place);
     let excluded = [
         options.together.first().and_then(|own| own.first()).map(|own| ("together", own)),
@@ -324,7 +348,10 @@ fn hypercube(keys: &mut [Varied], samples: usize, options: &Options, errors: &mu
             }
             if range.falls() {
                 let message = format!("the range of `{}` runs backwards", key.name);
-                errors.push(key.error(Code::BAD_VALUE, message).help(format!("write `{}`", range.reversed())));
+                errors.push(
+                    key.error(Code::BAD_VALUE, message)
+                        .help(format!("write `{}`", range.reversed())),
+                );
             }
         }
         key.sampled(&mut random, samples);
@@ -342,7 +369,10 @@ fn along(
     let Some((word, _)) = &options.continued else {
         if let Some(key) = &options.along {
             let help = "add `continue = \"up\"`, or leave out `along`";
-            errors.push(key.error_here(Code::BAD_VALUE, "`along` says along what a sweep is continued").help(help));
+            errors.push(
+                key.error_here(Code::BAD_VALUE, "`along` says along what a sweep is continued")
+                    .help(help),
+            );
         }
         return None;
     };
@@ -353,10 +383,14 @@ fn along(
     };
     let place = axes.iter().position(|axis| axis.keys.contains(&key))?;
     let axis = axes.remove(place);
-    let values: Option<Vec<f64>> = super::column::numbers(&keys[key], axis.count).map(|(_, values)| values);
+    let values: Option<Vec<f64>> =
+        super::column::numbers(&keys[key], axis.count).map(|(_, values)| values);
     let rises = values.is_some_and(|all| all.windows(2).all(|pair| pair[0] < pair[1]));
     if !rises {
-        let message = format!("the values of `{}` do not rise, along which the sweep is continued", keys[key].name);
+        let message = format!(
+            "the values of `{}` do not rise, along which the sweep is continued",
+            keys[key].name
+        );
         let help = "write numbers of one unit in rising order, or name another key by `along`";
         errors.push(keys[key].error(Code::BAD_VALUE, message).help(help));
     }

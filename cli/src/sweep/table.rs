@@ -86,7 +86,11 @@ impl Layout {
 ///
 /// # Errors
 /// It cannot be written, or the journal not be read, in words.
-pub(super) fn write(sweep: &Sweep, kept: &mut Kept, results: &SweepFolder) -> Result<Counts, String> {
+pub(super) fn write(
+    sweep: &Sweep,
+    kept: &mut Kept,
+    results: &SweepFolder,
+) -> Result<Counts, String> {
     let layout = Layout::new(sweep, kept)?;
     let path = results.path(CSV);
     let (mut counts, mut unread) = (Counts::default(), None);
@@ -119,7 +123,12 @@ pub(super) fn write(sweep: &Sweep, kept: &mut Kept, results: &SweepFolder) -> Re
     }
 }
 
-fn line(sweep: &Sweep, layout: &Layout, number: usize, (list, row): (usize, super::row::Row)) -> String {
+fn line(
+    sweep: &Sweep,
+    layout: &Layout,
+    number: usize,
+    (list, row): (usize, super::row::Row),
+) -> String {
     let point = sweep.point(number);
     let mut cells = vec![number.to_string()];
     for (column, level) in layout.varied.iter().zip(&point.levels) {

@@ -54,11 +54,18 @@ impl Varied {
         }
     }
 
+    /// Whether its values are those of a range.
+    pub(super) fn is_ranged(&self) -> bool {
+        matches!(self.values, Values::Ranged(_) | Values::Shares(..))
+    }
+
     /// Values of which each stands for all those that the file says alike.
     pub(super) fn written(&self) -> Vec<Level> {
         match &self.values {
             Values::Listed(levels) | Values::Places(levels, _) => levels.clone(),
-            Values::Ranged(range) | Values::Shares(range, _) => vec![range.even(0, 2), range.even(1, 2)],
+            Values::Ranged(range) | Values::Shares(range, _) => {
+                vec![range.even(0, 2), range.even(1, 2)]
+            }
         }
     }
 
@@ -68,7 +75,8 @@ impl Varied {
         self.values = match std::mem::replace(&mut self.values, Values::Listed(Vec::new())) {
             Values::Ranged(range) => Values::Shares(range, shares),
             Values::Listed(levels) => {
-                let place = |share: f64| ((share * levels.len() as f64) as usize).min(levels.len() - 1);
+                let place =
+                    |share: f64| ((share * levels.len() as f64) as usize).min(levels.len() - 1);
                 let places = shares.into_iter().map(place).collect();
                 Values::Places(levels, places)
             }
@@ -94,7 +102,8 @@ pub(super) fn read(node: &Node, errors: &mut Diagnostics) -> Vec<Varied> {
         }
     }
     if all.is_empty() && errors.is_empty() {
-        let help = "add a key of the case, such as `springs.radial_clearance = \"20 um .. 60 um, 9\"`";
+        let help =
+            "add a key of the case, such as `springs.radial_clearance = \"20 um .. 60 um, 9\"`";
         errors.push(node.place.error(Code::BAD_VALUE, "`[vary]` has no key").help(help));
     }
     all.sort_by_key(|own| own.place.span.start);
@@ -123,13 +132,17 @@ fn collect(tree: &Tree, path: &[(String, Place)], all: &mut Vec<Varied>, errors:
 
 fn values(name: &str, node: &Node) -> Result<Values, Box<Diagnostic>> {
     match &node.content {
-        Content::Text(text) if is_range(text) => Ok(Values::Ranged(Range::read(text, &node.place)?)),
+        Content::Text(text) if is_range(text) => {
+            Ok(Values::Ranged(Range::read(text, &node.place)?))
+        }
         Content::List(items) if items.is_empty() => {
             let help = format!("write at least one value, or leave out `{name}`");
             let message = format!("`{name}` has no values");
             Err(node.place.error(Code::BAD_VALUE, message).help(help).into())
         }
-        Content::List(items) => items.iter().map(level).collect::<Result<_, _>>().map(Values::Listed),
+        Content::List(items) => {
+            items.iter().map(level).collect::<Result<_, _>>().map(Values::Listed)
+        }
         _ => Ok(Values::Listed(vec![level(node)?])),
     }
 }

@@ -55,7 +55,8 @@ pub(super) fn run(
         Some(kept) => kept.journal(results),
         None => Journal::create(&results.path(journal::NAME)),
     });
-    let mut journal = match opened.and_then(|mut journal| journal.begin(identity).map(|()| journal)) {
+    let mut journal = match opened.and_then(|mut journal| journal.begin(identity).map(|()| journal))
+    {
         Ok(journal) => journal,
         Err(error) => {
             ended.stopped = Some(not_written(&results.path(journal::NAME), &error.to_string()));
@@ -70,7 +71,8 @@ pub(super) fn run(
     thread::scope(|scope| {
         let (sender, receiver) = sync_channel(BATCH);
         for worker in 0..jobs.min(chains).max(1) {
-            let (sender, stop, next, kept, shown) = (sender.clone(), &stop, &next, kept.as_ref(), &shown);
+            let (sender, stop, next, kept, shown) =
+                (sender.clone(), &stop, &next, kept.as_ref(), &shown);
             scope.spawn(move || {
                 let watch = Stop { stop, interruption, shown, worker };
                 loop {
@@ -85,7 +87,8 @@ pub(super) fn run(
             });
         }
         drop(sender);
-        let written = keep_rows((sweep, results), &mut journal, &receiver, (&shown, &mut ended.warnings));
+        let written =
+            keep_rows((sweep, results), &mut journal, &receiver, (&shown, &mut ended.warnings));
         if let Err(reason) = written {
             ended.stopped = Some(reason);
             stop.store(true, Ordering::Relaxed);
@@ -124,7 +127,8 @@ fn follow(
     for number in begin..first + sweep.chain() {
         let point = sweep.point(number);
         watch.shown.begun(watch.worker);
-        let mut done = match point::run((sweep, &point), state.as_deref(), (cache, results), watch) {
+        let mut done = match point::run((sweep, &point), state.as_deref(), (cache, results), watch)
+        {
             Ok(done) => done,
             Err(Undone::Interrupted) => return Break(()),
             Err(Undone::NotKept(reason)) => {
@@ -172,7 +176,8 @@ fn keep_rows(
         };
         let batch: Result<Vec<Sent>, String> =
             std::iter::once(first).chain(receiver.try_iter().take(BATCH)).collect();
-        let (mut rows, mut numbers): (Vec<(Key, Vec<String>, Row)>, Vec<usize>) = Default::default();
+        let (mut rows, mut numbers): (Vec<(Key, Vec<String>, Row)>, Vec<usize>) =
+            Default::default();
         for Sent { number, point, done } in batch? {
             shown.done(done.row.verdict != Verdict::Sound);
             warnings.extend(done.warnings);
