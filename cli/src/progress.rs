@@ -305,7 +305,7 @@ fn line((step, steps, first): (usize, usize, usize), time: f64, elapsed: Duratio
 }
 
 /// A duration as people say it.
-fn words(duration: Duration) -> String {
+pub(crate) fn words(duration: Duration) -> String {
     match duration.as_secs() {
         seconds @ 0..60 => format!("{seconds} s"),
         seconds @ 60..3600 => format!("{} min {} s", seconds / 60, seconds % 60),

@@ -76,7 +76,7 @@ fn the_rows_of_a_sweep_are_those_of_runs_of_its_points() {
         points(&bench.path("study.toml")).unwrap_or_else(|failure| panic!("{}", failure.report()));
     assert_eq!(all.len(), 15);
     let (largest, energy) =
-        (column(&found, "RX1_N.max"), column(&found, "energy_balance_j.kinetic"));
+        (column(&found, "RX1_N.min"), column(&found, "energy_balance_j.kinetic"));
     for point in &all {
         let case =
             CaseText::new("mass", bench.path("").as_path(), mass(2000)).with_values(point.lines());
@@ -90,7 +90,7 @@ fn the_rows_of_a_sweep_are_those_of_runs_of_its_points() {
             });
             rest[..rest.find([',', '\n']).expect("an end")].parse().expect("a number")
         };
-        assert_eq!(largest[point.number()].parse(), Ok(number(["RX_N", "max"])));
+        assert_eq!(largest[point.number()].parse(), Ok(number(["RX_N", "min"])));
         assert_eq!(energy[point.number()].parse(), Ok(number(["energy_balance_j", "kinetic"])));
     }
     // The speeds differ, and so do the forces.
@@ -498,4 +498,109 @@ fn bodies_that_points_share_are_reduced_once() {
         assert_eq!(forces.len(), 3 * (bodies - 1));
         assert_ne!(forces[0], forces[1]);
     }
+}
+
+/// Points that go on from each other are runs that start from each other's state.
+#[test]
+fn continued_points_start_as_the_one_before_ended() {
+    let study = "case = \"hu2003-5\"\ncontinue = \"both\"\nkeep = \"histories\"\n[vary]\nmarch.steps = [20]\n\
+                 springs.radial_clearance = [\"20 um\", \"40 um\"]\n";
+    let bench = Workbench::new().file("study.toml", study);
+    done(&bench.whirl(&["sweep", "study.toml"]));
+    let found = text(&bench, "results/study/table.csv");
+    assert_eq!(column(&found, "springs.radial_clearance [um]"), ["20", "40", "40", "20"]);
+    assert_eq!(column(&found, "direction"), ["up", "up", "down", "down"]);
+    let case = |clearance: u32, before: u32| {
+        format!(
+            "include = \"hu2003-5.toml\"\n[springs]\nradial_clearance = \"{clearance} um\"\n[march]\nsteps = 20\n\
+             [start]\nfrom = \"results/study/points/0000{before}\"\n"
+        )
+    };
+    let bench = bench.file("second.toml", &case(40, 0)).file("last.toml", &case(20, 2));
+    for (name, point) in [("second", 1), ("last", 3)] {
+        done(&bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]));
+        let own = bench.history_text(&format!("results/{name}"));
+        assert!(own == bench.history_text(&format!("results/study/points/0000{point}")), "{name}");
+    }
+    let refused = [
+        ("[\"40 um\", \"20 um\"]", "do not rise"),
+        ("[\"20 um\", \"40 um\"]\nsprings.law = [\"hu2003-linear\"]", "do not rise"),
+    ];
+    for (values, words) in refused {
+        let bench = bench_of(&study.replace("[\"20 um\", \"40 um\"]", values));
+        let outcome = bench.whirl(&["sweep", "study.toml"]);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{}", outcome.stderr);
+        assert!(outcome.stderr.contains(words), "{}", outcome.stderr);
+    }
+    let along = study.replace("continue", "along = \"springs.radial_clearance\"\ncontinue");
+    let along = along
+        .replace("[vary]\n", "[vary]\nsprings.law = [\"hu2003-linear\", \"hu2003-nonlinear\"]\n");
+    let sweep = sweep_of(&along);
+    let chain: Vec<String> = sweep.points().take(5).map(|own| own.lines()).collect();
+    assert!(chain[..4].iter().all(|own| own.contains("hu2003-linear")), "{chain:?}");
+    assert!(chain[4].contains("hu2003-nonlinear"), "{chain:?}");
+}
+
+fn bench_of(study: &str) -> Workbench {
+    Workbench::new().file("study.toml", study)
+}
+
+/// States from which points go on survive a kill, and none is left in the end.
+#[cfg(unix)]
+#[test]
+fn a_killed_sweep_that_is_continued_goes_on_within_its_chains() {
+    let study = "case = \"mass.toml\"\ncontinue = \"both\"\n[vary]\nmass.damping = [\"0 N*s/m\", \"1 N*s/m\"]\n\
+                 stop.1.gap = \"0.5 mm .. 1.5 mm, 8\"\n";
+    let bench = bench(20_000, study);
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));
+    let length = fs::metadata(bench.path("whole/sweep.journal")).unwrap().len();
+    kill_at(&bench, length / 10, &[]);
+    for part in [3, 6, 8] {
+        kill_at(&bench, length * part / 10, &["--resume"]);
+        assert!(bench.path("cut/chains").exists());
+    }
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]));
+    let found = text(&bench, "cut/table.csv");
+    assert!(found == text(&bench, "whole/table.csv"), "other bytes");
+    for folder in ["cut", "whole"] {
+        assert!(!bench.path(folder).join("chains").exists());
+    }
+    // A chain is not many runs from the start.
+    let alone = study.replace("continue = \"both\"\n", "");
+    let bench = bench.file("study.toml", &alone);
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "alone"]));
+    let alone = text(&bench, "alone/table.csv");
+    let (alone, chain) = (column(&alone, "X1_um.mean"), column(&found, "X1_um.mean"));
+    assert_eq!(alone[0], chain[0]);
+    assert_ne!(alone[1], chain[1]);
+}
+
+#[test]
+fn a_check_says_what_a_sweep_takes() {
+    let study = "title = \"clearance and load\"\ncase = \"hu2003-5\"\nkeep = \"histories\"\n[vary]\nmarch.steps = [10]\n\
+                 springs.radial_clearance = \"20 um .. 60 um, 5\"\nsupport.dimensions.ring_thickness = [\"20 mm\", \"21 mm\"]\n";
+    let bench = bench_of(study);
+    let outcome = bench.whirl(&["check", "study.toml", "--cache", "cache"]);
+    done(&outcome);
+    for words in [
+        "study: clearance and load",
+        "10 points (5 × 2):",
+        "springs.radial_clearance [um]: 20 .. 60",
+        "support.dimensions.ring_thickness [mm]: 20, 21",
+        "3 bodies are reduced, each once (1 + 2 of the bodies of a point)\n",
+        "on disk",
+    ] {
+        assert!(outcome.stdout.contains(words), "`{words}` is not in {}", outcome.stdout);
+    }
+    // The first point is built: its bodies are there.
+    let outcome = bench.whirl(&["check", "study.toml", "--cache", "cache"]);
+    assert!(outcome.stdout.contains("2 of them are kept from before"), "{}", outcome.stdout);
+    assert_eq!(bench.listing(), ["cache", "study.toml"], "nothing else is written");
+    done(&bench.whirl(&["sweep", "study.toml", "--cache", "cache"]));
+    assert_eq!(bench.listing_of("cache").len(), 3, "as it was said");
+    // What is wrong is said as a sweep says it.
+    let bench = bench.file("study.toml", &study.replace("60 um", "60 N"));
+    let [checked, run] =
+        ["check", "sweep"].map(|command| bench.whirl(&[command, "study.toml"]).stderr);
+    assert_eq!(checked, run);
 }

@@ -1,5 +1,6 @@
 //! `whirl sweep`: a case at many points, on all cores, with a row a point in a table.
 
+mod check;
 mod column;
 mod examine;
 mod folder;
@@ -24,6 +25,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::Source;
 use whirl_solver::cache::Cache;
 
+pub(crate) use self::check::check;
 use self::examine::examine;
 use self::folder::SweepFolder;
 use self::kept::Kept;
@@ -157,8 +159,12 @@ fn asked(arguments: &SweepArguments) -> Result<Sweep, Failure> {
 }
 
 fn jobs(arguments: &SweepArguments) -> usize {
-    let all = || std::thread::available_parallelism().map_or(1, usize::from);
-    arguments.jobs.map_or_else(all, usize::from)
+    arguments.jobs.map_or_else(cores, usize::from)
+}
+
+/// Points at a time where nothing says otherwise.
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 fn folder(arguments: &SweepArguments, sweep: &Sweep) -> PathBuf {
