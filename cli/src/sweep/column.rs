@@ -35,6 +35,11 @@ impl Column {
         Column { head, unit: one.map(|_| written[0].clone()) }
     }
 
+    /// Whether it has numbers.
+    pub(super) fn is_number(&self) -> bool {
+        self.unit.is_some()
+    }
+
     /// A value of the key.
     pub(super) fn shown(&self, level: &Level) -> Shown {
         let number = || Some(in_unit_of(&level.quantity()?, &self.unit.as_ref()?.quantity()?));

@@ -181,5 +181,5 @@ fn absent_is_fine(done: io::Result<()>) -> io::Result<()> {
 
 /// Every name that a sweep may give to a file in its folder.
 fn files() -> impl Iterator<Item = String> {
-    [journal::NAME, table::CSV].map(String::from).into_iter()
+    [journal::NAME, table::CSV, table::PARQUET].map(String::from).into_iter()
 }

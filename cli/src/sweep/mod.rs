@@ -8,6 +8,7 @@ mod identity;
 mod journal;
 mod kept;
 mod level;
+mod parquet;
 mod point;
 mod points;
 mod random;
