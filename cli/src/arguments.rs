@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -22,7 +23,9 @@ pub struct Arguments {
 pub(crate) enum Command {
     /// March a case in time and write its history, summary and figures
     Run(RunArguments),
-    /// Check a case or spec file: report what it would run, or what is known of it, and every error
+    /// Run a case at many points, on all cores, and write a table of what they come to
+    Sweep(SweepArguments),
+    /// Check a case, sweep or spec file: report what it would run, or what is known of it, and every error
     Check(CheckArguments),
     /// Show what a spec defines and what follows from it: equations, shapes, costs, report, plot, code
     Explain(ExplainArguments),
@@ -64,6 +67,31 @@ pub(crate) struct RunArguments {
     #[arg(long)]
     pub(crate) npz: bool,
     /// Resume an interrupted run in the same folder
+    #[arg(long)]
+    pub(crate) resume: bool,
+    /// Print only warnings and errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+    /// Where reduced machines are kept
+    #[command(flatten)]
+    pub(crate) cache: CacheArguments,
+}
+
+/// Arguments of `whirl sweep`.
+#[derive(Debug, Args)]
+pub(crate) struct SweepArguments {
+    /// Path of a sweep file; or, with `--vary`, of a case file, or the name of a built-in case
+    pub(crate) file: String,
+    /// A key of the case with its values, such as "springs.radial_clearance=20 um .. 60 um, 9"; may be given several times
+    #[arg(long, value_name = "KEY=RANGE")]
+    pub(crate) vary: Vec<String>,
+    /// Folder for the results (`results` and the name of the sweep, if left out)
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Points at a time [default: one a core]
+    #[arg(long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+    /// Resume a sweep in the same folder that has not come to its end
     #[arg(long)]
     pub(crate) resume: bool,
     /// Print only warnings and errors

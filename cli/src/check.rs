@@ -1,6 +1,7 @@
 //! `whirl check`: what a case would run, without marching; what was found about a spec.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use whirl_solver::assembly::mass_properties;
 use whirl_solver::cache::Cache;
@@ -14,7 +15,7 @@ use crate::explain;
 use crate::machine::{self, BodyPlan, MachinePlan, Plan};
 use crate::progress::{self, ProgressMode};
 use crate::report::table;
-use crate::{spec_file, start, streams};
+use crate::{spec_file, start, streams, sweep};
 
 /// Adds a line to a text.
 macro_rules! line {
@@ -27,7 +28,7 @@ mod contacts;
 mod joined;
 
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
-/// file, says its report.
+/// file, says its report; of a sweep, its points.
 ///
 /// # Errors
 /// Whatever keeps the case from being marched, or is wrong with the spec.
@@ -36,8 +37,11 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     if spec_file::is_spec(name) {
         return explain::check(name);
     }
-    let case = streams::warned(|warnings| machine::read(name, warnings))?;
     let cache = arguments.cache.open();
+    if sweep::is_sweep(name) {
+        return sweep::check(Path::new(name), cache);
+    }
+    let case = streams::warned(|warnings| machine::read(name, warnings))?;
     let show = ProgressMode::on_terminal();
     streams::warned(|warnings| of_case(&case, (cache.as_ref(), arguments.contacts), show, warnings))
 }

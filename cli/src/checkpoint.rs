@@ -42,6 +42,17 @@ impl Identity {
         Identity(parts)
     }
 
+    /// Of parts by what messages call them, each with a hash or a name.
+    pub(crate) fn new(parts: Vec<(String, String)>) -> Identity {
+        Identity(parts)
+    }
+
+    /// What of this another one has otherwise, or not at all, in words; it may have more.
+    pub(crate) fn changed_in(&self, other: &Identity) -> Vec<String> {
+        let changed = self.0.iter().filter(|part| !other.0.contains(part));
+        changed.map(|(what, _)| what.clone()).collect()
+    }
+
     /// What differs from another, in words.
     fn differences(&self, other: &Identity) -> Vec<String> {
         let has = |all: &Identity, part: &(String, String)| all.0.contains(part);

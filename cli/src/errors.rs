@@ -53,6 +53,14 @@ pub enum Failure {
         /// What differs.
         differs: Vec<String>,
     },
+    /// A sweep that is to be resumed as another one.
+    #[error("the sweep in `{}` cannot be resumed: since then these have changed: {}", folder.display(), differs.join(", "))]
+    OtherSweep {
+        /// Its folder.
+        folder: PathBuf,
+        /// What differs.
+        differs: Vec<String>,
+    },
     /// A run that is to be resumed and has left no checkpoint.
     #[error("the run in `{}` cannot be resumed: {reason}", folder.display())]
     NothingToResume {
@@ -121,7 +129,7 @@ impl Failure {
                     "error: {self}\n = help: wait for it, or choose another folder with `--out DIR`\n"
                 )
             }
-            Failure::OtherRun { .. } => format!(
+            Failure::OtherRun { .. } | Failure::OtherSweep { .. } => format!(
                 "error: {self}\n = help: put back what it was, or begin anew without `--resume`; `--out DIR` keeps the \
                  results that are there\n"
             ),

@@ -28,6 +28,7 @@ pub mod simulate;
 mod spec_file;
 mod start;
 mod streams;
+pub mod sweep;
 mod version;
 
 use std::process::ExitCode;
@@ -53,6 +54,7 @@ use streams::{print_error, say};
 pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {
         Command::Run(arguments) => run::run(arguments),
+        Command::Sweep(arguments) => sweep::sweep(arguments),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),

@@ -144,6 +144,109 @@ impl Steps {
     }
 }
 
+/// Progress of the points of a sweep, which several workers run at a time.
+pub(crate) struct PointsShown {
+    bar: Option<ProgressBar>,
+    lines: Option<ProgressLines>,
+    now: Arc<Points>,
+}
+
+/// Where a sweep is, for the threads that work on it and the one that shows it.
+struct Points {
+    all: usize,
+    /// Those that were done before.
+    first: usize,
+    done: AtomicUsize,
+    /// Of these, failed or not sound.
+    bad: AtomicUsize,
+    /// Of every worker: steps of its point, and those that are done.
+    workers: Vec<[AtomicUsize; 2]>,
+    start: Instant,
+}
+
+impl Points {
+    /// Points that are done since the start, those under way by their steps.
+    fn worth(&self) -> f64 {
+        let parts = self.workers.iter().map(|[all, done]| {
+            let [all, done] = [all, done].map(|own| own.load(Ordering::Relaxed) as f64);
+            if all > 0.0 { (done / all).min(1.0) } else { 0.0 }
+        });
+        (self.done.load(Ordering::Relaxed) - self.first) as f64 + parts.sum::<f64>()
+    }
+
+    /// The time that is left if points take as long as those before.
+    fn left(&self) -> Option<Duration> {
+        let worth = self.worth();
+        let rest = (self.all - self.first) as f64 - worth;
+        (worth > 0.0).then_some(())?;
+        Duration::try_from_secs_f64(self.start.elapsed().as_secs_f64() / worth * rest.max(0.0)).ok()
+    }
+
+    fn words(&self) -> String {
+        let [done, bad] = [&self.done, &self.bad].map(|own| own.load(Ordering::Relaxed));
+        let bad =
+            if bad > 0 { format!(", {bad} of them failed or not sound") } else { String::new() };
+        let left =
+            self.left().map_or(String::new(), |left| format!(", about {} left", words(left)));
+        format!("{done} of {} points{bad}{left}", self.all)
+    }
+}
+
+impl PointsShown {
+    /// Of `all` points, of which `first` are done, by so many workers.
+    pub(crate) fn new(show: ProgressMode, all: usize, first: usize, workers: usize) -> Self {
+        let workers = (0..workers).map(|_| Default::default()).collect();
+        let (done, bad, start) = (AtomicUsize::new(first), AtomicUsize::default(), Instant::now());
+        let now = Arc::new(Points { all, first, done, bad, workers, start });
+        let bar = (show == ProgressMode::Bar).then(|| {
+            let bar = ProgressBar::new(all as u64).with_position(first as u64);
+            match ProgressStyle::with_template("{wide_bar} {msg}") {
+                Ok(style) => bar.with_style(style),
+                Err(_) => bar,
+            }
+        });
+        let lines = (show == ProgressMode::Lines).then(|| {
+            let now = now.clone();
+            ProgressLines::start(move |_| now.words())
+        });
+        PointsShown { bar, lines, now }
+    }
+
+    /// A worker begins a point.
+    pub(crate) fn begun(&self, worker: usize) {
+        self.now.workers[worker].iter().for_each(|own| own.store(0, Ordering::Relaxed));
+    }
+
+    /// Its point has so many steps.
+    pub(crate) fn steps(&self, worker: usize, steps: usize) {
+        self.now.workers[worker][0].store(steps, Ordering::Relaxed);
+    }
+
+    /// So many of them are done.
+    pub(crate) fn step(&self, worker: usize, step: usize) {
+        self.now.workers[worker][1].store(step, Ordering::Relaxed);
+    }
+
+    /// A point is done and on disk; `bad`: failed, or not sound.
+    pub(crate) fn done(&self, bad: bool) {
+        self.now.done.fetch_add(1, Ordering::Relaxed);
+        self.now.bad.fetch_add(usize::from(bad), Ordering::Relaxed);
+    }
+
+    /// Moves the bar.
+    pub(crate) fn update(&self) {
+        let Some(bar) = &self.bar else { return };
+        bar.set_position(self.now.done.load(Ordering::Relaxed) as u64);
+        bar.set_message(self.now.words());
+    }
+
+    /// Takes the bar away.
+    pub(crate) fn end(mut self) {
+        self.lines = None;
+        self.bar.iter().for_each(ProgressBar::finish_and_clear);
+    }
+}
+
 /// Shows a run on stderr, and hears Ctrl-C for it.
 pub(crate) struct Terminal<'i> {
     show: ProgressMode,
@@ -202,7 +305,7 @@ fn line((step, steps, first): (usize, usize, usize), time: f64, elapsed: Duratio
 }
 
 /// A duration as people say it.
-fn words(duration: Duration) -> String {
+pub(crate) fn words(duration: Duration) -> String {
     match duration.as_secs() {
         seconds @ 0..60 => format!("{seconds} s"),
         seconds @ 60..3600 => format!("{} min {} s", seconds / 60, seconds % 60),

@@ -109,7 +109,7 @@ impl Results {
 }
 
 /// The lock of a folder that nobody else has; none, and a warning, where its file system knows no locks.
-fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) -> Option<Lock> {
+pub(crate) fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) -> Option<Lock> {
     let Locked::Ours(lock) = locked else {
         warnings.push(format!(
             "the file system of `{}` has no locks: it would not be noticed if another run wrote its results there, too",

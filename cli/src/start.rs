@@ -42,6 +42,10 @@ pub(crate) fn begin<'m>(
             }
             return Ok(march);
         }
+        Start::After(state) => {
+            let last = unpack(&Key::of(&LAYOUT), state).expect("it was packed by this program");
+            return March::from_last(machine, options, &last).map_err(Failure::from);
+        }
         Start::Rest => rest(case, built),
         Start::Equilibrium => {
             let found = equilibrium(machine, &speeds(case))?;
@@ -60,7 +64,7 @@ pub(crate) fn begin<'m>(
 /// As [`begin`].
 pub(crate) fn described(case: &Case, built: &Built) -> Result<Option<String>, Failure> {
     Ok(match &case.start {
-        Start::Rest => None,
+        Start::Rest | Start::After(_) => None,
         Start::Equilibrium => Some(words(case, &equilibrium(&built.machine, &speeds(case))?)),
         Start::State(folder) => {
             let last = read(Path::new(folder.text()), None)?;

@@ -32,6 +32,7 @@ mod readme;
 mod schema;
 mod starts;
 mod streams;
+mod sweeps;
 mod unsound;
 mod verdicts;
 mod workbench;

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use crate::workbench::Workbench;
 
-const KINDS: [&str; 6] = ["law", "element", "form", "motion", "clearance", "case"];
+const KINDS: [&str; 7] = ["law", "element", "form", "motion", "clearance", "case", "sweep"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

@@ -147,6 +147,11 @@ impl<'a> FileStore<'a> {
     }
 }
 
+/// The paths and texts of all files that are built in.
+pub(super) fn embedded_files() -> impl Iterator<Item = (PathBuf, &'static str)> {
+    EMBEDDED.iter().map(|(file, text)| (Path::new(EMBEDDED_FOLDER).join(file), *text))
+}
+
 fn embedded_file(path: &Path) -> Option<Arc<Source>> {
     let wanted = path.strip_prefix(EMBEDDED_FOLDER).ok()?;
     let (_, text) = EMBEDDED.iter().find(|(file, _)| Path::new(file) == wanted)?;
@@ -188,11 +193,16 @@ const DEEPEST_INCLUDE: usize = 8;
 /// More files than this are included by mistake, such as by files that include each other twice.
 const MOST_FILES: usize = 64;
 
-/// The tree of `path` with everything it includes, and the files read, the case first.
+/// The tree of `path` with everything it includes, and the files read, the case first. `values` hold in place of those of the
+/// files.
 ///
 /// # Errors
 /// Every file that cannot be read or is not TOML.
-pub(crate) fn load(store: FileStore, path: &Path) -> Result<(Tree, Vec<Arc<Source>>), Diagnostics> {
+pub(crate) fn load(
+    store: FileStore,
+    path: &Path,
+    values: Option<Tree>,
+) -> Result<(Tree, Vec<Arc<Source>>), Diagnostics> {
     let source = match store {
         FileStore::Given(text) => text.source(),
         _ => store.read(path).map_err(|message| {
@@ -205,13 +215,21 @@ pub(crate) fn load(store: FileStore, path: &Path) -> Result<(Tree, Vec<Arc<Sourc
     if let FileStore::Given(text) = store
         && let Some(values) = text.varied()
     {
-        let mut varied = load_source(store, &values, 0, &mut sources, &mut errors);
-        in_lists(&mut varied, &tree, &mut errors);
-        varied.merge(tree, INSTEAD);
-        tree = varied;
+        let varied = load_source(store, &values, 0, &mut sources, &mut errors);
+        tree = replaced(tree, varied, &mut errors);
         sources.push(values);
     }
+    if let Some(values) = values {
+        tree = replaced(tree, values, &mut errors);
+    }
     errors.into_result((tree, sources))
+}
+
+/// A tree with `values` in place of its own.
+fn replaced(tree: Tree, mut values: Tree, errors: &mut Diagnostics) -> Tree {
+    in_lists(&mut values, &tree, errors);
+    values.merge(tree, INSTEAD);
+    values
 }
 
 /// Makes lists of those tables of `varied` that count the tables of a list: with `load.2.force`, all loads as `tree` has them, the
@@ -300,7 +318,7 @@ fn load_source(
 }
 
 /// What is wrong with a value that no key takes.
-fn refused(node: &Node) -> Option<Diagnostic> {
+pub(crate) fn refused(node: &Node) -> Option<Diagnostic> {
     let (message, help) = match &node.content {
         Content::Number(number) if number.float().is_some() => return None,
         Content::Number(number) if number.whole => (

@@ -35,14 +35,14 @@ pub(crate) use joined::{
     MeshedBody, NamedBody, OtherLaw, Side as JointSide, Turning,
 };
 pub(crate) use law::{LawSource, NamedLaw};
-pub(crate) use library::embedded_cases;
+pub(crate) use library::{FileStore, embedded_cases, refused};
 pub(crate) use loads::{Acting, Load, Spread, Variation};
 pub(crate) use lumped::{Lumped, Side, Unbalance};
 pub(crate) use march::MarchSettings;
 pub(crate) use outputs::{Output, Wanted};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
-pub(crate) use read::{Draft, SystemDraft, draft, draft_of};
+pub(crate) use read::{Draft, SystemDraft, draft, draft_of, draft_with};
 pub(crate) use rotor::RotorDraft;
 pub(crate) use rotor::{
     Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, Rotor, Shaft, Support,

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use whirl_codegen::document::schema::Described;
+use whirl_codegen::document::tree::Tree;
 use whirl_codegen::document::{Document, Table};
 
 use super::fields::{self, Fields};
@@ -114,7 +115,7 @@ impl Draft {
 /// Files that cannot be read or are no TOML.
 pub(crate) fn draft(name: &str) -> Result<Draft, Diagnostics> {
     let (store, path) = FileStore::find(name)?;
-    draft_in(store, &path)
+    draft_in(store, &path, None)
 }
 
 /// As [`draft`], of a text.
@@ -122,11 +123,19 @@ pub(crate) fn draft(name: &str) -> Result<Draft, Diagnostics> {
 /// # Errors
 /// As [`draft`].
 pub(crate) fn draft_of(text: &CaseText) -> Result<Draft, Diagnostics> {
-    draft_in(FileStore::Given(text), text.path())
+    draft_in(FileStore::Given(text), text.path(), None)
 }
 
-fn draft_in(store: FileStore, path: &Path) -> Result<Draft, Diagnostics> {
-    let (tree, sources) = load(store, path)?;
+/// As [`draft_of`], with other values of some keys.
+///
+/// # Errors
+/// As [`draft`].
+pub(crate) fn draft_with(text: &CaseText, values: Tree) -> Result<Draft, Diagnostics> {
+    draft_in(FileStore::Given(text), text.path(), Some(values))
+}
+
+fn draft_in(store: FileStore, path: &Path, values: Option<Tree>) -> Result<Draft, Diagnostics> {
+    let (tree, sources) = load(store, path, values)?;
     let document = Document::of_case(&sources[0], tree);
     let draft = document.root(Case::SHAPE).read(|file| assemble(store, path, &sources, file));
     Ok(Draft { errors: document.into_errors(), ..draft })

@@ -1,5 +1,7 @@
 //! How a machine begins: the table `[start]`.
 
+use std::sync::Arc;
+
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_codegen::units::Dimension;
@@ -17,6 +19,8 @@ pub(crate) enum Start {
     Equilibrium,
     /// As another run ended: its folder of results.
     State(Located),
+    /// As a run before it ended: its state as it is kept. No file says so; points of a sweep go on from each other.
+    After(Arc<[u8]>),
 }
 
 /// The table, with where it says what.

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 
-use super::library::FileStore;
+use super::library::{FileStore, embedded_files, resolve};
 
 /// What messages call values that hold in place of those of a case.
 const VARIED: &str = "varied keys";
@@ -19,8 +19,8 @@ pub struct CaseText {
     files: BTreeMap<PathBuf, String>,
     /// Values that hold in place of those of the case, as lines of TOML.
     values: String,
-    /// Files of the disk that it was read with so far.
-    read: Mutex<BTreeMap<PathBuf, String>>,
+    /// Files of the disk that it was read with so far: what is read again, is the same.
+    read: Mutex<BTreeMap<PathBuf, Arc<Source>>>,
 }
 
 impl CaseText {
@@ -44,6 +44,28 @@ impl CaseText {
         })?;
         let text = source.text.clone();
         Ok(CaseText { path: path.to_path_buf(), text, ..CaseText::default() })
+    }
+
+    /// The case that is called `name`: a path, relative to the folder of `beside` if there is one, or a built-in case, with all
+    /// that is built in beside it.
+    ///
+    /// # Errors
+    /// Nothing is called so; it cannot be read.
+    pub(crate) fn find(name: &str, beside: Option<&Source>) -> Result<Self, Diagnostics> {
+        let path = beside.map_or_else(|| PathBuf::from(name), |own| resolve(own, name));
+        if path.is_file() {
+            return CaseText::of_file(&path);
+        }
+        match FileStore::find(name)? {
+            (FileStore::Embedded, path) => {
+                let source = FileStore::Embedded.read(&path).expect("a file that is built in");
+                let own = CaseText::at(&path, source.text.as_str());
+                let with = |own: CaseText, (path, text)| own.with_path(path, text);
+                Ok(embedded_files().fold(own, with))
+            }
+            // It stands where the command is run, not beside the file that names it.
+            (_, path) => CaseText::of_file(&path),
+        }
     }
 
     /// With a file that it or another one may name, such as `my-law.toml`: as if it stood in the same folder, before any
@@ -87,15 +109,22 @@ impl CaseText {
     /// The texts beside it by their paths, and those of the disk with which it was read: what it takes to read it elsewhere,
     /// but for meshes and matrices.
     pub fn files(&self) -> BTreeMap<PathBuf, String> {
-        let mut all = self.read.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let noted = self.noted().into_iter().map(|own| (own.path.clone(), own.text.clone()));
+        let mut all: BTreeMap<PathBuf, String> = noted.collect();
         all.extend(self.files.clone());
         all
     }
 
+    /// The files of the disk with which it was read.
+    pub(crate) fn noted(&self) -> Vec<Arc<Source>> {
+        let read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        read.values().cloned().collect()
+    }
+
     /// Notes a file of the disk.
-    pub(super) fn note(&self, source: &Source) {
+    pub(super) fn note(&self, source: &Arc<Source>) {
         let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        read.insert(source.path.clone(), source.text.clone());
+        read.insert(source.path.clone(), source.clone());
     }
 
     /// The case as if it were a file.
@@ -109,9 +138,11 @@ impl CaseText {
         (!self.values.is_empty()).then(|| Source::new(path, self.values.as_str()))
     }
 
-    /// The file that would stand beside it at `path`. The case itself is none of them: a text called as a file that it
-    /// includes includes that.
+    /// The file that would stand beside it at `path`, or was read from there before. The case itself is none of them: a text
+    /// called as a file that it includes includes that.
     pub(super) fn file(&self, path: &Path) -> Option<Arc<Source>> {
-        self.files.get(path).map(|text| Source::new(path, text.as_str()))
+        let given = self.files.get(path).map(|text| Source::new(path, text.as_str()));
+        let read = || self.read.lock().unwrap_or_else(PoisonError::into_inner).get(path).cloned();
+        given.or_else(read)
     }
 }

@@ -14,6 +14,7 @@ mod selections;
 mod springs;
 
 use serde::Serialize;
+use whirl_codegen::document::tree::Tree;
 use whirl_solver::cache::{Cache, Key};
 use whirl_solver::dynamics::BodyStart;
 use whirl_solver::history::{Column, History};
@@ -145,6 +146,18 @@ pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failu
 /// As [`read`].
 pub(crate) fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     checked(case::draft_of(text)?, warnings)
+}
+
+/// As [`read_text`], with other values of some keys.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn read_with(
+    text: &CaseText,
+    values: Tree,
+    warnings: &mut Vec<String>,
+) -> Result<Case, Failure> {
+    checked(case::draft_with(text, values)?, warnings)
 }
 
 fn checked(draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure> {

@@ -7,11 +7,12 @@ use whirl_codegen::document::schema::{Described, Shape};
 use whirl_codegen::spec::list::KINDS;
 
 use crate::case::Case;
+use crate::sweep::Sweep;
 
 /// Kinds of files: word, title, and what they may say.
 pub(crate) fn kinds() -> impl Iterator<Item = (&'static str, &'static str, &'static Shape)> {
     let specs = KINDS.iter().map(|kind| (kind.name, kind.title, kind.shape));
-    specs.chain([("case", Case::TITLE, Case::SHAPE)])
+    specs.chain([("case", Case::TITLE, Case::SHAPE), ("sweep", Sweep::TITLE, Sweep::SHAPE)])
 }
 
 /// The schema of a kind of file as text; without a kind, the kinds.

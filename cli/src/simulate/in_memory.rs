@@ -41,6 +41,18 @@ pub struct InMemory {
 /// # Errors
 /// The march cannot begin, or is interrupted before its first step.
 pub fn in_memory(case: &Case, built: &Built, watch: &dyn Watch) -> Result<InMemory, Failure> {
+    Ok(summed_up(case, built, watch)?.0)
+}
+
+/// As [`in_memory`], with the summary as a value: its numbers to the bit.
+///
+/// # Errors
+/// As there.
+pub(crate) fn summed_up(
+    case: &Case,
+    built: &Built,
+    watch: &dyn Watch,
+) -> Result<(InMemory, serde_json::Value), Failure> {
     let start = Instant::now();
     let kept = Kept { watch, warnings: RefCell::default(), notes: RefCell::default() };
     let mut store = TableStore::new(case, built);
@@ -59,7 +71,8 @@ pub fn in_memory(case: &Case, built: &Built, watch: &dyn Watch) -> Result<InMemo
         Some(Ok(own)) => warnings.extend(own.without_frames().map(str::to_owned)),
         None => {}
     }
-    Ok(InMemory {
+    let facts = serde_json::to_value(&summary).expect("the keys of a summary are strings");
+    let run = InMemory {
         history: store.table,
         state: store.last,
         summary: summary.json(),
@@ -67,7 +80,8 @@ pub fn in_memory(case: &Case, built: &Built, watch: &dyn Watch) -> Result<InMemo
         interrupted: matches!(marched.end, End::Interrupted),
         warnings,
         notes: kept.notes.take(),
-    })
+    };
+    Ok((run, facts))
 }
 
 /// Keeps what there is to say, and says it to another one.

@@ -20,6 +20,7 @@ use crate::report::{Summary, Times};
 use crate::start;
 
 pub(crate) use self::folder::FolderStore;
+pub(crate) use self::in_memory::summed_up;
 pub use self::in_memory::{InMemory, in_memory};
 pub(crate) use self::march::{End, Marched, Store};
 pub use self::watch::{Quiet, Watch};

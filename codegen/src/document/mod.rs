@@ -34,6 +34,8 @@ pub struct Document<'s> {
     pub(crate) source: &'s Arc<Source>,
     tree: Tree,
     wording: Wording,
+    /// What messages call it.
+    called: &'static str,
     errors: RefCell<Diagnostics>,
 }
 
@@ -44,12 +46,24 @@ impl<'s> Document<'s> {
     /// A spec; errors of TOML itself are collected like all others.
     pub fn parse(source: &'s Arc<Source>) -> Self {
         let (tree, errors) = Tree::parse(source);
-        Document { source, tree, wording: Wording::Spec, errors: RefCell::new(errors) }
+        let errors = RefCell::new(errors);
+        Document { source, tree, wording: Wording::Spec, called: "spec", errors }
     }
 
     /// A case: the tree of `source`, with the files that it includes.
     pub fn of_case(source: &'s Arc<Source>, tree: Tree) -> Self {
-        Document { source, tree, wording: Wording::Case, errors: RefCell::default() }
+        Document {
+            source,
+            tree,
+            wording: Wording::Case,
+            called: "case",
+            errors: RefCell::default(),
+        }
+    }
+
+    /// A file that is read as cases are and that messages call something else.
+    pub fn called(self, called: &'static str) -> Self {
+        Document { called, ..self }
     }
 
     /// Whether the text is TOML; if not, what its tables say is not worth reading.

@@ -75,6 +75,13 @@ pub struct Number {
 }
 
 impl Number {
+    /// One that is written with decimal digits.
+    pub fn decimal(text: impl Into<String>) -> Number {
+        let text = text.into();
+        let whole = !text.contains(['.', 'e', 'E']);
+        Number { text, radix: 10, whole }
+    }
+
     /// Its value, if it is finite and of no more digits than numbers may have.
     pub(crate) fn exact(&self) -> Option<Rational> {
         if self.radix != 10 {

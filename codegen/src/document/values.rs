@@ -263,6 +263,35 @@ impl<'d> Table<'d> {
         self.optional_items(key)
     }
 
+    /// Lists of texts in a list; none if the key is not given.
+    pub fn lists_of_texts(&self, key: &str) -> Vec<Vec<Located>> {
+        fn is_nested(shape: &Shape) -> bool {
+            matches!(shape, Shape::List(Shape::List(Shape::Text)))
+        }
+        let Some((node, _)) = self.entry(key, is_nested) else { return Vec::new() };
+        let wrong = |node: &Node| self.wrong(key, node, "lists of names", &self.example(key));
+        let Content::List(lists) = &node.content else {
+            wrong(node);
+            return Vec::new();
+        };
+        let mut all = Vec::with_capacity(lists.len());
+        for list in lists {
+            let Content::List(items) = &list.content else {
+                wrong(list);
+                continue;
+            };
+            let text = |item: &Node| match &item.content {
+                Content::Text(text) => Some(item.place.text(text)),
+                _ => {
+                    wrong(item);
+                    None
+                }
+            };
+            all.push(items.iter().filter_map(text).collect());
+        }
+        all
+    }
+
     /// Texts in a list, or one alone where this is declared; as many as declared.
     pub fn texts(&self, key: &str) -> Vec<Located> {
         let is_list = |shape: &Shape| shape.of_items().is_some_and(Shape::is_text);

@@ -78,7 +78,9 @@ impl Table<'_> {
     pub(super) fn unknown(&self, key: &str) -> String {
         match self.wording() {
             Wording::Spec => format!("unknown key `{}`", self.full(key)),
-            Wording::Case if self.path.is_empty() => format!("a case has no key `{key}`"),
+            Wording::Case if self.path.is_empty() => {
+                format!("a {} has no key `{key}`", self.document.called)
+            }
             Wording::Case => format!("`[{}]` has no key `{key}`", self.path),
         }
     }
@@ -89,7 +91,9 @@ impl Table<'_> {
         let (span, message) = match (self.wording(), self.path.as_str()) {
             (Wording::Spec, "") => (None, format!("`{key}` is missing")),
             (Wording::Spec, path) => (span, format!("`{key}` is missing in `{path}`")),
-            (Wording::Case, "") => (span, format!("`{key}` is missing in the case")),
+            (Wording::Case, "") => {
+                (span, format!("`{key}` is missing in the {}", self.document.called))
+            }
             (Wording::Case, path) => (span, format!("`{key}` is missing in `[{path}]`")),
         };
         Diagnostic::new(self.source(), Code::MISSING_KEY, span, message).help(help)
@@ -102,7 +106,11 @@ impl Table<'_> {
             Wording::Case if shape.is_table() => {
                 let message = format!("the table `[{}]` is missing", self.full(key));
                 let error = Diagnostic::new(self.source(), Code::MISSING_KEY, self.span(), message);
-                error.help("add it here, or `include` a file that has it")
+                let others = ", or `include` a file that has it";
+                error.help(format!(
+                    "add it here{}",
+                    if self.document.called == "case" { others } else { "" }
+                ))
             }
             Wording::Case => self.missing(key, &format!("add `{key} = {}`", self.example(key))),
         }

@@ -1,0 +1,88 @@
+//! On what the numbers of a sweep depend beside the values of its points.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use whirl_solver::cache::{Key, instruction_set};
+
+use super::{Keep, Sweep};
+use crate::case::{self, Case, Form, Start, System};
+use crate::checkpoint::Identity;
+use crate::results::STATE;
+use crate::{machine, version};
+
+/// Hashes of files and of what is made of them, by what messages call them.
+#[derive(Debug, Default)]
+pub(super) struct Inputs(BTreeMap<String, String>);
+
+impl Inputs {
+    /// Takes in what a case names beside its texts: meshes, and the state in which another run ended.
+    pub(super) fn add(&mut self, case: &Case) {
+        for path in files(case) {
+            let what = format!("the file `{}`", path.display());
+            if !self.0.contains_key(&what)
+                && let Ok(bytes) = fs::read(&path)
+            {
+                self.0.insert(what, Key::of(&bytes).hex());
+            }
+        }
+    }
+
+    /// Takes in what is made of the meshes of a case that can be built.
+    pub(super) fn add_bodies(&mut self, case: &Case) {
+        for (place, key) in machine::keys(case).into_iter().flatten().enumerate() {
+            let what = format!("body {} of the case, or what is made of its mesh", place + 1);
+            self.0.insert(what, key.hex());
+        }
+    }
+
+    /// With the texts that were read for the sweep, for this program on this processor.
+    pub(super) fn identity(mut self, sweep: &Sweep) -> Identity {
+        for source in sweep.base.noted() {
+            let what = format!("the file `{}`", source.path.display());
+            self.0.insert(what, Key::of(&source.text).hex());
+        }
+        let own = sweep.base.path().display().to_string();
+        self.0.insert(format!("the case `{own}`"), Key::of(&sweep.base.text()).hex());
+        let keep = match sweep.keep {
+            Keep::Nothing => "nothing",
+            Keep::Histories => "histories",
+        };
+        let fixed = [
+            ("the program", version::SOURCES.to_owned()),
+            ("the kind of processor", instruction_set()),
+            ("`keep`", keep.to_owned()),
+        ];
+        let fixed = fixed.map(|(what, value)| (what.to_owned(), value));
+        Identity::new(fixed.into_iter().chain(self.0).collect())
+    }
+}
+
+/// Files of which a case is made beside its texts.
+fn files(case: &Case) -> Vec<PathBuf> {
+    fn mesh<D>(body: &case::Body<D>) -> Option<PathBuf> {
+        match &body.mesh {
+            case::Mesh::File(file) => Some(file.path.clone()),
+            _ => None,
+        }
+    }
+    let mut all = Vec::new();
+    match &case.system {
+        System::Rotor(rotor) => {
+            all.extend([mesh(&rotor.shaft.body), mesh(&rotor.support.body)].into_iter().flatten());
+        }
+        System::Joined(joined) => {
+            for body in &joined.bodies {
+                if let Form::Meshed(own) = &body.form {
+                    all.extend(mesh(&own.body));
+                }
+            }
+        }
+        System::Lumped(_) => {}
+    }
+    if let Start::State(folder) = &case.start {
+        all.push(Path::new(folder.text()).join(STATE));
+    }
+    all
+}

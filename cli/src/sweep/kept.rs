@@ -1,0 +1,136 @@
+//! What is done of a sweep: which points have a row in the journal, and where.
+
+use std::collections::BTreeMap;
+
+use whirl_solver::cache::Key;
+
+use super::Sweep;
+use super::folder::SweepFolder;
+use super::journal::{self, Journal, Record, Records};
+use super::row::Row;
+use crate::checkpoint::Identity;
+use crate::errors::Failure;
+
+/// The rows that are there.
+pub(super) struct Kept {
+    records: Records,
+    /// Where the row of every point begins, if it is there.
+    rows: Vec<Option<u64>>,
+    /// Lists of names that rows have.
+    pub(super) names: Vec<Vec<String>>,
+    /// Bytes of whole records.
+    whole: u64,
+    /// Rows of points that the sweep does not have.
+    others: usize,
+    /// On what the rows depend.
+    identity: Option<Identity>,
+}
+
+impl Kept {
+    /// What is in the journal of a folder of results.
+    ///
+    /// # Errors
+    /// It cannot be read, in words.
+    pub(super) fn read(results: &SweepFolder, sweep: &Sweep) -> Result<Self, String> {
+        let path = results.path(journal::NAME);
+        let cannot = |error| format!("cannot read `{}`: {error}", path.display());
+        let mut records = Records::open(&path).map_err(cannot)?;
+        let numbers: BTreeMap<Key, usize> =
+            sweep.points().map(|point| (sweep.identity(&point), point.number())).collect();
+        let mut kept = Kept {
+            rows: vec![None; sweep.count()],
+            names: Vec::new(),
+            whole: 0,
+            others: 0,
+            identity: None,
+            records: Records::open(&path).map_err(cannot)?,
+        };
+        while let Some((start, record)) = records.next().map_err(cannot)? {
+            match record {
+                Record::Begin(identity) => kept.identity = Some(identity),
+                Record::Names(names) => kept.names.push(names),
+                Record::Done { point, .. } => match numbers.get(&point) {
+                    Some(number) => kept.rows[*number] = Some(start),
+                    None => kept.others += 1,
+                },
+            }
+        }
+        kept.whole = records.whole();
+        Ok(kept)
+    }
+
+    /// What a sweep goes on from; none where there is no journal.
+    ///
+    /// # Errors
+    /// The journal is that of another sweep, or of another state of its files.
+    pub(super) fn resumed(
+        results: &SweepFolder,
+        sweep: &Sweep,
+        identity: &Identity,
+    ) -> Result<Option<Self>, Failure> {
+        if !results.path(journal::NAME).exists() {
+            return Ok(None);
+        }
+        let folder = || results.folder().to_path_buf();
+        let kept = Kept::read(results, sweep)
+            .map_err(|reason| Failure::NothingToResume { folder: folder(), reason })?;
+        let Some(before) = &kept.identity else { return Ok(None) };
+        let mut differs = before.changed_in(identity);
+        if kept.others > 0 {
+            differs
+                .push(format!("the points: {} that are done are no longer asked for", kept.others));
+        }
+        if differs.is_empty() {
+            Ok(Some(kept))
+        } else {
+            Err(Failure::OtherSweep { folder: folder(), differs })
+        }
+    }
+
+    /// Number of points that are done.
+    pub(super) fn done(&self) -> usize {
+        self.rows.iter().flatten().count()
+    }
+
+    /// Whether a point is done.
+    pub(super) fn has(&self, number: usize) -> bool {
+        self.rows[number].is_some()
+    }
+
+    /// The row of a point, and which of the lists of names it has; none of one that is not done.
+    ///
+    /// # Errors
+    /// It cannot be read, in words.
+    pub(super) fn row(&mut self, number: usize) -> Result<Option<(usize, Row)>, String> {
+        let Some(start) = self.rows[number] else { return Ok(None) };
+        match self
+            .records
+            .at(start)
+            .map_err(|error| format!("cannot read `{}`: {error}", journal::NAME))?
+        {
+            Record::Done { names, row, .. } => Ok(Some((names as usize, row))),
+            _ => Err(format!("`{}` has changed while it was read", journal::NAME)),
+        }
+    }
+
+    /// The journal, to be gone on with after its last whole record.
+    ///
+    /// # Errors
+    /// It cannot be opened or cut.
+    pub(super) fn journal(&self, results: &SweepFolder) -> std::io::Result<Journal> {
+        Journal::go_on(&results.path(journal::NAME), self.whole, self.names.clone())
+    }
+}
+
+/// What is said of a sweep that is resumed.
+pub(super) fn going_on(kept: Option<&Kept>, results: &SweepFolder, sweep: &Sweep) -> String {
+    match kept {
+        Some(kept) => {
+            let (done, all) = (kept.done(), sweep.count());
+            format!("going on after {done} of {all} points")
+        }
+        None => {
+            format!("no journal in {}: starting from the beginning", results.folder().display())
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! One value of a key: what stands for it in a case, and where its user wrote it.
+
+use whirl_codegen::document::tree::{Content, Node, Number, Place};
+use whirl_codegen::rational::nearest;
+use whirl_codegen::units::Quantity;
+
+/// A value that a key has at some points.
+#[derive(Debug, Clone)]
+pub(super) struct Level {
+    /// As if it stood in the case, with its place in the sweep.
+    pub(super) node: Node,
+    /// As it would be written in a case.
+    pub(super) literal: String,
+}
+
+impl Level {
+    /// A value that stands in the sweep as it would in a case.
+    pub(super) fn written(node: Node) -> Self {
+        let literal = match &node.content {
+            Content::Text(text) => quoted(text),
+            _ => node.place.written().text().to_owned(),
+        };
+        Level { node, literal }
+    }
+
+    /// A number with a unit, or without one; `place` says where the range stands of which it is.
+    pub(super) fn number(value: f64, unit: Option<&str>, place: Place) -> Self {
+        let number = digits(value);
+        let (content, literal) = match unit {
+            Some(unit) => {
+                let text = format!("{number} {unit}");
+                (Content::Text(text.clone()), quoted(&text))
+            }
+            None => (Content::Number(Number::decimal(number.as_str())), number),
+        };
+        Level { node: Node { place, content }, literal }
+    }
+
+    /// The number with its unit, if it is one.
+    pub(super) fn quantity(&self) -> Option<Quantity> {
+        match &self.node.content {
+            Content::Text(text) => {
+                Quantity::parse(text).ok().filter(|own| own.unit().text() != "1")
+            }
+            Content::Number(number) => Quantity::parse(&digits(number.float()?)).ok(),
+            _ => None,
+        }
+    }
+}
+
+/// A quantity in the unit of another one of the same dimension, rounded once.
+pub(super) fn in_unit_of(value: &Quantity, other: &Quantity) -> f64 {
+    if value.unit().text() == other.unit().text() {
+        return nearest(value.value());
+    }
+    match (value.unit().rational(), other.unit().rational()) {
+        (Some(own), Some(other)) => nearest(&(&(value.value() * own) / other)),
+        _ => {
+            nearest(value.value()) * value.unit().factor().to_f64() / other.unit().factor().to_f64()
+        }
+    }
+}
+
+/// The shortest decimal number that is read as `value`, in a form that TOML has, whole if it is.
+pub(super) fn digits(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        1e-4..1e15 => format!("{value}"),
+        _ => format!("{value:e}"),
+    }
+}
+
+/// A text as TOML writes it.
+pub(super) fn quoted(text: &str) -> String {
+    let mut all = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => all.extend(['\\', c]),
+            c if c.is_control() => all.push_str(&format!("\\u{:04X}", u32::from(c))),
+            c => all.push(c),
+        }
+    }
+    all + "\""
+}

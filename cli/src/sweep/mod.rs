@@ -1,0 +1,217 @@
+//! `whirl sweep`: a case at many points, on all cores, with a row a point in a table.
+
+mod check;
+mod column;
+mod examine;
+mod folder;
+mod identity;
+mod journal;
+mod kept;
+mod level;
+mod parquet;
+mod point;
+mod points;
+mod random;
+mod range;
+mod read;
+mod row;
+mod schema;
+mod table;
+mod vary;
+mod workers;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use whirl_codegen::diagnostic::Source;
+use whirl_solver::cache::Cache;
+
+pub(crate) use self::check::check;
+use self::examine::examine;
+use self::folder::SweepFolder;
+use self::kept::Kept;
+pub use self::points::Point;
+use self::points::{Along, Axis};
+pub(crate) use self::read::is_sweep;
+use self::vary::Varied;
+use self::workers::Ended;
+use crate::arguments::SweepArguments;
+use crate::case::CaseText;
+use crate::errors::Failure;
+use crate::progress::ProgressMode;
+use crate::signals::Interruption;
+use crate::streams;
+
+/// A case, and what varies of it.
+#[derive(Debug)]
+pub struct Sweep {
+    /// Name under which results are kept: that of the file without its ending.
+    name: String,
+    /// One line for people.
+    title: String,
+    /// The case, as far as its points have it alike.
+    base: CaseText,
+    /// Where it is said what varies.
+    source: Arc<Source>,
+    /// In the order in which they stand there.
+    keys: Vec<Varied>,
+    /// The last one varies fastest.
+    axes: Vec<Axis>,
+    /// Whether points go on from each other.
+    along: Option<Along>,
+    /// Points of a Latin hypercube, if it is one.
+    samples: Option<usize>,
+    keep: Keep,
+}
+
+/// What is kept of every point beside its row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Keep {
+    Nothing,
+    /// History, summary and last state.
+    Histories,
+}
+
+impl Sweep {
+    /// Reads a sweep file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, each with its place; whether the case has the keys and takes the values shows where its
+    /// points are read ([`Sweep::case`]).
+    pub fn of_file(path: &Path) -> Result<Self, Failure> {
+        read::of_file(path)
+    }
+
+    /// As [`Sweep::of_file`], of a text.
+    ///
+    /// # Errors
+    /// As [`Sweep::of_file`].
+    pub fn of_text(source: &Arc<Source>) -> Result<Self, Failure> {
+        read::of_source(source)
+    }
+
+    /// Name under which results are kept.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// One line for people; empty if it says none.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+}
+
+/// The points of a sweep file in their order, the last key varying fastest.
+///
+/// # Errors
+/// As [`Sweep::of_file`].
+pub fn points(path: &Path) -> Result<Vec<Point>, Failure> {
+    Ok(Sweep::of_file(path)?.points().collect())
+}
+
+/// Runs a sweep: read, examine, run what is not done, tabulate. What was done is kept however it ends.
+///
+/// # Errors
+/// Bad input, a folder that cannot be written, or a sweep that does not come to its end.
+pub(crate) fn sweep(arguments: &SweepArguments) -> Result<(), Failure> {
+    let show = ProgressMode::fitting(arguments.quiet);
+    let sweep = asked(arguments)?;
+    let jobs = jobs(arguments);
+    let identity = streams::warned(|warnings| examine(&sweep, jobs, warnings))?;
+    let mut results =
+        streams::warned(|warnings| SweepFolder::open(&folder(arguments, &sweep), warnings))?;
+    let kept = match arguments.resume {
+        true => Kept::resumed(&results, &sweep, &identity)?,
+        false => None,
+    };
+    if arguments.resume {
+        show.note(&kept::going_on(kept.as_ref(), &results, &sweep));
+    }
+    let interruption = Interruption::install().map_err(|error| Failure::Output {
+        path: results.folder().to_path_buf(),
+        reason: format!("signal handlers cannot be installed: {error}"),
+    })?;
+    let cache = Cache::shared(arguments.cache.open());
+    let ended = workers::run(
+        (&sweep, &identity),
+        &mut results,
+        kept,
+        (&cache, jobs),
+        (show, &interruption),
+    );
+    report(&sweep, &results, ended, show)
+}
+
+/// The sweep that the command line asks for.
+///
+/// # Errors
+/// Everything that is wrong with it.
+fn asked(arguments: &SweepArguments) -> Result<Sweep, Failure> {
+    let name = arguments.file.as_str();
+    match (is_sweep(name), arguments.vary.as_slice()) {
+        (true, []) => Sweep::of_file(Path::new(name)),
+        (true, _) => Err(Failure::Argument {
+            message: format!("`{name}` says itself what varies, and so does `--vary`"),
+            help: "change its `[vary]`, or name a case in place of it".to_owned(),
+        }),
+        (false, []) => read::of_no_sweep(name),
+        (false, varied) => read::of_arguments(name, varied),
+    }
+}
+
+fn jobs(arguments: &SweepArguments) -> usize {
+    arguments.jobs.map_or_else(cores, usize::from)
+}
+
+/// Points at a time where nothing says otherwise.
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+fn folder(arguments: &SweepArguments, sweep: &Sweep) -> PathBuf {
+    let usual = || Path::new("results").join(&sweep.name);
+    arguments.out.clone().unwrap_or_else(usual)
+}
+
+/// Writes the table of all that is done, and says how the sweep has ended.
+fn report(
+    sweep: &Sweep,
+    results: &SweepFolder,
+    ended: Ended,
+    show: ProgressMode,
+) -> Result<(), Failure> {
+    let unfinished = |reason: String| Failure::Unfinished {
+        reason,
+        kept: None,
+        help: Some("the same command with `--resume` goes on from there".to_owned()),
+    };
+    let Ended { begun, stopped, warnings } = ended;
+    if !begun {
+        let reason = stopped.unwrap_or_else(|| "nothing was begun".to_owned());
+        return Err(Failure::Unfinished { reason, kept: None, help: None });
+    }
+    warnings.iter().for_each(streams::warn);
+    let folder = results.folder().display();
+    let tabulated = Kept::read(results, sweep).and_then(|mut kept| {
+        let counts = table::write(sweep, &mut kept, results)?;
+        Ok((kept.done(), counts))
+    });
+    let (done, counts) = match (stopped, tabulated) {
+        (None, Ok(found)) => found,
+        (None, Err(reason)) => return Err(unfinished(reason)),
+        (Some(reason), Ok((done, _))) => {
+            let reason =
+                format!("{reason}; {done} of {} points are kept in {folder}", sweep.count());
+            return Err(unfinished(reason));
+        }
+        (Some(reason), Err(_)) => return Err(unfinished(reason)),
+    };
+    match show {
+        ProgressMode::Nothing => Ok(()),
+        _ => streams::say(&format!(
+            "{}: {done} points\n{}results in {folder}\n",
+            sweep.name,
+            counts.words()
+        )),
+    }
+}

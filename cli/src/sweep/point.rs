@@ -1,0 +1,67 @@
+//! A point: from its values to its row.
+
+use whirl_solver::cache::Cache;
+
+use super::folder::SweepFolder;
+use super::points::Point;
+use super::row::Row;
+use super::{Keep, Sweep};
+use crate::case::Start;
+use crate::errors::Failure;
+use crate::simulate::{Watch, summed_up};
+
+/// A point that is done.
+pub(super) struct Done {
+    /// Of the numbers of its row.
+    pub(super) names: Vec<String>,
+    pub(super) row: Row,
+    /// The state after its last step, if it has come to that.
+    pub(super) state: Option<Vec<u8>>,
+    pub(super) warnings: Vec<String>,
+}
+
+/// Why a point is not done.
+pub(super) enum Undone {
+    /// The user did not want to wait.
+    Interrupted,
+    /// What is to be kept of it cannot be written.
+    NotKept(String),
+}
+
+/// Runs a point, from the state in which another one ended if there is one. Whatever is wrong with it is a row.
+///
+/// # Errors
+/// It is interrupted, or cannot be kept.
+pub(super) fn run(
+    (sweep, point): (&Sweep, &Point),
+    from: Option<&[u8]>,
+    (cache, results): (&Cache, &SweepFolder),
+    watch: &dyn Watch,
+) -> Result<Done, Undone> {
+    let mut warnings = Vec::new();
+    let ran = sweep.case(point, &mut warnings).and_then(|mut case| {
+        if let Some(state) = from {
+            case.start = Start::After(state.into());
+        }
+        let built = crate::build(&case, Some(cache), &mut warnings)?;
+        let (run, facts) = summed_up(&case, &built, watch)?;
+        Ok((case, run, facts))
+    });
+    let (case, run, facts) = match ran {
+        Ok(ran) => ran,
+        Err(Failure::Unfinished { .. }) if watch.asked() => return Err(Undone::Interrupted),
+        Err(failure) => {
+            let row = Row::failed(&failure);
+            return Ok(Done { names: Vec::new(), row, state: None, warnings });
+        }
+    };
+    if run.interrupted {
+        return Err(Undone::Interrupted);
+    }
+    if sweep.keep == Keep::Histories {
+        results.keep_point(point.number(), &run).map_err(Undone::NotKept)?;
+    }
+    let (names, row) = Row::of(&case, &facts, run.reason.as_deref());
+    warnings.extend(run.warnings);
+    Ok(Done { names, row, state: run.state, warnings })
+}

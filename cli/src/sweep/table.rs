@@ -1,0 +1,224 @@
+//! The table of a sweep: a row for every point that is done, in the order of the points.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use whirl_solver::cache::write_aside_by;
+
+use super::Sweep;
+use super::column::{Column, Shown};
+use super::folder::SweepFolder;
+use super::kept::Kept;
+use super::level::digits;
+use super::parquet::{GROUP, Parquet, Values};
+use super::row::{Row, Verdict};
+
+/// Name of the file.
+pub(super) const CSV: &str = "table.csv";
+/// The same for programs that read many rows.
+pub(super) const PARQUET: &str = "table.parquet";
+
+/// How many points came to what.
+#[derive(Debug, Default)]
+pub(super) struct Counts {
+    unsound: usize,
+    failed: usize,
+}
+
+impl Counts {
+    fn add(&mut self, verdict: Verdict) {
+        match verdict {
+            Verdict::Sound => {}
+            Verdict::NotSound => self.unsound += 1,
+            Verdict::Failed => self.failed += 1,
+        }
+    }
+
+    /// In words, a line each; nothing of a sweep without such points.
+    pub(super) fn words(&self) -> String {
+        let mut text = String::new();
+        let mut say = |count: usize, what: &str| {
+            if count > 0 {
+                writeln!(text, "{count} {what}").expect("text can be written");
+            }
+        };
+        say(self.failed, "failed: `remark` in table.csv says why");
+        say(self.unsound, "NOT SOUND: `remark` in table.csv says what was found");
+        text
+    }
+}
+
+/// Columns of a table.
+pub(super) struct Layout {
+    pub(super) varied: Vec<Column>,
+    /// Numbers of summaries, in the order in which points have them first.
+    pub(super) numbers: Vec<String>,
+    /// For each list of names of the journal: where its numbers stand among these.
+    places: Vec<Vec<usize>>,
+}
+
+impl Layout {
+    /// Of all points that are done.
+    ///
+    /// # Errors
+    /// The journal cannot be read, in words.
+    fn new(sweep: &Sweep, kept: &mut Kept) -> Result<Self, String> {
+        let mut used = vec![false; kept.names.len()];
+        let mut numbers: Vec<String> = Vec::new();
+        let mut known = std::collections::BTreeMap::new();
+        for number in 0..sweep.count() {
+            let Some((list, _)) = kept.row(number)? else { continue };
+            if !std::mem::replace(&mut used[list], true) {
+                for name in &kept.names[list] {
+                    known.entry(name.clone()).or_insert_with(|| {
+                        numbers.push(name.clone());
+                        numbers.len() - 1
+                    });
+                }
+            }
+        }
+        let place = |name: &String| known.get(name).copied().unwrap_or(0);
+        let places = kept.names.iter().map(|own| own.iter().map(place).collect()).collect();
+        Ok(Layout { varied: sweep.keys.iter().map(Column::of).collect(), numbers, places })
+    }
+
+    /// Names of all columns.
+    fn heads(&self, sweep: &Sweep) -> Vec<String> {
+        let mut heads = vec!["point".to_owned()];
+        heads.extend(self.varied.iter().map(|own| own.head.clone()));
+        heads.extend(sweep.along.map(|_| "direction".to_owned()));
+        heads.push("verdict".to_owned());
+        heads.extend(self.numbers.iter().cloned());
+        heads.push("remark".to_owned());
+        heads
+    }
+
+    /// The numbers of a row in the order of the columns; NaN where it has none.
+    fn numbers(&self, list: usize, row: &Row) -> Vec<f64> {
+        let mut numbers = vec![f64::NAN; self.numbers.len()];
+        for (place, value) in self.places[list].iter().zip(&row.values) {
+            numbers[*place] = *value;
+        }
+        numbers
+    }
+}
+
+/// Writes the table of all points that are done, as CSV and as Parquet, each whole or not at all, and counts them.
+///
+/// # Errors
+/// It cannot be written, or the journal not be read, in words.
+pub(super) fn write(
+    sweep: &Sweep,
+    kept: &mut Kept,
+    results: &SweepFolder,
+) -> Result<Counts, String> {
+    let layout = Layout::new(sweep, kept)?;
+    let mut counts = Counts::default();
+    written(&results.path(CSV), &mut |file| {
+        counts = Counts::default();
+        let heads: Vec<String> = layout.heads(sweep).iter().map(|own| cell(own)).collect();
+        writeln!(file, "{}", heads.join(","))?;
+        for number in 0..sweep.count() {
+            let Some((list, row)) = kept.row(number).map_err(io::Error::other)? else { continue };
+            counts.add(row.verdict);
+            writeln!(file, "{}", line(sweep, &layout, number, (list, &row)))?;
+        }
+        Ok(())
+    })?;
+    written(&results.path(PARQUET), &mut |file| {
+        let mut parquet = Parquet::new(file, layout.heads(sweep))?;
+        for first in (0..sweep.count()).step_by(GROUP) {
+            let mut group = layout.empty(sweep);
+            for number in first..sweep.count().min(first + GROUP) {
+                let Some(row) = kept.row(number).map_err(io::Error::other)? else { continue };
+                layout.push(sweep, &mut group, number, row);
+            }
+            parquet.add(&group)?;
+        }
+        parquet.finish(concat!("whirl ", env!("CARGO_PKG_VERSION"))).map(|_| ())
+    })?;
+    Ok(counts)
+}
+
+/// Writes a file whole or not at all.
+fn written(
+    path: &Path,
+    fill: &mut dyn FnMut(&mut BufWriter<&mut File>) -> io::Result<()>,
+) -> Result<(), String> {
+    let aside = write_aside_by(path, &mut |file| {
+        let mut file = BufWriter::new(file);
+        fill(&mut file)?;
+        file.flush()
+    });
+    let put = aside.and_then(|put| put());
+    put.map_err(|error| format!("cannot write `{}`: {error}", path.display()))
+}
+
+impl Layout {
+    /// Columns of Parquet without rows.
+    fn empty(&self, sweep: &Sweep) -> Vec<Values> {
+        let (number, text) = (Values::Numbers(Vec::new()), Values::Texts(Vec::new()));
+        let mut all = vec![Values::Whole(Vec::new())];
+        all.extend(
+            self.varied
+                .iter()
+                .map(|own| if own.is_number() { number.clone() } else { text.clone() }),
+        );
+        all.extend(sweep.along.map(|_| text.clone()));
+        all.push(text.clone());
+        all.extend(self.numbers.iter().map(|_| number.clone()));
+        all.push(text);
+        all
+    }
+
+    fn push(&self, sweep: &Sweep, group: &mut [Values], number: usize, (list, row): (usize, Row)) {
+        let point = sweep.point(number);
+        let shown = self.varied.iter().zip(&point.levels).map(|(own, level)| own.shown(level));
+        let way = point.way.map(|way| Shown::Text(way.to_owned()));
+        let numbers = self.numbers(list, &row).into_iter().map(Shown::Number);
+        let cells = shown
+            .chain(way)
+            .chain([Shown::Text(row.verdict.word().to_owned())])
+            .chain(numbers)
+            .chain([Shown::Text(row.words.clone())]);
+        if let Values::Whole(own) = &mut group[0] {
+            own.push(number as i64);
+        }
+        for (column, cell) in group[1..].iter_mut().zip(cells) {
+            match (column, cell) {
+                (Values::Numbers(own), Shown::Number(value)) => own.push(value),
+                (Values::Texts(own), Shown::Text(text)) => own.push(text),
+                (Values::Numbers(own), Shown::Text(_)) => own.push(f64::NAN),
+                (Values::Texts(own), Shown::Number(value)) => own.push(digits(value)),
+                (Values::Whole(own), _) => own.push(0),
+            }
+        }
+    }
+}
+
+fn line(sweep: &Sweep, layout: &Layout, number: usize, (list, row): (usize, &Row)) -> String {
+    let point = sweep.point(number);
+    let mut cells = vec![number.to_string()];
+    for (column, level) in layout.varied.iter().zip(&point.levels) {
+        cells.push(match column.shown(level) {
+            Shown::Number(value) => digits(value),
+            Shown::Text(text) => cell(&text),
+        });
+    }
+    cells.extend(point.way.map(str::to_owned));
+    cells.push(row.verdict.word().to_owned());
+    let shown = |value: f64| if value.is_finite() { digits(value) } else { String::new() };
+    cells.extend(layout.numbers(list, row).into_iter().map(shown));
+    cells.push(cell(&row.words));
+    cells.join(",")
+}
+
+/// A text as a cell of CSV.
+fn cell(text: &str) -> String {
+    match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
+    }
+}

@@ -1,0 +1,227 @@
+//! The points of a sweep on all cores, one point a core, and their rows on the way to disk.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::thread;
+use std::time::Duration;
+
+use whirl_solver::cache::{Cache, Key};
+
+use super::Sweep;
+use super::folder::SweepFolder;
+use super::journal::{self, Journal};
+use super::kept::Kept;
+use super::point::{self, Done, Undone};
+use super::row::{Row, Verdict};
+use crate::checkpoint::Identity;
+use crate::progress::{PointsShown, ProgressMode};
+use crate::signals::Interruption;
+use crate::simulate::Watch;
+
+/// How the work on a sweep has ended.
+pub(super) struct Ended {
+    /// Whether there is a journal of it.
+    pub(super) begun: bool,
+    /// Why points are left, if there are some.
+    pub(super) stopped: Option<String>,
+    /// Each once.
+    pub(super) warnings: BTreeSet<String>,
+}
+
+/// Most rows that are written at once.
+const BATCH: usize = 256;
+/// How often progress is shown.
+const PAUSE: Duration = Duration::from_millis(100);
+
+/// A row on its way to the journal.
+struct Sent {
+    number: usize,
+    point: Key,
+    done: Done,
+}
+
+/// Runs all points that `kept` does not have. What is done is on disk when it counts as done.
+pub(super) fn run(
+    (sweep, identity): (&Sweep, &Identity),
+    results: &mut SweepFolder,
+    kept: Option<Kept>,
+    (cache, jobs): (&Cache, usize),
+    (show, interruption): (ProgressMode, &Interruption),
+) -> Ended {
+    let mut ended = Ended { begun: false, stopped: None, warnings: BTreeSet::new() };
+    let opened = results.begin(kept.is_some()).and_then(|()| match &kept {
+        Some(kept) => kept.journal(results),
+        None => Journal::create(&results.path(journal::NAME)),
+    });
+    let mut journal = match opened.and_then(|mut journal| journal.begin(identity).map(|()| journal))
+    {
+        Ok(journal) => journal,
+        Err(error) => {
+            ended.stopped = Some(not_written(&results.path(journal::NAME), &error.to_string()));
+            return ended;
+        }
+    };
+    ended.begun = true;
+    let shown = PointsShown::new(show, sweep.count(), kept.as_ref().map_or(0, Kept::done), jobs);
+    let (stop, next) = (AtomicBool::new(false), AtomicUsize::new(0));
+    let chains = sweep.count() / sweep.chain();
+    let results = &*results;
+    thread::scope(|scope| {
+        let (sender, receiver) = sync_channel(BATCH);
+        for worker in 0..jobs.min(chains).max(1) {
+            let (sender, stop, next, kept, shown) =
+                (sender.clone(), &stop, &next, kept.as_ref(), &shown);
+            scope.spawn(move || {
+                let watch = Stop { stop, interruption, shown, worker };
+                loop {
+                    let chain = next.fetch_add(1, Ordering::Relaxed);
+                    if chain >= chains || watch.asked() {
+                        return;
+                    }
+                    if follow((sweep, chain), kept, (cache, results), &sender, &watch).is_break() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        let written =
+            keep_rows((sweep, results), &mut journal, &receiver, (&shown, &mut ended.warnings));
+        if let Err(reason) = written {
+            ended.stopped = Some(reason);
+            stop.store(true, Ordering::Relaxed);
+            // Workers must not wait for someone who takes their rows.
+            receiver.iter().for_each(drop);
+        }
+    });
+    shown.end();
+    if ended.stopped.is_none() && !interruption.asked() {
+        results.forget_states();
+    }
+    if ended.stopped.is_none() && interruption.asked() {
+        ended.stopped = Some("interrupted".to_owned());
+    }
+    ended
+}
+
+/// Runs the points of a chain that are not done, one after the other.
+fn follow(
+    (sweep, chain): (&Sweep, usize),
+    kept: Option<&Kept>,
+    (cache, results): (&Cache, &SweepFolder),
+    sender: &SyncSender<Result<Sent, String>>,
+    watch: &Stop,
+) -> std::ops::ControlFlow<()> {
+    use std::ops::ControlFlow::{Break, Continue};
+    let first = chain * sweep.chain();
+    let is_done = |number: &usize| kept.is_some_and(|kept| kept.has(*number));
+    let mut begin = (first..first + sweep.chain()).take_while(is_done).count() + first;
+    let mut state = None;
+    if begin > first && begin < first + sweep.chain() {
+        state = results.state(begin - 1);
+        // Without it all points of the chain come to the same numbers once more.
+        begin = if state.is_some() { begin } else { first };
+    }
+    for number in begin..first + sweep.chain() {
+        let point = sweep.point(number);
+        watch.shown.begun(watch.worker);
+        let mut done = match point::run((sweep, &point), state.as_deref(), (cache, results), watch)
+        {
+            Ok(done) => done,
+            Err(Undone::Interrupted) => return Break(()),
+            Err(Undone::NotKept(reason)) => {
+                let _ = sender.send(Err(reason));
+                return Break(());
+            }
+        };
+        if sweep.chain() > 1 {
+            // The next one goes on from the last point that came to its end.
+            state = done.state.take().or(state);
+            if let Some(state) = &state
+                && let Err(reason) = results.keep_state(number, state)
+            {
+                let _ = sender.send(Err(reason));
+                return Break(());
+            }
+        }
+        done.state = None;
+        let sent = Sent { number, point: sweep.identity(&point), done };
+        if sender.send(Ok(sent)).is_err() {
+            return Break(());
+        }
+    }
+    Continue(())
+}
+
+/// Writes rows as they come, as many at once as there are.
+///
+/// # Errors
+/// Something cannot be written, in words.
+fn keep_rows(
+    (sweep, results): (&Sweep, &SweepFolder),
+    journal: &mut Journal,
+    receiver: &Receiver<Result<Sent, String>>,
+    (shown, warnings): (&PointsShown, &mut BTreeSet<String>),
+) -> Result<(), String> {
+    loop {
+        let first = match receiver.recv_timeout(PAUSE) {
+            Ok(first) => first,
+            Err(RecvTimeoutError::Timeout) => {
+                shown.update();
+                continue;
+            }
+            Err(RecvTimeoutError::Disconnected) => return Ok(()),
+        };
+        let batch: Result<Vec<Sent>, String> =
+            std::iter::once(first).chain(receiver.try_iter().take(BATCH)).collect();
+        let (mut rows, mut numbers): (Vec<(Key, Vec<String>, Row)>, Vec<usize>) =
+            Default::default();
+        for Sent { number, point, done } in batch? {
+            shown.done(done.row.verdict != Verdict::Sound);
+            warnings.extend(done.warnings);
+            rows.push((point, done.names, done.row));
+            numbers.push(number);
+        }
+        let added = journal.add(rows);
+        added.map_err(|error| not_written(&results.path(journal::NAME), &error.to_string()))?;
+        for number in numbers {
+            // The state before a point that is on disk is needed no more, nor is that after the last.
+            let place = number % sweep.chain();
+            if place > 0 {
+                results.forget_state(number - 1);
+            }
+            if place + 1 == sweep.chain() && sweep.chain() > 1 {
+                results.forget_state(number);
+            }
+        }
+        shown.update();
+    }
+}
+
+fn not_written(path: &Path, reason: &str) -> String {
+    format!("cannot write `{}`: {reason}", path.display())
+}
+
+/// Ends a point where the user wants that, or another one cannot be kept.
+struct Stop<'s> {
+    stop: &'s AtomicBool,
+    interruption: &'s Interruption,
+    shown: &'s PointsShown,
+    worker: usize,
+}
+
+impl Watch for Stop<'_> {
+    fn begun(&self, steps: usize, _: usize) {
+        self.shown.steps(self.worker, steps);
+    }
+
+    fn progressed(&self, step: usize, _: f64) {
+        self.shown.step(self.worker, step);
+    }
+
+    fn asked(&self) -> bool {
+        self.stop.load(Ordering::Relaxed) || self.interruption.asked()
+    }
+}
