@@ -81,16 +81,6 @@ impl SweepFolder {
         Ok(())
     }
 
-    /// Writes a file, whole or not at all.
-    ///
-    /// # Errors
-    /// Why not, with the path.
-    pub(super) fn write(&self, name: &str, content: &[u8]) -> Result<(), String> {
-        let path = self.path(name);
-        write_whole(&path, content)
-            .map_err(|error| format!("cannot write `{}`: {error}", path.display()))
-    }
-
     /// Keeps history, summary and last state of a point, all of them or nothing.
     ///
     /// # Errors
