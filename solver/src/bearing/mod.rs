@@ -3,6 +3,7 @@
 mod apart;
 mod bore;
 pub mod law;
+mod measured;
 mod other;
 mod place;
 mod projected;

@@ -3,6 +3,7 @@
 use whirl_specs::{ContactState, ContactTangent, Ring};
 
 use super::apart::Seen;
+use super::measured::Mark;
 use super::spin::Spin;
 use super::valid::ValidityMonitor;
 use super::{Bores, PlacedLaw, Plane, Springs};
@@ -15,18 +16,20 @@ pub struct SpringState {
     pub(crate) forces: Vec<f64>,
     pub(super) planes: Vec<PlaneState>,
     pub(super) laws: Vec<LawState>,
-    bores: Vec<BoreState>,
+    pub(super) bores: Vec<BoreState>,
     pub(super) memory: LawMemory,
-    rates: bool,
+    pub(super) rates: bool,
+    /// Where the measures are moved from.
+    pub(super) mark: Mark,
     /// Whether the laws are used where they may be believed.
     pub(super) monitor: ValidityMonitor,
 }
 
 /// Motions of the bores of a body (T_b times its coordinates), their rates, and the generalised forces on them.
-struct BoreState {
-    motion: Vec<f64>,
-    rate: Vec<f64>,
-    force: Vec<f64>,
+pub(super) struct BoreState {
+    pub(super) motion: Vec<f64>,
+    pub(super) rate: Vec<f64>,
+    pub(super) force: Vec<f64>,
 }
 
 impl BoreState {
@@ -43,8 +46,8 @@ pub(super) struct PlaneState {
     pub(crate) rows: [Vec<(usize, f64)>; 3],
     /// Angle of the journal's frame against the bore's, ε_x and ε_y without run-out as the machine's coordinates give
     /// them, and their rates.
-    position: [f64; 3],
-    velocity: [f64; 3],
+    pub(super) position: [f64; 3],
+    pub(super) velocity: [f64; 3],
     /// The turn of the journal in its frame, where it spins in it.
     pub(super) spin: Option<Spin>,
     /// How the axes of both bodies stand apart, where they do.
@@ -190,6 +193,7 @@ impl SpringState {
             bores: springs.bores.iter().map(BoreState::new).collect(),
             memory: LawMemory::new(springs),
             rates: springs.needs_rates(),
+            mark: Mark::new(springs),
             monitor: ValidityMonitor::new(&springs.measures),
         }
     }
@@ -210,6 +214,11 @@ impl SpringState {
                 add_product(&mut own.rate, &bores.rows, &v[bores.place.clone()]);
             }
         }
+        self.respond(springs);
+    }
+
+    /// What the laws do where their planes and bores stand.
+    pub(super) fn respond(&mut self, springs: &Springs) {
         for (law, own) in springs.laws.iter().zip(&mut self.laws) {
             let bores = &self.bores[law.bores];
             for (row, rows) in law.bore_rows() {

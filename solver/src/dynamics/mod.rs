@@ -7,6 +7,7 @@ mod equilibrium;
 mod extrapolation;
 mod factors;
 mod histogram;
+mod joint_iteration;
 mod jumps;
 mod march;
 mod merit;

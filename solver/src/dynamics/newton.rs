@@ -65,6 +65,9 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 /// Share of the largest spring force below which rounding of the clearances may keep a force from rest.
 const FORCE_ROUNDING: f64 = 1e-9;
 
+/// Share of the tolerance of forces up to which they are foreseen.
+const FORESEEN: f64 = 0.1;
+
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Ending {
@@ -179,7 +182,7 @@ impl Newton {
         step: &Coefficients,
         end: &mut State,
     ) -> StepReport {
-        self.factors.exchange(step.dt);
+        self.factors.begin(step.dt);
         self.merit.weigh(system, step);
         self.predicted.copy_from(end);
         self.extrapolation.begin(step.dt, &mut self.correction);
@@ -199,8 +202,7 @@ impl Newton {
             if fresh && !self.factors.factor(system, t, end, step) {
                 return self.failed(iteration, norm, force_change);
             }
-            self.direct(system);
-            self.forces.copy_from_slice(&system.springs.forces);
+            self.direct(system, step);
             let (length, tried) = loop {
                 match self.search(system, t, step, norm, fresh) {
                     Some(found) => break found,
@@ -211,7 +213,7 @@ impl Newton {
                             return self.failed(iteration, norm, force_change);
                         }
                         fresh = true;
-                        self.direct(system);
+                        self.direct(system, step);
                     }
                     None => return self.failed(iteration, norm, force_change),
                 }
@@ -224,8 +226,7 @@ impl Newton {
             let (change, largest) = self.force_change(system);
             force_change = change;
             let most = f64::max(self.largest_force, largest);
-            let relative = self.options.relative_force_tolerance * most;
-            let force_tolerance = f64::min(self.options.force_tolerance, relative);
+            let force_tolerance = self.force_tolerance(most);
             let at_rest = change <= force_tolerance + FORCE_ROUNDING * largest;
             if length == 1.0 && at_rest {
                 let options = NewtonOptions { force_tolerance, ..self.options };
@@ -246,7 +247,7 @@ impl Newton {
                 }
             }
             let size = self.merit.length(&self.direction);
-            if length < 1.0 || size > CONTRACTION * last_length {
+            if length < 1.0 || size > CONTRACTION * last_length || !self.factors.contract() {
                 self.factors.drop();
             }
             last_length = size;
@@ -299,10 +300,21 @@ impl Newton {
         (if sum.is_nan() { sum } else { change }, largest)
     }
 
-    /// Solves for the direction at the state that was last evaluated.
-    fn direct(&mut self, system: &System) {
+    /// Finds the direction at the state that was last evaluated, and the forces that are foreseen at its end: those of now, or
+    /// what the laws give where the joints move.
+    fn direct(&mut self, system: &mut System, step: &Coefficients) {
         self.direction.copy_from_slice(&system.residual[self.first..]);
         self.factors.solve(&mut self.direction, &self.merit);
+        let missing = FORESEEN * self.force_tolerance(self.largest_force);
+        let missing = missing + FORCE_ROUNDING * self.largest_force;
+        self.factors.follow(system, step.a1, &mut self.direction, missing);
+        self.forces.copy_from_slice(&system.springs.forces);
+    }
+
+    /// How much a force may change (N) where the largest of all is `most`.
+    fn force_tolerance(&self, most: f64) -> f64 {
+        let relative = self.options.relative_force_tolerance * most;
+        f64::min(self.options.force_tolerance, relative)
     }
 
     fn failed(&mut self, iterations: usize, residual: f64, force_change: f64) -> StepReport {

@@ -54,6 +54,11 @@ impl SpringTangent {
         }
     }
 
+    /// B + a1 P by planes, as they were subtracted last.
+    pub(super) fn planes(&self) -> &[ContactTangent] {
+        &self.planes
+    }
+
     /// ∂M/∂θ of a plane, of its moment and its angle, at the state of the tangent that was last evaluated.
     pub(super) fn by_angle(&self, plane: usize) -> f64 {
         self.planes[plane].ring_ring[0][0]

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use whirl_specs::MotionState;
+use whirl_specs::{ContactTangent, MotionState};
 
 use super::newmark::{Coefficients, State};
 use super::spring_tangent::SpringTangent;
@@ -138,6 +138,11 @@ impl<'m> System<'m> {
                     step.a2 + step.a1 * support.damping[i] + support.stiffness[i];
             }
         }
+    }
+
+    /// The tangents of the planes of springs, as [`System::tangent`] had them last.
+    pub(super) fn spring_tangents(&self) -> &[ContactTangent] {
+        self.spring_tangent.planes()
     }
 
     /// ∂M/∂θ of a plane of springs, as [`System::tangent`] had it last with a1 = 0.

@@ -1,16 +1,27 @@
 //! Sums of many columns into one, which a step spends its time on between two solutions.
 
+use std::ops::{Add, Mul};
+
 use whirl_specs::Registers;
 use whirl_specs::registers::{Register, Task};
 
 use super::Matrix;
 
 /// Columns that are added together: y is read and written once for all of them.
-const TOGETHER: usize = 4;
+const TOGETHER: usize = 8;
+
+/// A number in double or single precision.
+pub(crate) trait Number: Copy + Default + PartialEq + Add<Output = Self> + Mul<Output = Self> {}
+
+impl Number for f64 {}
+impl Number for f32 {}
 
 /// y += Σ x_j a_j over pairs (a_j, x_j), in their order and without fused operations: the bits are those of
 /// one column after the other. Columns with x_j = 0 are not read. Every column is as long as y.
-pub(crate) fn add_columns<'a>(y: &mut [f64], columns: impl Iterator<Item = (&'a [f64], f64)>) {
+pub(crate) fn add_columns<'a, T: Number + 'a>(
+    y: &mut [T],
+    columns: impl Iterator<Item = (&'a [T], T)>,
+) {
     Registers::current().run(AddColumns { y, columns });
 }
 
@@ -19,34 +30,37 @@ pub(crate) fn add_product(y: &mut [f64], matrix: &Matrix, x: &[f64]) {
     add_columns(y, x.iter().enumerate().map(|(j, &x)| (matrix.col(j), x)));
 }
 
-struct AddColumns<'y, I> {
-    y: &'y mut [f64],
+struct AddColumns<'y, T, I> {
+    y: &'y mut [T],
     columns: I,
 }
 
-impl<'a, I: Iterator<Item = (&'a [f64], f64)>> Task for AddColumns<'_, I> {
+impl<'a, T: Number + 'a, I: Iterator<Item = (&'a [T], T)>> Task for AddColumns<'_, T, I> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Register>(self) {
         let y = self.y;
-        let mut some: [(&[f64], f64); TOGETHER] = [(&[], 0.0); TOGETHER];
+        let mut some: [(&[T], T); TOGETHER] = [(&[], T::default()); TOGETHER];
         let mut count = 0;
-        for (column, x) in self.columns.filter(|(_, x)| *x != 0.0) {
+        for (column, x) in self.columns.filter(|(_, x)| *x != T::default()) {
             some[count] = (column, x);
             count += 1;
             if count == TOGETHER {
                 let n = y.len();
-                let [(a, p), (b, q), (c, r), (d, s)] = some;
-                let (a, b, c, d) = (&a[..n], &b[..n], &c[..n], &d[..n]);
+                let columns = some.map(|(column, _)| &column[..n]);
                 for i in 0..n {
-                    y[i] = y[i] + p * a[i] + q * b[i] + r * c[i] + s * d[i];
+                    let mut sum = y[i];
+                    for j in 0..TOGETHER {
+                        sum = sum + some[j].1 * columns[j][i];
+                    }
+                    y[i] = sum;
                 }
                 count = 0;
             }
         }
         for (column, x) in &some[..count] {
-            y.iter_mut().zip(*column).for_each(|(sum, entry)| *sum += x * entry);
+            y.iter_mut().zip(*column).for_each(|(sum, entry)| *sum = *sum + *x * *entry);
         }
     }
 }

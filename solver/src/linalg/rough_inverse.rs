@@ -1,12 +1,6 @@
 //! An inverse in single precision: half the memory that a solution reads, for directions that are judged by where they lead.
 
-use whirl_specs::Registers;
-use whirl_specs::registers::{Register, Task};
-
-use super::Lu;
-
-/// Columns that are added together: the sums are read and written once for all of them.
-const TOGETHER: usize = 8;
+use super::{Lu, add_columns};
 
 /// A⁻¹ of an n × n matrix, scaled so that single precision holds it.
 #[derive(Debug)]
@@ -50,6 +44,11 @@ impl RoughInverse {
         self.scaled.iter().all(|entry| entry.is_finite())
     }
 
+    /// A⁻¹ in double precision, column after column.
+    pub(crate) fn exact(&self) -> &[f64] {
+        &self.inverse
+    }
+
     /// Replaces b by A⁻¹b, to about six digits of its largest scaled value.
     pub(crate) fn apply(&mut self, b: &mut [f64]) {
         let RoughInverse { scaled, scale, given, found, .. } = self;
@@ -60,46 +59,10 @@ impl RoughInverse {
         }
         given.iter_mut().zip(weighed).for_each(|(own, value)| *own = (value / largest) as f32);
         found.fill(0.0);
-        Registers::current().run(Product { scaled, given, found });
+        let columns = scaled.chunks_exact(given.len()).zip(given.iter().copied());
+        add_columns(found, columns);
         let parts = found.iter().zip(scale.iter());
         b.iter_mut().zip(parts).for_each(|(b, (own, s))| *b = largest * s * f64::from(*own));
-    }
-}
-
-struct Product<'a> {
-    scaled: &'a [f32],
-    given: &'a [f32],
-    found: &'a mut [f32],
-}
-
-impl Task for Product<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Register>(self) {
-        let Product { scaled, given, found } = self;
-        let n = found.len();
-        for (columns, x) in scaled.chunks(n * TOGETHER).zip(given.chunks(TOGETHER)) {
-            if let (Ok(x), true) = (<[f32; TOGETHER]>::try_from(x), columns.len() == n * TOGETHER) {
-                let mut rest = columns;
-                let own: [&[f32]; TOGETHER] = std::array::from_fn(|_| {
-                    let (column, others) = rest.split_at(n);
-                    rest = others;
-                    column
-                });
-                for i in 0..n {
-                    let mut sum = found[i];
-                    for j in 0..TOGETHER {
-                        sum += own[j][i] * x[j];
-                    }
-                    found[i] = sum;
-                }
-                continue;
-            }
-            for (column, x) in columns.chunks_exact(n).zip(x) {
-                found.iter_mut().zip(column).for_each(|(sum, entry)| *sum += entry * x);
-            }
-        }
     }
 }
 
