@@ -5,7 +5,7 @@ use whirl_specs::ContactTangent;
 
 use super::state::SpringState;
 use super::{Plane, Springs};
-use crate::linalg::{Matrix, add_product};
+use crate::linalg::{Matrix, add_product, sum_of};
 
 /// Measures that a plane has beside those of its bore: the angle and both displacements of its journal.
 const RING: usize = 3;
@@ -79,19 +79,21 @@ impl Springs {
         measures
     }
 
-    /// Subtracts K₀ times a motion of the measures from forces on them; K₀ by its planes, as [`SpringState::tangent`] gives them.
-    pub(crate) fn subtract_linear(
+    /// Adds a factor times K₀ times a motion of the measures to forces on them; K₀ by its planes, as [`SpringState::tangent`] gives
+    /// them.
+    pub(crate) fn add_linear(
         &self,
         tangents: &[ContactTangent],
         moved: &[f64],
+        factor: f64,
         out: &mut [f64],
     ) {
         let bores_from = RING * self.planes.len();
         for (number, (plane, tangent)) in self.planes.iter().zip(tangents).enumerate() {
             let ring = RING * number;
-            let own: [f64; RING] = [0, 1, 2].map(|i| moved[ring + i]);
+            let own: [f64; RING] = [0, 1, 2].map(|i| factor * moved[ring + i]);
             for (i, row) in tangent.ring_ring.iter().enumerate() {
-                out[ring + i] -= row[0] * own[0] + row[1] * own[1] + row[2] * own[2];
+                out[ring + i] += row[0] * own[0] + row[1] * own[1] + row[2] * own[2];
             }
             let law = &self.laws[plane.law];
             let before: usize = self.bores[..law.bores].iter().map(|bores| bores.rows.rows).sum();
@@ -104,17 +106,18 @@ impl Springs {
                 let motion = &moved[at..at + n];
                 for i in 0..RING {
                     let by_bore = &tangent.ring_bore[(i * motions + b) * n..][..n];
-                    out[ring + i] -= by_bore.iter().zip(motion).map(|(k, u)| k * u).sum::<f64>();
+                    out[ring + i] += factor * sum_of(n, |j| by_bore[j] * motion[j]);
                 }
                 let [x, y, z] = [0, 1, 2].map(|i| &tangent.bore_ring[(3 * b + i) * n..][..n]);
                 for (j, sum) in out[at..at + n].iter_mut().enumerate() {
-                    *sum -= x[j] * own[0] + y[j] * own[1] + z[j] * own[2];
+                    *sum += x[j] * own[0] + y[j] * own[1] + z[j] * own[2];
                 }
                 for a in 0..motions {
                     let Some(to) = place(a) else { continue };
                     let slopes = &tangent.bore_bore[(a * motions + b) * n..][..n];
                     let sums = out[to..to + n].iter_mut();
-                    sums.zip(slopes.iter().zip(motion)).for_each(|(sum, (k, u))| *sum -= k * u);
+                    sums.zip(slopes.iter().zip(motion))
+                        .for_each(|(sum, (k, u))| *sum += factor * k * u);
                 }
             }
         }

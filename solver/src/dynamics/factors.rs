@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use whirl_specs::ContactTangent;
 
-use super::joint_iteration::JointIteration;
+use super::condensed::Condensed;
 use super::merit::Merit;
 use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
@@ -12,6 +12,8 @@ use crate::linalg::{Lu, RoughInverse, copy_block_from};
 /// Directions from factors before they are inverted, which takes as long as some hundred directions from the inverse save.
 const FACTORED: usize = 64;
 
+/// Iterations more than one a step that take as long as evaluating the bodies of the condensed iteration.
+const LATE: usize = 6;
 /// Corrections of the measures that take as long as an iteration.
 const CORRECTIONS: usize = 4;
 
@@ -21,20 +23,27 @@ pub(super) struct KeptFactors {
     current: Factors,
     /// Factors for other step lengths.
     shelves: Vec<Factors>,
-    /// The inverse of factors that are kept for long, and whether it is of those.
+    /// What is made of factors that are kept for long, and which of it gives directions.
     inverse: RoughInverse,
-    is_inverse: bool,
-    /// The iteration in the measures of the joints with that inverse, and whether it is of those factors.
-    joints: Option<JointIteration>,
-    joints_are_ready: bool,
-    /// Corrections of the measures in the step so far, and whether they get smaller.
+    condensed: Option<Condensed>,
+    by: Directions,
+    /// Corrections of the measures in the step so far, and whether they got smaller.
     followed: usize,
     contracts: bool,
-    /// A correction of the unknowns.
-    correction: Vec<f64>,
     /// [AK] of all coordinates, where not all are unknown.
     whole: Vec<f64>,
     state: FactorsState,
+}
+
+/// What gives directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Directions {
+    /// The factors.
+    Factors,
+    /// Their inverse.
+    Inverse,
+    /// The iteration in the measures of the joints.
+    Condensed,
 }
 
 /// Factors of [AK], and the tangents of the springs in it.
@@ -58,6 +67,9 @@ pub(super) struct FactorsState {
     /// The fewest corrections of a step since, and how many more others took, summed; see `KeptFactors::count`.
     fewest: usize,
     excess: usize,
+    /// Where the bodies of the condensed iteration were evaluated, and how many iterations more than one steps took since.
+    bodies: Factored,
+    more: usize,
     /// Where the factors on the shelves were computed, and the shelf that is emptied next.
     shelved: Vec<Factored>,
     next_shelf: usize,
@@ -75,6 +87,12 @@ struct Factored {
 }
 
 impl Factored {
+    fn keep(&mut self, (time, state, dt): (f64, &State, f64), released: &[bool]) {
+        (self.time, self.dt) = (time, dt);
+        self.state.copy_from(state);
+        self.released.copy_from_slice(released);
+    }
+
     fn is_there(&self) -> bool {
         self.dt > 0.0
     }
@@ -88,6 +106,7 @@ impl FactorsState {
 
     fn begin_count(&mut self) {
         (self.directions, self.fewest, self.excess) = (0, usize::MAX, 0);
+        (self.bodies.dt, self.more) = (0.0, 0);
     }
 }
 
@@ -105,18 +124,18 @@ impl KeptFactors {
             current: Factors::new(system, unknowns),
             shelves: (0..shelves).map(|_| Factors::new(system, unknowns)).collect(),
             inverse: RoughInverse::new(unknowns),
-            is_inverse: false,
-            joints: JointIteration::new(system),
-            joints_are_ready: false,
+            condensed: Condensed::new(system),
+            by: Directions::Factors,
             followed: 0,
             contracts: true,
-            correction: vec![0.0; unknowns],
             whole: vec![0.0; if first > 0 { size * size } else { 0 }],
             state: FactorsState {
                 current: nothing(),
                 directions: 0,
                 fewest: usize::MAX,
                 excess: 0,
+                bodies: nothing(),
+                more: 0,
                 shelved: (0..shelves).map(|_| nothing()).collect(),
                 next_shelf: 0,
                 factorisations: 0,
@@ -160,6 +179,11 @@ impl KeptFactors {
                 merit.weigh(system, &step);
                 self.invert(merit);
             }
+            if kept.bodies.is_there() {
+                system.released.copy_from_slice(&kept.bodies.released);
+                let (time, state) = (kept.bodies.time, &kept.bodies.state);
+                self.take_bodies(system, (time, state, &step));
+            }
         }
         self.state = kept;
     }
@@ -198,7 +222,7 @@ impl KeptFactors {
             state.current.dt = 0.0;
         }
         // An inverse is not kept: it is made again where these factors give many directions again.
-        self.is_inverse = false;
+        self.by = Directions::Factors;
         state.begin_count();
     }
 
@@ -221,56 +245,73 @@ impl KeptFactors {
             copy_tangent(tangent, own);
         }
         let done = self.current.lu.factor_in_place().is_ok();
-        self.is_inverse = false;
+        self.by = Directions::Factors;
         self.state.begin_count();
         self.state.factorisations += 1;
-        let current = &mut self.state.current;
-        (current.time, current.dt) = (t, if done { step.dt } else { 0.0 });
-        current.state.copy_from(at);
-        current.released.copy_from_slice(&system.released);
+        self.state.current.keep((t, at, if done { step.dt } else { 0.0 }), &system.released);
         done
     }
 
-    /// Replaces r by the Δq of [AK] Δq = r.
-    pub(super) fn solve(&mut self, r: &mut [f64], merit: &Merit) {
+    /// Replaces r, the residual of a state just evaluated, by the Δq of [AK] Δq = r, or by what the laws make of it until less than
+    /// `tolerance` (N) is missing at every spring. The springs are left where their forces are foreseen.
+    pub(super) fn solve(
+        &mut self,
+        system: &mut System,
+        (t, at, step): (f64, &State, &Coefficients),
+        r: &mut [f64],
+        (merit, tolerance): (&Merit, f64),
+    ) {
         if self.state.directions == FACTORED {
             self.invert(merit);
         }
-        match self.is_inverse {
-            true => self.inverse.apply(r),
-            false => self.current.lu.solve_in_place(r),
-        }
         self.state.directions += 1;
+        if self.by == Directions::Condensed && !self.state.bodies.is_there() {
+            self.take_bodies(system, (t, at, step));
+        }
+        match (self.by, &mut self.condensed) {
+            (Directions::Condensed, Some(condensed)) => {
+                let tangents = &self.current.tangents;
+                match condensed.solve(system, tangents, step.a1, r, tolerance) {
+                    Some(followed) => {
+                        self.followed += followed.corrections;
+                        self.contracts &= followed.contracts;
+                    }
+                    None => {
+                        self.contracts = false;
+                        self.current.lu.solve_in_place(r);
+                    }
+                }
+            }
+            (Directions::Inverse, _) => self.inverse.apply(r),
+            _ => self.current.lu.solve_in_place(r),
+        }
     }
 
-    /// Takes the inverse of the factors, and what follows from it for the joints.
+    /// Makes of the factors what gives directions faster.
     fn invert(&mut self, merit: &Merit) {
-        self.is_inverse = self.inverse.invert(&mut self.current.lu, merit.weights());
-        let ready = self.is_inverse.then_some(&self.inverse).zip(self.joints.as_mut());
-        self.joints_are_ready = ready.is_some_and(|(own, joints)| joints.prepare(own.exact()));
+        let lu = &mut self.current.lu;
+        let is_condensed =
+            self.condensed.as_mut().is_some_and(|own| own.take_compliance(self.inverse.exact(lu)));
+        self.by = match is_condensed {
+            true => Directions::Condensed,
+            false if self.inverse.invert(lu, merit.weights()) => Directions::Inverse,
+            false => Directions::Factors,
+        };
     }
 
-    /// Carries a correction of a state just evaluated on in the measures of the joints, where that is possible, until less
-    /// than `tolerance` (N) is missing at every spring. The springs are left where they are foreseen.
-    pub(super) fn follow(
+    /// Evaluates the bodies of the condensed iteration at a state.
+    fn take_bodies(
         &mut self,
         system: &mut System,
-        a1: f64,
-        direction: &mut [f64],
-        tolerance: f64,
+        (t, at, step): (f64, &State, &Coefficients),
     ) {
-        let Some(joints) = self.joints.as_mut().filter(|_| self.is_inverse && self.joints_are_ready)
-        else {
-            return;
-        };
-        let tangents = &self.current.tangents;
-        let followed = joints.follow(system, tangents, a1, direction, tolerance);
-        self.followed += followed.corrections;
-        self.correction.fill(0.0);
-        joints.add_forces(system, &mut self.correction);
-        self.inverse.apply(&mut self.correction);
-        direction.iter_mut().zip(&self.correction).for_each(|(sum, own)| *sum += own);
-        self.contracts &= followed.contracts;
+        let Some(condensed) = self.condensed.as_mut() else { return };
+        if condensed.take_bodies(system, t, at, step) {
+            self.state.bodies.keep((t, at, step.dt), &system.released);
+        } else {
+            self.by = Directions::Factors;
+        }
+        self.state.more = 0;
     }
 
     /// Whether the corrections of the measures in the step got smaller.
@@ -285,6 +326,10 @@ impl KeptFactors {
         let all = CORRECTIONS * iterations + self.followed;
         state.fewest = state.fewest.min(all);
         state.excess += all - state.fewest;
+        state.more += iterations - 1;
+        if state.more > LATE {
+            state.bodies.dt = 0.0;
+        }
         if state.excess > CORRECTIONS * self.current.lu.size() {
             self.drop();
         }

@@ -1,13 +1,13 @@
 //! Marching a machine in time.
 
 mod checkpoint;
+mod condensed;
 mod control;
 mod energy;
 mod equilibrium;
 mod extrapolation;
 mod factors;
 mod histogram;
-mod joint_iteration;
 mod jumps;
 mod march;
 mod merit;

@@ -202,7 +202,7 @@ impl Newton {
             if fresh && !self.factors.factor(system, t, end, step) {
                 return self.failed(iteration, norm, force_change);
             }
-            self.direct(system, step);
+            self.direct(system, t, step, end);
             let (length, tried) = loop {
                 match self.search(system, t, step, norm, fresh) {
                     Some(found) => break found,
@@ -213,7 +213,7 @@ impl Newton {
                             return self.failed(iteration, norm, force_change);
                         }
                         fresh = true;
-                        self.direct(system, step);
+                        self.direct(system, t, step, end);
                     }
                     None => return self.failed(iteration, norm, force_change),
                 }
@@ -302,12 +302,12 @@ impl Newton {
 
     /// Finds the direction at the state that was last evaluated, and the forces that are foreseen at its end: those of now, or
     /// what the laws give where the joints move.
-    fn direct(&mut self, system: &mut System, step: &Coefficients) {
+    fn direct(&mut self, system: &mut System, t: f64, step: &Coefficients, at: &State) {
         self.direction.copy_from_slice(&system.residual[self.first..]);
-        self.factors.solve(&mut self.direction, &self.merit);
-        let missing = FORESEEN * self.force_tolerance(self.largest_force);
-        let missing = missing + FORCE_ROUNDING * self.largest_force;
-        self.factors.follow(system, step.a1, &mut self.direction, missing);
+        let rounding = FORCE_ROUNDING * self.largest_force;
+        let missing = FORESEEN * self.force_tolerance(self.largest_force) + rounding;
+        let judged = (&self.merit, missing);
+        self.factors.solve(system, (t, at, step), &mut self.direction, judged);
         self.forces.copy_from_slice(&system.springs.forces);
     }
 

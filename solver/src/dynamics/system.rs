@@ -120,23 +120,35 @@ impl<'m> System<'m> {
     /// Writes a2 M + a1 C + K + PF − a1 P − B, eq. (46), column after column, at the state that was last
     /// evaluated.
     pub fn tangent(&mut self, t: f64, state: &State, step: &Coefficients, out: &mut [f64]) {
+        self.tangent_of_bodies(t, state, step, out);
+        let (machine, size) = (self.machine, self.machine.size());
+        self.spring_tangent.subtract(&machine.springs, &self.springs, step.a1, size, out);
+    }
+
+    /// As [`System::tangent`], without springs.
+    pub(super) fn tangent_of_bodies(
+        &mut self,
+        t: f64,
+        state: &State,
+        step: &Coefficients,
+        out: &mut [f64],
+    ) {
         let machine = self.machine;
         let size = machine.size();
         out.fill(0.0);
         for body in &mut self.turning {
             body.add_tangent(state, step, out);
         }
-        let now = Instant { before: self.before, ..instant(machine, t, state) };
-        for (load, released) in machine.loads.iter().zip(&self.released) {
-            let (_, position) = placed(machine, load, &state.q);
-            load.subtract_tangent(&now, *released, &position, step.a1, out);
-        }
-        self.spring_tangent.subtract(&machine.springs, &self.springs, step.a1, size, out);
         for (support, place) in &self.standing {
             for (i, place) in place.clone().enumerate() {
                 out[place * (size + 1)] +=
                     step.a2 + step.a1 * support.damping[i] + support.stiffness[i];
             }
+        }
+        let now = Instant { before: self.before, ..instant(machine, t, state) };
+        for (load, released) in machine.loads.iter().zip(&self.released) {
+            let (_, position) = placed(machine, load, &state.q);
+            load.subtract_tangent(&now, *released, &position, step.a1, out);
         }
     }
 

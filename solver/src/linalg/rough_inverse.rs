@@ -33,9 +33,7 @@ impl RoughInverse {
     /// Whether single precision holds it.
     pub(crate) fn invert(&mut self, lu: &mut Lu, weights: &[f64]) -> bool {
         let n = self.size;
-        self.inverse.fill(0.0);
-        self.inverse.iter_mut().step_by(n + 1).for_each(|entry| *entry = 1.0);
-        lu.solve_in_place(&mut self.inverse);
+        self.exact(lu);
         self.scale.iter_mut().zip(weights).for_each(|(own, weight)| *own = weight.sqrt());
         let (scale, inverse) = (&self.scale, &self.inverse);
         for (place, entry) in self.scaled.iter_mut().enumerate() {
@@ -44,8 +42,11 @@ impl RoughInverse {
         self.scaled.iter().all(|entry| entry.is_finite())
     }
 
-    /// A⁻¹ in double precision, column after column.
-    pub(crate) fn exact(&self) -> &[f64] {
+    /// The inverse of the matrix that was factored in double precision, column after column.
+    pub(crate) fn exact(&mut self, lu: &mut Lu) -> &[f64] {
+        self.inverse.fill(0.0);
+        self.inverse.iter_mut().step_by(self.size + 1).for_each(|entry| *entry = 1.0);
+        lu.solve_in_place(&mut self.inverse);
         &self.inverse
     }
 

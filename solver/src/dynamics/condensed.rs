@@ -1,0 +1,282 @@
+//! A step without what carries no joint: the iteration in the measures u of the joints.
+//!
+//! Between its joints a machine is all but linear in a step, body by body: of the residual r at a state the forces on the
+//! measures become F = F(u₀ + N L⁻¹(r + Nᵀ(F − F₀))), where L = a2 M + a1 C + K + PF − a1 P − B without springs: diagonal for bodies
+//! that do not turn, a small block for each of the others. With the kept tangent K₀ of the springs, forces ρ = ΔF − K₀Δu that it
+//! did not foresee move the measures by Zρ, Z = N(L − NᵀK₀N)⁻¹Nᵀ. So u is iterated by the laws themselves until no force is missing,
+//! and the coordinates follow at once: L⁻¹(r + NᵀΔF). What varies in L is left to the iteration of the step, which judges every
+//! state by its own residual.
+
+use std::ops::Range;
+
+use whirl_specs::ContactTangent;
+
+use super::newmark::{Coefficients, State};
+use super::system::System;
+use crate::bearing::Springs;
+use crate::linalg::{
+    Columns, Lu, Matrix, add_columns, add_product, multiply, multiply_transpose_add,
+};
+use crate::machine::Body;
+
+/// Corrections at most.
+const MOST: usize = 16;
+/// Worst contraction with which the iteration goes on.
+const CONTRACTION: f64 = 0.5;
+/// Share of the first missing force below which an iteration has done its work, though rounding may hold it up.
+const ENOUGH: f64 = 1e-2;
+
+/// How an iteration in the measures ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Followed {
+    /// Corrections of the measures.
+    pub(super) corrections: usize,
+    /// Whether they got smaller.
+    pub(super) contracts: bool,
+}
+
+/// L⁻¹ and Z of kept factors, and memory for an iteration. Forces and motions are one value a measure.
+pub(super) struct Condensed {
+    first: usize,
+    bodies: Vec<BodyInverse>,
+    /// L, column after column over all coordinates.
+    whole: Vec<f64>,
+    /// N, over the unknowns.
+    measures: Matrix,
+    /// Z, column after column.
+    compliance: Vec<f32>,
+    /// What moments are divided by to compare them with forces (m); 1 for forces.
+    arms: Vec<f64>,
+    /// Motion since the iteration began, and that of a correction.
+    moved: Vec<f64>,
+    last: Vec<f64>,
+    found: Vec<f32>,
+    /// Forces at the start, before and after a correction, and those that are missing.
+    start: Vec<f64>,
+    before: Vec<f64>,
+    after: Vec<f64>,
+    missing: Vec<f64>,
+    /// r + NᵀΔF.
+    forces: Vec<f64>,
+}
+
+/// L⁻¹ of a body.
+struct BodyInverse {
+    /// Its rotation among the unknowns, if it is one, and its other coordinates.
+    rotation: Option<usize>,
+    flexible: Range<usize>,
+    kind: Inverse,
+}
+
+enum Inverse {
+    Diagonal(Vec<f64>),
+    /// Rotation first; memory for it, and values of the body before and after.
+    Block { lu: Lu, inverse: Matrix, given: Vec<f64>, solved: Vec<f64> },
+}
+
+impl Condensed {
+    /// For a machine whose measures are constant and few enough that Z is less than what it spares, T_b and its transpose.
+    pub(super) fn new(system: &System) -> Option<Self> {
+        let (machine, springs) = (system.machine, &system.machine.springs);
+        let (first, unknowns) = (machine.first_unknown(), machine.active());
+        let measured = springs.measured();
+        let spared = springs.bores.iter().map(|own| own.rows.data.len()).sum::<usize>();
+        let is_less = measured * measured <= 4 * spared + unknowns * unknowns;
+        if measured == 0 || !is_less || !springs.measures_are_constant() {
+            return None;
+        }
+        let bodies = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
+            let flexible = place.flexible.start - first..place.flexible.end - first;
+            let rotation = place.rotation.filter(|&theta| theta >= first).map(|own| own - first);
+            let size = flexible.len() + usize::from(rotation.is_some());
+            let kind = match body {
+                Body::Standing { .. } => Inverse::Diagonal(vec![0.0; size]),
+                Body::Turning { .. } => Inverse::Block {
+                    lu: Lu::new(size),
+                    inverse: Matrix::identity(size),
+                    given: vec![0.0; size],
+                    solved: vec![0.0; size],
+                },
+            };
+            BodyInverse { rotation, flexible, kind }
+        });
+        let values = || vec![0.0; measured];
+        Some(Condensed {
+            first,
+            bodies: bodies.collect(),
+            whole: vec![0.0; machine.size() * machine.size()],
+            measures: springs.measures_of(first, unknowns),
+            compliance: vec![0.0; measured * measured],
+            arms: springs.arms_of_measures(),
+            moved: values(),
+            last: values(),
+            found: vec![0.0; measured],
+            start: values(),
+            before: values(),
+            after: values(),
+            missing: values(),
+            forces: vec![0.0; unknowns],
+        })
+    }
+
+    /// Makes Z of (L − NᵀK₀N)⁻¹, column after column; whether single precision holds it.
+    pub(super) fn take_compliance(&mut self, inverse: &[f64]) -> bool {
+        let n = self.measures.cols;
+        let inverse = Columns { rows: n, cols: n, data: inverse };
+        let moved = multiply(self.measures.view(), inverse);
+        let measured = self.measures.rows;
+        let mut whole = vec![0.0; measured * measured];
+        multiply_transpose_add(&mut whole, 1.0, moved.view(), self.measures.view());
+        self.compliance.iter_mut().zip(&whole).for_each(|(own, value)| *own = *value as f32);
+        self.compliance.iter().all(|own| own.is_finite())
+    }
+
+    /// Makes L⁻¹ at a state just evaluated; whether there is one.
+    pub(super) fn take_bodies(
+        &mut self,
+        system: &mut System,
+        t: f64,
+        state: &State,
+        step: &Coefficients,
+    ) -> bool {
+        system.tangent_of_bodies(t, state, step, &mut self.whole);
+        let (first, size) = (self.first, state.q.len());
+        let (whole, bodies) = (&self.whole, &mut self.bodies);
+        bodies.iter_mut().all(|body| {
+            let places = body.rotation.into_iter().chain(body.flexible.clone());
+            match &mut body.kind {
+                Inverse::Diagonal(inverse) => {
+                    let diagonal = places.map(|place| whole[(first + place) * (size + 1)]);
+                    inverse.iter_mut().zip(diagonal).for_each(|(own, l)| *own = 1.0 / l);
+                    inverse.iter().all(|own| own.is_finite())
+                }
+                Inverse::Block { lu, inverse, .. } => {
+                    let entries = lu.values_mut().chunks_exact_mut(inverse.rows.max(1));
+                    for (column, values) in places.clone().zip(entries) {
+                        let column = &whole[(first + column) * size..][..size];
+                        let rows = places.clone().map(|row| column[first + row]);
+                        values.iter_mut().zip(rows).for_each(|(own, value)| *own = value);
+                    }
+                    let done = lu.factor_in_place().is_ok();
+                    inverse.data.fill(0.0);
+                    let rows = inverse.rows;
+                    inverse.data.iter_mut().step_by(rows + 1).for_each(|own| *own = 1.0);
+                    lu.solve_in_place(&mut inverse.data);
+                    done
+                }
+            }
+        })
+    }
+
+    /// Replaces the residual of a state just evaluated by the correction with which less than `tolerance` (N) is missing at
+    /// every spring. The springs are left where they are foreseen. Where a law has no value there, nothing is replaced.
+    pub(super) fn solve(
+        &mut self,
+        system: &mut System,
+        tangents: &[ContactTangent],
+        a1: f64,
+        residual: &mut [f64],
+        tolerance: f64,
+    ) -> Option<Followed> {
+        let springs = &system.machine.springs;
+        self.forces.copy_from_slice(residual);
+        self.bodies.iter_mut().for_each(|body| body.solve(residual));
+        springs.measure(self.first, residual, &mut self.last);
+        system.springs.mark();
+        system.springs.measured_forces(&mut self.start);
+        // What L⁻¹r moves springs by calls forces by itself.
+        self.missing.fill(0.0);
+        springs.add_linear(tangents, &self.last, 1.0, &mut self.missing);
+        self.moved.copy_from_slice(&self.last);
+        self.correct();
+        self.last.copy_from_slice(&self.moved);
+        self.before.copy_from_slice(&self.start);
+        let Some(followed) = self.follow(system, tangents, a1, tolerance) else {
+            residual.copy_from_slice(&self.forces);
+            return None;
+        };
+        let ends = self.after.iter().zip(&self.start);
+        self.missing.iter_mut().zip(ends).for_each(|(out, (after, start))| *out = after - start);
+        springs.add_measured(self.first, &self.missing, &mut self.forces);
+        residual.copy_from_slice(&self.forces);
+        self.bodies.iter_mut().for_each(|body| body.solve(residual));
+        Some(followed)
+    }
+
+    /// Corrects the measures until no force is missing; leaves the forces that are foreseen in `after`.
+    fn follow(
+        &mut self,
+        system: &mut System,
+        tangents: &[ContactTangent],
+        a1: f64,
+        tolerance: f64,
+    ) -> Option<Followed> {
+        let springs: &Springs = &system.machine.springs;
+        let (mut first, mut least) = (None, f64::INFINITY);
+        for corrections in 1..=MOST {
+            system.springs.displace(springs, &self.moved, a1);
+            system.springs.measured_forces(&mut self.after);
+            let forces = self.after.iter().zip(&self.before);
+            self.missing.iter_mut().zip(forces).for_each(|(out, (after, before))| {
+                *out = after - before;
+            });
+            springs.add_linear(tangents, &self.last, -1.0, &mut self.missing);
+            let sizes = self.missing.iter().zip(&self.arms).map(|(own, arm)| (own / arm).abs());
+            // What is no number is larger than any.
+            let size = sizes.fold(0.0, |most: f64, own| if own <= most { most } else { own });
+            if !size.is_finite() {
+                return None;
+            }
+            if size <= tolerance {
+                return Some(Followed { corrections, contracts: true });
+            }
+            if size > CONTRACTION * least {
+                // What the tangent foresees is better.
+                let forces = self.after.iter_mut().zip(&self.missing);
+                forces.for_each(|(force, missing)| *force -= missing);
+                let contracts = first.is_some_and(|first| size <= ENOUGH * first);
+                return Some(Followed { corrections, contracts });
+            }
+            first.get_or_insert(size);
+            least = size;
+            self.correct();
+            std::mem::swap(&mut self.before, &mut self.after);
+        }
+        self.after.copy_from_slice(&self.before);
+        Some(Followed { corrections: MOST, contracts: false })
+    }
+
+    /// Moves the measures by Zρ.
+    fn correct(&mut self) {
+        let n = self.missing.len();
+        self.found.fill(0.0);
+        let columns = self.compliance.chunks_exact(n).zip(&self.missing);
+        add_columns(&mut self.found, columns.map(|(column, force)| (column, *force as f32)));
+        for ((last, moved), found) in self.last.iter_mut().zip(&mut self.moved).zip(&self.found) {
+            *last = f64::from(*found);
+            *moved += *last;
+        }
+    }
+}
+
+impl BodyInverse {
+    /// Replaces the forces on its coordinates, among those on all unknowns, by L⁻¹ times them.
+    fn solve(&mut self, x: &mut [f64]) {
+        match &mut self.kind {
+            Inverse::Diagonal(inverse) => {
+                let own = x[self.flexible.clone()].iter_mut().zip(inverse.iter());
+                own.for_each(|(x, inverse)| *x *= inverse);
+            }
+            Inverse::Block { inverse, given, solved, .. } => {
+                let (theta, rest) = given.split_at_mut(usize::from(self.rotation.is_some()));
+                theta.iter_mut().zip(self.rotation).for_each(|(own, place)| *own = x[place]);
+                rest.copy_from_slice(&x[self.flexible.clone()]);
+                solved.fill(0.0);
+                add_product(solved, inverse, given);
+                let (theta, rest) = solved.split_at(usize::from(self.rotation.is_some()));
+                theta.iter().zip(self.rotation).for_each(|(own, place)| x[place] = *own);
+                x[self.flexible.clone()].copy_from_slice(rest);
+            }
+        }
+    }
+}
