@@ -58,6 +58,9 @@ pub(super) struct Condensed {
     missing: Vec<f64>,
     /// r + NᵀΔF.
     forces: Vec<f64>,
+    /// The end of a correction, and what the own terms of bodies that turn change on the way.
+    end: State,
+    lack: Vec<f64>,
 }
 
 /// L⁻¹ of a body.
@@ -116,6 +119,8 @@ impl Condensed {
             after: values(),
             missing: values(),
             forces: vec![0.0; unknowns],
+            end: State::new(machine.size()),
+            lack: vec![0.0; machine.size()],
         })
     }
 
@@ -143,7 +148,7 @@ impl Condensed {
         let (first, size) = (self.first, state.q.len());
         let (whole, bodies) = (&self.whole, &mut self.bodies);
         bodies.iter_mut().all(|body| {
-            let places = body.rotation.into_iter().chain(body.flexible.clone());
+            let places = body.places();
             match &mut body.kind {
                 Inverse::Diagonal(inverse) => {
                     let diagonal = places.map(|place| whole[(first + place) * (size + 1)]);
@@ -168,15 +173,15 @@ impl Condensed {
         })
     }
 
-    /// Replaces the residual of a state just evaluated by the correction with which less than `tolerance` (N) is missing at
+    /// Replaces the residual of `state`, just evaluated, by the correction with which less than `tolerance` (N) is missing at
     /// every spring. The springs are left where they are foreseen. Where a law has no value there, nothing is replaced.
     pub(super) fn solve(
         &mut self,
         system: &mut System,
         tangents: &[ContactTangent],
-        a1: f64,
+        (state, step): (&State, &Coefficients),
         residual: &mut [f64],
-        tolerance: f64,
+        (tolerance, again): (f64, bool),
     ) -> Option<Followed> {
         let springs = &system.machine.springs;
         self.forces.copy_from_slice(residual);
@@ -191,7 +196,7 @@ impl Condensed {
         self.correct();
         self.last.copy_from_slice(&self.moved);
         self.before.copy_from_slice(&self.start);
-        let Some(followed) = self.follow(system, tangents, a1, tolerance) else {
+        let Some(followed) = self.follow(system, tangents, step.a1, tolerance) else {
             residual.copy_from_slice(&self.forces);
             return None;
         };
@@ -200,7 +205,35 @@ impl Condensed {
         springs.add_measured(self.first, &self.missing, &mut self.forces);
         residual.copy_from_slice(&self.forces);
         self.bodies.iter_mut().for_each(|body| body.solve(residual));
+        if again {
+            self.solve_again(system, state, step, residual);
+        }
         Some(followed)
+    }
+
+    /// Corrects what bodies that turn still lack where L varies: once more by L⁻¹, from their own equations at the end of
+    /// `correction`, the forces there left as they are foreseen.
+    fn solve_again(
+        &mut self,
+        system: &mut System,
+        state: &State,
+        step: &Coefficients,
+        correction: &mut [f64],
+    ) {
+        let first = self.first;
+        self.end.copy_from(state);
+        step.correct(state, correction.iter().copied(), first, &mut self.end);
+        system.change_of_turning(&self.end, &mut self.lack);
+        let turning = self.bodies.iter_mut().filter(|body| body.turns());
+        for body in turning {
+            for place in body.places() {
+                self.forces[place] += self.lack[first + place];
+            }
+            body.solve(&mut self.forces);
+            for place in body.places() {
+                correction[place] += self.forces[place];
+            }
+        }
     }
 
     /// Corrects the measures until no force is missing; leaves the forces that are foreseen in `after`.
@@ -260,6 +293,15 @@ impl Condensed {
 }
 
 impl BodyInverse {
+    fn turns(&self) -> bool {
+        matches!(self.kind, Inverse::Block { .. })
+    }
+
+    /// Its coordinates among the unknowns.
+    fn places(&self) -> impl Iterator<Item = usize> + Clone + use<> {
+        self.rotation.into_iter().chain(self.flexible.clone())
+    }
+
     /// Replaces the forces on its coordinates, among those on all unknowns, by L⁻¹ times them.
     fn solve(&mut self, x: &mut [f64]) {
         match &mut self.kind {

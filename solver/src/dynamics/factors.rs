@@ -70,6 +70,8 @@ pub(super) struct FactorsState {
     /// Where the bodies of the condensed iteration were evaluated, and how many iterations more than one steps took since.
     bodies: Factored,
     more: usize,
+    /// Whether bodies that turn are solved twice.
+    again: bool,
     /// Where the factors on the shelves were computed, and the shelf that is emptied next.
     shelved: Vec<Factored>,
     next_shelf: usize,
@@ -106,7 +108,7 @@ impl FactorsState {
 
     fn begin_count(&mut self) {
         (self.directions, self.fewest, self.excess) = (0, usize::MAX, 0);
-        (self.bodies.dt, self.more) = (0.0, 0);
+        (self.bodies.dt, self.more, self.again) = (0.0, 0, false);
     }
 }
 
@@ -136,6 +138,7 @@ impl KeptFactors {
                 excess: 0,
                 bodies: nothing(),
                 more: 0,
+                again: false,
                 shelved: (0..shelves).map(|_| nothing()).collect(),
                 next_shelf: 0,
                 factorisations: 0,
@@ -271,7 +274,8 @@ impl KeptFactors {
         match (self.by, &mut self.condensed) {
             (Directions::Condensed, Some(condensed)) => {
                 let tangents = &self.current.tangents;
-                match condensed.solve(system, tangents, step.a1, r, tolerance) {
+                let judged = (tolerance, self.state.again);
+                match condensed.solve(system, tangents, (at, step), r, judged) {
                     Some(followed) => {
                         self.followed += followed.corrections;
                         self.contracts &= followed.contracts;
@@ -311,7 +315,7 @@ impl KeptFactors {
         } else {
             self.by = Directions::Factors;
         }
-        self.state.more = 0;
+        (self.state.more, self.state.again) = (0, false);
     }
 
     /// Whether the corrections of the measures in the step got smaller.
@@ -326,9 +330,13 @@ impl KeptFactors {
         let all = CORRECTIONS * iterations + self.followed;
         state.fewest = state.fewest.min(all);
         state.excess += all - state.fewest;
+        // Bodies that have gone too far from where L⁻¹ was made are solved twice, and then, where that is not enough, made anew.
         state.more += iterations - 1;
-        if state.more > LATE {
-            state.bodies.dt = 0.0;
+        if state.more > if state.again { LATE } else { 0 } {
+            (state.again, state.more) = (!state.again, 0);
+            if !state.again {
+                state.bodies.dt = 0.0;
+            }
         }
         if state.excess > CORRECTIONS * self.current.lu.size() {
             self.drop();

@@ -38,6 +38,8 @@ pub struct System<'m> {
     /// What every row may have by its own terms; see `System::row_error`.
     pub(super) row_bounds: Vec<f64>,
     spring_tangent: SpringTangent,
+    /// Q_v − M q̈, C q̇, K q and loads of bodies that turn at another state.
+    other: [Vec<f64>; 4],
 }
 
 impl<'m> System<'m> {
@@ -69,6 +71,7 @@ impl<'m> System<'m> {
             before: false,
             row_bounds: values(),
             spring_tangent: SpringTangent::new(&machine.springs),
+            other: std::array::from_fn(|_| values()),
         }
     }
 
@@ -114,6 +117,30 @@ impl<'m> System<'m> {
             self.residual.iter_mut().zip(applied.zip(own))
         {
             *r = (inertia - elastic) + (load + spring - damper);
+        }
+    }
+
+    /// Writes by how much Q_v − M q̈ − C q̇ − K q and the loads of bodies that turn differ in a state from the one that was
+    /// evaluated last, at the same time.
+    pub(super) fn change_of_turning(&mut self, state: &State, out: &mut [f64]) {
+        let [inertia, damper, elastic, load] = &mut self.other;
+        [&mut *damper, &mut *elastic, &mut *load].map(|terms| terms.fill(0.0));
+        for body in &mut self.turning {
+            body.evaluate(state, [&mut *inertia, &mut *damper, &mut *elastic]);
+        }
+        let machine = self.machine;
+        let now = Instant { before: self.before, ..instant(machine, self.time, state) };
+        for (own, released) in machine.loads.iter().zip(&self.released) {
+            let (place, position) = placed(machine, own, &state.q);
+            if place.rotation.is_some() {
+                own.add_force(own.factor(&now, *released), &position, &state.q, place, load);
+            }
+        }
+        for body in &self.turning {
+            for i in std::iter::once(body.theta()).chain(body.place.flexible.clone()) {
+                let other = inertia[i] - elastic[i] + (load[i] - damper[i]);
+                out[i] = other - (self.inertia[i] - self.elastic[i] + (self.load[i] - self.damper[i]));
+            }
         }
     }
 
