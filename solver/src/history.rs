@@ -1,5 +1,6 @@
 //! What a march leaves behind: one row a step.
 
+pub use crate::column::Column;
 use crate::machine::Machine;
 use crate::output::Output;
 
@@ -20,27 +21,6 @@ impl<'a> JointColumns<'a> {
     /// Of a bearing with the columns that all have.
     pub fn of(label: &'a str) -> Self {
         JointColumns { label, ..JointColumns::default() }
-    }
-}
-
-/// A column of a history.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Column {
-    /// Its name, with the unit as files can have it, such as `omega_rad_s`.
-    pub name: String,
-    /// Its unit, such as `rad/s`; 1 of a number without one.
-    pub unit: &'static str,
-    /// What it is.
-    pub meaning: String,
-}
-
-impl Column {
-    pub(crate) fn new(
-        name: impl Into<String>,
-        unit: &'static str,
-        meaning: impl Into<String>,
-    ) -> Self {
-        Column { name: name.into(), unit, meaning: meaning.into() }
     }
 }
 

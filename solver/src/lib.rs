@@ -8,6 +8,7 @@ pub mod body;
 pub mod cache;
 mod cells;
 pub mod centre_of_mass;
+mod column;
 pub mod constraints;
 pub mod contacts;
 pub mod curve;

@@ -2,7 +2,7 @@
 
 use crate::bodies::Body;
 use crate::body::BodyNode;
-use crate::history::Column;
+use crate::column::Column;
 use crate::loads::Frame;
 
 /// Letters of the axes in names of columns.

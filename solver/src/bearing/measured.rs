@@ -4,8 +4,10 @@
 use whirl_specs::ContactTangent;
 
 use super::state::SpringState;
-use super::{Plane, Springs};
-use crate::linalg::{Matrix, add_product, sum_of};
+use super::{Bores, Plane, Springs};
+use crate::linalg::{
+    Columns, Matrix, add_columns, add_product, multiply, multiply_transpose_add, sum_of,
+};
 
 /// Measures that a plane has beside those of its bore: the angle and both displacements of its journal.
 const RING: usize = 3;
@@ -29,22 +31,39 @@ impl Springs {
         rings.chain(std::iter::repeat_n(1.0, bores)).collect()
     }
 
-    /// N times a motion of the coordinates from `first` on; those before do not move.
-    pub(crate) fn measure(&self, first: usize, motion: &[f64], u: &mut [f64]) {
-        let (rings, mut bores) = u.split_at_mut(RING * self.planes.len());
+    /// T_b of the bores of body after body in single precision.
+    pub(crate) fn rough_bores(&self) -> Vec<Vec<f32>> {
+        let rough = |own: &Bores| own.rows.data.iter().map(|value| *value as f32).collect();
+        self.bores.iter().map(rough).collect()
+    }
+
+    /// N times a motion of the coordinates from `first` on, bores by their T_b in single precision; coordinates before do not move.
+    pub(crate) fn measure(
+        &self,
+        (first, bores): (usize, &[Vec<f32>]),
+        motion: &[f64],
+        found: &mut [f32],
+        u: &mut [f64],
+    ) {
+        let (rings, mut rest) = u.split_at_mut(RING * self.planes.len());
         let rows = self.planes.iter().flat_map(|plane| &plane.rows);
         for (value, row) in rings.iter_mut().zip(rows) {
             let unknown = row.iter().filter(|(place, _)| *place >= first);
             *value = unknown.map(|&(place, own)| own * motion[place - first]).sum();
         }
-        for own in &self.bores {
-            let (values, rest) = bores.split_at_mut(own.rows.rows);
+        for (own, rough) in self.bores.iter().zip(bores) {
+            let values;
+            (values, rest) = rest.split_at_mut(own.rows.rows);
             values.fill(0.0);
-            if !own.place.is_empty() {
-                let place = own.place.start - first..own.place.end - first;
-                add_product(values, &own.rows, &motion[place]);
+            if own.place.is_empty() {
+                continue;
             }
-            bores = rest;
+            let motion = &motion[own.place.start - first..own.place.end - first];
+            let found = &mut found[..values.len()];
+            found.fill(0.0);
+            let columns = rough.chunks_exact(found.len().max(1)).zip(motion);
+            add_columns(found, columns.map(|(column, moved)| (column, *moved as f32)));
+            values.iter_mut().zip(found).for_each(|(value, own)| *value = f64::from(*own));
         }
     }
 
@@ -66,17 +85,59 @@ impl Springs {
         }
     }
 
-    /// N, over the coordinates from `first` on.
-    pub(crate) fn measures_of(&self, first: usize, unknowns: usize) -> Matrix {
-        let mut measures = Matrix::zeros(self.measured(), unknowns);
-        let mut unit = vec![0.0; unknowns];
-        for j in 0..unknowns {
-            unit[j] = 1.0;
-            let rows = measures.rows;
-            self.measure(first, &unit, &mut measures.data[j * rows..][..rows]);
-            unit[j] = 0.0;
+    /// Z = N A⁻¹Nᵀ of an A⁻¹ over the coordinates from `first` on, column after column.
+    pub(crate) fn compliance(&self, first: usize, inverse: Columns) -> Matrix {
+        let (n, measured) = (inverse.cols, self.measured());
+        let rings = RING * self.planes.len();
+        let rows: Vec<&[(usize, f64)]> =
+            self.planes.iter().flat_map(|plane| plane.rows.each_ref().map(Vec::as_slice)).collect();
+        let terms = |row: usize| {
+            let unknown = rows[row].iter().filter(move |(place, _)| *place >= first);
+            unknown.map(move |&(place, own)| (place - first, own))
+        };
+        // N A⁻¹, of which the rows of bores come from rows of A⁻¹ that stand side by side.
+        let mut moved = Matrix::zeros(measured, n);
+        let (mut from, mut part) = (rings, Vec::new());
+        for j in 0..n {
+            let column = &inverse.data[j * n..][..n];
+            for i in 0..rings {
+                moved[(i, j)] = terms(i).map(|(place, own)| own * column[place]).sum();
+            }
         }
-        measures
+        for own in &self.bores {
+            let (start, end) = (from, from + own.rows.rows);
+            from = end;
+            if own.place.is_empty() {
+                continue;
+            }
+            let place = own.place.start - first..own.place.end - first;
+            part.clear();
+            part.extend(inverse.data.chunks_exact(n).flat_map(|column| &column[place.clone()]));
+            let product =
+                multiply(own.rows.view(), Columns { rows: place.len(), cols: n, data: &part });
+            for (j, column) in product.data.chunks_exact(own.rows.rows).enumerate() {
+                moved.col_mut(j)[start..end].copy_from_slice(column);
+            }
+        }
+        let mut compliance = Matrix::zeros(measured, measured);
+        for i in 0..rings {
+            let columns = terms(i).map(|(place, own)| (moved.col(place), own));
+            add_columns(compliance.col_mut(i), columns);
+        }
+        from = rings;
+        for own in &self.bores {
+            let start = from;
+            from += own.rows.rows;
+            if own.place.is_empty() {
+                continue;
+            }
+            let place = own.place.start - first..own.place.end - first;
+            let of_body = &moved.data[place.start * measured..place.end * measured];
+            let of_body = Columns { rows: measured, cols: place.len(), data: of_body };
+            let out = &mut compliance.data[start * measured..from * measured];
+            multiply_transpose_add(out, 1.0, of_body, own.rows.view());
+        }
+        compliance
     }
 
     /// Adds a factor times K₀ times a motion of the measures to forces on them; K₀ by its planes, as [`SpringState::tangent`] gives

@@ -14,9 +14,7 @@ use whirl_specs::ContactTangent;
 use super::newmark::{Coefficients, State};
 use super::system::System;
 use crate::bearing::Springs;
-use crate::linalg::{
-    Columns, Lu, Matrix, add_columns, add_product, multiply, multiply_transpose_add,
-};
+use crate::linalg::{Columns, Lu, Matrix, add_columns, add_product, largest_and_sum};
 use crate::machine::Body;
 
 /// Corrections at most.
@@ -25,6 +23,9 @@ const MOST: usize = 16;
 const CONTRACTION: f64 = 0.5;
 /// Share of the first missing force below which an iteration has done its work, though rounding may hold it up.
 const ENOUGH: f64 = 1e-2;
+
+/// Share of the tolerance of forces below which one is not worth a column of Z.
+const NOTHING: f64 = 0.03;
 
 /// How an iteration in the measures ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,12 +42,12 @@ pub(super) struct Condensed {
     bodies: Vec<BodyInverse>,
     /// L, column after column over all coordinates.
     whole: Vec<f64>,
-    /// N, over the unknowns.
-    measures: Matrix,
+    /// T_b of the bores of every body.
+    bores: Vec<Vec<f32>>,
     /// Z, column after column.
     compliance: Vec<f32>,
-    /// What moments are divided by to compare them with forces (m); 1 for forces.
-    arms: Vec<f64>,
+    /// What moments are multiplied by to compare them with forces (1/m); 1 for forces.
+    weights: Vec<f64>,
     /// Motion since the iteration began, and that of a correction.
     moved: Vec<f64>,
     last: Vec<f64>,
@@ -108,9 +109,9 @@ impl Condensed {
             first,
             bodies: bodies.collect(),
             whole: vec![0.0; machine.size() * machine.size()],
-            measures: springs.measures_of(first, unknowns),
+            bores: springs.rough_bores(),
             compliance: vec![0.0; measured * measured],
-            arms: springs.arms_of_measures(),
+            weights: springs.arms_of_measures().iter().map(|arm| 1.0 / arm).collect(),
             moved: values(),
             last: values(),
             found: vec![0.0; measured],
@@ -125,14 +126,11 @@ impl Condensed {
     }
 
     /// Makes Z of (L − NᵀK₀N)⁻¹, column after column; whether single precision holds it.
-    pub(super) fn take_compliance(&mut self, inverse: &[f64]) -> bool {
-        let n = self.measures.cols;
+    pub(super) fn take_compliance(&mut self, springs: &Springs, inverse: &[f64]) -> bool {
+        let n = self.forces.len();
         let inverse = Columns { rows: n, cols: n, data: inverse };
-        let moved = multiply(self.measures.view(), inverse);
-        let measured = self.measures.rows;
-        let mut whole = vec![0.0; measured * measured];
-        multiply_transpose_add(&mut whole, 1.0, moved.view(), self.measures.view());
-        self.compliance.iter_mut().zip(&whole).for_each(|(own, value)| *own = *value as f32);
+        let compliance = springs.compliance(self.first, inverse).data;
+        self.compliance.iter_mut().zip(&compliance).for_each(|(own, value)| *own = *value as f32);
         self.compliance.iter().all(|own| own.is_finite())
     }
 
@@ -186,14 +184,15 @@ impl Condensed {
         let springs = &system.machine.springs;
         self.forces.copy_from_slice(residual);
         self.bodies.iter_mut().for_each(|body| body.solve(residual));
-        springs.measure(self.first, residual, &mut self.last);
+        let rough = (self.first, self.bores.as_slice());
+        springs.measure(rough, residual, &mut self.found, &mut self.last);
         system.springs.mark();
         system.springs.measured_forces(&mut self.start);
         // What L⁻¹r moves springs by calls forces by itself.
         self.missing.fill(0.0);
         springs.add_linear(tangents, &self.last, 1.0, &mut self.missing);
         self.moved.copy_from_slice(&self.last);
-        self.correct();
+        self.correct(tolerance);
         self.last.copy_from_slice(&self.moved);
         self.before.copy_from_slice(&self.start);
         let Some(followed) = self.follow(system, tangents, step.a1, tolerance) else {
@@ -254,10 +253,9 @@ impl Condensed {
                 *out = after - before;
             });
             springs.add_linear(tangents, &self.last, -1.0, &mut self.missing);
-            let sizes = self.missing.iter().zip(&self.arms).map(|(own, arm)| (own / arm).abs());
-            // What is no number is larger than any.
-            let size = sizes.fold(0.0, |most: f64, own| if own <= most { most } else { own });
-            if !size.is_finite() {
+            let (missing, weights) = (&self.missing, &self.weights);
+            let (size, sum) = largest_and_sum(missing.len(), |i| missing[i] * weights[i]);
+            if !sum.is_finite() {
                 return None;
             }
             if size <= tolerance {
@@ -272,19 +270,23 @@ impl Condensed {
             }
             first.get_or_insert(size);
             least = size;
-            self.correct();
+            self.correct(tolerance);
             std::mem::swap(&mut self.before, &mut self.after);
         }
         self.after.copy_from_slice(&self.before);
         Some(Followed { corrections: MOST, contracts: false })
     }
 
-    /// Moves the measures by Zρ.
-    fn correct(&mut self) {
-        let n = self.missing.len();
+    /// Moves the measures by Zρ, forces left out that move nothing to speak of.
+    fn correct(&mut self, tolerance: f64) {
+        let (n, least) = (self.missing.len(), NOTHING * tolerance);
         self.found.fill(0.0);
-        let columns = self.compliance.chunks_exact(n).zip(&self.missing);
-        add_columns(&mut self.found, columns.map(|(column, force)| (column, *force as f32)));
+        let forces = self.missing.iter().zip(&self.weights);
+        let forces = forces.map(|(own, weight)| match (own * weight).abs() > least {
+            true => *own as f32,
+            false => 0.0,
+        });
+        add_columns(&mut self.found, self.compliance.chunks_exact(n).zip(forces));
         for ((last, moved), found) in self.last.iter_mut().zip(&mut self.moved).zip(&self.found) {
             *last = f64::from(*found);
             *moved += *last;

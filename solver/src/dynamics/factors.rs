@@ -14,6 +14,8 @@ const FACTORED: usize = 64;
 
 /// Iterations more than one a step that take as long as evaluating the bodies of the condensed iteration.
 const LATE: usize = 6;
+/// Steps in which bodies are solved twice that take longer than that.
+const TWICE: usize = 64;
 /// Corrections of the measures that take as long as an iteration.
 const CORRECTIONS: usize = 4;
 
@@ -70,8 +72,9 @@ pub(super) struct FactorsState {
     /// Where the bodies of the condensed iteration were evaluated, and how many iterations more than one steps took since.
     bodies: Factored,
     more: usize,
-    /// Whether bodies that turn are solved twice.
+    /// Whether bodies that turn are solved twice, and in how many steps they have been.
     again: bool,
+    twice: usize,
     /// Where the factors on the shelves were computed, and the shelf that is emptied next.
     shelved: Vec<Factored>,
     next_shelf: usize,
@@ -108,7 +111,7 @@ impl FactorsState {
 
     fn begin_count(&mut self) {
         (self.directions, self.fewest, self.excess) = (0, usize::MAX, 0);
-        (self.bodies.dt, self.more, self.again) = (0.0, 0, false);
+        (self.bodies.dt, self.more, self.again, self.twice) = (0.0, 0, false, 0);
     }
 }
 
@@ -139,6 +142,7 @@ impl KeptFactors {
                 bodies: nothing(),
                 more: 0,
                 again: false,
+                twice: 0,
                 shelved: (0..shelves).map(|_| nothing()).collect(),
                 next_shelf: 0,
                 factorisations: 0,
@@ -180,7 +184,7 @@ impl KeptFactors {
             let step = self.repeat(system, method, &kept.current);
             if kept.directions >= FACTORED {
                 merit.weigh(system, &step);
-                self.invert(merit);
+                self.invert(system, merit);
             }
             if kept.bodies.is_there() {
                 system.released.copy_from_slice(&kept.bodies.released);
@@ -265,7 +269,7 @@ impl KeptFactors {
         (merit, tolerance): (&Merit, f64),
     ) {
         if self.state.directions == FACTORED {
-            self.invert(merit);
+            self.invert(system, merit);
         }
         self.state.directions += 1;
         if self.by == Directions::Condensed && !self.state.bodies.is_there() {
@@ -292,10 +296,12 @@ impl KeptFactors {
     }
 
     /// Makes of the factors what gives directions faster.
-    fn invert(&mut self, merit: &Merit) {
-        let lu = &mut self.current.lu;
-        let is_condensed =
-            self.condensed.as_mut().is_some_and(|own| own.take_compliance(self.inverse.exact(lu)));
+    fn invert(&mut self, system: &System, merit: &Merit) {
+        let (lu, springs) = (&mut self.current.lu, &system.machine.springs);
+        let is_condensed = self
+            .condensed
+            .as_mut()
+            .is_some_and(|own| own.take_compliance(springs, self.inverse.exact(lu)));
         self.by = match is_condensed {
             true => Directions::Condensed,
             false if self.inverse.invert(lu, merit.weights()) => Directions::Inverse,
@@ -315,7 +321,7 @@ impl KeptFactors {
         } else {
             self.by = Directions::Factors;
         }
-        (self.state.more, self.state.again) = (0, false);
+        (self.state.more, self.state.again, self.state.twice) = (0, false, 0);
     }
 
     /// Whether the corrections of the measures in the step got smaller.
@@ -330,13 +336,14 @@ impl KeptFactors {
         let all = CORRECTIONS * iterations + self.followed;
         state.fewest = state.fewest.min(all);
         state.excess += all - state.fewest;
-        // Bodies that have gone too far from where L⁻¹ was made are solved twice, and then, where that is not enough, made anew.
+        // Bodies that have gone too far from where L⁻¹ was made are solved twice, and made anew where that is not enough or has
+        // taken as long.
         state.more += iterations - 1;
-        if state.more > if state.again { LATE } else { 0 } {
-            (state.again, state.more) = (!state.again, 0);
-            if !state.again {
-                state.bodies.dt = 0.0;
-            }
+        state.twice += usize::from(state.again);
+        if state.more > LATE || state.twice >= TWICE {
+            state.bodies.dt = 0.0;
+        } else if state.more > 0 && !state.again {
+            (state.again, state.more) = (true, 0);
         }
         if state.excess > CORRECTIONS * self.current.lu.size() {
             self.drop();

@@ -124,7 +124,9 @@ impl<'m> System<'m> {
     /// evaluated last, at the same time.
     pub(super) fn change_of_turning(&mut self, state: &State, out: &mut [f64]) {
         let [inertia, damper, elastic, load] = &mut self.other;
-        [&mut *damper, &mut *elastic, &mut *load].map(|terms| terms.fill(0.0));
+        for terms in [&mut *damper, &mut *elastic, &mut *load] {
+            terms.fill(0.0);
+        }
         for body in &mut self.turning {
             body.evaluate(state, [&mut *inertia, &mut *damper, &mut *elastic]);
         }
