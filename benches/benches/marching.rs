@@ -52,12 +52,16 @@ fn analysis(springs: usize) {
     let (mut steps, mut plains, mut plain_iterations) = (Vec::new(), Vec::new(), 0);
     while !march.is_done() {
         if march.progress().step % COMPARED == 0 && march.progress().step > 0 {
-            let mut state = march.state().clone();
+            let (mut state, released) = (march.state().clone(), march.released().to_vec());
             let start = Instant::now();
-            plain_iterations += plain.advance(march.time() + options.time_step, &mut state);
+            let end = march.time() + options.time_step;
+            plain_iterations += plain.advance(end, &mut state, &released);
             plains.push(start.elapsed().as_secs_f64());
             advance(&mut march);
-            agrees(&march.state().q, &state.q, march.time());
+            // A step in which a drive ends is cut there, which the plain one is not.
+            if march.released() == released {
+                agrees(&march.state().q, &state.q, march.time());
+            }
             continue;
         }
         let start = Instant::now();

@@ -24,12 +24,13 @@ impl<'m> PlainStep<'m> {
         PlainStep { system: System::new(machine), method, dt, tangent }
     }
 
-    /// Takes a state from t − Δt to `t` (s); the iterations that it took. They end where corrections no longer count:
+    /// Takes a state from t − Δt to `t` (s), where loads have stopped driving as `released` says; the iterations that it took. They end where corrections no longer count:
     /// below 1e-10 of what the step moves.
     ///
     /// # Panics
     /// If the matrix is singular, or the corrections never end.
-    pub fn advance(&mut self, t: f64, state: &mut State) -> usize {
+    pub fn advance(&mut self, t: f64, state: &mut State, released: &[bool]) -> usize {
+        self.system.release(released);
         let (dt, Newmark { gamma, beta }) = (self.dt, self.method);
         let (a1, a2) = (gamma / (beta * dt), 1.0 / (beta * dt * dt));
         let step = Coefficients::new(self.method, dt);

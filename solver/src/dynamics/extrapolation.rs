@@ -62,7 +62,10 @@ impl Extrapolation {
         };
         let [last, before, first] = &self.kept;
         let known = last.iter().zip(before).zip(first);
-        correction.iter_mut().zip(known).for_each(|(own, ((x, y), z))| *own = a * x + b * y + c * z);
+        correction
+            .iter_mut()
+            .zip(known)
+            .for_each(|(own, ((x, y), z))| *own = a * x + b * y + c * z);
     }
 
     /// Takes the correction of a step that was solved; `weights`: 1/s of the unknowns.
@@ -80,7 +83,8 @@ impl Extrapolation {
         // ‖c − Σ a_i c_i‖² by the products.
         let error = |a: [f64; KEPT]| {
             let rows = self.products.iter().zip(a);
-            let own: f64 = rows.map(|(row, b)| b * row.iter().zip(a).map(|(p, a)| p * a).sum::<f64>()).sum();
+            let own: f64 =
+                rows.map(|(row, b)| b * row.iter().zip(a).map(|(p, a)| p * a).sum::<f64>()).sum();
             square - 2.0 * with.iter().zip(a).map(|(p, a)| p * a).sum::<f64>() + own
         };
         let ways = [
@@ -90,7 +94,8 @@ impl Extrapolation {
             (Order::Sum, error(self.shares)),
         ];
         // What is no number is no reason to leave the prediction.
-        self.order = ways.iter().fold(ways[0], |best, way| if way.1 < best.1 { *way } else { best }).0;
+        self.order =
+            ways.iter().fold(ways[0], |best, way| if way.1 < best.1 { *way } else { best }).0;
         self.shares = nearest(&self.products, with).unwrap_or([1.0, 0.0, 0.0]);
         let [a, b, _] = with;
         let [[p, q, _], [_, r, _], _] = self.products;

@@ -310,11 +310,7 @@ impl KeptFactors {
     }
 
     /// Evaluates the bodies of the condensed iteration at a state.
-    fn take_bodies(
-        &mut self,
-        system: &mut System,
-        (t, at, step): (f64, &State, &Coefficients),
-    ) {
+    fn take_bodies(&mut self, system: &mut System, (t, at, step): (f64, &State, &Coefficients)) {
         let Some(condensed) = self.condensed.as_mut() else { return };
         if condensed.take_bodies(system, t, at, step) {
             self.state.bodies.keep((t, at, step.dt), &system.released);

@@ -359,6 +359,11 @@ impl<'m> March<'m> {
         &self.state
     }
 
+    /// For every load of the machine whether it has stopped driving.
+    pub fn released(&self) -> &[bool] {
+        &self.system.released
+    }
+
     /// What another run can start from: the state after the last step.
     pub fn last_state(&self) -> LastState {
         LastState::new(self.machine, self.options.time_step, self.time(), self.checkpoint())

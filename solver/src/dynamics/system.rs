@@ -75,6 +75,11 @@ impl<'m> System<'m> {
         }
     }
 
+    /// Says of every load of the machine whether it has stopped driving.
+    pub fn release(&mut self, released: &[bool]) {
+        self.released.copy_from_slice(released);
+    }
+
     /// r at the state that was last evaluated, one value a coordinate. That of a rotation that is no unknown is
     /// the couple which would be needed beside the loads, with the sign changed.
     pub fn residual(&self) -> &[f64] {
@@ -141,7 +146,8 @@ impl<'m> System<'m> {
         for body in &self.turning {
             for i in std::iter::once(body.theta()).chain(body.place.flexible.clone()) {
                 let other = inertia[i] - elastic[i] + (load[i] - damper[i]);
-                out[i] = other - (self.inertia[i] - self.elastic[i] + (self.load[i] - self.damper[i]));
+                out[i] =
+                    other - (self.inertia[i] - self.elastic[i] + (self.load[i] - self.damper[i]));
             }
         }
     }

@@ -5,7 +5,7 @@ use whirl_specs::Motion;
 
 use super::newmark::{Coefficients, State};
 use super::system::motion_state;
-use crate::linalg::{Matrix, add_product, dot};
+use crate::linalg::{Matrix, add_both_products, add_product, dot};
 use crate::machine::{BodyPlace, Machine};
 use crate::shaft::Shaft;
 
@@ -20,6 +20,8 @@ pub(super) struct TurningBody<'m> {
     row: Vec<f64>,
     /// A matrix over the coordinates, column after column.
     block: Vec<f64>,
+    /// The factor of K that C is, if it is one.
+    proportional: Option<f64>,
     /// Norms of the rows of M, C and K, a coordinate of η each.
     pub(super) row_norms: Vec<[f64; 3]>,
 }
@@ -38,6 +40,7 @@ impl<'m> TurningBody<'m> {
             workspace: vec![0.0; (machine.motion.workspace)(n)],
             row: vec![0.0; 1 + n],
             block: vec![0.0; (1 + n) * (1 + n)],
+            proportional: proportional(&shaft.damping, &shaft.stiffness),
             row_norms: (0..n).map(|i| matrices.map(|matrix| norm(matrix, i))).collect(),
         }
     }
@@ -47,7 +50,7 @@ impl<'m> TurningBody<'m> {
         self.place.rotation.expect("a body that turns")
     }
 
-    /// Writes Q_v − M q̈, and adds C q̇ and K q, at the places of the body.
+    /// Writes Q_v − M q̈ at the places of the body, and C q̇ and K q, where zeros stand.
     pub(super) fn evaluate(
         &mut self,
         state: &State,
@@ -57,8 +60,14 @@ impl<'m> TurningBody<'m> {
         (self.motion.inertia_force)(&self.tensors, &motion, &mut self.workspace, &mut self.row);
         inertia[self.theta()] = self.row[0];
         inertia[place.clone()].copy_from_slice(&self.row[1..]);
-        add_product(&mut damper[place.clone()], &self.shaft.damping, motion.eta_dot);
-        add_product(&mut elastic[place], &self.shaft.stiffness, motion.eta);
+        let (damper, elastic) = (&mut damper[place.clone()], &mut elastic[place]);
+        let Some(factor) = self.proportional else {
+            add_product(damper, &self.shaft.damping, motion.eta_dot);
+            return add_product(elastic, &self.shaft.stiffness, motion.eta);
+        };
+        let stiffness = &self.shaft.stiffness;
+        add_both_products(stiffness, [(&mut *damper, motion.eta_dot), (elastic, motion.eta)]);
+        damper.iter_mut().for_each(|own| *own *= factor);
     }
 
     /// Adds a2 M + a1 C + K + PF − a1 P − B of the motion to a matrix over q, column after column.
@@ -139,5 +148,35 @@ impl<'m> TurningBody<'m> {
         Matrix::from_fn(rows - first, rows - first, |i, j| {
             self.block[(first + j) * rows + first + i]
         })
+    }
+}
+
+/// The factor of one matrix that another is, to rounding.
+fn proportional(own: &Matrix, of: &Matrix) -> Option<f64> {
+    let largest = of.data.iter().zip(&own.data).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
+    let factor = largest.1 / largest.0;
+    let alike =
+        |(own, of): (&f64, &f64)| (own - factor * of).abs() <= 4.0 * f64::EPSILON * own.abs();
+    (factor.is_finite() && own.data.iter().zip(&of.data).all(alike)).then_some(factor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn matrices_are_proportional_to_rounding_or_not_at_all() {
+        let of = Matrix { rows: 2, cols: 2, data: vec![3.0, -0.1, -0.1, 7.0] };
+        let times = |factor: f64| Matrix {
+            data: of.data.iter().map(|k| factor * k).collect(),
+            ..of.clone()
+        };
+        let factor = proportional(&times(1e-4), &of).expect("proportional");
+        assert!((factor / 1e-4 - 1.0).abs() < 1e-15);
+        assert_eq!(proportional(&times(0.0), &of), Some(0.0));
+        let mut other = times(1e-4);
+        other.data[1] *= 1.0 + 1e-12;
+        assert_eq!(proportional(&other, &of), None);
+        assert_eq!(proportional(&times(1.0), &Matrix::zeros(2, 2)), None);
     }
 }

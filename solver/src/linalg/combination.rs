@@ -11,7 +11,10 @@ use super::Matrix;
 const TOGETHER: usize = 8;
 
 /// A number in double or single precision.
-pub(crate) trait Number: Copy + Default + PartialEq + Add<Output = Self> + Mul<Output = Self> {}
+pub(crate) trait Number:
+    Copy + Default + PartialEq + Add<Output = Self> + Mul<Output = Self>
+{
+}
 
 impl Number for f64 {}
 impl Number for f32 {}
@@ -28,6 +31,51 @@ pub(crate) fn add_columns<'a, T: Number + 'a>(
 /// y += A x, as [`add_columns`].
 pub(crate) fn add_product(y: &mut [f64], matrix: &Matrix, x: &[f64]) {
     add_columns(y, x.iter().enumerate().map(|(j, &x)| (matrix.col(j), x)));
+}
+
+/// y += A x for two pairs (y, x), to the same bits, with A read once.
+pub(crate) fn add_both_products(matrix: &Matrix, mut pairs: [(&mut [f64], &[f64]); 2]) {
+    let n = matrix.rows;
+    for start in (0..matrix.cols).step_by(TOGETHER) {
+        let end = matrix.cols.min(start + TOGETHER);
+        for (y, x) in &mut pairs {
+            add_columns(y, (start..end).map(|j| (&matrix.data[j * n..(j + 1) * n], x[j])));
+        }
+    }
+}
+
+/// y_j += Σ_i a_ij x_i in single precision: Aᵀ x, column of A after column.
+pub(crate) fn add_transposed(y: &mut [f32], matrix: &[f32], x: &[f32]) {
+    Registers::current().run(AddTransposed { y, matrix, x });
+}
+
+struct AddTransposed<'a> {
+    y: &'a mut [f32],
+    matrix: &'a [f32],
+    x: &'a [f32],
+}
+
+/// Sums of a column that do not wait for each other.
+const CHAINS: usize = 64;
+
+impl Task for AddTransposed<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let (x, rest) = self.x.as_chunks::<CHAINS>();
+        for (y, column) in self.y.iter_mut().zip(self.matrix.chunks_exact(self.x.len().max(1))) {
+            let (column, last) = column.as_chunks::<CHAINS>();
+            let mut sums = [0.0; CHAINS];
+            for (a, x) in column.iter().zip(x) {
+                for i in 0..CHAINS {
+                    sums[i] += a[i] * x[i];
+                }
+            }
+            let last = last.iter().zip(rest).map(|(a, x)| a * x);
+            *y += sums.iter().copied().chain(last).sum::<f32>();
+        }
+    }
 }
 
 struct AddColumns<'y, T, I> {
@@ -85,9 +133,29 @@ mod tests {
                     }
                 }
                 for registers in Registers::all() {
-                    let mut y = start.clone();
+                    let (mut y, mut again) = (start.clone(), [start.clone(), start.clone()]);
                     registers.within(|| add_product(&mut y, &matrix, &x));
                     assert_eq!(y, expected, "{}", registers.name());
+                    let [a, b] = &mut again;
+                    registers.within(|| add_both_products(&matrix, [(a, &x), (b, &x)]));
+                    assert_eq!(again, [y.clone(), y], "{}", registers.name());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn transposed_products_sum_columns() {
+        for (rows, cols) in [(0, 3), (1, 1), (63, 2), (64, 2), (150, 3)] {
+            let entry = |i: usize, j: usize| (1.3 * (i + 7 * j) as f32).sin();
+            let matrix: Vec<f32> = (0..cols * rows).map(|k| entry(k % rows, k / rows)).collect();
+            let x: Vec<f32> = (0..rows).map(|i| (0.4 + 2.1 * i as f32).cos()).collect();
+            for registers in Registers::all() {
+                let mut y = vec![0.5; cols];
+                registers.within(|| add_transposed(&mut y, &matrix, &x));
+                for (j, y) in y.iter().enumerate() {
+                    let exact = 0.5 + (0..rows).map(|i| entry(i, j) * x[i]).sum::<f32>();
+                    assert!((y - exact).abs() < 1e-5, "{}: {y} for {exact}", registers.name());
                 }
             }
         }

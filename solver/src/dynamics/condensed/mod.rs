@@ -7,15 +7,17 @@
 //! and the coordinates follow at once: L⁻¹(r + NᵀΔF). What varies in L is left to the iteration of the step, which judges every
 //! state by its own residual.
 
-use std::ops::Range;
+mod bodies;
+mod compliance;
 
 use whirl_specs::ContactTangent;
 
+use self::bodies::BodyInverse;
+use self::compliance::Compliance;
 use super::newmark::{Coefficients, State};
 use super::system::System;
 use crate::bearing::Springs;
-use crate::linalg::{Columns, Lu, Matrix, add_columns, add_product, largest_and_sum};
-use crate::machine::Body;
+use crate::linalg::largest_and_sum;
 
 /// Corrections at most.
 const MOST: usize = 16;
@@ -42,16 +44,12 @@ pub(super) struct Condensed {
     bodies: Vec<BodyInverse>,
     /// L, column after column over all coordinates.
     whole: Vec<f64>,
-    /// T_b of the bores of every body.
-    bores: Vec<Vec<f32>>,
-    /// Z, column after column.
-    compliance: Vec<f32>,
+    compliance: Compliance,
     /// What moments are multiplied by to compare them with forces (1/m); 1 for forces.
     weights: Vec<f64>,
     /// Motion since the iteration began, and that of a correction.
     moved: Vec<f64>,
     last: Vec<f64>,
-    found: Vec<f32>,
     /// Forces at the start, before and after a correction, and those that are missing.
     start: Vec<f64>,
     before: Vec<f64>,
@@ -64,57 +62,24 @@ pub(super) struct Condensed {
     lack: Vec<f64>,
 }
 
-/// L⁻¹ of a body.
-struct BodyInverse {
-    /// Its rotation among the unknowns, if it is one, and its other coordinates.
-    rotation: Option<usize>,
-    flexible: Range<usize>,
-    kind: Inverse,
-}
-
-enum Inverse {
-    Diagonal(Vec<f64>),
-    /// Rotation first; memory for it, and values of the body before and after.
-    Block { lu: Lu, inverse: Matrix, given: Vec<f64>, solved: Vec<f64> },
-}
-
 impl Condensed {
-    /// For a machine whose measures are constant and few enough that Z is less than what it spares, T_b and its transpose.
+    /// For a machine that has joints, whose measures are constant.
     pub(super) fn new(system: &System) -> Option<Self> {
         let (machine, springs) = (system.machine, &system.machine.springs);
         let (first, unknowns) = (machine.first_unknown(), machine.active());
         let measured = springs.measured();
-        let spared = springs.bores.iter().map(|own| own.rows.data.len()).sum::<usize>();
-        let is_less = measured * measured <= 4 * spared + unknowns * unknowns;
-        if measured == 0 || !is_less || !springs.measures_are_constant() {
+        if measured == 0 || !springs.measures_are_constant() {
             return None;
         }
-        let bodies = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
-            let flexible = place.flexible.start - first..place.flexible.end - first;
-            let rotation = place.rotation.filter(|&theta| theta >= first).map(|own| own - first);
-            let size = flexible.len() + usize::from(rotation.is_some());
-            let kind = match body {
-                Body::Standing { .. } => Inverse::Diagonal(vec![0.0; size]),
-                Body::Turning { .. } => Inverse::Block {
-                    lu: Lu::new(size),
-                    inverse: Matrix::identity(size),
-                    given: vec![0.0; size],
-                    solved: vec![0.0; size],
-                },
-            };
-            BodyInverse { rotation, flexible, kind }
-        });
         let values = || vec![0.0; measured];
         Some(Condensed {
             first,
-            bodies: bodies.collect(),
+            bodies: BodyInverse::all(machine),
             whole: vec![0.0; machine.size() * machine.size()],
-            bores: springs.rough_bores(),
-            compliance: vec![0.0; measured * measured],
+            compliance: Compliance::new(springs, first, unknowns),
             weights: springs.arms_of_measures().iter().map(|arm| 1.0 / arm).collect(),
             moved: values(),
             last: values(),
-            found: vec![0.0; measured],
             start: values(),
             before: values(),
             after: values(),
@@ -127,11 +92,7 @@ impl Condensed {
 
     /// Makes Z of (L − NᵀK₀N)⁻¹, column after column; whether single precision holds it.
     pub(super) fn take_compliance(&mut self, springs: &Springs, inverse: &[f64]) -> bool {
-        let n = self.forces.len();
-        let inverse = Columns { rows: n, cols: n, data: inverse };
-        let compliance = springs.compliance(self.first, inverse).data;
-        self.compliance.iter_mut().zip(&compliance).for_each(|(own, value)| *own = *value as f32);
-        self.compliance.iter().all(|own| own.is_finite())
+        self.compliance.take(springs, inverse)
     }
 
     /// Makes L⁻¹ at a state just evaluated; whether there is one.
@@ -143,32 +104,8 @@ impl Condensed {
         step: &Coefficients,
     ) -> bool {
         system.tangent_of_bodies(t, state, step, &mut self.whole);
-        let (first, size) = (self.first, state.q.len());
-        let (whole, bodies) = (&self.whole, &mut self.bodies);
-        bodies.iter_mut().all(|body| {
-            let places = body.places();
-            match &mut body.kind {
-                Inverse::Diagonal(inverse) => {
-                    let diagonal = places.map(|place| whole[(first + place) * (size + 1)]);
-                    inverse.iter_mut().zip(diagonal).for_each(|(own, l)| *own = 1.0 / l);
-                    inverse.iter().all(|own| own.is_finite())
-                }
-                Inverse::Block { lu, inverse, .. } => {
-                    let entries = lu.values_mut().chunks_exact_mut(inverse.rows.max(1));
-                    for (column, values) in places.clone().zip(entries) {
-                        let column = &whole[(first + column) * size..][..size];
-                        let rows = places.clone().map(|row| column[first + row]);
-                        values.iter_mut().zip(rows).for_each(|(own, value)| *own = value);
-                    }
-                    let done = lu.factor_in_place().is_ok();
-                    inverse.data.fill(0.0);
-                    let rows = inverse.rows;
-                    inverse.data.iter_mut().step_by(rows + 1).for_each(|own| *own = 1.0);
-                    lu.solve_in_place(&mut inverse.data);
-                    done
-                }
-            }
-        })
+        let (whole, size, first) = (&self.whole, state.q.len(), self.first);
+        self.bodies.iter_mut().all(|body| body.take(whole, size, first))
     }
 
     /// Replaces the residual of `state`, just evaluated, by the correction with which less than `tolerance` (N) is missing at
@@ -184,15 +121,14 @@ impl Condensed {
         let springs = &system.machine.springs;
         self.forces.copy_from_slice(residual);
         self.bodies.iter_mut().for_each(|body| body.solve(residual));
-        let rough = (self.first, self.bores.as_slice());
-        springs.measure(rough, residual, &mut self.found, &mut self.last);
+        self.compliance.measure(springs, residual, &mut self.last);
         system.springs.mark();
         system.springs.measured_forces(&mut self.start);
         // What L⁻¹r moves springs by calls forces by itself.
         self.missing.fill(0.0);
         springs.add_linear(tangents, &self.last, 1.0, &mut self.missing);
         self.moved.copy_from_slice(&self.last);
-        self.correct(tolerance);
+        self.correct(springs, tolerance);
         self.last.copy_from_slice(&self.moved);
         self.before.copy_from_slice(&self.start);
         let Some(followed) = self.follow(system, tangents, step.a1, tolerance) else {
@@ -270,7 +206,7 @@ impl Condensed {
             }
             first.get_or_insert(size);
             least = size;
-            self.correct(tolerance);
+            self.correct(springs, tolerance);
             std::mem::swap(&mut self.before, &mut self.after);
         }
         self.after.copy_from_slice(&self.before);
@@ -278,49 +214,148 @@ impl Condensed {
     }
 
     /// Moves the measures by Zρ, forces left out that move nothing to speak of.
-    fn correct(&mut self, tolerance: f64) {
-        let (n, least) = (self.missing.len(), NOTHING * tolerance);
-        self.found.fill(0.0);
+    fn correct(&mut self, springs: &Springs, tolerance: f64) {
+        let least = NOTHING * tolerance;
         let forces = self.missing.iter().zip(&self.weights);
         let forces = forces.map(|(own, weight)| match (own * weight).abs() > least {
             true => *own as f32,
             false => 0.0,
         });
-        add_columns(&mut self.found, self.compliance.chunks_exact(n).zip(forces));
-        for ((last, moved), found) in self.last.iter_mut().zip(&mut self.moved).zip(&self.found) {
-            *last = f64::from(*found);
-            *moved += *last;
-        }
+        self.compliance.apply(springs, forces, &mut self.last);
+        self.moved.iter_mut().zip(&self.last).for_each(|(moved, last)| *moved += last);
     }
 }
 
-impl BodyInverse {
-    fn turns(&self) -> bool {
-        matches!(self.kind, Inverse::Block { .. })
+#[cfg(test)]
+mod tests {
+    use super::super::newmark::Newmark;
+    use super::super::small::{machine, state};
+    use super::*;
+    use crate::linalg::{Lu, Matrix};
+    use crate::machine::Rotation;
+
+    /// What single precision leaves of a number.
+    const ROUGH: f64 = 1e-6;
+
+    fn values(n: usize, first: f64) -> Vec<f64> {
+        (0..n).map(|i| (first + 2.3 * i as f64).sin()).collect()
     }
 
-    /// Its coordinates among the unknowns.
-    fn places(&self) -> impl Iterator<Item = usize> + Clone + use<> {
-        self.rotation.into_iter().chain(self.flexible.clone())
+    fn measure(own: &mut Condensed, system: &System, d: &[f64]) -> Vec<f64> {
+        let mut u = vec![0.0; own.last.len()];
+        own.compliance.measure(&system.machine.springs, d, &mut u);
+        u
     }
 
-    /// Replaces the forces on its coordinates, among those on all unknowns, by L⁻¹ times them.
-    fn solve(&mut self, x: &mut [f64]) {
-        match &mut self.kind {
-            Inverse::Diagonal(inverse) => {
-                let own = x[self.flexible.clone()].iter_mut().zip(inverse.iter());
-                own.for_each(|(x, inverse)| *x *= inverse);
+    fn sum(a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| a * b).sum()
+    }
+
+    /// Springs that are moved by their measures do what they do where the coordinates have moved.
+    #[test]
+    fn springs_move_with_their_measures() {
+        for (rotation, first) in [(Rotation::Free, 0), (Rotation::Held, 1)] {
+            let machine = machine(rotation);
+            let (mut system, step) =
+                (System::new(&machine), Coefficients::new(Newmark::default(), 0.01));
+            let mut own = Condensed::new(&system).expect("few measures");
+            let (from, d) = (state(5), values(5 - first, 0.7));
+            let d: Vec<f64> = d.iter().map(|own| 1e-3 * own).collect();
+            let mut to = from.clone();
+            step.correct(&from, d.iter().copied(), first, &mut to);
+            let (mut moved, mut exact) = (vec![0.0; own.last.len()], vec![0.0; own.last.len()]);
+            system.evaluate(0.0, &to);
+            system.springs.measured_forces(&mut exact);
+            system.evaluate(0.0, &from);
+            let u = measure(&mut own, &system, &d);
+            system.springs.mark();
+            system.springs.displace(&machine.springs, &u, step.a1);
+            system.springs.measured_forces(&mut moved);
+            let most = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+            for (moved, exact) in moved.iter().zip(&exact) {
+                assert!((moved - exact).abs() < ROUGH * most, "{moved} for {exact}");
             }
-            Inverse::Block { inverse, given, solved, .. } => {
-                let (theta, rest) = given.split_at_mut(usize::from(self.rotation.is_some()));
-                theta.iter_mut().zip(self.rotation).for_each(|(own, place)| *own = x[place]);
-                rest.copy_from_slice(&x[self.flexible.clone()]);
-                solved.fill(0.0);
-                add_product(solved, inverse, given);
-                let (theta, rest) = solved.split_at(usize::from(self.rotation.is_some()));
-                theta.iter().zip(self.rotation).for_each(|(own, place)| x[place] = *own);
-                x[self.flexible.clone()].copy_from_slice(rest);
+        }
+    }
+
+    /// Forces on the measures do the same work as those on the coordinates that come from them.
+    #[test]
+    fn forces_on_measures_work_on_the_coordinates() {
+        let machine = machine(Rotation::Free);
+        let system = System::new(&machine);
+        let mut own = Condensed::new(&system).expect("few measures");
+        let (d, forces) = (values(5, 0.7), values(own.last.len(), 1.9));
+        let mut on_coordinates = vec![0.0; 5];
+        machine.springs.add_measured(0, &forces, &mut on_coordinates);
+        let (there, here) =
+            (sum(&forces, &measure(&mut own, &system, &d)), sum(&on_coordinates, &d));
+        assert!((there - here).abs() < ROUGH * here.abs(), "{there} for {here}");
+    }
+
+    #[test]
+    fn the_compliance_moves_measures_by_forces_on_them() {
+        let machine = machine(Rotation::Free);
+        let system = System::new(&machine);
+        let mut own = Condensed::new(&system).expect("few measures");
+        let inverse = values(25, 0.2);
+        assert!(own.take_compliance(&machine.springs, &inverse));
+        let n = own.last.len();
+        let forces = values(n, 1.3);
+        let mut on_coordinates = vec![0.0; 5];
+        machine.springs.add_measured(0, &forces, &mut on_coordinates);
+        let moved: Vec<f64> =
+            (0..5).map(|i| (0..5).map(|j| inverse[5 * j + i] * on_coordinates[j]).sum()).collect();
+        let exact = measure(&mut own, &system, &moved);
+        let most = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        let mut found = vec![0.0; n];
+        let rough = forces.iter().map(|own| *own as f32);
+        own.compliance.apply(&machine.springs, rough, &mut found);
+        for (i, exact) in exact.iter().enumerate() {
+            let found = found[i];
+            assert!((found - exact).abs() < 10.0 * ROUGH * most, "{i}: {found} for {exact}");
+        }
+    }
+
+    /// Laws that hide their slopes, and matrices that vary with the motion: a few corrections solve the step.
+    #[test]
+    fn a_correction_leaves_nothing_that_a_linear_machine_lacks() {
+        for rotation in [Rotation::Free, Rotation::Held] {
+            let machine = machine(rotation);
+            let first = machine.first_unknown();
+            let (mut system, step) =
+                (System::new(&machine), Coefficients::new(Newmark::default(), 1e-3));
+            let mut own = Condensed::new(&system).expect("few measures");
+            let mut at = state(5);
+            system.evaluate(0.0, &at);
+            let mut lu = Lu::new(5 - first);
+            let mut whole = vec![0.0; 25];
+            system.tangent(0.0, &at, &step, &mut whole);
+            crate::linalg::copy_block_from(first, &whole, 5, lu.values_mut());
+            lu.factor_in_place().unwrap();
+            let mut inverse = Matrix::identity(5 - first).data;
+            lu.solve_in_place(&mut inverse);
+            assert!(own.take_compliance(&machine.springs, &inverse));
+            assert!(own.take_bodies(&mut system, 0.0, &at, &step));
+            let tangents = system.spring_tangents().to_vec();
+            let size = |system: &System| {
+                system.residual[first..].iter().map(|r| r.abs()).fold(0.0, f64::max)
+            };
+            let start = size(&system);
+            for again in [false, true] {
+                let mut correction = system.residual[first..].to_vec();
+                let followed = own
+                    .solve(&mut system, &tangents, (&at, &step), &mut correction, (1e-9, again))
+                    .expect("laws have values");
+                assert!(followed.contracts, "{followed:?}");
+                let foreseen = system.springs.forces.clone();
+                let from = at.clone();
+                step.correct(&from, correction.into_iter(), first, &mut at);
+                system.evaluate(0.0, &at);
+                let forces = system.springs.forces.iter().zip(&foreseen);
+                forces.for_each(|(own, foreseen)| assert!((own - foreseen).abs() < 1e-3));
             }
+            let end = size(&system);
+            assert!(end < 1e-9 * start, "{end} of {start}");
         }
     }
 }
