@@ -6,8 +6,7 @@ use whirl_specs::ContactTangent;
 use super::state::SpringState;
 use super::{Bores, Plane, Springs};
 use crate::linalg::{
-    Columns, Matrix, add_columns, add_product, add_transposed, multiply, multiply_transpose_add,
-    sum_of,
+    Columns, Matrix, add_columns, add_product, multiply, multiply_transpose_add, sum_of,
 };
 
 /// Measures that a plane has beside those of its bore: the angle and both displacements of its journal.
@@ -83,34 +82,6 @@ impl Springs {
                 add_product(&mut out[place], &own.transposed, values);
             }
             bores = rest;
-        }
-    }
-
-    /// Adds Nᵀ times forces on the measures to generalised forces, bores as [`Springs::measure`] has them.
-    pub(crate) fn add_roughly(
-        &self,
-        (first, bores): (usize, &[Vec<f32>]),
-        forces: &[f32],
-        found: &mut [f32],
-        out: &mut [f64],
-    ) {
-        let (rings, mut rest) = forces.split_at(RING * self.planes.len());
-        let rows = self.planes.iter().flat_map(|plane| &plane.rows);
-        for (force, row) in rings.iter().zip(rows) {
-            let unknown = row.iter().filter(|(place, _)| *place >= first);
-            unknown.for_each(|&(place, own)| out[place - first] += own * f64::from(*force));
-        }
-        for (own, rough) in self.bores.iter().zip(bores) {
-            let values;
-            (values, rest) = rest.split_at(own.rows.rows);
-            if own.place.is_empty() {
-                continue;
-            }
-            let out = &mut out[own.place.start - first..own.place.end - first];
-            let found = &mut found[..out.len()];
-            found.fill(0.0);
-            add_transposed(found, rough, values);
-            out.iter_mut().zip(found).for_each(|(out, own)| *out += f64::from(*own));
         }
     }
 

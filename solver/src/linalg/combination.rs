@@ -44,40 +44,6 @@ pub(crate) fn add_both_products(matrix: &Matrix, mut pairs: [(&mut [f64], &[f64]
     }
 }
 
-/// y_j += Σ_i a_ij x_i in single precision: Aᵀ x, column of A after column.
-pub(crate) fn add_transposed(y: &mut [f32], matrix: &[f32], x: &[f32]) {
-    Registers::current().run(AddTransposed { y, matrix, x });
-}
-
-struct AddTransposed<'a> {
-    y: &'a mut [f32],
-    matrix: &'a [f32],
-    x: &'a [f32],
-}
-
-/// Sums of a column that do not wait for each other.
-const CHAINS: usize = 64;
-
-impl Task for AddTransposed<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Register>(self) {
-        let (x, rest) = self.x.as_chunks::<CHAINS>();
-        for (y, column) in self.y.iter_mut().zip(self.matrix.chunks_exact(self.x.len().max(1))) {
-            let (column, last) = column.as_chunks::<CHAINS>();
-            let mut sums = [0.0; CHAINS];
-            for (a, x) in column.iter().zip(x) {
-                for i in 0..CHAINS {
-                    sums[i] += a[i] * x[i];
-                }
-            }
-            let last = last.iter().zip(rest).map(|(a, x)| a * x);
-            *y += sums.iter().copied().chain(last).sum::<f32>();
-        }
-    }
-}
-
 struct AddColumns<'y, T, I> {
     y: &'y mut [T],
     columns: I,
@@ -139,23 +105,6 @@ mod tests {
                     let [a, b] = &mut again;
                     registers.within(|| add_both_products(&matrix, [(a, &x), (b, &x)]));
                     assert_eq!(again, [y.clone(), y], "{}", registers.name());
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn transposed_products_sum_columns() {
-        for (rows, cols) in [(0, 3), (1, 1), (63, 2), (64, 2), (150, 3)] {
-            let entry = |i: usize, j: usize| (1.3 * (i + 7 * j) as f32).sin();
-            let matrix: Vec<f32> = (0..cols * rows).map(|k| entry(k % rows, k / rows)).collect();
-            let x: Vec<f32> = (0..rows).map(|i| (0.4 + 2.1 * i as f32).cos()).collect();
-            for registers in Registers::all() {
-                let mut y = vec![0.5; cols];
-                registers.within(|| add_transposed(&mut y, &matrix, &x));
-                for (j, y) in y.iter().enumerate() {
-                    let exact = 0.5 + (0..rows).map(|i| entry(i, j) * x[i]).sum::<f32>();
-                    assert!((y - exact).abs() < 1e-5, "{}: {y} for {exact}", registers.name());
                 }
             }
         }

@@ -63,20 +63,21 @@ pub(super) struct Condensed {
 }
 
 impl Condensed {
-    /// For a machine that has joints, whose measures are constant.
+    /// For a machine whose measures are constant, and few enough.
     pub(super) fn new(system: &System) -> Option<Self> {
         let (machine, springs) = (system.machine, &system.machine.springs);
         let (first, unknowns) = (machine.first_unknown(), machine.active());
         let measured = springs.measured();
-        if measured == 0 || !springs.measures_are_constant() {
+        if !springs.measures_are_constant() {
             return None;
         }
+        let compliance = Compliance::new(springs, first, unknowns)?;
         let values = || vec![0.0; measured];
         Some(Condensed {
             first,
             bodies: BodyInverse::all(machine),
             whole: vec![0.0; machine.size() * machine.size()],
-            compliance: Compliance::new(springs, first, unknowns),
+            compliance,
             weights: springs.arms_of_measures().iter().map(|arm| 1.0 / arm).collect(),
             moved: values(),
             last: values(),
@@ -128,7 +129,7 @@ impl Condensed {
         self.missing.fill(0.0);
         springs.add_linear(tangents, &self.last, 1.0, &mut self.missing);
         self.moved.copy_from_slice(&self.last);
-        self.correct(springs, tolerance);
+        self.correct(tolerance);
         self.last.copy_from_slice(&self.moved);
         self.before.copy_from_slice(&self.start);
         let Some(followed) = self.follow(system, tangents, step.a1, tolerance) else {
@@ -206,7 +207,7 @@ impl Condensed {
             }
             first.get_or_insert(size);
             least = size;
-            self.correct(springs, tolerance);
+            self.correct(tolerance);
             std::mem::swap(&mut self.before, &mut self.after);
         }
         self.after.copy_from_slice(&self.before);
@@ -214,14 +215,14 @@ impl Condensed {
     }
 
     /// Moves the measures by Zρ, forces left out that move nothing to speak of.
-    fn correct(&mut self, springs: &Springs, tolerance: f64) {
+    fn correct(&mut self, tolerance: f64) {
         let least = NOTHING * tolerance;
         let forces = self.missing.iter().zip(&self.weights);
         let forces = forces.map(|(own, weight)| match (own * weight).abs() > least {
             true => *own as f32,
             false => 0.0,
         });
-        self.compliance.apply(springs, forces, &mut self.last);
+        self.compliance.apply(forces, &mut self.last);
         self.moved.iter_mut().zip(&self.last).for_each(|(moved, last)| *moved += last);
     }
 }
@@ -309,7 +310,7 @@ mod tests {
         let most = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
         let mut found = vec![0.0; n];
         let rough = forces.iter().map(|own| *own as f32);
-        own.compliance.apply(&machine.springs, rough, &mut found);
+        own.compliance.apply(rough, &mut found);
         for (i, exact) in exact.iter().enumerate() {
             let found = found[i];
             assert!((found - exact).abs() < 10.0 * ROUGH * most, "{i}: {found} for {exact}");
