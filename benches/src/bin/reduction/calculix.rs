@@ -15,27 +15,27 @@ use whirl_solver::constraints::GroundSpring;
 use whirl_solver::mesh::Mesh;
 
 /// What a job was.
-pub struct Calculix {
-    pub version: String,
+pub(super) struct Calculix {
+    pub(super) version: String,
     /// The whole job, with its input file and its assembly.
-    pub seconds: f64,
+    pub(super) seconds: f64,
     /// Eigenvalues (1/s²), ascending.
-    pub values: Vec<f64>,
+    pub(super) values: Vec<f64>,
 }
 
 /// A body as CalculiX gets it.
-pub struct Job<'a> {
-    pub name: &'a str,
-    pub mesh: &'a Mesh,
+pub(super) struct Job<'a> {
+    pub(super) name: &'a str,
+    pub(super) mesh: &'a Mesh,
     /// Dofs, 3·node + component.
-    pub held: &'a [usize],
-    pub springs: &'a [GroundSpring],
-    pub modes: usize,
+    pub(super) held: &'a [usize],
+    pub(super) springs: &'a [GroundSpring],
+    pub(super) modes: usize,
 }
 
 impl Job<'_> {
     /// The lowest modes, or why there are none. `$CCX` names the program where it is not `ccx`.
-    pub fn run(&self) -> Result<Calculix, String> {
+    pub(super) fn run(&self) -> Result<Calculix, String> {
         let program = std::env::var("CCX").unwrap_or_else(|_| "ccx".to_owned());
         let version = version(&program)?;
         let name = format!("whirl-{}-{}", self.name, std::process::id());

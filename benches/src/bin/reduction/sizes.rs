@@ -9,7 +9,7 @@ use super::{Body, support_of, timed};
 const FINER: [f64; 4] = [1.0, 1.5, 2.0, 2.5];
 
 /// Prints a row a mesh. The exponents are those of the dofs between a row and the one before it.
-pub fn table() {
+pub(super) fn table() {
     println!("| Dofs | Modes | Seconds | Grows as | Memory at most (MiB) | Grows as |");
     println!("|---|---|---|---|---|---|");
     let mut before: Option<[f64; 3]> = None;
