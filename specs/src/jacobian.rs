@@ -62,6 +62,22 @@ fn gradient<L: Lane>(map: &[[L; 3]; 3], slope: &[f64; 3]) -> [L; 3] {
     gradient
 }
 
+/// Σ x_a row_a for some rows of coefficients: together they read x once.
+#[inline(always)]
+fn sides<L: Lane, const ROWS: usize>(x: &[[L; 3]], rows: &[f64]) -> [[L; 3]; ROWS] {
+    let rows: [&[f64]; ROWS] = std::array::from_fn(|k| &rows[k * x.len()..][..x.len()]);
+    let mut sums = [[L::splat(0.0); 3]; ROWS];
+    for (a, x) in x.iter().enumerate() {
+        for k in 0..ROWS {
+            let factor = L::splat(rows[k][a]);
+            for i in 0..3 {
+                sums[k][i] = x[i].mul_add(factor, sums[k][i]);
+            }
+        }
+    }
+    sums
+}
+
 /// Σ x_a row_a for every row of coefficients.
 #[inline(always)]
 pub fn tangents<L: Lane, const N: usize>(
@@ -79,16 +95,14 @@ pub fn tangents<L: Lane, const N: usize>(
 
         #[inline(always)]
         fn run(self) {
-            let rows = self.rows.chunks_exact(self.x.len());
-            for (tangent, row) in self.tangents.iter_mut().zip(rows) {
-                let mut sum = [L::splat(0.0); 3];
-                for (x, factor) in self.x.iter().zip(row) {
-                    let factor = L::splat(*factor);
-                    for i in 0..3 {
-                        sum[i] = x[i].mul_add(factor, sum[i]);
-                    }
-                }
-                *tangent = sum;
+            let nodes = self.x.len();
+            let (threes, rest) = self.tangents.as_chunks_mut::<3>();
+            let (of_threes, of_rest) = self.rows.split_at(3 * nodes * threes.len());
+            for (three, rows) in threes.iter_mut().zip(of_threes.chunks_exact(3 * nodes)) {
+                *three = sides(self.x, rows);
+            }
+            for (tangent, row) in rest.iter_mut().zip(of_rest.chunks_exact(nodes)) {
+                [*tangent] = sides(self.x, row);
             }
         }
     }
@@ -177,6 +191,27 @@ pub fn determinants<L: Lane>(
     L::shared(Determinants { tangents, columns, weights, factor, det })
 }
 
+/// Stores Σ_q weighted_q N_bq for the first functions b, from `entry` on, and gives their number: with many of them at once a
+/// sum does not wait for the one before it, and what is weighted is read once.
+#[inline(always)]
+fn sums<L: Register, const FUNCTIONS: usize>(
+    weighted: &[L],
+    of_b: &[f64],
+    matrix: &mut Matrix<L>,
+    entry: usize,
+) -> usize {
+    let points = weighted.len();
+    let of_b: [&[f64]; FUNCTIONS] = std::array::from_fn(|b| &of_b[b * points..][..points]);
+    let mut sums = [L::splat(0.0); FUNCTIONS];
+    for (q, weighted) in weighted.iter().enumerate() {
+        for b in 0..FUNCTIONS {
+            sums[b] = weighted.mul_add(L::splat(of_b[b][q]), sums[b]);
+        }
+    }
+    matrix.set(entry, &sums);
+    FUNCTIONS
+}
+
 /// Σ_q det_q N_a N_b for all nodes a ≤ b, row by row. values: nodes × points. `weighted` holds as many values as there
 /// are points, in between.
 #[inline(always)]
@@ -199,13 +234,17 @@ pub fn products<L: Register>(det: &[L], values: &[f64], weighted: &mut [L], matr
                 for ((weighted, det), value) in self.weighted.iter_mut().zip(self.det).zip(of_a) {
                     *weighted = *det * *value;
                 }
-                for of_b in values.chunks_exact(points) {
-                    let mut sum = L::splat(0.0);
-                    for (weighted, value) in self.weighted.iter().zip(of_b) {
-                        sum = weighted.mul_add(L::splat(*value), sum);
-                    }
-                    self.matrix.set(entry, &[sum]);
-                    entry += 1;
+                let mut left = values.len() / points;
+                while left > 0 {
+                    let of_b = &values[values.len() - left * points..];
+                    let done = match left {
+                        8.. => sums::<L, 8>(self.weighted, of_b, &mut self.matrix, entry),
+                        4.. => sums::<L, 4>(self.weighted, of_b, &mut self.matrix, entry),
+                        2.. => sums::<L, 2>(self.weighted, of_b, &mut self.matrix, entry),
+                        _ => sums::<L, 1>(self.weighted, of_b, &mut self.matrix, entry),
+                    };
+                    entry += done;
+                    left -= done;
                 }
             }
         }

@@ -1,6 +1,11 @@
-//! Modes of both bodies of the reference machine: ours beside SciPy's `eigsh` with SuperLU, on the same matrices in one run.
+//! Modes of both bodies of the reference machine: ours beside SciPy's `eigsh` with SuperLU on the same matrices, and beside
+//! CalculiX on the same meshes, in one run.
 //!
-//! A program that is missing is a row that says so. No time is held against a bound.
+//! A program that is missing is a row that says so. `sizes` as an argument shows larger bodies instead. No time is held
+//! against a bound.
+
+mod calculix;
+mod sizes;
 
 use std::fmt::Write as _;
 use std::fs;
@@ -18,13 +23,18 @@ use whirl_solver::reduction::{CraigBampton, Interface, Solid};
 use whirl_solver::sparse::SparseMatrix;
 use whirl_specs::{ELEMENTS, Element};
 
+use self::calculix::{Calculix, Job};
+
 /// Times of ours, of which the fastest counts.
 const ROUNDS: usize = 3;
 const SUPPORTS: [f64; 4] = [0.024, 0.476, 0.928, 1.380];
 
 fn main() {
+    if std::env::args().nth(1).as_deref() == Some("sizes") {
+        return sizes::table();
+    }
     let bodies = [support(), shaft()];
-    let (mut ours, mut theirs) = (0.0, Some(0.0));
+    let (mut ours, mut theirs, mut of_calculix) = (0.0, Some(0.0), Some(0.0));
     println!("| Body | Modes | Program | Seconds | Over ours | Largest residual | Found |");
     println!("|---|---|---|---|---|---|---|");
     for body in &bodies {
@@ -51,6 +61,20 @@ fn main() {
                 println!("| {named} | {count} | SciPy | {why} | | | |");
             }
         }
+        match by_calculix(body, &found) {
+            Ok((row, found)) => {
+                of_calculix = of_calculix.map(|sum| sum + row.seconds);
+                let ratio = row.seconds / seconds;
+                let Calculix { version, seconds, .. } = row;
+                println!(
+                    "| {named} | {count} | CalculiX {version} | {seconds:.3} | {ratio:.1} | of its own matrices | {found} |"
+                );
+            }
+            Err(why) => {
+                of_calculix = None;
+                println!("| {named} | {count} | CalculiX | {why} | | | |");
+            }
+        }
     }
     let side_by_side = (0..ROUNDS)
         .map(|_| {
@@ -70,12 +94,14 @@ fn main() {
         "| both | | whirl, side by side | {side_by_side:.3} | {:.2} | | |",
         side_by_side / ours
     );
-    if let Some(theirs) = theirs {
-        println!(
-            "| both | | SciPy | {theirs:.3} | {:.1}; {:.1} of side by side | | |",
-            theirs / ours,
-            theirs / side_by_side
-        );
+    for (program, theirs) in [("SciPy", theirs), ("CalculiX", of_calculix)] {
+        if let Some(theirs) = theirs {
+            println!(
+                "| both | | {program} | {theirs:.3} | {:.1}; {:.1} of side by side | | |",
+                theirs / ours,
+                theirs / side_by_side
+            );
+        }
     }
 }
 
@@ -92,7 +118,8 @@ struct Body {
     stiffness: SparseMatrix,
     mass: SparseMatrix,
     held: Vec<usize>,
-    /// Those that are not, ascending.
+    springs: Vec<GroundSpring>,
+    /// Those that are not held, ascending.
     inner: Vec<usize>,
     modes: usize,
 }
@@ -101,13 +128,15 @@ impl Body {
     fn new(
         name: &'static str,
         mesh: Mesh,
-        stiffness: SparseMatrix,
+        springs: Vec<GroundSpring>,
         held: Vec<usize>,
         modes: usize,
     ) -> Body {
+        let stiffness = assemble(&mesh, "stiffness").expect("a stiffness");
+        let stiffness = add_ground_springs(&stiffness, &springs).expect("springs on dofs");
         let mass = assemble(&mesh, "mass").expect("a mass");
         let inner = (0..mesh.dof_count()).filter(|dof| !held.contains(dof)).collect();
-        Body { name, mesh, stiffness, mass, held, inner, modes }
+        Body { name, mesh, stiffness, mass, held, springs, inner, modes }
     }
 
     /// Order of elimination, factor, modes and their count.
@@ -196,6 +225,16 @@ fn by_scipy(body: &Body, ours: &CraigBampton) -> Result<Scipy, String> {
     })
 }
 
+/// CalculiX' modes and what is found of them, or why there are none.
+fn by_calculix(body: &Body, ours: &CraigBampton) -> Result<(Calculix, String), String> {
+    let Body { name, mesh, held, springs, modes, .. } = body;
+    let row = Job { name, mesh, held, springs, modes: *modes }.run()?;
+    let found = row.values.len();
+    let place = found.min(*modes) - 1;
+    let apart = (row.values[place] / ours.stiffness[(place, place)] - 1.0).abs();
+    Ok((row, format!("{found}, the highest λ within {apart:.0e}")))
+}
+
 fn steel() -> Material {
     Material::isotropic("steel", 200e9, 0.3, 7860.0).expect("steel")
 }
@@ -212,6 +251,15 @@ fn dofs(mesh: &Mesh, sets: &[&str], components: &[usize]) -> Vec<usize> {
 
 /// That of `hu2003.machine.toml`, its mounts held.
 fn support() -> Body {
+    support_of(1.0)
+}
+
+/// The same with so many cells for one, along every direction.
+fn support_of(finer: f64) -> Body {
+    let cells = |count: usize| (finer * count as f64).round() as usize;
+    // Some numbers have to be even.
+    let even = |count: usize| 2 * cells(count / 2);
+    let SupportCells { height, width, pedestal, around, radial } = SupportCells::default();
     let dimensions = RingSupport {
         start: 0.0115,
         length: 1.381,
@@ -222,9 +270,15 @@ fn support() -> Body {
         ring_length: 0.025,
         ring_thickness: 0.020,
         bore_radius: 0.034_035_687,
-        layers_in_ring: 2,
-        layers_between: 20,
-        section: SupportCells::default(),
+        layers_in_ring: even(2),
+        layers_between: cells(20),
+        section: SupportCells {
+            height: cells(height),
+            width: even(width),
+            pedestal: cells(pedestal),
+            around: even(around),
+            radial: cells(radial),
+        },
         material: steel(),
     };
     let mesh = dimensions.mesh(&elements()).expect("a mesh");
@@ -232,10 +286,8 @@ fn support() -> Body {
     let springs: Vec<GroundSpring> = springs
         .map(|dof| GroundSpring { name: "ground spring".to_owned(), dof, stiffness: 1e8 })
         .collect();
-    let stiffness = assemble(&mesh, "stiffness").expect("a stiffness");
-    let stiffness = add_ground_springs(&stiffness, &springs).expect("springs on dofs");
     let held = dofs(&mesh, &["MOUNTS"], &[0, 1, 2]);
-    Body::new("support", mesh, stiffness, held, 150)
+    Body::new("support", mesh, springs, held, 150)
 }
 
 /// That of `hu2003.machine.toml`, its retained dofs held.
@@ -259,6 +311,5 @@ fn shaft() -> Body {
     let mut held = dofs(&mesh, &journals, &[0, 1]);
     held.extend(dofs(&mesh, &["JOURNAL3_MIDDLE"], &[2]));
     held.extend(dofs(&mesh, &["DRIVE_TOP", "DRIVE_BOTTOM"], &[1]));
-    let stiffness = assemble(&mesh, "stiffness").expect("a stiffness");
-    Body::new("shaft", mesh, stiffness, held, 50)
+    Body::new("shaft", mesh, Vec::new(), held, 50)
 }
