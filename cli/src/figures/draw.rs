@@ -91,8 +91,7 @@ fn cells(map: &Map) -> Heatmap {
     };
     let mut cells = Heatmap::new()
         .with_data(map.values.iter().map(|row| row.iter().copied()))
-        .with_color_map(ColorMap::Custom(Arc::new(colour)))
-        .with_legend(map.name.clone());
+        .with_color_map(ColorMap::Custom(Arc::new(colour)));
     cells.cell_size = 1.0;
     cells.x_range = ends(&map.x, map.values.first().map_or(0, Vec::len));
     cells.y_range = ends(&map.y, map.values.len());

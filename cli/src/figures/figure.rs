@@ -73,8 +73,6 @@ pub(crate) struct Map {
     pub(crate) y: Cells,
     /// Rows from below to above; NaN where there is none.
     pub(crate) values: Vec<Vec<f64>>,
-    /// Quantity and unit, beside the scale of colours.
-    pub(crate) name: String,
 }
 
 /// Where the middles of cells are.

@@ -145,7 +145,8 @@ pub(crate) fn spectrum(
     let Some(LastSpectra { span, signals }) = last_spectra(history, all, (step, cycle))? else {
         return Ok(None);
     };
-    let panels = all.iter().zip(signals).map(|(own, (spectra, frequency))| (own, spectra, frequency));
+    let panels =
+        all.iter().zip(signals).map(|(own, (spectra, frequency))| (own, spectra, frequency));
     let panels: Vec<_> = panels.collect();
     let ends = panels.iter().map(|(_, spectra, frequency)| {
         let largest = spectra.iter().map(Spectrum::largest).fold(0.0, f64::max);
@@ -282,8 +283,7 @@ fn stacked(own: &Oscillation, k: usize, slices: &[Slice]) -> Option<Panel> {
         points: slice.spectra[k].points(end, POINTS),
     };
     let all: Vec<Stacked> = slices.iter().zip(heights).map(of).collect();
-    let title =
-        format!("{}, {} {}", own.title, own.quantity, own.columns[0].1.to_lowercase());
+    let title = format!("{}, {} {}", own.title, own.quantity, own.columns[0].1.to_lowercase());
     let heights = if by_time { ("time", "ms") } else { ("speed", "rpm") };
     Some(stack(&all, end, (largest, own.unit), (title, heights)))
 }

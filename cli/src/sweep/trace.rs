@@ -97,7 +97,8 @@ fn positions(
     cycle: f64,
 ) -> io::Result<Vec<Vec<Vec<f32>>>> {
     let end = history.last_time()?.unwrap_or(0.0);
-    let count = ((0.5 * end / cycle) as usize + 1).min(CYCLES);
+    // Rounding is no reason to leave one out.
+    let count = ((0.5 * end / cycle * (1.0 + 1e-9)) as usize + 1).min(CYCLES);
     let names = all.iter().flat_map(|own| own.columns.iter().map(|(name, _)| name.as_str()));
     let names: Vec<&str> = std::iter::once("t_s").chain(names).collect();
     let mut found: Vec<Vec<f32>> = vec![Vec::with_capacity(count); names.len() - 1];

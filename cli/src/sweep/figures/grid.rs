@@ -81,7 +81,8 @@ impl Ruler {
             && let (Some(first), Some(last)) = (values.first(), values.last())
         {
             let step = (last - first) / (values.len() - 1) as f64;
-            let even = |(k, value): (usize, &f64)| (value - first - k as f64 * step).abs() < 0.01 * step;
+            let even =
+                |(k, value): (usize, &f64)| (value - first - k as f64 * step).abs() < 0.01 * step;
             if values.iter().enumerate().all(even) {
                 return Cells::Even([*first, *last]);
             }

@@ -48,20 +48,16 @@ fn panel(
         _ => format!("largest |{}|", series.symbol),
     };
     let way = name.map_or(String::new(), |way| format!(", {way}"));
+    let what = format!("{what} ({}){way}", group.unit);
     let title = if group.title.is_empty() { what } else { format!("{}, {what}", group.title) };
     let (style, name) = (Style::Doubted, DOUBTED.to_owned());
     let clouds = Cloud { points: doubted, style, radius: 2.5, name };
     Some(Panel {
-        title: title + &way,
+        title,
         x: grid.x.label.clone(),
         y: y.label.clone(),
         clouds: if clouds.points.is_empty() { Vec::new() } else { vec![clouds] },
-        map: Some(Map {
-            x: across,
-            y: up,
-            values,
-            name: format!("{} ({})", group.quantity, group.unit),
-        }),
+        map: Some(Map { x: across, y: up, values }),
         ..Panel::default()
     })
 }

@@ -20,15 +20,8 @@ use crate::case::Case;
 use crate::figures::{Figure, Style, put_figure};
 
 /// Names of all figures that a sweep may draw, without their endings.
-pub(super) const NAMES: [&str; 7] = [
-    "reactions",
-    "eccentricity",
-    "displacement",
-    "orders",
-    "stresses",
-    "bifurcation",
-    "waterfall",
-];
+pub(super) const NAMES: [&str; 7] =
+    ["reactions", "eccentricity", "displacement", "orders", "stresses", "bifurcation", "waterfall"];
 /// What legends call points that are not sound.
 const DOUBTED: &str = "NOT SOUND: see `remark` in the table";
 
@@ -80,8 +73,9 @@ pub(super) fn draw(
             missing.push("interrupted before all figures were drawn".to_owned());
             return missing;
         }
-        let titled = figure.map(|figure| {
-            Figure { title: format!("{}: {}{mark}", sweep.name, figure.title), ..figure }
+        let titled = figure.map(|figure| Figure {
+            title: format!("{}: {}{mark}", sweep.name, figure.title),
+            ..figure
         });
         missing.extend(put_figure(stem, || Ok(titled), write));
     }

@@ -158,8 +158,12 @@ fn displacement(case: &Case, wanted: &mut Wanted) -> Vec<Group> {
 
 fn orders(wanted: &mut Wanted) -> Vec<Group> {
     const FIRST: &str = ".1X.amplitude";
-    let signals: Vec<String> =
-        wanted.known.iter().filter_map(|name| name.strip_suffix(FIRST)).map(str::to_owned).collect();
+    let signals: Vec<String> = wanted
+        .known
+        .iter()
+        .filter_map(|name| name.strip_suffix(FIRST))
+        .map(str::to_owned)
+        .collect();
     let mut groups = Vec::new();
     for signal in signals {
         let mut order = |symbol, name| {

@@ -53,19 +53,31 @@ pub(super) fn waterfall(grid: &Grid, cells: &[Cell]) -> Option<Figure> {
             let of = |(height, traced): (f64, &Traced)| Stacked {
                 height,
                 speed: traced.speed,
-                points: traced.spectrum.iter().map(|own| own.map(f64::from)).map(Into::into).collect(),
+                points: traced
+                    .spectrum
+                    .iter()
+                    .map(|own| own.map(f64::from))
+                    .map(Into::into)
+                    .collect(),
             };
             let found = along(grid, cells, (way, k), SPECTRA);
-            let all: Vec<Stacked> =
+            let mut all: Vec<Stacked> =
                 found.into_iter().filter(|own| !own.1.spectrum.is_empty()).map(of).collect();
+            if all.len() < 2 {
+                continue;
+            }
             let points = || all.iter().flat_map(|own| &own.points);
             let largest = points().fold(0.0, |most, own| f64::max(most, own.1));
+            if !(largest > 0.0) {
+                continue;
+            }
             // Amplitudes beyond are small, whatever the spectra of single points hold there.
             let end = points().filter(|own| own.1 >= 0.01 * largest).map(|own| own.0);
             let fastest = all.iter().map(|own| 2.2 * own.speed).fold(0.0, f64::max);
             let end = (1.1 * end.fold(0.0, f64::max)).max(fastest);
-            if all.len() < 2 || !(largest > 0.0) {
-                continue;
+            // Each reaches from side to side, as what is small of it was left out.
+            for own in &mut all {
+                own.points.push((end, own.points.last().map_or(0.0, |last| last.1)));
             }
             let axis = first.axes.first().map_or("", String::as_str);
             let way = name.map_or(String::new(), |way| format!(", {way}"));
