@@ -18,6 +18,11 @@ use super::figure::{Cells, Cloud, Dot, Figure, Line, Map, Panel, Style};
 const PANEL: (f64, f64) = (460.0, 320.0);
 /// Pixels of a panel with equal axes.
 const SQUARE: (f64, f64) = (400.0, 420.0);
+/// Pixels of the only panel in a row.
+const ALONE: (f64, f64) = (620.0, 360.0);
+/// Sizes of a title, the usual one first, and pixels of a letter for one of them.
+const TITLE: [u32; 2] = [17, 10];
+const LETTER: f64 = 0.58;
 /// Pixels of a PNG for one of the SVG.
 const PNG_SCALE: f32 = 2.0;
 
@@ -26,12 +31,20 @@ pub(crate) fn svg(figure: &Figure) -> String {
     let columns = figure.columns.clamp(1, figure.panels.len().max(1));
     let rows = figure.panels.len().div_ceil(columns);
     let square = figure.panels.iter().any(|panel| panel.equal_axes);
-    let (width, height) = if square { SQUARE } else { PANEL };
+    let (width, height) = match columns {
+        _ if square => SQUARE,
+        1 => ALONE,
+        _ => PANEL,
+    };
+    // A long title is set in smaller letters than stand out at the sides.
+    let letters = figure.title.chars().count().max(1) as f64;
+    let room = (columns as f64 * width / (LETTER * letters)) as u32;
+    let [usual, smallest] = TITLE;
     let plots: Vec<Vec<Plot>> = figure.panels.iter().map(plots).collect();
     let layouts = figure.panels.iter().zip(&plots).map(|(p, plots)| layout(p, plots)).collect();
     let mut sheet = Sheet::new(rows, columns)
         .with_title(figure.title.clone())
-        .with_title_size(17)
+        .with_title_size(room.clamp(smallest, usual))
         .with_plots(plots)
         .with_layouts(layouts)
         .with_cell_size(width, height);
@@ -168,9 +181,7 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
     if let Some((end, step)) = panel.x_scale {
         return layout.with_x_axis_min(0.0).with_x_axis_max(end).with_x_tick_step(step);
     }
-    let lines = panel.lines.iter().flat_map(|line| &line.points);
-    let clouds = panel.clouds.iter().flat_map(|cloud| &cloud.points);
-    let abscissae = lines.chain(clouds).map(|point| point.0);
+    let abscissae = panel.lines.iter().flat_map(|line| &line.points).map(|point| point.0);
     let (first, last) = abscissae
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
     // A first step a little after zero is no reason to start there.
