@@ -258,7 +258,7 @@ impl Compact {
 mod tests {
     use super::*;
 
-    /// The bytes of a file that pyarrow 21 and DuckDB 1.4 read as written.
+    /// The bytes of a file that pyarrow 26 and DuckDB 2.0 read as written.
     #[test]
     fn a_small_table_has_the_bytes_that_other_programs_read() {
         let mut file =
