@@ -194,19 +194,17 @@ fn report(
     }
     warnings.iter().for_each(streams::warn);
     let folder = results.folder().display();
-    let tabulated = Kept::read(results, sweep).and_then(|mut kept| {
+    let read = Kept::read(results, sweep);
+    let done = read.as_ref().map_or(0, Kept::done);
+    let tabulated = read.and_then(|mut kept| {
         let counts = table::write(sweep, &mut kept, results)?;
         Ok((kept, counts))
     });
+    let stopped = stopped
+        .map(|reason| format!("{reason}; {done} of {} points are kept in {folder}", sweep.count()));
     let (mut kept, counts) = match (stopped, tabulated) {
         (None, Ok(found)) => found,
-        (None, Err(reason)) => return Err(unfinished(reason)),
-        (Some(reason), Ok((kept, _))) => {
-            let (done, all) = (kept.done(), sweep.count());
-            let reason = format!("{reason}; {done} of {all} points are kept in {folder}");
-            return Err(unfinished(reason));
-        }
-        (Some(reason), Err(_)) => return Err(unfinished(reason)),
+        (Some(reason), _) | (None, Err(reason)) => return Err(unfinished(reason)),
     };
     if drawn {
         let write = |name: &str, content: &[u8]| results.write(name, content);
@@ -221,9 +219,9 @@ fn report(
     match show {
         ProgressMode::Nothing => Ok(()),
         _ => streams::say(&format!(
-            "{}: {} points\n{}results in {folder}\n",
+            "{}: {done} {}\n{}results in {folder}\n",
             sweep.name,
-            kept.done(),
+            if done == 1 { "point" } else { "points" },
             counts.words()
         )),
     }
