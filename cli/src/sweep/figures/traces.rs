@@ -41,7 +41,7 @@ pub(super) fn bifurcation(grid: &Grid, cells: &[Cell]) -> Option<Figure> {
     }
     let title = "Bifurcation diagram: positions once a cycle".to_owned();
     let columns = panels.len().min(2);
-    (columns > 0).then(|| Figure { title, panels, columns })
+    (columns > 0).then_some(Figure { title, panels, columns })
 }
 
 /// Spectra one above the other, a panel a signal and way. None where fewer than two points have one.
@@ -89,7 +89,7 @@ pub(super) fn waterfall(grid: &Grid, cells: &[Cell]) -> Option<Figure> {
     }
     let title = "Spectra of the last cycles (Hann's window)".to_owned();
     let columns = panels.len().min(2);
-    (columns > 0).then(|| Figure { title, panels, columns })
+    (columns > 0).then_some(Figure { title, panels, columns })
 }
 
 /// The signals of a point that has them all.
