@@ -18,11 +18,9 @@ use super::figure::{Cells, Cloud, Dot, Figure, Line, Map, Panel, Style};
 const PANEL: (f64, f64) = (460.0, 320.0);
 /// Pixels of a panel with equal axes.
 const SQUARE: (f64, f64) = (400.0, 420.0);
-/// Pixels of the only panel in a row.
-const ALONE: (f64, f64) = (620.0, 360.0);
 /// Sizes of a title, the usual one first, and pixels of a letter for one of them.
 const TITLE: [u32; 2] = [17, 10];
-const LETTER: f64 = 0.58;
+const LETTER: f64 = 0.5;
 /// Pixels of a PNG for one of the SVG.
 const PNG_SCALE: f32 = 2.0;
 
@@ -31,11 +29,7 @@ pub(crate) fn svg(figure: &Figure) -> String {
     let columns = figure.columns.clamp(1, figure.panels.len().max(1));
     let rows = figure.panels.len().div_ceil(columns);
     let square = figure.panels.iter().any(|panel| panel.equal_axes);
-    let (width, height) = match columns {
-        _ if square => SQUARE,
-        1 => ALONE,
-        _ => PANEL,
-    };
+    let (width, height) = if square { SQUARE } else { PANEL };
     // A long title is set in smaller letters than stand out at the sides.
     let letters = figure.title.chars().count().max(1) as f64;
     let room = (columns as f64 * width / (LETTER * letters)) as u32;

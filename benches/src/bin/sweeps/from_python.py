@@ -27,6 +27,13 @@ def main():
 
     # Bodies are there before anything is timed.
     whirl.Case({**case, "march": {"steps": 2}}).run()
+    start = time.process_time()
+    for clearance in vary["springs.radial_clearance"]:
+        for _ in range(loads):
+            own = {"march": {"steps": 2}, "springs": {"radial_clearance": clearance}}
+            whirl.Case({**case, **own}).run()
+    alone = (time.process_time() - start) / (clearances * loads)
+    print(f"two steps a point, one run after the other\t{alone:.5f}", flush=True)
     timed(f"{workers} threads", workers=workers)
     try:
         from dask.distributed import Client, LocalCluster

@@ -9,14 +9,15 @@ use std::thread::available_parallelism;
 use std::time::Instant;
 use std::{env, fs};
 
-use serde_json::Value;
-
 /// Rounds, in which what is compared takes turns; the fastest of each counts.
 const ROUNDS: usize = 3;
 /// Values of each of two keys, and steps of a point.
 const CLEARANCES: usize = 20;
 const LOADS: usize = 10;
 const STEPS: usize = 400;
+
+/// What the script calls points that are run without a sweep.
+const ALONE: &str = "two steps a point, one run after the other";
 
 /// What a command took.
 #[derive(Clone, Copy)]
@@ -50,18 +51,16 @@ impl Bench {
         let cores = available_parallelism()?.get();
         let points = (CLEARANCES * LOADS) as f64;
         fs::write(self.folder.join("study.toml"), study(CLEARANCES, LOADS, STEPS))?;
-        let case =
-            format!("include = \"hu2003-5.toml\"\ntitle = \"short\"\n[march]\nsteps = {STEPS}\n");
-        fs::write(self.folder.join("case.toml"), case)?;
+        fs::write(self.folder.join("short.toml"), study(CLEARANCES, LOADS, 2))?;
         // Bodies are there before anything is timed.
-        let march = self.march()?;
-        let (mut one, mut all, mut marched) = (None, None, march);
+        self.sweep("short.toml", 1)?;
+        let (mut one, mut all, mut short) = (None, None, None);
         for _ in 0..ROUNDS {
-            one = Some(faster(one, self.sweep(1)?));
-            all = Some(faster(all, self.sweep(cores)?));
-            marched = f64::min(marched, self.march()?);
+            one = Some(faster(one, self.sweep("study.toml", 1)?));
+            all = Some(faster(all, self.sweep("study.toml", cores)?));
+            short = Some(faster(short, self.sweep("short.toml", 1)?));
         }
-        let (Some(one), Some(all)) = (one, all) else { return Ok(()) };
+        let (Some(one), Some(all), Some(short)) = (one, all, short) else { return Ok(()) };
         println!("{points} points of hu2003-5 with {STEPS} steps, {cores} cores\n");
         println!("| | Wall time (s) | Processor time (s) | A point (ms) |");
         println!("|---|---|---|---|");
@@ -71,6 +70,7 @@ impl Bench {
         };
         row("on one core", one);
         row("on all cores", all);
+        row("on one core, two steps a point", short);
         println!(
             "\nefficiency on all cores: {:.0} %",
             100.0 * one.wall / (cores as f64 * all.wall)
@@ -78,33 +78,14 @@ impl Bench {
         if let (Some(one), Some(all)) = (one.processor, all.processor) {
             println!("processor time on one core ÷ on all cores: {:.0} %", 100.0 * one / all);
         }
-        let beside = 1e3 * (one.wall / points - marched);
-        println!("a point beside its march of {:.1} ms: {beside:.1} ms", 1e3 * marched);
         self.memory()?;
         self.python(cores, one, all)
     }
 
-    /// The sweep on so many cores.
-    fn sweep(&self, jobs: usize) -> Result<Taken, Box<dyn Error>> {
+    /// A sweep on so many cores.
+    fn sweep(&self, name: &str, jobs: usize) -> Result<Taken, Box<dyn Error>> {
         let jobs = jobs.to_string();
-        self.timed(&[
-            "sweep",
-            "study.toml",
-            "--quiet",
-            "--no-figures",
-            "--out",
-            "swept",
-            "--jobs",
-            &jobs,
-        ])
-    }
-
-    /// Wall time of the march of one point (s).
-    fn march(&self) -> Result<f64, Box<dyn Error>> {
-        self.timed(&["run", "case.toml", "--quiet", "--no-figures", "--out", "run"])?;
-        let text = fs::read_to_string(self.folder.join("run/summary.json"))?;
-        let summary: Value = serde_json::from_str(&text)?;
-        Ok(summary["time"]["march_wall_s"].as_f64().ok_or("no time of the march")?)
+        self.timed(&["sweep", name, "--quiet", "--no-figures", "--out", "swept", "--jobs", &jobs])
     }
 
     /// A command in the folder.
@@ -174,6 +155,10 @@ impl Bench {
         for line in String::from_utf8_lossy(&output.stdout).lines() {
             let Some((what, wall)) = line.split_once('\t') else { continue };
             let wall: f64 = wall.parse()?;
+            if what == ALONE {
+                println!("from Python, {what}: {:.1} ms of the processor a point", 1e3 * wall);
+                continue;
+            }
             let efficiency = 100.0 * one.wall / (cores as f64 * wall);
             println!(
                 "from Python, {what}: {wall:.2} s, efficiency {efficiency:.0} %, {:.2} times the command's time",
