@@ -20,7 +20,9 @@ const PANEL: (f64, f64) = (460.0, 320.0);
 const SQUARE: (f64, f64) = (400.0, 420.0);
 /// Sizes of a title, the usual one first, and pixels of a letter for one of them.
 const TITLE: [u32; 2] = [17, 10];
-const LETTER: f64 = 0.5;
+const LETTER: f64 = 0.47;
+/// Pixels beside the panels of a row.
+const PADDING: f64 = 20.0;
 /// Pixels of a PNG for one of the SVG.
 const PNG_SCALE: f32 = 2.0;
 
@@ -31,8 +33,9 @@ pub(crate) fn svg(figure: &Figure) -> String {
     let square = figure.panels.iter().any(|panel| panel.equal_axes);
     let (width, height) = if square { SQUARE } else { PANEL };
     // A long title is set in smaller letters than stand out at the sides.
+    let sheet_width = columns as f64 * width + PADDING;
     let letters = figure.title.chars().count().max(1) as f64;
-    let room = (columns as f64 * width / (LETTER * letters)) as u32;
+    let room = (sheet_width / (LETTER * letters)) as u32;
     let [usual, smallest] = TITLE;
     let plots: Vec<Vec<Plot>> = figure.panels.iter().map(plots).collect();
     let layouts = figure.panels.iter().zip(&plots).map(|(p, plots)| layout(p, plots)).collect();
