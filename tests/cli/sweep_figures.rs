@@ -111,6 +111,20 @@ fn texts_and_ways_are_named_and_what_is_not_sound_is_marked() {
     );
 }
 
+#[test]
+fn clearances_are_drawn_where_there_are_some() {
+    let bushings = "case = \"unbalance\"\n[vary]\nmarch.duration = [\"3 ms\"]\n\
+                    body.rotor.speed = [\"300 rpm\", \"400 rpm\"]\n";
+    let bench = Workbench::new().file("study.toml", bushings);
+    drawn(&bench, &[]);
+    assert!(!svg(&bench, "eccentricity").contains("radial clearance"));
+    let bearings = "case = \"hu2003-5\"\n[vary]\nmarch.steps = [5]\n\
+                    springs.radial_clearance = [\"20 um\", \"30 um\"]\n";
+    let bench = bench.file("study.toml", bearings);
+    drawn(&bench, &[]);
+    shows(&svg(&bench, "eccentricity"), &["radial clearance", "Support 4"]);
+}
+
 /// Figures are functions of the journal, which survives a kill at any moment.
 #[cfg(unix)]
 #[test]

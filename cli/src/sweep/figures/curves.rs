@@ -38,8 +38,13 @@ fn panel(group: &Group, grid: &Grid, cells: &[Cell]) -> Panel {
             (0..grid.x.count()).map(at).collect()
         };
         if let (0, Some(limit)) = (way, group.limit) {
+            // A bushing has no clearance.
+            let clearance = |cell: &Cell| match cell.value(limit) {
+                own if own > 0.0 => own,
+                _ => f64::NAN,
+            };
             for side in [-1.0, 1.0] {
-                let points = along(&|cell| side * cell.value(limit));
+                let points = along(&|cell| side * clearance(cell));
                 add(&mut panel, points, Style::Limit, "radial clearance");
             }
         }
