@@ -88,6 +88,9 @@ pub(crate) struct SweepArguments {
     /// Folder for the results (`results` and the name of the sweep, if left out)
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// Write no figures
+    #[arg(long)]
+    pub(crate) no_figures: bool,
     /// Points at a time [default: one a core]
     #[arg(long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,

@@ -1,9 +1,11 @@
 """Sweeps: the same bits on threads, processes and a cluster."""
 
 import concurrent.futures
+import csv
 import multiprocessing
 import os
 import signal
+import subprocess
 import threading
 import time
 
@@ -120,6 +122,44 @@ def test_a_cluster_gives_the_same_bits_and_runs_the_points_of_a_lost_worker_agai
         data.drop_attrs(), there.to_xarray(columns=["x_left_um"]).drop_attrs()
     )
     assert bool(data.done.all())
+
+
+def test_a_cluster_gives_the_table_of_the_command(command, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    speeds, modes = ["300 rpm", "400 rpm"], [10, 12]
+    (tmp_path / "rotor.toml").write_text(
+        'include = "unbalance.toml"\ntitle = "a run-up"\n[march]\nsteps = 200\n'
+    )
+    (tmp_path / "study.toml").write_text(
+        'case = "rotor.toml"\n[vary]\nbody.rotor.speed = ["300 rpm", "400 rpm"]\nbody.rotor.modes = [10, 12]\n'
+    )
+    line = [command, "sweep", "study.toml", "--out", "swept", "--quiet", "--no-cache"]
+    subprocess.run(line, cwd=tmp_path, check=True)
+    with open(tmp_path / "swept" / "table.csv", newline="", encoding="utf-8") as file:
+        table = list(csv.DictReader(file))
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None, local_directory=tmp_path
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        vary = {"body.rotor.speed": speeds, "body.rotor.modes": modes}
+        sweep = whirl.sweep(tmp_path / "rotor.toml", vary, client=client)
+    assert len(table) == len(sweep) == 4
+    compared = 0
+    for row, own in zip(table, sweep):
+        summary = own.results.summary
+        assert row["body.rotor.speed [rpm]"] + " rpm" == own.values["body.rotor.speed"]
+        assert row["body.rotor.modes"] == str(own.values["body.rotor.modes"])
+        assert float(row["energy_balance_j.kinetic"]) == summary.energy_balance_j.kinetic
+        for support in summary.supports:
+            for quantity in ("RX_N", "RY_N", "X_um", "Y_um", "EX_um", "EY_um"):
+                letters, unit = quantity.split("_")
+                for end in ("min", "mean", "max"):
+                    cell = row[f"{letters}_{support.joint}_{unit}.{end}"]
+                    assert float(cell) == support[quantity][end], (quantity, end)
+                    compared += 1
+    assert compared == 4 * 2 * 6 * 3
 
 
 def test_results_come_into_a_dataset_on_disk(tmp_path):

@@ -67,7 +67,16 @@ fn the_rows_of_a_sweep_are_those_of_runs_of_its_points() {
     let outcome = bench.whirl(&["sweep", "study.toml"]);
     done(&outcome);
     assert!(outcome.stdout.contains("study: 15 points"), "{}", outcome.stdout);
-    assert_eq!(bench.listing_of("results/study"), ["sweep.journal", "table.csv"]);
+    let files = [
+        "displacement.png",
+        "displacement.svg",
+        "reactions.png",
+        "reactions.svg",
+        "sweep.journal",
+        "table.csv",
+        "table.parquet",
+    ];
+    assert_eq!(bench.listing_of("results/study"), files);
     let found = text(&bench, "results/study/table.csv");
     assert_eq!(column(&found, "stop.1.gap [mm]")[..4], ["0.5", "0.5", "0.5", "0.75"]);
     assert_eq!(column(&found, "mass.velocity [m/s]")[..4], ["0.5", "1", "0.2", "0.5"]);
@@ -98,7 +107,11 @@ fn the_rows_of_a_sweep_are_those_of_runs_of_its_points() {
     // As many workers as one likes, and the same bytes.
     for jobs in ["1", "3"] {
         done(&bench.whirl(&["sweep", "study.toml", "--out", jobs, "--jobs", jobs, "--quiet"]));
-        assert!(text(&bench, &format!("{jobs}/table.csv")) == found, "other bytes");
+        for name in files.into_iter().filter(|name| *name != "sweep.journal") {
+            let [own, first] =
+                [jobs, "results/study"].map(|folder| fs::read(bench.path(folder).join(name)));
+            assert!(own.unwrap() == first.unwrap(), "other bytes of {name}");
+        }
     }
 }
 
@@ -272,6 +285,9 @@ fn a_sweep_that_is_wrong_says_where_and_writes_nothing() {
             &["a sweep has no key `kep`", "did you mean `keep`?"],
         ),
         ("[vary]\nstop.1.gap = 1979-05-27\n", &["a date"]),
+        ("[vary]\nstop.1.gap = \"1 mm .. inf mm, 3\"\n", &["study.toml:3:23", "expected a number"]),
+        ("[vary]\nmarch.steps = [nan]\n", &["study.toml:3:16", "a finite number"]),
+        ("[vary]\nstop.3.gap = [\"1 mm\"]\n", &["there is no `stop.3`", "up to `stop.2`"]),
     ] {
         let bench = bench(100, &format!("{head}{text}"));
         let before = bench.listing();
@@ -288,6 +304,11 @@ fn a_sweep_that_is_wrong_says_where_and_writes_nothing() {
         assert_eq!(outcome.stderr.matches("error").count(), 1, "{}", outcome.stderr);
         assert_eq!(bench.listing(), before, "nothing is written");
     }
+    // A sweep of a sweep, be it itself.
+    let bench = bench(100, "case = \"study.toml\"\n[vary]\nstop.1.gap = [\"1 mm\"]\n");
+    let outcome = bench.whirl(&["sweep", "study.toml"]);
+    assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("`study.toml` is a sweep, not a case"), "{}", outcome.stderr);
     // None of the points can be built.
     let bench = Workbench::new()
         .file("study.toml", "case = \"hu2003-5\"\n[vary]\nshaft.mesh = [\"no.msh\"]\n");
@@ -464,7 +485,7 @@ fn a_full_disk_keeps_what_fits_and_is_resumed() {
         bench.shell().args(["-c", line, env!("CARGO_BIN_EXE_whirl")]).output().expect("a shell");
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{said}");
-    for words in ["cannot write `cut/", "--resume"] {
+    for words in ["cannot write `cut/", "of 60 points are kept in cut", "--resume"] {
         assert!(said.contains(words), "`{words}` is not in: {said}");
     }
     let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);

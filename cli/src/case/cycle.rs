@@ -19,6 +19,8 @@ pub(super) struct Cycle {
 
 /// Periods of what is slowest that a common cycle has at most.
 pub(super) const MOST_PERIODS: usize = 64;
+/// What the cycle is of what turns without a load that repeats in time.
+pub(crate) const TWO_REVOLUTIONS: &str = "a cycle of two revolutions";
 /// Part of a period by which periods may miss the end of a common cycle: what an engineer writes has so many digits.
 const MISSED: f64 = 1e-4;
 
@@ -148,11 +150,11 @@ fn revolutions(system: &SystemDraft) -> Option<(f64, &'static str)> {
             let drive = rotor.drive.as_ref()?;
             let speed = drive.top_speed();
             let turns = drive.acts && speed != 0.0;
-            turns.then_some((2.0 * TAU / speed, "a cycle of two revolutions"))
+            turns.then_some((2.0 * TAU / speed, TWO_REVOLUTIONS))
         }
         SystemDraft::Joined(joined) => {
             let fastest = joined.as_ref()?.speeds().into_iter().reduce(f64::max)?;
-            Some((2.0 * TAU / fastest, "a cycle of two revolutions"))
+            Some((2.0 * TAU / fastest, TWO_REVOLUTIONS))
         }
         SystemDraft::Lumped(lumped) => {
             let unbalance = lumped.as_ref()?.unbalance?;

@@ -28,6 +28,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::Source;
 
 pub(crate) use columns::Columns;
+pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
 pub(crate) use joined::{

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 use kuva::backend::svg::SvgBackend;
-use kuva::plot::{LegendEntry, LegendShape, LinePlot, LineStyle, ScatterPlot};
+use kuva::plot::{ColorMap, Heatmap, LegendEntry, LegendShape, LinePlot, LineStyle, ScatterPlot};
 use kuva::render::annotations::ReferenceLine;
 use kuva::render::figure::{Figure as Sheet, FigureLegendPosition};
 use kuva::render::layout::Layout;
@@ -12,12 +12,17 @@ use kuva::render::plots::Plot;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 
-use super::figure::{Dot, Figure, Line, Panel, Style};
+use super::figure::{Cells, Cloud, Dot, Figure, Line, Map, Panel, Style};
 
 /// Pixels of a panel in the SVG.
 const PANEL: (f64, f64) = (460.0, 320.0);
 /// Pixels of a panel with equal axes.
 const SQUARE: (f64, f64) = (400.0, 420.0);
+/// Sizes of a title, the usual one first, and pixels of a letter for one of them.
+const TITLE: [u32; 2] = [17, 10];
+const LETTER: f64 = 0.47;
+/// Pixels beside the panels of a row.
+const PADDING: f64 = 20.0;
 /// Pixels of a PNG for one of the SVG.
 const PNG_SCALE: f32 = 2.0;
 
@@ -27,11 +32,16 @@ pub(crate) fn svg(figure: &Figure) -> String {
     let rows = figure.panels.len().div_ceil(columns);
     let square = figure.panels.iter().any(|panel| panel.equal_axes);
     let (width, height) = if square { SQUARE } else { PANEL };
+    // A long title is set in smaller letters than stand out at the sides.
+    let sheet_width = columns as f64 * width + PADDING;
+    let letters = figure.title.chars().count().max(1) as f64;
+    let room = (sheet_width / (LETTER * letters)) as u32;
+    let [usual, smallest] = TITLE;
     let plots: Vec<Vec<Plot>> = figure.panels.iter().map(plots).collect();
     let layouts = figure.panels.iter().zip(&plots).map(|(p, plots)| layout(p, plots)).collect();
     let mut sheet = Sheet::new(rows, columns)
         .with_title(figure.title.clone())
-        .with_title_size(17)
+        .with_title_size(room.clamp(smallest, usual))
         .with_plots(plots)
         .with_layouts(layouts)
         .with_cell_size(width, height);
@@ -76,9 +86,40 @@ fn fonts() -> Arc<Database> {
 }
 
 fn plots(panel: &Panel) -> Vec<Plot> {
+    let map = panel.map.iter().map(|map| Plot::Heatmap(cells(map)));
     let lines = panel.lines.iter().map(|line| Plot::Line(curve(line)));
+    let clouds = panel.clouds.iter().map(|cloud| Plot::Scatter(points(cloud)));
     let dots = panel.dots.iter().map(|dot| Plot::Scatter(mark(dot)));
-    lines.chain(dots).collect()
+    map.chain(lines).chain(clouds).chain(dots).collect()
+}
+
+fn cells(map: &Map) -> Heatmap {
+    // A cell without a value is white.
+    let colour = |share: f64| match share.is_nan() {
+        true => "#ffffff".to_string(),
+        false => ColorMap::Viridis.map(share),
+    };
+    let mut cells = Heatmap::new()
+        .with_data(map.values.iter().map(|row| row.iter().copied()))
+        .with_color_map(ColorMap::Custom(Arc::new(colour)));
+    cells.cell_size = 1.0;
+    cells.x_range = ends(&map.x, map.values.first().map_or(0, Vec::len));
+    cells.y_range = ends(&map.y, map.values.len());
+    cells
+}
+
+/// Outer edges of so many cells that are evenly spaced.
+fn ends(cells: &Cells, count: usize) -> Option<(f64, f64)> {
+    let Cells::Even([first, last]) = cells else { return None };
+    let half = 0.5 * (last - first) / (count.max(2) - 1) as f64;
+    Some((first - half, last + half))
+}
+
+fn points(cloud: &Cloud) -> ScatterPlot {
+    ScatterPlot::new()
+        .with_data(cloud.points.iter().copied())
+        .with_color(stroke(cloud.style).0)
+        .with_size(cloud.radius)
 }
 
 fn curve(line: &Line) -> LinePlot {
@@ -105,6 +146,7 @@ fn stroke(style: Style) -> (&'static str, f64, LineStyle) {
         Style::Fourth => ("#8a3ea8", 1.6, LineStyle::Custom("7 2 2 2".to_string())),
         Style::Thin => ("#1f4e9c", 0.8, LineStyle::Solid),
         Style::Limit => ("#707070", 1.0, LineStyle::Custom("2 3".to_string())),
+        Style::Doubted => (DOT, 1.0, LineStyle::Solid),
     }
 }
 
@@ -123,6 +165,13 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
             ReferenceLine::vertical(mark.x).with_color(MARK).with_label(mark.name.clone()),
         )
     });
+    if let Some(map) = &panel.map {
+        return over_cells(layout, map);
+    }
+    if !panel.x_names.is_empty() {
+        return layout.with_x_categories(panel.x_names.clone());
+    }
+    let layout = if panel.x_log { layout.with_log_x() } else { layout };
     if panel.equal_axes {
         return layout.with_equal_aspect();
     }
@@ -133,8 +182,24 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
     let (first, last) = abscissae
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
     // A first step a little after zero is no reason to start there.
-    let first = if first > 0.0 && first < 0.02 * last { 0.0 } else { first };
+    let near_zero = first > 0.0 && first < 0.02 * last && !panel.x_log;
+    let first = if near_zero { 0.0 } else { first };
     if first < last { layout.with_x_axis_min(first).with_x_axis_max(last) } else { layout }
+}
+
+/// Axes that end where the cells do.
+fn over_cells(layout: Layout, map: &Map) -> Layout {
+    let (columns, rows) = (map.values.first().map_or(0, Vec::len), map.values.len());
+    let layout = match (&map.x, ends(&map.x, columns)) {
+        (_, Some((first, last))) => layout.with_x_axis_min(first).with_x_axis_max(last),
+        (Cells::Named(names), _) => layout.with_x_categories(names.clone()),
+        _ => layout,
+    };
+    match (&map.y, ends(&map.y, rows)) {
+        (_, Some((first, last))) => layout.with_y_axis_min(first).with_y_axis_max(last),
+        (Cells::Named(names), _) => layout.with_y_categories(names.clone()),
+        _ => layout,
+    }
 }
 
 fn legend(figure: &Figure) -> Vec<LegendEntry> {
@@ -148,6 +213,16 @@ fn legend(figure: &Figure) -> Vec<LegendEntry> {
                 color: colour.to_string(),
                 shape: LegendShape::Line,
                 dasharray: dash.dasharray(),
+            });
+        }
+    }
+    for cloud in figure.panels.iter().flat_map(|panel| &panel.clouds) {
+        if named.insert(cloud.name.as_str()) {
+            entries.push(LegendEntry {
+                label: cloud.name.clone(),
+                color: stroke(cloud.style).0.to_string(),
+                shape: LegendShape::Circle,
+                dasharray: None,
             });
         }
     }

@@ -24,8 +24,16 @@ pub(crate) struct Panel {
     pub(crate) lines: Vec<Line>,
     /// Points marked by a dot.
     pub(crate) dots: Vec<Dot>,
+    /// Points of one kind, above the curves.
+    pub(crate) clouds: Vec<Cloud>,
     /// Abscissae that are marked by a line from bottom to top.
     pub(crate) marks: Vec<Mark>,
+    /// Values over both axes, below all else.
+    pub(crate) map: Option<Map>,
+    /// What stands below the abscissae 1, 2, … where they are no numbers.
+    pub(crate) x_names: Vec<String>,
+    /// Whether equal ratios have the same length on the x axis.
+    pub(crate) x_log: bool,
     /// Whether one unit has the same length on both axes.
     pub(crate) equal_axes: bool,
     /// End of the x axis and distance between its labels, where the reader expects certain ones.
@@ -41,6 +49,39 @@ pub(crate) struct Line {
     pub(crate) style: Style,
     /// Its name in the legend; the same name in several panels stands there once.
     pub(crate) name: String,
+}
+
+/// Points without a curve through them.
+#[derive(Debug, Clone)]
+pub(crate) struct Cloud {
+    /// x and y.
+    pub(crate) points: Vec<(f64, f64)>,
+    /// Its colour.
+    pub(crate) style: Style,
+    /// Of a point, in pixels.
+    pub(crate) radius: f64,
+    /// Its name in the legend, as that of a line.
+    pub(crate) name: String,
+}
+
+/// A value a cell over two axes, as colours.
+#[derive(Debug, Clone)]
+pub(crate) struct Map {
+    /// From left to right.
+    pub(crate) x: Cells,
+    /// From below to above.
+    pub(crate) y: Cells,
+    /// Rows from below to above; NaN where there is none.
+    pub(crate) values: Vec<Vec<f64>>,
+}
+
+/// Where the middles of cells are.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Cells {
+    /// The first and the last one of several, as far from each other as all.
+    Even([f64; 2]),
+    /// At 1, 2, …, with what stands beside them.
+    Named(Vec<String>),
 }
 
 /// A marked abscissa.
@@ -76,4 +117,6 @@ pub(crate) enum Style {
     Thin,
     /// A limit, such as the clearance circle: thin and dotted.
     Limit,
+    /// What is not to be believed.
+    Doubted,
 }

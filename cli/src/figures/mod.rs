@@ -5,6 +5,7 @@ mod figure;
 mod histories;
 mod laws;
 mod spectra;
+mod stack;
 
 use std::any::Any;
 use std::io;
@@ -13,7 +14,6 @@ use std::sync::Arc;
 
 use whirl_codegen::spec::law::LawSpec;
 
-use self::figure::Figure;
 use self::histories::Span;
 use crate::case::{Case, System};
 use crate::history::ReadHistory;
@@ -34,7 +34,10 @@ pub(crate) const NAMES: [&str; 8] = [
 ];
 
 pub(crate) use self::draw::png;
+pub(crate) use self::figure::{Cells, Cloud, Figure, Line, Map, Panel, Style};
 pub use self::laws::{Curve, curves};
+pub(crate) use self::spectra::{Spectrum, last_spectra};
+pub(crate) use self::stack::{Stacked, stack};
 
 /// Draws a law as `stem.svg` and `stem.png` into `output`.
 pub(crate) fn draw_law(law: &LawSpec, stem: &str, output: &mut Output) {
@@ -70,24 +73,31 @@ pub(crate) fn draw(
             missing.push("interrupted before all figures were drawn".to_string());
             return missing;
         }
-        let drawn = guarded(|| {
-            let Some(figure) = figure(stem, case, built, history)? else {
-                return Ok(Vec::new());
-            };
+        let made = || {
+            let figure = figure(stem, case, built, history)?;
             let place = number.map_or(String::new(), |k| format!(" (Fig. {k} of the paper)"));
             let mark = if sound { "" } else { " [NOT SOUND: see the verdict]" };
-            let title = format!("{}: {}{place}{mark}", case.name, figure.title);
-            Ok(pictures(stem, &Figure { title, ..figure }))
-        });
-        match drawn {
-            Err(reason) => missing.push(format!("the figure `{stem}` cannot be drawn: {reason}")),
-            Ok(files) => {
-                let written = files.iter().try_for_each(|(name, content)| write(name, content));
-                missing.extend(written.err());
-            }
-        }
+            Ok(figure.map(|figure| {
+                let title = format!("{}: {}{place}{mark}", case.name, figure.title);
+                Figure { title, ..figure }
+            }))
+        };
+        missing.extend(put_figure(stem, made, write));
     }
     missing
+}
+
+/// Draws a figure, if there is one, as SVG and PNG, each written by `write`; why it is missing.
+pub(crate) fn put_figure(
+    stem: &str,
+    make: impl FnOnce() -> io::Result<Option<Figure>>,
+    write: &dyn Fn(&str, &[u8]) -> Result<(), String>,
+) -> Option<String> {
+    let drawn = guarded(|| Ok(make()?.map_or(Vec::new(), |figure| pictures(stem, &figure))));
+    match drawn {
+        Err(reason) => Some(format!("the figure `{stem}` cannot be drawn: {reason}")),
+        Ok(files) => files.iter().try_for_each(|(name, content)| write(name, content)).err(),
+    }
 }
 
 /// What `draw` gives, or why it gives nothing: a plotting library may panic over values that no axis can show. What

@@ -11,6 +11,7 @@ use std::io;
 use realfft::RealFftPlanner;
 
 use super::figure::{Figure, Line, Mark, Panel, Style};
+use super::stack::{Stacked, stack};
 use crate::history::ReadHistory;
 use crate::report::Oscillation;
 
@@ -22,7 +23,7 @@ const PADDED: usize = 1 << 13;
 /// Amplitudes below this part of the largest are not worth an axis.
 const SMALL: f64 = 0.01;
 /// Orders that are marked, and their names.
-const ORDERS: [(f64, &str); 3] = [(0.5, "½X"), (1.0, "1X"), (2.0, "2X")];
+pub(super) const ORDERS: [(f64, &str); 3] = [(0.5, "½X"), (1.0, "1X"), (2.0, "2X")];
 /// Points of a line at most.
 const POINTS: usize = 400;
 /// Spectra of a run-up, and into how many parts of the run one reaches.
@@ -34,7 +35,7 @@ const VARIES: f64 = 0.2;
 const PANELS: usize = 6;
 
 /// Amplitudes by frequency, of a mean of 0.
-struct Spectrum {
+pub(crate) struct Spectrum {
     /// Hz.
     step: f64,
     amplitudes: Vec<f64>,
@@ -59,20 +60,21 @@ impl Spectrum {
         Spectrum { step: 1.0 / (padded as f64 * dt), amplitudes }
     }
 
-    fn largest(&self) -> f64 {
+    /// Of all amplitudes.
+    pub(crate) fn largest(&self) -> f64 {
         self.amplitudes.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The frequency above which all is small (Hz).
-    fn end(&self, largest: f64) -> f64 {
+    /// The frequency above which all is small beside `largest` (Hz).
+    pub(crate) fn end(&self, largest: f64) -> f64 {
         let last = self.amplitudes.iter().rposition(|own| *own >= SMALL * largest);
         self.step * last.unwrap_or(0) as f64
     }
 
-    /// Points up to a frequency, of many the largest.
-    fn points(&self, end: f64) -> Vec<(f64, f64)> {
+    /// So many points at most up to a frequency, of many the largest.
+    pub(crate) fn points(&self, end: f64, most: usize) -> Vec<(f64, f64)> {
         let count = ((end / self.step).ceil() as usize + 1).min(self.amplitudes.len());
-        let every = count.div_ceil(POINTS).max(1);
+        let every = count.div_ceil(most).max(1);
         let lines = self.amplitudes[..count].chunks(every).enumerate();
         lines
             .map(|(place, own)| {
@@ -86,12 +88,20 @@ impl Spectrum {
     }
 }
 
-/// Spectra over the last cycles, a panel for each that oscillates; `step`: from row to row (s). None where rows are too few.
-pub(crate) fn spectrum(
+/// Spectra over the last cycles.
+pub(crate) struct LastSpectra {
+    /// How long they are (s).
+    span: f64,
+    /// Of each that oscillates: a spectrum a column, and how fast it turns (Hz), 0 where it does not.
+    pub(crate) signals: Vec<(Vec<Spectrum>, f64)>,
+}
+
+/// The spectra of all that oscillates over the last cycles; `step`: from row to row (s). None where rows are too few.
+pub(crate) fn last_spectra(
     history: &dyn ReadHistory,
     all: &[Oscillation],
     (step, cycle): (f64, f64),
-) -> io::Result<Option<Figure>> {
+) -> io::Result<Option<LastSpectra>> {
     let end = history.last_time()?.unwrap_or(0.0);
     let cycles = (0.5 * end / cycle).floor().clamp(1.0, CYCLES);
     let rows = ((cycles * cycle).min(end) / step).round() as usize;
@@ -111,7 +121,7 @@ pub(crate) fn spectrum(
         return Ok(None);
     }
     let mut values = values.into_iter();
-    let mut panels = Vec::new();
+    let mut signals = Vec::new();
     for own in all {
         let spectra: Vec<Spectrum> = own
             .columns
@@ -121,8 +131,23 @@ pub(crate) fn spectrum(
         let angle = own.angle.as_ref().map(|_| values.next().expect("a column"));
         let turned = angle.map_or(0.0, |angle| (angle[found - 1] - angle[0]).abs());
         let frequency = turned / TAU / (step * (found - 1) as f64);
-        panels.push((own, spectra, if turned > 0.5 * TAU { frequency } else { 0.0 }));
+        signals.push((spectra, if turned > 0.5 * TAU { frequency } else { 0.0 }));
     }
+    Ok(Some(LastSpectra { span: step * found as f64, signals }))
+}
+
+/// [`last_spectra`], a panel for each that oscillates.
+pub(crate) fn spectrum(
+    history: &dyn ReadHistory,
+    all: &[Oscillation],
+    (step, cycle): (f64, f64),
+) -> io::Result<Option<Figure>> {
+    let Some(LastSpectra { span, signals }) = last_spectra(history, all, (step, cycle))? else {
+        return Ok(None);
+    };
+    let panels =
+        all.iter().zip(signals).map(|(own, (spectra, frequency))| (own, spectra, frequency));
+    let panels: Vec<_> = panels.collect();
     let ends = panels.iter().map(|(_, spectra, frequency)| {
         let largest = spectra.iter().map(Spectrum::largest).fold(0.0, f64::max);
         spectra.iter().map(|own| own.end(largest)).fold(3.0 * frequency, f64::max)
@@ -139,7 +164,7 @@ pub(crate) fn spectrum(
             lines: lines
                 .map(|(((_, name), spectrum), style)| {
                     let name = name.to_lowercase();
-                    Line { points: spectrum.points(shown), style, name }
+                    Line { points: spectrum.points(shown, POINTS), style, name }
                 })
                 .collect(),
             marks: marks
@@ -151,7 +176,7 @@ pub(crate) fn spectrum(
     Ok(Some(Figure {
         title: format!(
             "Spectra of the last {} ms (Hann's window)",
-            whirl_text::rounded(1e3 * step * found as f64, 4)
+            whirl_text::rounded(1e3 * span, 4)
         ),
         panels: panels.into_iter().map(panel).collect(),
         columns: 2,
@@ -250,41 +275,17 @@ fn stacked(own: &Oscillation, k: usize, slices: &[Slice]) -> Option<Panel> {
         true => slices.iter().map(|slice| 1e3 * slice.time).collect(),
         false => speeds().map(|speed| 60.0 * speed).collect(),
     };
-    let spacing = (heights[heights.len() - 1] - heights[0]) / (heights.len() - 1) as f64;
-    // The largest reaches over three spectra; a bar that people can read says how much that is.
-    let scale = 3.0 * spacing / largest;
     let nyquist = slices[0].spectra[k].step * (slices[0].spectra[k].amplitudes.len() - 1) as f64;
     let end = (2.6 * most).min(nyquist);
-    let mut lines = Vec::new();
-    for (slice, base) in slices.iter().zip(&heights).rev() {
-        let points = slice.spectra[k].points(end).into_iter();
-        lines.push(Line {
-            points: points.map(|(x, y)| (x, base + scale * y)).collect(),
-            style: Style::Thin,
-            name: "amplitude over its line of zero".to_string(),
-        });
-    }
-    let styles = [Style::Third, Style::Second, Style::Fourth];
-    for ((order, name), style) in ORDERS.iter().zip(styles) {
-        let points = slices.iter().zip(&heights);
-        let points = points.map(|(slice, &y)| (order * slice.speeds[k], y));
-        let points = points.filter(|point| point.0 <= end).collect();
-        lines.push(Line { points, style, name: (*name).to_string() });
-    }
-    let unit = if by_time { ("time", "ms") } else { ("speed", "rpm") };
-    let (bar, height) = (whirl_text::rounded(largest, 3), 3.0 * spacing);
-    Some(Panel {
-        title: format!("{}, {} {}", own.title, own.quantity, own.columns[0].1.to_lowercase()),
-        x: format!(
-            "frequency (Hz); {bar} {} are as high as {} {}",
-            own.unit,
-            whirl_text::rounded(height, 2),
-            unit.1
-        ),
-        y: format!("{} ({})", unit.0, unit.1),
-        lines,
-        ..Panel::default()
-    })
+    let of = |(slice, height): (&Slice, f64)| Stacked {
+        height,
+        speed: slice.speeds[k],
+        points: slice.spectra[k].points(end, POINTS),
+    };
+    let all: Vec<Stacked> = slices.iter().zip(heights).map(of).collect();
+    let title = format!("{}, {} {}", own.title, own.quantity, own.columns[0].1.to_lowercase());
+    let heights = if by_time { ("time", "ms") } else { ("speed", "rpm") };
+    Some(stack(&all, end, (largest, own.unit), (title, heights)))
 }
 
 #[cfg(test)]

@@ -65,7 +65,8 @@ fn say_points(text: &mut String, sweep: &Sweep) {
     let product =
         if counts.len() > 1 { format!(" ({})", counts.join(" × ")) } else { String::new() };
     let kind = if sweep.samples.is_some() { " of a Latin hypercube" } else { "" };
-    line!(text, "\n{} points{kind}{product}:", sweep.count());
+    let points = if sweep.count() == 1 { "point" } else { "points" };
+    line!(text, "\n{} {points}{kind}{product}:", sweep.count());
     for (place, key) in sweep.keys.iter().enumerate() {
         let axis = sweep.axes.iter().find(|axis| axis.keys.contains(&place));
         let together = axis.is_some_and(|axis| axis.keys[0] != place) && sweep.samples.is_none();

@@ -35,6 +35,20 @@ impl Column {
         Column { head, unit: one.map(|_| written[0].clone()) }
     }
 
+    /// As figures call it: the key, with its unit in parentheses.
+    pub(super) fn label(&self) -> String {
+        match self.head.strip_suffix(']').and_then(|head| head.rsplit_once(" [")) {
+            Some((name, unit)) => format!("{name} ({})", readable(unit)),
+            None => self.head.clone(),
+        }
+    }
+
+    /// Its unit as figures have it; empty if there is none.
+    pub(super) fn unit(&self) -> String {
+        let head = self.head.strip_suffix(']').and_then(|head| head.rsplit_once(" ["));
+        head.map_or(String::new(), |(_, unit)| readable(unit))
+    }
+
     /// Whether it has numbers.
     pub(super) fn is_number(&self) -> bool {
         self.unit.is_some()
@@ -48,6 +62,15 @@ impl Column {
             None => Shown::Text(level.literal.trim_matches('"').to_owned()),
         }
     }
+}
+
+/// A unit as people print it.
+fn readable(unit: &str) -> String {
+    let micro = |part: &str| match part.strip_prefix('u') {
+        Some(rest) if !rest.is_empty() => format!("µ{rest}"),
+        _ => part.to_owned(),
+    };
+    unit.split('*').map(micro).collect::<Vec<_>>().join("·")
 }
 
 /// The numbers that a key has, and what they are called; none where they are no numbers of one unit.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use whirl_solver::cache::{remove_unfinished, write_whole};
 
-use super::{journal, table};
+use super::{figures, journal, table};
 use crate::created::CreatedFolders;
 use crate::errors::Failure;
 use crate::history;
@@ -19,6 +19,9 @@ use crate::simulate::InMemory;
 const POINTS: &str = "points";
 /// Folder of the states from which points go on that are not done.
 const CHAINS: &str = "chains";
+
+/// Files that stay where a sweep goes on.
+const LASTING: [&str; 3] = [journal::NAME, table::CSV, table::PARQUET];
 
 /// A folder of results that no other sweep writes.
 #[derive(Debug)]
@@ -63,8 +66,8 @@ impl SweepFolder {
         self.folder.join(name)
     }
 
-    /// Takes away what earlier sweeps left, all of it or, of one that goes on, what was being written. Files that no sweep
-    /// writes are left alone.
+    /// Takes away what earlier sweeps left, all of it or, of one that goes on, its figures and what was being written. Files that
+    /// no sweep writes are left alone.
     ///
     /// # Errors
     /// Something cannot be removed.
@@ -73,12 +76,21 @@ impl SweepFolder {
         remove_unfinished(&self.folder, Duration::ZERO);
         self.clear(POINTS, !goes_on)?;
         self.clear(CHAINS, !goes_on)?;
-        if !goes_on {
-            for name in files() {
-                absent_is_fine(fs::remove_file(self.path(&name)))?;
-            }
+        let lasting = if goes_on { &LASTING[..] } else { &[] };
+        for name in files().filter(|name| !lasting.contains(&name.as_str())) {
+            absent_is_fine(fs::remove_file(self.path(&name)))?;
         }
         Ok(())
+    }
+
+    /// Writes a file, whole or not at all.
+    ///
+    /// # Errors
+    /// Why not, with the path.
+    pub(super) fn write(&self, name: &str, content: &[u8]) -> Result<(), String> {
+        let path = self.path(name);
+        write_whole(&path, content)
+            .map_err(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 
     /// Keeps history, summary and last state of a point, all of them or nothing.
@@ -171,5 +183,7 @@ fn absent_is_fine(done: io::Result<()>) -> io::Result<()> {
 
 /// Every name that a sweep may give to a file in its folder.
 fn files() -> impl Iterator<Item = String> {
-    [journal::NAME, table::CSV, table::PARQUET].map(String::from).into_iter()
+    let figures =
+        figures::NAMES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
+    LASTING.map(String::from).into_iter().chain(figures)
 }

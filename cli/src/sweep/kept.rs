@@ -130,7 +130,12 @@ pub(super) fn going_on(kept: Option<&Kept>, results: &SweepFolder, sweep: &Sweep
             format!("going on after {done} of {all} points")
         }
         None => {
-            format!("no journal in {}: starting from the beginning", results.folder().display())
+            let folder = results.folder().display();
+            let what = match results.path(journal::NAME).exists() {
+                true => "the journal is damaged from its beginning",
+                false => "no journal",
+            };
+            format!("{what} in {folder}: starting from the beginning")
         }
     }
 }

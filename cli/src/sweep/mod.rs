@@ -3,6 +3,7 @@
 mod check;
 mod column;
 mod examine;
+mod figures;
 mod folder;
 mod identity;
 mod journal;
@@ -17,6 +18,7 @@ mod read;
 mod row;
 mod schema;
 mod table;
+mod trace;
 mod vary;
 mod workers;
 
@@ -38,7 +40,7 @@ use self::workers::Ended;
 use crate::arguments::SweepArguments;
 use crate::case::CaseText;
 use crate::errors::Failure;
-use crate::progress::ProgressMode;
+use crate::progress::{self, ProgressMode};
 use crate::signals::Interruption;
 use crate::streams;
 
@@ -139,7 +141,7 @@ pub(crate) fn sweep(arguments: &SweepArguments) -> Result<(), Failure> {
         (&cache, jobs),
         (show, &interruption),
     );
-    report(&sweep, &results, ended, show)
+    report((&sweep, !arguments.no_figures), &results, ended, (show, &interruption))
 }
 
 /// The sweep that the command line asks for.
@@ -173,12 +175,12 @@ fn folder(arguments: &SweepArguments, sweep: &Sweep) -> PathBuf {
     arguments.out.clone().unwrap_or_else(usual)
 }
 
-/// Writes the table of all that is done, and says how the sweep has ended.
+/// Writes the table of all that is done and, once that is all there is to do, the figures; says how the sweep has ended.
 fn report(
-    sweep: &Sweep,
+    (sweep, drawn): (&Sweep, bool),
     results: &SweepFolder,
     ended: Ended,
-    show: ProgressMode,
+    (show, interruption): (ProgressMode, &Interruption),
 ) -> Result<(), Failure> {
     let unfinished = |reason: String| Failure::Unfinished {
         reason,
@@ -192,25 +194,34 @@ fn report(
     }
     warnings.iter().for_each(streams::warn);
     let folder = results.folder().display();
-    let tabulated = Kept::read(results, sweep).and_then(|mut kept| {
+    let read = Kept::read(results, sweep);
+    let done = read.as_ref().map_or(0, Kept::done);
+    let tabulated = read.and_then(|mut kept| {
         let counts = table::write(sweep, &mut kept, results)?;
-        Ok((kept.done(), counts))
+        Ok((kept, counts))
     });
-    let (done, counts) = match (stopped, tabulated) {
+    let stopped = stopped
+        .map(|reason| format!("{reason}; {done} of {} points are kept in {folder}", sweep.count()));
+    let (mut kept, counts) = match (stopped, tabulated) {
         (None, Ok(found)) => found,
-        (None, Err(reason)) => return Err(unfinished(reason)),
-        (Some(reason), Ok((done, _))) => {
-            let reason =
-                format!("{reason}; {done} of {} points are kept in {folder}", sweep.count());
+        (Some(reason), _) | (None, Err(reason)) => return Err(unfinished(reason)),
+    };
+    if drawn {
+        let write = |name: &str, content: &[u8]| results.write(name, content);
+        let stop = || interruption.asked();
+        let draw = || figures::draw(sweep, &mut kept, &write, &stop);
+        let mut missing = progress::during(show, "drawing figures", draw).into_iter();
+        if let Some(reason) = missing.next() {
+            missing.for_each(streams::warn);
             return Err(unfinished(reason));
         }
-        (Some(reason), Err(_)) => return Err(unfinished(reason)),
-    };
+    }
     match show {
         ProgressMode::Nothing => Ok(()),
         _ => streams::say(&format!(
-            "{}: {done} points\n{}results in {folder}\n",
+            "{}: {done} {}\n{}results in {folder}\n",
             sweep.name,
+            if done == 1 { "point" } else { "points" },
             counts.words()
         )),
     }

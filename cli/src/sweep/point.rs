@@ -5,7 +5,8 @@ use whirl_solver::cache::Cache;
 use super::folder::SweepFolder;
 use super::points::Point;
 use super::row::Row;
-use super::{Keep, Sweep};
+use super::trace::Trace;
+use super::{Keep, Sweep, figures};
 use crate::case::Start;
 use crate::errors::Failure;
 use crate::simulate::{Watch, summed_up};
@@ -45,9 +46,13 @@ pub(super) fn run(
         }
         let built = crate::build(&case, Some(cache), &mut warnings)?;
         let (run, facts) = summed_up(&case, &built, watch)?;
-        Ok((case, run, facts))
+        let trace = figures::need_traces(sweep)
+            .then(|| Trace::of(&case, &built, &run.history))
+            .transpose()
+            .unwrap_or_default();
+        Ok((case, run, facts, trace))
     });
-    let (case, run, facts) = match ran {
+    let (case, run, facts, trace) = match ran {
         Ok(ran) => ran,
         Err(Failure::Unfinished { .. }) if watch.asked() => return Err(Undone::Interrupted),
         Err(failure) => {
@@ -62,6 +67,7 @@ pub(super) fn run(
         results.keep_point(point.number(), &run).map_err(Undone::NotKept)?;
     }
     let (names, row) = Row::of(&case, &facts, run.reason.as_deref());
+    let row = Row { trace, ..row };
     warnings.extend(run.warnings);
     Ok(Done { names, row, state: run.state, warnings })
 }

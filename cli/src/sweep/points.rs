@@ -46,6 +46,15 @@ impl Along {
         if self == Along::Both { 2 } else { 1 }
     }
 
+    /// The ways on which values are passed.
+    pub(super) fn ways(self) -> &'static [&'static str] {
+        match self {
+            Along::Up => &["up"],
+            Along::Down => &["down"],
+            Along::Both => &["up", "down"],
+        }
+    }
+
     /// The value at a place of a chain of `count` points, and the way that goes through it.
     fn value(self, place: usize, count: usize) -> (usize, &'static str) {
         match self {
@@ -140,6 +149,18 @@ impl Sweep {
         let levels = self.keys.iter().zip(taken).map(|(key, place)| key.level(place)).collect();
         let names = self.keys.iter().map(|key| key.name.clone()).collect();
         Point { number, way, levels, names }
+    }
+
+    /// The number of the point with these values on the axes, by their places among those of each axis; `way`: on which it is
+    /// passed, where points go on from each other.
+    pub(super) fn number(&self, values: &[usize], way: Option<&str>) -> usize {
+        let last = self.axes.len() - 1;
+        let place = |(k, axis): (usize, &Axis)| match way {
+            Some("down") if k == last => axis.count - 1 - values[k],
+            _ => values[k],
+        };
+        let places = self.axes.iter().enumerate().map(|own| (own.1.count, place(own)));
+        places.fold(0, |number, (count, place)| number * count + place)
     }
 
     /// The values of a point as a file that stands before the case, each with its place in the sweep.

@@ -21,7 +21,8 @@ pub(super) struct Range {
     unit: Option<String>,
     /// How many values, if it says so.
     pub(super) count: Option<usize>,
-    logarithmic: bool,
+    /// Whether values have equal ratios.
+    pub(super) logarithmic: bool,
     /// Where all of it stands.
     pub(super) place: Place,
 }

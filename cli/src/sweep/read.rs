@@ -145,6 +145,13 @@ fn assemble(source: &Arc<Source>, tree: Tree, name: &str) -> (Option<Sweep>, Dia
     });
     let keys = varied.map(|node| vary::read(&node, &mut errors)).unwrap_or_default();
     let base = case.and_then(|case| {
+        let beside = source.path.parent().map_or(case.text().into(), |own| own.join(case.text()));
+        if is_sweep(&beside.to_string_lossy()) {
+            let message = format!("`{}` is a sweep, not a case", case.text());
+            let help = "name the case that it varies, and let all keys vary here";
+            errors.push(case.error_here(Code::BAD_VALUE, message).help(help));
+            return None;
+        }
         let found = CaseText::find(case.text(), Some(source));
         found.map_err(|found| errors.append(at_name(&case, found))).ok()
     });

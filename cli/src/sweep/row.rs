@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use super::trace::Trace;
 use crate::case::Case;
 use crate::errors::Failure;
 
@@ -14,6 +15,8 @@ pub(super) struct Row {
     pub(super) words: String,
     /// By the names of the row; NaN where the summary has none.
     pub(super) values: Vec<f64>,
+    /// For figures that need it.
+    pub(super) trace: Option<Trace>,
 }
 
 /// Whether the numbers of a point can be believed.
@@ -48,7 +51,7 @@ impl Row {
             }
             other => other.to_string(),
         };
-        Row { verdict: Verdict::Failed, words: one_line(&words), values: Vec::new() }
+        Row { verdict: Verdict::Failed, words: one_line(&words), values: Vec::new(), trace: None }
     }
 
     /// Of a run, by its summary; `reason`: why it ended early, if it did.
@@ -63,7 +66,7 @@ impl Row {
         let found: Vec<&str> = found.filter_map(|own| own["what"].as_str()).collect();
         let words = reason.map_or_else(|| found.join("; "), str::to_owned);
         let (names, values) = numbers(case, summary).into_iter().unzip();
-        (names, Row { verdict, words: one_line(&words), values })
+        (names, Row { verdict, words: one_line(&words), values, trace: None })
     }
 }
 

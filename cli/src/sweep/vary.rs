@@ -59,6 +59,11 @@ impl Varied {
         matches!(self.values, Values::Ranged(_) | Values::Shares(..))
     }
 
+    /// Whether its values have equal ratios.
+    pub(super) fn is_logarithmic(&self) -> bool {
+        matches!(&self.values, Values::Ranged(range) if range.logarithmic)
+    }
+
     /// Values of which each stands for all those that the file says alike.
     pub(super) fn written(&self) -> Vec<Level> {
         match &self.values {
