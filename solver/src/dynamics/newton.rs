@@ -1,7 +1,8 @@
 //! Newton's method inside a time step, made safe against springs that switch.
 //!
 //! A direction Δq solves [AK] Δq = r, eqs. (45) and (46), for the coordinates that are unknown. The factors of
-//! [AK] are kept over iterations and steps while they contract. A step is taken only if it lessens the merit φ of
+//! [AK] are kept over iterations and steps while they contract, and then may foresee by the laws what they do not know
+//! (`condensed`). A step is taken only if it lessens the merit φ of
 //! `Merit`: along the direction of a fresh [AK] φ falls for a short enough step wherever r is differentiable, so that
 //! the iteration cannot cycle.
 //! φ only steers. A step counts as solved when every row of r is (`System::row_error`) and the forces of the
@@ -19,7 +20,8 @@ use crate::linalg::largest_and_sum;
 /// How the equations of a step are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewtonOptions {
-    /// Largest change of a spring force in the last iteration, and largest force missing at a spring (N).
+    /// Largest change of a spring force in the last iteration, from what it was or was foreseen to become, and largest force
+    /// missing at a spring (N).
     pub force_tolerance: f64,
     /// The same as a fraction of the largest spring force so far; the smaller of the two holds, so that a machine
     /// of small forces is solved as well as a large one.

@@ -16,19 +16,23 @@ pub(super) struct Compliance {
 }
 
 impl Compliance {
-    /// Of a machine whose coordinates from `first` on are unknown, where Z is less to read than what it spares: T_b, its
-    /// transpose and A⁻¹, twice.
-    pub(super) fn new(springs: &Springs, first: usize, unknowns: usize) -> Option<Self> {
-        let measured = springs.measured();
+    /// Whether Z is less to read than what it spares: T_b, its transpose and A⁻¹, twice.
+    pub(super) fn is_less(springs: &Springs, unknowns: usize) -> bool {
         let bores = springs.bores.iter().map(|own| own.rows.data.len()).sum::<usize>();
-        let is_less = measured * measured <= 4 * bores + unknowns * unknowns;
-        (measured > 0 && is_less).then(|| Compliance {
+        let measured = springs.measured();
+        measured > 0 && measured * measured <= 4 * bores + unknowns * unknowns
+    }
+
+    /// Of a machine whose coordinates from `first` on are unknown.
+    pub(super) fn new(springs: &Springs, first: usize, unknowns: usize) -> Self {
+        let measured = springs.measured();
+        Compliance {
             first,
             unknowns,
             bores: springs.rough_bores(),
             whole: vec![0.0; measured * measured],
             found: vec![0.0; measured],
-        })
+        }
     }
 
     /// Takes A⁻¹, column after column; whether single precision holds Z.

@@ -65,19 +65,21 @@ pub(super) struct Condensed {
 impl Condensed {
     /// For a machine whose measures are constant, and few enough.
     pub(super) fn new(system: &System) -> Option<Self> {
+        let springs = &system.machine.springs;
+        let is_less = Compliance::is_less(springs, system.machine.active());
+        (is_less && springs.measures_are_constant()).then(|| Condensed::of(system))
+    }
+
+    fn of(system: &System) -> Self {
         let (machine, springs) = (system.machine, &system.machine.springs);
         let (first, unknowns) = (machine.first_unknown(), machine.active());
         let measured = springs.measured();
-        if !springs.measures_are_constant() {
-            return None;
-        }
-        let compliance = Compliance::new(springs, first, unknowns)?;
         let values = || vec![0.0; measured];
-        Some(Condensed {
+        Condensed {
             first,
             bodies: BodyInverse::all(machine),
             whole: vec![0.0; machine.size() * machine.size()],
-            compliance,
+            compliance: Compliance::new(springs, first, unknowns),
             weights: springs.arms_of_measures().iter().map(|arm| 1.0 / arm).collect(),
             moved: values(),
             last: values(),
@@ -88,7 +90,7 @@ impl Condensed {
             forces: vec![0.0; unknowns],
             end: State::new(machine.size()),
             lack: vec![0.0; machine.size()],
-        })
+        }
     }
 
     /// Makes Z of (L − NᵀK₀N)⁻¹, column after column; whether single precision holds it.
@@ -259,7 +261,7 @@ mod tests {
             let machine = machine(rotation);
             let (mut system, step) =
                 (System::new(&machine), Coefficients::new(Newmark::default(), 0.01));
-            let mut own = Condensed::new(&system).expect("few measures");
+            let mut own = Condensed::of(&system);
             let (from, d) = (state(5), values(5 - first, 0.7));
             let d: Vec<f64> = d.iter().map(|own| 1e-3 * own).collect();
             let mut to = from.clone();
@@ -284,7 +286,7 @@ mod tests {
     fn forces_on_measures_work_on_the_coordinates() {
         let machine = machine(Rotation::Free);
         let system = System::new(&machine);
-        let mut own = Condensed::new(&system).expect("few measures");
+        let mut own = Condensed::of(&system);
         let (d, forces) = (values(5, 0.7), values(own.last.len(), 1.9));
         let mut on_coordinates = vec![0.0; 5];
         machine.springs.add_measured(0, &forces, &mut on_coordinates);
@@ -297,7 +299,7 @@ mod tests {
     fn the_compliance_moves_measures_by_forces_on_them() {
         let machine = machine(Rotation::Free);
         let system = System::new(&machine);
-        let mut own = Condensed::new(&system).expect("few measures");
+        let mut own = Condensed::of(&system);
         let inverse = values(25, 0.2);
         assert!(own.take_compliance(&machine.springs, &inverse));
         let n = own.last.len();
@@ -325,7 +327,7 @@ mod tests {
             let first = machine.first_unknown();
             let (mut system, step) =
                 (System::new(&machine), Coefficients::new(Newmark::default(), 1e-3));
-            let mut own = Condensed::new(&system).expect("few measures");
+            let mut own = Condensed::of(&system);
             let mut at = state(5);
             system.evaluate(0.0, &at);
             let mut lu = Lu::new(5 - first);
