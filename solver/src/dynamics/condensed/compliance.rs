@@ -4,6 +4,9 @@
 use crate::bearing::Springs;
 use crate::linalg::{Columns, add_columns};
 
+/// Unknowns below which a product with A⁻¹ takes less than the way to the measures and back.
+const FEWEST: usize = 40;
+
 /// Z of an A⁻¹, and memory to apply it.
 pub(super) struct Compliance {
     first: usize,
@@ -16,11 +19,12 @@ pub(super) struct Compliance {
 }
 
 impl Compliance {
-    /// Whether Z is less to read than what it spares: T_b, its transpose and A⁻¹, twice.
-    pub(super) fn is_less(springs: &Springs, unknowns: usize) -> bool {
+    /// Whether a machine is large enough for it, and Z less to read than what it spares: T_b, its transpose and A⁻¹, twice.
+    pub(super) fn is_worth_it(springs: &Springs, unknowns: usize) -> bool {
         let bores = springs.bores.iter().map(|own| own.rows.data.len()).sum::<usize>();
         let measured = springs.measured();
-        measured > 0 && measured * measured <= 4 * bores + unknowns * unknowns
+        let is_less = measured * measured <= 4 * bores + unknowns * unknowns;
+        measured > 0 && unknowns >= FEWEST && is_less
     }
 
     /// Of a machine whose coordinates from `first` on are unknown.

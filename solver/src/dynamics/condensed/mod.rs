@@ -63,11 +63,11 @@ pub(super) struct Condensed {
 }
 
 impl Condensed {
-    /// For a machine whose measures are constant, and few enough.
+    /// For a machine whose measures are constant, where it saves time.
     pub(super) fn new(system: &System) -> Option<Self> {
         let springs = &system.machine.springs;
-        let is_less = Compliance::is_less(springs, system.machine.active());
-        (is_less && springs.measures_are_constant()).then(|| Condensed::of(system))
+        let saves = Compliance::is_worth_it(springs, system.machine.active());
+        (saves && springs.measures_are_constant()).then(|| Condensed::of(system))
     }
 
     fn of(system: &System) -> Self {
