@@ -230,9 +230,11 @@ fn by_calculix(body: &Body, ours: &CraigBampton) -> Result<(Calculix, String), S
     let Body { name, mesh, held, springs, modes, .. } = body;
     let row = Job { name, mesh, held, springs, modes: *modes }.run()?;
     let found = row.values.len();
-    let place = found.min(*modes) - 1;
-    let apart = (row.values[place] / ours.stiffness[(place, place)] - 1.0).abs();
-    Ok((row, format!("{found}, the highest λ within {apart:.0e}")))
+    let apart = |place: usize| (row.values[place] / ours.stiffness[(place, place)] - 1.0).abs();
+    let (lowest, highest) = (apart(0), apart(found.min(*modes) - 1));
+    let found =
+        format!("{found}, the lowest λ within {lowest:.0e}, the highest within {highest:.0e}");
+    Ok((row, found))
 }
 
 fn steel() -> Material {
