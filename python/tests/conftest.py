@@ -3,10 +3,14 @@
 import os
 import pathlib
 import shutil
+import signal
 
 import pytest
 
 import whirl
+
+# A shell has what it starts in the background ignore Ctrl-C, which some tests send.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 

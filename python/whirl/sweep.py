@@ -278,6 +278,11 @@ def _reduce(case: Case, known: Sequence[bytes] = ()) -> list[bytes]:
     return bodies.held()
 
 
+def _given(packed: bytes) -> bytes:
+    """A body that is there before."""
+    return packed
+
+
 def _run_with(case: Case, packed: Sequence[bytes]) -> _Outcome:
     """As :func:`_run`, in another process."""
     bodies = Bodies()
@@ -333,7 +338,10 @@ def _on_executor(
 def _on_dask(points: Sequence[Point], client: Any, bodies: Bodies) -> _Outcomes:
     """On a cluster: bodies are tasks, and points are tasks that need them; the scheduler moves them to the workers."""
     distributed = extra("dask", "distributed", "a sweep on a dask client")
-    known = client.scatter(bodies.held(), hash=False) if bodies.held() else []
+    # As tasks, which are run again where a worker is lost: data that are scattered are lost with it.
+    known = [
+        client.submit(_given, own, pure=False, key=_fresh("whirl-body")) for own in bodies.held()
+    ]
     tasks, reductions = {}, []
     for keys, numbers in _groups(points).items():
         packed = []
@@ -360,7 +368,7 @@ def _on_dask(points: Sequence[Point], client: Any, bodies: Bodies) -> _Outcomes:
                 outcome = None, f"its workers were lost again and again: {error}"
             yield number, outcome
     finally:
-        client.cancel([*tasks, *reductions], force=True)
+        client.cancel([*tasks, *reductions, *known], force=True)
 
 
 def _fresh(name: str) -> str:
