@@ -4,10 +4,8 @@
 use whirl_specs::ContactTangent;
 
 use super::state::SpringState;
-use super::{Bores, Plane, Springs};
-use crate::linalg::{
-    Columns, Matrix, add_columns, add_product, multiply, multiply_transpose_add, sum_of,
-};
+use super::{BlockMemory, Bores, Plane, Springs};
+use crate::linalg::{Columns, Matrix, add_columns, multiply, multiply_transpose_add, sum_of};
 
 /// Measures that a plane has beside those of its bore: the angle and both displacements of its journal.
 const RING: usize = 3;
@@ -31,19 +29,18 @@ impl Springs {
         rings.chain(std::iter::repeat_n(1.0, bores)).collect()
     }
 
-    /// T_b of the bores of body after body in single precision.
-    pub(crate) fn rough_bores(&self) -> Vec<Vec<f32>> {
-        let rough = |own: &Bores| own.rows.data.iter().map(|value| *value as f32).collect();
-        self.bores.iter().map(rough).collect()
+    /// Memory for products with N and its transpose, one a body with bores.
+    pub(crate) fn memory(&self) -> Vec<BlockMemory> {
+        self.bores.iter().map(Bores::memory).collect()
     }
 
-    /// N times a motion of the coordinates from `first` on, bores by their T_b in single precision; coordinates before do not move.
+    /// u = N times a motion of the coordinates from `first` on; those before do not move.
     pub(crate) fn measure(
         &self,
-        (first, bores): (usize, &[Vec<f32>]),
+        first: usize,
         motion: &[f64],
-        found: &mut [f32],
         u: &mut [f64],
+        memory: &mut [BlockMemory],
     ) {
         let (rings, mut rest) = u.split_at_mut(RING * self.planes.len());
         let rows = self.planes.iter().flat_map(|plane| &plane.rows);
@@ -51,37 +48,38 @@ impl Springs {
             let unknown = row.iter().filter(|(place, _)| *place >= first);
             *value = unknown.map(|&(place, own)| own * motion[place - first]).sum();
         }
-        for (own, rough) in self.bores.iter().zip(bores) {
+        for (own, memory) in self.bores.iter().zip(memory) {
             let values;
             (values, rest) = rest.split_at_mut(own.rows.rows);
             values.fill(0.0);
-            if own.place.is_empty() {
-                continue;
+            if !own.place.is_empty() {
+                let place = own.place.start - first..own.place.end - first;
+                own.add_motion(&motion[place], values, memory);
             }
-            let motion = &motion[own.place.start - first..own.place.end - first];
-            let found = &mut found[..values.len()];
-            found.fill(0.0);
-            let columns = rough.chunks_exact(found.len().max(1)).zip(motion);
-            add_columns(found, columns.map(|(column, moved)| (column, *moved as f32)));
-            values.iter_mut().zip(found).for_each(|(value, own)| *value = f64::from(*own));
         }
     }
 
     /// Adds Nᵀ times forces on the measures to generalised forces on the coordinates from `first` on.
-    pub(crate) fn add_measured(&self, first: usize, forces: &[f64], out: &mut [f64]) {
-        let (rings, mut bores) = forces.split_at(RING * self.planes.len());
+    pub(crate) fn add_measured(
+        &self,
+        first: usize,
+        forces: &[f64],
+        out: &mut [f64],
+        memory: &mut [BlockMemory],
+    ) {
+        let (rings, mut rest) = forces.split_at(RING * self.planes.len());
         let rows = self.planes.iter().flat_map(|plane| &plane.rows);
         for (force, row) in rings.iter().zip(rows) {
             let unknown = row.iter().filter(|(place, _)| *place >= first);
             unknown.for_each(|&(place, own)| out[place - first] += own * force);
         }
-        for own in &self.bores {
-            let (values, rest) = bores.split_at(own.rows.rows);
+        for (own, memory) in self.bores.iter().zip(memory) {
+            let values;
+            (values, rest) = rest.split_at(own.rows.rows);
             if !own.place.is_empty() {
                 let place = own.place.start - first..own.place.end - first;
-                add_product(&mut out[place], &own.transposed, values);
+                own.add_force(values, &mut out[place], memory);
             }
-            bores = rest;
         }
     }
 

@@ -4,6 +4,7 @@ mod apart;
 mod bore;
 pub mod law;
 mod measured;
+mod mirrors;
 mod other;
 mod place;
 mod projected;
@@ -25,9 +26,11 @@ pub use valid::{Measure, Worst};
 pub(crate) use apart::Apart;
 pub(crate) use bore::axis_motion;
 use law::BoundLaw;
+pub(crate) use mirrors::BlockMemory;
+use mirrors::Blocks;
 use valid::Measures;
 
-use crate::linalg::Matrix;
+use crate::linalg::{Matrix, add_product};
 
 /// A journal in its bore, as a case describes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -156,8 +159,38 @@ pub(crate) struct Bores {
     pub(crate) rows: Matrix,
     /// T_bᵀ: one column a row of T_b.
     pub(crate) transposed: Matrix,
+    /// Both in blocks, where mirrors map the bores onto themselves.
+    blocks: Option<Blocks>,
     /// b0 in the same rows, where any is not zero.
     offset: Option<Vec<f64>>,
+}
+
+impl Bores {
+    fn new(place: Range<usize>, mut rows: Matrix, offset: Option<Vec<f64>>) -> Self {
+        let blocks = Blocks::of(&mut rows);
+        Bores { place, transposed: rows.transpose(), rows, blocks, offset }
+    }
+
+    /// Memory for products with T_b and its transpose.
+    pub(crate) fn memory(&self) -> BlockMemory {
+        self.blocks.as_ref().map(Blocks::memory).unwrap_or_default()
+    }
+
+    /// Adds T_b x.
+    pub(crate) fn add_motion(&self, x: &[f64], out: &mut [f64], memory: &mut BlockMemory) {
+        match &self.blocks {
+            Some(blocks) => blocks.add_motion(x, out, memory),
+            None => add_product(out, &self.rows, x),
+        }
+    }
+
+    /// Adds T_bᵀ f.
+    pub(crate) fn add_force(&self, f: &[f64], out: &mut [f64], memory: &mut BlockMemory) {
+        match &self.blocks {
+            Some(blocks) => blocks.add_force(f, out, memory),
+            None => add_product(out, &self.transposed, f),
+        }
+    }
 }
 
 /// All springs of a machine, law after law.

@@ -91,7 +91,7 @@ impl PlacingBores {
         let place = places[self.body].flexible.clone();
         let rows = Matrix::from_fn(self.rows.len(), place.len(), |i, j| self.rows[i][j]);
         let offset = self.offset.iter().any(|b0| *b0 != 0.0).then_some(self.offset);
-        Bores { place, transposed: rows.transpose(), rows, offset }
+        Bores::new(place, rows, offset)
     }
 }
 

@@ -6,8 +6,7 @@ use super::apart::Seen;
 use super::measured::Mark;
 use super::spin::Spin;
 use super::valid::ValidityMonitor;
-use super::{Bores, PlacedLaw, Plane, Springs};
-use crate::linalg::add_product;
+use super::{BlockMemory, Bores, PlacedLaw, Plane, Springs};
 
 /// All springs at one instant. Allocated once, filled at will.
 pub struct SpringState {
@@ -30,12 +29,14 @@ pub(super) struct BoreState {
     pub(super) motion: Vec<f64>,
     pub(super) rate: Vec<f64>,
     pub(super) force: Vec<f64>,
+    memory: BlockMemory,
 }
 
 impl BoreState {
     fn new(bores: &Bores) -> Self {
         let motions = || vec![0.0; bores.rows.rows];
-        BoreState { motion: motions(), rate: motions(), force: motions() }
+        let memory = bores.memory();
+        BoreState { motion: motions(), rate: motions(), force: motions(), memory }
     }
 }
 
@@ -208,10 +209,10 @@ impl SpringState {
                 Some(offset) => own.motion.copy_from_slice(offset),
                 None => own.motion.fill(0.0),
             }
-            add_product(&mut own.motion, &bores.rows, &q[bores.place.clone()]);
+            bores.add_motion(&q[bores.place.clone()], &mut own.motion, &mut own.memory);
             if self.rates {
                 own.rate.fill(0.0);
-                add_product(&mut own.rate, &bores.rows, &v[bores.place.clone()]);
+                bores.add_motion(&v[bores.place.clone()], &mut own.rate, &mut own.memory);
             }
         }
         self.respond(springs);
@@ -339,14 +340,14 @@ impl SpringState {
     }
 
     /// Adds the generalised forces on q.
-    pub(crate) fn add_forces(&self, springs: &Springs, out: &mut [f64]) {
+    pub(crate) fn add_forces(&mut self, springs: &Springs, out: &mut [f64]) {
         for (place, own) in self.planes.iter().enumerate() {
             for (row, value) in own.rows.iter().zip(&self.plane_force(place)) {
                 row.iter().for_each(|&(j, coefficient)| out[j] += coefficient * value);
             }
         }
-        for (bores, own) in springs.bores.iter().zip(&self.bores) {
-            add_product(&mut out[bores.place.clone()], &bores.transposed, &own.force);
+        for (bores, own) in springs.bores.iter().zip(&mut self.bores) {
+            bores.add_force(&own.force, &mut out[bores.place.clone()], &mut own.memory);
         }
     }
 

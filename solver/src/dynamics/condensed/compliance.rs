@@ -1,7 +1,7 @@
 //! Z = N A⁻¹Nᵀ: how forces on the measures of the joints move them, in single precision, as what comes of it is judged by the
 //! laws.
 
-use crate::bearing::Springs;
+use crate::bearing::{BlockMemory, Springs};
 use crate::linalg::{Columns, add_columns};
 
 /// Unknowns below which a product with A⁻¹ takes less than the way to the measures and back.
@@ -11,8 +11,7 @@ const FEWEST: usize = 40;
 pub(super) struct Compliance {
     first: usize,
     unknowns: usize,
-    /// T_b of the bores of every body.
-    bores: Vec<Vec<f32>>,
+    memory: Vec<BlockMemory>,
     /// Z, column after column.
     whole: Vec<f32>,
     found: Vec<f32>,
@@ -33,7 +32,7 @@ impl Compliance {
         Compliance {
             first,
             unknowns,
-            bores: springs.rough_bores(),
+            memory: springs.memory(),
             whole: vec![0.0; measured * measured],
             found: vec![0.0; measured],
         }
@@ -49,7 +48,12 @@ impl Compliance {
 
     /// u = N times a motion of the unknowns.
     pub(super) fn measure(&mut self, springs: &Springs, motion: &[f64], u: &mut [f64]) {
-        springs.measure((self.first, &self.bores), motion, &mut self.found, u);
+        springs.measure(self.first, motion, u, &mut self.memory);
+    }
+
+    /// Adds Nᵀ times forces on the measures.
+    pub(super) fn add_forces(&mut self, springs: &Springs, forces: &[f64], out: &mut [f64]) {
+        springs.add_measured(self.first, forces, out, &mut self.memory);
     }
 
     /// u = Z times forces on the measures.

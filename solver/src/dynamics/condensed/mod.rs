@@ -140,7 +140,7 @@ impl Condensed {
         };
         let ends = self.after.iter().zip(&self.start);
         self.missing.iter_mut().zip(ends).for_each(|(out, (after, start))| *out = after - start);
-        springs.add_measured(self.first, &self.missing, &mut self.forces);
+        self.compliance.add_forces(springs, &self.missing, &mut self.forces);
         residual.copy_from_slice(&self.forces);
         self.bodies.iter_mut().for_each(|body| body.solve(residual));
         if again {
@@ -289,7 +289,7 @@ mod tests {
         let mut own = Condensed::of(&system);
         let (d, forces) = (values(5, 0.7), values(own.last.len(), 1.9));
         let mut on_coordinates = vec![0.0; 5];
-        machine.springs.add_measured(0, &forces, &mut on_coordinates);
+        own.compliance.add_forces(&machine.springs, &forces, &mut on_coordinates);
         let (there, here) =
             (sum(&forces, &measure(&mut own, &system, &d)), sum(&on_coordinates, &d));
         assert!((there - here).abs() < ROUGH * here.abs(), "{there} for {here}");
@@ -305,7 +305,7 @@ mod tests {
         let n = own.last.len();
         let forces = values(n, 1.3);
         let mut on_coordinates = vec![0.0; 5];
-        machine.springs.add_measured(0, &forces, &mut on_coordinates);
+        own.compliance.add_forces(&machine.springs, &forces, &mut on_coordinates);
         let moved: Vec<f64> =
             (0..5).map(|i| (0..5).map(|j| inverse[5 * j + i] * on_coordinates[j]).sum()).collect();
         let exact = measure(&mut own, &system, &moved);
