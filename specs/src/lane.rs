@@ -1,5 +1,6 @@
 //! Lanes: the number type over which kernels are written, one value or several side by side.
 
+use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::vector;
@@ -132,6 +133,23 @@ pub trait Lane:
     }
 }
 
+thread_local! {
+    /// The bits of an angle, and the function of it: rings of one machine ask for the same angle one after the other.
+    static SIN: Cell<(u64, f64)> = const { Cell::new((0, 0.0)) };
+    static COS: Cell<(u64, f64)> = const { Cell::new((0, 1.0)) };
+}
+
+#[inline(always)]
+fn remembered(last: &Cell<(u64, f64)>, angle: f64, function: fn(f64) -> f64) -> f64 {
+    let (bits, value) = last.get();
+    if bits == angle.to_bits() {
+        return value;
+    }
+    let value = function(angle);
+    last.set((angle.to_bits(), value));
+    value
+}
+
 impl Lane for f64 {
     type Mask = bool;
 
@@ -150,6 +168,14 @@ impl Lane for f64 {
     #[inline(always)]
     fn each(self, function: fn(f64) -> f64) -> Self {
         function(self)
+    }
+    #[inline(always)]
+    fn sin(self) -> Self {
+        SIN.with(|last| remembered(last, self, libm::sin))
+    }
+    #[inline(always)]
+    fn cos(self) -> Self {
+        COS.with(|last| remembered(last, self, libm::cos))
     }
     #[inline(always)]
     fn powf(self, exponent: Self) -> Self {

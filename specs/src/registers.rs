@@ -1,6 +1,7 @@
 //! The registers of the processor, and the choice among them when a kernel runs.
 
 use std::cell::Cell;
+use std::sync::OnceLock;
 
 pub use crate::register::{Register, Zeros};
 #[cfg(target_arch = "x86_64")]
@@ -57,16 +58,11 @@ impl Registers {
 
     #[inline]
     fn widest() -> Registers {
-        #[cfg(target_arch = "x86_64")]
-        {
-            if has_avx512() {
-                return Registers(Width::Avx512);
-            }
-            if has_avx2() {
-                return Registers(Width::Avx2);
-            }
-        }
-        Registers::SINGLE
+        static WIDEST: OnceLock<Registers> = OnceLock::new();
+        *WIDEST.get_or_init(|| {
+            let here = wide().into_iter().filter(|(_, here)| *here);
+            here.last().map_or(Registers::SINGLE, |(kind, _)| Registers(kind))
+        })
     }
 
     /// Does `work` with these registers in all kernels that this thread calls meanwhile, so that results on

@@ -9,7 +9,7 @@ use crate::Lane;
 use crate::wide::wide;
 
 /// Columns that [`add_columns`] takes at once: each entry of y is loaded and stored once for all of them.
-pub const COLUMNS: usize = 4;
+pub const COLUMNS: usize = 8;
 
 /// Partial sums of [`dot`].
 const PARTS: usize = 8;
@@ -58,21 +58,41 @@ pub fn dot_numbers<L: Lane>(a: &[L], b: &[f64]) -> L {
 #[inline(always)]
 pub(crate) fn sum_of_columns<L: Lane>(y: &mut [L], columns: &[f64], x: &[L]) {
     let n = y.len();
-    if let [p, q, r, s] = *x {
-        let (ab, cd) = columns.split_at(2 * n);
-        let ((a, b), (c, d)) = (ab.split_at(n), cd.split_at(n));
-        let (a, b, c, d) = (&a[..n], &b[..n], &c[..n], &d[..n]);
+    let (all, some) = x.as_chunks::<COLUMNS>();
+    let (half, rest) = some.as_chunks::<{ COLUMNS / 2 }>();
+    let mut columns = columns;
+    for x in all {
+        columns = sum_of_some(y, columns, x);
+    }
+    for x in half {
+        columns = sum_of_some(y, columns, x);
+    }
+    for (column, x) in columns.chunks(n.max(1)).zip(rest) {
+        let column = &column[..n];
         for i in 0..n {
-            y[i] = y[i] + p * a[i] + q * b[i] + r * c[i] + s * d[i];
-        }
-    } else {
-        for (column, x) in columns.chunks(n.max(1)).zip(x) {
-            let column = &column[..n];
-            for i in 0..n {
-                y[i] = y[i] + *x * column[i];
-            }
+            y[i] = y[i] + *x * column[i];
         }
     }
+}
+
+/// Adds as many columns as there are factors; the columns after them.
+#[inline(always)]
+fn sum_of_some<'c, L: Lane, const N: usize>(
+    y: &mut [L],
+    columns: &'c [f64],
+    x: &[L; N],
+) -> &'c [f64] {
+    let n = y.len();
+    let (own, rest) = columns.split_at(N * n);
+    let own: [&[f64]; N] = std::array::from_fn(|j| &own[j * n..(j + 1) * n]);
+    for i in 0..n {
+        let mut sum = y[i];
+        for j in 0..N {
+            sum = sum + x[j] * own[j][i];
+        }
+        y[i] = sum;
+    }
+    rest
 }
 
 /// [`dot`] on any lane type.
@@ -80,11 +100,14 @@ pub(crate) fn sum_of_columns<L: Lane>(y: &mut [L], columns: &[f64], x: &[L]) {
 pub(crate) fn sum_of_products<L: Lane + Mul<A, Output = L>, A: Copy>(a: &[L], b: &[A]) -> L {
     let b = &b[..a.len()];
     let mut parts = [L::splat(0.0); PARTS];
-    let (a, b) = (a.chunks(PARTS), b.chunks(PARTS));
-    for (a, b) in a.zip(b) {
-        for (part, (x, y)) in parts.iter_mut().zip(a.iter().zip(b)) {
-            *part = *part + *x * *y;
+    let ((a, last), (b, rest)) = (a.as_chunks::<PARTS>(), b.as_chunks::<PARTS>());
+    for (a, b) in a.iter().zip(b) {
+        for i in 0..PARTS {
+            parts[i] = parts[i] + a[i] * b[i];
         }
+    }
+    for (part, (x, y)) in parts.iter_mut().zip(last.iter().zip(rest)) {
+        *part = *part + *x * *y;
     }
     let [a, b, c, d, e, f, g, h] = parts;
     ((a + b) + (c + d)) + ((e + f) + (g + h))

@@ -5,7 +5,9 @@ use whirl_specs::ContactTangent;
 
 use super::state::SpringState;
 use super::{BlockMemory, Bores, Plane, Springs};
-use crate::linalg::{Columns, Matrix, add_columns, multiply, multiply_transpose_add, sum_of};
+use crate::linalg::{
+    Columns, Matrix, add_columns, multiply, multiply_transpose_add, sum_of, widely,
+};
 
 /// Measures that a plane has beside those of its bore: the angle and both displacements of its journal.
 const RING: usize = 3;
@@ -147,6 +149,17 @@ impl Springs {
         factor: f64,
         out: &mut [f64],
     ) {
+        widely(|| self.add_linear_parts(tangents, moved, factor, out));
+    }
+
+    #[inline(always)]
+    fn add_linear_parts(
+        &self,
+        tangents: &[ContactTangent],
+        moved: &[f64],
+        factor: f64,
+        out: &mut [f64],
+    ) {
         let bores_from = RING * self.planes.len();
         for (number, (plane, tangent)) in self.planes.iter().zip(tangents).enumerate() {
             let ring = RING * number;
@@ -224,7 +237,7 @@ impl SpringState {
         for (own, [motion, rate]) in self.bores.iter_mut().zip(&self.mark.bores) {
             let (moved, rest) = bores.split_at(own.motion.len());
             let sums = own.motion.iter_mut().zip(motion).zip(moved);
-            sums.for_each(|((sum, from), u)| *sum = from + u);
+            widely(|| sums.for_each(|((sum, from), u)| *sum = from + u));
             if self.rates {
                 let sums = own.rate.iter_mut().zip(rate).zip(moved);
                 sums.for_each(|((sum, from), u)| *sum = from + a1 * u);

@@ -19,6 +19,9 @@ const TWICE: usize = 64;
 /// Corrections of the measures that take as long as an iteration.
 const CORRECTIONS: usize = 4;
 
+/// How many times as much new factors cost with what the condensed iteration makes of them.
+const PREPARED: usize = 3;
+
 /// Factors of a matrix for the unknowns: all coordinates from `first` on.
 pub(super) struct KeptFactors {
     first: usize,
@@ -325,6 +328,11 @@ impl KeptFactors {
         self.contracts
     }
 
+    fn most_excess(&self) -> usize {
+        let most = CORRECTIONS * self.current.lu.size();
+        if self.by == Directions::Condensed { PREPARED * most } else { most }
+    }
+
     /// Counts the iterations of a step that is solved, a correction of the measures as a part of one. Factors end where steps
     /// have taken so many more than the best one as new factors cost, which is about one for each row.
     pub(super) fn count(&mut self, iterations: usize) {
@@ -341,7 +349,7 @@ impl KeptFactors {
         } else if state.more > 0 && !state.again {
             (state.again, state.more) = (true, 0);
         }
-        if state.excess > CORRECTIONS * self.current.lu.size() {
+        if state.excess > self.most_excess() {
             self.drop();
         }
     }

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::linalg::widely;
+
 /// Parameters of the method. (½, ¼), the average acceleration, neither damps nor lets energy grow in
 /// linear systems; γ > ½ damps, which in a turning frame makes false lateral forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,12 +44,16 @@ impl Coefficients {
 
     /// The end of the step if accelerations stay as they are: q_n + Δt q̇_n + ½ Δt² q̈_n, q̇_n + Δt q̈_n, q̈_n.
     pub(crate) fn predict(&self, start: &State, end: &mut State) {
-        for i in 0..start.q.len() {
-            let (v, a) = (start.v[i], start.a[i]);
-            end.q[i] = start.q[i] + self.dt * (v + 0.5 * self.dt * a);
-            end.v[i] = v + self.dt * a;
-            end.a[i] = a;
-        }
+        let (dt, n) = (self.dt, start.q.len());
+        let [q, v, a] = [&start.q, &start.v, &start.a].map(|own| &own[..n]);
+        let [to_q, to_v, to_a] = [&mut end.q, &mut end.v, &mut end.a].map(|own| &mut own[..n]);
+        widely(|| {
+            for i in 0..n {
+                to_q[i] = q[i] + dt * (v[i] + 0.5 * dt * a[i]);
+                to_v[i] = v[i] + dt * a[i];
+                to_a[i] = a[i];
+            }
+        });
     }
 
     /// The end of the step from its prediction and the correction of the positions there, for the coordinates
@@ -60,11 +66,18 @@ impl Coefficients {
         first: usize,
         end: &mut State,
     ) {
-        for (i, moved) in (first..predicted.q.len()).zip(correction) {
-            end.q[i] = predicted.q[i] + moved;
-            end.v[i] = predicted.v[i] + self.a1 * moved;
-            end.a[i] = predicted.a[i] + self.a2 * moved;
-        }
+        let (a1, a2) = (self.a1, self.a2);
+        let [q, v, a] = [&predicted.q, &predicted.v, &predicted.a].map(|own| &own[first..]);
+        let [to_q, to_v, to_a] =
+            [&mut end.q, &mut end.v, &mut end.a].map(|own| own[first..].iter_mut());
+        let from = q.iter().zip(v).zip(a).zip(correction);
+        widely(|| {
+            for (((to_q, to_v), to_a), (((q, v), a), moved)) in to_q.zip(to_v).zip(to_a).zip(from) {
+                *to_q = q + moved;
+                *to_v = v + a1 * moved;
+                *to_a = a + a2 * moved;
+            }
+        });
     }
 }
 

@@ -68,7 +68,7 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 const FORCE_ROUNDING: f64 = 1e-9;
 
 /// Share of the tolerance of forces up to which they are foreseen.
-const FORESEEN: f64 = 0.1;
+const FORESEEN: f64 = 0.25;
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq)]

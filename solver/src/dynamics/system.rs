@@ -9,7 +9,7 @@ use super::newmark::{Coefficients, State};
 use super::spring_tangent::SpringTangent;
 use super::turning::TurningBody;
 use crate::bearing::SpringState;
-use crate::linalg::{Matrix, dot};
+use crate::linalg::{Matrix, dot, widely};
 use crate::loads::{Load, Position};
 use crate::machine::{Body, BodyPlace, Machine};
 use crate::support::Support;
@@ -96,12 +96,19 @@ impl<'m> System<'m> {
             body.evaluate(state, [&mut self.inertia, &mut self.damper, &mut self.elastic]);
         }
         for (support, place) in &self.standing {
-            for (i, place) in place.clone().enumerate() {
-                let (x, v, a) = (state.q[place], state.v[place], state.a[place]);
-                self.inertia[place] = -a;
-                self.damper[place] = support.damping[i] * v;
-                self.elastic[place] = support.stiffness[i] * x;
-            }
+            let n = place.len();
+            let [x, v, a] = [&state.q, &state.v, &state.a].map(|own| &own[place.clone()]);
+            let (c, k) = (&support.damping[..n], &support.stiffness[..n]);
+            let [inertia, damper, elastic] =
+                [&mut self.inertia, &mut self.damper, &mut self.elastic]
+                    .map(|terms| &mut terms[place.clone()]);
+            widely(|| {
+                for i in 0..n {
+                    inertia[i] = -a[i];
+                    damper[i] = c[i] * v[i];
+                    elastic[i] = k[i] * x[i];
+                }
+            });
         }
 
         self.load.fill(0.0);
@@ -118,11 +125,12 @@ impl<'m> System<'m> {
 
         let applied = self.load.iter().zip(&self.spring);
         let own = self.inertia.iter().zip(self.elastic.iter().zip(&self.damper));
-        for (r, ((load, spring), (inertia, (elastic, damper)))) in
-            self.residual.iter_mut().zip(applied.zip(own))
-        {
-            *r = (inertia - elastic) + (load + spring - damper);
-        }
+        let terms = self.residual.iter_mut().zip(applied.zip(own));
+        widely(|| {
+            for (r, ((load, spring), (inertia, (elastic, damper)))) in terms {
+                *r = (inertia - elastic) + (load + spring - damper);
+            }
+        });
     }
 
     /// Writes by how much Q_v − M q̈ − C q̇ − K q and the loads of bodies that turn differ in a state from the one that was

@@ -19,6 +19,23 @@ pub(crate) trait Number:
 impl Number for f64 {}
 impl Number for f32 {}
 
+/// Does work on the widest registers: to be a loop over numbers that the compiler can see through.
+#[inline(always)]
+pub(crate) fn widely(work: impl FnOnce()) {
+    Registers::current().run(Widely(work));
+}
+
+struct Widely<F>(F);
+
+impl<F: FnOnce()> Task for Widely<F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        (self.0)();
+    }
+}
+
 /// y += Σ x_j a_j over pairs (a_j, x_j), in their order and without fused operations: the bits are those of
 /// one column after the other. Columns with x_j = 0 are not read. Every column is as long as y.
 pub(crate) fn add_columns<'a, T: Number + 'a>(
