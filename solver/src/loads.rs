@@ -170,9 +170,8 @@ impl Load {
                 Action::Couple { .. } => fz,
             };
         }
-        let shapes = self.action.shapes();
-        for (j, value) in out[own.flexible.clone()].iter_mut().enumerate() {
-            let shape = shapes.col(j);
+        let shapes = self.action.shapes().data.as_chunks::<3>().0;
+        for (value, shape) in out[own.flexible.clone()].iter_mut().zip(shapes) {
             *value += shape[0] * fx + shape[1] * fy + shape[2] * fz;
         }
     }

@@ -1,7 +1,8 @@
 //! The springs by what they see of the machine: the measures u of all planes and bores. A step that is solved in these needs
 //! no coordinates between its first and its last state.
 
-use whirl_specs::ContactTangent;
+use whirl_specs::registers::{Register, Task};
+use whirl_specs::{ContactTangent, Registers};
 
 use super::state::SpringState;
 use super::{BlockMemory, Bores, Plane, Springs};
@@ -149,26 +150,34 @@ impl Springs {
         factor: f64,
         out: &mut [f64],
     ) {
-        widely(|| self.add_linear_parts(tangents, moved, factor, out));
+        Registers::current().run(AddLinear { springs: self, tangents, moved, factor, out });
     }
+}
+
+struct AddLinear<'a> {
+    springs: &'a Springs,
+    tangents: &'a [ContactTangent],
+    moved: &'a [f64],
+    factor: f64,
+    out: &'a mut [f64],
+}
+
+impl Task for AddLinear<'_> {
+    type Output = ();
 
     #[inline(always)]
-    fn add_linear_parts(
-        &self,
-        tangents: &[ContactTangent],
-        moved: &[f64],
-        factor: f64,
-        out: &mut [f64],
-    ) {
-        let bores_from = RING * self.planes.len();
-        for (number, (plane, tangent)) in self.planes.iter().zip(tangents).enumerate() {
+    fn run<L: Register>(self) {
+        let AddLinear { springs, tangents, moved, factor, out } = self;
+        let bores_from = RING * springs.planes.len();
+        for (number, (plane, tangent)) in springs.planes.iter().zip(tangents).enumerate() {
             let ring = RING * number;
             let own: [f64; RING] = [0, 1, 2].map(|i| factor * moved[ring + i]);
             for (i, row) in tangent.ring_ring.iter().enumerate() {
                 out[ring + i] += row[0] * own[0] + row[1] * own[1] + row[2] * own[2];
             }
-            let law = &self.laws[plane.law];
-            let before: usize = self.bores[..law.bores].iter().map(|bores| bores.rows.rows).sum();
+            let law = &springs.laws[plane.law];
+            let before: usize =
+                springs.bores[..law.bores].iter().map(|bores| bores.rows.rows).sum();
             let (motions, n) = (law.motions.len(), plane.springs.len());
             let place = |b: usize| {
                 law.motions[b].map(|row| bores_from + before + row + plane.springs.start)
@@ -181,15 +190,17 @@ impl Springs {
                     out[ring + i] += factor * sum_of(n, |j| by_bore[j] * motion[j]);
                 }
                 let [x, y, z] = [0, 1, 2].map(|i| &tangent.bore_ring[(3 * b + i) * n..][..n]);
-                for (j, sum) in out[at..at + n].iter_mut().enumerate() {
-                    *sum += x[j] * own[0] + y[j] * own[1] + z[j] * own[2];
+                let sums = &mut out[at..at + n];
+                for j in 0..n {
+                    sums[j] += x[j] * own[0] + y[j] * own[1] + z[j] * own[2];
                 }
                 for a in 0..motions {
                     let Some(to) = place(a) else { continue };
                     let slopes = &tangent.bore_bore[(a * motions + b) * n..][..n];
-                    let sums = out[to..to + n].iter_mut();
-                    sums.zip(slopes.iter().zip(motion))
-                        .for_each(|(sum, (k, u))| *sum += factor * k * u);
+                    let sums = &mut out[to..to + n];
+                    for j in 0..n {
+                        sums[j] += factor * slopes[j] * motion[j];
+                    }
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Bores that mirrors map onto themselves: every row of T_b has images, up to a sign for each coordinate, so that T_b falls into
 //! blocks of coordinates with the same signs, over one row of each set of images.
 
-use crate::linalg::{Matrix, add_product};
+use crate::linalg::{Matrix, add_product, widely};
 
 /// Share of the largest entry of a column by which images may differ: modes are known to no more.
 const ALIKE: f64 = 1e-10;
@@ -135,8 +135,8 @@ impl Blocks {
             sums.fill(0.0);
             add_product(sums, &block.rows, own);
             for (mirrors, images) in images.chunks_exact_mut(self.sets).enumerate() {
-                let sign = sign(mirrors, block.changes);
-                images.iter_mut().zip(sums.iter()).for_each(|(image, own)| *image += sign * own);
+                let (sign, own) = (sign(mirrors, block.changes), &sums[..images.len()]);
+                widely(|| (0..images.len()).for_each(|set| images[set] += sign * own[set]));
             }
         }
         out.iter_mut().zip(&self.places).for_each(|(out, &place)| *out += images[place]);
@@ -150,8 +150,8 @@ impl Blocks {
         for block in &self.blocks {
             sums.fill(0.0);
             for (mirrors, images) in images.chunks_exact(self.sets).enumerate() {
-                let sign = sign(mirrors, block.changes);
-                sums.iter_mut().zip(images).for_each(|(sum, own)| *sum += sign * own);
+                let (sign, sums) = (sign(mirrors, block.changes), &mut sums[..images.len()]);
+                widely(|| (0..images.len()).for_each(|set| sums[set] += sign * images[set]));
             }
             let own = &mut coordinates[..block.coordinates.len()];
             own.fill(0.0);

@@ -16,6 +16,8 @@ const FACTORED: usize = 64;
 const LATE: usize = 6;
 /// Steps in which bodies are solved twice that take longer than that.
 const TWICE: usize = 64;
+/// Steps that are worth evaluating the bodies for.
+const SOON: usize = 16;
 /// Corrections of the measures that take as long as an iteration.
 const CORRECTIONS: usize = 4;
 
@@ -75,9 +77,9 @@ pub(super) struct FactorsState {
     /// Where the bodies of the condensed iteration were evaluated, and how many iterations more than one steps took since.
     bodies: Factored,
     more: usize,
-    /// Whether bodies that turn are solved twice, and in how many steps they have been.
+    /// Whether bodies that turn are solved twice, and steps since they are, or since they were evaluated.
     again: bool,
-    twice: usize,
+    since: usize,
     /// Where the factors on the shelves were computed, and the shelf that is emptied next.
     shelved: Vec<Factored>,
     next_shelf: usize,
@@ -114,7 +116,7 @@ impl FactorsState {
 
     fn begin_count(&mut self) {
         (self.directions, self.fewest, self.excess) = (0, usize::MAX, 0);
-        (self.bodies.dt, self.more, self.again, self.twice) = (0.0, 0, false, 0);
+        (self.bodies.dt, self.more, self.again, self.since) = (0.0, 0, false, 0);
     }
 }
 
@@ -145,7 +147,7 @@ impl KeptFactors {
                 bodies: nothing(),
                 more: 0,
                 again: false,
-                twice: 0,
+                since: 0,
                 shelved: (0..shelves).map(|_| nothing()).collect(),
                 next_shelf: 0,
                 factorisations: 0,
@@ -320,7 +322,7 @@ impl KeptFactors {
         } else {
             self.by = Directions::Factors;
         }
-        (self.state.more, self.state.again, self.state.twice) = (0, false, 0);
+        (self.state.more, self.state.again, self.state.since) = (0, false, 0);
     }
 
     /// Whether the corrections of the measures in the step got smaller.
@@ -340,14 +342,18 @@ impl KeptFactors {
         let all = CORRECTIONS * iterations + self.followed;
         state.fewest = state.fewest.min(all);
         state.excess += all - state.fewest;
-        // Bodies that have gone too far from where L⁻¹ was made are solved twice, and made anew where that is not enough or has
-        // taken as long.
+        // Bodies that have gone too far from where L⁻¹ was made have it made anew, or are solved twice where that would be due
+        // again soon, until that is not enough or has taken as long.
+        state.since += 1;
         state.more += iterations - 1;
-        state.twice += usize::from(state.again);
-        if state.more > LATE || state.twice >= TWICE {
+        let made_anew = match state.again {
+            true => state.more > LATE || state.since >= TWICE,
+            false => state.more > 0 && state.since > SOON,
+        };
+        if made_anew {
             state.bodies.dt = 0.0;
         } else if state.more > 0 && !state.again {
-            (state.again, state.more) = (true, 0);
+            (state.again, state.more, state.since) = (true, 0, 0);
         }
         if state.excess > self.most_excess() {
             self.drop();

@@ -98,6 +98,13 @@ impl State {
         State { q: vec![0.0; size], v: vec![0.0; size], a: vec![0.0; size] }
     }
 
+    /// Takes over the first coordinates only, which no correction moves.
+    pub(crate) fn copy_first(&mut self, first: usize, other: &State) {
+        self.q[..first].copy_from_slice(&other.q[..first]);
+        self.v[..first].copy_from_slice(&other.v[..first]);
+        self.a[..first].copy_from_slice(&other.a[..first]);
+    }
+
     pub(crate) fn copy_from(&mut self, other: &State) {
         self.q.copy_from_slice(&other.q);
         self.v.copy_from_slice(&other.v);

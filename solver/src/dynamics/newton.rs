@@ -189,7 +189,7 @@ impl Newton {
         self.predicted.copy_from(end);
         self.extrapolation.begin(step.dt, &mut self.correction);
         step.correct(&self.predicted, self.correction.iter().copied(), self.first, end);
-        self.trial.copy_from(end);
+        self.trial.copy_first(self.first, end);
         system.evaluate(t, end);
         let mut norm = self.merit.norm(system);
         self.residuals.clear();

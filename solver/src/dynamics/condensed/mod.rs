@@ -159,7 +159,7 @@ impl Condensed {
         correction: &mut [f64],
     ) {
         let first = self.first;
-        self.end.copy_from(state);
+        self.end.copy_first(first, state);
         step.correct(state, correction.iter().copied(), first, &mut self.end);
         system.change_of_turning(&self.end, &mut self.lack);
         let turning = self.bodies.iter_mut().filter(|body| body.turns());
