@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use whirl_solver::cache::Cache;
 
 use crate::schema;
+use crate::sweep::Order;
 
 /// Transient dynamics of a rotating flexible shaft on a flexible support with clearances.
 #[derive(Debug, Parser)]
@@ -103,6 +104,22 @@ pub(crate) struct SweepArguments {
     /// Where reduced machines are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
+}
+
+impl SweepArguments {
+    /// What they ask for.
+    pub(crate) fn order(&self) -> Order<'_> {
+        Order {
+            file: &self.file,
+            vary: &self.vary,
+            out: self.out.as_deref(),
+            figures: !self.no_figures,
+            jobs: self.jobs,
+            resume: self.resume,
+            quiet: self.quiet,
+            cache: self.cache.open(),
+        }
+    }
 }
 
 /// Arguments of `whirl check`.

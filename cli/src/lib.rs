@@ -30,6 +30,7 @@ mod start;
 mod streams;
 pub mod sweep;
 mod version;
+mod watch;
 
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -54,7 +55,7 @@ use streams::{print_error, say};
 pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {
         Command::Run(arguments) => run::run(arguments),
-        Command::Sweep(arguments) => sweep::sweep(arguments),
+        Command::Sweep(arguments) => sweep::sweep(&arguments.order()),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),

@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::signals::Interruption;
-use crate::simulate::Watch;
 use crate::streams::{note, warn};
+use crate::watch::Watch;
 
 /// How progress is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

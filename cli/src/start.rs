@@ -12,7 +12,7 @@ use crate::case::{Case, Start, System, Turning};
 use crate::errors::Failure;
 use crate::machine::Built;
 use crate::results::{STATE, SUMMARY};
-use crate::simulate::Watch;
+use crate::watch::Watch;
 
 /// Layout of the file.
 const LAYOUT: &str = "whirl state 5";

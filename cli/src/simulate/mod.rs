@@ -4,7 +4,6 @@
 mod folder;
 mod in_memory;
 mod march;
-mod watch;
 
 use std::io;
 use std::time::Instant;
@@ -18,12 +17,12 @@ use crate::fields::Motions;
 use crate::machine::Built;
 use crate::report::{Summary, Times};
 use crate::start;
+pub use crate::watch::{Quiet, Watch};
 
 pub(crate) use self::folder::FolderStore;
 pub(crate) use self::in_memory::summed_up;
 pub use self::in_memory::{InMemory, in_memory};
 pub(crate) use self::march::{End, Marched, Store};
-pub use self::watch::{Quiet, Watch};
 
 /// A run up to its end.
 pub(crate) struct Simulated<'a> {

@@ -22,6 +22,7 @@ mod trace;
 mod vary;
 mod workers;
 
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -37,12 +38,26 @@ use self::points::{Along, Axis};
 pub(crate) use self::read::is_sweep;
 use self::vary::Varied;
 use self::workers::Ended;
-use crate::arguments::SweepArguments;
 use crate::case::CaseText;
 use crate::errors::Failure;
 use crate::progress::{self, ProgressMode};
 use crate::signals::Interruption;
 use crate::streams;
+
+/// What the command is asked for.
+pub(crate) struct Order<'a> {
+    /// A sweep file, or a case with what varies of it.
+    pub(crate) file: &'a str,
+    pub(crate) vary: &'a [String],
+    /// Folder of the results; one by the name of the sweep if there is none.
+    pub(crate) out: Option<&'a Path>,
+    pub(crate) figures: bool,
+    /// Points at a time; as many as there are cores if there is none.
+    pub(crate) jobs: Option<NonZeroUsize>,
+    pub(crate) resume: bool,
+    pub(crate) quiet: bool,
+    pub(crate) cache: Option<Cache>,
+}
 
 /// A case, and what varies of it.
 #[derive(Debug)]
@@ -115,25 +130,25 @@ pub fn points(path: &Path) -> Result<Vec<Point>, Failure> {
 ///
 /// # Errors
 /// Bad input, a folder that cannot be written, or a sweep that does not come to its end.
-pub(crate) fn sweep(arguments: &SweepArguments) -> Result<(), Failure> {
-    let show = ProgressMode::fitting(arguments.quiet);
-    let sweep = asked(arguments)?;
-    let jobs = jobs(arguments);
+pub(crate) fn sweep(order: &Order) -> Result<(), Failure> {
+    let show = ProgressMode::fitting(order.quiet);
+    let sweep = asked(order)?;
+    let jobs = jobs(order);
     let identity = streams::warned(|warnings| examine(&sweep, jobs, warnings))?;
     let mut results =
-        streams::warned(|warnings| SweepFolder::open(&folder(arguments, &sweep), warnings))?;
-    let kept = match arguments.resume {
+        streams::warned(|warnings| SweepFolder::open(&folder(order, &sweep), warnings))?;
+    let kept = match order.resume {
         true => Kept::resumed(&results, &sweep, &identity)?,
         false => None,
     };
-    if arguments.resume {
+    if order.resume {
         show.note(&kept::going_on(kept.as_ref(), &results, &sweep));
     }
     let interruption = Interruption::install().map_err(|error| Failure::Output {
         path: results.folder().to_path_buf(),
         reason: format!("signal handlers cannot be installed: {error}"),
     })?;
-    let cache = Cache::shared(arguments.cache.open());
+    let cache = Cache::shared(order.cache.clone());
     let ended = workers::run(
         (&sweep, &identity),
         &mut results,
@@ -141,16 +156,16 @@ pub(crate) fn sweep(arguments: &SweepArguments) -> Result<(), Failure> {
         (&cache, jobs),
         (show, &interruption),
     );
-    report((&sweep, !arguments.no_figures), &results, ended, (show, &interruption))
+    report((&sweep, order.figures), &results, ended, (show, &interruption))
 }
 
 /// The sweep that the command line asks for.
 ///
 /// # Errors
 /// Everything that is wrong with it.
-fn asked(arguments: &SweepArguments) -> Result<Sweep, Failure> {
-    let name = arguments.file.as_str();
-    match (is_sweep(name), arguments.vary.as_slice()) {
+fn asked(order: &Order) -> Result<Sweep, Failure> {
+    let name = order.file;
+    match (is_sweep(name), order.vary) {
         (true, []) => Sweep::of_file(Path::new(name)),
         (true, _) => Err(Failure::Argument {
             message: format!("`{name}` says itself what varies, and so does `--vary`"),
@@ -161,8 +176,8 @@ fn asked(arguments: &SweepArguments) -> Result<Sweep, Failure> {
     }
 }
 
-fn jobs(arguments: &SweepArguments) -> usize {
-    arguments.jobs.map_or_else(cores, usize::from)
+fn jobs(order: &Order) -> usize {
+    order.jobs.map_or_else(cores, usize::from)
 }
 
 /// Points at a time where nothing says otherwise.
@@ -170,9 +185,9 @@ fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-fn folder(arguments: &SweepArguments, sweep: &Sweep) -> PathBuf {
+fn folder(order: &Order, sweep: &Sweep) -> PathBuf {
     let usual = || Path::new("results").join(&sweep.name);
-    arguments.out.clone().unwrap_or_else(usual)
+    order.out.map_or_else(usual, Path::to_path_buf)
 }
 
 /// Writes the table of all that is done and, once that is all there is to do, the figures; says how the sweep has ended.

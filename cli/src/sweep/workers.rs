@@ -18,7 +18,7 @@ use super::row::{Row, Verdict};
 use crate::checkpoint::Identity;
 use crate::progress::{PointsShown, ProgressMode};
 use crate::signals::Interruption;
-use crate::simulate::Watch;
+use crate::watch::Watch;
 
 /// How the work on a sweep has ended.
 pub(super) struct Ended {
