@@ -60,8 +60,8 @@ impl Registers {
     fn widest() -> Registers {
         static WIDEST: OnceLock<Registers> = OnceLock::new();
         *WIDEST.get_or_init(|| {
-            let here = wide().into_iter().filter(|(_, here)| *here);
-            here.last().map_or(Registers::SINGLE, |(kind, _)| Registers(kind))
+            let mut here = wide().into_iter().filter(|(_, here)| *here);
+            here.next_back().map_or(Registers::SINGLE, |(kind, _)| Registers(kind))
         })
     }
 

@@ -243,10 +243,16 @@ mod tests {
             let z = 2.0 * ring as f64 / (rings - 1) as f64 - 1.0;
             let angle = std::f64::consts::TAU * point as f64 / around as f64;
             let harmonic = (1 + j / 4) as f64;
-            let along =
-                if j % 2 == 0 { (1.3 * harmonic * z).cos() } else { (1.1 * harmonic * z).sin() };
-            let across =
-                if j / 2 % 2 == 0 { (harmonic * angle).cos() } else { (harmonic * angle).sin() };
+            let along = if j.is_multiple_of(2) {
+                (1.3 * harmonic * z).cos()
+            } else {
+                (1.1 * harmonic * z).sin()
+            };
+            let across = if (j / 2).is_multiple_of(2) {
+                (harmonic * angle).cos()
+            } else {
+                (harmonic * angle).sin()
+            };
             let error = wrong * (7.1 * (i + 3 * j) as f64).sin();
             along * (across + 0.2 * across.powi(3)) + error
         };
