@@ -7,6 +7,8 @@ use crate::linalg::{Matrix, add_product, widely};
 const ALIKE: f64 = 1e-10;
 /// Share of the largest entry of a column above which an entry has a sign.
 const SIGNED: f64 = 1e-3;
+/// Share of the largest entry of all below which those of a column are rounding of what does not move the bores.
+const LEAST: f64 = 1e-3;
 /// Rows and entries of T_b for which mirrors are looked for.
 const ROWS: usize = 4096;
 const ENTRIES: usize = 1024;
@@ -168,7 +170,9 @@ fn mirrors(t_b: &Matrix) -> Vec<Mirror> {
         return Vec::new();
     }
     let largest = |j: usize| t_b.col(j).iter().fold(0.0, |most: f64, own| most.max(own.abs()));
-    let scales: Vec<f64> = (0..cols).map(largest).collect();
+    let mut scales: Vec<f64> = (0..cols).map(largest).collect();
+    let least = LEAST * scales.iter().copied().fold(0.0, f64::max);
+    scales.iter_mut().for_each(|own| *own = own.max(least));
     let is_signed = |i: usize, j: usize| t_b[(i, j)].abs() > SIGNED * scales[j];
     let signed = |i: &usize| (0..cols).filter(|&j| is_signed(*i, j)).count();
     let Some(sample) = (0..rows).max_by_key(signed) else { return Vec::new() };
@@ -273,8 +277,9 @@ mod tests {
             // A quarter of the numbers, but for rows on the mirrors.
             let entries: usize = blocks.blocks.iter().map(|own| own.rows.data.len()).sum();
             assert!(3 * entries < given.data.len(), "{entries} of {}", given.data.len());
+            // Angles up to 75 rad are rounded to 1.4e-14.
             for (own, given) in t_b.data.iter().zip(&given.data) {
-                assert!((own - given).abs() <= 2.0 * wrong + 1e-14, "{own} for {given}");
+                assert!((own - given).abs() <= 2.0 * wrong + 1e-13, "{own} for {given}");
             }
             let mut memory = blocks.memory();
             let x: Vec<f64> = (0..t_b.cols).map(|j| (0.3 + 1.9 * j as f64).sin()).collect();
