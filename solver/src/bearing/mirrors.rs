@@ -7,8 +7,8 @@ use crate::linalg::{Matrix, add_product, widely};
 const ALIKE: f64 = 1e-10;
 /// Share of the largest entry of a column above which an entry has a sign.
 const SIGNED: f64 = 1e-3;
-/// Share of the largest entry of all below which those of a column are rounding of what does not move the bores.
-const LEAST: f64 = 1e-3;
+/// Share of the largest entry of all that every column is taken to have: what hardly moves the bores is known by what moves most.
+const LEAST: f64 = 0.1;
 /// Rows and entries of T_b for which mirrors are looked for.
 const ROWS: usize = 4096;
 const ENTRIES: usize = 1024;
