@@ -389,13 +389,15 @@ fn a_killed_sweep_is_resumed_with_the_same_bytes() {
     assert_eq!(before, after);
 }
 
-/// A journal that is torn or damaged anywhere is good up to there.
+/// A journal that is torn or damaged anywhere is good up to there; one of which the beginning cannot be read is left alone.
 #[test]
 fn a_damaged_journal_is_good_up_to_the_damage() {
     let bench = bench(100, STUDY);
     done(&bench.whirl(&["sweep", "study.toml", "--out", "cut"]));
     let (table, journal) =
         (text(&bench, "cut/table.csv"), fs::read(bench.path("cut/sweep.journal")).unwrap());
+    let length: [u8; 4] = journal[..4].try_into().unwrap();
+    let beginning = 4 + u32::from_le_bytes(length) as usize;
     for place in [0, 3, 40, 1000, 2000, journal.len() / 2, journal.len() - 1] {
         for torn in [true, false] {
             let mut bytes = journal.clone();
@@ -403,7 +405,20 @@ fn a_damaged_journal_is_good_up_to_the_damage() {
                 true => bytes.truncate(place),
                 false => bytes[place] ^= 0x40,
             }
-            fs::write(bench.path("cut/sweep.journal"), bytes).unwrap();
+            fs::write(bench.path("cut/sweep.journal"), &bytes).unwrap();
+            if !torn && place < beginning {
+                let command = ["sweep", "study.toml", "--out", "cut", "--resume", "--quiet"];
+                let outcome = bench.whirl(&command);
+                assert_eq!(outcome.status, 2, "at {place}: {}", outcome.stderr);
+                assert!(
+                    outcome.stderr.contains("damaged from its beginning"),
+                    "{}",
+                    outcome.stderr
+                );
+                assert!(fs::read(bench.path("cut/sweep.journal")).unwrap() == bytes, "at {place}");
+                assert!(text(&bench, "cut/table.csv") == table, "at {place}");
+                continue;
+            }
             fs::remove_file(bench.path("cut/table.csv")).unwrap();
             done(&bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume", "--quiet"]));
             assert!(text(&bench, "cut/table.csv") == table, "at {place}");

@@ -153,6 +153,14 @@ impl Journal {
     }
 }
 
+/// Bytes of the record with which a sweep begins: a journal that has fewer holds nothing.
+///
+/// # Errors
+/// There is no such record.
+pub(super) fn beginning(identity: &Identity) -> io::Result<usize> {
+    Ok(framed(&Record::Begin(identity.clone()))?.len())
+}
+
 fn framed(record: &Record) -> io::Result<Vec<u8>> {
     let bytes = pack(&Key::of(&LAYOUT), record)?;
     let length = u32::try_from(bytes.len()).ok().filter(|length| *length <= LONGEST);

@@ -1,6 +1,7 @@
 //! What is done of a sweep: which points have a row in the journal, and where.
 
 use std::collections::BTreeMap;
+use std::{fs, io};
 
 use whirl_solver::cache::Key;
 
@@ -74,7 +75,26 @@ impl Kept {
         let folder = || results.folder().to_path_buf();
         let kept = Kept::read(results, sweep)
             .map_err(|reason| Failure::NothingToResume { folder: folder(), reason })?;
-        let Some(before) = &kept.identity else { return Ok(None) };
+        let Some(before) = &kept.identity else {
+            // One that was killed as it began has nothing to lose; of any other what is there is not given up unasked.
+            let is_begun = || {
+                let length = fs::metadata(results.path(journal::NAME))?.len();
+                Ok::<_, io::Error>(length >= journal::beginning(identity)? as u64)
+            };
+            return match is_begun() {
+                Ok(false) => Ok(None),
+                Ok(true) => Err(Failure::NothingToResume {
+                    folder: folder(),
+                    reason: format!(
+                        "`{}` is damaged from its beginning, or another version wrote it",
+                        journal::NAME
+                    ),
+                }),
+                Err(error) => {
+                    Err(Failure::NothingToResume { folder: folder(), reason: error.to_string() })
+                }
+            };
+        };
         let mut differs = before.changed_in(identity);
         if kept.others > 0 {
             differs
@@ -132,7 +152,7 @@ pub(super) fn going_on(kept: Option<&Kept>, results: &SweepFolder, sweep: &Sweep
         None => {
             let folder = results.folder().display();
             let what = match results.path(journal::NAME).exists() {
-                true => "the journal is damaged from its beginning",
+                true => "an empty journal",
                 false => "no journal",
             };
             format!("{what} in {folder}: starting from the beginning")

@@ -108,7 +108,7 @@ impl Springs {
         for own in &self.bores {
             let (start, end) = (from, from + own.rows.rows);
             from = end;
-            if own.place.is_empty() {
+            if own.place.is_empty() || own.rows.rows == 0 {
                 continue;
             }
             let place = own.place.start - first..own.place.end - first;

@@ -232,7 +232,9 @@ fn mirror(
         let alike = |j: usize| !differ(t_b[(image[i], j)], sign(j) * t_b[(i, j)], j);
         image[image[i]] == i && (0..cols).all(alike)
     });
-    is_whole.then_some(Mirror { image, changes })
+    // Rows that are equal are no mirror: each may be its own image.
+    let moves = image.iter().enumerate().any(|(i, own)| i != *own);
+    (is_whole && moves).then_some(Mirror { image, changes })
 }
 
 #[cfg(test)]
