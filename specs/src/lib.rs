@@ -7,6 +7,7 @@
 
 mod cell_kernel;
 pub mod cells;
+pub mod columns;
 mod condensation;
 pub mod generated;
 mod jacobian;

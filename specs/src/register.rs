@@ -32,6 +32,8 @@ pub trait Register: Lane + Zeros {
     const MANY: bool;
     /// [`Register::WIDTH`] values in memory.
     type Chunk: Copy + Zeros;
+    /// As many numbers in single precision as fill the register.
+    type Single: Sums<Number = f32>;
 
     /// The whole chunks of a row; fewer than WIDTH values are left over.
     fn chunks(row: &[f64]) -> &[Self::Chunk];
@@ -52,10 +54,72 @@ pub trait Register: Lane + Zeros {
     fn scatter(values: &[Self], rows: &mut [f64]);
 }
 
+/// Numbers side by side that are multiplied and added up.
+pub trait Sums: Copy {
+    /// One of them.
+    type Number: Copy;
+    /// How many.
+    const WIDTH: usize;
+
+    /// The first numbers of a row.
+    ///
+    /// # Panics
+    /// If it has fewer.
+    fn load_from(row: &[Self::Number]) -> Self;
+    /// Writes the first numbers of a row.
+    ///
+    /// # Panics
+    /// If it has fewer.
+    fn store_to(self, row: &mut [Self::Number]);
+    /// self + a·b, not fused.
+    fn plus(self, a: Self::Number, b: Self) -> Self;
+}
+
+/// Those of a register of numbers in double precision.
+#[derive(Debug, Clone, Copy)]
+pub struct Double<L>(L);
+
+impl<L: Register> Sums for Double<L> {
+    type Number = f64;
+    const WIDTH: usize = L::WIDTH;
+
+    #[inline(always)]
+    fn load_from(row: &[f64]) -> Self {
+        Double(L::load(&L::chunks(row)[0]))
+    }
+    #[inline(always)]
+    fn store_to(self, row: &mut [f64]) {
+        self.0.store(&mut L::chunks_mut(row)[0]);
+    }
+    #[inline(always)]
+    fn plus(self, a: f64, b: Self) -> Self {
+        Double(self.0 + L::splat(a) * b.0)
+    }
+}
+
+impl Sums for f32 {
+    type Number = f32;
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn load_from(row: &[f32]) -> Self {
+        row[0]
+    }
+    #[inline(always)]
+    fn store_to(self, row: &mut [f32]) {
+        row[0] = self;
+    }
+    #[inline(always)]
+    fn plus(self, a: f32, b: Self) -> Self {
+        self + a * b
+    }
+}
+
 impl Register for f64 {
     const WIDTH: usize = 1;
     const MANY: bool = false;
     type Chunk = [f64; 1];
+    type Single = f32;
 
     #[inline(always)]
     fn chunks(row: &[f64]) -> &[[f64; 1]] {

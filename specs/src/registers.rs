@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::sync::OnceLock;
 
-pub use crate::register::{Register, Zeros};
+pub use crate::register::{Double, Register, Sums, Zeros};
 #[cfg(target_arch = "x86_64")]
 use crate::x86;
 

@@ -4,7 +4,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::register::{Register, Zeros};
+use crate::register::{Register, Sums, Zeros};
 use crate::{Lane, Shared};
 
 /// A lane type by intrinsics. What is not to be inlined is compiled once, not for every kernel; the functions behind
@@ -15,6 +15,7 @@ macro_rules! register {
         $(#[$about:meta])*
         $name:ident($vector:ty, $mask:ty, $width:literal, $features:literal);
         shared $shared:ident,
+        single $single:ident($singles:ty, $many:literal; $to_all:ident, $load_single:ident, $store_single:ident, $times:ident, $plus:ident),
         splat $splat:ident, load $load:ident, store $store:ident, sqrt $sqrt:ident, fused $fused:ident, negative $negative:ident,
         operators [$($trait:ident $method:ident $intrinsic:ident),*];
         neg($n:ident) $neg:expr;
@@ -162,11 +163,38 @@ macro_rules! register {
             work.run()
         }
 
+        /// Numbers in single precision.
+        #[derive(Debug, Clone, Copy)]
+        #[repr(transparent)]
+        pub(crate) struct $single($singles);
+
+        impl Sums for $single {
+            type Number = f32;
+            const WIDTH: usize = $many;
+
+            #[inline(always)]
+            fn load_from(row: &[f32]) -> Self {
+                // SAFETY: as the module says; the row has as many values as are read.
+                $single(unsafe { $load_single(row[..$many].as_ptr()) })
+            }
+            #[inline(always)]
+            fn store_to(self, row: &mut [f32]) {
+                // SAFETY: as the module says; the row has as many values as are written.
+                unsafe { $store_single(row[..$many].as_mut_ptr(), self.0) }
+            }
+            #[inline(always)]
+            fn plus(self, a: f32, b: Self) -> Self {
+                // SAFETY: as the module says.
+                $single(unsafe { $plus(self.0, $times($to_all(a), b.0)) })
+            }
+        }
+
         impl Register for $name {
             const WIDTH: usize = $width;
             // AVX-512 has 32, the others 16.
             const MANY: bool = $width == 8;
             type Chunk = [f64; $width];
+            type Single = $single;
 
             #[inline(always)]
             fn chunks(row: &[f64]) -> &[[f64; $width]] {
@@ -276,6 +304,7 @@ register! {
     /// Four values in a register of AVX2, with FMA.
     F64x4(__m256d, __m256d, 4, "avx2,fma");
     shared shared_4,
+    single F32x8(__m256, 8; _mm256_set1_ps, _mm256_loadu_ps, _mm256_storeu_ps, _mm256_mul_ps, _mm256_add_ps),
     splat _mm256_set1_pd, load _mm256_loadu_pd, store _mm256_storeu_pd, sqrt _mm256_sqrt_pd,
     fused _mm256_fmadd_pd, negative _mm256_fnmadd_pd,
     operators [
@@ -293,6 +322,7 @@ register! {
     /// Eight values in a register of AVX-512.
     F64x8(__m512d, __mmask8, 8, "avx512f,avx2,fma");
     shared shared_8,
+    single F32x16(__m512, 16; _mm512_set1_ps, _mm512_loadu_ps, _mm512_storeu_ps, _mm512_mul_ps, _mm512_add_ps),
     splat _mm512_set1_pd, load _mm512_loadu_pd, store _mm512_storeu_pd, sqrt _mm512_sqrt_pd,
     fused _mm512_fmadd_pd, negative _mm512_fnmadd_pd,
     operators [

@@ -36,16 +36,10 @@
         H_eta.fill(L::splat(0.0));
         H_eta_dot.fill(L::splat(0.0));
         M_eta_ddot.fill(L::splat(0.0));
-        for start_ in (0..n_).step_by(vector::COLUMNS) {
-            let end_ = n_.min(start_ + vector::COLUMNS);
-            let columns_of_M_ = &M[start_ * n_..end_ * n_];
-            let columns_of_W_ = &W[start_ * n_..end_ * n_];
-            let columns_of_H_ = &H[start_ * n_..end_ * n_];
-            vector::add_columns(W_eta, columns_of_W_, &eta[start_..end_]);
-            vector::add_columns(H_eta, columns_of_H_, &eta[start_..end_]);
-            vector::add_columns(H_eta_dot, columns_of_H_, &eta_dot[start_..end_]);
-            vector::add_columns(M_eta_ddot, columns_of_M_, &eta_ddot[start_..end_]);
-        }
+        vector::add_columns(W_eta, W, eta);
+        vector::add_columns(H_eta, H, eta);
+        vector::add_columns(H_eta_dot, H, eta_dot);
+        vector::add_columns(M_eta_ddot, M, eta_ddot);
         let dot_eta_y0 = vector::dot_numbers(eta, y0);
         let dot_eta_W_eta = vector::dot(eta, W_eta);
         let dot_eta_dot_y0 = vector::dot_numbers(eta_dot, y0);

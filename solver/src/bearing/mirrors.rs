@@ -1,7 +1,7 @@
 //! Bores that mirrors map onto themselves: every row of T_b has images, up to a sign for each coordinate, so that T_b falls into
 //! blocks of coordinates with the same signs, over one row of each set of images.
 
-use crate::linalg::{Matrix, add_product, widely};
+use crate::linalg::{Matrix, add_product, add_transposed, widely};
 
 /// Share of the largest entry of a column by which images may differ: modes are known to no more.
 const ALIKE: f64 = 1e-10;
@@ -38,9 +38,8 @@ struct Block {
     /// These mirrors, as bits.
     changes: usize,
     coordinates: Vec<usize>,
-    /// First rows of the sets × coordinates, and its transpose.
+    /// First rows of the sets × coordinates.
     rows: Matrix,
-    transposed: Matrix,
 }
 
 /// Memory for products with T_b.
@@ -110,8 +109,7 @@ impl Blocks {
             let coordinates: Vec<usize> = (0..t_b.cols).filter(|&j| changes[j] == own).collect();
             let entry = |set: usize, j: usize| t_b[(firsts[set], coordinates[j])];
             let rows = Matrix::from_fn(sets, coordinates.len(), entry);
-            let transposed = rows.transpose();
-            let block = Block { changes: own, rows, transposed, coordinates };
+            let block = Block { changes: own, rows, coordinates };
             (!block.coordinates.is_empty()).then_some(block)
         });
         Some(Blocks { sets, places, blocks: blocks.collect() })
@@ -157,7 +155,7 @@ impl Blocks {
             }
             let own = &mut coordinates[..block.coordinates.len()];
             own.fill(0.0);
-            add_product(own, &block.transposed, sums);
+            add_transposed(own, &block.rows, sums);
             own.iter().zip(&block.coordinates).for_each(|(own, &j)| out[j] += own);
         }
     }

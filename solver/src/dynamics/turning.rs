@@ -5,7 +5,7 @@ use whirl_specs::Motion;
 
 use super::newmark::{Coefficients, State};
 use super::system::motion_state;
-use crate::linalg::{Matrix, add_both_products, add_product, dot};
+use crate::linalg::{Matrix, add_product, dot};
 use crate::machine::{BodyPlace, Machine};
 use crate::shaft::Shaft;
 
@@ -61,13 +61,14 @@ impl<'m> TurningBody<'m> {
         inertia[self.theta()] = self.row[0];
         inertia[place.clone()].copy_from_slice(&self.row[1..]);
         let (damper, elastic) = (&mut damper[place.clone()], &mut elastic[place]);
-        let Some(factor) = self.proportional else {
-            add_product(damper, &self.shaft.damping, motion.eta_dot);
-            return add_product(elastic, &self.shaft.stiffness, motion.eta);
-        };
-        let stiffness = &self.shaft.stiffness;
-        add_both_products(stiffness, [(&mut *damper, motion.eta_dot), (elastic, motion.eta)]);
-        damper.iter_mut().for_each(|own| *own *= factor);
+        add_product(elastic, &self.shaft.stiffness, motion.eta);
+        match self.proportional {
+            None => add_product(damper, &self.shaft.damping, motion.eta_dot),
+            Some(factor) => {
+                add_product(damper, &self.shaft.stiffness, motion.eta_dot);
+                damper.iter_mut().for_each(|own| *own *= factor);
+            }
+        }
     }
 
     /// Adds a2 M + a1 C + K + PF − a1 P − B of the motion to a matrix over q, column after column.

@@ -16,7 +16,7 @@ mod sparse;
 mod sums;
 
 pub use cholesky::Cholesky;
-pub(crate) use combination::{add_both_products, add_columns, add_product, widely};
+pub(crate) use combination::{add_columns, add_product, add_transposed, widely};
 pub(crate) use eigen::eigenvalues;
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
 pub use lower::LowerTriangle;

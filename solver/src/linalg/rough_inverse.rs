@@ -1,6 +1,8 @@
 //! An inverse in single precision: half the memory that a solution reads, for directions that are judged by where they lead.
 
-use super::{Lu, add_columns};
+use whirl_specs::columns::add_matrix;
+
+use super::Lu;
 
 /// A⁻¹ of an n × n matrix, scaled so that single precision holds it.
 #[derive(Debug)]
@@ -60,8 +62,7 @@ impl RoughInverse {
         }
         given.iter_mut().zip(weighed).for_each(|(own, value)| *own = (value / largest) as f32);
         found.fill(0.0);
-        let columns = scaled.chunks_exact(given.len()).zip(given.iter().copied());
-        add_columns(found, columns);
+        add_matrix(found, scaled, given);
         let parts = found.iter().zip(scale.iter());
         b.iter_mut().zip(parts).for_each(|(b, (own, s))| *b = largest * s * f64::from(*own));
     }

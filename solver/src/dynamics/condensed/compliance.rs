@@ -1,8 +1,10 @@
 //! Z = N A⁻¹Nᵀ: how forces on the measures of the joints move them, in single precision, as what comes of it is judged by the
 //! laws.
 
+use whirl_specs::columns::add_matrix;
+
 use crate::bearing::{BlockMemory, Springs};
-use crate::linalg::{Columns, add_columns};
+use crate::linalg::Columns;
 
 /// Unknowns below which a product with A⁻¹ takes less than the way to the measures and back.
 const FEWEST: usize = 40;
@@ -14,6 +16,7 @@ pub(super) struct Compliance {
     memory: Vec<BlockMemory>,
     /// Z, column after column.
     whole: Vec<f32>,
+    forces: Vec<f32>,
     found: Vec<f32>,
 }
 
@@ -34,6 +37,7 @@ impl Compliance {
             unknowns,
             memory: springs.memory(),
             whole: vec![0.0; measured * measured],
+            forces: vec![0.0; measured],
             found: vec![0.0; measured],
         }
     }
@@ -58,8 +62,9 @@ impl Compliance {
 
     /// u = Z times forces on the measures.
     pub(super) fn apply(&mut self, forces: impl Iterator<Item = f32>, u: &mut [f64]) {
+        self.forces.iter_mut().zip(forces).for_each(|(own, force)| *own = force);
         self.found.fill(0.0);
-        add_columns(&mut self.found, self.whole.chunks_exact(u.len()).zip(forces));
+        add_matrix(&mut self.found, &self.whole, &self.forces);
         u.iter_mut().zip(&self.found).for_each(|(u, own)| *u = f64::from(*own));
     }
 }

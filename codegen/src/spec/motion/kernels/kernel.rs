@@ -1,5 +1,4 @@
-//! One kernel as Rust: what it needs is read, matrix–vector products are computed in one pass over the columns of the
-//! matrices, then dot products, scalars and the outputs.
+//! One kernel as Rust: what it needs is read, then come matrix–vector products, dot products, scalars and the outputs.
 
 use std::collections::BTreeSet;
 
@@ -146,25 +145,46 @@ impl Writer<'_> {
         text
     }
 
-    /// One pass over the columns, four at a time.
+    /// Products of one level: those of whole matrices one by one, then in one pass over the columns what is not over lanes,
+    /// rows, and the block.
     fn pass(
         &self,
         products: &[&MatrixProduct],
         fused: Option<&Combination<Operand>>,
     ) -> TokenStream {
-        let mut matrices: Vec<Id> =
-            products.iter().filter(|w| !w.transposed).map(|w| w.matrix).collect();
-        matrices.sort_unstable();
-        matrices.dedup();
-        let columns = matrices.iter().map(|matrix| {
-            let (name, slice) = (self.ident(*matrix), self.columns_of(*matrix));
-            quote!(let #slice = &#name[start_ * n_..end_ * n_];)
+        let is_whole = |product: &MatrixProduct| !product.transposed && self.is_lane(product.of);
+        let (whole, rest): (Vec<&MatrixProduct>, Vec<&MatrixProduct>) =
+            products.iter().partition(|product| is_whole(product));
+        let whole = whole.iter().map(|product| {
+            let (name, x) = (self.ident(product.id), self.ident(product.of));
+            let matrix = self.ident(product.matrix);
+            quote!(vector::add_columns(#name, #matrix, #x);)
         });
+        let block = fused.map(|form| self.block(form));
+        let pass = match (rest.is_empty(), block) {
+            (true, None) => quote!(),
+            (true, Some(block)) => quote!(for j_ in 0..n_ { #block }),
+            (false, block) => {
+                let some = self.some_columns(&rest);
+                let block = block.map(|block| quote!(for j_ in start_..end_ { #block }));
+                quote! {
+                    for start_ in (0..n_).step_by(vector::COLUMNS) {
+                        let end_ = n_.min(start_ + vector::COLUMNS);
+                        #some
+                        #block
+                    }
+                }
+            }
+        };
+        quote!(#(#whole)* #pass)
+    }
+
+    /// What columns `start_..end_` of their matrices add to products, or rows give of them.
+    fn some_columns(&self, products: &[&MatrixProduct]) -> TokenStream {
         let products = products.iter().map(|product| {
-            let name = self.ident(product.id);
+            let (name, x) = (self.ident(product.id), self.ident(product.of));
+            let matrix = self.ident(product.matrix);
             if product.transposed {
-                let x = self.ident(product.of);
-                let matrix = self.ident(product.matrix);
                 let dot = if self.is_lane(product.of) {
                     quote!(vector::dot_numbers(#x, &#matrix[j_ * n_..][..n_]))
                 } else {
@@ -172,27 +192,12 @@ impl Writer<'_> {
                 };
                 quote!(for j_ in start_..end_ { #name[j_] = #dot; })
             } else {
-                let slice = self.columns_of(product.matrix);
-                let x = self.ident(product.of);
-                let x = match self.is_lane(product.of) {
-                    true => quote!(&#x[start_..end_]),
-                    false => quote!(&vector::lanes(&#x[start_..end_])[..end_ - start_]),
-                };
-                quote!(vector::add_columns(#name, #slice, #x);)
+                let columns = quote!(&#matrix[start_ * n_..end_ * n_]);
+                let x = quote!(&vector::lanes(&#x[start_..end_])[..end_ - start_]);
+                quote!(vector::add_columns(#name, #columns, #x);)
             }
         });
-        let block = fused.map(|form| {
-            let block = self.block(form);
-            quote!(for j_ in start_..end_ { #block })
-        });
-        quote! {
-            for start_ in (0..n_).step_by(vector::COLUMNS) {
-                let end_ = n_.min(start_ + vector::COLUMNS);
-                #(#columns)*
-                #(#products)*
-                #block
-            }
-        }
+        quote!(#(#products)*)
     }
 
     /// Rows 1 … n of column j of the matrix.
@@ -325,10 +330,6 @@ impl Writer<'_> {
 
     fn ident(&self, id: Id) -> Ident {
         identifier(self.plan.name(id))
-    }
-
-    fn columns_of(&self, matrix: Id) -> Ident {
-        format_ident!("columns_of_{}_", identifier(self.plan.name(matrix)))
     }
 
     fn column_of(&self, matrix: Id) -> Ident {
