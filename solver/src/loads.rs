@@ -9,7 +9,7 @@ pub use crate::time_function::{Onset, Release, Target, TimeFunction};
 
 use crate::bodies::BodyPlace;
 use crate::body::BodyNode;
-use crate::linalg::Matrix;
+use crate::linalg::{Matrix, widely};
 use crate::time_function::{Instant, Slope};
 
 /// A force on a node of a body, or a couple on a turn of it, constant in direction.
@@ -171,9 +171,12 @@ impl Load {
             };
         }
         let shapes = self.action.shapes().data.as_chunks::<3>().0;
-        for (value, shape) in out[own.flexible.clone()].iter_mut().zip(shapes) {
-            *value += shape[0] * fx + shape[1] * fy + shape[2] * fz;
-        }
+        let values = out[own.flexible.clone()].iter_mut().zip(shapes);
+        widely(|| {
+            values.for_each(|(value, shape)| {
+                *value += shape[0] * fx + shape[1] * fy + shape[2] * fz;
+            });
+        });
     }
 
     /// Subtracts ∂(generalised force)/∂q + a1 ∂(generalised force)/∂q̇ from a matrix of as many rows as q has, column after

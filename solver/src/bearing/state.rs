@@ -18,6 +18,8 @@ pub struct SpringState {
     pub(super) bores: Vec<BoreState>,
     pub(super) memory: LawMemory,
     pub(super) rates: bool,
+    /// Of every force of every plane the largest and the sum of all, without sign; see [`SpringState::size_forces`].
+    pub(super) sizes: Vec<(f64, f64)>,
     /// Where the measures are moved from.
     pub(super) mark: Mark,
     /// Whether the laws are used where they may be believed.
@@ -187,6 +189,7 @@ fn from(rows: &[f64], first: usize) -> &[f64] {
 impl SpringState {
     /// Memory for the springs.
     pub(crate) fn new(springs: &Springs) -> Self {
+        let sizes = springs.planes.iter().map(|own| springs.laws[own.law].bound.forces.len());
         SpringState {
             forces: vec![0.0; springs.forces()],
             planes: springs.planes.iter().map(PlaneState::new).collect(),
@@ -194,6 +197,7 @@ impl SpringState {
             bores: springs.bores.iter().map(BoreState::new).collect(),
             memory: LawMemory::new(springs),
             rates: springs.needs_rates(),
+            sizes: Vec::with_capacity(sizes.sum()),
             mark: Mark::new(springs),
             monitor: ValidityMonitor::new(&springs.measures),
         }

@@ -9,8 +9,8 @@ use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
 use crate::linalg::{Lu, RoughInverse, copy_block_from};
 
-/// Directions from factors before they are inverted, which takes as long as some hundred directions from the inverse save.
-const FACTORED: usize = 64;
+/// Directions from factors before they are inverted, which takes as long as so many from the inverse save.
+const FACTORED: usize = 24;
 
 /// Iterations more than one a step that take as long as evaluating the bodies of the condensed iteration.
 const LATE: usize = 6;

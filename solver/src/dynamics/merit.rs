@@ -2,7 +2,7 @@
 
 use super::newmark::Coefficients;
 use super::system::System;
-use crate::linalg::sum_of;
+use crate::linalg::{sum_of, widely};
 
 /// The weights of φ, for the coordinates that are unknown: all from `first` on.
 pub(super) struct Merit {
@@ -36,12 +36,16 @@ impl Merit {
     /// √(2φ) = √(Σ r_i²/s_i) of the state that was last evaluated.
     pub(super) fn norm(&self, system: &System) -> f64 {
         let residual = &system.residual[self.first..];
-        sum_of(residual.len(), |i| residual[i] * residual[i] * self.weights[i]).sqrt()
+        let (weights, mut sum) = (&self.weights[..residual.len()], 0.0);
+        widely(|| sum = sum_of(residual.len(), |i| residual[i] * residual[i] * weights[i]));
+        sum.sqrt()
     }
 
     /// √(Σ s_i Δq_i²).
     pub(super) fn length(&self, moved: &[f64]) -> f64 {
-        sum_of(moved.len(), |i| moved[i] * moved[i] / self.weights[i]).sqrt()
+        let (weights, mut sum) = (&self.weights[..moved.len()], 0.0);
+        widely(|| sum = sum_of(moved.len(), |i| moved[i] * moved[i] / weights[i]));
+        sum.sqrt()
     }
 
     /// The coordinate that contributes most to φ.

@@ -15,7 +15,7 @@ use super::factors::{FactorsState, KeptFactors};
 use super::merit::Merit;
 use super::newmark::{Coefficients, Newmark, State};
 use super::system::System;
-use crate::linalg::largest_and_sum;
+use crate::linalg::{largest_and_sum, widely};
 
 /// How the equations of a step are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -296,8 +296,12 @@ impl Newton {
     /// Largest change of a spring force since the start of the iteration, and the largest force (N).
     fn force_change(&self, system: &System) -> (f64, f64) {
         let (before, after) = (&self.forces, &system.springs.forces);
-        let (change, sum) = largest_and_sum(before.len(), |j| before[j] - after[j]);
-        let (largest, _) = largest_and_sum(after.len(), |j| after[j]);
+        let after = &after[..before.len()];
+        let (mut change, mut sum, mut largest) = (0.0, 0.0, 0.0);
+        widely(|| {
+            (change, sum) = largest_and_sum(before.len(), |j| before[j] - after[j]);
+            (largest, _) = largest_and_sum(after.len(), |j| after[j]);
+        });
         // A difference that is no number is the largest.
         (if sum.is_nan() { sum } else { change }, largest)
     }

@@ -2,9 +2,9 @@
 
 use super::newmark::State;
 use super::newton::{CONTRACTION, NewtonOptions};
-use super::system::{System, instant};
+use super::system::System;
 use super::turning::TurningBody;
-use crate::time_function::Instant;
+use crate::linalg::{largest_and_sum, sum_of, widely};
 
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
 /// forces cancel, what is left of them is rounding of the state.
@@ -27,10 +27,10 @@ struct RowBounds {
 
 impl RowBounds {
     fn of(system: &System, state: &State, predicted: &State) -> Self {
-        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let largest = |force: f64, other: &f64| f64::max(force, other.abs());
+        let norm = |x: &[f64]| sum_of(x.len(), |i| x[i] * x[i]).sqrt();
+        let forces = &system.springs.forces;
         RowBounds {
-            force: system.springs.forces.iter().fold(0.0, largest),
+            force: largest_and_sum(forces.len(), |j| forces[j]).0,
             state: [norm(&state.a) + norm(&predicted.a), norm(&state.v), norm(&state.q)],
         }
     }
@@ -73,7 +73,7 @@ impl System<'_> {
         self.bound_rows(options);
         let mut worst = 0.0;
         let mut mass_is_known = None;
-        let mut most = None;
+        let mut most: Option<RowBounds> = None;
         for i in first..self.residual.len() {
             let (r, bound) = (self.residual[i].abs(), self.row_bounds[i]);
             if r <= bound {
@@ -82,7 +82,13 @@ impl System<'_> {
                 }
                 continue;
             }
-            let most = *most.get_or_insert_with(|| RowBounds::of(self, state, predicted));
+            let most = match most {
+                Some(most) => most,
+                None => {
+                    self.size_terms(state, predicted);
+                    *most.insert(RowBounds::of(self, state, predicted))
+                }
+            };
             let above = bound + most.allowed(self, state, tolerance, i);
             if r > above {
                 return r / above;
@@ -114,13 +120,23 @@ impl System<'_> {
             [&self.inertia, &self.damper, &self.elastic, &self.load, &self.spring]
                 .map(|terms| &terms[..n]);
         let (reach, bounds) = (&self.machine.springs.reach[..n], &mut self.row_bounds[..n]);
-        for i in 0..n {
-            let terms = [inertia[i], damper[i], elastic[i], load[i], spring[i]].map(f64::abs);
-            let larger = |a: f64, b: f64| if a > b { a } else { b };
-            let largest = terms.into_iter().fold(0.0, larger);
-            let sum: f64 = terms.into_iter().sum();
-            bounds[i] = tolerance * largest + missing * reach[i] + ROUNDING * f64::EPSILON * sum;
-        }
+        widely(|| {
+            for i in 0..n {
+                let terms = [inertia[i], damper[i], elastic[i], load[i], spring[i]].map(f64::abs);
+                let larger = |a: f64, b: f64| if a > b { a } else { b };
+                let largest = terms.into_iter().fold(0.0, larger);
+                let sum: f64 = terms.into_iter().sum();
+                bounds[i] =
+                    tolerance * largest + missing * reach[i] + ROUNDING * f64::EPSILON * sum;
+            }
+        });
+    }
+
+    /// Takes what all rows have in common of their products.
+    fn size_terms(&mut self, state: &State, predicted: &State) {
+        let accelerations = state.a.iter().zip(&predicted.a).map(|(a, b)| a.abs() + b.abs());
+        self.accelerations.iter_mut().zip(accelerations).for_each(|(own, size)| *own = size);
+        self.springs.size_forces(&self.machine.springs);
     }
 
     /// The turning body whose coordinate stands at place `i` of q.
@@ -132,17 +148,15 @@ impl System<'_> {
     /// The loads projected on row `i`.
     fn projected_loads<'s>(&'s self, state: &'s State, i: usize) -> impl Iterator<Item = f64> + 's {
         let (machine, owner) = (self.machine, self.machine.owner(i));
-        let loads = machine.loads.iter().zip(&self.released);
-        let now = Instant { before: self.before, ..instant(machine, self.time, state) };
-        loads.filter(move |(load, _)| load.body == owner.body).map(move |(load, released)| {
+        let loads = machine.loads.iter().zip(&self.load_factors);
+        loads.filter(move |(load, _)| load.body == owner.body).map(move |(load, factor)| {
             let flexible = machine.places()[load.body].flexible.clone();
-            let factor = load.factor(&now, *released);
-            load.projected(factor, &state.q[flexible], owner.coordinate)
+            load.projected(*factor, &state.q[flexible], owner.coordinate)
         })
     }
 
-    /// Of row `i` the largest single force projected on it, and the sum of all products that stand in it.
-    /// The mass matrix of its body, if that turns, must be in the body's block.
+    /// Of row `i` the largest single force projected on it, and the sum of all products that stand in it, of the terms that
+    /// were sized. The mass matrix of its body, if that turns, must be in the body's block; it and K are symmetric.
     fn projected(&self, state: &State, predicted: &State, i: usize) -> (f64, f64) {
         let owner = self.machine.owner(i);
         let (mut largest, mut sum) = self.springs.projected(&self.machine.springs, owner, i);
@@ -153,15 +167,23 @@ impl System<'_> {
         let Some(body) = self.turning_at(i).map(|body| &self.turning[body]) else {
             return (largest, sum + predicted.a[i].abs());
         };
-        let row = owner.coordinate.map_or(0, |row| 1 + row);
-        let accelerations = body.of(&state.a).zip(body.of(&predicted.a));
-        let accelerations = accelerations.map(|(a, b)| a.abs() + b.abs());
-        sum += body.columns().zip(accelerations).map(|(own, a)| own[row].abs() * a).sum::<f64>();
+        let column = body.column(owner.coordinate.map_or(0, |row| 1 + row));
+        let flexible = body.place.flexible.clone();
+        let accelerations = &self.accelerations[flexible.clone()];
+        sum += column[0].abs() * self.accelerations[body.theta()];
+        sum += sum_of(accelerations.len(), |j| column[1 + j].abs() * accelerations[j]);
         if let Some(row) = owner.coordinate {
-            for (j, place) in body.place.flexible.clone().enumerate() {
-                sum += (body.shaft.stiffness[(row, j)] * state.q[place]).abs()
-                    + (body.shaft.damping[(row, j)] * state.v[place]).abs();
-            }
+            let (q, v) = (&state.q[flexible.clone()], &state.v[flexible]);
+            let elastic = body.shaft.stiffness.col(row);
+            sum += sum_of(q.len(), |j| (elastic[j] * q[j]).abs());
+            sum += match body.proportional {
+                Some(factor) => factor.abs() * sum_of(v.len(), |j| (elastic[j] * v[j]).abs()),
+                None => v
+                    .iter()
+                    .enumerate()
+                    .map(|(j, v)| (body.shaft.damping[(row, j)] * v).abs())
+                    .sum(),
+            };
         }
         (largest, sum)
     }

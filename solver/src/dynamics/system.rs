@@ -35,8 +35,11 @@ pub struct System<'m> {
     pub(crate) released: Vec<bool>,
     /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::jumps`.
     pub(super) before: bool,
-    /// What every row may have by its own terms; see `System::row_error`.
+    /// What the loads were multiplied by.
+    pub(super) load_factors: Vec<f64>,
+    /// What every row may have by its own terms, and |q̈| + |predicted q̈|; see `System::row_error`.
     pub(super) row_bounds: Vec<f64>,
+    pub(super) accelerations: Vec<f64>,
     spring_tangent: SpringTangent,
     /// Q_v − M q̈, C q̇, K q and loads of bodies that turn at another state.
     other: [Vec<f64>; 4],
@@ -69,7 +72,9 @@ impl<'m> System<'m> {
             springs: SpringState::new(&machine.springs),
             released: vec![false; machine.loads.len()],
             before: false,
+            load_factors: vec![0.0; machine.loads.len()],
             row_bounds: values(),
+            accelerations: values(),
             spring_tangent: SpringTangent::new(&machine.springs),
             other: std::array::from_fn(|_| values()),
         }
@@ -113,10 +118,11 @@ impl<'m> System<'m> {
 
         self.load.fill(0.0);
         let now = Instant { before: self.before, ..instant(machine, t, state) };
-        for (load, released) in machine.loads.iter().zip(&self.released) {
+        let loads = machine.loads.iter().zip(&self.released).zip(&mut self.load_factors);
+        for ((load, released), factor) in loads {
             let (place, position) = placed(machine, load, &state.q);
-            let factor = load.factor(&now, *released);
-            load.add_force(factor, &position, &state.q, place, &mut self.load);
+            *factor = load.factor(&now, *released);
+            load.add_force(*factor, &position, &state.q, place, &mut self.load);
         }
 
         self.springs.update(&machine.springs, t, &state.q, &state.v);

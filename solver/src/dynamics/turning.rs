@@ -21,7 +21,7 @@ pub(super) struct TurningBody<'m> {
     /// A matrix over the coordinates, column after column.
     block: Vec<f64>,
     /// The factor of K that C is, if it is one.
-    proportional: Option<f64>,
+    pub(super) proportional: Option<f64>,
     /// Norms of the rows of M, C and K, a coordinate of η each.
     pub(super) row_norms: Vec<[f64; 3]>,
 }
@@ -122,6 +122,12 @@ impl<'m> TurningBody<'m> {
     /// The block that was evaluated last; its columns.
     pub(super) fn columns(&self) -> impl Iterator<Item = &[f64]> {
         self.block.chunks_exact(1 + self.shaft.size())
+    }
+
+    /// A column of the block that was evaluated last, θ first.
+    pub(super) fn column(&self, j: usize) -> &[f64] {
+        let rows = 1 + self.shaft.size();
+        &self.block[j * rows..(j + 1) * rows]
     }
 
     /// θ and η among values over q.

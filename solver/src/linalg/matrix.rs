@@ -139,6 +139,7 @@ pub(crate) fn copy_block_from(first: usize, whole: &[f64], size: usize, block: &
     }
 }
 
+/// a·b of vectors of one length, in partial sums.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+    whirl_specs::vector::dot(a, b)
 }
