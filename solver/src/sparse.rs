@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 
-use crate::linalg::LowerTriangle;
+use whirl_specs::Registers;
+use whirl_specs::registers::{Register, Task};
+
+use crate::linalg::{LowerTriangle, beside};
 
 /// A sparse matrix of any shape, column after column (compressed).
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -110,6 +113,8 @@ pub enum SparseMatrix {
 /// Columns that one pass over a matrix serves: wide enough for vector registers, narrow enough for the
 /// rows that a pass touches to stay in cache.
 const COLUMNS: usize = 8;
+/// Rows that are interleaved together, so few that they stay in the first cache.
+const ROWS: usize = 64;
 
 impl SparseMatrix {
     /// Number of rows and columns.
@@ -179,26 +184,44 @@ impl SparseMatrix {
 
     /// y = A x for each column of `x`; both hold columns as long as the matrix.
     pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        self.multiply_within(x, y, &mut BlockMemory::<COLUMNS>::default());
+    }
+
+    /// [`SparseMatrix::multiply`] of both halves of a few columns at the same time.
+    pub(crate) fn multiply_beside(&self, x: &[f64], y: &mut [f64], memory: &mut HalfMemory) {
+        let half = x.len() / self.size().max(1) / 2 * self.size();
+        let ((x, other_x), (y, other_y)) = (x.split_at(half), y.split_at_mut(half));
+        let [own, other] = memory;
+        beside(
+            || self.multiply_within(x, y, own),
+            || self.multiply_within(other_x, other_y, other),
+        );
+    }
+
+    /// [`SparseMatrix::multiply`] in memory that is kept from one product to the next.
+    fn multiply_within<const C: usize>(
+        &self,
+        x: &[f64],
+        y: &mut [f64],
+        memory: &mut BlockMemory<C>,
+    ) {
         let n = self.size();
         match self {
             SparseMatrix::General(columns) => columns.multiply(x, y),
             SparseMatrix::Symmetric(lower) => {
-                by_blocks(
-                    n,
-                    x,
-                    y,
-                    |x, y| multiply_lower(lower, x, y),
-                    |x, y| multiply_lower(lower, x, y),
-                );
+                let wide = |x: &[[f64; C]], y: &mut [[f64; C]]| {
+                    Registers::current().run(Symmetric { lower, x, y });
+                };
+                memory.by_blocks(n, x, y, wide, |x, y| multiply_lower(lower, x, y));
             }
             SparseMatrix::Kronecker { scalar, pattern } => {
-                by_blocks(
-                    n,
-                    x,
-                    y,
-                    |x, y| multiply_kronecker(scalar, pattern, x, y),
-                    |x, y| multiply_kronecker(scalar, pattern, x, y),
-                );
+                let wide = |x: &[[f64; C]], y: &mut [[f64; C]]| {
+                    Registers::current().run(Kronecker { scalar, pattern, x, y });
+                };
+                let one = |x: &[[f64; 1]], y: &mut [[f64; 1]]| {
+                    multiply_kronecker(scalar, pattern, x, y);
+                };
+                memory.by_blocks(n, x, y, wide, one);
             }
         }
     }
@@ -226,33 +249,61 @@ fn both_triangles(lower: &LowerTriangle, mut entry: impl FnMut(usize, usize, f64
     }
 }
 
-/// Hands the columns to `wide` in blocks of [`COLUMNS`], interleaved row by row, and the rest to `one`.
-fn by_blocks(
-    n: usize,
-    x: &[f64],
-    y: &mut [f64],
-    wide: impl Fn(&[[f64; COLUMNS]], &mut [[f64; COLUMNS]]),
-    one: impl Fn(&[[f64; 1]], &mut [[f64; 1]]),
-) {
-    if n == 0 {
-        return;
+/// A block of columns and its product, interleaved row by row.
+#[derive(Debug)]
+pub(crate) struct BlockMemory<const C: usize> {
+    from: Vec<[f64; C]>,
+    to: Vec<[f64; C]>,
+}
+
+/// Memory of the halves of a block.
+pub(crate) type HalfMemory = [BlockMemory<{ COLUMNS / 2 }>; 2];
+
+impl<const C: usize> Default for BlockMemory<C> {
+    fn default() -> Self {
+        BlockMemory { from: Vec::new(), to: Vec::new() }
     }
-    let mut from = vec![[0.0; COLUMNS]; if x.len() >= COLUMNS * n { n } else { 0 }];
-    let mut to = from.clone();
-    for (x, y) in x.chunks(COLUMNS * n).zip(y.chunks_mut(COLUMNS * n)) {
-        if x.len() == COLUMNS * n {
-            for (c, column) in x.chunks_exact(n).enumerate() {
-                from.iter_mut().zip(column).for_each(|(row, &value)| row[c] = value);
-            }
-            to.fill([0.0; COLUMNS]);
-            wide(&from, &mut to);
-            for (c, column) in y.chunks_exact_mut(n).enumerate() {
-                column.iter_mut().zip(&to).for_each(|(value, row)| *value = row[c]);
-            }
-        } else {
-            for (x, y) in x.chunks_exact(n).zip(y.chunks_exact_mut(n)) {
-                y.fill(0.0);
-                one(x.as_chunks().0, y.as_chunks_mut().0);
+}
+
+impl<const C: usize> BlockMemory<C> {
+    /// Hands the columns to `wide` in blocks of C, interleaved, and the rest to `one`.
+    fn by_blocks(
+        &mut self,
+        n: usize,
+        x: &[f64],
+        y: &mut [f64],
+        wide: impl Fn(&[[f64; C]], &mut [[f64; C]]),
+        one: impl Fn(&[[f64; 1]], &mut [[f64; 1]]),
+    ) {
+        if n == 0 {
+            return;
+        }
+        if x.len() >= C * n {
+            self.from.resize(n, [0.0; C]);
+            self.to.resize(n, [0.0; C]);
+        }
+        let BlockMemory { from, to } = self;
+        for (x, y) in x.chunks(C * n).zip(y.chunks_mut(C * n)) {
+            if x.len() == C * n {
+                for (part, from) in from.chunks_mut(ROWS).enumerate() {
+                    for (c, column) in x.chunks_exact(n).enumerate() {
+                        let column = &column[part * ROWS..];
+                        from.iter_mut().zip(column).for_each(|(row, &value)| row[c] = value);
+                    }
+                }
+                to.fill([0.0; C]);
+                wide(from, to);
+                for (part, to) in to.chunks(ROWS).enumerate() {
+                    for (c, column) in y.chunks_exact_mut(n).enumerate() {
+                        let column = &mut column[part * ROWS..];
+                        column.iter_mut().zip(to).for_each(|(value, row)| *value = row[c]);
+                    }
+                }
+            } else {
+                for (x, y) in x.chunks_exact(n).zip(y.chunks_exact_mut(n)) {
+                    y.fill(0.0);
+                    one(x.as_chunks().0, y.as_chunks_mut().0);
+                }
             }
         }
     }
@@ -265,6 +316,40 @@ fn add_scaled<const C: usize>(sum: &mut [f64; C], factor: f64, x: &[f64; C]) {
     }
 }
 
+/// [`multiply_lower`] of a block of columns.
+struct Symmetric<'a, const C: usize> {
+    lower: &'a LowerTriangle,
+    x: &'a [[f64; C]],
+    y: &'a mut [[f64; C]],
+}
+
+impl<const C: usize> Task for Symmetric<'_, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        multiply_lower(self.lower, self.x, self.y);
+    }
+}
+
+/// [`multiply_kronecker`] of a block of columns.
+struct Kronecker<'a, const C: usize> {
+    scalar: &'a LowerTriangle,
+    pattern: &'a [[f64; 3]; 3],
+    x: &'a [[f64; C]],
+    y: &'a mut [[f64; C]],
+}
+
+impl<const C: usize> Task for Kronecker<'_, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        multiply_kronecker(self.scalar, self.pattern, self.x, self.y);
+    }
+}
+
+#[inline(always)]
 fn multiply_lower<const C: usize>(a: &LowerTriangle, x: &[[f64; C]], y: &mut [[f64; C]]) {
     for j in 0..a.size {
         let xj = x[j];
@@ -280,6 +365,7 @@ fn multiply_lower<const C: usize>(a: &LowerTriangle, x: &[[f64; C]], y: &mut [[f
 }
 
 /// w = S x for the three components of every node, then y = pattern · w.
+#[inline(always)]
 fn multiply_kronecker<const C: usize>(
     scalar: &LowerTriangle,
     pattern: &[[f64; 3]; 3],

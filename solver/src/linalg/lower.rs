@@ -34,6 +34,7 @@ impl LowerTriangle {
     }
 
     /// The entries (row, value) of column j, diagonal first where it is stored.
+    #[inline(always)]
     pub fn column(&self, j: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let range = self.starts[j]..self.starts[j + 1];
         self.rows[range.clone()].iter().copied().zip(self.values[range].iter().copied())

@@ -24,6 +24,7 @@ pub use lu::Lu;
 pub use matrix::{Columns, Matrix};
 pub(crate) use matrix::{copy_block_from, dot};
 pub use memory::{MemoryLimit, Stage, readable_bytes, readable_estimate};
+pub(crate) use product::{beside, multiply_add_beside, multiply_beside, transpose_multiply_beside};
 pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,

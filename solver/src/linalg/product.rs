@@ -1,7 +1,59 @@
 use faer::linalg::matmul::matmul;
+use faer::utils::thread::join_raw;
 use faer::{Accum, Par};
 
 use super::{Columns, Matrix, view, view_mut};
+
+/// Entries of a tall matrix beyond which its product with a block is worth a thread.
+const WORTH: usize = 1 << 19;
+
+/// Does two things at the same time.
+pub(crate) fn beside(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
+    join_raw(|_| a(), |_| b(), Par::rayon(2));
+}
+
+/// C += α·A·B of a tall A, in two parts side by side where it is large.
+pub(crate) fn multiply_add_beside(c: &mut [f64], alpha: f64, a: Columns, b: Columns) {
+    if a.rows < 2 || a.data.len() < WORTH {
+        return multiply_add(c, alpha, a, b);
+    }
+    let (above, below) = view(a.rows, a.cols, a.data).split_at_row(a.rows / 2);
+    let (first, second) = view_mut(a.rows, b.cols, c).split_at_row_mut(a.rows / 2);
+    let b = view(b.rows, b.cols, b.data);
+    beside(
+        || matmul(first, Accum::Add, above, b, alpha, Par::Seq),
+        || matmul(second, Accum::Add, below, b, alpha, Par::Seq),
+    );
+}
+
+/// A·B of a tall A, in two parts side by side where it is large.
+pub(crate) fn multiply_beside(a: Columns, b: Columns) -> Matrix {
+    let mut c = Matrix::zeros(a.rows, b.cols);
+    multiply_add_beside(&mut c.data, 1.0, a, b);
+    c
+}
+
+/// Aᵀ·B of a tall A, in two parts side by side where it is large.
+pub(crate) fn transpose_multiply_beside(a: Columns, b: Columns) -> Matrix {
+    let columns = a.cols / 2;
+    if columns == 0 || a.data.len() < WORTH {
+        return transpose_multiply(a, b);
+    }
+    let part = |from: usize, to: usize| Columns {
+        rows: a.rows,
+        cols: to - from,
+        data: &a.data[from * a.rows..to * a.rows],
+    };
+    let [mut first, mut second] = [const { Matrix { rows: 0, cols: 0, data: Vec::new() } }; 2];
+    beside(
+        || first = transpose_multiply(part(0, columns), b),
+        || second = transpose_multiply(part(columns, a.cols), b),
+    );
+    Matrix::from_fn(a.cols, b.cols, |i, j| match i < columns {
+        true => first[(i, j)],
+        false => second[(i - columns, j)],
+    })
+}
 
 /// A·B.
 pub fn multiply(a: Columns, b: Columns) -> Matrix {

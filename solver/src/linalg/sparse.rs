@@ -1,4 +1,7 @@
-use faer::dyn_stack::{MemBuffer, MemStack};
+use std::fmt;
+use std::sync::{Mutex, PoisonError};
+
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
@@ -10,13 +13,37 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, Par, Side};
 
-use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
+use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, beside, view_mut};
 
 /// Sparse Cholesky factorisation PAPᵀ = LLᵀ of a symmetric positive definite matrix.
 #[derive(Debug)]
 pub struct SparseCholesky {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
+    memory: SolveMemory,
+}
+
+/// Memory of solves, which follow one another.
+#[derive(Default)]
+struct SolveMemory(Mutex<Vec<MemBuffer>>);
+
+impl SolveMemory {
+    /// What was put back and is large enough, or a new one.
+    fn take(&self, size: StackReq) -> MemBuffer {
+        let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let enough = kept.filter(|own| own.len() >= size.unaligned_bytes_required());
+        enough.unwrap_or_else(|| MemBuffer::new(size))
+    }
+
+    fn put_back(&self, memory: MemBuffer) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(memory);
+    }
+}
+
+impl fmt::Debug for SolveMemory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("SolveMemory")
+    }
 }
 
 /// How many eigenvalues of a symmetric matrix are negative and positive.
@@ -66,21 +93,33 @@ impl SparseCholesky {
             Ok(()) if values.iter().any(|value| !value.is_finite()) => {
                 Err(LinearAlgebraError::NotPositiveDefinite { row: row(0), size: a.size })
             }
-            Ok(()) => Ok(SparseCholesky { symbolic, values }),
+            Ok(()) => Ok(SparseCholesky { symbolic, values, memory: SolveMemory::default() }),
         }
     }
 
-    /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b.
+    /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b; many of them in two parts side by side.
     pub fn solve_in_place(&self, rhs: &mut [f64]) {
         let n = self.symbolic.nrows();
         let cols = rhs.len().checked_div(n).unwrap_or(0);
+        if cols < PARTS || cols * self.symbolic.len_val() < WORTH {
+            return self.solve_some(rhs);
+        }
+        let (first, second) = rhs.split_at_mut(cols / PARTS * n);
+        beside(|| self.solve_some(first), || self.solve_some(second));
+    }
+
+    fn solve_some(&self, rhs: &mut [f64]) {
+        let n = self.symbolic.nrows();
+        let cols = rhs.len().checked_div(n).unwrap_or(0);
         let scratch = self.symbolic.solve_in_place_scratch::<f64>(cols, Par::Seq);
+        let mut memory = self.memory.take(scratch);
         LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
             Conj::No,
             view_mut(n, cols, rhs),
             Par::Seq,
-            MemStack::new(&mut MemBuffer::new(scratch)),
+            MemStack::new(&mut memory),
         );
+        self.memory.put_back(memory);
     }
 }
 
@@ -168,6 +207,8 @@ fn inertia(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> Option<Inertia
 
 /// Values of a factor beyond which its dense blocks are large enough for threads to pay.
 const MANY: usize = 1 << 23;
+/// Values of a factor times right sides beyond which a solve is worth a thread.
+const WORTH: usize = 1 << 21;
 /// Parts that their dense blocks are then cut into.
 const PARTS: usize = 2;
 

@@ -7,11 +7,11 @@
 use std::ops::Range;
 
 use crate::linalg::{
-    Cholesky, Columns, LinearAlgebraError, Matrix, dot, multiply, multiply_add, symmetric_eigen,
-    transpose_multiply,
+    Cholesky, Columns, LinearAlgebraError, Matrix, dot, multiply, multiply_add_beside,
+    multiply_beside, symmetric_eigen, transpose_multiply, transpose_multiply_beside,
 };
 
-use crate::sparse::SparseMatrix;
+use crate::sparse::{HalfMemory, SparseMatrix};
 
 use super::constrained::ConstrainedCholesky;
 
@@ -20,7 +20,7 @@ use crate::error::ReductionError;
 /// Vectors of a block. One pass over the factor serves them all, and a multiple eigenvalue shows up to
 /// this many of its vectors at once.
 const BLOCK: usize = 8;
-/// Blocks between two checks of the Ritz values.
+/// Blocks at least between two checks of the Ritz values.
 const STRIDE: usize = 4;
 /// A Ritz pair has converged when its residual is below this part of θ: the eigenvalue is then right to
 /// the square of this part over the relative gap, the vector to this part over the relative gap.
@@ -64,6 +64,9 @@ pub(super) struct Lanczos<'a> {
     coupling: Matrix,
     /// M times the newest block of V.
     mass_block: Vec<f64>,
+    /// Memory of a block, and of products with M.
+    spare: Vec<f64>,
+    products: HalfMemory,
     random: Random,
 }
 
@@ -93,6 +96,8 @@ impl<'a> Lanczos<'a> {
             kept: 0,
             coupling: Matrix::zeros(BLOCK, BLOCK),
             mass_block: vec![0.0; n * BLOCK],
+            spare: vec![0.0; n * BLOCK],
+            products: HalfMemory::default(),
             random: Random(0x9E37_79B9_7F4A_7C15),
         };
         lanczos.start_block()?;
@@ -104,7 +109,7 @@ impl<'a> Lanczos<'a> {
         for restart in 0..=RESTARTS {
             let ritz = self.expand()?;
             if ritz.converged >= self.wanted {
-                let vectors = multiply(
+                let vectors = multiply_beside(
                     self.basis.columns(0..self.size),
                     ritz.vectors.columns(0..self.wanted),
                 );
@@ -134,18 +139,19 @@ impl<'a> Lanczos<'a> {
     /// Enlarges the basis until the wanted pairs have converged or it is full.
     fn expand(&mut self) -> Result<Ritz, ReductionError> {
         let capacity = self.basis.cols - BLOCK;
-        for block in 1.. {
+        let mut check = usize::max(self.size + STRIDE * BLOCK, self.wanted + BLOCK);
+        while self.size + BLOCK <= capacity {
             self.step()?;
-            let full = self.size + BLOCK > capacity;
-            let check = self.size >= self.wanted + BLOCK && block % STRIDE == 0;
-            if full || check {
+            if self.size >= check && self.size + BLOCK <= capacity {
                 let ritz = self.ritz()?;
-                if full || ritz.converged >= self.wanted {
+                if ritz.converged >= self.wanted {
                     return Ok(ritz);
                 }
+                // Not more pairs converge than there are new vectors.
+                check = self.size + usize::max(STRIDE * BLOCK, self.wanted - ritz.converged);
             }
         }
-        unreachable!("the basis is full after finitely many blocks")
+        self.ritz()
     }
 
     /// Applies A⁻¹M to the newest block and appends what is new in the result.
@@ -180,17 +186,18 @@ impl<'a> Lanczos<'a> {
         mut block: Vec<f64>,
     ) -> Result<(Matrix, Matrix), ReductionError> {
         let n = self.basis.rows;
-        let mut product = Matrix::zeros(n, BLOCK);
+        let spare = std::mem::take(&mut self.spare);
+        let mut product = Matrix { rows: n, cols: BLOCK, data: spare };
         let mut h = Matrix::zeros(known, BLOCK);
         // Once is not enough, twice is; the first time may leave out what is rounding.
         for first in [coupled, 0] {
-            self.mass.multiply(&block, &mut product.data);
+            self.mass.multiply_beside(&block, &mut product.data, &mut self.products);
             let part = self.remove_known(first..known, &mut block, &product);
             for j in 0..BLOCK {
                 h.col_mut(j)[first..].iter_mut().zip(part.col(j)).for_each(|(sum, x)| *sum += x);
             }
         }
-        self.mass.multiply(&block, &mut product.data);
+        self.mass.multiply_beside(&block, &mut product.data, &mut self.products);
         let r = match orthonormalise(&mut block, &mut product) {
             Some(r) => r,
             None => {
@@ -200,15 +207,15 @@ impl<'a> Lanczos<'a> {
             }
         };
         self.basis.data[known * n..(known + BLOCK) * n].copy_from_slice(&block);
-        self.mass_block = product.data;
+        (self.mass_block, self.spare) = (product.data, block);
         Ok((h, r))
     }
 
     /// W ← W − V h, h = VᵀMW, over some columns V of the basis, where `product` is MW. Returns h.
     fn remove_known(&self, known: Range<usize>, block: &mut [f64], product: &Matrix) -> Matrix {
         let basis = self.basis.columns(known);
-        let h = transpose_multiply(basis, product.view());
-        multiply_add(block, -1.0, basis, h.view());
+        let h = transpose_multiply_beside(basis, product.view());
+        multiply_add_beside(block, -1.0, basis, h.view());
         h
     }
 
@@ -295,7 +302,7 @@ impl<'a> Lanczos<'a> {
     /// Replaces the basis by the first `keep` Ritz vectors, followed by the newest block.
     fn compress(&mut self, ritz: &Ritz, keep: usize) {
         let (n, size) = (self.basis.rows, self.size);
-        let kept = multiply(self.basis.columns(0..size), ritz.vectors.columns(0..keep));
+        let kept = multiply_beside(self.basis.columns(0..size), ritz.vectors.columns(0..keep));
         self.basis.data.copy_within(size * n..(size + BLOCK) * n, keep * n);
         self.basis.data[..keep * n].copy_from_slice(&kept.data);
         self.projected.data.fill(0.0);
