@@ -9,6 +9,8 @@ use crate::registers::{Double, Register, Registers, Sums, Task};
 
 /// Columns that are added together: y is read and written once for all of them.
 const TOGETHER: usize = 16;
+/// Rows beyond which columns are read some at a time, each to its end: blocks of rows of all columns lie too far apart.
+const TALL: usize = 512;
 /// Registers of rows that are summed at once, of 16 or 32 that processors have.
 const REGISTERS: usize = 12;
 
@@ -66,9 +68,13 @@ impl<T: Number> Task for AddMatrix<'_, T> {
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        let n = self.y.len();
-        let columns = self.columns[..n * self.x.len()].chunks_exact(n.max(1));
-        add_rows::<T, T::Of<L>>(self.y, columns.zip(self.x.iter().copied()));
+        let (n, y) = (self.y.len(), self.y);
+        let columns = &self.columns[..n * self.x.len()];
+        let some = if n > TALL { TOGETHER } else { self.x.len().max(1) };
+        for (columns, x) in columns.chunks(n.max(1) * some).zip(self.x.chunks(some)) {
+            let columns = columns.chunks_exact(n.max(1)).zip(x.iter().copied());
+            add_rows::<T, T::Of<L>>(y, columns);
+        }
     }
 }
 
@@ -260,7 +266,7 @@ mod tests {
     }
 
     fn sums_are_in_order<T: Number + std::fmt::Debug>(number: fn(f64) -> T) {
-        for rows in [0, 1, 3, 4, 5, 8, 15, 16, 23, 96, 97, 130, 201, 400] {
+        for rows in [0, 1, 3, 4, 5, 8, 15, 16, 23, 96, 97, 130, 201, 400, 515] {
             for cols in [0, 1, 2, 7, 16, 17, 35] {
                 let columns = matrix(rows, cols, number);
                 let x = matrix(cols, 1, number);
@@ -275,6 +281,9 @@ mod tests {
                     let mut y = start.clone();
                     let pairs = (0..cols).map(|j| (&columns[j * rows..(j + 1) * rows], x[j]));
                     registers.within(|| add_columns(&mut y, pairs));
+                    assert_eq!(y, expected, "{rows} × {cols}, {}", registers.name());
+                    let mut y = start.clone();
+                    registers.within(|| add_matrix(&mut y, &columns, &x));
                     assert_eq!(y, expected, "{rows} × {cols}, {}", registers.name());
                 }
             }

@@ -239,6 +239,8 @@ impl KeptFactors {
     }
 
     /// Computes factors at a state that was evaluated; whether there are any.
+    // A phase of its own in tables of where the time goes.
+    #[inline(never)]
     pub(super) fn factor(
         &mut self,
         system: &mut System,
@@ -266,6 +268,8 @@ impl KeptFactors {
 
     /// Replaces r, the residual of a state just evaluated, by the Δq of [AK] Δq = r, or by what the laws make of it until less than
     /// `tolerance` (N) is missing at every spring. The springs are left where their forces are foreseen.
+    // A phase of its own in tables of where the time goes.
+    #[inline(never)]
     pub(super) fn solve(
         &mut self,
         system: &mut System,

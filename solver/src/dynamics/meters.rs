@@ -113,6 +113,8 @@ impl Meters {
     }
 
     /// Adds a step of `dt` s from `start` at time `t` (s) to `end`, which was just evaluated.
+    // A phase of its own in tables of where the time goes.
+    #[inline(never)]
     pub(crate) fn add(
         &mut self,
         system: &System,

@@ -11,6 +11,8 @@ pub(super) fn displacements(bearings: usize) -> std::ops::Range<usize> {
 
 /// Writes the row, without outputs by request, of the step that ends at `time` (s) at a state just evaluated, one value a column of
 /// [`History::for_machine`](crate::history::History::for_machine).
+// A phase of its own in tables of where the time goes.
+#[inline(never)]
 pub(super) fn write_row(
     system: &System,
     state: &State,

@@ -92,6 +92,8 @@ impl<'m> System<'m> {
     }
 
     /// Computes r and its parts at time `t` (s).
+    // A phase of its own in tables of where the time goes.
+    #[inline(never)]
     pub fn evaluate(&mut self, t: f64, state: &State) {
         self.time = t;
         let machine = self.machine;
