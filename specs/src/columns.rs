@@ -9,8 +9,10 @@ use crate::registers::{Double, Register, Registers, Sums, Task};
 
 /// Columns that are added together: y is read and written once for all of them.
 const TOGETHER: usize = 16;
-/// Rows beyond which columns are read some at a time, each to its end: blocks of rows of all columns lie too far apart.
-const TALL: usize = 512;
+/// Numbers of columns that are read block of rows after block of rows, so few that they stay in the second cache.
+const NEAR: usize = 1 << 14;
+/// Columns that are read beside each other where they are longer than that.
+const FAR: usize = 8;
 /// Registers of rows that are summed at once, of 16 or 32 that processors have.
 const REGISTERS: usize = 12;
 
@@ -70,7 +72,10 @@ impl<T: Number> Task for AddMatrix<'_, T> {
     fn run<L: Register>(self) {
         let (n, y) = (self.y.len(), self.y);
         let columns = &self.columns[..n * self.x.len()];
-        let some = if n > TALL { TOGETHER } else { self.x.len().max(1) };
+        if n > NEAR / TOGETHER {
+            return add_far::<T, T::Of<L>>(y, columns, self.x);
+        }
+        let some = usize::max(NEAR / n.max(1), TOGETHER);
         for (columns, x) in columns.chunks(n.max(1) * some).zip(self.x.chunks(some)) {
             let columns = columns.chunks_exact(n.max(1)).zip(x.iter().copied());
             add_rows::<T, T::Of<L>>(y, columns);
@@ -145,6 +150,43 @@ fn add_rows<'a, T: Number + 'a, S: Sums<Number = T>>(
         }
         start = end;
     }
+}
+
+/// y += Σ x_j a_j of columns that no cache holds: each is read to its end, beside few others.
+#[inline(always)]
+fn add_far<T: Number, S: Sums<Number = T>>(y: &mut [T], columns: &[T], x: &[T]) {
+    let n = y.len();
+    for (columns, x) in columns.chunks(FAR * n).zip(x.chunks(FAR)) {
+        let is_whole = S::WIDTH > 1 && !x.contains(&T::default());
+        let (Some(x), true) = (x.first_chunk::<FAR>(), is_whole) else {
+            add_rows::<T, S>(y, columns.chunks_exact(n).zip(x.iter().copied()));
+            continue;
+        };
+        let columns: [&[T]; FAR] = std::array::from_fn(|j| &columns[j * n..(j + 1) * n]);
+        let last = S::load_from(&y[n - S::WIDTH..]);
+        let whole = n - n % S::WIDTH;
+        for row in (0..whole).step_by(S::WIDTH) {
+            add_at(S::load_from(&y[row..]), columns, x, row).store_to(&mut y[row..]);
+        }
+        if whole < n {
+            let row = n - S::WIDTH;
+            add_at(last, columns, x, row).store_to(&mut y[row..]);
+        }
+    }
+}
+
+/// A register of sums with what columns give from a row on.
+#[inline(always)]
+fn add_at<T: Number, S: Sums<Number = T>>(
+    mut sum: S,
+    columns: [&[T]; FAR],
+    x: &[T; FAR],
+    row: usize,
+) -> S {
+    for j in 0..FAR {
+        sum = sum.plus(x[j], S::load_from(&columns[j][row..]));
+    }
+    sum
 }
 
 /// y += Σ x_j a_j for N registers of rows side by side from the first row on, and one at its own row.
@@ -266,8 +308,8 @@ mod tests {
     }
 
     fn sums_are_in_order<T: Number + std::fmt::Debug>(number: fn(f64) -> T) {
-        for rows in [0, 1, 3, 4, 5, 8, 15, 16, 23, 96, 97, 130, 201, 400, 515] {
-            for cols in [0, 1, 2, 7, 16, 17, 35] {
+        for rows in [0, 1, 3, 4, 5, 8, 15, 16, 23, 96, 97, 130, 201, 400, 1030] {
+            for cols in [0, 1, 2, 7, 16, 17, 35, 83] {
                 let columns = matrix(rows, cols, number);
                 let x = matrix(cols, 1, number);
                 let start = matrix(rows, 1, number);
