@@ -113,6 +113,8 @@ pub enum SparseMatrix {
 /// Columns that one pass over a matrix serves: wide enough for vector registers, narrow enough for the
 /// rows that a pass touches to stay in cache.
 const COLUMNS: usize = 8;
+/// Numbers in a block of columns from which a product is worth a thread.
+const WORTH: usize = 1 << 15;
 /// Rows that are interleaved together, so few that they stay in the first cache.
 const ROWS: usize = 64;
 
@@ -189,6 +191,9 @@ impl SparseMatrix {
 
     /// [`SparseMatrix::multiply`] of both halves of a few columns at the same time.
     pub(crate) fn multiply_beside(&self, x: &[f64], y: &mut [f64], memory: &mut HalfMemory) {
+        if x.len() < WORTH {
+            return self.multiply_within(x, y, &mut memory[0]);
+        }
         let half = x.len() / self.size().max(1) / 2 * self.size();
         let ((x, other_x), (y, other_y)) = (x.split_at(half), y.split_at_mut(half));
         let [own, other] = memory;

@@ -11,7 +11,7 @@ use crate::registers::{Double, Register, Registers, Sums, Task};
 const TOGETHER: usize = 16;
 /// Numbers of columns that are read block of rows after block of rows, so few that they stay in the second cache.
 const NEAR: usize = 1 << 14;
-/// Columns that are read beside each other where they are longer than that.
+/// Columns that are read beside each other where no cache holds many.
 const FAR: usize = 8;
 /// Registers of rows that are summed at once, of 16 or 32 that processors have.
 const REGISTERS: usize = 12;
@@ -51,7 +51,8 @@ pub fn add_matrix<T: Number>(y: &mut [T], columns: &[T], x: &[T]) {
     Registers::current().run(AddMatrix { y, columns, x });
 }
 
-/// y_j += a_j·x over columns a_j that stand one after the other, each product in eight partial sums that are added pairwise.
+/// y_j += a_j·x over columns a_j that stand one after the other, each product in eight partial sums that are added pairwise, or
+/// in order where it has fewer terms.
 ///
 /// # Panics
 /// If there are fewer columns than y has values.

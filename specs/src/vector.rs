@@ -18,7 +18,7 @@ const PARTS: usize = 8;
 /// y += Σ_j column_j x_j, columns in their order, which follow one another in `columns`, each as long as y.
 ///
 /// # Panics
-/// If a column is missing or cut.
+/// If a column is cut.
 #[inline(always)]
 pub fn add_columns<L: Lane>(y: &mut [L], columns: &[f64], x: &[L]) {
     L::add_columns(y, columns, x);

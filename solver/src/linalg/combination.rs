@@ -34,11 +34,13 @@ pub(crate) fn add_columns<'a, T: Number + 'a>(
 
 /// y += A x, as [`add_columns`].
 pub(crate) fn add_product(y: &mut [f64], matrix: &Matrix, x: &[f64]) {
+    debug_assert_eq!(y.len(), matrix.rows);
     columns::add_matrix(y, &matrix.data, x);
 }
 
 /// y += Aᵀx; the order of the sums is that of [`columns::add_products`].
 pub(crate) fn add_transposed(y: &mut [f64], matrix: &Matrix, x: &[f64]) {
+    debug_assert_eq!(x.len(), matrix.rows);
     columns::add_products(y, &matrix.data, x);
 }
 

@@ -1,7 +1,7 @@
 //! Linear algebra in concrete `f64`, column-major. The only module that names faer.
 //!
-//! Everything runs on one thread: at the sizes of a step (n ≈ 230) threads inside one solve cost more
-//! than they give, and independent cases run side by side instead.
+//! A step runs on one thread: at its sizes (n ≈ 230) threads inside one solve cost more than they give, and independent
+//! cases run side by side instead. What a reduction does with large matrices falls into two parts, wherever it runs.
 
 mod cholesky;
 mod combination;

@@ -31,7 +31,7 @@ impl SolveMemory {
     /// What was put back and is large enough, or a new one.
     fn take(&self, size: StackReq) -> MemBuffer {
         let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        let enough = kept.filter(|own| own.len() >= size.unaligned_bytes_required());
+        let enough = kept.filter(|own| own.len() >= size.size_bytes());
         enough.unwrap_or_else(|| MemBuffer::new(size))
     }
 

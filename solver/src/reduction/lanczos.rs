@@ -37,8 +37,9 @@ pub(super) fn dense_limit(count: usize) -> usize {
 
 /// Bytes of an iteration for the `wanted` largest of a pencil with `n` dofs, its answer included.
 pub(super) fn memory(n: usize, wanted: usize) -> usize {
-    // The basis, the vectors that come of it, and in a step the block, its product, M times it and the solve's own.
-    let columns = capacity(wanted) + BLOCK + wanted + 4 * BLOCK;
+    // The basis, what comes of it in the end or at a restart, and in a step the block, its product, a copy of it, both interleaved
+    // for M, and the solve's own.
+    let columns = capacity(wanted) + BLOCK + 3 * wanted / 2 + 6 * BLOCK;
     n.saturating_mul(columns).saturating_mul(size_of::<f64>())
 }
 
@@ -147,7 +148,7 @@ impl<'a> Lanczos<'a> {
                 if ritz.converged >= self.wanted {
                     return Ok(ritz);
                 }
-                // Not more pairs converge than there are new vectors.
+                // As a rule fewer pairs converge than there are new vectors.
                 check = self.size + usize::max(STRIDE * BLOCK, self.wanted - ritz.converged);
             }
         }
