@@ -41,8 +41,11 @@ const MADE: &[&str] = &[
 const MACROS: &[&str] = &["include", "concat", "env", "wide"];
 
 /// Words of kernels that no spec of this repository leads to, besides the functions of lanes: operations of lanes,
-/// and choices of numbers.
-const UNUSED: &[&str] = &["powf", "lt", "le", "and", "or", "not", "select", "if", "else"];
+/// choices of numbers, and passes over some columns of matrices.
+const UNUSED: &[&str] = &[
+    "powf", "lt", "le", "and", "or", "not", "select", "if", "else", "start_", "end_", "step_by",
+    "COLUMNS", "min", "lanes",
+];
 
 /// Identifiers of the text that is generated from the specs of this repository.
 pub(crate) struct Vocabulary {
