@@ -10,8 +10,10 @@ use crate::registers::{Double, Register, Registers, Sums, Task};
 /// Columns that are added together: y is read and written once for all of them.
 const TOGETHER: usize = 16;
 /// Numbers of columns that are read block of rows after block of rows, so few that they stay in the second cache.
-const NEAR: usize = 1 << 14;
-/// Columns that are read beside each other where no cache holds many.
+const NEAR: usize = 1 << 17;
+/// Rows beyond which columns are read to their end, one beside few others.
+const LONG: usize = 1024;
+/// Columns that are then read beside each other.
 const FAR: usize = 8;
 /// Registers of rows that are summed at once, of 16 or 32 that processors have.
 const REGISTERS: usize = 12;
@@ -48,7 +50,18 @@ pub fn add_columns<'a, T: Number + 'a>(y: &mut [T], columns: impl Iterator<Item 
 /// # Panics
 /// If there are fewer columns than x has values.
 pub fn add_matrix<T: Number>(y: &mut [T], columns: &[T], x: &[T]) {
-    Registers::current().run(AddMatrix { y, columns, x });
+    let (n, registers) = (y.len(), Registers::current());
+    let columns = &columns[..n * x.len()];
+    if columns.len() <= NEAR {
+        return registers.run(AddMatrix { y, columns, x });
+    }
+    if n > LONG {
+        return registers.run(AddFar { y, columns, x });
+    }
+    let some = NEAR / n;
+    for (columns, x) in columns.chunks(n * some).zip(x.chunks(some)) {
+        registers.run(AddMatrix { y, columns, x });
+    }
 }
 
 /// y_j += a_j·x over columns a_j that stand one after the other, each product in eight partial sums that are added pairwise, or
@@ -71,16 +84,24 @@ impl<T: Number> Task for AddMatrix<'_, T> {
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        let (n, y) = (self.y.len(), self.y);
-        let columns = &self.columns[..n * self.x.len()];
-        if n > NEAR / TOGETHER {
-            return add_far::<T, T::Of<L>>(y, columns, self.x);
-        }
-        let some = usize::max(NEAR / n.max(1), TOGETHER);
-        for (columns, x) in columns.chunks(n.max(1) * some).zip(self.x.chunks(some)) {
-            let columns = columns.chunks_exact(n.max(1)).zip(x.iter().copied());
-            add_rows::<T, T::Of<L>>(y, columns);
-        }
+        let columns = self.columns.chunks_exact(self.y.len().max(1));
+        add_rows::<T, T::Of<L>>(self.y, columns.zip(self.x.iter().copied()));
+    }
+}
+
+/// Columns that no cache holds.
+struct AddFar<'a, T> {
+    y: &'a mut [T],
+    columns: &'a [T],
+    x: &'a [T],
+}
+
+impl<T: Number> Task for AddFar<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        add_far::<T, T::Of<L>>(self.y, self.columns, self.x);
     }
 }
 
@@ -309,7 +330,7 @@ mod tests {
     }
 
     fn sums_are_in_order<T: Number + std::fmt::Debug>(number: fn(f64) -> T) {
-        for rows in [0, 1, 3, 4, 5, 8, 15, 16, 23, 96, 97, 130, 201, 400, 1030] {
+        for rows in [0, 1, 3, 4, 5, 8, 15, 16, 23, 96, 97, 130, 201, 400, 1030, 4100] {
             for cols in [0, 1, 2, 7, 16, 17, 35, 83] {
                 let columns = matrix(rows, cols, number);
                 let x = matrix(cols, 1, number);
