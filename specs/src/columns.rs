@@ -50,11 +50,17 @@ pub fn add_columns<'a, T: Number + 'a>(y: &mut [T], columns: impl Iterator<Item 
 /// # Panics
 /// If there are fewer columns than x has values.
 pub fn add_matrix<T: Number>(y: &mut [T], columns: &[T], x: &[T]) {
+    if y.len() * x.len() > NEAR {
+        return add_large(y, columns, x);
+    }
+    Registers::current().run(AddMatrix { y, columns, x });
+}
+
+/// [`add_matrix`] of what the caches next to the processor do not hold.
+#[inline(never)]
+fn add_large<T: Number>(y: &mut [T], columns: &[T], x: &[T]) {
     let (n, registers) = (y.len(), Registers::current());
     let columns = &columns[..n * x.len()];
-    if columns.len() <= NEAR {
-        return registers.run(AddMatrix { y, columns, x });
-    }
     if n > LONG {
         return registers.run(AddFar { y, columns, x });
     }
@@ -84,7 +90,8 @@ impl<T: Number> Task for AddMatrix<'_, T> {
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        let columns = self.columns.chunks_exact(self.y.len().max(1));
+        let n = self.y.len();
+        let columns = self.columns[..n * self.x.len()].chunks_exact(n.max(1));
         add_rows::<T, T::Of<L>>(self.y, columns.zip(self.x.iter().copied()));
     }
 }
