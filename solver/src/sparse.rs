@@ -210,24 +210,21 @@ impl SparseMatrix {
         y: &mut [f64],
         memory: &mut BlockMemory<C>,
     ) {
-        let n = self.size();
         match self {
             SparseMatrix::General(columns) => columns.multiply(x, y),
-            SparseMatrix::Symmetric(lower) => {
-                let wide = |x: &[[f64; C]], y: &mut [[f64; C]]| {
-                    Registers::current().run(Symmetric { lower, x, y });
-                };
-                memory.by_blocks(n, x, y, wide, |x, y| multiply_lower(lower, x, y));
-            }
+            _ => memory.by_blocks(self, x, y),
+        }
+    }
+
+    /// Adds A x, row by row of a few columns.
+    #[inline(always)]
+    fn add_rows<const C: usize>(&self, x: &[[f64; C]], y: &mut [[f64; C]]) {
+        match self {
+            SparseMatrix::Symmetric(lower) => multiply_lower(lower, x, y),
             SparseMatrix::Kronecker { scalar, pattern } => {
-                let wide = |x: &[[f64; C]], y: &mut [[f64; C]]| {
-                    Registers::current().run(Kronecker { scalar, pattern, x, y });
-                };
-                let one = |x: &[[f64; 1]], y: &mut [[f64; 1]]| {
-                    multiply_kronecker(scalar, pattern, x, y);
-                };
-                memory.by_blocks(n, x, y, wide, one);
+                multiply_kronecker(scalar, pattern, x, y);
             }
+            SparseMatrix::General(_) => unreachable!("its columns are multiplied one by one"),
         }
     }
 
@@ -271,15 +268,9 @@ impl<const C: usize> Default for BlockMemory<C> {
 }
 
 impl<const C: usize> BlockMemory<C> {
-    /// Hands the columns to `wide` in blocks of C, interleaved, and the rest to `one`.
-    fn by_blocks(
-        &mut self,
-        n: usize,
-        x: &[f64],
-        y: &mut [f64],
-        wide: impl Fn(&[[f64; C]], &mut [[f64; C]]),
-        one: impl Fn(&[[f64; 1]], &mut [[f64; 1]]),
-    ) {
+    /// y = A x by blocks of C columns, interleaved, and the rest one by one.
+    fn by_blocks(&mut self, matrix: &SparseMatrix, x: &[f64], y: &mut [f64]) {
+        let n = matrix.size();
         if n == 0 {
             return;
         }
@@ -297,7 +288,7 @@ impl<const C: usize> BlockMemory<C> {
                     }
                 }
                 to.fill([0.0; C]);
-                wide(from, to);
+                Registers::current().run(AddRows { matrix, x: from, y: to });
                 for (part, to) in to.chunks(ROWS).enumerate() {
                     for (c, column) in y.chunks_exact_mut(n).enumerate() {
                         let column = &mut column[part * ROWS..];
@@ -307,7 +298,7 @@ impl<const C: usize> BlockMemory<C> {
             } else {
                 for (x, y) in x.chunks_exact(n).zip(y.chunks_exact_mut(n)) {
                     y.fill(0.0);
-                    one(x.as_chunks().0, y.as_chunks_mut().0);
+                    matrix.add_rows::<1>(x.as_chunks().0, y.as_chunks_mut().0);
                 }
             }
         }
@@ -321,36 +312,19 @@ fn add_scaled<const C: usize>(sum: &mut [f64; C], factor: f64, x: &[f64; C]) {
     }
 }
 
-/// [`multiply_lower`] of a block of columns.
-struct Symmetric<'a, const C: usize> {
-    lower: &'a LowerTriangle,
+/// [`SparseMatrix::add_rows`] on wide registers.
+struct AddRows<'a, const C: usize> {
+    matrix: &'a SparseMatrix,
     x: &'a [[f64; C]],
     y: &'a mut [[f64; C]],
 }
 
-impl<const C: usize> Task for Symmetric<'_, C> {
+impl<const C: usize> Task for AddRows<'_, C> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        multiply_lower(self.lower, self.x, self.y);
-    }
-}
-
-/// [`multiply_kronecker`] of a block of columns.
-struct Kronecker<'a, const C: usize> {
-    scalar: &'a LowerTriangle,
-    pattern: &'a [[f64; 3]; 3],
-    x: &'a [[f64; C]],
-    y: &'a mut [[f64; C]],
-}
-
-impl<const C: usize> Task for Kronecker<'_, C> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Register>(self) {
-        multiply_kronecker(self.scalar, self.pattern, self.x, self.y);
+        self.matrix.add_rows(self.x, self.y);
     }
 }
 
