@@ -86,7 +86,7 @@ fn analysis(springs: usize) {
 
     let support = machine.places().last().expect("the support").flexible.len();
     let least = least_work(machine.springs.count(), support, machine.size());
-    let sum: f64 = least.iter().sum();
+    let [forward, backward, double, single] = least;
     println!("{springs} springs a ring, {} coordinates, {count} steps", machine.size());
     println!(
         "  a step                            {:8.1} µs, {:.2} × the machine's pace",
@@ -104,11 +104,17 @@ fn analysis(springs: usize) {
         1e3 * outcome.factorisations as f64 / count as f64
     );
     for (what, time) in
-        ["T_b times a vector", "T_bᵀ times a vector", "n × n, single precision"].iter().zip(least)
+        ["T_b times a vector", "T_bᵀ times a vector", "n × n, double", "n × n, single"]
+            .iter()
+            .zip(least)
     {
         println!("  {what:<34}{:8.1} µs", 1e6 * time);
     }
-    println!("  a step ÷ the sum of these three   {:8.2}", step / sum);
+    println!(
+        "  a step ÷ the sum of three         {:8.2} with the product in double precision, {:.2} in single",
+        step / (forward + backward + double),
+        step / (forward + backward + single)
+    );
     println!(
         "  plain full Newton with nalgebra   {:8.1} µs a step, {:.2} iterations; that ÷ ours {:.0}",
         1e6 * plain,
@@ -130,19 +136,22 @@ fn agrees(own: &[f64], plain: &[f64], time: f64) {
     }
 }
 
-/// Products that a step with kept factors cannot do without (s).
-fn least_work(rows: usize, columns: usize, size: usize) -> [f64; 3] {
+/// Products that a step with kept factors cannot do without, the last of them in double and in single precision (s).
+fn least_work(rows: usize, columns: usize, size: usize) -> [f64; 4] {
     let values = |n: usize| -> Vec<f64> { (0..n).map(|i| (1.3 * i as f64).sin()).collect() };
     let (t_b, x, f) = (values(rows * columns), values(columns), values(rows));
     let (mut u, mut back) = (vec![0.0; rows], vec![0.0; columns]);
-    let single: Vec<f32> = values(size * size).iter().map(|own| *own as f32).collect();
-    let r: Vec<f32> = values(size).iter().map(|own| *own as f32).collect();
-    let mut moved = vec![0.0_f32; size];
+    let (double, r) = (values(size * size), values(size));
+    let [single, r_single] =
+        [&double, &r].map(|own| own.iter().map(|own| *own as f32).collect::<Vec<f32>>());
+    let (mut moved, mut moved_single) = (vec![0.0; size], vec![0.0_f32; size]);
     let mut forward = || product(black_box(&t_b), black_box(&x), black_box(&mut u));
     let mut backward = || transposed(black_box(&t_b), black_box(&f), black_box(&mut back));
-    let mut solve = || product(black_box(&single), black_box(&r), black_box(&mut moved));
-    let times = Times::measure(&mut [&mut forward, &mut backward, &mut solve]);
-    [0, 1, 2].map(|task| times.median(task))
+    let mut solve = || product(black_box(&double), black_box(&r), black_box(&mut moved));
+    let mut half =
+        || product(black_box(&single), black_box(&r_single), black_box(&mut moved_single));
+    let times = Times::measure(&mut [&mut forward, &mut backward, &mut solve, &mut half]);
+    [0, 1, 2, 3].map(|task| times.median(task))
 }
 
 fn median(times: &[f64]) -> f64 {

@@ -30,10 +30,9 @@ pub(super) struct KeptFactors {
     current: Factors,
     /// Factors for other step lengths.
     shelves: Vec<Factors>,
-    /// What is made of factors that are kept for long, and which of it gives directions.
+    /// What is made of factors that are kept for long.
     inverse: RoughInverse,
     condensed: Option<Condensed>,
-    by: Directions,
     /// Corrections of the measures in the step so far, and whether they got smaller.
     followed: usize,
     contracts: bool,
@@ -43,7 +42,7 @@ pub(super) struct KeptFactors {
 }
 
 /// What gives directions.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Directions {
     /// The factors.
     Factors,
@@ -69,8 +68,9 @@ impl Factors {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct FactorsState {
     current: Factored,
-    /// Directions that the current ones have given.
+    /// Directions that the current ones have given, and what gives the next one.
     directions: usize,
+    by: Directions,
     /// The fewest corrections of a step since, and how many more others took, summed; see `KeptFactors::count`.
     fewest: usize,
     excess: usize,
@@ -87,20 +87,27 @@ pub(super) struct FactorsState {
     factorisations: usize,
 }
 
-/// Where factors were computed: time (s), state, released loads and step length (s), 0 where there are none.
+/// Where factors were computed: time (s), state, released loads, the side of a jump, and step length (s), 0 where there are none.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Factored {
     time: f64,
     state: State,
     released: Vec<bool>,
+    before: bool,
     dt: f64,
 }
 
 impl Factored {
-    fn keep(&mut self, (time, state, dt): (f64, &State, f64), released: &[bool]) {
-        (self.time, self.dt) = (time, dt);
+    fn keep(&mut self, (time, state, dt): (f64, &State, f64), system: &System) {
+        (self.time, self.before, self.dt) = (time, system.before, dt);
         self.state.copy_from(state);
-        self.released.copy_from_slice(released);
+        self.released.copy_from_slice(&system.released);
+    }
+
+    /// Sets what acts on a system to what acted there.
+    fn restore(&self, system: &mut System) {
+        system.before = self.before;
+        system.released.copy_from_slice(&self.released);
     }
 
     fn is_there(&self) -> bool {
@@ -115,6 +122,7 @@ impl FactorsState {
     }
 
     fn begin_count(&mut self) {
+        self.by = Directions::Factors;
         (self.directions, self.fewest, self.excess) = (0, usize::MAX, 0);
         (self.bodies.dt, self.more, self.again, self.since) = (0.0, 0, false, 0);
     }
@@ -127,21 +135,26 @@ impl KeptFactors {
         let (size, first) = (machine.size(), machine.first_unknown());
         let unknowns = size - first;
         let released = vec![false; machine.loads.len()];
-        let nothing =
-            || Factored { time: 0.0, state: State::new(size), released: released.clone(), dt: 0.0 };
+        let nothing = || Factored {
+            time: 0.0,
+            state: State::new(size),
+            released: released.clone(),
+            before: false,
+            dt: 0.0,
+        };
         KeptFactors {
             first,
             current: Factors::new(system, unknowns),
             shelves: (0..shelves).map(|_| Factors::new(system, unknowns)).collect(),
             inverse: RoughInverse::new(unknowns),
             condensed: Condensed::new(system),
-            by: Directions::Factors,
             followed: 0,
             contracts: true,
             whole: vec![0.0; if first > 0 { size * size } else { 0 }],
             state: FactorsState {
                 current: nothing(),
                 directions: 0,
+                by: Directions::Factors,
                 fewest: usize::MAX,
                 excess: 0,
                 bodies: nothing(),
@@ -192,17 +205,18 @@ impl KeptFactors {
                 self.invert(system, merit);
             }
             if kept.bodies.is_there() {
-                system.released.copy_from_slice(&kept.bodies.released);
+                kept.bodies.restore(system);
                 let (time, state) = (kept.bodies.time, &kept.bodies.state);
                 self.take_bodies(system, (time, state, &step));
             }
         }
+        system.before = false;
         self.state = kept;
     }
 
     /// Computes factors again where they were computed.
     fn repeat(&mut self, system: &mut System, method: Newmark, own: &Factored) -> Coefficients {
-        system.released.copy_from_slice(&own.released);
+        own.restore(system);
         system.evaluate(own.time, &own.state);
         let step = Coefficients::new(method, own.dt);
         self.factor(system, own.time, &own.state, &step);
@@ -234,7 +248,6 @@ impl KeptFactors {
             state.current.dt = 0.0;
         }
         // An inverse is not kept: it is made again where these factors give many directions again.
-        self.by = Directions::Factors;
         state.begin_count();
     }
 
@@ -259,10 +272,9 @@ impl KeptFactors {
             copy_tangent(tangent, own);
         }
         let done = self.current.lu.factor_in_place().is_ok();
-        self.by = Directions::Factors;
         self.state.begin_count();
         self.state.factorisations += 1;
-        self.state.current.keep((t, at, if done { step.dt } else { 0.0 }), &system.released);
+        self.state.current.keep((t, at, if done { step.dt } else { 0.0 }), system);
         done
     }
 
@@ -281,10 +293,10 @@ impl KeptFactors {
             self.invert(system, merit);
         }
         self.state.directions += 1;
-        if self.by == Directions::Condensed && !self.state.bodies.is_there() {
+        if self.state.by == Directions::Condensed && !self.state.bodies.is_there() {
             self.take_bodies(system, (t, at, step));
         }
-        match (self.by, &mut self.condensed) {
+        match (self.state.by, &mut self.condensed) {
             (Directions::Condensed, Some(condensed)) => {
                 let tangents = &self.current.tangents;
                 let judged = (tolerance, self.state.again);
@@ -311,7 +323,7 @@ impl KeptFactors {
             .condensed
             .as_mut()
             .is_some_and(|own| own.take_compliance(springs, self.inverse.exact(lu)));
-        self.by = match is_condensed {
+        self.state.by = match is_condensed {
             true => Directions::Condensed,
             false if self.inverse.invert(lu, merit.weights()) => Directions::Inverse,
             false => Directions::Factors,
@@ -322,9 +334,9 @@ impl KeptFactors {
     fn take_bodies(&mut self, system: &mut System, (t, at, step): (f64, &State, &Coefficients)) {
         let Some(condensed) = self.condensed.as_mut() else { return };
         if condensed.take_bodies(system, t, at, step) {
-            self.state.bodies.keep((t, at, step.dt), &system.released);
+            self.state.bodies.keep((t, at, step.dt), system);
         } else {
-            self.by = Directions::Factors;
+            self.state.by = Directions::Factors;
         }
         (self.state.more, self.state.again, self.state.since) = (0, false, 0);
     }
@@ -336,7 +348,7 @@ impl KeptFactors {
 
     fn most_excess(&self) -> usize {
         let most = CORRECTIONS * self.current.lu.size();
-        if self.by == Directions::Condensed { PREPARED * most } else { most }
+        if self.state.by == Directions::Condensed { PREPARED * most } else { most }
     }
 
     /// Counts the iterations of a step that is solved, a correction of the measures as a part of one. Factors end where steps
