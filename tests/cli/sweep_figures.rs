@@ -45,6 +45,19 @@ fn shows(text: &str, words: &[&str]) {
 }
 
 #[test]
+fn a_single_point_has_what_figures_of_more_need() {
+    let study = "[vary]\nmass.unbalance.speed = [\"500 rpm\"]\n";
+    let bench = bench(3000, study);
+    assert!(drawn(&bench, &[]).is_empty());
+    let more = study.replace("\"]", "\", \"900 rpm\", \"1300 rpm\"]");
+    let bench = bench.file("study.toml", &format!("case = \"rattler.toml\"\n{more}"));
+    let figures = drawn(&bench, &["--resume"]);
+    let own = svg(&bench, "bifurcation");
+    assert_eq!(drawn(&bench, &[]), figures);
+    assert!(svg(&bench, "bifurcation") == own, "a figure of other points");
+}
+
+#[test]
 fn over_one_value_there_are_curves_a_bifurcation_diagram_and_spectra() {
     let bench = bench(3000, "[vary]\nmass.unbalance.speed = \"500 rpm .. 2000 rpm, 7\"\n");
     let expected = ["bifurcation", "displacement", "orders", "reactions", "waterfall"];

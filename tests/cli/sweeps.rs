@@ -611,6 +611,31 @@ fn a_killed_sweep_that_is_continued_goes_on_within_its_chains() {
     assert_ne!(alone[1], chain[1]);
 }
 
+/// Points that fail before any of a chain has a state are not run again.
+#[cfg(unix)]
+#[test]
+fn a_chain_that_begins_with_points_that_fail_is_resumed_behind_them() {
+    let study = "case = \"mass.toml\"\ncontinue = \"up\"\n[vary]\nstop.1.law = [\"root.toml\"]\n\
+                 stop.1.gap = \"4 mm .. 16 mm, 4\"\n";
+    let bench = bench(200_000, study).file("root.toml", NO_NUMBER);
+    let length = |name: &str| {
+        fs::metadata(bench.path(&format!("{name}/sweep.journal"))).expect("a journal").len()
+    };
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));
+    let found = text(&bench, "whole/table.csv");
+    assert_eq!(column(&found, "verdict")[..2], ["failed", "failed"], "{found}");
+    // Whoever goes on is noted, and nothing else is there twice.
+    let all = length("whole");
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "whole", "--resume"]));
+    let begun = length("whole") - all;
+    kill_at(&bench, begun + 1, &[]);
+    let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
+    done(&outcome);
+    assert!(!outcome.stderr.contains("after 0 of"), "{}", outcome.stderr);
+    assert!(text(&bench, "cut/table.csv") == found, "other bytes");
+    assert_eq!(length("cut"), all + begun);
+}
+
 #[test]
 fn a_check_says_what_a_sweep_takes() {
     let study = "title = \"clearance and load\"\ncase = \"hu2003-5\"\nkeep = \"histories\"\n[vary]\nmarch.steps = [10]\n\

@@ -123,20 +123,22 @@ impl SweepFolder {
         self.path(POINTS).join(format!("{number:05}"))
     }
 
-    /// Keeps the state from which the point after `number` goes on.
+    /// Keeps the state from which the point after `number` goes on; none if it begins as the case does.
     ///
     /// # Errors
     /// Why not, with the path.
-    pub(super) fn keep_state(&self, number: usize, state: &[u8]) -> Result<(), String> {
+    pub(super) fn keep_state(&self, number: usize, state: Option<&[u8]>) -> Result<(), String> {
         let path = self.of_chain(number);
+        let state = state.unwrap_or_default();
         let written =
             fs::create_dir_all(self.path(CHAINS)).and_then(|()| write_whole(&path, state));
         written.map_err(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 
-    /// The state from which the point after `number` goes on, if it is there.
-    pub(super) fn state(&self, number: usize) -> Option<Vec<u8>> {
-        fs::read(self.of_chain(number)).ok()
+    /// What was kept for the point after `number`, if it is there.
+    pub(super) fn state(&self, number: usize) -> Option<Option<Vec<u8>>> {
+        let kept = fs::read(self.of_chain(number)).ok()?;
+        Some((!kept.is_empty()).then_some(kept))
     }
 
     /// Takes away the state after `number`, which nobody needs any more.

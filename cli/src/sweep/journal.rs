@@ -14,7 +14,7 @@ use crate::checkpoint::Identity;
 /// Name of the file.
 pub(super) const NAME: &str = "sweep.journal";
 /// Layout of the records.
-const LAYOUT: &str = "whirl sweep 2";
+const LAYOUT: &str = "whirl sweep 3";
 /// Bytes of a record, at most: a length that is larger is none.
 const LONGEST: u32 = 1 << 26;
 

@@ -36,8 +36,8 @@ impl Kept {
         let path = results.path(journal::NAME);
         let cannot = |error| format!("cannot read `{}`: {error}", path.display());
         let mut records = Records::open(&path).map_err(cannot)?;
-        let numbers: BTreeMap<Key, usize> =
-            sweep.points().map(|point| (sweep.identity(&point), point.number())).collect();
+        let keys = (0..sweep.chains()).flat_map(|chain| sweep.identities(chain));
+        let numbers: BTreeMap<Key, usize> = keys.zip(0..).collect();
         let mut kept = Kept {
             rows: vec![None; sweep.count()],
             names: Vec::new(),

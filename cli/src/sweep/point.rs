@@ -46,10 +46,12 @@ pub(super) fn run(
         }
         let built = crate::build(&case, Some(cache), &mut warnings)?;
         let (run, facts) = summed_up(&case, &built, watch)?;
-        let trace = figures::need_traces(sweep)
-            .then(|| Trace::of(&case, &built, &run.history))
-            .transpose()
-            .unwrap_or_default();
+        let trace = match figures::need_traces(sweep) {
+            true => Trace::of(&case, &built, &run.history)
+                .map_err(|error| warnings.push(format!("no figure shows this point: {error}")))
+                .ok(),
+            false => None,
+        };
         Ok((case, run, facts, trace))
     });
     let (case, run, facts, trace) = match ran {

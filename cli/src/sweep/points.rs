@@ -113,6 +113,11 @@ impl Sweep {
         }
     }
 
+    /// Number of chains.
+    pub(super) fn chains(&self) -> usize {
+        self.count() / self.chain()
+    }
+
     /// All points, the last key varying fastest.
     pub fn points(&self) -> impl Iterator<Item = Point> {
         (0..self.count()).map(|number| self.point(number))
@@ -172,15 +177,15 @@ impl Sweep {
         tree
     }
 
-    /// What makes a point another one than all others: its values, and those from which it goes on. A Latin hypercube may have
-    /// the same values twice.
-    pub(super) fn identity(&self, point: &Point) -> Key {
-        let begins = point.number - point.number % self.chain();
-        let chain: Vec<String> = match self.along {
-            None => vec![point.lines()],
-            Some(_) => (begins..=point.number).map(|number| self.point(number).lines()).collect(),
-        };
-        Key::of(&(chain, self.samples.map(|_| point.number)))
+    /// What makes each point of a chain another one than all others: its values, and those from which it goes on. A Latin
+    /// hypercube may have the same values twice.
+    pub(super) fn identities(&self, chain: usize) -> impl Iterator<Item = Key> {
+        let first = chain * self.chain();
+        (first..first + self.chain()).scan(None, |before: &mut Option<Key>, number| {
+            let sample = self.samples.map(|_| number);
+            *before = Some(Key::of(&(*before, self.point(number).lines(), sample)));
+            *before
+        })
     }
 }
 

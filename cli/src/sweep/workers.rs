@@ -66,7 +66,7 @@ pub(super) fn run(
     ended.begun = true;
     let shown = PointsShown::new(show, sweep.count(), kept.as_ref().map_or(0, Kept::done), jobs);
     let (stop, next) = (AtomicBool::new(false), AtomicUsize::new(0));
-    let chains = sweep.count() / sweep.chain();
+    let chains = sweep.chains();
     let results = &*results;
     thread::scope(|scope| {
         let (sender, receiver) = sync_channel(BATCH);
@@ -87,8 +87,8 @@ pub(super) fn run(
             });
         }
         drop(sender);
-        let written =
-            keep_rows((sweep, results), &mut journal, &receiver, (&shown, &mut ended.warnings));
+        let all = (&shown, &mut ended.warnings, &stop);
+        let written = keep_rows((sweep, results), &mut journal, &receiver, all);
         if let Err(reason) = written {
             ended.stopped = Some(reason);
             stop.store(true, Ordering::Relaxed);
@@ -120,11 +120,14 @@ fn follow(
     let mut begin = (first..first + sweep.chain()).take_while(is_done).count() + first;
     let mut state = None;
     if begin > first && begin < first + sweep.chain() {
-        state = results.state(begin - 1);
-        // Without it all points of the chain come to the same numbers once more.
-        begin = if state.is_some() { begin } else { first };
+        match results.state(begin - 1) {
+            Some(kept) => state = kept,
+            // Without it all points of the chain are run once more, to the state that they end in.
+            None => begin = first,
+        }
     }
-    for number in begin..first + sweep.chain() {
+    let keys = sweep.identities(chain).skip(begin - first);
+    for (number, key) in (begin..first + sweep.chain()).zip(keys) {
         let point = sweep.point(number);
         watch.shown.begun(watch.worker);
         let mut done = match point::run((sweep, &point), state.as_deref(), (cache, results), watch)
@@ -139,23 +142,23 @@ fn follow(
         if sweep.chain() > 1 {
             // The next one goes on from the last point that came to its end.
             state = done.state.take().or(state);
-            if let Some(state) = &state
-                && let Err(reason) = results.keep_state(number, state)
-            {
+            if let Err(reason) = results.keep_state(number, state.as_deref()) {
                 let _ = sender.send(Err(reason));
                 return Break(());
             }
         }
+        if is_done(&number) {
+            continue;
+        }
         done.state = None;
-        let sent = Sent { number, point: sweep.identity(&point), done };
-        if sender.send(Ok(sent)).is_err() {
+        if sender.send(Ok(Sent { number, point: key, done })).is_err() {
             return Break(());
         }
     }
     Continue(())
 }
 
-/// Writes rows as they come, as many at once as there are.
+/// Writes rows as they come, as many at once as there are. A point that cannot be kept stops the others, whose rows are kept.
 ///
 /// # Errors
 /// Something cannot be written, in words.
@@ -163,8 +166,9 @@ fn keep_rows(
     (sweep, results): (&Sweep, &SweepFolder),
     journal: &mut Journal,
     receiver: &Receiver<Result<Sent, String>>,
-    (shown, warnings): (&PointsShown, &mut BTreeSet<String>),
+    (shown, warnings, stop): (&PointsShown, &mut BTreeSet<String>, &AtomicBool),
 ) -> Result<(), String> {
+    let mut not_kept = None;
     loop {
         let first = match receiver.recv_timeout(PAUSE) {
             Ok(first) => first,
@@ -172,13 +176,19 @@ fn keep_rows(
                 shown.update();
                 continue;
             }
-            Err(RecvTimeoutError::Disconnected) => return Ok(()),
+            Err(RecvTimeoutError::Disconnected) => return not_kept.map_or(Ok(()), Err),
         };
-        let batch: Result<Vec<Sent>, String> =
-            std::iter::once(first).chain(receiver.try_iter().take(BATCH)).collect();
         let (mut rows, mut numbers): (Vec<(Key, Vec<String>, Row)>, Vec<usize>) =
             Default::default();
-        for Sent { number, point, done } in batch? {
+        for sent in std::iter::once(first).chain(receiver.try_iter().take(BATCH)) {
+            let Sent { number, point, done } = match sent {
+                Ok(sent) => sent,
+                Err(reason) => {
+                    stop.store(true, Ordering::Relaxed);
+                    not_kept.get_or_insert(reason);
+                    continue;
+                }
+            };
             shown.done(done.row.verdict != Verdict::Sound);
             warnings.extend(done.warnings);
             rows.push((point, done.names, done.row));

@@ -61,8 +61,9 @@ const CALM_PARTS: u32 = 8;
 pub(super) struct ControlMemory {
     /// Halvings of a step.
     pub(super) halvings: u32,
-    /// Parts in a row that were far below the tolerance.
+    /// Parts in a row that were far below the tolerance, and whether all were so far.
     calm: u32,
+    begins: bool,
     /// Largest displacement of every part of the machine so far (m), and the most energy in play at every bearing (J).
     displacements: Vec<f64>,
     energies: Vec<f64>,
@@ -100,7 +101,8 @@ pub(super) struct Measured<'m> {
 }
 
 impl StepControl {
-    /// Of steps of `dt` s of a machine that stands at some displacements and has so many bearings.
+    /// Of steps of `dt` s of a machine that stands at some displacements and has so many bearings. The first parts are the
+    /// shortest: over one that is far longer than what acts both errors may be none by chance.
     pub(super) fn new(
         options: AutomaticStep,
         dt: f64,
@@ -113,8 +115,9 @@ impl StepControl {
             options,
             least,
             memory: ControlMemory {
-                halvings: least,
+                halvings: MOST_HALVINGS,
                 calm: 0,
+                begins: true,
                 displacements: displacements.to_vec(),
                 energies: vec![0.0; bearings],
                 taken: PartsTaken::default(),
@@ -162,6 +165,7 @@ impl StepControl {
         raise(&mut memory.energies, &self.energies);
         let goes_on = judged <= CALM && memory.halvings == halvings;
         memory.calm = if goes_on { memory.calm.saturating_add(1) } else { 0 };
+        memory.begins &= goes_on;
         memory.halvings = halvings;
         let taken = &mut memory.taken;
         taken.parts += 1;
@@ -171,14 +175,15 @@ impl StepControl {
 
     /// Counts a part that is done again.
     pub(super) fn reject(&mut self) {
-        self.memory.calm = 0;
+        (self.memory.calm, self.memory.begins) = (0, false);
         self.memory.taken.rejected += 1;
     }
 
     /// Makes the next part twice as long where that is due, at a place in the step in units of the shortest part.
     pub(super) fn lengthen(&mut self, at: u32) {
         let memory = &mut self.memory;
-        if memory.calm >= CALM_PARTS && memory.halvings > self.least {
+        let is_due = memory.calm >= CALM_PARTS || memory.begins && memory.calm > 0;
+        if is_due && memory.halvings > self.least {
             let twice = 1 << (MOST_HALVINGS - memory.halvings + 1);
             if at.is_multiple_of(twice) {
                 (memory.halvings, memory.calm) = (memory.halvings - 1, 0);
@@ -228,8 +233,7 @@ mod tests {
     #[test]
     fn parts_become_longer_where_they_are_calm_and_fit() {
         let mut control = control();
-        // A quarter of the step is the longest that it may take.
-        assert_eq!(control.memory.halvings, 2);
+        assert_eq!(control.memory.halvings, MOST_HALVINGS);
         let whole = 1 << MOST_HALVINGS;
         let mut calm = |halvings: u32, at: u32, judged: f64| {
             control.accept(judged, halvings);
@@ -244,6 +248,7 @@ mod tests {
         assert_eq!(calm(3, whole / 4, 0.0).0, 3);
         // Where the longer part would begin at no multiple of itself.
         assert_eq!(calm(3, whole / 8, 0.0).0, 3);
+        // A quarter of the step is the longest that it may take.
         assert_eq!(calm(3, whole / 4, 0.2), (3, Some([3, 3])));
         assert_eq!(calm(2, whole, 0.0).0, 2);
         assert_eq!(calm(2, whole, 0.0), (2, Some([2, 3])));

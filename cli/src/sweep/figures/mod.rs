@@ -25,9 +25,11 @@ pub(super) const NAMES: [&str; 7] =
 /// What legends call points that are not sound.
 const DOUBTED: &str = "NOT SOUND: see `remark` in the table";
 
-/// Whether figures need what [`super::trace`] finds: those of sweeps over one key, up to a bound.
+/// Whether figures need what [`super::trace`] finds: those of sweeps over one key, up to a bound. One over a single value may get
+/// others later.
 pub(super) fn need_traces(sweep: &Sweep) -> bool {
     match grid::varying(sweep).as_slice() {
+        [] => sweep.samples.is_none(),
         [axis] => grid::values(sweep, *axis) <= MOST_OF_CURVE,
         _ => false,
     }
