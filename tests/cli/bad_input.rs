@@ -67,6 +67,19 @@ fn a_negative_density_is_an_error() {
 }
 
 #[test]
+fn a_time_step_is_one_that_a_machine_may_have() {
+    for step in ["1e-300 s", "1e300 s"] {
+        let text = format!("{CASE}[march]\nsteps = 3\ntime_step = \"{step}\"\n");
+        let words = ["case.toml:5:13", "`time_step` is 1e", "from 1e-15 s to 1e9 s long"];
+        refused_case(&text, &words);
+        let text = format!(
+            "{CASE}[march]\nduration = \"1 s\"\ntime_step = \"auto\"\noutput_step = \"{step}\"\n"
+        );
+        refused_case(&text, &["case.toml:6:15", "`output_step` is 1e"]);
+    }
+}
+
+#[test]
 fn a_time_step_must_be_positive() {
     for step in ["0 s", "-7.4e-5 s"] {
         let text = format!("{CASE}[march]\nsteps = 3\ntime_step = \"{step}\"\n");

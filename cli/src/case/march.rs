@@ -50,6 +50,10 @@ impl MarchSettings {
 /// the 1 % by which a steady state is tested.
 const LEAST_STEPS: f64 = 23.0;
 
+/// Steps beyond have nothing to do with a machine, and their squares leave the range of numbers (s).
+const SHORTEST: f64 = 1e-15;
+const LONGEST: f64 = 1e9;
+
 /// Of the reference histories: far below every force of interest, far above rounding.
 const FORCE_TOLERANCE: f64 = 1e-3;
 
@@ -61,6 +65,7 @@ fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
     let automatic = is_automatic(march);
     let step = if automatic { Step::of_rows(march) } else { Step::fixed(march) };
     let (given, key) = (step.given, step.key);
+    let given = given.filter(|given| sensible(march, key, *given));
     let time_step = given.unwrap_or(1.0);
     let steps = steps(march, &step);
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
@@ -196,6 +201,19 @@ fn has_a_steady_state(march: &Table, settings: &MarchSettings, has_cycle: bool) 
         );
         refuse(march, "stop_when_steady", message, help);
     }
+}
+
+/// Whether a step is one that numbers can march by; notes it otherwise.
+fn sensible(march: &Table, key: &'static str, step: f64) -> bool {
+    let is_sensible = SHORTEST <= step && step <= LONGEST;
+    if !is_sensible {
+        let message = format!(
+            "`{key}` is {step:e} s, where steps are from {SHORTEST:e} s to {LONGEST:e} s long"
+        );
+        let help = "write a small part of the time in which the fastest motion of interest repeats";
+        refuse(march, key, message, help.to_owned());
+    }
+    is_sensible
 }
 
 /// Notes a cycle that is too short for its steps to show it; `key` is to blame for it.
