@@ -205,7 +205,7 @@ fn has_a_steady_state(march: &Table, settings: &MarchSettings, has_cycle: bool) 
 
 /// Whether a step is one that numbers can march by; notes it otherwise.
 fn sensible(march: &Table, key: &'static str, step: f64) -> bool {
-    let is_sensible = SHORTEST <= step && step <= LONGEST;
+    let is_sensible = (SHORTEST..=LONGEST).contains(&step);
     if !is_sensible {
         let message = format!(
             "`{key}` is {step:e} s, where steps are from {SHORTEST:e} s to {LONGEST:e} s long"
