@@ -611,6 +611,56 @@ fn a_killed_sweep_that_is_continued_goes_on_within_its_chains() {
     assert_ne!(alone[1], chain[1]);
 }
 
+/// A state that is damaged, or of another point, is none.
+#[cfg(unix)]
+#[test]
+fn states_that_are_not_what_they_were_do_not_change_a_sweep() {
+    let study = "case = \"mass.toml\"\ncontinue = \"up\"\n[vary]\nmass.damping = [\"0 N*s/m\", \"1 N*s/m\"]\n\
+                 stop.1.gap = \"0.5 mm .. 1.5 mm, 8\"\n";
+    let bench = bench(20_000, study);
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));
+    let whole = text(&bench, "whole/table.csv");
+    let length = fs::metadata(bench.path("whole/sweep.journal")).unwrap().len();
+    let damages: [fn(&mut Vec<u8>); 5] = [
+        |own| own.truncate(0),
+        |own| own.truncate(100),
+        |own| own[70] ^= 1,
+        |own| own.extend([0, 0]),
+        |own| own.fill(0),
+    ];
+    let cut = || {
+        let _ = fs::remove_dir_all(bench.path("cut"));
+        kill_at(&bench, length / 2, &[]);
+    };
+    let states = || {
+        let names = bench.listing_of("cut/chains").into_iter();
+        let paths = names.map(|name| bench.path(&format!("cut/chains/{name}")));
+        paths.filter(|path| path.extension().is_some_and(|own| own == "bin")).collect::<Vec<_>>()
+    };
+    for damage in damages {
+        cut();
+        let found = states();
+        assert!(!found.is_empty(), "no state is left by the kill");
+        for path in found {
+            let mut bytes = fs::read(&path).unwrap();
+            damage(&mut bytes);
+            fs::write(&path, bytes).unwrap();
+        }
+        done(&bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]));
+        assert!(text(&bench, "cut/table.csv") == whole, "other bytes");
+    }
+    // The state behind another point, whole as it is.
+    cut();
+    let found = states();
+    let other = fs::read(&found[0]).unwrap();
+    found[1..].iter().for_each(|path| fs::write(path, &other).unwrap());
+    let number = |path: &std::path::Path| path.file_stem().unwrap().to_str().unwrap().to_owned();
+    let last: usize = number(&found[0]).parse().unwrap();
+    fs::write(bench.path(&format!("cut/chains/{:05}.bin", last + 1)), &other).unwrap();
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]));
+    assert!(text(&bench, "cut/table.csv") == whole, "other bytes");
+}
+
 /// Points that fail before any of a chain has a state are not run again.
 #[cfg(unix)]
 #[test]

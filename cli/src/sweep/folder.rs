@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use whirl_solver::cache::{remove_unfinished, write_whole};
+use whirl_solver::cache::{Key, pack, remove_unfinished, unpack, write_whole};
 
 use super::{figures, journal, table};
 use crate::created::CreatedFolders;
@@ -123,22 +123,25 @@ impl SweepFolder {
         self.path(POINTS).join(format!("{number:05}"))
     }
 
-    /// Keeps the state from which the point after `number` goes on; none if it begins as the case does.
+    /// Keeps the state from which the point after `number`, which `point` tells from all others, goes on; none if it begins
+    /// as the case does.
     ///
     /// # Errors
     /// Why not, with the path.
-    pub(super) fn keep_state(&self, number: usize, state: Option<&[u8]>) -> Result<(), String> {
+    pub(super) fn keep_state(
+        &self,
+        (number, point): (usize, Key),
+        state: Option<&[u8]>,
+    ) -> Result<(), String> {
         let path = self.of_chain(number);
-        let state = state.unwrap_or_default();
-        let written =
-            fs::create_dir_all(self.path(CHAINS)).and_then(|()| write_whole(&path, state));
+        let written = fs::create_dir_all(self.path(CHAINS))
+            .and_then(|()| write_whole(&path, &pack(&state_of(point), &state)?));
         written.map_err(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 
-    /// What was kept for the point after `number`, if it is there.
-    pub(super) fn state(&self, number: usize) -> Option<Option<Vec<u8>>> {
-        let kept = fs::read(self.of_chain(number)).ok()?;
-        Some((!kept.is_empty()).then_some(kept))
+    /// What was kept for the point after `number`, if it is there and whole, and of this point.
+    pub(super) fn state(&self, (number, point): (usize, Key)) -> Option<Option<Vec<u8>>> {
+        unpack(&state_of(point), &fs::read(self.of_chain(number)).ok()?)
     }
 
     /// Takes away the state after `number`, which nobody needs any more.
@@ -174,6 +177,11 @@ impl SweepFolder {
     fn of_chain(&self, number: usize) -> PathBuf {
         self.path(CHAINS).join(format!("{number:05}.bin"))
     }
+}
+
+/// What a state that is kept depends on, with the layout of its file.
+fn state_of(point: Key) -> Key {
+    Key::of(&("whirl sweep state 1", point))
 }
 
 fn absent_is_fine(done: io::Result<()>) -> io::Result<()> {

@@ -117,17 +117,17 @@ fn follow(
     use std::ops::ControlFlow::{Break, Continue};
     let first = chain * sweep.chain();
     let is_done = |number: &usize| kept.is_some_and(|kept| kept.has(*number));
-    let mut begin = (first..first + sweep.chain()).take_while(is_done).count() + first;
+    let points: Vec<(usize, Key)> = (first..).zip(sweep.identities(chain)).collect();
+    let mut passed = points.iter().take_while(|(number, _)| is_done(number)).count();
     let mut state = None;
-    if begin > first && begin < first + sweep.chain() {
-        match results.state(begin - 1) {
+    if passed > 0 && passed < points.len() {
+        match results.state(points[passed - 1]) {
             Some(kept) => state = kept,
             // Without it all points of the chain are run once more, to the state that they end in.
-            None => begin = first,
+            None => passed = 0,
         }
     }
-    let keys = sweep.identities(chain).skip(begin - first);
-    for (number, key) in (begin..first + sweep.chain()).zip(keys) {
+    for &(number, key) in &points[passed..] {
         let point = sweep.point(number);
         watch.shown.begun(watch.worker);
         let mut done = match point::run((sweep, &point), state.as_deref(), (cache, results), watch)
@@ -142,7 +142,7 @@ fn follow(
         if sweep.chain() > 1 {
             // The next one goes on from the last point that came to its end.
             state = done.state.take().or(state);
-            if let Err(reason) = results.keep_state(number, state.as_deref()) {
+            if let Err(reason) = results.keep_state((number, key), state.as_deref()) {
                 let _ = sender.send(Err(reason));
                 return Break(());
             }
