@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::contacts::Contacts;
 use super::control::{AutomaticStep, ControlMemory, Measured, PartsTaken, StepControl};
 use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
 use super::newmark::{Newmark, State};
@@ -15,6 +16,7 @@ pub(crate) struct Meters {
     quality: QualityMeter,
     /// Chooses the parts of steps, where the march does.
     control: Option<StepControl>,
+    contacts: Contacts,
     /// By parts of the machine: local errors of a part of a step, and displacements at its end.
     errors: Vec<f64>,
     displacements: Vec<f64>,
@@ -61,14 +63,20 @@ impl Meters {
             errors: vec![0.0; quality.parts()],
             kinetic: vec![0.0; bearings],
             control: automatic.map(|own| StepControl::new(own, dt, &displacements, bearings)),
+            contacts: Contacts::new(system.machine),
             quality,
             displacements,
         })
     }
 
-    /// What a part of a step of `dt` s is worth that ends at a state just evaluated, over what it may be; 0 where steps are
-    /// fixed. It leaves no trace in what was measured so far.
-    pub(crate) fn judge(&mut self, system: &System, dt: f64, start: &State, end: &State) -> f64 {
+    /// What a part of a step of `dt` s from time `t` on is worth that ends at a state just evaluated, over what it may be; 0 where
+    /// steps are fixed, and no number where a contact begins and ends within it. It leaves no trace in what was measured so far.
+    pub(crate) fn judge(
+        &mut self,
+        system: &System,
+        (t, dt): (f64, f64),
+        [start, end]: [&State; 2],
+    ) -> f64 {
         let Some(control) = &mut self.control else { return 0.0 };
         self.quality.errors(dt, start, end, &mut self.errors);
         self.quality.displacements(end, &mut self.displacements);
@@ -76,13 +84,15 @@ impl Meters {
         for state in [start, end] {
             self.quality.raise_kinetic(system.machine, state, &mut self.kinetic);
         }
-        control.judge(&Measured {
+        let judged = control.judge(&Measured {
             errors: &self.errors,
             displacements: &self.displacements,
             flows: self.energy.measure(system),
             kinetic: &self.kinetic,
             rounding: rounding(system, end),
-        })
+        });
+        let hides = judged <= 1.0 && self.contacts.are_within(system, (t, dt), [start, end]);
+        if hides { f64::NAN } else { judged }
     }
 
     /// Leaves out the part of a step that was judged last, or was not solved.

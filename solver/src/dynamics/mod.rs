@@ -2,6 +2,7 @@
 
 mod checkpoint;
 mod condensed;
+mod contacts;
 mod control;
 mod energy;
 mod equilibrium;

@@ -52,7 +52,7 @@ impl March<'_> {
         let may_halve = halvings < most_halvings(&self.options);
         let ending = match report.ending {
             Ending::Converged => {
-                let judged = self.meters.judge(&self.system, taken, &start, &self.state);
+                let judged = self.meters.judge(&self.system, (t, taken), [&start, &self.state]);
                 // What is no number is beyond every tolerance.
                 if judged <= 1.0 || !may_halve { Some(judged) } else { None }
             }

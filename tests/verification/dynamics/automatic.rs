@@ -166,6 +166,26 @@ fn a_part_at_whose_end_all_is_as_at_its_start_is_not_taken_for_exact() {
     assert!(10.0 * error <= late, "{error} m for {late} m");
 }
 
+/// In flight nothing is wrong with parts as long as a row, at both ends of which the mass is clear of a stop that it strikes
+/// between them.
+#[test]
+fn a_contact_within_a_part_is_not_passed_over() {
+    let (machine, thrown, dt) = (stop::machine(), 1.05_f64, 0.14);
+    let flight = |t: f64| thrown * t - 0.5 * PUSH * t * t;
+    let highest = 0.5 * thrown * thrown / PUSH;
+    assert!(flight(0.5 * dt) < stop::GAP && flight(dt) < stop::GAP && highest > stop::GAP);
+    let (path, outcome) = marched(&machine, automatic(dt, 1, 1e-5), [0.0, thrown]);
+    let exact = between_stops(thrown, dt)[0];
+    let (error, missed) = ((path[0][0] - exact).abs(), (flight(dt) - exact).abs());
+    println!("{error:e} m, {missed:e} m of flight; {:?}", outcome.parts);
+    // The parts in which the contact begins and ends make ten times the tolerance of the energy in play there, which is
+    // at most twice that of the throw: ΔE/v in speed, of what is left of it, until the end.
+    let left = (thrown * thrown - 2.0 * PUSH * stop::GAP).sqrt();
+    let allowed = 2.0 * 10.0 * 1e-5 * thrown * thrown / left * dt;
+    assert!(error <= allowed, "{error} m for {allowed} m");
+    assert!(100.0 * error <= missed, "{error} m for {missed} m");
+}
+
 /// A mass on a spring: what is wrong at its end is the phase, as every step keeps the energy.
 #[test]
 fn the_error_of_an_oscillator_falls_with_the_tolerance() {
