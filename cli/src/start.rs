@@ -15,7 +15,7 @@ use crate::results::{STATE, SUMMARY};
 use crate::watch::Watch;
 
 /// Layout of the file.
-const LAYOUT: &str = "whirl state 5";
+const LAYOUT: &str = "whirl state 6";
 
 /// The march of a case, whose results go to `out` if they go to a folder, before its first step.
 ///

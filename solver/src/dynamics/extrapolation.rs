@@ -2,27 +2,23 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Corrections that are kept.
-const KEPT: usize = 3;
+use super::kept_columns::{KeptColumns, MOST, Shares};
 
-/// Share of the squares of the kept corrections by which their sum is held from growing where they are alike.
-const HELD: f64 = 1e-10;
+/// Corrections that are kept of few unknowns.
+const LEAST: usize = 3;
 
 /// The corrections of the last steps beside their predictions. Whichever of none, the last one, the straight line
-/// through the last two, and the sum of the last three that came nearest to their successor would have been nearest to that of the
+/// through the last two, and the sum of all that came nearest to their successor would have been nearest to that of the
 /// last step is taken for the next one: where accelerations are smooth the last is near, where unresolved modes flip their signs
-/// the one before it, and of both at once the sum.
+/// the one before it, and of several motions at once the sum, as each goes on by its own recurrence.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Extrapolation {
     /// Step length (s) of the corrections; others have corrections of another size.
     dt: f64,
     order: Order,
-    /// The last correction first.
-    kept: [Vec<f64>; KEPT],
-    /// Their products with each other.
-    products: [[f64; KEPT]; KEPT],
-    /// Shares in the sum.
-    shares: [f64; KEPT],
+    kept: KeptColumns,
+    /// Shares in the sum, that of the last correction first.
+    shares: Shares,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -33,95 +29,56 @@ enum Order {
     Sum,
 }
 
+/// The last correction, and the straight line through the last two.
+const CONSTANT: Shares = shares_of([1.0, 0.0]);
+const LINEAR: Shares = shares_of([2.0, -1.0]);
+
+const fn shares_of([last, before]: [f64; 2]) -> Shares {
+    let mut shares = [0.0; MOST];
+    (shares[0], shares[1]) = (last, before);
+    shares
+}
+
 impl Extrapolation {
     /// Of steps that were not made, for so many unknowns.
     pub(super) fn new(unknowns: usize) -> Self {
-        Extrapolation {
-            dt: 0.0,
-            order: Order::None,
-            kept: std::array::from_fn(|_| vec![0.0; unknowns]),
-            products: [[0.0; KEPT]; KEPT],
-            shares: [0.0; KEPT],
-        }
+        let kept = KeptColumns::new(unknowns, LEAST, MOST);
+        Extrapolation { dt: 0.0, order: Order::None, kept, shares: [0.0; MOST] }
     }
 
     /// Writes a correction with which a step of `dt` s may begin.
     pub(super) fn begin(&mut self, dt: f64, correction: &mut [f64]) {
         if self.dt != dt {
-            self.dt = dt;
-            self.order = Order::None;
-            self.kept.iter_mut().for_each(|own| own.fill(0.0));
-            self.products = [[0.0; KEPT]; KEPT];
-            self.shares = [0.0; KEPT];
+            (self.dt, self.order, self.shares) = (dt, Order::None, [0.0; MOST]);
+            self.kept.clear();
         }
-        let [a, b, c] = match self.order {
-            Order::None => return correction.fill(0.0),
-            Order::Constant => return correction.copy_from_slice(&self.kept[0]),
-            Order::Linear => [2.0, -1.0, 0.0],
+        correction.fill(0.0);
+        let shares = match self.order {
+            Order::None => return,
+            Order::Constant => CONSTANT,
+            Order::Linear => LINEAR,
             Order::Sum => self.shares,
         };
-        let [last, before, first] = &self.kept;
-        let known = last.iter().zip(before).zip(first);
-        correction
-            .iter_mut()
-            .zip(known)
-            .for_each(|(own, ((x, y), z))| *own = a * x + b * y + c * z);
+        self.kept.add(&self.kept.turned(&shares), correction);
     }
 
     /// Takes the correction of a step that was solved; `weights`: 1/s of the unknowns.
-    pub(super) fn learn(&mut self, correction: &[f64], weights: &[f64]) {
-        let (mut square, mut with) = (0.0, [0.0; KEPT]);
-        let [last, before, first] = &self.kept;
-        let known = last.iter().zip(before).zip(first);
-        for ((own, weight), ((x, y), z)) in correction.iter().zip(weights).zip(known) {
-            let weighed = own / weight;
-            square += weighed * own;
-            with[0] += weighed * x;
-            with[1] += weighed * y;
-            with[2] += weighed * z;
-        }
-        // ‖c − Σ a_i c_i‖² by the products.
-        let error = |a: [f64; KEPT]| {
-            let rows = self.products.iter().zip(a);
-            let own: f64 =
-                rows.map(|(row, b)| b * row.iter().zip(a).map(|(p, a)| p * a).sum::<f64>()).sum();
-            square - 2.0 * with.iter().zip(a).map(|(p, a)| p * a).sum::<f64>() + own
-        };
+    pub(super) fn learn(&mut self, correction: &[f64], weights: &[f64], memory: &mut [f64]) {
+        let products = self.kept.products_with(correction, weights, memory);
+        let error = |shares: &Shares| self.kept.distance(products, &self.kept.turned(shares));
         let ways = [
-            (Order::None, square),
-            (Order::Constant, error([1.0, 0.0, 0.0])),
-            (Order::Linear, error([2.0, -1.0, 0.0])),
-            (Order::Sum, error(self.shares)),
+            (Order::None, products.0),
+            (Order::Constant, error(&CONSTANT)),
+            (Order::Linear, error(&LINEAR)),
+            (Order::Sum, error(&self.shares)),
         ];
         // What is no number is no reason to leave the prediction.
         self.order =
             ways.iter().fold(ways[0], |best, way| if way.1 < best.1 { *way } else { best }).0;
-        self.shares = nearest(&self.products, with).unwrap_or([1.0, 0.0, 0.0]);
-        let [a, b, _] = with;
-        let [[p, q, _], [_, r, _], _] = self.products;
-        self.products = [[square, a, b], [a, p, q], [b, q, r]];
-        self.kept.rotate_right(1);
-        self.kept[0].copy_from_slice(correction);
+        let nearest = self.kept.nearest(&products.1).map(|shares| self.kept.turned(&shares));
+        self.shares = nearest.unwrap_or(CONSTANT);
+        self.kept.push(correction, products);
     }
-}
-
-/// The shares of the sum that is nearest to what has these products with its parts; none where they are no numbers.
-fn nearest(products: &[[f64; KEPT]; KEPT], with: [f64; KEPT]) -> Option<[f64; KEPT]> {
-    let held = HELD * (0..KEPT).map(|i| products[i][i]).sum::<f64>();
-    let (mut a, mut x) = (*products, with);
-    (0..KEPT).for_each(|i| a[i][i] += held);
-    for i in 0..KEPT {
-        for j in i + 1..KEPT {
-            let factor = a[j][i] / a[i][i];
-            (i..KEPT).for_each(|k| a[j][k] -= factor * a[i][k]);
-            x[j] -= factor * x[i];
-        }
-    }
-    for i in (0..KEPT).rev() {
-        let known: f64 = (i + 1..KEPT).map(|k| a[i][k] * x[k]).sum();
-        x[i] = (x[i] - known) / a[i][i];
-    }
-    x.iter().all(|own| own.is_finite()).then_some(x)
 }
 
 #[cfg(test)]
@@ -134,7 +91,7 @@ mod tests {
         let mut guess = [f64::NAN];
         own.begin(0.1, &mut guess);
         assert_eq!(guess, [0.0]);
-        corrections.iter().for_each(|correction| own.learn(&[*correction], &[0.5]));
+        corrections.iter().for_each(|correction| own.learn(&[*correction], &[0.5], &mut [0.0]));
         own.begin(0.1, &mut guess);
         guess[0]
     }
@@ -161,7 +118,7 @@ mod tests {
         let mut guess = [0.0; 5];
         for step in 0..8 {
             own.begin(0.1, &mut guess);
-            own.learn(&all(step), &weights);
+            own.learn(&all(step), &weights, &mut [0.0; 5]);
         }
         own.begin(0.1, &mut guess);
         for (guess, exact) in guess.iter().zip(all(8)) {
@@ -174,8 +131,8 @@ mod tests {
         let mut own = Extrapolation::new(2);
         let mut guess = [0.0; 2];
         own.begin(0.1, &mut guess);
-        own.learn(&[1.0, 2.0], &[1.0; 2]);
-        own.learn(&[1.0, 2.0], &[1.0; 2]);
+        own.learn(&[1.0, 2.0], &[1.0; 2], &mut [0.0; 2]);
+        own.learn(&[1.0, 2.0], &[1.0; 2], &mut [0.0; 2]);
         own.begin(0.05, &mut guess);
         assert_eq!(guess, [0.0; 2]);
     }

@@ -6,6 +6,7 @@ use whirl_specs::ContactTangent;
 use super::condensed::Condensed;
 use super::merit::Merit;
 use super::newmark::{Coefficients, Newmark, State};
+use super::secants::Secants;
 use super::system::System;
 use crate::linalg::{Lu, RoughInverse, copy_block_from};
 
@@ -33,6 +34,8 @@ pub(super) struct KeptFactors {
     /// What is made of factors that are kept for long.
     inverse: RoughInverse,
     condensed: Option<Condensed>,
+    /// One value an unknown.
+    memory: Vec<f64>,
     /// Corrections of the measures in the step so far, and whether they got smaller.
     followed: usize,
     contracts: bool,
@@ -71,6 +74,8 @@ pub(super) struct FactorsState {
     /// Directions that the current ones have given, and what gives the next one.
     directions: usize,
     by: Directions,
+    /// What these directions lack, where they are not condensed.
+    secants: Secants,
     /// The fewest corrections of a step since, and how many more others took, summed; see `KeptFactors::count`.
     fewest: usize,
     excess: usize,
@@ -123,6 +128,7 @@ impl FactorsState {
 
     fn begin_count(&mut self) {
         self.by = Directions::Factors;
+        self.secants.clear();
         (self.directions, self.fewest, self.excess) = (0, usize::MAX, 0);
         (self.bodies.dt, self.more, self.again, self.since) = (0.0, 0, false, 0);
     }
@@ -148,6 +154,7 @@ impl KeptFactors {
             shelves: (0..shelves).map(|_| Factors::new(system, unknowns)).collect(),
             inverse: RoughInverse::new(unknowns),
             condensed: Condensed::new(system),
+            memory: vec![0.0; unknowns],
             followed: 0,
             contracts: true,
             whole: vec![0.0; if first > 0 { size * size } else { 0 }],
@@ -155,6 +162,7 @@ impl KeptFactors {
                 current: nothing(),
                 directions: 0,
                 by: Directions::Factors,
+                secants: Secants::new(unknowns),
                 fewest: usize::MAX,
                 excess: 0,
                 bodies: nothing(),
@@ -227,6 +235,7 @@ impl KeptFactors {
     pub(super) fn begin(&mut self, dt: f64) {
         (self.followed, self.contracts) = (0, true);
         let state = &mut self.state;
+        state.secants.begin();
         if state.current.dt == dt || state.shelved.is_empty() {
             return;
         }
@@ -313,6 +322,9 @@ impl KeptFactors {
             }
             (Directions::Inverse, _) => self.inverse.apply(r),
             _ => self.current.lu.solve_in_place(r),
+        }
+        if self.state.by != Directions::Condensed {
+            self.state.secants.correct(r, merit.weights(), &mut self.memory);
         }
     }
 

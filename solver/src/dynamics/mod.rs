@@ -10,6 +10,7 @@ mod extrapolation;
 mod factors;
 mod histogram;
 mod jumps;
+mod kept_columns;
 mod march;
 mod merit;
 mod meters;
@@ -24,6 +25,7 @@ mod release;
 mod restart;
 mod row;
 mod rows;
+mod secants;
 mod settled;
 #[cfg(test)]
 mod small;

@@ -1,8 +1,8 @@
 //! Newton's method inside a time step, made safe against springs that switch.
 //!
 //! A direction Δq solves [AK] Δq = r, eqs. (45) and (46), for the coordinates that are unknown. The factors of
-//! [AK] are kept over iterations and steps while they contract, and then may foresee by the laws what they do not know
-//! (`condensed`). A step is taken only if it lessens the merit φ of
+//! [AK] are kept over iterations and steps while they contract, and then learn what they lack from directions before (`secants`),
+//! or foresee by the laws what they do not know (`condensed`). A step is taken only if it lessens the merit φ of
 //! `Merit`: along the direction of a fresh [AK] φ falls for a short enough step wherever r is differentiable, so that
 //! the iteration cannot cycle.
 //! φ only steers. A step counts as solved when every row of r is (`System::row_error`) and the forces of the
@@ -235,7 +235,8 @@ impl Newton {
                 let row_error = system.row_error(end, &self.predicted, &options);
                 if row_error <= 1.0 {
                     self.largest_force = most;
-                    self.extrapolation.learn(&self.correction, self.merit.weights());
+                    let (weights, memory) = (self.merit.weights(), &mut self.direction);
+                    self.extrapolation.learn(&self.correction, weights, memory);
                     self.factors.count(iteration);
                     let ending = Ending::Converged;
                     let iterations = iteration;
