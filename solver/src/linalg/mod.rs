@@ -3,6 +3,7 @@
 //! A step runs on one thread: at its sizes (n ≈ 230) threads inside one solve cost more than they give, and independent
 //! cases run side by side instead. What a reduction does with large matrices falls into two parts, wherever it runs.
 
+mod block_solve;
 mod cholesky;
 mod combination;
 mod eigen;
@@ -24,7 +25,9 @@ pub use lu::Lu;
 pub use matrix::{Columns, Matrix};
 pub(crate) use matrix::{copy_block_from, dot};
 pub use memory::{MemoryLimit, Stage, readable_bytes, readable_estimate};
-pub(crate) use product::{beside, multiply_add_beside, multiply_beside, transpose_multiply_beside};
+pub(crate) use product::{
+    beside, multiply_add_beside, multiply_in_place_beside, transpose_multiply_beside,
+};
 pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,

@@ -1,49 +1,25 @@
-use std::fmt;
-use std::sync::{Mutex, PoisonError};
-
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
+use faer::sparse::linalg::cholesky::supernodal::{SupernodalLdltRef, SymbolicSupernodalCholesky};
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymbolicCholeskyRaw,
-    SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, Par, Side};
 
-use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, beside, view_mut};
+use super::block_solve::BlockSolve;
+use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
 
 /// Sparse Cholesky factorisation PAPᵀ = LLᵀ of a symmetric positive definite matrix.
 #[derive(Debug)]
 pub struct SparseCholesky {
-    symbolic: SymbolicCholesky<usize>,
-    values: Vec<f64>,
-    memory: SolveMemory,
-}
-
-/// Memory of solves, which follow one another.
-#[derive(Default)]
-struct SolveMemory(Mutex<Vec<MemBuffer>>);
-
-impl SolveMemory {
-    /// What was put back and is large enough, or a new one.
-    fn take(&self, size: StackReq) -> MemBuffer {
-        let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        let enough = kept.filter(|own| own.len() >= size.size_bytes());
-        enough.unwrap_or_else(|| MemBuffer::new(size))
-    }
-
-    fn put_back(&self, memory: MemBuffer) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(memory);
-    }
-}
-
-impl fmt::Debug for SolveMemory {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("SolveMemory")
-    }
+    /// The row of each unknown of the factor, in the order in which they are eliminated.
+    order: Vec<usize>,
+    /// `None` of a matrix without rows.
+    factor: Option<BlockSolve>,
 }
 
 /// How many eigenvalues of a symmetric matrix are negative and positive.
@@ -93,33 +69,19 @@ impl SparseCholesky {
             Ok(()) if values.iter().any(|value| !value.is_finite()) => {
                 Err(LinearAlgebraError::NotPositiveDefinite { row: row(0), size: a.size })
             }
-            Ok(()) => Ok(SparseCholesky { symbolic, values, memory: SolveMemory::default() }),
+            Ok(()) => {
+                let order = (0..a.size).map(row).collect();
+                let factor = supernodes(&symbolic).map(|own| BlockSolve::new(own, values));
+                Ok(SparseCholesky { order, factor })
+            }
         }
     }
 
-    /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b; many of them in two parts side by side.
+    /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b, in two parts side by side where that pays.
     pub fn solve_in_place(&self, rhs: &mut [f64]) {
-        let n = self.symbolic.nrows();
-        let cols = rhs.len().checked_div(n).unwrap_or(0);
-        if cols < PARTS || cols * self.symbolic.len_val() < WORTH {
-            return self.solve_some(rhs);
+        if let Some(factor) = &self.factor {
+            factor.solve(&self.order, rhs);
         }
-        let (first, second) = rhs.split_at_mut(cols / PARTS * n);
-        beside(|| self.solve_some(first), || self.solve_some(second));
-    }
-
-    fn solve_some(&self, rhs: &mut [f64]) {
-        let n = self.symbolic.nrows();
-        let cols = rhs.len().checked_div(n).unwrap_or(0);
-        let scratch = self.symbolic.solve_in_place_scratch::<f64>(cols, Par::Seq);
-        let mut memory = self.memory.take(scratch);
-        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            view_mut(n, cols, rhs),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
-        self.memory.put_back(memory);
     }
 }
 
@@ -183,11 +145,9 @@ impl SparseLdlt {
 
 /// The signs of the pivots; `None` where one has none.
 fn inertia(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> Option<Inertia> {
-    let SymbolicCholeskyRaw::Supernodal(supernodes) = symbolic.raw() else {
-        unreachable!("the symbolic factorisation is forced to be supernodal");
-    };
-    let factor: SupernodalLdltRef<usize, f64> = SupernodalLdltRef::new(supernodes, values);
     let mut count = Inertia { negative: 0, positive: 0 };
+    let Some(supernodes) = supernodes(symbolic) else { return Some(count) };
+    let factor: SupernodalLdltRef<usize, f64> = SupernodalLdltRef::new(supernodes, values);
     for s in 0..supernodes.n_supernodes() {
         let block = factor.supernode(s).val();
         for j in 0..block.ncols() {
@@ -205,10 +165,16 @@ fn inertia(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> Option<Inertia
     Some(count)
 }
 
+/// `None` of a matrix without rows.
+fn supernodes(symbolic: &SymbolicCholesky<usize>) -> Option<&SymbolicSupernodalCholesky<usize>> {
+    match symbolic.raw() {
+        SymbolicCholeskyRaw::Supernodal(supernodes) => Some(supernodes),
+        SymbolicCholeskyRaw::Simplicial(_) => None,
+    }
+}
+
 /// Values of a factor beyond which its dense blocks are large enough for threads to pay.
 const MANY: usize = 1 << 23;
-/// Values of a factor times right sides beyond which a solve is worth a thread.
-const WORTH: usize = 1 << 21;
 /// Parts that their dense blocks are then cut into.
 const PARTS: usize = 2;
 
@@ -217,6 +183,9 @@ const PARTS: usize = 2;
 fn parallelism(symbolic: &SymbolicCholesky<usize>) -> Par {
     if symbolic.len_val() < MANY { Par::Seq } else { Par::rayon(PARTS) }
 }
+
+/// Also where a diagonal takes no operation.
+const ALWAYS_SUPERNODAL: SupernodalThreshold = SupernodalThreshold(-1.0);
 
 fn symbolic(
     a: &LowerTriangle,
@@ -228,7 +197,7 @@ fn symbolic(
         inverse[row] = place;
     }
     let parameters = CholeskySymbolicParams {
-        supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+        supernodal_flop_ratio_threshold: ALWAYS_SUPERNODAL,
         ..Default::default()
     };
     let symbolic = factorize_symbolic_cholesky(
@@ -297,6 +266,21 @@ mod tests {
             factor.solve_in_place(&mut b);
             assert!(b.iter().zip(&x).all(|(got, want)| (got - want).abs() < 1e-8));
             assert_eq!(factor.inertia(), Inertia { negative: below, positive: n - below });
+        }
+    }
+
+    #[test]
+    fn diagonals_and_nothing_at_all_are_factored() {
+        for n in [0, 1, 5] {
+            let a = LowerTriangle::from_columns(n, |j| std::iter::once((j, 2.0 + j as f64)));
+            let order: Vec<usize> = (0..n).rev().collect();
+            let factor = SparseCholesky::new(&a, &order, usize::MAX).unwrap();
+            let mut x: Vec<f64> = (0..n).map(|j| 6.0 + 3.0 * j as f64).collect();
+            factor.solve_in_place(&mut x);
+            // Two roots, two reciprocals and two products.
+            assert!(x.iter().all(|x| (x - 3.0).abs() < 8.0 * f64::EPSILON * 3.0), "{x:?}");
+            let count = SparseLdlt::new(&a, &order, usize::MAX).unwrap().unwrap().inertia();
+            assert_eq!(count, Inertia { negative: 0, positive: n });
         }
     }
 

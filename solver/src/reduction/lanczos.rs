@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use crate::linalg::{
     Cholesky, Columns, LinearAlgebraError, Matrix, dot, multiply, multiply_add_beside,
-    multiply_beside, symmetric_eigen, transpose_multiply, transpose_multiply_beside,
+    multiply_in_place_beside, symmetric_eigen, transpose_multiply, transpose_multiply_beside,
 };
 
 use crate::sparse::{HalfMemory, SparseMatrix};
@@ -37,9 +37,9 @@ pub(super) fn dense_limit(count: usize) -> usize {
 
 /// Bytes of an iteration for the `wanted` largest of a pencil with `n` dofs, its answer included.
 pub(super) fn memory(n: usize, wanted: usize) -> usize {
-    // The basis, what comes of it in the end or at a restart, and in a step the block, its product, a copy of it, both interleaved
-    // for M, and the solve's own.
-    let columns = capacity(wanted) + BLOCK + 3 * wanted / 2 + 6 * BLOCK;
+    // The basis, what comes of it in the end, and in a step the block, its product, a copy of it, both interleaved for M, and the
+    // two of a solution.
+    let columns = capacity(wanted) + BLOCK + wanted + 7 * BLOCK;
     n.saturating_mul(columns).saturating_mul(size_of::<f64>())
 }
 
@@ -110,10 +110,9 @@ impl<'a> Lanczos<'a> {
         for restart in 0..=RESTARTS {
             let ritz = self.expand()?;
             if ritz.converged >= self.wanted {
-                let vectors = multiply_beside(
-                    self.basis.columns(0..self.size),
-                    ritz.vectors.columns(0..self.wanted),
-                );
+                self.compress(&ritz, self.wanted);
+                let Columns { rows, cols, data } = self.basis.columns(0..self.wanted);
+                let vectors = Matrix { rows, cols, data: data.to_vec() };
                 return Ok((ritz.theta[..self.wanted].to_vec(), vectors));
             }
             if restart == RESTARTS {
@@ -129,11 +128,9 @@ impl<'a> Lanczos<'a> {
         unreachable!("the last restart returns")
     }
 
-    /// After [`Lanczos::run`]: keeps the converged pairs and begins anew beside them, in search of
-    /// vectors that the start block had no part of.
+    /// After [`Lanczos::run`]: begins anew beside the converged pairs, in search of vectors that the start block had no
+    /// part of.
     pub(super) fn search_again(&mut self) -> Result<(), ReductionError> {
-        let ritz = self.ritz()?;
-        self.compress(&ritz, ritz.converged.min(self.wanted));
         self.start_block()
     }
 
@@ -303,9 +300,9 @@ impl<'a> Lanczos<'a> {
     /// Replaces the basis by the first `keep` Ritz vectors, followed by the newest block.
     fn compress(&mut self, ritz: &Ritz, keep: usize) {
         let (n, size) = (self.basis.rows, self.size);
-        let kept = multiply_beside(self.basis.columns(0..size), ritz.vectors.columns(0..keep));
+        let kept = ritz.vectors.columns(0..keep);
+        multiply_in_place_beside(&mut self.basis.data[..size * n], n, kept);
         self.basis.data.copy_within(size * n..(size + BLOCK) * n, keep * n);
-        self.basis.data[..keep * n].copy_from_slice(&kept.data);
         self.projected.data.fill(0.0);
         for i in 0..keep {
             self.projected[(i, i)] = ritz.theta[i];
