@@ -11,7 +11,7 @@ use crate::case::Case;
 use crate::errors::Failure;
 use crate::history::HistoryFile;
 use crate::machine::Built;
-use crate::results::{CHECKPOINT, Results};
+use crate::results::{CHECKPOINT, Results, SUMMARY};
 use crate::{history, version};
 
 /// Layout of the file.
@@ -110,10 +110,11 @@ pub(crate) fn read(results: &Results, identity: &Identity) -> Result<Option<Poin
             if !results.path(history::NAME).exists() {
                 return Ok(None);
             }
-            let reason = format!(
-                "`{}` has no `{CHECKPOINT}` beside it, as the run came to its end",
-                history::NAME
-            );
+            let why = match results.path(SUMMARY).exists() {
+                true => "as the run came to its end",
+                false => "as the run was stopped before it wrote the first one",
+            };
+            let reason = format!("`{}` has no `{CHECKPOINT}` beside it, {why}", history::NAME);
             return Err(nothing(reason));
         }
         Err(error) => return Err(nothing(format!("cannot read `{CHECKPOINT}`: {error}"))),

@@ -92,6 +92,12 @@ fn a_run_that_is_over_is_not_begun_again_by_resuming_it() {
     assert!(outcome.stderr.contains("`checkpoint.bin` is damaged"), "{}", outcome.stderr);
     assert!(read() == before);
     assert!(bench.path("out/summary.json").exists());
+    // What a run leaves that is killed at once.
+    fs::remove_file(bench.path("out/checkpoint.bin")).expect("it is there");
+    fs::remove_file(bench.path("out/summary.json")).expect("it is there");
+    let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--resume"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("stopped before it wrote the first one"), "{}", outcome.stderr);
 }
 
 #[test]
