@@ -6,6 +6,8 @@ use super::kept_columns::{KeptColumns, MOST, Shares};
 
 /// Corrections that are kept of few unknowns.
 const LEAST: usize = 3;
+/// Share of their squares by which their sum is held.
+const HELD: f64 = 1e-12;
 
 /// The corrections of the last steps beside their predictions. Whichever of none, the last one, the straight line
 /// through the last two, and the sum of all that came nearest to their successor would have been nearest to that of the
@@ -42,7 +44,7 @@ const fn shares_of([last, before]: [f64; 2]) -> Shares {
 impl Extrapolation {
     /// Of steps that were not made, for so many unknowns.
     pub(super) fn new(unknowns: usize) -> Self {
-        let kept = KeptColumns::new(unknowns, LEAST, MOST);
+        let kept = KeptColumns::new(unknowns, [LEAST, MOST], HELD);
         Extrapolation { dt: 0.0, order: Order::None, kept, shares: [0.0; MOST] }
     }
 

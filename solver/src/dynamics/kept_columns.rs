@@ -10,9 +10,7 @@ pub(super) const MOST: usize = 8;
 /// Times as many unknowns as vectors at least: else their sum would be known by too little.
 const UNKNOWNS: usize = 8;
 
-/// Share of the square of each vector by which their sum is held from growing where they are alike; and of all squares, where one
-/// is zero.
-const HELD: f64 = 1e-12;
+/// Share of all squares by which the sum is held where a vector is zero.
 const NOTHING: f64 = 1e-30;
 
 /// One value a column.
@@ -22,7 +20,10 @@ pub(super) type Shares = [f64; MOST];
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct KeptColumns {
     values: Vec<f64>,
+    /// How many there is room for.
     count: usize,
+    /// Share of the square of each vector by which their sum is held from growing where they are alike.
+    held: f64,
     is_empty: bool,
     /// The column of the last vector.
     last: usize,
@@ -30,12 +31,14 @@ pub(super) struct KeptColumns {
 }
 
 impl KeptColumns {
-    /// Zeros; at most `most` of them, at least `least`, by the number of unknowns.
-    pub(super) fn new(unknowns: usize, least: usize, most: usize) -> Self {
+    /// Zeros; at most `most` of them, at least `least`, by the number of unknowns. `held`: the share of the square of each by which
+    /// their sum is held from growing where they are alike.
+    pub(super) fn new(unknowns: usize, [least, most]: [usize; 2], held: f64) -> Self {
+        debug_assert!(1 <= least && least <= most && most <= MOST, "{least} to {most} vectors");
         let count = (unknowns / UNKNOWNS).clamp(least, most);
         let products = [[0.0; MOST]; MOST];
         let values = vec![0.0; count * unknowns];
-        KeptColumns { values, count, is_empty: true, last: 0, products }
+        KeptColumns { values, count, held, is_empty: true, last: 0, products }
     }
 
     /// Makes all of them zeros.
@@ -56,11 +59,10 @@ impl KeptColumns {
         weights: &[f64],
         weighed: &mut [f64],
     ) -> (f64, Shares) {
-        let terms = weighed.iter_mut().zip(vector).zip(weights);
-        widely(|| terms.for_each(|((weighed, own), weight)| *weighed = own / weight));
+        let square = square(vector, weights, weighed);
         let mut with = [0.0; MOST];
         add_products(&mut with[..self.count], &self.values, weighed);
-        (dot(weighed, vector), with)
+        (square, with)
     }
 
     /// Takes a vector in place of the oldest one, by its products.
@@ -79,12 +81,14 @@ impl KeptColumns {
         add_matrix(out, &self.values, &shares[..self.count]);
     }
 
-    /// ‖c − Σ a_i c_i‖² of a vector by its products.
+    /// ‖c − Σ a_i c_i‖² of a vector by its products, and no less than rounding of large shares leaves.
     pub(super) fn distance(&self, (square, with): (f64, Shares), shares: &Shares) -> f64 {
         let shares = &shares[..self.count];
         let product = |x: &Shares| x.iter().zip(shares).map(|(x, a)| x * a).sum::<f64>();
         let own: f64 = self.products.iter().zip(shares).map(|(row, a)| a * product(row)).sum();
-        square - 2.0 * product(&with) + own
+        let sizes = shares.iter().enumerate().map(|(i, a)| a.abs() * self.products[i][i].sqrt());
+        let rounding = f64::EPSILON * sizes.sum::<f64>().powi(2);
+        (square - 2.0 * product(&with) + own).max(rounding)
     }
 
     /// The shares of the sum that is nearest to a vector by its products; none where they are no numbers.
@@ -92,7 +96,7 @@ impl KeptColumns {
         let count = self.count;
         let nothing = NOTHING * (0..count).map(|i| self.products[i][i]).sum::<f64>();
         let (mut a, mut x) = (self.products, *with);
-        (0..count).for_each(|i| a[i][i] += HELD * a[i][i] + nothing);
+        (0..count).for_each(|i| a[i][i] += self.held * a[i][i] + nothing);
         for i in 0..count {
             for j in i + 1..count {
                 let factor = a[j][i] / a[i][i];
@@ -116,6 +120,13 @@ impl KeptColumns {
     }
 }
 
+/// The weighed square of a vector, which leaves it weighed.
+pub(super) fn square(vector: &[f64], weights: &[f64], weighed: &mut [f64]) -> f64 {
+    let terms = weighed.iter_mut().zip(vector).zip(weights);
+    widely(|| terms.for_each(|((weighed, own), weight)| *weighed = own / weight));
+    dot(weighed, vector)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,7 +134,7 @@ mod tests {
     /// Columns of 40 unknowns, more than are kept, and weights.
     fn kept(vectors: &[Vec<f64>]) -> (KeptColumns, Vec<f64>) {
         let weights: Vec<f64> = (0..40).map(|i| 1.0 + 0.1 * f64::from(i)).collect();
-        let mut own = KeptColumns::new(40, 1, 3);
+        let mut own = KeptColumns::new(40, [1, 3], 1e-12);
         for vector in vectors {
             let products = own.products_with(vector, &weights, &mut [0.0; 40]);
             own.push(vector, products);
@@ -174,7 +185,7 @@ mod tests {
         let products = own.products_with(&vector(0.3), &weights, &mut [0.0; 40]);
         let shares = own.nearest(&products.1).expect("numbers");
         assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-3, "{shares:?}");
-        assert_eq!(KeptColumns::new(40, 1, 3).nearest(&[0.0; MOST]), None);
+        assert_eq!(KeptColumns::new(40, [1, 3], 1e-12).nearest(&[0.0; MOST]), None);
         let (one, weights) = kept(&[vector(0.3)]);
         let products = one.products_with(&vector(0.3), &weights, &mut [0.0; 40]);
         let shares = one.turned(&one.nearest(&products.1).expect("numbers"));

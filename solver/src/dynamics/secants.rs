@@ -6,10 +6,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::kept_columns::KeptColumns;
+use super::kept_columns::{KeptColumns, square};
 
 /// Secants at most.
 const SECANTS: usize = 4;
+/// Share of their squares by which their sum is held: that of the rounding of an inverse in single precision, and more.
+const HELD: f64 = 1e-10;
 
 /// Share of the square of the first direction of a step below which one may be rounding, which is no secant.
 const ROUNDING: f64 = 1e-10;
@@ -31,7 +33,7 @@ pub(super) struct Secants {
 impl Secants {
     /// None, of so many unknowns.
     pub(super) fn new(unknowns: usize) -> Self {
-        let columns = || KeptColumns::new(unknowns, 1, SECANTS);
+        let columns = || KeptColumns::new(unknowns, [1, SECANTS], HELD);
         Secants {
             given: columns(),
             lacked: columns(),
@@ -60,7 +62,7 @@ impl Secants {
         let Secants { given, lacked, by_factors, taken, directions, first } = self;
         if *directions > 0 {
             if *directions == 1 {
-                *first = given.products_with(by_factors, weights, memory).0;
+                *first = square(by_factors, weights, memory);
             }
             by_factors.iter_mut().zip(&*direction).for_each(|(a, left)| *a -= left);
             taken.iter_mut().zip(&*by_factors).for_each(|(d, a)| *d -= a);

@@ -19,7 +19,7 @@ const TOGETHER: usize = 8;
 const EVEN: f64 = 0.55;
 const SPLITS: usize = 64;
 
-/// Values of a factor times right sides beyond which a solution is worth a thread.
+/// Values of a factor times right sides of a block beyond which a solution is worth a thread.
 const WORTH: usize = 1 << 20;
 
 /// A factor L, packed for solutions.
@@ -46,7 +46,7 @@ struct Memory {
 }
 
 impl BlockSolve {
-    /// Takes the values of a factor, each supernode column after column, the rows of its own columns first.
+    /// Takes the values of a factor of one row at least, each supernode column after column, the rows of its own columns first.
     pub(super) fn new(
         symbolic: &SymbolicSupernodalCholesky<usize>,
         mut values: Vec<f64>,
@@ -102,14 +102,18 @@ impl BlockSolve {
     }
 
     /// Replaces each column b of `rhs` by A⁻¹b; `order`: the row of each unknown of the factor.
+    ///
+    /// # Panics
+    /// If they are not whole columns.
     pub(super) fn solve(&self, order: &[usize], rhs: &mut [f64]) {
+        assert!(rhs.len().is_multiple_of(self.size), "right sides of {} rows", self.size);
         let kept = self.memory.lock().unwrap_or_else(PoisonError::into_inner).pop();
         let values = |rows: usize| vec![0.0; rows * BLOCK];
         let mut memory = kept.unwrap_or_else(|| Memory {
             rows: [values(self.size), values(self.size)],
             local: [values(self.largest), values(self.largest)],
         });
-        for block in rhs.chunks_mut(BLOCK * self.size.max(1)) {
+        for block in rhs.chunks_mut(BLOCK * self.size) {
             self.solve_block(order, block, &mut memory);
         }
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).push(memory);
@@ -127,7 +131,7 @@ impl BlockSolve {
         copy(&self.second, first, second);
         self.last.iter().for_each(|rows| rows_of(second)[rows.clone()].fill([0.0; BLOCK]));
         self.both(
-            rhs.len() / n.max(1),
+            rhs.len() / n,
             || supernodes.forward(&self.parts[0], first, local),
             || supernodes.forward(&self.parts[1], second, other),
         );
@@ -140,7 +144,7 @@ impl BlockSolve {
         supernodes.backward(&self.top, first, local);
         copy(&self.last, first, second);
         self.both(
-            rhs.len() / n.max(1),
+            rhs.len() / n,
             || supernodes.backward(&self.parts[0], first, local),
             || supernodes.backward(&self.parts[1], second, other),
         );
@@ -205,8 +209,8 @@ fn divide(
 /// Puts a supernode's columns beside each other, as many as are taken together, row after row, and what solutions multiply by in
 /// place of its diagonal.
 fn pack(block: &mut [f64], cols: usize, memory: &mut Vec<f64>) {
-    let rows = block.len() / cols.max(1);
-    for (group, own) in block.chunks_mut(TOGETHER * rows.max(1)).enumerate() {
+    let rows = block.len() / cols;
+    for (group, own) in block.chunks_mut(TOGETHER * rows).enumerate() {
         let width = own.len() / rows;
         memory.clear();
         memory.extend_from_slice(own);
@@ -450,6 +454,44 @@ mod tests {
                 assert_eq!(again, b, "{}", registers.name());
             }
         }
+    }
+
+    /// Two chains beside each other and what joins them last, large enough for both parts to be worth a thread.
+    #[test]
+    fn parts_do_not_see_each_other() {
+        const N: usize = 12_001;
+        let half = N / 2;
+        let entry = |k: usize| if k == 0 { 60.0 } else { -1.0 - (k % 3) as f64 };
+        let chain = |j: usize, end: usize| {
+            (0..14).map(move |k| (j + k, entry(k))).filter(move |&(i, _)| i < end)
+        };
+        let a = LowerTriangle::from_columns(N, |j| {
+            let end = if j < half { half } else { N - 1 };
+            let own = (j < N - 1).then(|| chain(j, end)).into_iter().flatten();
+            let joined = j == 0 || j == half || j == N - 1;
+            own.chain(joined.then_some((N - 1, if j == N - 1 { 60.0 } else { -1.0 })))
+        });
+        let order: Vec<usize> = (0..N).collect();
+        let factor = SparseCholesky::new(&a, &order, usize::MAX).unwrap();
+        let solve = factor.blocks().expect("rows");
+        assert!(solve.supernodes.values.len() * BLOCK >= WORTH);
+        let rows = |part: usize| -> Vec<usize> {
+            let own = solve.parts[part].iter().map(|&s| &solve.supernodes.own[s]);
+            own.flat_map(|own| {
+                own.columns.clone().chain(solve.supernodes.rows[own.below.clone()].iter().copied())
+            })
+            .collect()
+        };
+        let (first, second): (Vec<usize>, std::collections::HashSet<usize>) =
+            (rows(0), rows(1).into_iter().collect());
+        assert!(first.len() > N / 4 && second.len() > N / 4 && !solve.top.is_empty());
+        let on_top = |row: &usize| solve.last.iter().any(|columns| columns.contains(row));
+        assert!(first.iter().all(|row| !second.contains(row) || on_top(row)));
+        let x: Vec<f64> = (0..BLOCK * N).map(|i| (1.7 * i as f64).cos()).collect();
+        let mut b = vec![0.0; BLOCK * N];
+        a.multiply(&x, &mut b);
+        factor.solve_in_place(&mut b);
+        assert!(b.iter().zip(&x).all(|(own, exact)| (own - exact).abs() < 1e-12));
     }
 
     #[test]

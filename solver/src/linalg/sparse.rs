@@ -78,10 +78,22 @@ impl SparseCholesky {
     }
 
     /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b, in two parts side by side where that pays.
+    ///
+    /// # Panics
+    /// If they are not whole columns.
     pub fn solve_in_place(&self, rhs: &mut [f64]) {
-        if let Some(factor) = &self.factor {
-            factor.solve(&self.order, rhs);
+        match &self.factor {
+            Some(factor) => factor.solve(&self.order, rhs),
+            None => assert!(rhs.is_empty(), "right sides of no rows"),
         }
+    }
+}
+
+#[cfg(test)]
+impl SparseCholesky {
+    /// What solves by the factor.
+    pub(super) fn blocks(&self) -> Option<&BlockSolve> {
+        self.factor.as_ref()
     }
 }
 
@@ -169,7 +181,10 @@ fn inertia(symbolic: &SymbolicCholesky<usize>, values: &[f64]) -> Option<Inertia
 fn supernodes(symbolic: &SymbolicCholesky<usize>) -> Option<&SymbolicSupernodalCholesky<usize>> {
     match symbolic.raw() {
         SymbolicCholeskyRaw::Supernodal(supernodes) => Some(supernodes),
-        SymbolicCholeskyRaw::Simplicial(_) => None,
+        SymbolicCholeskyRaw::Simplicial(_) if symbolic.nrows() == 0 => None,
+        SymbolicCholeskyRaw::Simplicial(_) => {
+            unreachable!("the symbolic factorisation is forced to be supernodal")
+        }
     }
 }
 
@@ -184,9 +199,6 @@ fn parallelism(symbolic: &SymbolicCholesky<usize>) -> Par {
     if symbolic.len_val() < MANY { Par::Seq } else { Par::rayon(PARTS) }
 }
 
-/// Also where a diagonal takes no operation.
-const ALWAYS_SUPERNODAL: SupernodalThreshold = SupernodalThreshold(-1.0);
-
 fn symbolic(
     a: &LowerTriangle,
     order: &[usize],
@@ -197,7 +209,7 @@ fn symbolic(
         inverse[row] = place;
     }
     let parameters = CholeskySymbolicParams {
-        supernodal_flop_ratio_threshold: ALWAYS_SUPERNODAL,
+        supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
         ..Default::default()
     };
     let symbolic = factorize_symbolic_cholesky(

@@ -38,8 +38,8 @@ pub(super) fn dense_limit(count: usize) -> usize {
 /// Bytes of an iteration for the `wanted` largest of a pencil with `n` dofs, its answer included.
 pub(super) fn memory(n: usize, wanted: usize) -> usize {
     // The basis, what comes of it in the end, and in a step the block, its product, a copy of it, both interleaved for M, and the
-    // two of a solution.
-    let columns = capacity(wanted) + BLOCK + wanted + 7 * BLOCK;
+    // two of a solution; where it begins anew two more.
+    let columns = capacity(wanted) + BLOCK + wanted + 9 * BLOCK;
     n.saturating_mul(columns).saturating_mul(size_of::<f64>())
 }
 
