@@ -5,16 +5,10 @@
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
-use whirl_specs::Registers;
-use whirl_specs::registers::{Double, Register, Sums, Task};
-
 use super::beside;
+use super::packed::{BLOCK, Backward, Forward, pack, solve};
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 
-/// Right sides of a block, which lie side by side in memory.
-const BLOCK: usize = 8;
-/// Columns of a supernode that are taken together.
-const TOGETHER: usize = 8;
 /// Share of all values up to which the larger part is good enough, and splits of subtrees at most to reach it.
 const EVEN: f64 = 0.55;
 const SPLITS: usize = 64;
@@ -206,22 +200,6 @@ fn divide(
     }
 }
 
-/// Puts a supernode's columns beside each other, as many as are taken together, row after row, and what solutions multiply by in
-/// place of its diagonal.
-fn pack(block: &mut [f64], cols: usize, memory: &mut Vec<f64>) {
-    let rows = block.len() / cols;
-    for (group, own) in block.chunks_mut(TOGETHER * rows).enumerate() {
-        let width = own.len() / rows;
-        memory.clear();
-        memory.extend_from_slice(own);
-        for (k, column) in memory.chunks_exact(rows).enumerate() {
-            own.iter_mut().skip(k).step_by(width).zip(column).for_each(|(to, from)| *to = *from);
-            let diagonal = &mut own[(TOGETHER * group + k) * width + k];
-            *diagonal = 1.0 / *diagonal;
-        }
-    }
-}
-
 /// Dense blocks of a factor.
 #[derive(Debug)]
 struct Supernodes {
@@ -254,7 +232,7 @@ impl Supernodes {
             self.gather(own, rows, local);
             let local = &mut local[..own.rows() * BLOCK];
             let block = &self.values[own.block.clone()];
-            Registers::current().run(Forward { block, local });
+            solve::<Forward>(block, local);
             self.put_back(own, local, rows);
             let rows = rows_of(rows);
             let (below, from) =
@@ -270,7 +248,7 @@ impl Supernodes {
             self.gather(own, rows, local);
             let local = &mut local[..own.rows() * BLOCK];
             let block = &self.values[own.block.clone()];
-            Registers::current().run(Backward { block, local });
+            solve::<Backward>(block, local);
             self.put_back(own, local, rows);
         }
     }
@@ -292,130 +270,10 @@ impl Supernodes {
     }
 }
 
-/// What [`Supernodes::forward`] does with the rows of a supernode.
-struct Forward<'a> {
-    block: &'a [f64],
-    local: &'a mut [f64],
-}
-
-impl Task for Forward<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Register>(self) {
-        let Forward { block, local } = self;
-        let rows = local.len() / BLOCK;
-        for (group, own) in block.chunks(TOGETHER * rows).enumerate() {
-            let local = &mut local[TOGETHER * group * BLOCK..];
-            let skipped = TOGETHER * group;
-            match own.len() / rows {
-                1 => forward_columns::<Double<L>, 1>(own, skipped, local),
-                2 => forward_columns::<Double<L>, 2>(own, skipped, local),
-                3 => forward_columns::<Double<L>, 3>(own, skipped, local),
-                4 => forward_columns::<Double<L>, 4>(own, skipped, local),
-                5 => forward_columns::<Double<L>, 5>(own, skipped, local),
-                6 => forward_columns::<Double<L>, 6>(own, skipped, local),
-                7 => forward_columns::<Double<L>, 7>(own, skipped, local),
-                _ => forward_columns::<Double<L>, TOGETHER>(own, skipped, local),
-            }
-        }
-    }
-}
-
-/// What [`Supernodes::backward`] does with the rows of a supernode.
-struct Backward<'a> {
-    block: &'a [f64],
-    local: &'a mut [f64],
-}
-
-impl Task for Backward<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Register>(self) {
-        let Backward { block, local } = self;
-        let rows = local.len() / BLOCK;
-        for (group, own) in block.chunks(TOGETHER * rows).enumerate().rev() {
-            let local = &mut local[TOGETHER * group * BLOCK..];
-            let skipped = TOGETHER * group;
-            match own.len() / rows {
-                1 => backward_columns::<Double<L>, 1>(own, skipped, local),
-                2 => backward_columns::<Double<L>, 2>(own, skipped, local),
-                3 => backward_columns::<Double<L>, 3>(own, skipped, local),
-                4 => backward_columns::<Double<L>, 4>(own, skipped, local),
-                5 => backward_columns::<Double<L>, 5>(own, skipped, local),
-                6 => backward_columns::<Double<L>, 6>(own, skipped, local),
-                7 => backward_columns::<Double<L>, 7>(own, skipped, local),
-                _ => backward_columns::<Double<L>, TOGETHER>(own, skipped, local),
-            }
-        }
-    }
-}
-
-/// Solves by the triangle of N columns, whose first row comes behind so many others, and takes them off the rows below.
-#[inline(always)]
-fn forward_columns<S: Sums<Number = f64>, const N: usize>(
-    columns: &[f64],
-    skipped: usize,
-    local: &mut [f64],
-) {
-    let (triangle, below) = columns.as_chunks::<N>().0[skipped..].split_at(N);
-    let (own, rest) = local.split_at_mut(N * BLOCK);
-    let (own, rest) = (rows_of(own), rows_of(rest));
-    let zero = S::load_from(&[0.0; BLOCK]);
-    for lane in (0..BLOCK).step_by(S::WIDTH) {
-        let mut less = [zero; N];
-        for j in 0..N {
-            let mut x = S::load_from(&own[j][lane..]);
-            for k in 0..j {
-                x = x.plus(triangle[j][k], less[k]);
-            }
-            zero.plus(triangle[j][j], x).store_to(&mut own[j][lane..]);
-            less[j] = zero.plus(-triangle[j][j], x);
-        }
-        for (row, entries) in rest.iter_mut().zip(below) {
-            let mut sum = S::load_from(&row[lane..]);
-            for k in 0..N {
-                sum = sum.plus(entries[k], less[k]);
-            }
-            sum.store_to(&mut row[lane..]);
-        }
-    }
-}
-
-/// Takes the rows below off N columns, and solves by the transpose of their triangle.
-#[inline(always)]
-fn backward_columns<S: Sums<Number = f64>, const N: usize>(
-    columns: &[f64],
-    skipped: usize,
-    local: &mut [f64],
-) {
-    let (triangle, below) = columns.as_chunks::<N>().0[skipped..].split_at(N);
-    let (own, rest) = local.split_at_mut(N * BLOCK);
-    let (own, rest) = (rows_of(own), rows_of(rest));
-    let zero = S::load_from(&[0.0; BLOCK]);
-    for lane in (0..BLOCK).step_by(S::WIDTH) {
-        let mut sums = [zero; N];
-        for (row, entries) in rest.iter().zip(below) {
-            let x = S::load_from(&row[lane..]);
-            for k in 0..N {
-                sums[k] = sums[k].plus(entries[k], x);
-            }
-        }
-        let mut found = [zero; N];
-        for j in (0..N).rev() {
-            for k in j + 1..N {
-                sums[j] = sums[j].plus(triangle[k][j], found[k]);
-            }
-            let x = S::load_from(&own[j][lane..]).plus(-1.0, sums[j]);
-            found[j] = zero.plus(triangle[j][j], x);
-            found[j].store_to(&mut own[j][lane..]);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use whirl_specs::Registers;
+
     use crate::linalg::{LowerTriangle, SparseCholesky};
 
     use super::*;

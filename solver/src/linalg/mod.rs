@@ -11,6 +11,7 @@ mod lower;
 mod lu;
 mod matrix;
 mod memory;
+mod packed;
 mod product;
 mod rough_inverse;
 mod sparse;
