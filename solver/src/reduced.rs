@@ -6,9 +6,10 @@ use std::collections::BTreeSet;
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::assemble;
-use crate::body::{BodyNode, BodySpec, Coordinates};
+use crate::body::{BodyNode, BodySpec, Coordinates, Retained};
 use crate::cache::{Key, PROGRAM, instruction_set};
 use crate::centre_of_mass::CentreOfMass;
+use crate::constraints::{Equation, GroundSpring};
 use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::measure::MeanMotion;
@@ -204,27 +205,36 @@ impl Reduced {
     /// The key of [`Reduced::new`]: the same for whatever gives the same bits, another for everything else, another
     /// program included.
     pub fn key(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Key {
-        let retained: Vec<_> = spec.retained.iter().map(|retained| &retained.terms).collect();
-        let held: BTreeSet<usize> = spec.held.iter().copied().collect();
-        let springs: Vec<(usize, f64)> =
-            spec.springs.iter().map(|spring| (spring.dof, spring.stiffness)).collect();
-        let block = |block: &crate::mesh::Block| {
-            (block.element.origin.hash, block.material, block.connectivity.clone())
-        };
-        let blocks: Vec<_> = mesh.blocks().iter().map(block).collect();
-        let materials: Vec<_> =
-            mesh.materials().iter().map(|material| material.properties.clone()).collect();
+        let BodySpec {
+            retained,
+            held,
+            modes,
+            constraints,
+            springs,
+            // Made of the reduced matrices.
+            damping: _,
+            stiffening,
+            // Among the nodes that are output, as the sets of the mesh.
+            nodes: _,
+            means: _,
+            corrections,
+            // Says how, not what.
+            memory: _,
+        } = spec;
+        let row = |Retained { terms, name: _ }: &Retained| terms.clone();
+        let retained: Vec<_> = retained.iter().map(row).collect();
+        let held: BTreeSet<usize> = held.iter().copied().collect();
+        let spring = |GroundSpring { name: _, dof, stiffness }: &GroundSpring| (*dof, *stiffness);
+        let springs: Vec<_> = springs.iter().map(spring).collect();
         // What is held while the centrifugal load acts.
-        let stiffens = kind == BodyKind::Shaft && spec.stiffening;
-        let equations = spec.constraints.equations().iter();
+        let stiffens = kind == BodyKind::Shaft && *stiffening;
+        let terms = |Equation { name: _, terms }: &Equation| terms.clone();
         let held_while_turning: Option<Vec<_>> =
-            stiffens.then(|| equations.map(|equation| equation.terms.clone()).collect());
+            stiffens.then(|| constraints.equations().iter().map(terms).collect());
         let program = (PROGRAM, instruction_set());
-        let matrices = mesh.matrices().map(BodyMatrices::content);
-        let body = (mesh.nodes(), blocks, materials, matrices);
         let nodes = output_nodes(mesh, spec);
-        let interface = (retained, held, spec.modes, springs, &spec.corrections);
-        Key::of(&(program, kind, body, interface, nodes, held_while_turning))
+        let interface = (retained, held, modes, springs, corrections);
+        Key::of(&(program, kind, mesh.content(), interface, nodes, held_while_turning))
     }
 
     /// The displacement of the modes, and of what corrects them, under a load in its own direction (m/N): Σ (f·x)²/ω². None

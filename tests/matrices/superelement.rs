@@ -5,6 +5,8 @@ use std::fmt::Write;
 use whirl_solver::assembly::assemble;
 use whirl_solver::body::BodySpec;
 use whirl_solver::mesh::Mesh;
+use whirl_solver::mesh::format::MeshUnits;
+use whirl_solver::mesh::matrices::Request;
 use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -23,6 +25,11 @@ fn array(n: usize, columns: usize, value: impl Fn(usize, usize) -> f64) -> Strin
 
 /// The Craig–Bampton matrices of a shaft with these nodes retained, as files; its modes come first.
 fn reduced(mesh: &Mesh, nodes: &[usize], shaft: &Shaft) -> Texts {
+    reduced_in(1.0, 1.0, mesh, nodes, shaft)
+}
+
+/// The same with displacements in units of `length` m and energies in units of `energy` J; modes have no unit.
+fn reduced_in(length: f64, energy: f64, mesh: &Mesh, nodes: &[usize], shaft: &Shaft) -> Texts {
     let n = shaft.size();
     let modes = n - 3 * nodes.len();
     let mut dofs = "node, direction, x [m], y [m], z [m]\n".to_owned();
@@ -33,7 +40,10 @@ fn reduced(mesh: &Mesh, nodes: &[usize], shaft: &Shaft) -> Texts {
             writeln!(dofs, "{label}, {direction}, {x:e}, {y:e}, {z:e}").expect("text");
         }
     }
-    let of = |matrix: &whirl_solver::linalg::Matrix| array(n, n, |i, j| matrix[(i, j)]);
+    let by = |dof: usize| if dof < modes { 1.0 } else { length };
+    let of = |matrix: &whirl_solver::linalg::Matrix| {
+        array(n, n, |i, j| matrix[(i, j)] * by(i) * by(j) / energy)
+    };
     Texts::default()
         .with("dofs.csv", dofs)
         .with("K.mtx", of(&shaft.stiffness))
@@ -41,16 +51,11 @@ fn reduced(mesh: &Mesh, nodes: &[usize], shaft: &Shaft) -> Texts {
         .with("Y.mtx", of(&shaft.spin_inertia))
         .with("H.mtx", of(&shaft.spin_coupling))
         .with("G.mtx", of(&shaft.spin_stiffening()))
-        .with("load.mtx", array(n, 1, |i, _| shaft.y0[i]))
+        .with("load.mtx", array(n, 1, |i, _| shaft.y0[i] * by(i) / energy))
 }
 
-/// Reduced again with all its modes, a superelement is what it was: at rest, and turning.
-#[test]
-fn a_superelement_is_reduced_again_without_loss() {
-    let mesh = bar();
-    let own = BodySpec { stiffening: true, ..turning(&mesh, 10) };
-    let made = Shaft::from_mesh(&mesh, &own).expect("a shaft");
-    let texts = reduced(&mesh, &own.nodes, &made);
+/// A request for all of these files.
+fn turning_request() -> Request {
     let mut request = market();
     for (place, name) in [
         (&mut request.spin_inertia, "Y.mtx"),
@@ -60,6 +65,83 @@ fn a_superelement_is_reduced_again_without_loss() {
     ] {
         *place = Some(name.to_owned());
     }
+    request
+}
+
+/// A body with the same mesh and other matrices is another body.
+#[test]
+fn every_matrix_of_a_body_is_in_its_key() {
+    let mesh = bar();
+    let own = BodySpec { stiffening: true, ..turning(&mesh, 4) };
+    let made = Shaft::from_mesh(&mesh, &own).expect("a shaft");
+    let texts = reduced(&mesh, &own.nodes, &made);
+    let request = turning_request();
+    let key = |texts: &Texts| {
+        let read = texts.mesh(&request);
+        let spec = BodySpec { stiffening: true, ..spec(&read, &[0, 1, 2], 4) };
+        Reduced::key(BodyKind::Shaft, &read, &spec)
+    };
+    let mut keys = vec![key(&texts)];
+    assert_eq!(keys[0], key(&texts));
+    for name in ["K.mtx", "M.mtx", "Y.mtx", "H.mtx", "G.mtx", "load.mtx"] {
+        // Another number on the last line: a pair of dofs of the last node; of the skew H the line before, along y and z.
+        let text = &texts.0[std::path::Path::new(name)];
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let n = made.size();
+        let last = lines.len() - 1;
+        let changed: &[usize] = if name == "H.mtx" { &[last - 1, last - n] } else { &[last] };
+        for (place, sign) in changed.iter().zip([1.0, -1.0]) {
+            let value: f64 = lines[*place].parse().expect("a number");
+            lines[*place] = format!("{:e}", value + sign * 1e-6);
+        }
+        let other = key(&texts.clone().with(name, lines.join("\n") + "\n"));
+        assert!(!keys.contains(&other), "{name} is not in the key");
+        keys.push(other);
+    }
+}
+
+/// Numbers in mm, N, t with coordinates of modes, which have no unit, give the tensors of those in SI: all that turns and
+/// stiffens, too.
+#[test]
+fn all_matrices_are_converted_from_their_units() {
+    let mesh = bar();
+    let own = BodySpec { stiffening: true, ..turning(&mesh, 10) };
+    let made = Shaft::from_mesh(&mesh, &own).expect("a shaft");
+    let mut request = turning_request();
+    let shaft = |texts: Texts, request: &Request| {
+        let read = texts.mesh(request);
+        let spec = BodySpec { stiffening: true, ..spec(&read, &[0, 1, 2], 10) };
+        Shaft::from_mesh(&read, &spec).expect("a shaft")
+    };
+    let plain = shaft(reduced(&mesh, &own.nodes, &made), &request);
+    // A unit of energy is N·mm, and t·mm² of M likewise.
+    request.units = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };
+    let found = shaft(reduced_in(1e-3, 1e-3, &mesh, &own.nodes, &made), &request);
+    // One reduction twice, but for the rounding of the numbers, which modes of equal frequency enlarge.
+    assert!((plain.j0 / found.j0 - 1.0).abs() < 1e-9);
+    for name in ["y0", "g0", "M", "Y", "W", "H"] {
+        let n = made.size();
+        let [one, other] = [&plain, &found].map(|own| own.tensor(name).expect(name).to_vec());
+        let kept = |place: &usize| match one.len() {
+            own if own == n => *place >= 10,
+            _ => place / n >= 10 && place % n >= 10,
+        };
+        let largest = one.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for place in (0..one.len()).filter(kept) {
+            let (a, b) = (one[place], other[place]);
+            assert!((a - b).abs() <= 1e-9 * largest, "{name}: {a} {b} of {largest}");
+        }
+    }
+}
+
+/// Reduced again with all its modes, a superelement is what it was: at rest, and turning.
+#[test]
+fn a_superelement_is_reduced_again_without_loss() {
+    let mesh = bar();
+    let own = BodySpec { stiffening: true, ..turning(&mesh, 10) };
+    let made = Shaft::from_mesh(&mesh, &own).expect("a shaft");
+    let texts = reduced(&mesh, &own.nodes, &made);
+    let request = turning_request();
     let read = texts.mesh(&request);
     assert_eq!((read.placed(), read.nodes().len()), (3, 3 + 4));
     let matrices = read.matrices().expect("matrices");

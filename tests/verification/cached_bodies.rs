@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::cache::Key;
 use whirl_solver::constraints::{Constraints, GroundSpring};
-use whirl_solver::mesh::{Material, Mesh, MeshParts};
+use whirl_solver::mesh::{Material, Mesh, MeshParts, NodeSetMean};
 use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -70,7 +70,7 @@ type Change = (&'static str, fn(&mut Body));
 
 #[test]
 fn every_ingredient_of_a_body_is_in_its_key() {
-    let changes: [Change; 18] = [
+    let changes: [Change; 21] = [
         ("the kind of body", |b| b.kind = BodyKind::Support),
         ("a node along x, by a rounding", |b| b.mesh.nodes[7][0] = b.mesh.nodes[7][0].next_up()),
         ("a node along z", |b| b.mesh.nodes[7][2] = b.mesh.nodes[7][2].next_up()),
@@ -90,17 +90,22 @@ fn every_ingredient_of_a_body_is_in_its_key() {
         ("a retained dof", |b| b.spec.retained[1].terms[0].0 += 30),
         ("the order of the retained dofs", |b| b.spec.retained.swap(0, 1)),
         ("one retained dof less", |b| b.spec.retained.truncate(4)),
+        ("a held dof", |b| b.spec.held.push(45)),
+        ("an answer to a load", |b| b.spec.corrections.push(vec![(45, 1.0)])),
+        ("a mean that is output", |b| {
+            // Of nodes that no set has.
+            let mesh = b.mesh();
+            let nodes = unnamed(&b.mesh);
+            b.spec.means.push(NodeSetMean::new(&mesh, &nodes[..2]).expect("a mean"));
+        }),
         ("the modes", |b| b.spec.modes += 1),
         ("the stiffening", |b| b.spec.stiffening = true),
         ("the stiffness of a ground spring", |b| b.spec.springs[0].stiffness = 2e6),
         ("where a ground spring stands", |b| b.spec.springs[0].dof += 1),
         ("no ground spring", |b| b.spec.springs.clear()),
         ("the nodes of a set", |b| {
-            let all = b.mesh.nodes.len();
-            let sets = b.mesh.node_sets.values().filter(|nodes| nodes.len() < all);
-            let known: Vec<usize> = sets.flatten().copied().collect();
-            let new = (0..all).find(|node| !known.contains(node));
-            b.mesh.node_sets.insert("MORE".to_owned(), vec![new.expect("a node without a set")]);
+            let nodes = unnamed(&b.mesh);
+            b.mesh.node_sets.insert("MORE".to_owned(), nodes[..1].to_vec());
         }),
     ];
     let own = body().key();
@@ -113,6 +118,14 @@ fn every_ingredient_of_a_body_is_in_its_key() {
             panic!("{what} and {same} give one key");
         }
     }
+}
+
+/// Nodes that are in no set but that of all.
+fn unnamed(mesh: &MeshParts) -> Vec<usize> {
+    let all = mesh.nodes.len();
+    let sets = mesh.node_sets.values().filter(|nodes| nodes.len() < all);
+    let known: Vec<usize> = sets.flatten().copied().collect();
+    (0..all).filter(|node| !known.contains(node)).collect()
 }
 
 fn property<'b>(body: &'b mut Body, name: &str) -> &'b mut f64 {

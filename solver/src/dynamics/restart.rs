@@ -13,9 +13,12 @@ use super::newmark::State;
 use super::newton::NewtonState;
 use super::system::System;
 use crate::cache::Key;
+use crate::centre_of_mass::CentreOfMass;
 use crate::error::Error;
 use crate::loads::Load;
 use crate::machine::{Body, Machine};
+use crate::shaft::Shaft;
+use crate::support::Support;
 
 /// Differences of angle (rad), and of speed as a share of it, that are rounding.
 const ROUNDING: f64 = 1e-6;
@@ -189,15 +192,39 @@ impl<'m> March<'m> {
 /// unbalance and damping.
 fn content(body: &Body) -> Key {
     match body {
-        Body::Turning { shaft, .. } => {
-            let turning = (shaft.j0, &shaft.spin_inertia.data, &shaft.spin_net.data);
-            Key::of(&(&shaft.coordinates, &shaft.mass.data, &shaft.stiffness.data, turning))
+        Body::Turning { shaft, name: _, rotation: _ } => {
+            let Shaft {
+                j0,
+                y0: _,
+                g0: _,
+                mass,
+                stiffness,
+                damping: _,
+                spin_inertia,
+                spin_coupling,
+                spin_net,
+                hertz: _,
+                coordinates,
+                nodes: _,
+                measures: _,
+                // Unbalance moves it.
+                centre_of_mass: _,
+            } = shaft;
+            let matrices = [mass, stiffness, spin_inertia, spin_coupling, spin_net];
+            Key::of(&(coordinates, j0, matrices.map(|own| &own.data)))
         }
         // Coordinates of what stands have unit mass: what they are depends on the mass itself.
-        Body::Standing { support, .. } => {
-            let centre = &support.centre_of_mass;
-            let moved = (centre.mass, &centre.node.shapes.data);
-            Key::of(&(&support.coordinates, &support.stiffness, moved))
+        Body::Standing { support, name: _ } => {
+            let Support {
+                stiffness,
+                damping: _,
+                hertz: _,
+                coordinates,
+                nodes: _,
+                measures: _,
+                centre_of_mass: CentreOfMass { mass, node },
+            } = support;
+            Key::of(&(coordinates, stiffness, mass, node))
         }
     }
 }

@@ -32,6 +32,7 @@ pub use surface::{Surface, SurfacePoint};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use serde::Serialize;
 use whirl_specs::Element;
 use whirl_text::nearest_in_any_case;
 
@@ -206,6 +207,32 @@ impl Mesh {
     /// Number of cells.
     pub fn cell_count(&self) -> usize {
         self.parts.blocks.iter().map(Block::len).sum()
+    }
+
+    /// All of it on which a reduced body depends, for the key of a cache. Names and labels change no number, and sets only say
+    /// which nodes are output.
+    pub(crate) fn content(&self) -> impl Serialize + '_ {
+        let MeshParts {
+            origin: _,
+            nodes,
+            labels: _,
+            blocks,
+            materials,
+            node_sets: _,
+            element_sets: _,
+            matrices,
+        } = &self.parts;
+        let block = |block: &'_ Block| {
+            let Block { element, material, labels: _, connectivity } = block;
+            (element.origin.hash, *material, connectivity.clone())
+        };
+        let blocks: Vec<_> = blocks.iter().map(block).collect();
+        let material = |material: &Material| {
+            let Material { name: _, properties } = material;
+            properties.clone()
+        };
+        let materials: Vec<_> = materials.iter().map(material).collect();
+        (nodes, blocks, materials, matrices.as_deref().map(BodyMatrices::content))
     }
 
     /// Number of degrees of freedom: three translations a node.

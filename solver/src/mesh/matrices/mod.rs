@@ -176,16 +176,23 @@ impl BodyMatrices {
 
     /// All that a reduced body depends on, for the key of a cache.
     pub(crate) fn content(&self) -> impl Serialize + use<> {
-        let spin = self.spin.as_ref();
-        let matrices = [
-            Some(&self.stiffness),
-            Some(&self.mass),
-            spin.map(|own| &own.inertia),
-            spin.map(|own| &own.coupling),
-            self.stiffening.as_ref(),
-        ];
-        let load = self.spin_load().map(<[f64]>::to_vec);
-        (self.slots.clone(), self.placed, matrices.map(|own| own.map(listed)), load)
+        let BodyMatrices {
+            slots,
+            placed,
+            // Sets, and what follows from K.
+            each: _,
+            lacking: _,
+            held: _,
+            stiffness,
+            mass,
+            spin,
+            stiffening,
+        } = self;
+        let spin = spin.as_ref().map(|Spin { inertia, coupling, load }| {
+            (listed(inertia), listed(coupling), load.clone())
+        });
+        let stiffening = stiffening.as_ref().map(listed);
+        (slots.clone(), *placed, listed(stiffness), listed(mass), spin, stiffening)
     }
 }
 
