@@ -416,4 +416,41 @@ mod tests {
             assert!((parts.sum::<f64>() - exact).abs() < 1e-14, "{i} {j}");
         }
     }
+
+    /// Coordinates of a body that stands have unit mass: ∫ρ |u|² dV of its points is their sum of squares, and its sections
+    /// move with its points.
+    #[test]
+    fn what_stands_moves_by_coordinates_of_unit_mass() {
+        let points: [([f64; 3], f64); 4] = [
+            ([0.3, -0.1, 0.4], 1.5),
+            ([-0.2, 0.25, -0.1], 2.0),
+            ([0.1, 0.4, 0.7], 0.7),
+            ([-0.3, -0.2, 0.2], 1.1),
+        ];
+        let mass: f64 = points.iter().map(|(_, m)| m).sum();
+        let centre = [0, 1, 2].map(|i| points.iter().map(|(x, m)| m * x[i]).sum::<f64>() / mass);
+        let arm = |x: &[f64; 3], i: usize| x[i] - centre[i];
+        let second = [0, 1, 2].map(|i| {
+            [0, 1, 2].map(|j| points.iter().map(|(x, m)| m * arm(x, i) * arm(x, j)).sum())
+        });
+        let positions = points.map(|(x, _)| x);
+        let body = RigidInertia { mass, centre, second, tilts: true, along: true };
+        let standing = body.standing(&positions, [0.0; 2], [0.0; 2]);
+        for (i, j) in (0..5).flat_map(|i| (0..5).map(move |j| (i, j))) {
+            let product = |(node, (_, m)): (&BodyNode, &([f64; 3], f64))| -> f64 {
+                (0..3).map(|axis| m * node.shapes[(axis, i)] * node.shapes[(axis, j)]).sum()
+            };
+            let found: f64 = standing.nodes.iter().zip(&points).map(product).sum();
+            let unit = f64::from(u8::from(i == j));
+            assert!((found - unit).abs() < 1e-14, "{i} {j}: {found}");
+        }
+        let section = [0.07, -0.02, 0.31];
+        let measure = &body.measures(&[section], false)[0];
+        for node in &standing.nodes {
+            let moved = measure.node_at(node.position).shapes;
+            for (found, exact) in moved.data.iter().zip(&node.shapes.data) {
+                assert!((found - exact).abs() < 1e-14, "{found} for {exact}");
+            }
+        }
+    }
 }

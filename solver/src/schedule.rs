@@ -137,6 +137,17 @@ mod tests {
     }
 
     #[test]
+    fn accelerations_jump_at_every_kink_the_first_and_the_last_row_included() {
+        let rows = [[-1.0, 4.0], [1.0, 8.0], [2.0, 10.0], [3.0, 2.0]];
+        let schedule = Schedule::of_speeds(&rows).expect("rises");
+        // The row at 1 s is on the line between its neighbours.
+        assert_eq!(schedule.jumps(), [-1.0, 2.0, 3.0]);
+        // A table that ends level has no jump at its last row.
+        let level = Schedule::of_speeds(&[[0.0, 5.0], [1.0, 7.0], [4.0, 7.0]]).expect("rises");
+        assert_eq!(level.jumps(), [0.0, 1.0]);
+    }
+
+    #[test]
     fn a_motion_is_met_at_its_rows_and_smooth_between() {
         let exact = |t: f64| [t, t.sin(), t.cos(), -t.sin()];
         let rows: Vec<[f64; 4]> = (0..20).map(|i| exact(0.1 * f64::from(i))).collect();

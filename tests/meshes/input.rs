@@ -105,6 +105,12 @@ fn an_instance_is_moved_and_turned() {
         assert!((found - known).abs() < 1e-15, "{found} {known}");
     }
     assert_eq!(labels(&read.mesh, "TIP"), [3]);
+    // Moved first, then turned: (3, 0, 5) about the same line.
+    let aside = text.replace("0, 0, 5\n", "2, -1, 5\n");
+    let read = open(aside.as_bytes(), "part.inp").unwrap_or_else(|errors| panic!("{errors}"));
+    for (found, known) in read.mesh.nodes()[2].iter().zip([1.0, 2.0, 5.0]) {
+        assert!((found - known).abs() < 1e-15, "{found} {known}");
+    }
     let two = text.replace("*END ASSEMBLY", "*INSTANCE, NAME=P-2, PART=P\n*END ASSEMBLY");
     assert!(refused(&two, "part.inp").contains("a second *INSTANCE is not read"));
     let wrong = text.replace("0, 0, 5\n", "0, 5\n");

@@ -271,6 +271,50 @@ fn masses_are_in_units_of_the_file() {
     assert!((read.mesh.nodes()[8][0] - 2e-3).abs() < 1e-17);
 }
 
+/// In a spherical system the offset and the inertia of a mass are along r, θ and φ at its node.
+#[test]
+fn a_mass_in_a_spherical_system_has_the_directions_of_its_node() {
+    // From (1, 2, 3), with its axes: z along y, x along z, so that y is along x.
+    let system = "CORD2S,7,,1.,2.,3.,1.,3.,3.\n,1.,2.,4.\nGRID,20,,3.,4.,4.\n";
+    let text = GOOD.replace("GRID          20            .666    .333     -5.\n", system).replace(
+        "CONM2         21      20           5.5",
+        "CONM2,21,20,7,5.5,.3,.6,.9\n,4.,,5.,,,6.",
+    );
+    let mass = &good(&text).masses[0];
+    // In the system the node is at (1, 2, 2): r = 3, and 2/3 of it along its z.
+    let (about, r) = (5.0_f64.sqrt(), 3.0);
+    let own = [
+        [1.0 / r, 2.0 / r, 2.0 / r],
+        [2.0 / r * 1.0 / about, 2.0 / r * 2.0 / about, -about / r],
+        [-2.0 / about, 1.0 / about, 0.0],
+    ];
+    // Own x, y, z are z, x, y of the basic system.
+    let directions = own.map(|[x, y, z]| [y, z, x]);
+    for i in 0..3 {
+        let moved: f64 = (0..3).map(|k| [0.3, 0.6, 0.9][k] * directions[k][i]).sum();
+        let exact = [3.0, 4.0, 4.0][i] + moved;
+        assert!((mass.at[i] - exact).abs() < 1e-14, "{i}: {} for {exact}", mass.at[i]);
+        for j in 0..3 {
+            let exact: f64 =
+                (0..3).map(|k| [4.0, 5.0, 6.0][k] * directions[k][i] * directions[k][j]).sum();
+            let found = mass.inertia[i][j];
+            assert!((found - exact).abs() < 1e-14, "{i} {j}: {found} for {exact}");
+        }
+    }
+}
+
+/// A card of systems on grid points holds two of them.
+#[test]
+fn the_second_system_of_a_card_counts() {
+    let systems = "CORD1R,7,1,5,2,8,2,1,3\nGRID,9,8,.25,.5,2.\n";
+    let text = GOOD.replace("GRID           9              2.      0.      0.\n", systems);
+    // Origin at node 2 (1, 0, 0), z from there to node 1: −x; node 3 (1, 1, 0) in the half plane of x: y; and y = z × x: −z.
+    let position = good(&text).mesh.nodes()[8];
+    for (found, exact) in position.iter().zip([-1.0, 0.25, -0.5]) {
+        assert!((found - exact).abs() < 1e-15, "{position:?}");
+    }
+}
+
 /// 3·10⁵ degrees of freedom take half a second; what grew with the square of the file would take minutes.
 #[test]
 fn large_files_are_read_in_time() {

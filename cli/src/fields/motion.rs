@@ -65,24 +65,47 @@ impl Motion {
     /// # Errors
     /// As [`at_nodes`].
     pub(super) fn stresses(&self, mesh: &Mesh) -> Result<[Array; 2], Error> {
-        let [s, c] = self.angle;
-        // R σ Rᵀ for a turn about z.
-        let turned = |[xx, yy, zz, xy, yz, zx]: Stress| {
-            [
-                c * c * xx - 2.0 * s * c * xy + s * s * yy,
-                s * s * xx + 2.0 * s * c * xy + c * c * yy,
-                zz,
-                s * c * (xx - yy) + (c * c - s * s) * xy,
-                s * zx + c * yz,
-                c * zx - s * yz,
-            ]
-        };
         let stresses = self.in_body(mesh)?;
         let sizes = stresses.iter().map(von_mises).collect();
-        let stresses = stresses.into_iter().map(turned).collect();
+        let stresses = stresses.into_iter().map(|own| turned(own, self.angle)).collect();
         Ok([
             Array { name: "stress_Pa", values: Values::Tensors(stresses) },
             Array { name: "von_mises_Pa", values: Values::Scalars(sizes) },
         ])
+    }
+}
+
+/// R σ Rᵀ for a turn about z by an angle with this sin and cos.
+fn turned([xx, yy, zz, xy, yz, zx]: Stress, [s, c]: [f64; 2]) -> Stress {
+    [
+        c * c * xx - 2.0 * s * c * xy + s * s * yy,
+        s * s * xx + 2.0 * s * c * xy + c * c * yy,
+        zz,
+        s * c * (xx - yy) + (c * c - s * s) * xy,
+        s * zx + c * yz,
+        c * zx - s * yz,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stress_turns_as_a_matrix_does() {
+        let (sin, cos) = 0.7_f64.sin_cos();
+        let own: Stress = [5.0, -3.0, 2.0, 1.5, -4.0, 7.0];
+        let [xx, yy, zz, xy, yz, zx] = own;
+        let sigma = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
+        let turn = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
+        let entry = |i: usize, j: usize| -> f64 {
+            let products = (0..3).flat_map(|k| (0..3).map(move |l| (k, l)));
+            products.map(|(k, l)| turn[i][k] * sigma[k][l] * turn[j][l]).sum()
+        };
+        let found = turned(own, [sin, cos]);
+        let places = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
+        for (found, (i, j)) in found.iter().zip(places) {
+            assert!((found - entry(i, j)).abs() < 1e-14, "{i} {j}: {found} for {}", entry(i, j));
+        }
     }
 }

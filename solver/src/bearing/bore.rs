@@ -247,6 +247,9 @@ pub(super) fn journal_radius(bearing: &Bearing, nodes: &[BodyNode]) -> Option<f6
 mod tests {
     use super::super::Sides;
     use super::*;
+    use crate::centre_of_mass::CentreOfMass;
+    use crate::measure::MeanMotion;
+    use crate::support::Support;
 
     /// Nodes at `places` that move as one body by b_x, b_y and β, coordinates 0, 1 and 2, and turn about
     /// themselves with the third to no effect.
@@ -300,5 +303,65 @@ mod tests {
         let radius = journal_radius(&bearing, &nodes).expect("four nodes");
         assert!((radius - 0.4).abs() < 1e-15, "{radius}");
         assert!(journal_radius(&Bearing { bore: Default::default(), ..bearing }, &nodes).is_none());
+    }
+
+    /// A bore of faces that tilts: laws of rings see its axis where their planes stand.
+    #[test]
+    fn the_axis_of_faces_moves_by_their_tilt_at_every_station() {
+        // By b_x, b_y at z = 0.2 m, tilts α and β, and a turn.
+        let rows = |rows: [[f64; 5]; 3]| Matrix::from_fn(3, 5, |i, j| rows[i][j]);
+        let mean = MeanMotion {
+            centre: [0.0, 0.0, 0.2],
+            displacement: rows([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0], [0.0; 5]]),
+            rotation: rows([
+                [0.0, 0.0, 1.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0, 1.0],
+            ]),
+        };
+        let support = Support {
+            stiffness: vec![0.0; 5],
+            damping: vec![0.0; 5],
+            hertz: Vec::new(),
+            coordinates: ["x", "y", "α", "β", "γ"].map(str::to_owned).to_vec(),
+            nodes: Vec::new(),
+            measures: vec![mean],
+            centre_of_mass: CentreOfMass::none(5),
+        };
+        let body = Body::standing("block", support);
+        let surface = BoreSurface {
+            stations: vec![0.15, 0.28],
+            middle: 0.23,
+            points: vec![Vec::new(); 2],
+            mean: 0,
+        };
+        let bearing = Bearing {
+            others: Vec::new(),
+            name: String::new(),
+            label: None,
+            sides: Sides { bore_axis: [0.03, -0.01], surface: Some(surface), ..Sides::default() },
+            journal: [0; 3],
+            bore: Default::default(),
+            clearance: 0.1,
+            journal_radius: None,
+            stations: vec![0.1, 0.9],
+            angles: Vec::new(),
+            law: 0,
+        };
+        let bore = Bore::new(&whirl_specs::CLEARANCES[0], (0, &bearing), &body, false);
+        let bore = bore.unwrap_or_else(|errors| panic!("{errors:?}"));
+        for (place, z) in [(0, -0.05), (1, 0.08)] {
+            // u = b + ω × r with r = (0.03, -0.01, z): x: β z − γ y, y: γ x − α z.
+            for (motion, exact) in [
+                (BoreMotion::MeanX, [1.0, 0.0, 0.0, z, 0.01]),
+                (BoreMotion::MeanY, [0.0, 1.0, -z, 0.0, 0.03]),
+                (BoreMotion::MeanTurn, [0.0, 0.0, 0.0, 0.0, 1.0]),
+            ] {
+                let found = &bore.rows(place, motion)[0];
+                for (found, exact) in found.iter().zip(exact) {
+                    assert!((found - exact).abs() < 1e-15, "{motion:?}: {found} for {exact}");
+                }
+            }
+        }
     }
 }

@@ -6,6 +6,7 @@ mod matrices;
 pub(crate) mod meshes;
 mod missing_sets;
 mod rings;
+mod single_terms;
 mod surfaces;
 mod weight;
 

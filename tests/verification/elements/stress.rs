@@ -90,6 +90,45 @@ fn cell(element: &'static Element, nodes: &[[f64; 3]]) -> Mesh {
     .expect("a cell")
 }
 
+/// Two bars of other materials, one on the other, stretched alike: where they meet the stress is that of the stiffer one, whichever
+/// of the materials comes first.
+#[test]
+fn where_materials_meet_the_larger_stress_counts() {
+    let nodes: Vec<[f64; 3]> = (0..12_usize)
+        .map(|node| {
+            let corner = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]][node % 4];
+            [corner[0], corner[1], (node / 4) as f64]
+        })
+        .collect();
+    let strain = 1e-4;
+    let displacement: Vec<f64> = nodes.iter().flat_map(|x| [0.0, 0.0, strain * x[2]]).collect();
+    for moduli in [[3e9, 2e11], [2e11, 3e9]] {
+        let material = |e: f64| Material::isotropic("m", e, 0.3, 1000.0).expect("a material");
+        let block = |place: usize| Block {
+            element: element("hex8"),
+            material: place,
+            labels: vec![place as u64 + 1],
+            connectivity: (4 * place..4 * place + 8).collect(),
+        };
+        let mesh = Mesh::new(MeshParts {
+            origin: "bars".into(),
+            nodes: nodes.clone(),
+            labels: (1..=12).collect(),
+            blocks: vec![block(0), block(1)],
+            materials: moduli.map(material).into(),
+            ..MeshParts::default()
+        });
+        let found = at_nodes(&mesh.expect("a mesh"), &displacement).expect("stresses");
+        let largest = f64::max(moduli[0], moduli[1]);
+        for (node, stress) in found.iter().enumerate() {
+            let e = [moduli[0], largest, moduli[1]][node / 4];
+            // σ_zz = (λ + 2μ) ε, to rounding.
+            let exact = e * 0.7 / (1.3 * 0.4) * strain;
+            assert!((stress[2] / exact - 1.0).abs() < 1e-12, "{node}: {} {exact}", stress[2]);
+        }
+    }
+}
+
 fn matrix([xx, yy, zz, xy, yz, zx]: Stress) -> Matrix3<f64> {
     Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz)
 }

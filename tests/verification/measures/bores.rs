@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use whirl_solver::contacts::{BoreNodes, HARMONICS, lacking, patterns};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
-use whirl_solver::mesh::{Material, Mesh};
+use whirl_solver::mesh::{Material, Mesh, MeshParts};
 use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::reduction::Interface;
 use whirl_specs::ELEMENTS;
@@ -34,6 +34,34 @@ fn frame() -> Mesh {
 fn bore(mesh: &Mesh) -> BoreNodes {
     let ring = |place: &str| mesh.node_set(&format!("BORE1_{place}")).expect("a set").to_vec();
     BoreNodes { name: "one".into(), rings: ["LEFT", "MIDDLE"].map(ring).into(), axis: [0.0; 2] }
+}
+
+/// Loads count from the axis of the bore, wherever that is.
+#[test]
+fn patterns_stand_around_the_axis_of_the_bore() {
+    let mesh = frame();
+    let own = bore(&mesh);
+    let aside = [0.013, -0.007];
+    let nodes = mesh.nodes().iter().map(|[x, y, z]| [x + aside[0], y + aside[1], *z]);
+    let moved = Mesh::new(MeshParts {
+        origin: "moved".into(),
+        nodes: nodes.collect(),
+        labels: mesh.labels().to_vec(),
+        blocks: mesh.blocks().to_vec(),
+        materials: mesh.materials().to_vec(),
+        node_sets: mesh.node_sets().clone(),
+        ..MeshParts::default()
+    });
+    let found = patterns(&moved.expect("a mesh"), &BoreNodes { axis: aside, ..own.clone() });
+    let (found, exact) = (found.expect("patterns"), patterns(&mesh, &own).expect("patterns"));
+    assert_eq!(found.len(), exact.len());
+    for (found, exact) in found.iter().zip(&exact) {
+        assert_eq!((found.harmonic, found.load.len()), (exact.harmonic, exact.load.len()));
+        for ((dof, found), (other, exact)) in found.load.iter().zip(&exact.load) {
+            // Positions are rounded anew: eps · 0.2 m over the radius of 0.01 m, times the harmonic.
+            assert!(dof == other && (found - exact).abs() < 1e-13, "{found} for {exact}");
+        }
+    }
 }
 
 /// With correction the reduced body moves under each load as the mesh does, everywhere; without it much is lacking, as much
