@@ -79,19 +79,36 @@ pub fn lacking(
         all.push(patterns(mesh, bore)?);
     }
     let loads: Vec<Row> = all.iter().flatten().map(|pattern| pattern.load.clone()).collect();
-    let mut full = spec.compliances(mesh, &loads)?.into_iter();
+    let mut parts = lacking_of_loads(mesh, spec, reduced, &loads)?.into_iter();
     let mut lacking = Vec::with_capacity(bores.len());
-    for (bore, patterns) in bores.iter().zip(&all) {
+    for patterns in &all {
         let mut worst = [0.0; HARMONICS];
-        for (pattern, full) in patterns.iter().zip(full.by_ref()) {
-            let has = reduced.modal_compliance(&pattern.load).ok_or_else(|| Error::Mesh {
-                origin: mesh.origin().to_owned(),
-                what: format!("the motion of the nodes of {} is not kept", bore.name),
-            })?;
-            let part = if full > 0.0 { ((full - has) / full).max(0.0) } else { 0.0 };
+        for (pattern, part) in patterns.iter().zip(parts.by_ref()) {
             worst[pattern.harmonic] = f64::max(worst[pattern.harmonic], part);
         }
         lacking.push(worst);
     }
     Ok(lacking)
+}
+
+/// Of each load the part of the static displacement under it, in its own direction and with what is retained held, that the
+/// reduced body lacks; none of a load on what is retained or held alone.
+///
+/// # Errors
+/// As the reduction of the mesh; a load on nodes whose motion is not kept.
+pub fn lacking_of_loads(
+    mesh: &Mesh,
+    spec: &BodySpec,
+    reduced: &Reduced,
+    loads: &[Row],
+) -> Result<Vec<f64>, Error> {
+    let full = spec.compliances(mesh, loads)?;
+    let part = |(load, full): (&Row, f64)| {
+        let has = reduced.modal_compliance(load).ok_or_else(|| Error::Mesh {
+            origin: mesh.origin().to_owned(),
+            what: "the motion of the nodes of a load is not kept".to_owned(),
+        })?;
+        Ok(if full > 0.0 { ((full - has) / full).max(0.0) } else { 0.0 })
+    };
+    loads.iter().zip(full).map(part).collect()
 }

@@ -278,7 +278,7 @@ impl Reduced {
 fn output_nodes(mesh: &Mesh, spec: &BodySpec) -> Vec<usize> {
     // A set of all nodes, such as many a mesher writes, says nothing of any of them.
     let sets = mesh.node_sets().values().filter(|nodes| nodes.len() < mesh.nodes().len());
-    let means = spec.means.iter().flat_map(NodeSetMean::nodes);
-    let all: BTreeSet<usize> = sets.flatten().chain(&spec.nodes).chain(means).copied().collect();
+    let means = spec.means.iter().flat_map(NodeSetMean::all_nodes);
+    let all: BTreeSet<usize> = sets.flatten().chain(&spec.nodes).copied().chain(means).collect();
     all.into_iter().collect()
 }

@@ -133,7 +133,7 @@ pub struct Clearance {
     pub contacts: &'static [Contact],
 }
 
-/// A way in which a bore moves, a coordinate of a contact.
+/// A way in which a bore moves, or the journal's section in its body: a coordinate of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BoreMotion {
     /// Outwards at a spring (m).
@@ -146,6 +146,8 @@ pub enum BoreMotion {
     MeanY,
     /// Mean rotation of the ring of nodes about z (rad).
     MeanTurn,
+    /// None of the bore: mean rotation of the journal's section against the frame of its body (rad).
+    SectionTurn,
 }
 
 /// An input or a force of a kind of law.

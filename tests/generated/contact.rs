@@ -102,7 +102,10 @@ impl Bench {
     fn is_angle(&self, place: usize) -> bool {
         match place.checked_sub(3) {
             None => place == 0,
-            Some(own) => self.kind.bore[own / self.count] == BoreMotion::MeanTurn,
+            Some(own) => matches!(
+                self.kind.bore[own / self.count],
+                BoreMotion::MeanTurn | BoreMotion::SectionTurn
+            ),
         }
     }
 
@@ -234,6 +237,7 @@ impl Bench {
             motion(BoreMotion::MeanX),
             motion(BoreMotion::MeanY),
             motion(BoreMotion::MeanTurn),
+            motion(BoreMotion::SectionTurn),
             constant(C),
             constant(R),
         )
@@ -389,11 +393,28 @@ fn reactions_on_shaft_and_bore_are_equal_and_opposite() {
                         BoreMotion::Tangential => psi(j).cos() * y - psi(j).sin() * x,
                         BoreMotion::MeanX => x,
                         BoreMotion::MeanY => y,
-                        BoreMotion::MeanTurn => 0.0,
+                        BoreMotion::MeanTurn | BoreMotion::SectionTurn => 0.0,
                     }));
                 }
                 let work: f64 = force.iter().zip(&motion).map(|(f, m)| f * m).sum();
                 assert!(work.abs() <= 64.0 * f64::EPSILON * scale, "{}: {work}", bench.kind.name);
+            }
+            // A turn about the axis, wherever both stand: the moment e × F that the forces leave is a couple on the bore.
+            let place = |wanted: BoreMotion| {
+                bench.kind.bore.iter().position(|own| *own == wanted).map(|a| bench.place(a, 0))
+            };
+            if let [Some(x), Some(y), Some(turn)] =
+                [BoreMotion::MeanX, BoreMotion::MeanY, BoreMotion::MeanTurn].map(place)
+            {
+                let mut motion = vec![0.0; bench.coordinates()];
+                (motion[0], motion[turn]) = (1.0, 1.0);
+                (motion[x], motion[y]) = (-state.q[y], state.q[x]);
+                let terms = force.iter().zip(&motion).map(|(f, m)| f * m);
+                let (work, size) =
+                    terms.fold((0.0, 0.0), |(sum, size), own| (sum + own, size + f64::abs(own)));
+                let sizes = scale * state.q[1].hypot(state.q[2]).max(state.q[x].hypot(state.q[y]));
+                let allowed = 64.0 * f64::EPSILON * (size + sizes);
+                assert!(f64::abs(work) <= allowed, "{}: {work}", bench.kind.name);
             }
             // A turn about the centre of a journal that stands there, in a bore as close as touching.
             (state.q[1], state.q[2]) = (0.0, 0.0);

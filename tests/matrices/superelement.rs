@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use whirl_solver::assembly::assemble;
 use whirl_solver::body::BodySpec;
-use whirl_solver::mesh::Mesh;
 use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::matrices::Request;
+use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -229,6 +229,11 @@ fn turns_of_nodes_are_dofs() {
         .with("M.mtx", array(4, 4, |i, j| mass[i][j]));
     let read = texts.mesh(&market());
     let own = read.matrices().expect("matrices");
+    // What places on a line do not show, turns of the nodes do.
+    let end = NodeSetMean::new(&read, &[1]).expect("a node");
+    assert!(end.turns_about(1) && !end.turns_about(0) && !end.turns_about(2));
+    assert_eq!(end.row(MeanComponent::Rotation(1)), [(10, 1.0)]);
+    assert_eq!(end.row(MeanComponent::Rotation(0)), []);
     // Free against shifts along x and turns about y: what is there strains nothing.
     assert_eq!(own.lacks_to_be_free("rigid"), None);
     let mut held = spec(&read, &[], 2);

@@ -67,6 +67,12 @@ fn matrices_that_are_given_turn_a_shaft_as_its_mesh() {
         read = read.with_node_set(name, nodes.clone());
     }
     wanted = turning(&read, 10);
+    let own = read.matrices().expect("matrices");
+    assert_eq!(own.wrong_spin_load(&read), None);
+    // About another axis this load is wrong, as M has its centre elsewhere.
+    let moved = read.clone().moved([1e-3, 0.0]).expect("a mesh");
+    let (what, _) = own.wrong_spin_load(&moved).expect("a centre off the axis");
+    assert!(what.contains("at x = 0 mm, y = 0 mm from") && what.contains("at x = 1 mm"), "{what}");
     let plain = Shaft::from_mesh(&read, &wanted).expect("a shaft");
     let without = Shaft::from_mesh(&mesh, &turning(&mesh, 10)).expect("a shaft");
     shafts_agree(&without, &plain, 1e-9);

@@ -77,6 +77,9 @@ pub struct Sides {
     /// Sections of both bodies whose turn against the frame of their body adds to the angle between them, as places in the
     /// measures of the bodies; the frames alone count where there is none.
     pub sections: [Option<usize>; 2],
+    /// Section of the journal that turns with the torque on it, as a place in the measures of its body; the frame alone does
+    /// where there is none.
+    pub torque_section: Option<usize>,
     /// Where springs stand on the faces of a bore, in place of its rings of nodes.
     pub surface: Option<BoreSurface>,
 }
@@ -104,6 +107,7 @@ impl Default for Sides {
             run_out: [[0.0; 2]; 3],
             offset: [[0.0; 2]; 3],
             sections: [None; 2],
+            torque_section: None,
             surface: None,
         }
     }
@@ -151,9 +155,9 @@ pub(crate) struct PlacedLaw {
     pub(crate) motions: Vec<Option<usize>>,
 }
 
-/// How the bores of a body move at all springs.
+/// How the bores of a body move at all springs, and the sections of journals that turn in them.
 pub(crate) struct Bores {
-    /// Where the coordinates of the body stand in q.
+    /// Where the coordinates on which they depend stand in q.
     pub(crate) place: Range<usize>,
     /// T_b: motions of the bores from these coordinates (rows × coordinates), eqs. (20) to (23).
     pub(crate) rows: Matrix,

@@ -83,9 +83,14 @@ impl OtherMotion {
     /// Of the second side, as a motion of a bore.
     pub(super) fn of_second(&self, body: &Body, motion: BoreMotion) -> Vec<f64> {
         let [x, y] = self.rows(1, body);
-        match motion {
-            BoreMotion::MeanX => x,
-            BoreMotion::MeanY => y,
+        match (motion, self.kind, self.sections[1]) {
+            (BoreMotion::MeanX, ..) => x,
+            (BoreMotion::MeanY, ..) => y,
+            // The axes of the tilts turn with the section.
+            (BoreMotion::MeanTurn, MotionKind::Tilts, Some(section)) => {
+                let rotation = &body.measures()[section].rotation;
+                (0..rotation.cols).map(|j| rotation[(2, j)]).collect()
+            }
             _ => vec![0.0; body.size()],
         }
     }

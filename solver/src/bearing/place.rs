@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use whirl_specs::Clearance;
+use whirl_specs::{BoreMotion, Clearance};
 
 use super::bore::{Bore, at_springs, between, journal_radius};
 use super::law::{BoundLaw, SpringLaw};
@@ -79,16 +79,45 @@ struct Placing<'a> {
     errors: Vec<Error>,
 }
 
-/// Rows of T_b of a body so far, and b0 in them.
+/// The bodies on whose coordinates a row of T_b is: that of the bore, and that of the journal where its section turns with
+/// its torque.
+#[derive(Clone, Copy, PartialEq)]
+struct Joined {
+    bore: usize,
+    twisted: Option<usize>,
+}
+
+impl Joined {
+    fn of(part: &Part) -> Self {
+        let [journal, bore] = part.bearing.sides.bodies;
+        let twists = part.other.is_none() && part.bearing.sides.torque_section.is_some();
+        Joined { bore, twisted: twists.then_some(journal) }
+    }
+
+    /// All coordinates between the first and the last of both in q.
+    fn place(self, places: &[BodyPlace]) -> Range<usize> {
+        let own = places[self.bore].flexible.clone();
+        let Some(other) = self.twisted.map(|body| places[body].flexible.clone()) else {
+            return own;
+        };
+        match (own.is_empty(), other.is_empty()) {
+            (true, _) => other,
+            (_, true) => own,
+            _ => own.start.min(other.start)..own.end.max(other.end),
+        }
+    }
+}
+
+/// Rows of T_b so far, and b0 in them.
 struct PlacingBores {
-    body: usize,
+    joined: Joined,
     rows: Vec<Vec<f64>>,
     offset: Vec<f64>,
 }
 
 impl PlacingBores {
     fn placed(self, places: &[BodyPlace]) -> Bores {
-        let place = places[self.body].flexible.clone();
+        let place = self.joined.place(places);
         let rows = Matrix::from_fn(self.rows.len(), place.len(), |i, j| self.rows[i][j]);
         let offset = self.offset.iter().any(|b0| *b0 != 0.0).then_some(self.offset);
         Bores::new(place, rows, offset)
@@ -102,25 +131,41 @@ struct MotionRows {
     offset: Vec<f64>,
 }
 
+impl MotionRows {
+    /// Whether nothing moves so.
+    fn are_zero(&self) -> bool {
+        self.rows.iter().flatten().chain(&self.offset).all(|value| *value == 0.0)
+    }
+}
+
 impl Placing<'_> {
     /// Places a law in the bearings that name it, body of the bores by body.
     fn place(&mut self, law: &BoundLaw, users: &[Part]) {
-        let mut bodies: Vec<usize> = Vec::new();
-        for part in users {
-            let bore = part.bearing.sides.bodies[1];
-            if !bodies.contains(&bore) {
-                bodies.push(bore);
+        let mut all: Vec<Joined> = Vec::new();
+        for joined in users.iter().map(Joined::of) {
+            if !all.contains(&joined) {
+                all.push(joined);
             }
         }
-        for body in bodies {
-            let users = users.iter().filter(|part| part.bearing.sides.bodies[1] == body);
+        for joined in all {
+            let users = users.iter().filter(|part| Joined::of(part) == joined);
             let users: Vec<Part> = users.copied().collect();
-            self.place_in(law.clone(), body, &users);
+            self.place_in(law.clone(), joined, &users);
         }
     }
 
-    /// Places a law in bearings whose bores are on one body.
-    fn place_in(&mut self, law: BoundLaw, body: usize, users: &[Part]) {
+    /// Places a law in bearings that join the same bodies.
+    fn place_in(&mut self, law: BoundLaw, joined: Joined, users: &[Part]) {
+        let (body, place) = (joined.bore, joined.place(self.places));
+        // A row over the coordinates of one body as one over those of both.
+        let wide = |row: Vec<f64>, of: usize| {
+            let mut wide = vec![0.0; place.len()];
+            if !row.is_empty() {
+                let from = self.places[of].flexible.start - place.start;
+                wide[from..from + row.len()].copy_from_slice(&row);
+            }
+            wide
+        };
         let (kind, first) = (law.kind, self.planes.len());
         let needed = law.motions();
         let mut motions = vec![MotionRows::default(); kind.bore.len()];
@@ -139,7 +184,7 @@ impl Placing<'_> {
                 }
                 for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
                     if *needed {
-                        own.rows.push(other.of_second(&self.bodies[body], *motion));
+                        own.rows.push(wide(other.of_second(&self.bodies[body], *motion), body));
                         own.offset.push(0.0);
                     }
                 }
@@ -164,9 +209,20 @@ impl Placing<'_> {
             for (place, &station) in bearing.stations.iter().enumerate() {
                 for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
                     if *needed {
+                        let (rows, of, offset) = match motion {
+                            BoreMotion::SectionTurn => {
+                                let journal = bearing.sides.bodies[0];
+                                let row = section_turn(bearing, &self.bodies[journal]);
+                                (vec![row], journal, vec![0.0])
+                            }
+                            _ => {
+                                let rows = bore.rows(place, *motion);
+                                (rows, body, bore.offset(station, *motion))
+                            }
+                        };
+                        let rows = rows.into_iter().map(|row| wide(row, of));
                         // A motion of the whole ring is that of each of its springs.
-                        let (rows, offset) =
-                            (bore.rows(place, *motion), bore.offset(station, *motion));
+                        let rows: Vec<Vec<f64>> = rows.collect();
                         own.rows.extend(rows.into_iter().cycle().take(count));
                         own.offset.extend(offset.into_iter().cycle().take(count));
                     }
@@ -180,24 +236,31 @@ impl Placing<'_> {
         }
         let mut table = vec![0.0; kind.table * angles.len()];
         (kind.prepare)(&angles, &mut table);
-        let bores = self.bores_of(body);
+        let bores = self.bores_of(joined);
         let own = &mut self.bores[bores];
-        let motions = motions.into_iter().zip(&needed).map(|(motion, needed)| {
+        let turn =
+            |motion: &BoreMotion| matches!(motion, BoreMotion::MeanTurn | BoreMotion::SectionTurn);
+        let motions = motions.into_iter().zip(&needed).zip(kind.bore);
+        let motions = motions.map(|((motion, needed), kind)| {
+            // What is rigid has no turn of its own.
+            if !needed || turn(kind) && motion.are_zero() {
+                return None;
+            }
             let first = own.rows.len();
             own.rows.extend(motion.rows);
             own.offset.extend(motion.offset);
-            needed.then_some(first)
+            Some(first)
         });
         let motions = motions.collect();
         let (planes, springs) = (first..self.planes.len(), angles.len());
         self.laws.push(PlacedLaw { bound: law, planes, springs, table, bores, motions });
     }
 
-    /// The place of the bores of a body, which are added if they are new.
-    fn bores_of(&mut self, body: usize) -> usize {
-        let known = self.bores.iter().position(|own| own.body == body);
+    /// The place of the bores between bodies, which are added if they are new.
+    fn bores_of(&mut self, joined: Joined) -> usize {
+        let known = self.bores.iter().position(|own| own.joined == joined);
         known.unwrap_or_else(|| {
-            self.bores.push(PlacingBores { body, rows: Vec::new(), offset: Vec::new() });
+            self.bores.push(PlacingBores { joined, rows: Vec::new(), offset: Vec::new() });
             self.bores.len() - 1
         })
     }
@@ -298,6 +361,17 @@ impl Placing<'_> {
             }),
             _ => Ok(radius),
         }
+    }
+}
+
+/// The turn of the journal's section against the frame of its body, as a row over the coordinates of the body.
+fn section_turn(bearing: &Bearing, body: &Body) -> Vec<f64> {
+    match bearing.sides.torque_section {
+        Some(section) => {
+            let rotation = &body.measures()[section].rotation;
+            (0..rotation.cols).map(|j| rotation[(2, j)]).collect()
+        }
+        None => Vec::new(),
     }
 }
 

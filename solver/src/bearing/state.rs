@@ -1,12 +1,13 @@
 //! The springs at one instant: how they move, what their laws give, generalised forces and their derivatives.
 
-use whirl_specs::{ContactState, ContactTangent, Ring};
+use whirl_specs::{BoreMotion, ContactState, ContactTangent, Ring};
 
 use super::apart::Seen;
 use super::measured::Mark;
 use super::spin::Spin;
 use super::valid::ValidityMonitor;
 use super::{BlockMemory, Bores, PlacedLaw, Plane, Springs};
+use crate::linalg::dot;
 
 /// All springs at one instant. Allocated once, filled at will.
 pub struct SpringState {
@@ -341,6 +342,26 @@ impl SpringState {
         let own = &self.planes[plane];
         let ([_, x, y], [moment, along_x, along_y]) = (own.ring.position, own.ring_force);
         moment - (x * along_y - y * along_x)
+    }
+
+    /// Power on the section of the journal that turns with its torque (W), by rates of q.
+    pub(crate) fn power_on_section(&self, springs: &Springs, plane: usize, v: &[f64]) -> f64 {
+        let plane = &springs.planes[plane];
+        let law = &springs.laws[plane.law];
+        let (bores, forces) = (&springs.bores[law.bores], &self.laws[plane.law].bore_force);
+        let v = &v[bores.place.clone()];
+        let mut power = 0.0;
+        for (motion, first) in law.motions.iter().enumerate() {
+            if law.bound.kind.bore[motion] != BoreMotion::SectionTurn {
+                continue;
+            }
+            let Some(first) = *first else { continue };
+            for j in plane.springs.clone() {
+                let rate = dot(bores.transposed.col(first + j), v);
+                power += forces[motion * law.springs + j] * rate;
+            }
+        }
+        power
     }
 
     /// Adds the generalised forces on q.

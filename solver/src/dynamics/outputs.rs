@@ -111,8 +111,12 @@ fn of_joint(
             let torques = monitor.planes.iter().map(|&plane| springs.plane_torque(plane));
             about_axis(torques.sum())
         }
-        JointQuantity::Twist => about_axis(turn(journal)[0] - turn(bore)[0]),
-        JointQuantity::TwistRate => about_axis(turn(journal)[1] - turn(bore)[1]),
+        JointQuantity::Twist => {
+            about_axis(turn(journal)[0] - turn(bore)[0] + of_sections(system, joint, &state.q))
+        }
+        JointQuantity::TwistRate => {
+            about_axis(turn(journal)[1] - turn(bore)[1] + of_sections(system, joint, &state.v))
+        }
         JointQuantity::Force => {
             let force = planes().fold([0.0; 2], |sum, [_, x, y]| [sum[0] + x, sum[1] + y]);
             // Forces of planes are in the frame of the journal's body.
@@ -135,6 +139,16 @@ fn of_joint(
             }
         }
     }
+}
+
+/// What the sections on which a joint acts turn against each other by `values` of the coordinates, beside the frames of
+/// their bodies.
+fn of_sections(system: &System, joint: usize, values: &[f64]) -> f64 {
+    let machine = system.machine;
+    let Some(&plane) = machine.monitors[joint].planes.first() else { return 0.0 };
+    let [angle, ..] = system.springs.rows(plane);
+    let sections = angle.iter().filter(|(place, _)| *place >= machine.rotations());
+    sections.map(|&(place, coefficient)| coefficient * values[place]).sum()
 }
 
 /// Displacement of the journal against the bore in the middle of a joint (m), and its rate (m/s); in space.
@@ -194,6 +208,7 @@ fn joint_power(system: &System, joint: usize, state: &State) -> f64 {
             let own = row.iter().filter(|(i, _)| is_own(*i));
             power += force * own.map(|&(i, coefficient)| coefficient * state.v[i]).sum::<f64>();
         }
+        power += system.springs.power_on_section(&system.machine.springs, plane, &state.v);
     }
     power
 }

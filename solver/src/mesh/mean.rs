@@ -8,6 +8,8 @@ use crate::linalg::{Matrix, symmetric_eigen};
 /// A set has no turn about an axis about which its second moment is less than this part of the largest: its nodes then
 /// stand on the axis but for rounding.
 const ON_AXIS: f64 = 1e-12;
+/// An axis is no part of a line if its cosine with it is smaller.
+const ON_LINE: f64 = 1e-6;
 
 /// The rigid motion u = d + ω × (x − c) that fits the motion of a set of nodes best: it makes Σ w |u_a − u(x_a)|² least.
 ///
@@ -29,6 +31,9 @@ pub struct NodeSetMean {
     inverse: [[f64; 3]; 3],
     /// Unit vectors along these axes.
     undefined: Vec<[f64; 3]>,
+    /// Unit vectors along axes about which places show no rotation, but turns of the nodes as dofs of their own do, and their
+    /// mean over the nodes: Σ cᵢ uᵢ over dofs i.
+    turned: Vec<([f64; 3], Vec<(usize, f64)>)>,
 }
 
 /// A component of a mean motion.
@@ -85,7 +90,11 @@ impl NodeSetMean {
             None => vec![1.0 / nodes.len() as f64; nodes.len()],
         };
         let own: Vec<[f64; 3]> = nodes.iter().map(|&node| positions[node]).collect();
-        Ok(NodeSetMean::weighted(nodes, weights, &own, area)?)
+        let mut mean = NodeSetMean::weighted(nodes, weights, &own, area)?;
+        if let Some(matrices) = mesh.matrices() {
+            mean.turn_by(&matrices.turns(mesh, &mean.nodes));
+        }
+        Ok(mean)
     }
 
     fn weighted(
@@ -117,7 +126,40 @@ impl NodeSetMean {
                 row.iter_mut().zip(axis).for_each(|(entry, &y)| *entry += x * y / value);
             }
         }
-        Ok(NodeSetMean { nodes, weights, centre, area, arms, inverse, undefined })
+        Ok(NodeSetMean {
+            nodes,
+            weights,
+            centre,
+            area,
+            arms,
+            inverse,
+            undefined,
+            turned: Vec::new(),
+        })
+    }
+
+    /// Has nodes turn by dofs of their own about the axes that their places do not show; `turns` are these dofs about x, y and z,
+    /// one a node.
+    fn turn_by(&mut self, turns: &[[Option<usize>; 3]]) {
+        let (weights, turned) = (&self.weights, &mut self.turned);
+        self.undefined.retain(|line| {
+            let parts = || (0..3).filter(|&axis| line[axis].abs() > ON_LINE);
+            let mut row = Vec::with_capacity(turns.len());
+            for (own, weight) in turns.iter().zip(weights) {
+                for axis in parts() {
+                    let Some(dof) = own[axis] else { return true };
+                    row.push((dof, weight * line[axis]));
+                }
+            }
+            turned.push((*line, row));
+            false
+        });
+    }
+
+    /// The nodes of which dofs are in the rows of the mean: those that have a weight, and those that hold their turns.
+    pub(crate) fn all_nodes(&self) -> impl Iterator<Item = usize> {
+        let turned = self.turned.iter().flat_map(|(_, row)| row.iter().map(|(dof, _)| dof / 3));
+        self.nodes.iter().copied().chain(turned)
     }
 
     /// The nodes that have a weight, ascending.
@@ -141,9 +183,14 @@ impl NodeSetMean {
     }
 
     /// Whether the set shows a turn about x, y or z (0, 1, 2): nodes on a line show none about the line, and one node shows
-    /// none at all.
+    /// none at all, unless their turns are dofs.
     pub fn turns_about(&self, axis: usize) -> bool {
-        self.undefined.iter().all(|line| line[axis].abs() < 1e-6)
+        self.undefined.iter().all(|line| line[axis].abs() < ON_LINE)
+    }
+
+    /// Whether nodes show a turn by dofs of their own.
+    pub fn has_turns(&self) -> bool {
+        !self.turned.is_empty()
     }
 
     /// Σ cᵢ uᵢ over dofs i = 3·node + component that gives a component of the mean motion. A rotation that the set does not
@@ -161,7 +208,18 @@ impl NodeSetMean {
                     let cross = [b * z - c * y, c * x - a * z, a * y - b * x];
                     cross.into_iter().enumerate().map(move |(i, value)| (3 * node + i, w * value))
                 });
-                terms.filter(|&(_, value)| value != 0.0).collect()
+                let by_turns = self.turned.iter().flat_map(|(line, row)| {
+                    row.iter().map(move |&(dof, value)| (dof, line[axis] * value))
+                });
+                let mut row: Vec<(usize, f64)> = terms.chain(by_turns).collect();
+                row.sort_by_key(|(dof, _)| *dof);
+                row.dedup_by(|other, own| {
+                    let same = other.0 == own.0;
+                    own.1 += if same { other.1 } else { 0.0 };
+                    same
+                });
+                row.retain(|&(_, value)| value != 0.0);
+                row
             }
         }
     }

@@ -51,6 +51,9 @@ pub(super) fn corrected(
     let squares = unit(&mut shapes);
     let all: Vec<usize> = (0..shapes.rows).collect();
     let own: Vec<usize> = (0..shapes.cols).filter(|&j| squares[j] > FOLLOWS).collect();
+    if own.is_empty() {
+        return Ok(modes);
+    }
     let shapes = shapes.select(&all, &own);
     let gram = transpose_multiply(shapes.view(), product(pencil.mass, &shapes).view());
     let eigen = symmetric_eigen(&gram.symmetric_part())?;

@@ -90,7 +90,8 @@ impl Explained for ClearanceSpec {
         rows.extend(self.ring.iter().map(|coordinate| row("a ring", coordinate)));
         rows.push(row("a spring", &self.radial));
         rows.extend(self.tangential.iter().map(|coordinate| row("a spring", coordinate)));
-        rows.extend(self.bore.iter().flatten().map(|coordinate| row("a ring", coordinate)));
+        let means = self.bore.iter().flatten().chain(&self.section);
+        rows.extend(means.map(|coordinate| row("a ring", coordinate)));
         page.columns(&rows);
     }
 }

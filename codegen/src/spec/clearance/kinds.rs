@@ -238,5 +238,7 @@ fn motions(spec: &ClearanceSpec) -> impl Iterator<Item = (BoreMotion, &Coordinat
     let means = [BoreMotion::MeanX, BoreMotion::MeanY, BoreMotion::MeanTurn];
     let tangential = spec.tangential.iter().map(|own| (BoreMotion::Tangential, own));
     let mean = spec.bore.iter().flat_map(move |own| means.into_iter().zip(own));
-    std::iter::once((BoreMotion::Radial, &spec.radial)).chain(tangential).chain(mean)
+    let section = spec.section.iter().map(|own| (BoreMotion::SectionTurn, own));
+    let radial = std::iter::once((BoreMotion::Radial, &spec.radial));
+    radial.chain(tangential).chain(mean).chain(section)
 }

@@ -34,6 +34,8 @@
 //! unit = "m"
 //! [bore.b_x]          # mean motion of the bore: two displacements and an angle
 //! unit = "m"
+//! [section.gamma]     # turn of the journal's section against the frame of its body
+//! unit = "rad"
 //! [measures.s]
 //! value = 'R*theta - …'
 //! rate = "v_t"        # what laws call its rate; `s_dot` if it says nothing
@@ -93,6 +95,8 @@ pub struct ClearanceSpec {
     pub(crate) tangential: Option<Coordinate>,
     /// Mean displacements of the bore along x and y and its mean turn, if the spec has them.
     pub(crate) bore: Option<[Coordinate; BORE]>,
+    /// Mean turn of the journal's section against the frame of its body, if the spec has it.
+    pub(crate) section: Option<Coordinate>,
     /// Kinds of laws, that of Q(h, ḣ) first.
     pub contacts: Vec<Contact>,
     /// Names and values of the measures, the clearance first.
@@ -115,7 +119,7 @@ pub struct ClearanceSpec {
     pub graph: Graph,
 }
 
-/// A way in which a bore moves.
+/// A way in which a bore moves, or the journal's section in its body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BoreMotion {
     /// Outwards at a spring.
@@ -128,6 +132,8 @@ pub(crate) enum BoreMotion {
     MeanY,
     /// All around, turning.
     MeanTurn,
+    /// None of the bore: the journal's section, turning against the frame of its body.
+    SectionTurn,
 }
 
 /// Axes of journal and bore that are apart.

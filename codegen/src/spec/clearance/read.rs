@@ -53,6 +53,7 @@ impl<'d> Reader<'d> {
         let tangential = self.optional_coordinates(&root, "tangential", &[Dimension::LENGTH]);
         let bore_units = [Dimension::LENGTH, Dimension::LENGTH, Dimension::ANGLE];
         let bore = self.optional_coordinates(&root, "bore", &bore_units);
+        let section = self.optional_coordinates(&root, "section", &[Dimension::ANGLE]);
         let measures = self.measures(&root);
         let kinds = self.kinds(&root);
         root.finish();
@@ -64,7 +65,7 @@ impl<'d> Reader<'d> {
         let (clearance, formula, value) = clearance?;
         let (axial_variable, axial) = axial?;
         let apart = apart?;
-        let (tangential, bore) = (tangential?, bore?);
+        let (tangential, bore, section) = (tangential?, bore?, section?);
         let mut constants = constants?.into_iter();
         let mut spec = ClearanceSpec {
             name,
@@ -75,6 +76,7 @@ impl<'d> Reader<'d> {
             constant: constants.next()?,
             radius: constants.next(),
             tangential: tangential.into_iter().next(),
+            section: section.into_iter().next(),
             bore: if bore.is_empty() {
                 None
             } else {

@@ -18,6 +18,7 @@ const CLEARANCE: &[Key] = &[
     needed("radial", COORDINATES, "one displacement, each spring's own"),
     key("tangential", COORDINATES, "one displacement, each spring's own, along the tangent"),
     key("bore", COORDINATES, "two mean displacements of the bore's ring and its rotation"),
+    key("section", COORDINATES, "the turn of the journal's section against the frame of its body"),
     key("definitions", Named(&Formula), "names for parts of the formula"),
     needed("clearance", Named(&Formula), "the clearance"),
     needed("axial", Named(&Tuple(&Formula, 3)), "weights of the three rings over the length"),

@@ -73,10 +73,10 @@ fn kinds_of_laws_know_what_they_need() {
     let [normal, spring, ring] = spec.contacts.as_slice() else { panic!("three kinds") };
     assert!(normal.each_spring && spring.each_spring && !ring.each_spring);
     let motions = |contact: &Contact| contact.bore.iter().map(|(m, _)| *m).collect::<Vec<_>>();
-    use BoreMotion::{MeanTurn, MeanX, MeanY, Radial, Tangential};
+    use BoreMotion::{MeanTurn, MeanX, MeanY, Radial, SectionTurn, Tangential};
     assert_eq!(motions(normal), [Radial]);
-    assert_eq!(motions(spring), [Radial, Tangential, MeanTurn]);
-    assert_eq!(motions(ring), [MeanX, MeanY, MeanTurn]);
+    assert_eq!(motions(spring), [Radial, Tangential, MeanTurn, SectionTurn]);
+    assert_eq!(motions(ring), [MeanX, MeanY, MeanTurn, SectionTurn]);
     let units = |contact: &Contact| {
         contact.inputs.iter().map(|input| input.unit.clone()).collect::<Vec<_>>()
     };
@@ -95,9 +95,10 @@ fn errors_of_kinds_name_the_place() {
     assert!(wrong.contains("`v_y` is no measure, rate or coordinate"), "{wrong}");
     assert!(error("[\"Q\", \"T\"]", "[\"Q\", \"S\"]").contains("`S` is no force of a measure"));
     assert!(error("force = \"T\"", "force = \"R\"").contains("the name `R` is taken"));
-    assert!(error("value = 'theta - beta'", "value = 'theta - b_x'").contains("clearance.toml:"));
+    assert!(error("'theta + gamma - beta'", "'theta - b_x'").contains("clearance.toml:"));
     assert!(
-        error("value = 'u_x - b_x'", "value = '(u_x - b_x)^2'").contains("a length or an angle")
+        error("'cos(beta)*(u_x - b_x) + sin(beta)*(u_y - b_y)'", "'(u_x - b_x)^2'")
+            .contains("a length or an angle")
     );
     assert!(error("[bore.beta]", "[bore.gamma]").contains("beta"));
 }

@@ -19,6 +19,7 @@ mod rigid;
 mod spin;
 mod table;
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -93,6 +94,18 @@ impl BodyMatrices {
     /// Number of dofs.
     pub fn count(&self) -> usize {
         self.slots.iter().filter(|slot| **slot != Slot::Absent).count()
+    }
+
+    /// The dofs that turn nodes of `mesh` about x, y and z, one a node.
+    pub(in crate::mesh) fn turns(&self, mesh: &Mesh, nodes: &[usize]) -> Vec<[Option<usize>; 3]> {
+        let mut of_label: BTreeMap<u64, [Option<usize>; 3]> = BTreeMap::new();
+        for (dof, slot) in self.slots.iter().enumerate().skip(3 * self.placed) {
+            if let Slot::Turn(axis) = *slot {
+                of_label.entry(mesh.labels()[dof / 3]).or_default()[axis] = Some(dof);
+            }
+        }
+        let own = |node: &usize| of_label.get(&mesh.labels()[*node]).copied().unwrap_or_default();
+        nodes.iter().map(own).collect()
     }
 
     /// How many nodes of a set have no dofs, and the label of the first of them; none where all have.

@@ -1,7 +1,7 @@
 //! Rigid motions of a body of matrices, and the mass that they show.
 
 use super::{BodyMatrices, Slot};
-use crate::linalg::{Matrix, transpose_multiply};
+use crate::linalg::{Matrix, dot, transpose_multiply};
 use crate::mesh::Mesh;
 use crate::sparse::SparseMatrix;
 
@@ -10,6 +10,9 @@ use crate::sparse::SparseMatrix;
 const RESISTED: f64 = 1e-8;
 /// And at least this part of what the stiffest displacement of a node costs.
 const NEGLIGIBLE: f64 = 1e-10;
+
+/// Centres of mass agree to this part of the largest radius of gyration: text keeps nine digits of entries of M or more.
+const OFF: f64 = 1e-6;
 
 /// Nodes stand on the axis to this part of the largest coordinate.
 const ON_AXIS: f64 = 1e-9;
@@ -87,11 +90,12 @@ impl RigidMass {
         // Of the shifts that have dofs.
         let along = [0, 1, 2].map(|i| all[(i, i)]);
         let mass = along.into_iter().fold(0.0, f64::max);
-        // With e_i × e_j = e_k: e_i · (e_j × x) = x_k and e_j · (e_i × x) = −x_k.
+        // With e_i × e_j = e_k: e_i · (e_j × x) = x_k and e_j · (e_i × x) = −x_k, of shifts and turns that move dofs.
+        let shown = |i: usize, j: usize| along[i] > 0.0 && all[(3 + j, 3 + j)] > 0.0;
         let first = [0, 1, 2].map(|k| {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
             let (one, other) = (all[(i, 3 + j)], -all[(j, 3 + i)]);
-            match (along[i] > 0.0, along[j] > 0.0) {
+            match (shown(i, j), shown(j, i)) {
                 (true, true) => 0.5 * (one + other),
                 (true, false) => one,
                 _ => other,
@@ -135,6 +139,31 @@ impl BodyMatrices {
             true => TurnAboutZ::Displacements,
             false => TurnAboutZ::Nothing,
         }
+    }
+
+    /// How `spin_load`, about the axis of `mesh`, differs from what M says of the centre of mass, and what to do: at 1 rad/s its
+    /// resultant is ∫ρ x dV, the mass times the place of its centre. None where they agree.
+    pub fn wrong_spin_load(&self, mesh: &Mesh) -> Option<(String, String)> {
+        let load = self.spin_load()?;
+        let (own, shapes) = (self.rigid_mass(mesh), motions(mesh.nodes(), &self.slots));
+        let resultant = [0, 1].map(|axis| dot(shapes.col(axis), load));
+        let square = (0..3).map(|axis| own.inertia[axis][axis]).fold(0.0, f64::max) / own.mass;
+        let off = [0, 1].map(|axis| (resultant[axis] - own.first[axis]).abs());
+        if !(own.mass > 0.0) || off.iter().all(|off| *off <= OFF * own.mass * square.sqrt()) {
+            return None;
+        }
+        let at = |[x, y]: [f64; 2]| {
+            let mm = |moment: f64| (1e9 * moment / own.mass).round() / 1e6 + 0.0;
+            format!("x = {} mm, y = {} mm", mm(x), mm(y))
+        };
+        let what = format!(
+            "`spin_load` is that of a centre of mass at {} from the axis of the body; by M it is at {}",
+            at(resultant),
+            at([own.first[0], own.first[1]])
+        );
+        let help = "give Y x0 with x0 counted from this axis, reduced as M is: along x and y its parts sum to the mass times \
+                    the place of its centre";
+        Some((what, help.to_owned()))
     }
 
     /// The mass that the rigid motions of the nodes of `mesh` show.

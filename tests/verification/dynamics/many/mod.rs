@@ -1,5 +1,6 @@
 //! Machines of several bodies: turning freely, as prescribed, or not at all, with bearings between any two of them.
 
+mod action;
 mod equations;
 mod floating_ring;
 mod invariants;
@@ -182,13 +183,17 @@ fn bearings() -> Vec<Bearing> {
     let first = in_casing(base(0, 0, [0, 2]));
     let driven = in_casing(base(3, 3, [3, 2]));
     let ends = |node: usize, bearing: Bearing| Bearing { journal: [node; 3], ..bearing };
+    let twisted = |bearing: Bearing| Bearing {
+        sides: Sides { torque_section: Some(0), ..bearing.sides.clone() },
+        ..bearing
+    };
     vec![
-        Bearing { sides: crooked(first.sides.clone()), ..first },
-        base(1, 1, [0, 1]),
+        twisted(Bearing { sides: crooked(first.sides.clone()), ..first }),
+        twisted(base(1, 1, [0, 1])),
         base(2, 2, [1, 4]),
         Bearing { sides: crooked(driven.sides.clone()), ..driven },
-        apart(ends(4, in_second(base(4, 0, [0, 3]))), [2e-4, -3e-4]),
-        apart(ends(8, in_second(base(5, 1, [2, 3]))), [-1e-4, 2e-4]),
+        twisted(apart(ends(4, in_second(base(4, 0, [0, 3]))), [2e-4, -3e-4])),
+        twisted(apart(ends(8, in_second(base(5, 1, [2, 3]))), [-1e-4, 2e-4])),
         Bearing {
             bore: [Vec::new(), row(7), Vec::new()],
             sides: Sides { bodies: [4, 2], bore_axis: CASING_AXIS, ..Sides::default() },
@@ -323,13 +328,15 @@ fn measures(
     };
     let [of_a, of_b] = own.sides.sections;
     let theta = theta_a + twist(&a, of_a) - theta_b - twist(&b, of_b);
+    let of_torque = theta + twist(&a, own.sides.torque_section);
+    let [e_x, e_y] = turn(-turned, [x - axis_moved[0], y - axis_moved[1]]);
     Measures {
         values: [
             along(delta) - along([x, y]) + own.clearance,
-            theta * RADIUS + across([x, y]) - across(delta),
-            theta - turned,
-            x - axis_moved[0],
-            y - axis_moved[1],
+            of_torque * RADIUS + across([x, y]) - across(delta),
+            of_torque - turned,
+            e_x,
+            e_y,
         ],
         theta,
     }
@@ -358,7 +365,10 @@ fn other_measures(machine: &Machine, own: &Bearing, other: &OtherMotion, q: &[Du
             let [first, second] = own.sides.bodies;
             let (sin, cos) = (angle(first) - angle(second)).sin_cos();
             let (x, y) = (side(0, 0), side(0, 1));
-            [cos * x - sin * y - side(1, 0), sin * x + cos * y - side(1, 1)]
+            let [x, y] = [cos * x - sin * y - side(1, 0), sin * x + cos * y - side(1, 1)];
+            // Along axes that turn with the second section.
+            let (sin, cos) = side(1, 2).sin_cos();
+            [cos * x + sin * y, cos * y - sin * x]
         }
     };
     Measures { values: [zero, zero, zero, x, y], theta: zero }

@@ -214,6 +214,7 @@ impl<'a> Kernels<'a> {
             BoreMotion::MeanX => quote!(BoreMotion::MeanX),
             BoreMotion::MeanY => quote!(BoreMotion::MeanY),
             BoreMotion::MeanTurn => quote!(BoreMotion::MeanTurn),
+            BoreMotion::SectionTurn => quote!(BoreMotion::SectionTurn),
         });
         let (name, each_spring) = (&contact.name, contact.each_spring);
         let table = Literal::usize_unsuffixed(self.table.len());

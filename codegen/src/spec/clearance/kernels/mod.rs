@@ -100,6 +100,7 @@ fn all_coordinates(spec: &ClearanceSpec) -> Vec<(&str, Id)> {
         .chain([&spec.radial])
         .chain(&spec.tangential)
         .chain(spec.bore.iter().flatten())
+        .chain(&spec.section)
         .chain([&spec.constant])
         .chain(&spec.radius);
     all.map(|own| (own.name.as_str(), own.symbol)).collect()
