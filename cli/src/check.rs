@@ -81,6 +81,7 @@ pub(crate) fn of_case(
     if let (System::Joined(joined), Some(Plan::Joined(plan))) = (&case.system, &plan) {
         joined::say(&mut text, joined, plan, &built, case.march.duration())?;
     }
+    contacts::say_loads(&mut text, case, (plan.as_ref(), contacts), cache)?;
     if contacts {
         contacts::say(&mut text, case, plan.as_ref(), cache)?;
     }

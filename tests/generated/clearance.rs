@@ -11,7 +11,7 @@ fn the_first_measure_is_the_clearance() {
     let u = [cos * eps_x - sin * eps_y, sin * eps_x + cos * eps_y];
     let exact = c - psi.cos() * u[0] - psi.sin() * u[1] + delta;
     assert!((h - exact).abs() <= 8.0 * f64::EPSILON * c);
-    let all = measures(psi, theta, eps_x, eps_y, delta, 1e-6, 2e-6, 3e-6, 0.1, c, 0.03);
+    let all = measures(psi, theta, eps_x, eps_y, delta, 1e-6, 2e-6, 3e-6, 0.1, 0.2, c, 0.03);
     assert_eq!(all[0], h);
 }
 

@@ -35,7 +35,7 @@ pub mod journal {
         let twice_y_ = -y_;
         [[x_, y_], [y_, by_angle_y_], [by_angle_y_, twice_y_]]
     }
-    /// h, s, alpha, e_x, e_y of psi, theta, eps_x, eps_y, delta, tau, b_x, b_y, beta, c, R, SI.
+    /// h, s, alpha, e_x, e_y of psi, theta, eps_x, eps_y, delta, tau, b_x, b_y, beta, gamma, c, R, SI.
     pub fn measures<L: Lane>(
         psi: L,
         theta: L,
@@ -46,6 +46,7 @@ pub mod journal {
         b_x: L,
         b_y: L,
         beta: L,
+        gamma: L,
         c: L,
         R: L,
     ) -> [L; 5] {
@@ -56,11 +57,15 @@ pub mod journal {
         let h_part5 = eps_x * sin_theta + eps_y * cos_theta;
         let sin_psi = psi.sin();
         let h = c + delta - h_part2 * cos_psi - h_part5 * sin_psi;
-        let s_part3 = R * theta - tau - h_part2 * sin_psi;
-        let s = s_part3 + h_part5 * cos_psi;
-        let alpha = theta - beta;
-        let e_x = h_part2 - b_x;
-        let e_y = h_part5 - b_y;
+        let s_part5 = R * (theta + gamma) - tau - h_part2 * sin_psi;
+        let s = s_part5 + h_part5 * cos_psi;
+        let alpha = theta - beta + gamma;
+        let cos_beta = beta.cos();
+        let e_x_part = h_part2 - b_x;
+        let sin_beta = beta.sin();
+        let e_x_part3 = h_part5 - b_y;
+        let e_x = cos_beta * e_x_part + sin_beta * e_x_part3;
+        let e_y = cos_beta * e_x_part3 - e_x_part * sin_beta;
         [h, s, alpha, e_x, e_y]
     }
     /// Kinds of laws.
@@ -470,7 +475,7 @@ pub mod journal {
             }
             /// Inputs of the law.
             ///
-            /// Once a ring: 2 add, 5 mul, 2 function; each spring: 18 add, 14 mul.
+            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 21 add, 16 mul.
             pub fn inputs(count_: usize, state_: &ContactState, out_: &mut [f64]) {
                 let _ = state_;
                 let [psi_row_, cos_psi_row_, sin_psi_row_] = crate::strided(
@@ -478,12 +483,12 @@ pub mod journal {
                     state_.stride,
                     state_.table,
                 );
-                let [delta_row_, tau_row_, _] = crate::strided(
+                let [delta_row_, tau_row_, _, gamma_row_] = crate::strided(
                     count_,
                     state_.stride,
                     state_.bore,
                 );
-                let [delta_dot_row_, tau_dot_row_, beta_dot_row_] = crate::strided(
+                let [delta_dot_row_, tau_dot_row_, beta_dot_row_, gamma_dot_row_] = crate::strided(
                     count_,
                     state_.stride,
                     state_.bore_dot,
@@ -496,7 +501,6 @@ pub mod journal {
                 let sin_theta = Lane::sin(theta);
                 let u_x = eps_x * cos_theta - eps_y * sin_theta;
                 let u_y = eps_x * sin_theta + eps_y * cos_theta;
-                let R_theta = R * theta;
                 let [taken_h_out_, taken_h_dot_out_, taken_psi_out_, taken_omega_out_,
                 taken_v_t_out_, taken_theta_out_, measure_of_T_out_] = crate::strided_mut(
                     count_,
@@ -509,9 +513,11 @@ pub mod journal {
                     let sin_psi = sin_psi_row_[j_];
                     let delta = delta_row_[j_];
                     let tau = tau_row_[j_];
+                    let gamma = gamma_row_[j_];
                     let delta_dot = delta_dot_row_[j_];
                     let tau_dot = tau_dot_row_[j_];
                     let beta_dot = beta_dot_row_[j_];
+                    let gamma_dot = gamma_dot_row_[j_];
                     let u_x_cos_psi = u_x * cos_psi;
                     let u_y_sin_psi = u_y * sin_psi;
                     let taken_h_ = c + (delta - u_x_cos_psi - u_y_sin_psi);
@@ -523,12 +529,14 @@ pub mod journal {
                         - taken_h_dot__part2 * eps_x_dot;
                     let dh_deps_y = sin_theta * cos_psi - cos_theta * sin_psi;
                     let taken_h_dot_ = taken_h_dot__part4 + dh_deps_y * eps_y_dot;
-                    let taken_omega_ = theta_dot - beta_dot;
+                    let taken_omega_ = theta_dot + (gamma_dot - beta_dot);
                     let taken_v_t__part3 = dh_deps_y * eps_x_dot - tau_dot
                         + taken_h_dot__part2 * eps_y_dot;
-                    let taken_v_t_ = taken_v_t__part3
+                    let taken_v_t__part7 = taken_v_t__part3
                         + (R + (u_y_sin_psi + u_x_cos_psi)) * theta_dot;
-                    let measure_of_T_ = R_theta + (u_y_cos_psi - tau - u_x_sin_psi);
+                    let taken_v_t_ = taken_v_t__part7 + gamma_dot * R;
+                    let measure_of_T__part4 = (theta + gamma) * R - tau - u_x_sin_psi;
+                    let measure_of_T_ = measure_of_T__part4 + u_y_cos_psi;
                     taken_h_out_[j_] = taken_h_;
                     taken_h_dot_out_[j_] = taken_h_dot_;
                     taken_psi_out_[j_] = psi;
@@ -540,7 +548,7 @@ pub mod journal {
             }
             /// Generalised forces.
             ///
-            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 9 add, 14 mul, 3 add into sums; after the springs: no operations.
+            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 9 add, 15 mul, 3 add into sums; after the springs: no operations.
             pub fn force(
                 count_: usize,
                 state_: &ContactState,
@@ -561,7 +569,7 @@ pub mod journal {
                 let sin_theta = Lane::sin(theta);
                 let u_x = eps_x * cos_theta - eps_y * sin_theta;
                 let u_y = eps_x * sin_theta + eps_y * cos_theta;
-                let [force_3_out_, force_4_out_, force_5_out_] = crate::strided_mut(
+                let [force_3_out_, force_4_out_, force_5_out_, force_6_out_] = crate::strided_mut(
                     count_,
                     state_.stride,
                     out_,
@@ -579,12 +587,14 @@ pub mod journal {
                     let dh_deps_y = sin_theta * cos_psi - cos_theta * sin_psi;
                     let taken_v_t__part5 = R + (u_y * sin_psi + u_x * cos_psi);
                     let force_4_ = -T;
+                    let force_6_ = T * R;
                     let force_0_ = Q * dh_dtheta + T * taken_v_t__part5;
                     let force_1_ = T * dh_deps_y - Q * taken_h_dot__part2;
                     let force_2_ = Q * dh_deps_y + T * taken_h_dot__part2;
                     force_3_out_[j_] = Q;
                     force_4_out_[j_] = force_4_;
                     force_5_out_[j_] = 0.0;
+                    force_6_out_[j_] = force_6_;
                     total_force_0_ += force_0_;
                     total_force_1_ += force_1_;
                     total_force_2_ += force_2_;
@@ -593,7 +603,7 @@ pub mod journal {
             }
             /// Derivatives B + a1·P of the generalised forces.
             ///
-            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 74 add, 92 mul, 9 add into sums; after the springs: no operations.
+            /// Once a ring: 2 add, 5 mul, 2 function; each spring: 79 add, 106 mul, 9 add into sums; after the springs: no operations.
             pub fn tangent(
                 count_: usize,
                 state_: &ContactState,
@@ -623,21 +633,17 @@ pub mod journal {
                 let sin_theta = Lane::sin(theta);
                 let u_x = eps_x * cos_theta - eps_y * sin_theta;
                 let u_y = eps_x * sin_theta + eps_y * cos_theta;
-                let [by_0_3_out_, by_0_4_out_, by_0_5_out_, by_1_3_out_, by_1_4_out_,
-                by_1_5_out_, by_2_3_out_, by_2_4_out_, by_2_5_out_] = crate::rows_mut(
-                    count_,
-                    &mut out_.ring_bore,
-                );
+                let R_a1_ = R * a1_;
+                let [by_0_3_out_, by_0_4_out_, by_0_5_out_, by_0_6_out_, by_1_3_out_,
+                by_1_4_out_, by_1_5_out_, by_1_6_out_, by_2_3_out_, by_2_4_out_,
+                by_2_5_out_, by_2_6_out_] = crate::rows_mut(count_, &mut out_.ring_bore);
                 let [by_3_0_out_, by_3_1_out_, by_3_2_out_, by_4_0_out_, by_4_1_out_,
-                by_4_2_out_, by_5_0_out_, by_5_1_out_, by_5_2_out_] = crate::rows_mut(
-                    count_,
-                    &mut out_.bore_ring,
-                );
-                let [by_3_3_out_, by_3_4_out_, by_3_5_out_, by_4_3_out_, by_4_4_out_,
-                by_4_5_out_, by_5_3_out_, by_5_4_out_, by_5_5_out_] = crate::rows_mut(
-                    count_,
-                    &mut out_.bore_bore,
-                );
+                by_4_2_out_, by_5_0_out_, by_5_1_out_, by_5_2_out_, by_6_0_out_,
+                by_6_1_out_, by_6_2_out_] = crate::rows_mut(count_, &mut out_.bore_ring);
+                let [by_3_3_out_, by_3_4_out_, by_3_5_out_, by_3_6_out_, by_4_3_out_,
+                by_4_4_out_, by_4_5_out_, by_4_6_out_, by_5_3_out_, by_5_4_out_,
+                by_5_5_out_, by_5_6_out_, by_6_3_out_, by_6_4_out_, by_6_5_out_,
+                by_6_6_out_] = crate::rows_mut(count_, &mut out_.bore_bore);
                 let mut total_by_0_0_ = 0.0;
                 let mut total_by_0_1_ = 0.0;
                 let mut total_by_0_2_ = 0.0;
@@ -678,12 +684,20 @@ pub mod journal {
                     let by_0_5__part3 = (dQ_domega * dh_dtheta
                         + dT_domega * taken_v_t__part5) * a1_;
                     let by_0_5_ = -by_0_5__part3;
+                    let dQ_domega_a1_ = dQ_domega * a1_;
+                    let by_3_6_ = dQ_domega_a1_ + dQ_dv_t * R_a1_;
+                    let by_4_5_ = dT_domega * a1_;
+                    let dT_dv_t_R_a1_ = dT_dv_t * R_a1_;
+                    let by_0_6__part = by_4_5_ + dT_dv_t_R_a1_;
+                    let by_0_6_ = dh_dtheta * by_3_6_ + taken_v_t__part5 * by_0_6__part;
                     let by_1_3_ = dh_deps_y * by_0_3__part
                         - taken_h_dot__part2 * by_3_3_;
                     let by_1_4_ = (dQ_dv_t * taken_h_dot__part2 - dT_dv_t * dh_deps_y)
                         * a1_;
                     let by_1_5_ = (dQ_domega * taken_h_dot__part2
                         - dT_domega * dh_deps_y) * a1_;
+                    let by_1_6_ = dh_deps_y * by_0_6__part
+                        - taken_h_dot__part2 * by_3_6_;
                     let by_2_3_ = dh_deps_y * by_3_3_
                         + taken_h_dot__part2 * by_0_3__part;
                     let by_2_4__part3 = (dQ_dv_t * dh_deps_y
@@ -692,12 +706,13 @@ pub mod journal {
                     let by_2_5__part3 = (dQ_domega * dh_deps_y
                         + dT_domega * taken_h_dot__part2) * a1_;
                     let by_2_5_ = -by_2_5__part3;
+                    let by_2_6_ = dh_deps_y * by_3_6_
+                        + taken_h_dot__part2 * by_0_6__part;
                     let by_3_0__part4 = taken_v_t__part4 * theta_dot
                         + dh_deps_y * eps_x_dot + taken_h_dot__part2 * eps_y_dot;
                     let by_3_0__part5 = by_3_0__part4 + dh_dtheta * a1_;
                     let by_3_0__part7 = dQ_dtheta + dQ_dh * dh_dtheta
                         + dQ_dh_dot * by_3_0__part5;
-                    let dQ_domega_a1_ = dQ_domega * a1_;
                     let by_3_0__part10 = u_x_sin_psi - u_y_cos_psi;
                     let by_3_0__part12 = taken_h_dot__part2 * eps_x_dot
                         - dh_deps_y * eps_y_dot + by_3_0__part10 * theta_dot;
@@ -715,12 +730,10 @@ pub mod journal {
                         + dQ_dv_t * by_3_2__part3;
                     let by_3_4_ = -(dQ_dv_t * a1_);
                     let by_3_5_ = -dQ_domega_a1_;
-                    let dT_dh_dh_dtheta = dT_dh * dh_dtheta;
-                    let by_4_0__part2 = dT_dh_dot * by_3_0__part5;
-                    let by_4_5_ = dT_domega * a1_;
-                    let by_4_0__part5 = dT_dv_t * by_3_0__part14;
-                    let by_4_0__part6 = dT_dtheta + dT_dh_dh_dtheta + by_4_0__part2
-                        + by_4_5_ + by_4_0__part5;
+                    let by_4_0__part3 = dT_dtheta + dT_dh * dh_dtheta
+                        + dT_dh_dot * by_3_0__part5;
+                    let by_4_0__part6 = by_4_0__part3 + by_4_5_
+                        + dT_dv_t * by_3_0__part14;
                     let by_4_0_ = -by_4_0__part6;
                     let by_4_1__part5 = dT_dh_dot * by_3_1__part2
                         - dT_dh * taken_h_dot__part2 + dT_dv_t * by_3_1__part7;
@@ -730,28 +743,36 @@ pub mod journal {
                     let by_4_2_ = -by_4_2__part4;
                     let by_4_3_ = -by_0_3__part;
                     let by_4_4_ = dT_dv_t * a1_;
+                    let by_4_6_ = -by_0_6__part;
+                    let by_6_0_ = by_4_0__part6 * R;
+                    let by_6_1_ = by_4_1__part5 * R;
+                    let by_6_2_ = by_4_2__part4 * R;
+                    let by_6_3_ = by_0_3__part * R;
+                    let by_6_4_ = -dT_dv_t_R_a1_;
+                    let by_6_5_ = -(dT_domega * R_a1_);
+                    let by_6_6_ = by_0_6__part * R;
                     let T_dh_deps_y = T * dh_deps_y;
+                    let force_1__part = Q * taken_h_dot__part2;
+                    let Q_dh_deps_y = Q * dh_deps_y;
                     let force_2__part = T * taken_h_dot__part2;
+                    let force_2_ = Q_dh_deps_y + force_2__part;
                     let by_0_0__part4 = dh_dtheta * by_3_0_ + Q * taken_v_t__part4
                         + taken_v_t__part5 * by_4_0__part6;
                     let by_0_0_ = by_0_0__part4 + T * by_3_0__part10;
-                    let by_0_1__part3 = dh_dtheta * by_3_1_ + Q * dh_deps_y
+                    let by_0_1__part3 = dh_dtheta * by_3_1_ + Q_dh_deps_y
                         + taken_v_t__part5 * by_4_1__part5;
                     let by_0_1_ = by_0_1__part3 + force_2__part;
-                    let by_0_2__part3 = dh_dtheta * by_3_2_ + Q * taken_h_dot__part2
+                    let by_0_2__part3 = dh_dtheta * by_3_2_ + force_1__part
                         + taken_v_t__part5 * by_4_2__part4;
                     let by_0_2_ = by_0_2__part3 - T_dh_deps_y;
-                    let by_1_0__part6 = Q + dT_dtheta + dT_dh_dh_dtheta + by_4_0__part2
-                        + by_4_5_;
-                    let by_1_0__part7 = by_1_0__part6 + by_4_0__part5;
-                    let by_1_0_ = force_2__part - taken_h_dot__part2 * by_3_0_
-                        + dh_deps_y * by_1_0__part7;
+                    let by_1_0_ = force_2_ - taken_h_dot__part2 * by_3_0_
+                        + dh_deps_y * by_4_0__part6;
                     let by_1_1_ = dh_deps_y * by_4_1__part5
                         - taken_h_dot__part2 * by_3_1_;
                     let by_1_2_ = dh_deps_y * by_4_2__part4
                         - taken_h_dot__part2 * by_3_2_;
-                    let by_2_0_ = dh_deps_y * by_3_0_ - T_dh_deps_y
-                        + taken_h_dot__part2 * by_1_0__part7;
+                    let by_2_0_ = force_1__part - T_dh_deps_y + dh_deps_y * by_3_0_
+                        + taken_h_dot__part2 * by_4_0__part6;
                     let by_2_1_ = dh_deps_y * by_3_1_
                         + taken_h_dot__part2 * by_4_1__part5;
                     let by_2_2_ = dh_deps_y * by_3_2_
@@ -759,12 +780,15 @@ pub mod journal {
                     by_0_3_out_[j_] = by_0_3_;
                     by_0_4_out_[j_] = by_0_4_;
                     by_0_5_out_[j_] = by_0_5_;
+                    by_0_6_out_[j_] = by_0_6_;
                     by_1_3_out_[j_] = by_1_3_;
                     by_1_4_out_[j_] = by_1_4_;
                     by_1_5_out_[j_] = by_1_5_;
+                    by_1_6_out_[j_] = by_1_6_;
                     by_2_3_out_[j_] = by_2_3_;
                     by_2_4_out_[j_] = by_2_4_;
                     by_2_5_out_[j_] = by_2_5_;
+                    by_2_6_out_[j_] = by_2_6_;
                     by_3_0_out_[j_] = by_3_0_;
                     by_3_1_out_[j_] = by_3_1_;
                     by_3_2_out_[j_] = by_3_2_;
@@ -774,15 +798,25 @@ pub mod journal {
                     by_5_0_out_[j_] = 0.0;
                     by_5_1_out_[j_] = 0.0;
                     by_5_2_out_[j_] = 0.0;
+                    by_6_0_out_[j_] = by_6_0_;
+                    by_6_1_out_[j_] = by_6_1_;
+                    by_6_2_out_[j_] = by_6_2_;
                     by_3_3_out_[j_] = by_3_3_;
                     by_3_4_out_[j_] = by_3_4_;
                     by_3_5_out_[j_] = by_3_5_;
+                    by_3_6_out_[j_] = by_3_6_;
                     by_4_3_out_[j_] = by_4_3_;
                     by_4_4_out_[j_] = by_4_4_;
                     by_4_5_out_[j_] = by_4_5_;
+                    by_4_6_out_[j_] = by_4_6_;
                     by_5_3_out_[j_] = 0.0;
                     by_5_4_out_[j_] = 0.0;
                     by_5_5_out_[j_] = 0.0;
+                    by_5_6_out_[j_] = 0.0;
+                    by_6_3_out_[j_] = by_6_3_;
+                    by_6_4_out_[j_] = by_6_4_;
+                    by_6_5_out_[j_] = by_6_5_;
+                    by_6_6_out_[j_] = by_6_6_;
                     total_by_0_0_ += by_0_0_;
                     total_by_0_1_ += by_0_1_;
                     total_by_0_2_ += by_0_2_;
@@ -828,14 +862,14 @@ pub mod journal {
                     ContactVariable {
                         name: "omega",
                         unit: "rad/s",
-                        bore: &[2],
+                        bore: &[2, 3],
                         radius: false,
                         rate: true,
                     },
                     ContactVariable {
                         name: "v_t",
                         unit: "m/s",
-                        bore: &[1],
+                        bore: &[1, 3],
                         radius: true,
                         rate: true,
                     },
@@ -858,7 +892,7 @@ pub mod journal {
                     ContactVariable {
                         name: "T",
                         unit: "N",
-                        bore: &[1],
+                        bore: &[1, 3],
                         radius: true,
                         rate: false,
                     },
@@ -869,6 +903,7 @@ pub mod journal {
                     BoreMotion::Radial,
                     BoreMotion::Tangential,
                     BoreMotion::MeanTurn,
+                    BoreMotion::SectionTurn,
                 ],
                 table: 3,
                 prepare,
@@ -886,15 +921,15 @@ pub mod journal {
             pub fn prepare(_: &[f64], _: &mut [f64]) {}
             /// Inputs of the law.
             ///
-            /// Once a ring: 6 add, 10 mul, 2 function; each spring: 6 add.
+            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 22 add, 24 mul, 2 function.
             pub fn inputs(count_: usize, state_: &ContactState, out_: &mut [f64]) {
                 let _ = state_;
-                let [b_x_row_, b_y_row_, beta_row_] = crate::strided(
+                let [b_x_row_, b_y_row_, beta_row_, gamma_row_] = crate::strided(
                     count_,
                     state_.stride,
                     state_.bore,
                 );
-                let [b_x_dot_row_, b_y_dot_row_, beta_dot_row_] = crate::strided(
+                let [b_x_dot_row_, b_y_dot_row_, beta_dot_row_, gamma_dot_row_] = crate::strided(
                     count_,
                     state_.stride,
                     state_.bore_dot,
@@ -904,11 +939,7 @@ pub mod journal {
                 let cos_theta = Lane::cos(theta);
                 let sin_theta = Lane::sin(theta);
                 let u_x = eps_x * cos_theta - eps_y * sin_theta;
-                let by_3_0__part = eps_x * sin_theta + eps_y * cos_theta;
-                let by_3_0__part4 = cos_theta * eps_x_dot - theta_dot * by_3_0__part
-                    - sin_theta * eps_y_dot;
-                let taken_e_y_dot__part2 = sin_theta * eps_x_dot + cos_theta * eps_y_dot
-                    + theta_dot * u_x;
+                let taken_e_x__part = eps_x * sin_theta + eps_y * cos_theta;
                 let [taken_e_x_out_, taken_e_y_out_, taken_e_x_dot_out_,
                 taken_e_y_dot_out_, taken_omega_out_, taken_theta_out_,
                 measure_of_M_z_out_] = crate::strided_mut(count_, state_.stride, out_);
@@ -916,15 +947,41 @@ pub mod journal {
                     let b_x = b_x_row_[j_];
                     let b_y = b_y_row_[j_];
                     let beta = beta_row_[j_];
+                    let gamma = gamma_row_[j_];
                     let b_x_dot = b_x_dot_row_[j_];
                     let b_y_dot = b_y_dot_row_[j_];
                     let beta_dot = beta_dot_row_[j_];
-                    let taken_e_x_ = u_x - b_x;
-                    let taken_e_y_ = by_3_0__part - b_y;
-                    let taken_e_x_dot_ = by_3_0__part4 - b_x_dot;
-                    let taken_e_y_dot_ = taken_e_y_dot__part2 - b_y_dot;
-                    let taken_omega_ = theta_dot - beta_dot;
-                    let measure_of_M_z_ = theta - beta;
+                    let gamma_dot = gamma_dot_row_[j_];
+                    let cos_beta = Lane::cos(beta);
+                    let taken_e_x__part2 = u_x - b_x;
+                    let sin_beta = Lane::sin(beta);
+                    let taken_e_x__part4 = taken_e_x__part - b_y;
+                    let taken_e_x_ = cos_beta * taken_e_x__part2
+                        + sin_beta * taken_e_x__part4;
+                    let taken_e_y_ = cos_beta * taken_e_x__part4
+                        - taken_e_x__part2 * sin_beta;
+                    let taken_e_x_dot__part3 = (sin_beta * u_x
+                        - cos_beta * taken_e_x__part) * theta_dot;
+                    let taken_e_x_dot__part4 = cos_beta * cos_theta
+                        + sin_beta * sin_theta;
+                    let taken_e_x_dot__part7 = sin_beta * cos_theta
+                        - cos_beta * sin_theta;
+                    let taken_e_x_dot__part9 = taken_e_x_dot__part3
+                        + taken_e_x_dot__part4 * eps_x_dot
+                        + taken_e_x_dot__part7 * eps_y_dot;
+                    let taken_e_x_dot__part11 = taken_e_x_dot__part9 - cos_beta * b_x_dot
+                        - sin_beta * b_y_dot;
+                    let taken_e_x_dot_ = taken_e_x_dot__part11 + taken_e_y_ * beta_dot;
+                    let taken_e_y_dot__part3 = (cos_beta * u_x
+                        + sin_beta * taken_e_x__part) * theta_dot;
+                    let taken_e_y_dot__part7 = taken_e_y_dot__part3
+                        - taken_e_x_dot__part7 * eps_x_dot
+                        + taken_e_x_dot__part4 * eps_y_dot;
+                    let taken_e_y_dot__part9 = taken_e_y_dot__part7 + sin_beta * b_x_dot
+                        - cos_beta * b_y_dot;
+                    let taken_e_y_dot_ = taken_e_y_dot__part9 - beta_dot * taken_e_x_;
+                    let taken_omega_ = theta_dot + (gamma_dot - beta_dot);
+                    let measure_of_M_z_ = theta + (gamma - beta);
                     taken_e_x_out_[j_] = taken_e_x_;
                     taken_e_y_out_[j_] = taken_e_y_;
                     taken_e_x_dot_out_[j_] = taken_e_x_dot_;
@@ -936,7 +993,7 @@ pub mod journal {
             }
             /// Generalised forces.
             ///
-            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 7 add, 6 mul, 3 add into sums; after the springs: no operations.
+            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 17 add, 24 mul, 2 function, 3 add into sums; after the springs: no operations.
             pub fn force(
                 count_: usize,
                 state_: &ContactState,
@@ -945,6 +1002,11 @@ pub mod journal {
                 out_: &mut [f64],
             ) {
                 let _ = state_;
+                let [b_x_row_, b_y_row_, beta_row_, _] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore,
+                );
                 let [F_x_row_, F_y_row_, M_z_row_] = crate::strided(
                     count_,
                     state_.stride,
@@ -954,8 +1016,8 @@ pub mod journal {
                 let cos_theta = Lane::cos(theta);
                 let sin_theta = Lane::sin(theta);
                 let u_x = eps_x * cos_theta - eps_y * sin_theta;
-                let by_3_0__part = eps_x * sin_theta + eps_y * cos_theta;
-                let [force_3_out_, force_4_out_, force_5_out_] = crate::strided_mut(
+                let taken_e_x__part = eps_x * sin_theta + eps_y * cos_theta;
+                let [force_3_out_, force_4_out_, force_5_out_, force_6_out_] = crate::strided_mut(
                     count_,
                     state_.stride,
                     out_,
@@ -964,18 +1026,40 @@ pub mod journal {
                 let mut total_force_1_ = 0.0;
                 let mut total_force_2_ = 0.0;
                 for j_ in 0..count_ {
+                    let b_x = b_x_row_[j_];
+                    let b_y = b_y_row_[j_];
+                    let beta = beta_row_[j_];
                     let F_x = F_x_row_[j_];
                     let F_y = F_y_row_[j_];
                     let M_z = M_z_row_[j_];
-                    let force_3_ = -F_x;
-                    let force_4_ = -F_y;
-                    let force_5_ = -M_z;
-                    let force_0_ = M_z - F_x * by_3_0__part + F_y * u_x;
-                    let force_1_ = F_x * cos_theta + F_y * sin_theta;
-                    let force_2_ = F_y * cos_theta - F_x * sin_theta;
+                    let cos_beta = Lane::cos(beta);
+                    let taken_e_x__part2 = u_x - b_x;
+                    let sin_beta = Lane::sin(beta);
+                    let taken_e_x__part4 = taken_e_x__part - b_y;
+                    let taken_e_x_ = cos_beta * taken_e_x__part2
+                        + sin_beta * taken_e_x__part4;
+                    let taken_e_y_ = cos_beta * taken_e_x__part4
+                        - taken_e_x__part2 * sin_beta;
+                    let taken_e_x_dot__part4 = cos_beta * cos_theta
+                        + sin_beta * sin_theta;
+                    let taken_e_x_dot__part7 = sin_beta * cos_theta
+                        - cos_beta * sin_theta;
+                    let force_3_ = sin_beta * F_y - cos_beta * F_x;
+                    let force_4_ = -(sin_beta * F_x + cos_beta * F_y);
+                    let force_5_ = taken_e_y_ * F_x - M_z - F_y * taken_e_x_;
+                    let force_1_ = F_x * taken_e_x_dot__part4
+                        - F_y * taken_e_x_dot__part7;
+                    let force_0__part = F_x
+                        * (sin_beta * u_x - cos_beta * taken_e_x__part);
+                    let force_0__part3 = F_y
+                        * (cos_beta * u_x + sin_beta * taken_e_x__part);
+                    let force_0_ = M_z + force_0__part + force_0__part3;
+                    let force_2_ = F_x * taken_e_x_dot__part7
+                        + F_y * taken_e_x_dot__part4;
                     force_3_out_[j_] = force_3_;
                     force_4_out_[j_] = force_4_;
                     force_5_out_[j_] = force_5_;
+                    force_6_out_[j_] = M_z;
                     total_force_0_ += force_0_;
                     total_force_1_ += force_1_;
                     total_force_2_ += force_2_;
@@ -984,7 +1068,7 @@ pub mod journal {
             }
             /// Derivatives B + a1·P of the generalised forces.
             ///
-            /// Once a ring: 10 add, 16 mul, 2 function; each spring: 96 add, 87 mul, 9 add into sums; after the springs: no operations.
+            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 235 add, 217 mul, 2 function, 9 add into sums; after the springs: no operations.
             pub fn tangent(
                 count_: usize,
                 state_: &ContactState,
@@ -994,6 +1078,16 @@ pub mod journal {
                 out_: &mut ContactTangent,
             ) {
                 let _ = state_;
+                let [b_x_row_, b_y_row_, beta_row_, _] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore,
+                );
+                let [b_x_dot_row_, b_y_dot_row_, beta_dot_row_, _] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore_dot,
+                );
                 let [F_x_row_, F_y_row_, _] = crate::strided(
                     count_,
                     state_.stride,
@@ -1013,34 +1107,17 @@ pub mod journal {
                 let cos_theta = Lane::cos(theta);
                 let sin_theta = Lane::sin(theta);
                 let u_x = eps_x * cos_theta - eps_y * sin_theta;
-                let by_3_0__part = eps_x * sin_theta + eps_y * cos_theta;
-                let by_3_0__part4 = cos_theta * eps_x_dot - theta_dot * by_3_0__part
-                    - sin_theta * eps_y_dot;
-                let by_3_0__part5 = a1_ * by_3_0__part;
-                let u_x_a1_ = u_x * a1_;
-                let cos_theta_a1_ = cos_theta * a1_;
-                let sin_theta_a1_ = sin_theta * a1_;
-                let by_3_0__part7 = theta_dot * u_x + sin_theta * eps_x_dot
-                    + cos_theta * eps_y_dot;
-                let by_3_0__part8 = by_3_0__part7 + by_3_0__part5;
-                let by_3_0__part9 = by_3_0__part4 + u_x_a1_;
-                let by_3_1__part = cos_theta_a1_ - sin_theta * theta_dot;
-                let by_3_1__part2 = cos_theta * theta_dot + sin_theta_a1_;
-                let [by_0_3_out_, by_0_4_out_, by_0_5_out_, by_1_3_out_, by_1_4_out_,
-                by_1_5_out_, by_2_3_out_, by_2_4_out_, by_2_5_out_] = crate::rows_mut(
-                    count_,
-                    &mut out_.ring_bore,
-                );
+                let taken_e_x__part = eps_x * sin_theta + eps_y * cos_theta;
+                let [by_0_3_out_, by_0_4_out_, by_0_5_out_, by_0_6_out_, by_1_3_out_,
+                by_1_4_out_, by_1_5_out_, by_1_6_out_, by_2_3_out_, by_2_4_out_,
+                by_2_5_out_, by_2_6_out_] = crate::rows_mut(count_, &mut out_.ring_bore);
                 let [by_3_0_out_, by_3_1_out_, by_3_2_out_, by_4_0_out_, by_4_1_out_,
-                by_4_2_out_, by_5_0_out_, by_5_1_out_, by_5_2_out_] = crate::rows_mut(
-                    count_,
-                    &mut out_.bore_ring,
-                );
-                let [by_3_3_out_, by_3_4_out_, by_3_5_out_, by_4_3_out_, by_4_4_out_,
-                by_4_5_out_, by_5_3_out_, by_5_4_out_, by_5_5_out_] = crate::rows_mut(
-                    count_,
-                    &mut out_.bore_bore,
-                );
+                by_4_2_out_, by_5_0_out_, by_5_1_out_, by_5_2_out_, by_6_0_out_,
+                by_6_1_out_, by_6_2_out_] = crate::rows_mut(count_, &mut out_.bore_ring);
+                let [by_3_3_out_, by_3_4_out_, by_3_5_out_, by_3_6_out_, by_4_3_out_,
+                by_4_4_out_, by_4_5_out_, by_4_6_out_, by_5_3_out_, by_5_4_out_,
+                by_5_5_out_, by_5_6_out_, by_6_3_out_, by_6_4_out_, by_6_5_out_,
+                by_6_6_out_] = crate::rows_mut(count_, &mut out_.bore_bore);
                 let mut total_by_0_0_ = 0.0;
                 let mut total_by_0_1_ = 0.0;
                 let mut total_by_0_2_ = 0.0;
@@ -1051,6 +1128,12 @@ pub mod journal {
                 let mut total_by_2_1_ = 0.0;
                 let mut total_by_2_2_ = 0.0;
                 for j_ in 0..count_ {
+                    let b_x = b_x_row_[j_];
+                    let b_y = b_y_row_[j_];
+                    let beta = beta_row_[j_];
+                    let b_x_dot = b_x_dot_row_[j_];
+                    let b_y_dot = b_y_dot_row_[j_];
+                    let beta_dot = beta_dot_row_[j_];
                     let F_x = F_x_row_[j_];
                     let F_y = F_y_row_[j_];
                     let dF_x_de_x = dF_x_de_x_row_[j_];
@@ -1071,119 +1154,283 @@ pub mod journal {
                     let dM_z_de_y_dot = dM_z_de_y_dot_row_[j_];
                     let dM_z_domega = dM_z_domega_row_[j_];
                     let dM_z_dtheta = dM_z_dtheta_row_[j_];
-                    let by_3_3_ = dF_x_de_x + dF_x_de_x_dot * a1_;
-                    let by_4_3_ = dF_y_de_x + dF_y_de_x_dot * a1_;
-                    let by_0_3__part3 = by_3_3_ * by_3_0__part - dM_z_de_x
-                        - by_4_3_ * u_x;
-                    let dM_z_de_x_dot_a1_ = dM_z_de_x_dot * a1_;
-                    let by_0_3_ = by_0_3__part3 - dM_z_de_x_dot_a1_;
-                    let by_3_4_ = dF_x_de_y + dF_x_de_y_dot * a1_;
-                    let by_4_4_ = dF_y_de_y + dF_y_de_y_dot * a1_;
-                    let by_0_4__part3 = by_3_4_ * by_3_0__part - dM_z_de_y
-                        - by_4_4_ * u_x;
-                    let dM_z_de_y_dot_a1_ = dM_z_de_y_dot * a1_;
-                    let by_0_4_ = by_0_4__part3 - dM_z_de_y_dot_a1_;
-                    let by_5_5_ = dM_z_domega * a1_;
-                    let by_0_5_ = dF_x_domega * by_3_0__part5 - by_5_5_
-                        - dF_y_domega * u_x_a1_;
-                    let by_1_3_ = -(by_3_3_ * cos_theta + by_4_3_ * sin_theta);
-                    let by_1_4_ = -(by_3_4_ * cos_theta + by_4_4_ * sin_theta);
-                    let by_1_5_ = -(dF_x_domega * cos_theta_a1_
-                        + dF_y_domega * sin_theta_a1_);
-                    let by_2_3_ = by_3_3_ * sin_theta - by_4_3_ * cos_theta;
-                    let by_2_4_ = by_3_4_ * sin_theta - by_4_4_ * cos_theta;
-                    let by_2_5_ = dF_x_domega * sin_theta_a1_
-                        - dF_y_domega * cos_theta_a1_;
-                    let by_3_0__part12 = dF_x_dtheta - dF_x_de_x * by_3_0__part
-                        + dF_x_de_y * u_x;
-                    let by_3_0__part16 = by_3_0__part12 - dF_x_de_x_dot * by_3_0__part8
-                        + dF_x_de_y_dot * by_3_0__part9;
-                    let by_3_5_ = dF_x_domega * a1_;
-                    let by_3_0__part17 = by_3_0__part16 + by_3_5_;
-                    let by_3_0_ = -by_3_0__part17;
-                    let by_3_1__part5 = dF_x_de_x * cos_theta + dF_x_de_y * sin_theta
-                        + dF_x_de_x_dot * by_3_1__part;
-                    let by_3_1__part7 = by_3_1__part5 + dF_x_de_y_dot * by_3_1__part2;
-                    let by_3_1_ = -by_3_1__part7;
-                    let by_3_2__part3 = dF_x_de_y * cos_theta - dF_x_de_x * sin_theta
-                        - dF_x_de_x_dot * by_3_1__part2;
-                    let by_3_2__part5 = by_3_2__part3 + dF_x_de_y_dot * by_3_1__part;
-                    let by_3_2_ = -by_3_2__part5;
-                    let by_4_0__part3 = dF_y_dtheta - dF_y_de_x * by_3_0__part
-                        + dF_y_de_y * u_x;
-                    let by_4_0__part7 = by_4_0__part3 - dF_y_de_x_dot * by_3_0__part8
-                        + dF_y_de_y_dot * by_3_0__part9;
-                    let by_4_5_ = dF_y_domega * a1_;
-                    let by_4_0__part8 = by_4_0__part7 + by_4_5_;
-                    let by_4_0_ = -by_4_0__part8;
-                    let by_4_1__part3 = dF_y_de_x * cos_theta + dF_y_de_y * sin_theta
-                        + dF_y_de_x_dot * by_3_1__part;
-                    let by_4_1__part5 = by_4_1__part3 + dF_y_de_y_dot * by_3_1__part2;
-                    let by_4_1_ = -by_4_1__part5;
-                    let by_4_2__part3 = dF_y_de_y * cos_theta - dF_y_de_x * sin_theta
-                        - dF_y_de_x_dot * by_3_1__part2;
-                    let by_4_2__part5 = by_4_2__part3 + dF_y_de_y_dot * by_3_1__part;
-                    let by_4_2_ = -by_4_2__part5;
-                    let by_5_0__part = dM_z_de_x * by_3_0__part;
-                    let dM_z_de_y_u_x = dM_z_de_y * u_x;
-                    let by_5_0__part4 = dM_z_de_x_dot * by_3_0__part8;
-                    let by_5_0__part6 = dM_z_de_y_dot * by_3_0__part9;
-                    let by_5_0__part7 = by_5_0__part - dM_z_dtheta - dM_z_de_y_u_x
-                        + by_5_0__part4 - by_5_0__part6;
-                    let by_5_0_ = by_5_0__part7 - by_5_5_;
-                    let dM_z_de_x_cos_theta = dM_z_de_x * cos_theta;
-                    let dM_z_de_y_sin_theta = dM_z_de_y * sin_theta;
-                    let by_5_1__part2 = dM_z_de_x_dot * by_3_1__part;
-                    let by_5_1__part4 = dM_z_de_y_dot * by_3_1__part2;
-                    let by_5_1_ = -(dM_z_de_x_cos_theta + dM_z_de_y_sin_theta
-                        + by_5_1__part2 + by_5_1__part4);
-                    let dM_z_de_x_sin_theta = dM_z_de_x * sin_theta;
-                    let dM_z_de_y_cos_theta = dM_z_de_y * cos_theta;
-                    let by_5_2__part2 = dM_z_de_x_dot * by_3_1__part2;
-                    let by_5_2__part4 = dM_z_de_y_dot * by_3_1__part;
-                    let by_5_2_ = dM_z_de_x_sin_theta - dM_z_de_y_cos_theta
-                        + by_5_2__part2 - by_5_2__part4;
-                    let by_5_3_ = dM_z_de_x + dM_z_de_x_dot_a1_;
-                    let by_5_4_ = dM_z_de_y + dM_z_de_y_dot_a1_;
-                    let F_x_cos_theta = F_x * cos_theta;
-                    let F_y_sin_theta = F_y * sin_theta;
-                    let F_y_cos_theta = F_y * cos_theta;
-                    let F_x_sin_theta = F_x * sin_theta;
-                    let force_2_ = F_y_cos_theta - F_x_sin_theta;
-                    let by_0_0__part3 = dM_z_dtheta - by_3_0__part17 * by_3_0__part
-                        - F_x * u_x;
-                    let by_0_0__part7 = by_0_0__part3 + by_4_0__part8 * u_x
-                        - F_y * by_3_0__part;
-                    let by_0_0__part11 = by_0_0__part7 - by_5_0__part + dM_z_de_y_u_x
-                        - by_5_0__part4 + by_5_0__part6;
-                    let by_0_0_ = by_0_0__part11 + by_5_5_;
-                    let by_0_1__part4 = by_4_1__part5 * u_x
-                        - by_3_1__part7 * by_3_0__part - F_x_sin_theta;
-                    let by_0_1__part8 = by_0_1__part4 + F_y_cos_theta
-                        + dM_z_de_x_cos_theta + dM_z_de_y_sin_theta + by_5_1__part2;
-                    let by_0_1_ = by_0_1__part8 + by_5_1__part4;
-                    let by_0_2__part4 = by_4_2__part5 * u_x
-                        - by_3_2__part5 * by_3_0__part - F_x_cos_theta;
-                    let by_0_2__part8 = by_0_2__part4 - F_y_sin_theta
-                        - dM_z_de_x_sin_theta + dM_z_de_y_cos_theta - by_5_2__part2;
-                    let by_0_2_ = by_0_2__part8 + by_5_2__part4;
-                    let by_1_0_ = force_2_ + by_3_0__part17 * cos_theta
-                        + by_4_0__part8 * sin_theta;
-                    let by_1_1_ = by_3_1__part7 * cos_theta + by_4_1__part5 * sin_theta;
-                    let by_1_2_ = by_3_2__part5 * cos_theta + by_4_2__part5 * sin_theta;
-                    let by_2_0_ = by_4_0__part8 * cos_theta - F_x_cos_theta
-                        - F_y_sin_theta - by_3_0__part17 * sin_theta;
-                    let by_2_1_ = by_4_1__part5 * cos_theta - by_3_1__part7 * sin_theta;
-                    let by_2_2_ = by_4_2__part5 * cos_theta - by_3_2__part5 * sin_theta;
+                    let cos_beta = Lane::cos(beta);
+                    let taken_e_x__part2 = u_x - b_x;
+                    let sin_beta = Lane::sin(beta);
+                    let taken_e_x__part4 = taken_e_x__part - b_y;
+                    let taken_e_x_ = cos_beta * taken_e_x__part2
+                        + sin_beta * taken_e_x__part4;
+                    let taken_e_y_ = cos_beta * taken_e_x__part4
+                        - taken_e_x__part2 * sin_beta;
+                    let taken_e_x_dot__part2 = sin_beta * u_x
+                        - cos_beta * taken_e_x__part;
+                    let taken_e_x_dot__part3 = taken_e_x_dot__part2 * theta_dot;
+                    let taken_e_x_dot__part4 = cos_beta * cos_theta
+                        + sin_beta * sin_theta;
+                    let taken_e_x_dot__part5 = taken_e_x_dot__part4 * eps_x_dot;
+                    let taken_e_x_dot__part7 = sin_beta * cos_theta
+                        - cos_beta * sin_theta;
+                    let taken_e_x_dot__part8 = taken_e_x_dot__part7 * eps_y_dot;
+                    let taken_e_y_dot__part2 = cos_beta * u_x
+                        + sin_beta * taken_e_x__part;
+                    let taken_e_y_dot__part3 = taken_e_y_dot__part2 * theta_dot;
+                    let taken_e_y_dot__part4 = taken_e_x_dot__part7 * eps_x_dot;
+                    let taken_e_y_dot__part6 = taken_e_x_dot__part4 * eps_y_dot;
+                    let taken_e_y_dot__part8 = taken_e_y_dot__part3
+                        - taken_e_y_dot__part4 + taken_e_y_dot__part6
+                        + sin_beta * b_x_dot;
+                    let taken_e_y_dot_ = taken_e_y_dot__part8 - cos_beta * b_y_dot
+                        - beta_dot * taken_e_x_;
+                    let sin_beta_F_y = sin_beta * F_y;
+                    let cos_beta_F_x = cos_beta * F_x;
+                    let force_3_ = sin_beta_F_y - cos_beta_F_x;
+                    let sin_beta_F_x = sin_beta * F_x;
+                    let cos_beta_F_y = cos_beta * F_y;
+                    let by_0_3__part2 = sin_beta * beta_dot - cos_beta * a1_;
+                    let by_0_3__part4 = sin_beta * dF_x_de_y - cos_beta * dF_x_de_x
+                        + dF_x_de_x_dot * by_0_3__part2;
+                    let by_0_3__part5 = cos_beta * beta_dot + sin_beta * a1_;
+                    let by_0_3__part7 = by_0_3__part4 + dF_x_de_y_dot * by_0_3__part5;
+                    let by_0_3__part11 = sin_beta * dF_y_de_y - cos_beta * dF_y_de_x
+                        + dF_y_de_x_dot * by_0_3__part2;
+                    let by_0_3__part13 = by_0_3__part11 + dF_y_de_y_dot * by_0_3__part5;
+                    let cos_beta_dM_z_de_x = cos_beta * dM_z_de_x;
+                    let by_0_3__part16 = taken_e_x_dot__part2 * by_0_3__part7
+                        + taken_e_y_dot__part2 * by_0_3__part13 - cos_beta_dM_z_de_x;
+                    let sin_beta_dM_z_de_y = sin_beta * dM_z_de_y;
+                    let by_0_3__part18 = dM_z_de_x_dot * by_0_3__part2;
+                    let by_0_3__part20 = dM_z_de_y_dot * by_0_3__part5;
+                    let by_0_3_ = by_0_3__part16 + sin_beta_dM_z_de_y + by_0_3__part18
+                        + by_0_3__part20;
+                    let by_0_4__part3 = dF_x_de_y_dot * by_0_3__part2
+                        - sin_beta * dF_x_de_x - cos_beta * dF_x_de_y;
+                    let by_0_4__part5 = by_0_4__part3 - dF_x_de_x_dot * by_0_3__part5;
+                    let by_0_4__part9 = dF_y_de_y_dot * by_0_3__part2
+                        - sin_beta * dF_y_de_x - cos_beta * dF_y_de_y;
+                    let by_0_4__part11 = by_0_4__part9 - dF_y_de_x_dot * by_0_3__part5;
+                    let sin_beta_dM_z_de_x = sin_beta * dM_z_de_x;
+                    let by_0_4__part14 = taken_e_x_dot__part2 * by_0_4__part5
+                        + taken_e_y_dot__part2 * by_0_4__part11 - sin_beta_dM_z_de_x;
+                    let cos_beta_dM_z_de_y = cos_beta * dM_z_de_y;
+                    let by_0_4__part16 = dM_z_de_x_dot * by_0_3__part5;
+                    let by_0_4__part18 = dM_z_de_y_dot * by_0_3__part2;
+                    let by_0_4_ = by_0_4__part14 - cos_beta_dM_z_de_y - by_0_4__part16
+                        + by_0_4__part18;
+                    let dF_x_domega_a1_ = dF_x_domega * a1_;
+                    let by_0_5__part2 = taken_e_y_ * dF_x_de_x - dF_x_domega_a1_
+                        - dF_x_de_y * taken_e_x_;
+                    let by_0_5__part3 = taken_e_y_dot_ + taken_e_y_ * a1_;
+                    let by_0_5__part7 = cos_beta * b_x_dot + sin_beta * b_y_dot
+                        - taken_e_x_dot__part3;
+                    let by_0_5__part10 = by_0_5__part7 - taken_e_x_dot__part5
+                        - taken_e_x_dot__part8 - taken_e_y_ * beta_dot;
+                    let by_0_5__part11 = by_0_5__part10 - taken_e_x_ * a1_;
+                    let by_0_5__part13 = by_0_5__part2 + dF_x_de_x_dot * by_0_5__part3
+                        + dF_x_de_y_dot * by_0_5__part11;
+                    let by_6_6_ = dM_z_domega * a1_;
+                    let by_0_5__part16 = F_x * taken_e_y_dot__part2;
+                    let dF_y_domega_a1_ = dF_y_domega * a1_;
+                    let by_0_5__part19 = taken_e_y_ * dF_y_de_x - dF_y_domega_a1_
+                        - dF_y_de_y * taken_e_x_;
+                    let by_0_5__part23 = by_0_5__part19 + dF_y_de_x_dot * by_0_5__part3
+                        + dF_y_de_y_dot * by_0_5__part11;
+                    let by_0_5__part25 = taken_e_x_dot__part2 * by_0_5__part13 - by_6_6_
+                        + by_0_5__part16 + taken_e_y_dot__part2 * by_0_5__part23;
+                    let by_0_5__part26 = F_y * taken_e_x_dot__part2;
+                    let taken_e_y__dM_z_de_x = taken_e_y_ * dM_z_de_x;
+                    let dM_z_de_y_taken_e_x_ = dM_z_de_y * taken_e_x_;
+                    let by_0_5__part30 = dM_z_de_x_dot * by_0_5__part3;
+                    let by_0_5__part31 = by_0_5__part25 - by_0_5__part26
+                        + taken_e_y__dM_z_de_x - dM_z_de_y_taken_e_x_ + by_0_5__part30;
+                    let by_0_5__part32 = dM_z_de_y_dot * by_0_5__part11;
+                    let by_0_5_ = by_0_5__part31 + by_0_5__part32;
+                    let by_0_6__part4 = dM_z_domega + dF_x_domega * taken_e_x_dot__part2
+                        + dF_y_domega * taken_e_y_dot__part2;
+                    let by_0_6_ = by_0_6__part4 * a1_;
+                    let by_1_3_ = taken_e_x_dot__part4 * by_0_3__part7
+                        - taken_e_x_dot__part7 * by_0_3__part13;
+                    let by_1_4_ = taken_e_x_dot__part4 * by_0_4__part5
+                        - taken_e_x_dot__part7 * by_0_4__part11;
+                    let by_1_5__part2 = F_x * taken_e_x_dot__part7;
+                    let by_1_5__part5 = taken_e_x_dot__part4 * by_0_5__part13
+                        - by_1_5__part2 - taken_e_x_dot__part7 * by_0_5__part23;
+                    let by_1_5__part6 = F_y * taken_e_x_dot__part4;
+                    let by_1_5_ = by_1_5__part5 - by_1_5__part6;
+                    let by_1_6_ = (dF_x_domega * taken_e_x_dot__part4
+                        - dF_y_domega * taken_e_x_dot__part7) * a1_;
+                    let by_2_3_ = taken_e_x_dot__part7 * by_0_3__part7
+                        + taken_e_x_dot__part4 * by_0_3__part13;
+                    let by_2_4_ = taken_e_x_dot__part7 * by_0_4__part5
+                        + taken_e_x_dot__part4 * by_0_4__part11;
+                    let force_1__part = F_x * taken_e_x_dot__part4;
+                    let force_1__part2 = F_y * taken_e_x_dot__part7;
+                    let force_1_ = force_1__part - force_1__part2;
+                    let by_2_5_ = force_1_ + taken_e_x_dot__part7 * by_0_5__part13
+                        + taken_e_x_dot__part4 * by_0_5__part23;
+                    let by_2_6_ = (dF_x_domega * taken_e_x_dot__part7
+                        + dF_y_domega * taken_e_x_dot__part4) * a1_;
+                    let by_3_0__part4 = dF_y_dtheta + dF_y_de_x * taken_e_x_dot__part2
+                        + dF_y_de_y * taken_e_y_dot__part2;
+                    let by_3_0__part8 = taken_e_y_dot__part4 - taken_e_y_dot__part3
+                        - taken_e_y_dot__part6 + beta_dot * taken_e_y_dot__part2;
+                    let by_3_0__part10 = by_3_0__part8 + taken_e_x_dot__part2 * a1_;
+                    let by_3_0__part16 = taken_e_x_dot__part5 + taken_e_x_dot__part8
+                        + taken_e_x_dot__part3 - beta_dot * taken_e_x_dot__part2;
+                    let by_3_0__part18 = by_3_0__part16 + taken_e_y_dot__part2 * a1_;
+                    let by_3_0__part20 = by_3_0__part4 + dF_y_de_x_dot * by_3_0__part10
+                        + dF_y_de_y_dot * by_3_0__part18;
+                    let by_3_0__part21 = by_3_0__part20 + dF_y_domega_a1_;
+                    let by_3_0__part26 = dF_x_dtheta + dF_x_de_x * taken_e_x_dot__part2
+                        + dF_x_de_y * taken_e_y_dot__part2;
+                    let by_3_0__part30 = by_3_0__part26 + dF_x_de_x_dot * by_3_0__part10
+                        + dF_x_de_y_dot * by_3_0__part18;
+                    let by_3_0__part31 = by_3_0__part30 + dF_x_domega_a1_;
+                    let by_3_0_ = sin_beta * by_3_0__part21 - cos_beta * by_3_0__part31;
+                    let by_3_1__part8 = taken_e_x_dot__part7 * theta_dot
+                        - beta_dot * taken_e_x_dot__part7 + taken_e_x_dot__part4 * a1_;
+                    let by_3_1__part10 = dF_y_de_x * taken_e_x_dot__part4
+                        - dF_y_de_y * taken_e_x_dot__part7
+                        + dF_y_de_x_dot * by_3_1__part8;
+                    let by_3_1__part11 = taken_e_x_dot__part4 * theta_dot;
+                    let by_3_1__part12 = beta_dot * taken_e_x_dot__part4;
+                    let by_3_1__part14 = taken_e_x_dot__part7 * a1_;
+                    let by_3_1__part15 = by_3_1__part11 - by_3_1__part12
+                        - by_3_1__part14;
+                    let by_3_1__part17 = by_3_1__part10 + dF_y_de_y_dot * by_3_1__part15;
+                    let by_3_1__part23 = dF_x_de_x * taken_e_x_dot__part4
+                        - dF_x_de_y * taken_e_x_dot__part7
+                        + dF_x_de_x_dot * by_3_1__part8;
+                    let by_3_1__part25 = by_3_1__part23 + dF_x_de_y_dot * by_3_1__part15;
+                    let by_3_1_ = sin_beta * by_3_1__part17 - cos_beta * by_3_1__part25;
+                    let by_3_2__part5 = by_3_1__part12 - by_3_1__part11 + by_3_1__part14;
+                    let by_3_2__part7 = dF_y_de_x * taken_e_x_dot__part7
+                        + dF_y_de_y * taken_e_x_dot__part4
+                        + dF_y_de_x_dot * by_3_2__part5;
+                    let by_3_2__part9 = by_3_2__part7 + dF_y_de_y_dot * by_3_1__part8;
+                    let by_3_2__part15 = dF_x_de_x * taken_e_x_dot__part7
+                        + dF_x_de_y * taken_e_x_dot__part4
+                        + dF_x_de_x_dot * by_3_2__part5;
+                    let by_3_2__part17 = by_3_2__part15 + dF_x_de_y_dot * by_3_1__part8;
+                    let by_3_2_ = sin_beta * by_3_2__part9 - cos_beta * by_3_2__part17;
+                    let by_3_3_ = sin_beta * by_0_3__part13 - cos_beta * by_0_3__part7;
+                    let by_3_4_ = sin_beta * by_0_4__part11 - cos_beta * by_0_4__part5;
+                    let by_3_5__part4 = sin_beta_F_x - cos_beta * by_0_5__part13
+                        + sin_beta * by_0_5__part23;
+                    let by_3_5_ = by_3_5__part4 + cos_beta_F_y;
+                    let by_3_6_ = (sin_beta * dF_y_domega - cos_beta * dF_x_domega)
+                        * a1_;
+                    let by_4_0_ = -(sin_beta * by_3_0__part31
+                        + cos_beta * by_3_0__part21);
+                    let by_4_1_ = -(sin_beta * by_3_1__part25
+                        + cos_beta * by_3_1__part17);
+                    let by_4_2_ = -(sin_beta * by_3_2__part17
+                        + cos_beta * by_3_2__part9);
+                    let by_4_3_ = -(sin_beta * by_0_3__part7
+                        + cos_beta * by_0_3__part13);
+                    let by_4_4_ = -(sin_beta * by_0_4__part5
+                        + cos_beta * by_0_4__part11);
+                    let by_4_5_ = force_3_ - sin_beta * by_0_5__part13
+                        - cos_beta * by_0_5__part23;
+                    let by_4_6__part2 = (sin_beta * dF_x_domega + cos_beta * dF_y_domega)
+                        * a1_;
+                    let by_4_6_ = -by_4_6__part2;
+                    let by_5_0__part2 = dM_z_de_x * taken_e_x_dot__part2;
+                    let by_5_0__part4 = dM_z_de_y * taken_e_y_dot__part2;
+                    let by_5_0__part6 = dM_z_de_x_dot * by_3_0__part10;
+                    let by_5_0__part7 = by_0_5__part16 - dM_z_dtheta - by_5_0__part2
+                        - by_5_0__part4 - by_5_0__part6;
+                    let by_5_0__part8 = dM_z_de_y_dot * by_3_0__part18;
+                    let by_5_0__part13 = by_5_0__part7 - by_5_0__part8 - by_6_6_
+                        - by_0_5__part26 + taken_e_y_ * by_3_0__part31;
+                    let by_5_0_ = by_5_0__part13 - taken_e_x_ * by_3_0__part21;
+                    let by_5_1__part = dM_z_de_y * taken_e_x_dot__part7;
+                    let by_5_1__part2 = dM_z_de_x * taken_e_x_dot__part4;
+                    let by_5_1__part4 = dM_z_de_x_dot * by_3_1__part8;
+                    let by_5_1__part6 = dM_z_de_y_dot * by_3_1__part15;
+                    let by_5_1__part8 = by_5_1__part - by_5_1__part2 - by_5_1__part4
+                        - by_5_1__part6 - by_1_5__part2;
+                    let by_5_1_ = by_5_1__part8 - by_1_5__part6
+                        + taken_e_y_ * by_3_1__part25 - taken_e_x_ * by_3_1__part17;
+                    let by_5_2__part = dM_z_de_x * taken_e_x_dot__part7;
+                    let by_5_2__part3 = dM_z_de_y * taken_e_x_dot__part4;
+                    let by_5_2__part5 = dM_z_de_x_dot * by_3_2__part5;
+                    let by_5_2__part7 = dM_z_de_y_dot * by_3_1__part8;
+                    let by_5_2__part8 = force_1__part - by_5_2__part - by_5_2__part3
+                        - by_5_2__part5 - by_5_2__part7;
+                    let by_5_2_ = by_5_2__part8 - force_1__part2
+                        + taken_e_y_ * by_3_2__part17 - taken_e_x_ * by_3_2__part9;
+                    let by_5_3__part4 = cos_beta_dM_z_de_x - sin_beta_dM_z_de_y
+                        - by_0_3__part18 - by_0_3__part20 + sin_beta_F_x;
+                    let by_5_3_ = by_5_3__part4 + cos_beta_F_y
+                        + taken_e_y_ * by_0_3__part7 - taken_e_x_ * by_0_3__part13;
+                    let by_5_4__part4 = sin_beta_dM_z_de_x + cos_beta_dM_z_de_y
+                        + by_0_4__part16 - by_0_4__part18 - cos_beta_F_x;
+                    let by_5_4_ = by_5_4__part4 + sin_beta_F_y
+                        + taken_e_y_ * by_0_4__part5 - taken_e_x_ * by_0_4__part11;
+                    let by_5_5__part4 = by_6_6_ - taken_e_y__dM_z_de_x
+                        + dM_z_de_y_taken_e_x_ - by_0_5__part30 - by_0_5__part32;
+                    let by_5_5__part7 = by_5_5__part4 + taken_e_y_ * by_0_5__part13
+                        - F_x * taken_e_x_;
+                    let by_5_5_ = by_5_5__part7 - taken_e_x_ * by_0_5__part23
+                        - F_y * taken_e_y_;
+                    let by_5_6__part2 = taken_e_y_ * dF_x_domega - dM_z_domega
+                        - dF_y_domega * taken_e_x_;
+                    let by_5_6_ = by_5_6__part2 * a1_;
+                    let by_6_0__part4 = dM_z_dtheta + by_5_0__part2 + by_5_0__part4
+                        + by_5_0__part6 + by_5_0__part8;
+                    let by_6_0_ = by_6_0__part4 + by_6_6_;
+                    let by_6_1_ = by_5_1__part2 - by_5_1__part + by_5_1__part4
+                        + by_5_1__part6;
+                    let by_6_2_ = by_5_2__part + by_5_2__part3 + by_5_2__part5
+                        + by_5_2__part7;
+                    let by_6_3_ = sin_beta_dM_z_de_y - cos_beta_dM_z_de_x
+                        + by_0_3__part18 + by_0_3__part20;
+                    let by_6_4_ = by_0_4__part18 - sin_beta_dM_z_de_x
+                        - cos_beta_dM_z_de_y - by_0_4__part16;
+                    let by_6_5_ = taken_e_y__dM_z_de_x - by_6_6_ - dM_z_de_y_taken_e_x_
+                        + by_0_5__part30 + by_0_5__part32;
+                    let force_2_ = by_1_5__part2 + by_1_5__part6;
+                    let by_0_0__part5 = dM_z_dtheta
+                        + taken_e_x_dot__part2 * by_3_0__part31 - by_0_5__part16
+                        + taken_e_y_dot__part2 * by_3_0__part21;
+                    let by_0_0__part9 = by_0_0__part5 + by_0_5__part26 + by_5_0__part2
+                        + by_5_0__part4 + by_5_0__part6;
+                    let by_0_0_ = by_0_0__part9 + by_5_0__part8 + by_6_6_;
+                    let by_0_1__part4 = taken_e_x_dot__part2 * by_3_1__part25
+                        + by_1_5__part2 + taken_e_y_dot__part2 * by_3_1__part17;
+                    let by_0_1__part8 = by_0_1__part4 + by_1_5__part6 + by_5_1__part2
+                        - by_5_1__part + by_5_1__part4;
+                    let by_0_1_ = by_0_1__part8 + by_5_1__part6;
+                    let by_0_2__part4 = taken_e_x_dot__part2 * by_3_2__part17
+                        - force_1__part + taken_e_y_dot__part2 * by_3_2__part9;
+                    let by_0_2__part8 = by_0_2__part4 + force_1__part2 + by_5_2__part
+                        + by_5_2__part3 + by_5_2__part5;
+                    let by_0_2_ = by_0_2__part8 + by_5_2__part7;
+                    let by_1_0_ = force_2_ + taken_e_x_dot__part4 * by_3_0__part31
+                        - taken_e_x_dot__part7 * by_3_0__part21;
+                    let by_1_1_ = taken_e_x_dot__part4 * by_3_1__part25
+                        - taken_e_x_dot__part7 * by_3_1__part17;
+                    let by_1_2_ = taken_e_x_dot__part4 * by_3_2__part17
+                        - taken_e_x_dot__part7 * by_3_2__part9;
+                    let by_2_0_ = force_1__part2 - force_1__part
+                        + taken_e_x_dot__part7 * by_3_0__part31
+                        + taken_e_x_dot__part4 * by_3_0__part21;
+                    let by_2_1_ = taken_e_x_dot__part7 * by_3_1__part25
+                        + taken_e_x_dot__part4 * by_3_1__part17;
+                    let by_2_2_ = taken_e_x_dot__part7 * by_3_2__part17
+                        + taken_e_x_dot__part4 * by_3_2__part9;
                     by_0_3_out_[j_] = by_0_3_;
                     by_0_4_out_[j_] = by_0_4_;
                     by_0_5_out_[j_] = by_0_5_;
+                    by_0_6_out_[j_] = by_0_6_;
                     by_1_3_out_[j_] = by_1_3_;
                     by_1_4_out_[j_] = by_1_4_;
                     by_1_5_out_[j_] = by_1_5_;
+                    by_1_6_out_[j_] = by_1_6_;
                     by_2_3_out_[j_] = by_2_3_;
                     by_2_4_out_[j_] = by_2_4_;
                     by_2_5_out_[j_] = by_2_5_;
+                    by_2_6_out_[j_] = by_2_6_;
                     by_3_0_out_[j_] = by_3_0_;
                     by_3_1_out_[j_] = by_3_1_;
                     by_3_2_out_[j_] = by_3_2_;
@@ -1193,15 +1440,25 @@ pub mod journal {
                     by_5_0_out_[j_] = by_5_0_;
                     by_5_1_out_[j_] = by_5_1_;
                     by_5_2_out_[j_] = by_5_2_;
+                    by_6_0_out_[j_] = by_6_0_;
+                    by_6_1_out_[j_] = by_6_1_;
+                    by_6_2_out_[j_] = by_6_2_;
                     by_3_3_out_[j_] = by_3_3_;
                     by_3_4_out_[j_] = by_3_4_;
                     by_3_5_out_[j_] = by_3_5_;
+                    by_3_6_out_[j_] = by_3_6_;
                     by_4_3_out_[j_] = by_4_3_;
                     by_4_4_out_[j_] = by_4_4_;
                     by_4_5_out_[j_] = by_4_5_;
+                    by_4_6_out_[j_] = by_4_6_;
                     by_5_3_out_[j_] = by_5_3_;
                     by_5_4_out_[j_] = by_5_4_;
                     by_5_5_out_[j_] = by_5_5_;
+                    by_5_6_out_[j_] = by_5_6_;
+                    by_6_3_out_[j_] = by_6_3_;
+                    by_6_4_out_[j_] = by_6_4_;
+                    by_6_5_out_[j_] = by_6_5_;
+                    by_6_6_out_[j_] = by_6_6_;
                     total_by_0_0_ += by_0_0_;
                     total_by_0_1_ += by_0_1_;
                     total_by_0_2_ += by_0_2_;
@@ -1226,35 +1483,35 @@ pub mod journal {
                     ContactVariable {
                         name: "e_x",
                         unit: "m",
-                        bore: &[0],
+                        bore: &[0, 1, 2],
                         radius: false,
                         rate: false,
                     },
                     ContactVariable {
                         name: "e_y",
                         unit: "m",
-                        bore: &[1],
+                        bore: &[0, 1, 2],
                         radius: false,
                         rate: false,
                     },
                     ContactVariable {
                         name: "e_x_dot",
                         unit: "m/s",
-                        bore: &[0],
+                        bore: &[0, 1, 2],
                         radius: false,
                         rate: true,
                     },
                     ContactVariable {
                         name: "e_y_dot",
                         unit: "m/s",
-                        bore: &[1],
+                        bore: &[0, 1, 2],
                         radius: false,
                         rate: true,
                     },
                     ContactVariable {
                         name: "omega",
                         unit: "rad/s",
-                        bore: &[2],
+                        bore: &[2, 3],
                         radius: false,
                         rate: true,
                     },
@@ -1270,28 +1527,33 @@ pub mod journal {
                     ContactVariable {
                         name: "F_x",
                         unit: "N",
-                        bore: &[0],
+                        bore: &[0, 1, 2],
                         radius: false,
                         rate: false,
                     },
                     ContactVariable {
                         name: "F_y",
                         unit: "N",
-                        bore: &[1],
+                        bore: &[0, 1, 2],
                         radius: false,
                         rate: false,
                     },
                     ContactVariable {
                         name: "M_z",
                         unit: "N*m",
-                        bore: &[2],
+                        bore: &[2, 3],
                         radius: false,
                         rate: false,
                     },
                 ],
                 rows: 7,
                 measures: &[0, 1, 6],
-                bore: &[BoreMotion::MeanX, BoreMotion::MeanY, BoreMotion::MeanTurn],
+                bore: &[
+                    BoreMotion::MeanX,
+                    BoreMotion::MeanY,
+                    BoreMotion::MeanTurn,
+                    BoreMotion::SectionTurn,
+                ],
                 table: 0,
                 prepare,
                 evaluate: inputs,
@@ -1307,8 +1569,8 @@ pub mod journal {
             title: "Radial clearance of the springs of a journal bearing",
             source: "Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one",
             spec: "motion/clearance.toml",
-            text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# Constants of each spring.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Where the bodies of journal and bore turn about axes that are apart by (D_x, D_y), fixed in space: what that adds to the\n# displacement eps, seen by the journal's body, which turns by phi. theta is then its angle against the bore's body.\n[apart]\nphi = { D_x = 'cos(phi)*D_x + sin(phi)*D_y', D_y = 'cos(phi)*D_y - sin(phi)*D_x' }\n\n# Other quantities on which laws may depend, and with which their other forces do work.\n\n# Slip of the journal's surface over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*theta - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n[measures.e_x]\nvalue = 'u_x - b_x'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'u_y - b_y'\nforce = \"F_y\"\n\n# Inputs and outputs of a law of springs, and of a law of a whole ring.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n",
-            hash: "f1fdca7d8ecc328978bfb0f952c6eb5d",
+            text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# Constants of each spring.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n# The journal, where its body twists.\n[section.gamma]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section against the frame of its body\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Where the bodies of journal and bore turn about axes that are apart by (D_x, D_y), fixed in space: what that adds to the\n# displacement eps, seen by the journal's body, which turns by phi. theta is then its angle against the bore's body.\n[apart]\nphi = { D_x = 'cos(phi)*D_x + sin(phi)*D_y', D_y = 'cos(phi)*D_y - sin(phi)*D_x' }\n\n# Other quantities on which laws may depend, and with which their other forces do work.\n\n# Slip of the journal's surface over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta + gamma - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n# Displacement of the journal in the bore, along axes that turn with the bore: its forces are in balance where they act, on\n# the centres of both, and what is left of their moment, e x F, is a couple on the bore.\n[measures.e_x]\nvalue = 'cos(beta)*(u_x - b_x) + sin(beta)*(u_y - b_y)'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'cos(beta)*(u_y - b_y) - sin(beta)*(u_x - b_x)'\nforce = \"F_y\"\n\n# Inputs and outputs of a law of springs, and of a law of a whole ring.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n",
+            hash: "69f9a3f6e1fb92730fb8ab2ca007820a",
         },
         axial,
         apart,

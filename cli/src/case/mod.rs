@@ -46,7 +46,8 @@ pub(crate) use read::read;
 pub(crate) use read::{Draft, SystemDraft, draft, draft_of, draft_with};
 pub(crate) use rotor::RotorDraft;
 pub(crate) use rotor::{
-    Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, Rotor, Shaft, Support,
+    Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, Rotor, Shaft,
+    StaticCorrection, Support,
 };
 pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;

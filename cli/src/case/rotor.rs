@@ -165,8 +165,24 @@ pub(crate) struct Body<D> {
     pub(crate) modes: usize,
     /// C = damping · K, in s; K with the ground springs.
     pub(crate) damping: f64,
-    /// Where the case says that static answers to loads on bores are kept, if it does.
-    pub(crate) static_correction: Option<Located>,
+    /// Which static answers are kept beside the modes.
+    pub(crate) static_correction: StaticCorrection,
+}
+
+/// Static answers of a body that are kept beside its modes.
+#[derive(Debug, Clone)]
+pub(crate) struct StaticCorrection {
+    /// To the loads of the case.
+    pub(crate) loads: bool,
+    /// To loads on its bores; where the case says so, if it does.
+    pub(crate) bores: Option<Located>,
+}
+
+impl Default for StaticCorrection {
+    /// What holds where a case says nothing.
+    fn default() -> Self {
+        StaticCorrection { loads: true, bores: None }
+    }
 }
 
 /// The rotating body.

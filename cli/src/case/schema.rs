@@ -162,6 +162,7 @@ const SHAFT: &[Key] = &[
     merged("axial_restraint", Text, "set of one node held along z").like("\"NAME_OF_A_NODE_SET\""),
     key("motion", MOTION, "how rotation is coupled to deformation"),
     key("stiffening", Flag, "false leaves out the stiffness by the centrifugal stress"),
+    key("static_correction", Flag, "false keeps no static answers to the loads beside the modes"),
 ];
 
 const SHAFT_DIMENSIONS: &[Key] = &[

@@ -1,10 +1,11 @@
-//! How far the bores of reduced bodies yield less than those of their meshes.
+//! How far reduced bodies yield less than their meshes: their bores, and where loads act on them.
 
 use std::fmt::Write;
 
 use whirl_solver::cache::Cache;
-use whirl_solver::contacts::{HARMONICS, lacking};
+use whirl_solver::contacts::{HARMONICS, lacking, lacking_of_loads};
 use whirl_solver::reduced::{BodyKind, Reduced};
+use whirl_solver::reduction::Row;
 
 use crate::case::{Case, System};
 use crate::errors::Failure;
@@ -14,19 +15,18 @@ use crate::report::table;
 /// A part that is lacking is named with its remedy from here on.
 const MUCH: f64 = 0.01;
 
-/// Says it of every body with a mesh and bores.
-///
-/// # Errors
-/// As the reduction of the bodies.
-pub(super) fn say(
-    text: &mut String,
-    case: &Case,
-    plan: Option<&Plan>,
-    cache: Option<&Cache>,
-) -> Result<(), Failure> {
-    let mut bodies: Vec<(String, BodyKind, &BodyPlan)> = Vec::new();
+/// Dofs of a body up to which what its loads lack is computed without being asked for: well below a second.
+const CHEAP: usize = 20_000;
+
+/// A body with a mesh: the name of its table, its kind, and its plan.
+type Meshed<'a> = (String, BodyKind, &'a BodyPlan);
+
+/// The bodies of a case that are reduced.
+fn reduced_bodies<'a>(case: &Case, plan: Option<&'a Plan>) -> Vec<Meshed<'a>> {
+    let mut bodies: Vec<Meshed> = Vec::new();
     match (&case.system, plan) {
         (System::Rotor(_), Some(Plan::Rotor(plan))) => {
+            bodies.push(("shaft".to_owned(), BodyKind::Shaft, &plan.shaft));
             bodies.push(("support".to_owned(), BodyKind::Support, &plan.support));
         }
         (System::Joined(joined), Some(Plan::Joined(plan))) => {
@@ -40,17 +40,87 @@ pub(super) fn say(
         }
         _ => {}
     }
-    bodies.retain(|(_, _, body)| !body.rigid && !body.bores.is_empty());
+    bodies.retain(|(_, _, body)| !body.rigid);
+    bodies
+}
+
+/// Reduced as it is marched, from the cache if it is there.
+fn reduced(
+    (_, kind, body): &Meshed,
+    cache: Option<&Cache>,
+) -> Result<Reduced, whirl_solver::Error> {
+    let (mesh, spec) = (&body.mesh, &body.spec);
+    let known = cache.and_then(|cache| cache.load(&Reduced::key(*kind, mesh, spec)));
+    known.map_or_else(|| Reduced::new(*kind, mesh, spec), Ok)
+}
+
+/// Says of every load with sets of its own how much of the static displacement under it the reduced body lacks; of large
+/// bodies only if `wanted`.
+///
+/// # Errors
+/// As the reduction of the bodies.
+pub(super) fn say_loads(
+    text: &mut String,
+    case: &Case,
+    (plan, wanted): (Option<&Plan>, bool),
+    cache: Option<&Cache>,
+) -> Result<(), Failure> {
+    for own in reduced_bodies(case, plan) {
+        let (name, _, body) = &own;
+        if body.loads.is_empty() || !wanted && body.mesh.dof_count() > CHEAP {
+            continue;
+        }
+        let loads: Vec<Row> = body.loads.iter().map(|(_, load)| load.clone()).collect();
+        let found = reduced(&own, cache)
+            .and_then(|reduced| lacking_of_loads(&body.mesh, &body.spec, &reduced, &loads));
+        let found = found.map_err(|error| body.explain(error))?;
+        let mut worst: Vec<(&str, f64)> = Vec::new();
+        for ((load, _), part) in body.loads.iter().zip(found) {
+            match worst.last_mut().filter(|(known, _)| known == load) {
+                Some((_, most)) => *most = most.max(part),
+                None => worst.push((load, part)),
+            }
+        }
+        let parts: Vec<String> =
+            worst.iter().map(|(load, part)| format!("{load} {:.2} %", 100.0 * part)).collect();
+        line!(
+            text,
+            "of {name}: part of the static displacement under each load, with its retained nodes held, that it lacks: {}",
+            parts.join(", ")
+        );
+        let most = worst.iter().fold(0.0, |most: f64, (_, part)| most.max(*part));
+        if most > MUCH {
+            line!(
+                text,
+                "leave `static_correction = false` out of `[{name}]` to keep the answers to these loads beside the {} modes",
+                body.spec.modes
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Says of every body with bores how far these yield less than those of its mesh.
+///
+/// # Errors
+/// As the reduction of the bodies.
+pub(super) fn say(
+    text: &mut String,
+    case: &Case,
+    plan: Option<&Plan>,
+    cache: Option<&Cache>,
+) -> Result<(), Failure> {
+    let mut bodies = reduced_bodies(case, plan);
+    bodies.retain(|(_, _, body)| !body.bores.is_empty());
     if bodies.is_empty() {
         line!(text, "no bore is on a body that is reduced");
     }
-    for (name, kind, body) in bodies {
-        let (mesh, spec) = (&body.mesh, &body.spec);
-        let known = cache.and_then(|cache| cache.load(&Reduced::key(kind, mesh, spec)));
-        let reduced = known.map_or_else(|| Reduced::new(kind, mesh, spec), Ok);
-        let found = reduced.and_then(|reduced| lacking(mesh, spec, &reduced, &body.bores));
+    for own in bodies {
+        let (name, _, body) = &own;
+        let found = reduced(&own, cache)
+            .and_then(|reduced| lacking(&body.mesh, &body.spec, &reduced, &body.bores));
         let found = found.map_err(|error| body.explain(error))?;
-        say_body(text, &name, body, &found);
+        say_body(text, name, body, &found);
     }
     Ok(())
 }

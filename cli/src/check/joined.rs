@@ -39,6 +39,15 @@ pub(super) fn say(
         );
         turning(text, joined, built, &body.name, duration)?;
     }
+    for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
+        let frame = match own {
+            PlannedBody::Meshed(plan) => plan.frame.as_ref().filter(|_| !plan.rigid),
+            PlannedBody::Rigid(_) => None,
+        };
+        if let Some(frame) = frame {
+            line!(text, "the frame of {} turns with {frame}", body.name.text());
+        }
+    }
     line!(text, "{} active coordinates", built.machine.active());
     for (place, (joint, law)) in joined.joints.iter().zip(&plan.laws).enumerate() {
         let (c, circles) = plan.clearance(place);

@@ -16,6 +16,7 @@ use whirl_solver::model::Place;
 pub(crate) use self::body::BodyPlan;
 pub(super) use self::body::HoldingWords;
 pub(super) use self::driven::Turn;
+use self::geometry::stations::Extent;
 use super::laws::laws;
 use super::{meshes, outputs};
 use crate::case::{self, Fields, LawSource, Output, Rotor, RotorDraft};
@@ -91,6 +92,8 @@ pub(super) struct BearingOutline<'a> {
     pub(super) whole: Option<&'a case::Bearing>,
     /// Names of the bodies of journal and bore, where the case names bodies.
     pub(super) bodies: Option<[&'a str; 2]>,
+    /// Where its rings may stand, where its joint says more of that than its sets.
+    pub(super) extent: Option<Extent>,
 }
 
 impl<'a> From<&'a Rotor> for Outline<'a> {
@@ -104,6 +107,7 @@ impl<'a> From<&'a Rotor> for Outline<'a> {
                     sets: [&own.journal, &own.bore],
                     whole: Some(own),
                     bodies: None,
+                    extent: None,
                 })
                 .collect(),
             drive: Some(&rotor.drive),
@@ -123,6 +127,7 @@ impl<'a> From<&'a RotorDraft> for Outline<'a> {
                     sets: sets.each_ref().map(Vec::as_slice),
                     whole: own.as_ref(),
                     bodies: None,
+                    extent: None,
                 })
                 .collect(),
             drive: draft.drive.as_ref(),
@@ -240,6 +245,7 @@ impl OnShaft {
         let mut own = OnShaft { shaft: body, journals, drive: Place::Mean(0), loads };
         let shaft = &mut own.shaft;
         shaft.spec.stiffening = case.stiffening;
+        shaft.turning = true;
         for BearingOutline { sets: [sets, _], .. } in &outline.bearings {
             let mut journal = [0; 3];
             for (place, set) in sets.iter().take(3).enumerate() {
@@ -257,9 +263,11 @@ impl OnShaft {
         if let Some(drive) = outline.drive {
             own.drive = shaft.tie(drive, errors);
         }
-        for load in outline.loads {
-            own.loads.push(shaft.loaded(load, errors));
+        for (place, load) in outline.loads.iter().enumerate() {
+            let name = format!("load {}", place + 1);
+            own.loads.push(shaft.loaded((load, &name), errors));
         }
+        shaft.correct(errors);
         shaft.bound(errors);
         own
     }

@@ -12,12 +12,19 @@ use crate::workbench::Workbench;
 
 /// A bar of steel of 20 × 20 × 200 mm along z: 2 × 2 × 10 hexahedra with 20 nodes or 8.
 fn bar() -> String {
+    bar_with(|label| label, 0.0)
+}
+
+/// The bar with other labels of its nodes, which are 1 to 99, turned about its axis by an angle (rad).
+pub(super) fn bar_with(label: impl Fn(usize) -> usize, angle: f64) -> String {
+    let (sin, cos) = angle.sin_cos();
     let mut text = String::from("*NODE\n");
-    let node = |i: usize, j: usize, k: usize| 1 + i + 3 * j + 9 * k;
+    let node = |i: usize, j: usize, k: usize| label(1 + i + 3 * j + 9 * k);
     for k in 0..=10 {
         for j in 0..3 {
             for i in 0..3 {
                 let [x, y] = [i, j].map(|n| 0.01 * n as f64 - 0.01);
+                let [x, y] = [cos * x - sin * y, sin * x + cos * y];
                 writeln!(text, "{}, {x}, {y}, {}", node(i, j, k), 0.02 * k as f64).expect("text");
             }
         }

@@ -7,7 +7,10 @@ pub(crate) mod meshes;
 mod missing_sets;
 mod rings;
 mod single_terms;
+mod stated_loads;
 mod surfaces;
+mod turning_nodes;
+mod twisting;
 mod weight;
 
 use whirl_tests::History;

@@ -46,10 +46,18 @@ length = "8 mm"
 #[test]
 fn a_centred_ring_turns_at_petroffs_ratio() {
     for (inner, outer) in [(10.0, 10.0), (25.0, 10.0)] {
-        let done = run(&ring(inner, outer, "", &march("1e-4 s", 6000)), &[]);
-        let ratio = done.last("omega_ring_rad_s") / done.last("omega_rad_s");
+        let done = run(&ring(inner, outer, "", &march("1e-4 s", 3000)), &[]);
+        let ratio = |row: usize| {
+            let [ring, shaft] =
+                ["omega_ring_rad_s", "omega_rad_s"].map(|name| done.history.column(name)[row - 1]);
+            ring / shaft
+        };
+        // The torques are linear in the speed, which nears its end as e^-t/τ: three instants give it. (Unloaded films whirl in
+        // the end, from rounding on.)
+        let [a, b, c] = [1000, 2000, 3000].map(ratio);
+        let end = (a * c - b * b) / (a + c - 2.0 * b);
         let exact = 1.0 / (1.0 + outer / inner * (8.0 / 6.0) * 1.5_f64.powi(3) * 0.5);
-        assert!((ratio / exact - 1.0).abs() < 1e-3, "{ratio} for {exact}");
+        assert!((end / exact - 1.0).abs() < 1e-6, "{end} for {exact}");
     }
 }
 

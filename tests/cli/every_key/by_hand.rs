@@ -28,6 +28,8 @@ pub(super) struct ByHand {
     pub(super) motion: &'static str,
     pub(super) axial_restraint: &'static str,
     pub(super) stiffening: bool,
+    /// Whether the static answers to the loads are kept.
+    pub(super) answers_loads: bool,
     /// Set, direction (0, 1, 2), N/m.
     pub(super) ground_springs: Vec<(&'static str, usize, f64)>,
     pub(super) laws: Vec<Box<dyn SpringLaw>>,
@@ -161,7 +163,20 @@ impl ByHand {
                 nodes.extend(mesh.node_set(set).expect("a set of the mesh"));
             }
         }
-        Shaft::from_mesh(mesh, &body(mesh, 0, self, held, nodes)).expect("a shaft")
+        let mut spec = body(mesh, 0, self, held, nodes);
+        // The answers to each load along x and y, as it turns against the shaft.
+        for load in self.loads.iter().filter(|_| self.answers_loads) {
+            let sets = load.sets.iter().flat_map(|set| mesh.node_set(set).expect("a set"));
+            let nodes: Vec<usize> = sets.copied().collect();
+            for axis in [0, 1] {
+                let row: Vec<(usize, f64)> =
+                    nodes.iter().map(|node| (3 * node + axis, 1.0)).collect();
+                if !spec.corrections.contains(&row) {
+                    spec.corrections.push(row);
+                }
+            }
+        }
+        Shaft::from_mesh(mesh, &spec).expect("a shaft")
     }
 
     /// The support; its nodes are those of the bores, ring after ring.

@@ -210,6 +210,7 @@ fn a_generated_rotor_is_what_its_case_says() {
         motion: "hu2003",
         axial_restraint: "JOURNAL2_RIGHT",
         stiffening: true,
+        answers_loads: true,
         ground_springs: vec![
             ("GROUND_SPRINGS", 1, 2.3e6),
             ("BORE2_LEFT", 2, 4.1e5),
@@ -290,6 +291,7 @@ fn a_read_rotor_is_what_its_case_says() {
         motion: "consistent",
         axial_restraint: "JOURNAL4_LEFT",
         stiffening: false,
+        answers_loads: false,
         ground_springs: vec![("GROUND_SPRINGS", 1, 1.9e8)],
         laws: vec![film(), Box::new(Cubic)],
         bearings: vec![

@@ -9,7 +9,7 @@ use whirl_solver::mesh::matrices::{Files, Request};
 
 use super::Dimensions;
 use crate::case::library::{FileStore, resolve};
-use crate::case::rotor::{Body, MatrixFiles, Mesh};
+use crate::case::rotor::{Body, MatrixFiles, Mesh, StaticCorrection};
 use crate::case::selections;
 use crate::case::units::mesh_units;
 
@@ -50,7 +50,7 @@ pub(super) fn read(store: FileStore, table: &Table) -> Option<Body<Dimensions>> 
     Some(Body {
         modes,
         damping,
-        static_correction: None,
+        static_correction: StaticCorrection::default(),
         material: None,
         regions: Vec::new(),
         selections,

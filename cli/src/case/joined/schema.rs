@@ -44,7 +44,7 @@ pub(crate) const BODY: &[Key] = &[
     key(
         "static_correction",
         Flag,
-        "of a mesh with bores: true keeps the static answers to loads on them beside the modes",
+        "static answers kept beside the modes: to its loads if left out; true: to loads on its bores, too; false: none",
     ),
     key(
         "damping",

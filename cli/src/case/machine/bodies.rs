@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::crank::CrankThrow;
@@ -11,7 +11,9 @@ use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
 use super::super::library::{FileStore, resolve};
-use super::super::rotor::{Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, Support};
+use super::super::rotor::{
+    Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, StaticCorrection, Support,
+};
 use super::super::selections;
 use super::super::units::mesh_units;
 use super::materials::{Materials, material_of, regions};
@@ -26,11 +28,12 @@ fn read_shaft(store: FileStore, table: &Table, materials: &Materials) -> Option<
     let body = body(store, table, materials, solid_shaft);
     let motion = motion(table);
     let stiffening = table.optional_boolean("stiffening").unwrap_or(true);
+    let static_correction = answers_to_loads(table);
     Some(Shaft {
         axial_restraint: table.text_or_none("axial_restraint"),
         motion: motion.or_else(default_motion)?,
         stiffening,
-        body: body?,
+        body: Body { static_correction, ..body? },
     })
 }
 
@@ -47,10 +50,22 @@ fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Optio
     Some(Support { mounts, ground_springs, body: Body { static_correction, ..body? } })
 }
 
-/// Where static answers to loads on bores are asked for.
-pub(in crate::case) fn static_correction(table: &Table) -> Option<Located> {
-    let asked = table.optional_boolean("static_correction").unwrap_or(false);
-    asked.then(|| table.written("static_correction"))
+/// Static answers that are kept: to loads if nothing is said, to loads on bores, too, or none.
+pub(in crate::case) fn static_correction(table: &Table) -> StaticCorrection {
+    let said = table.optional_boolean("static_correction");
+    let bores = (said == Some(true)).then(|| table.written("static_correction"));
+    StaticCorrection { loads: said != Some(false), bores }
+}
+
+/// Whether the answers of a body without bores to loads are kept.
+fn answers_to_loads(table: &Table) -> StaticCorrection {
+    let own = static_correction(table);
+    if let Some(place) = own.bores {
+        let message = "`static_correction = true` keeps the answers to loads on bores, and the shaft has none";
+        let help = "leave it out: answers to the `[[load]]`s are kept anyway";
+        table.push(place.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    StaticCorrection { bores: None, ..own }
 }
 
 /// The springs of a body to the ground.
@@ -82,7 +97,7 @@ pub(in crate::case) fn body<D>(
     Some(Body {
         modes: table.count_or_one("modes"),
         damping: table.quantity("damping").unwrap_or(0.0),
-        static_correction: None,
+        static_correction: StaticCorrection::default(),
         material,
         regions,
         selections,

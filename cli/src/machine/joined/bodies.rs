@@ -97,6 +97,7 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     let mut plan = BodyPlan::new(mesh, &own.body, held_by);
     plan.spec.stiffening = own.stiffening;
     plan.rigid = own.rigid;
+    plan.turning = body.turning.is_some();
     plan.along = own.moves_along_z;
     let free = matches!(body.turning, Some(case::Turning::Free { .. }));
     plan.held_to_frame = body.turning.is_some() && held_against_turning(&plan.mesh, &own.held);
@@ -114,14 +115,15 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     Ok(PlannedBody::Meshed(Box::new(plan.saying(HoldingWords { springs, held: "held" }))))
 }
 
-/// Notes matrices that lack what is asked of the body.
+/// Notes matrices that lack what is asked of the body, or contradict each other there.
 fn suits(mesh: &Mesh, own: &MeshedBody, turns: bool) -> Result<(), Failure> {
     let Some(matrices) = mesh.matrices() else { return Ok(()) };
     let lacks = match (own.rigid, turns) {
         (true, _) => matrices.lacks_to_be_free("rigid"),
         (false, true) => matrices
             .lacks_to_be_free("that turns")
-            .or_else(|| matrices.lacks_to_turn(own.stiffening)),
+            .or_else(|| matrices.lacks_to_turn(own.stiffening))
+            .or_else(|| matrices.wrong_spin_load(mesh)),
         (false, false) => None,
     };
     let place = own.body.mesh.place();
@@ -174,7 +176,7 @@ impl PlannedBody {
     /// Where a load acts on it.
     pub(super) fn loaded(&mut self, load: &JoinedLoad, errors: &mut Diagnostics) -> Place {
         match self {
-            PlannedBody::Meshed(plan) => plan.loaded(&load.load, errors),
+            PlannedBody::Meshed(plan) => plan.loaded((&load.load, load.name.text()), errors),
             PlannedBody::Rigid(_) if matches!(load.load.acting, Acting::Couple(_)) => WHOLE,
             PlannedBody::Rigid(own) => {
                 let [x, y, z] = own.body.centre;
@@ -223,9 +225,14 @@ fn tie(
     let driven = joined.drives.iter().any(|drive| drive.body == place);
     match case.section.as_slice() {
         [] if driven => {}
-        [] if plan.tie_matrices(&joined.bodies[place].name) => {}
-        [] => section::tie(plan, &joined.bodies[place].name, errors),
+        [] if plan.cannot_turn() => {}
+        [] => {
+            let restraint = case.axial_restraint.as_ref();
+            section::tie(plan, &joined.bodies[place].name, restraint, errors);
+        }
         sets => {
+            let names: Vec<&str> = sets.iter().map(Located::text).collect();
+            plan.frame = Some(format!("the section {}", names.join(", ")));
             plan.tie(&section_of(sets), errors);
         }
     }

@@ -11,7 +11,7 @@ use super::{clearance, surfaces, turns};
 use crate::case::{JoinedMachine, JointKind};
 use crate::errors::Failure;
 use crate::machine::plan::BearingOutline;
-use crate::machine::plan::geometry::bearing;
+use crate::machine::plan::geometry::{bearing, stations};
 
 /// Notes whatever does not stand where it should: journals off the axis, bores beside them, radii that do not fit.
 pub(super) fn compare(
@@ -30,6 +30,7 @@ pub(super) fn compare(
         }
         if joint.sides.iter().any(|side| side.surface) {
             surfaces::compare(joint, own, bodies, warnings, errors);
+            stations::check(&own.bearing, own.extent(joint, bodies), errors);
             continue;
         }
         let of_journal = joined.bodies[own.sides.bodies[0]].axis;
@@ -43,7 +44,12 @@ pub(super) fn compare(
         let (journal, bore) = (about(own.sides.bodies[0])?, about(own.sides.bodies[1])?);
         let sets = [own.bearing.journal.as_slice(), own.bearing.bore.as_slice()];
         let names = joint.sides.each_ref().map(|side| side.place.text());
-        let outline = BearingOutline { sets, whole: Some(&own.bearing), bodies: Some(names) };
+        let outline = BearingOutline {
+            sets,
+            whole: Some(&own.bearing),
+            bodies: Some(names),
+            extent: Some(own.extent(joint, bodies)),
+        };
         bearing::compare(place, &outline, journal.as_deref(), bore.as_deref(), errors);
     }
     Ok(())

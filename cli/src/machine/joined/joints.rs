@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
+use whirl_codegen::rational::nearest;
 use whirl_solver::bearing::Sides;
 use whirl_solver::mesh::MeanComponent;
 use whirl_solver::mesh::measure::Circle;
@@ -11,12 +12,13 @@ use whirl_solver::mesh::measure::Circle;
 use super::bodies::retain_in_plane;
 use super::others::{self, PlannedOther};
 use super::planes::planes;
-use super::section::nodes_at;
+use super::section::{self, nodes_at};
 use super::{PlannedBody, at, clearance, meshed, surfaces, turns};
 use crate::case::{self, JoinedMachine, Joint, JointKind, JointSide};
 use crate::machine::laws::Measured;
 use crate::machine::plan::BodyPlan;
 use crate::machine::plan::geometry::nodes_of;
+use crate::machine::plan::geometry::stations::Extent;
 use crate::machine::rotor;
 use crate::machine::springs::angles;
 
@@ -61,6 +63,41 @@ impl PlannedJoint {
         if acts {
             plan.add_bore(joint.name.text().to_owned(), self.sides.bore_axis, rings);
         }
+    }
+
+    /// Where its rings may stand: between the ends of what its meshes have; along a rigid journal over the length of the
+    /// bearing, if that is known.
+    pub(super) fn extent(&self, joint: &Joint, bodies: &[PlannedBody]) -> Extent {
+        let meshed = |side: &JointSide| {
+            !side.sets.is_empty() && side.body.is_some_and(|body| bodies[body].meshed().is_some())
+        };
+        let [left, middle, right] = self.z;
+        let on_mesh = joint.sides.iter().any(meshed);
+        if !on_mesh && self.bearing.stations.len() > 1 {
+            let length = self.bearing.facts.length.as_ref().map(nearest);
+            return length.map_or(Extent::Open, |length| {
+                Extent::Ends([middle - 0.5 * length, middle + 0.5 * length])
+            });
+        }
+        match left == right {
+            true => Extent::plane(middle, self.bearing.journal_radius),
+            false => Extent::Ends([left, right]),
+        }
+    }
+
+    /// A warning where the torque of a joint finds no section of its journal to act on.
+    pub(super) fn torque_on_frame(&self, joint: &Joint, bodies: &[PlannedBody]) -> Option<String> {
+        let plan = bodies[self.sides.bodies[0]].meshed().filter(|plan| !plan.rigid)?;
+        let torque = joint.kind != JointKind::Coupling && self.bearing.law.source.gives_torque();
+        (torque && self.sides.torque_section.is_none()).then(|| {
+            format!(
+                "{}: the nodes of the journal of `{}` show no turn of a section of {}: the torque of its law turns the body as a \
+                 whole and twists nothing; name sets of nodes around the axis",
+                joint.name.source().path.display(),
+                joint.name.text(),
+                plan.mesh.origin()
+            )
+        })
     }
 
     /// What meshes say of it.
@@ -117,6 +154,11 @@ pub(super) fn place(
                 sides.sections[place] = turning_section(side, plan, errors);
             }
         }
+    }
+    if let (false, true, PlannedBody::Meshed(plan)) =
+        (coupling, bearing.law.source.gives_torque(), &mut bodies[first])
+    {
+        sides.torque_section = torque_section(&joint.sides[0], plan);
     }
     let of_journal = if turns(joined, first) { [0.0; 2] } else { own };
     let journal = journal(joint, &mut bodies[first], (of_journal, z), errors)?;
@@ -195,6 +237,16 @@ fn turning_section(
         errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
         return None;
     }
+    plan.retain_mean(set, place, MeanComponent::Rotation(2));
+    Some(place)
+}
+
+/// The section of a journal that the torque of its joint turns, as a place among the means, its turn retained: that of the
+/// middle of its sets. None of a rigid body, and where the set shows no section.
+fn torque_section(side: &JointSide, plan: &mut BodyPlan) -> Option<usize> {
+    let set = side.sets.get(side.sets.len() / 2).filter(|_| !plan.rigid)?;
+    let nodes = section::of_set(&plan.mesh, set)?;
+    let place = plan.mean(&nodes);
     plan.retain_mean(set, place, MeanComponent::Rotation(2));
     Some(place)
 }

@@ -80,6 +80,8 @@ impl JoinedPlan {
             joints.extend(placed);
         }
         if joints.len() == joined.joints.len() {
+            let placed = joined.joints.iter().zip(&joints);
+            warnings.extend(placed.filter_map(|(joint, own)| own.torque_on_frame(joint, &bodies)));
             compare::compare(joined, &joints, &bodies, warnings, &mut errors)?;
         }
         let (mut drives, mut loads) = (Vec::new(), Vec::new());
@@ -101,10 +103,10 @@ impl JoinedPlan {
             own.add_bore(joint, &mut bodies);
         }
         for (place, body) in bodies.iter_mut().enumerate() {
+            body.hold(place, joined, &mut errors);
             if let PlannedBody::Meshed(plan) = &mut *body {
                 plan.correct(&mut errors);
             }
-            body.hold(place, joined, &mut errors);
         }
         // Last, so that their points are the last nodes of their bodies.
         let outputs = outputs::places(wanted, |body, set, z| match (&mut bodies[body], set) {

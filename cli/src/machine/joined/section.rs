@@ -1,16 +1,15 @@
 //! Sections of meshes: all nodes at a z, and the one of a turning mesh whose mean rotation is that of its frame, where
-//! neither a drive nor the case names it.
+//! neither a drive nor the case names it. It follows from where nodes are, whatever their order and however the machine is
+//! turned about its axis.
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 
-use whirl_solver::body::Retained;
-
-use super::at;
+use crate::machine::plan::geometry::mm;
 use crate::machine::plan::{BodyPlan, Turn};
-use whirl_solver::mesh::Mesh;
 
-/// Nodes are opposite if one is the mirror image of the other to this part of their distance from the axis.
-const OPPOSITE: f64 = 1e-3;
+/// The centre of a section is off the axis by at most this part of how far its nodes reach.
+const CENTRED: f64 = 0.1;
 
 /// Nodes stand in one section to this part of the body's length.
 const FLAT: f64 = 1e-5;
@@ -29,88 +28,72 @@ pub(super) fn nodes_at(mesh: &Mesh, z: f64) -> Vec<usize> {
     (0..mesh.placed()).filter(flat).collect()
 }
 
-/// Ties two opposite nodes: they move alike along the tangent, at the z at which the body is held.
-pub(super) fn tie(plan: &mut BodyPlan, name: &Located, errors: &mut Diagnostics) {
-    let last = plan.spec.retained.iter().rev().find_map(Retained::single);
-    let z = plan.mesh.nodes()[last.unwrap_or(0) / 3][2];
-    let Some([top, bottom]) = opposite(&plan.mesh.nodes()[..plan.mesh.placed()], z) else {
+/// Ties a turning mesh to its frame by the mean rotation of the section of its `axial_restraint`; a body without such a
+/// section, and one that turns freely, by that of the whole body.
+pub(super) fn tie(
+    plan: &mut BodyPlan,
+    name: &Located,
+    restraint: Option<&Located>,
+    errors: &mut Diagnostics,
+) {
+    let restraint = restraint.filter(|_| !plan.mean_frame);
+    if let Some((set, nodes)) = restraint.and_then(|set| Some((set, of_set(&plan.mesh, set)?))) {
+        let (mean, component) = (plan.mean(&nodes), MeanComponent::Rotation(2));
+        let terms = vec![(plan.retain_mean(set, mean, component), 1.0)];
+        plan.frame = Some(format!(
+            "the section of its `axial_restraint` {}, {} nodes at z = {}",
+            set.text(),
+            nodes.len(),
+            mm(plan.spec.means[mean].centre()[2])
+        ));
+        plan.turns_with_frame(Turn { name: format!("torsion of {}", name.text()), terms });
+        return;
+    }
+    let Some(nodes) = whole(&plan.mesh) else {
         let message = format!(
-            "{} has no two nodes at opposite ends of a diameter by which its rotation could be told",
+            "all nodes of {} stand on one line along its axis: nothing tells its rotation",
             plan.mesh.origin()
         );
-        let help = "name a set of nodes around the axis, such as a journal: `section = \"JOURNAL\"`; or two of one node each, \
-                    opposite to each other";
+        let help =
+            "name a set of nodes around the axis, such as a journal: `section = \"JOURNAL\"`";
         errors.push(name.error_here(Code::BAD_VALUE, message).help(help));
         return;
     };
-    let [x, y, _] = plan.mesh.nodes()[top];
-    let radius = x.hypot(y);
-    let mut terms = Vec::new();
-    for (node, sign) in [(top, 1.0), (bottom, -1.0)] {
-        let label = at(name, format!("node {}", plan.mesh.labels()[node]));
-        for (axis, part) in [(0, -y / radius), (1, x / radius)] {
-            if part.abs() > OPPOSITE {
-                terms.push((plan.retain(&label, node, axis), sign * part));
-            }
-        }
-    }
-    terms.sort_by(|(_, a), (_, b)| b.abs().total_cmp(&a.abs()));
+    plan.mean_frame = true;
+    plan.frame = Some("the mean rotation of the whole body".to_owned());
+    let mean = plan.mean(&nodes);
+    let terms = vec![(plan.retain_mean(name, mean, MeanComponent::Rotation(2)), 1.0)];
     plan.turns_with_frame(Turn { name: format!("torsion of {}", name.text()), terms });
 }
 
-/// Two opposite nodes, far from the axis, in the plane nearest to `z` that has some; along x if there are such.
-fn opposite(nodes: &[[f64; 3]], z: f64) -> Option<[usize; 2]> {
-    let farthest = nodes.iter().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);
-    let mut order: Vec<usize> = (0..nodes.len())
-        .filter(|&node| {
-            nodes[node][0] > 0.0 && nodes[node][0].hypot(nodes[node][1]) > 0.1 * farthest
-        })
-        .collect();
-    // Nearest plane first, then along x, then far out; z to a thousandth of the radius, as planes are only flat to
-    // the digits of meshes.
-    let plane = |node: usize| ((nodes[node][2] - z).abs() / (OPPOSITE * farthest)).round();
-    let slant = |node: usize| (nodes[node][1] / nodes[node][0]).abs();
-    let radius = |node: usize| nodes[node][0].hypot(nodes[node][1]);
-    order.sort_by(|&a, &b| {
-        plane(a)
-            .total_cmp(&plane(b))
-            .then((slant(a) > OPPOSITE).cmp(&(slant(b) > OPPOSITE)))
-            .then(radius(b).total_cmp(&radius(a)))
-            .then(a.cmp(&b))
-    });
-    // A mesh without opposite nodes near the plane has none elsewhere, most likely.
-    const TRIED: usize = 200;
-    order.iter().take(TRIED).find_map(|&top| {
-        let [x, y, z] = nodes[top];
-        let allowed = OPPOSITE * radius(top);
-        let near = |other: &[f64; 3]| {
-            (other[0] + x).abs() <= allowed
-                && (other[1] + y).abs() <= allowed
-                && (other[2] - z).abs() <= allowed
-        };
-        Some([top, nodes.iter().position(near)?])
+/// Nodes whose mean rotation is that of a body: all of a mesh; of matrices those that have displacements across the axis, or
+/// else those that turn by dofs of their own.
+fn whole(mesh: &Mesh) -> Option<Vec<usize>> {
+    let all: Vec<usize> = (0..mesh.placed()).collect();
+    let moves = |dof: usize| mesh.matrices().is_none_or(|own| own.has(dof));
+    let across = |node: &&usize| moves(3 * **node) && moves(3 * **node + 1);
+    let across: Vec<usize> = all.iter().filter(across).copied().collect();
+    let turned =
+        |node: &&usize| NodeSetMean::new(mesh, &[**node]).is_ok_and(|mean| mean.turns_about(2));
+    let shows =
+        |nodes: &Vec<usize>| NodeSetMean::new(mesh, nodes).is_ok_and(|mean| mean.turns_about(2));
+    Some(across).filter(shows).or_else(|| {
+        let turned: Vec<usize> = all.iter().filter(turned).copied().collect();
+        Some(turned).filter(shows)
     })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::opposite;
-
-    #[test]
-    fn opposite_nodes_stand_along_x_in_the_nearest_plane() {
-        let nodes = [
-            [0.0, 0.0, 0.1],
-            [0.02, 0.02, 0.1],
-            [-0.02, -0.02, 0.1],
-            [0.03, 0.0, 0.1],
-            [-0.03, 0.0, 0.1],
-            [0.03, 0.0, 0.5],
-            [-0.03, 0.0, 0.5],
-        ];
-        assert_eq!(opposite(&nodes, 0.12), Some([3, 4]));
-        assert_eq!(opposite(&nodes, 0.5), Some([5, 6]));
-        assert_eq!(opposite(&nodes[..3], 0.5), Some([1, 2]));
-        assert_eq!(opposite(&nodes[..2], 0.5), None);
-        assert_eq!(opposite(&[], 0.5), None);
-    }
+/// The nodes of the section that a set stands for: its own, or of one node those at its z. None where these show no rotation
+/// about the axis: they stand on it, on one side of it, or are fewer than three.
+pub(super) fn of_set(mesh: &Mesh, set: &Located) -> Option<Vec<usize>> {
+    let nodes = match mesh.node_set(set.text()).ok()? {
+        [one] => nodes_at(mesh, mesh.nodes()[*one][2]),
+        nodes => nodes.to_vec(),
+    };
+    let mean = NodeSetMean::new(mesh, &nodes).ok()?;
+    let reach = |node: &usize| mesh.nodes()[*node][0].hypot(mesh.nodes()[*node][1]);
+    let farthest = nodes.iter().map(reach).fold(0.0, f64::max);
+    let [x, y, _] = mean.centre();
+    let around = nodes.len() > 2 && x.hypot(y) <= CENTRED * farthest;
+    (mean.turns_about(2) && (around || mean.has_turns())).then_some(nodes)
 }

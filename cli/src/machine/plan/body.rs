@@ -13,9 +13,10 @@ use whirl_solver::contacts::{BoreNodes, patterns};
 use whirl_solver::error::{Error, ReductionError};
 use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 use whirl_solver::model::{Form, MeshModel, Point};
+use whirl_solver::reduction::Row;
 
 use super::AXES;
-use crate::case;
+use crate::case::{self, StaticCorrection};
 use crate::machine::Counts;
 use crate::memory;
 
@@ -41,12 +42,18 @@ pub(crate) struct BodyPlan {
     pub(in crate::machine) along: bool,
     /// Its bores, and where the case asks for static answers to loads on them.
     pub(crate) bores: Vec<BoreNodes>,
-    static_correction: Option<Located>,
+    static_correction: StaticCorrection,
+    /// Loads of the case on it, by name, as unit loads on its dofs.
+    pub(crate) loads: Vec<(String, Row)>,
+    /// Whether it turns, so that what is fixed in space acts along x and y of it.
+    pub(in crate::machine) turning: bool,
     /// Whether what is held keeps it from turning in its frame.
     pub(in crate::machine) held_to_frame: bool,
     /// Whether it turns freely, in the frame in which deformations have no angular momentum; else a section turns with the
     /// frame.
     pub(in crate::machine) mean_frame: bool,
+    /// Whose mean rotation is that of the frame, in words; none where a drive says it, or where nothing turns.
+    pub(crate) frame: Option<String>,
     /// Place of the retained motion that follows from the others in such a frame.
     pub(in crate::machine) follows: Option<usize>,
     /// The set of each of its springs to the ground, as the case says it.
@@ -100,10 +107,13 @@ impl BodyPlan {
             made_from,
             bores: Vec::new(),
             static_correction: case.static_correction.clone(),
+            loads: Vec::new(),
+            turning: false,
             rigid: false,
             along: false,
             held_to_frame: false,
             mean_frame: false,
+            frame: None,
             follows: None,
             sprung: Vec::new(),
             words,
@@ -120,9 +130,16 @@ impl BodyPlan {
         self.bores.push(BoreNodes { name, rings, axis });
     }
 
-    /// Asks for static answers to loads on all bores, if the case does.
+    /// Asks for static answers to the loads of the case, unless it says otherwise, and to loads on all bores, if it does.
     pub(in crate::machine) fn correct(&mut self, errors: &mut Diagnostics) {
-        let Some(place) = &self.static_correction else { return };
+        if self.static_correction.loads && !self.all_modes {
+            for (_, load) in &self.loads {
+                if !self.is_answered(load) {
+                    self.spec.corrections.push(load.clone());
+                }
+            }
+        }
+        let Some(place) = &self.static_correction.bores else { return };
         if self.bores.is_empty() {
             let message = format!(
                 "`static_correction` keeps the answers to loads on bores, and {} has none",
@@ -137,6 +154,16 @@ impl BodyPlan {
             let Ok(patterns) = patterns(&self.mesh, bore) else { continue };
             self.spec.corrections.extend(patterns.into_iter().map(|own| own.load));
         }
+    }
+
+    /// Whether what is retained or held answers a load, or another correction does.
+    fn is_answered(&self, load: &Row) -> bool {
+        let spec = &self.spec;
+        let known = |dof: &usize| {
+            spec.held.contains(dof) || spec.retained.iter().any(|own| own.single() == Some(*dof))
+        };
+        let rows = spec.retained.iter().map(|own| &own.terms).chain(&spec.corrections);
+        load.iter().all(|(dof, _)| known(dof)) || { rows }.any(|own| own == load)
     }
 
     /// The body with other words for what holds it.

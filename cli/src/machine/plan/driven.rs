@@ -17,13 +17,17 @@ impl BodyPlan {
     /// Where a load acts: on each node of its sets, or on their mean motion.
     pub(in crate::machine) fn loaded(
         &mut self,
-        load: &case::Load,
+        (load, name): (&case::Load, &str),
         errors: &mut Diagnostics,
     ) -> Place {
         let nodes: Vec<usize> = load.sets.iter().flat_map(|set| self.nodes(set, errors)).collect();
         self.carries(load, &nodes, errors);
         let couple = match load.acting {
-            Acting::Force(_) if load.spread == Spread::Each => {
+            Acting::Force(force) if load.spread == Spread::Each => {
+                for axis in self.acts_along(force) {
+                    let row = nodes.iter().map(|node| (3 * node + axis, 1.0)).collect();
+                    self.loads.push((name.to_owned(), row));
+                }
                 return Place::Nodes(
                     nodes.into_iter().map(|node| self.output_node(node)).collect(),
                 );
@@ -46,7 +50,21 @@ impl BodyPlan {
                 errors.push(load.place.error_here(Code::BAD_VALUE, message).help(help));
             }
         }
+        let (parts, component): (_, fn(usize) -> MeanComponent) = match load.acting {
+            Acting::Force(force) => (force, MeanComponent::Displacement),
+            Acting::Couple(couple) => (couple, MeanComponent::Rotation),
+        };
+        for axis in self.acts_along(parts) {
+            let row = self.spec.means[mean].row(component(axis));
+            self.loads.push((name.to_owned(), row));
+        }
         Place::Mean(mean)
+    }
+
+    /// Axes of the body along which a force or a couple acts: along x and y where either turns against the body.
+    fn acts_along(&self, parts: [f64; 3]) -> Vec<usize> {
+        let across = self.turning && (parts[0] != 0.0 || parts[1] != 0.0);
+        (0..3).filter(|&axis| parts[axis] != 0.0 || across && axis < 2).collect()
     }
 
     /// The section of a drive, or of a body, turns with the frame, which ties the flexible shaft to it; where the couple

@@ -4,6 +4,7 @@
 pub(in crate::machine) mod bearing;
 mod place;
 mod sets;
+pub(in crate::machine) mod stations;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::Mesh;
@@ -11,6 +12,7 @@ use whirl_solver::mesh::Mesh;
 pub(in crate::machine) use self::place::{mm, nodes_of};
 
 use self::place::single;
+use self::stations::at_one_place;
 use super::{BearingOutline, Outline};
 use crate::case::{self, Acting, Spread};
 
@@ -65,7 +67,10 @@ fn twice(
             other.whole.is_some_and(|other| {
                 let apart = !whole.stations.is_empty()
                     && !other.stations.is_empty()
-                    && !whole.stations.iter().any(|z| other.stations.contains(z));
+                    && !whole
+                        .stations
+                        .iter()
+                        .any(|z| other.stations.iter().any(|other| at_one_place(*other, *z)));
                 other.law.source.name() == whole.law.source.name() && !apart
             }) && of(other).as_ref() == Some(&stands)
         });

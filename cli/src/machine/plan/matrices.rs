@@ -2,11 +2,10 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 
-use whirl_solver::body::Retained;
 use whirl_solver::mesh::matrices::TurnAboutZ;
 
+use super::AXES;
 use super::body::BodyPlan;
-use super::{AXES, Turn};
 use crate::case::{self, Acting};
 
 /// Dofs beside those that are retained of which all modes are kept where the case does not say how many.
@@ -46,27 +45,12 @@ impl BodyPlan {
         self.spec.modes = if self.all_modes { most } else { spec.modes.min(most) };
     }
 
-    /// Ties a body of matrices that turns to its frame by the turn of a node, or not at all where nothing of it could turn about
-    /// its axis; false where it is to be tied as a mesh.
-    pub(in crate::machine) fn tie_matrices(&mut self, name: &Located) -> bool {
+    /// Whether nothing of a body of matrices could turn about its axis, so that nothing ties it to its frame.
+    pub(in crate::machine) fn cannot_turn(&mut self) -> bool {
         let found = self.mesh.matrices().map(|own| own.turn_about_z(&self.mesh));
-        match found {
-            None | Some(TurnAboutZ::Displacements) => false,
-            Some(TurnAboutZ::Nothing) => {
-                self.mean_frame = false;
-                true
-            }
-            Some(TurnAboutZ::Dof(dof)) => {
-                let label = self.mesh.labels()[dof / 3];
-                self.spec
-                    .retained
-                    .push(Retained::dof(dof, format!("turn of node {label} about z")));
-                self.retained_for.push(name.clone());
-                let terms = vec![(self.spec.retained.len() - 1, 1.0)];
-                self.turns_with_frame(Turn { name: format!("torsion of {}", name.text()), terms });
-                true
-            }
-        }
+        let nothing = found == Some(TurnAboutZ::Nothing);
+        self.mean_frame &= !nothing;
+        nothing
     }
 
     /// Notes a set of which a body of matrices has only some nodes.

@@ -10,6 +10,7 @@ use self::planes::Length;
 use super::super::BearingOutline;
 use super::place::{digits, list, mm};
 use super::sets::{Bore, Journal};
+use super::stations::{self, Extent};
 use crate::case;
 
 /// The axes of journal and bore are apart by at most this part of the clearance, which knows nothing of it.
@@ -43,15 +44,16 @@ pub(in crate::machine) fn compare(
     {
         return;
     }
-    match own.length(journal.as_ref(), bore.as_ref()) {
-        Length::Planes(ends) => {
-            own.stations(ends);
-            if let Some(bore) = &bore {
-                own.rings(bore, ends, journal.as_ref());
-            }
-        }
-        Length::OnePlane(z, radius) => own.one_station(z, radius),
-        Length::Wrong => {}
+    let length = own.length(journal.as_ref(), bore.as_ref());
+    let extent = match length {
+        Length::Planes(ends) => Extent::Ends(ends),
+        Length::OnePlane(z, radius) => Extent::plane(z, radius),
+        Length::Unknown => Extent::Open,
+        Length::Wrong => return,
+    };
+    stations::check(whole, outline.extent.unwrap_or(extent), own.errors);
+    if let (Length::Planes(ends), Some(bore)) = (length, &bore) {
+        own.rings(bore, ends, journal.as_ref());
     }
 }
 

@@ -1,20 +1,20 @@
-//! Where a bearing stands along the axis: its planes from left to right, and its stations within them.
+//! Where a bearing stands along the axis: its planes from left to right.
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Located};
+use whirl_codegen::diagnostic::Located;
 
 use super::super::place::{digits, mm};
 use super::super::sets::{Bore, Journal, PLANES, same};
 use super::Comparison;
 
-/// Springs stand beyond the ends of a bearing by at most this part of its length.
-const BEYOND: f64 = 1e-3;
-
 /// Where the planes of a bearing stand along the axis.
+#[derive(Clone, Copy)]
 pub(super) enum Length {
     /// z of the left and the right end.
     Planes([f64; 2]),
-    /// All in one, at this z, of a bore of this radius.
-    OnePlane(f64, f64),
+    /// All in one, at this z, of a bore of this radius, if it has one.
+    OnePlane(f64, Option<f64>),
+    /// In order as far as there are some; the journal's are not known.
+    Unknown,
     /// Not in order, which has been noted.
     Wrong,
 }
@@ -28,8 +28,8 @@ impl Comparison<'_, '_> {
             let z = journal.planes()[1];
             match (one_bore, self.whole.stations.len()) {
                 (Some(true) | None, 1) => {
-                    let radius = bore.map_or(f64::INFINITY, |bore| bore.radii()[0]);
-                    if let Some(bore) = bore {
+                    let radius = bore.map(|bore| bore.radii()[0]);
+                    if let (Some(bore), Some(radius)) = (bore, radius) {
                         self.one_ring(bore, z, radius);
                     }
                     return Length::OnePlane(z, radius);
@@ -45,7 +45,7 @@ impl Comparison<'_, '_> {
                 None if self.whole.stations.len() == 1 => {
                     let (z, radius) = (bore.planes()[1], bore.radii()[0]);
                     self.one_ring(bore, z, radius);
-                    return Length::OnePlane(z, radius);
+                    return Length::OnePlane(z, Some(radius));
                 }
                 None => self.one_set(&bore.sets[0], bore.planes()[1]),
             }
@@ -67,7 +67,8 @@ impl Comparison<'_, '_> {
                 let [left, _, right] = journal.planes();
                 Length::Planes([left, right])
             }
-            _ => Length::Wrong,
+            (None, true) => Length::Unknown,
+            (_, false) => Length::Wrong,
         }
     }
 
@@ -128,51 +129,5 @@ impl Comparison<'_, '_> {
         };
         self.note(&sets[1], message, help);
         false
-    }
-
-    /// Rings of springs stand within the bearing, each at its own place.
-    pub(super) fn stations(&mut self, [left, right]: [f64; 2]) {
-        let length = right - left;
-        let stations = &self.whole.stations;
-        let mut found: Vec<Diagnostic> = Vec::new();
-        for (place, &z) in stations.iter().enumerate() {
-            let key = format!("stations[{place}]");
-            let at = self.place_of(&key);
-            let apart = (left - z).max(z - right);
-            if apart > BEYOND * length {
-                let message = format!(
-                    "the station at z = {} is {} outside the bearing, which goes from {} to {}",
-                    mm(z),
-                    mm(apart),
-                    mm(left),
-                    mm(right)
-                );
-                let help = "write a z between these ends, or correct the sets of the bearing";
-                found.push(at.error_here(Code::BAD_VALUE, message).help(help));
-            } else if stations[..place].iter().any(|other| (other - z).abs() <= BEYOND * length) {
-                let message = format!(
-                    "a ring of springs stands at z = {} already: it would act twice",
-                    mm(z)
-                );
-                let help = "take one of them out";
-                found.push(at.error_here(Code::BAD_VALUE, message).help(help));
-            }
-        }
-        found.into_iter().for_each(|error| self.errors.push(error));
-    }
-
-    /// The station of a bearing in one plane is in it.
-    pub(super) fn one_station(&mut self, z: f64, radius: f64) {
-        let station = self.whole.stations[0];
-        if !((station - z).abs() <= PLANES * radius) {
-            let message = format!(
-                "the station at z = {} is {} off the plane of the bearing at {}",
-                mm(station),
-                mm((station - z).abs()),
-                mm(z)
-            );
-            let help = format!("write `stations = [\"{}\"]`, or correct the sets", mm(z));
-            self.note(&self.place_of("stations[0]"), message, help);
-        }
     }
 }
