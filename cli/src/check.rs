@@ -79,7 +79,7 @@ pub(crate) fn of_case(
     let build = || machine::build(case, plan.as_ref(), cache, warnings);
     let built = progress::during(show, case.reducing(), build)?;
     if let (System::Joined(joined), Some(Plan::Joined(plan))) = (&case.system, &plan) {
-        joined::say(&mut text, joined, plan, &built, case.march.duration())?;
+        joined::say(&mut text, joined, plan, &built, case.run())?;
     }
     contacts::say_loads(&mut text, case, (plan.as_ref(), contacts), cache)?;
     if contacts {

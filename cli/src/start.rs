@@ -69,6 +69,9 @@ pub(crate) fn described(case: &Case, built: &Built) -> Result<Option<String>, Fa
         Start::State(folder) => {
             let last = read(Path::new(folder.text()), None)?;
             last.check(&built.machine).map_err(|error| refused(folder.text(), error))?;
+            if let Some(fields) = &case.fields {
+                fields.check_times([last.time(), last.time() + case.march.duration()])?;
+            }
             Some(going_on(folder.text(), &last))
         }
     })

@@ -1,4 +1,4 @@
-//! Curves through the rows of a table: straight lines, or cubics with a continuous slope; periodic or not.
+//! Curves through the rows of a table: straight lines, or monotone cubics with a continuous slope; periodic or not.
 
 use crate::error::Error;
 
@@ -12,7 +12,19 @@ pub struct Curve {
     slopes: Option<Vec<f64>>,
     /// The first and the last row are one.
     periodic: bool,
+    /// The largest |y| of a row.
+    largest: f64,
 }
+
+/// Points of a cubic that count as rows do, from row to row: of one that rises from 0 to 1 and is level at both ends, the lines
+/// between them are off by 1.2 % at most.
+const EIGHTHS: usize = 8;
+
+/// Part of the values at a row and at both ends of a step by which the row may lie off the straight line between the ends:
+/// between 23 values in a period of a sine lies (2π/23)²/8 of its amplitude.
+const RESOLVED: f64 = 0.01;
+/// The same of the largest value of all, below which it is of no account.
+const NEGLIGIBLE: f64 = 1e-3;
 
 impl Curve {
     /// Straight lines through rows (x, y).
@@ -22,18 +34,18 @@ impl Curve {
     pub fn linear(rows: &[[f64; 2]], periodic: bool) -> Result<Curve, Error> {
         check(rows, periodic)?;
         let column = |k: usize| rows.iter().map(|row| row[k]).collect();
-        Ok(Curve { x: column(0), y: column(1), slopes: None, periodic })
+        let largest = rows.iter().fold(0.0, |most: f64, row| most.max(row[1].abs()));
+        Ok(Curve { x: column(0), y: column(1), slopes: None, periodic, largest })
     }
 
-    /// Cubics through rows (x, y) with a continuous slope: at a row that of the parabola through it and its neighbours, so
-    /// that values are of third order in the distance of the rows at least.
+    /// Cubics through rows (x, y) with a continuous slope, monotone wherever the rows are: see `whirl_slopes`.
     ///
     /// # Errors
     /// Fewer than two rows, x that does not rise, values that are no numbers; a periodic curve that does not end with the
     /// value with which it begins.
     pub fn smooth(rows: &[[f64; 2]], periodic: bool) -> Result<Curve, Error> {
         let curve = Curve::linear(rows, periodic)?;
-        let slopes = slopes(&curve.x, &curve.y, periodic);
+        let slopes = whirl_slopes::slopes(&curve.x, &curve.y, periodic);
         Ok(Curve { slopes: Some(slopes), ..curve })
     }
 
@@ -48,6 +60,60 @@ impl Curve {
         let row = (0..self.x.len() - 1).rev().find(falls)?;
         let share = self.y[row] / (self.y[row] - self.y[row + 1]);
         Some(self.x[row] + share * (self.x[row + 1] - self.x[row]))
+    }
+
+    /// After which x it is periodic, if it is.
+    pub(crate) fn period(&self) -> Option<f64> {
+        self.periodic.then(|| self.x[self.x.len() - 1] - self.x[0])
+    }
+
+    /// Points between two x, in the order of their x: rows, and of cubics eighths between them, those of whole periods again and
+    /// again; none where there is a period between the two or more, which no point could mend.
+    pub(crate) fn between_ends(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+        let (least, most) = (from.min(to), from.max(to));
+        let period = self.period();
+        let shows = period.is_none_or(|period| most - least < period);
+        let first = period.map_or(0.0, |period| ((least - self.x[0]) / period).floor());
+        let parts = if self.slopes.is_some() { EIGHTHS } else { 1 };
+        let last = (self.x.len() - 1) * parts;
+        let periods = if self.periodic { 2 } else { 1 };
+        let moved = (0..if shows { periods } else { 0 }).flat_map(move |k| {
+            let by = period.map_or(0.0, |period| (first + f64::from(k)) * period);
+            let [start, end] = [least, most].map(|x| self.x.partition_point(|own| own + by <= x));
+            // The first row of a periodic curve is the last one of the period before.
+            let points = (start.saturating_sub(1) * parts).max(usize::from(self.periodic));
+            (points..=(end * parts).min(last)).map(move |point| {
+                let [x, y] = self.point(point / parts, point % parts);
+                [x + by, y]
+            })
+        });
+        moved.filter(move |[x, _]| *x > least && *x < most)
+    }
+
+    /// So many eighths of the way behind a row.
+    fn point(&self, row: usize, eighths: usize) -> [f64; 2] {
+        if eighths == 0 {
+            return [self.x[row], self.y[row]];
+        }
+        let part = eighths as f64 / EIGHTHS as f64;
+        let x = self.x[row] + part * (self.x[row + 1] - self.x[row]);
+        [x, self.between(row, x)[0]]
+    }
+
+    /// Whether a straight line between two x stays so close to the points between them that nothing of the curve is lost; of values
+    /// far smaller than others of the curve nothing is.
+    pub(crate) fn is_resolved(&self, [from, to]: [f64; 2]) -> bool {
+        let mut points = self.between_ends([from, to]).peekable();
+        if points.peek().is_none() {
+            return true;
+        }
+        let [start, end] = [from, to].map(|x| self.value(x));
+        let (mut size, mut off) = (start.abs().max(end.abs()), 0.0_f64);
+        for [x, y] in points {
+            size = size.max(y.abs());
+            off = off.max((y - start - (end - start) * ((x - from) / (to - from))).abs());
+        }
+        off <= f64::max(RESOLVED * size, NEGLIGIBLE * self.largest)
     }
 
     /// y at x.
@@ -122,32 +188,6 @@ fn check(rows: &[[f64; 2]], periodic: bool) -> Result<(), Error> {
     Ok(())
 }
 
-fn slopes(x: &[f64], y: &[f64], periodic: bool) -> Vec<f64> {
-    let last = x.len() - 1;
-    let width = |i: usize| x[i + 1] - x[i];
-    let secant = |i: usize| (y[i + 1] - y[i]) / width(i);
-    // Of the parabola through three rows, in the middle and at an end.
-    let middle =
-        |i: usize, j: usize| (secant(i) * width(j) + secant(j) * width(i)) / (width(i) + width(j));
-    let end = |near: usize, far: usize| {
-        secant(near) + (secant(near) - secant(far)) * width(near) / (width(near) + width(far))
-    };
-    let slope = |i: usize| match i {
-        _ if last == 1 => {
-            if periodic {
-                0.0
-            } else {
-                secant(0)
-            }
-        }
-        i if periodic && (i == 0 || i == last) => middle(last - 1, 0),
-        0 => end(0, 1),
-        i if i == last => end(last - 1, last - 2),
-        i => middle(i - 1, i),
-    };
-    (0..=last).map(slope).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -163,15 +203,22 @@ mod tests {
     }
 
     #[test]
-    fn a_smooth_curve_is_of_third_order_and_has_a_continuous_slope() {
+    fn a_smooth_curve_is_of_third_order_but_at_extremes_and_has_a_continuous_slope() {
+        // Everywhere; and where no extreme is near, whose intervals reach to π/10 at most.
         let errors = [40, 80].map(|count| {
             let curve = Curve::smooth(&rows(count), true).expect("a curve");
-            (0..1000).fold(0.0, |most: f64, i| {
+            let error = |most: [f64; 2], i: i32| {
                 let x = -7.0 + 0.02 * f64::from(i);
-                most.max((curve.value(x) - (x + 0.3).sin()).abs())
-            })
+                let error = (curve.value(x) - (x + 0.3).sin()).abs();
+                let far = f64::from((x + 0.3).cos().abs() > 0.6);
+                [most[0].max(error), most[1].max(far * error)]
+            };
+            (0..1000).fold([0.0; 2], error)
         });
-        assert!(errors[0] < 1e-3 && errors[0] / errors[1] > 7.0, "{errors:?}");
+        // With rows at most 1.3 · 2π/40 apart: a slope of no more than that, times 4/27 of that, at an extreme.
+        assert!(errors[0][0] < 4.0 / 27.0 * (1.3_f64 * TAU / 40.0).powi(2), "{errors:?}");
+        assert!(errors[0][0] / errors[1][0] > 3.0, "{errors:?}");
+        assert!(errors[0][1] < 2e-4 && errors[0][1] / errors[1][1] > 7.0, "{errors:?}");
         let rows = rows(40);
         let curve = Curve::smooth(&rows, true).expect("a curve");
         for [x, y] in &rows {
@@ -181,6 +228,72 @@ mod tests {
             let difference = (curve.value(x + 1e-5) - curve.value(x - 1e-5)) / 2e-5;
             assert!((curve.slope(*x) - difference).abs() < 1e-5, "{x}");
         }
+    }
+
+    /// Whatever the distance of the rows: no value lies beyond those of the rows on both sides of it.
+    #[test]
+    fn a_smooth_curve_is_monotone_between_its_rows() {
+        let degrees: Vec<f64> =
+            (0..18).map(|i| 20.0 * f64::from(i)).chain([360.0, 420.0]).collect();
+        let even = degrees.iter().chain(&[440.0, 700.0, 720.0]);
+        let peak: Vec<[f64; 2]> = even.map(|x| [*x, if *x == 360.0 { 1e4 } else { 0.0 }]).collect();
+        let mut seed = 1_u64;
+        let mut random = || {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut at = 0.0;
+        let mut uneven = vec![[0.0, 0.5]];
+        for _ in 0..60 {
+            at += random().powi(6) + 1e-6;
+            uneven.push([at, random()]);
+        }
+        let first = [at + 0.5, 0.5];
+        uneven.push(first);
+        for (rows, periodic) in [(&peak, false), (&peak, true), (&uneven, false), (&uneven, true)] {
+            let curve = Curve::smooth(rows, periodic).expect("a curve");
+            for pair in rows.windows(2) {
+                let (least, most) = (pair[0][1].min(pair[1][1]), pair[0][1].max(pair[1][1]));
+                for part in 1..50 {
+                    let x = pair[0][0] + (pair[1][0] - pair[0][0]) * f64::from(part) / 50.0;
+                    let y = curve.value(x);
+                    let rounding = 1e-12 * most.abs().max(least.abs());
+                    assert!(y >= least - rounding && y <= most + rounding, "{x}: {y}");
+                }
+            }
+        }
+        let zero = Curve::smooth(&peak, true).expect("a curve");
+        assert_eq!([227.0, 100.0, 500.0].map(|x| zero.value(x)), [0.0; 3]);
+    }
+
+    #[test]
+    fn rows_within_a_step_are_found_in_every_period_and_either_way() {
+        let rows = [[1.0, 0.0], [2.0, 5.0], [4.0, 0.0]];
+        let found = |curve: &Curve, ends| curve.between_ends(ends).collect::<Vec<_>>();
+        let once = Curve::linear(&rows, false).expect("a curve");
+        assert_eq!(found(&once, [1.0, 4.0]), [[2.0, 5.0]]);
+        assert_eq!(found(&once, [9.0, 1.5]), [[2.0, 5.0], [4.0, 0.0]]);
+        let again = Curve::linear(&rows, true).expect("a curve");
+        assert_eq!(found(&again, [3.0, 5.5]), [[4.0, 0.0], [5.0, 5.0]]);
+        assert_eq!(found(&again, [-4.5, -6.5]), [[-5.0, 0.0]]);
+        assert_eq!(found(&again, [-4.5, -7.2]), [[-7.0, 5.0], [-5.0, 0.0]]);
+        assert_eq!(found(&again, [0.0, 3.0]), [[0.0; 2]; 0]);
+    }
+
+    #[test]
+    fn what_a_line_misses_is_not_resolved() {
+        let rows = [[0.0, 0.0], [1.0, 0.0], [1.01, 8.0], [1.02, 0.0], [2.0, 100.0], [9.0, 100.0]];
+        let curve = Curve::linear(&rows, false).expect("a curve");
+        // A pulse between two zeros; a slope that changes; a corner that is cut by 8 % of what is there, and by less.
+        assert!(!curve.is_resolved([0.5, 1.02]) && !curve.is_resolved([1.02, 0.5]));
+        assert!(curve.is_resolved([1.1, 1.9]));
+        assert!(!curve.is_resolved([1.8, 2.2]) && curve.is_resolved([1.99, 2.01]));
+        // 0.4 % of what is there; 10 % of what is there, which is 0.05 % of the largest.
+        let rows = [[0.0, 1.0], [1.0, 1.0], [2.0, 1.02], [3.0, 0.0], [4.0, 0.1], [5.0, 200.0]];
+        let curve = Curve::linear(&rows, false).expect("a curve");
+        assert!(curve.is_resolved([0.0, 1.5]) && curve.is_resolved([2.9, 3.5]));
     }
 
     #[test]

@@ -123,6 +123,18 @@ impl TimeFunction {
         }
     }
 
+    /// The body whose angle it follows, and periods in one radian times 2π, where it has any.
+    pub(crate) fn periods(&self) -> Option<(usize, f64)> {
+        let (body, rate) = match self {
+            TimeFunction::Order { body, order, .. } => (*body, order.abs()),
+            TimeFunction::OverAngle { body, curve } => {
+                (*body, std::f64::consts::TAU / curve.period()?)
+            }
+            _ => return None,
+        };
+        (rate > 0.0).then_some((body, rate))
+    }
+
     /// The same, following the body at another place if it follows one.
     pub(crate) fn of(&self, body: usize) -> TimeFunction {
         match self.clone() {

@@ -35,6 +35,7 @@ mod streams;
 mod sweep_figures;
 mod sweeps;
 mod sweeps_page;
+mod told;
 mod unsound;
 mod verdicts;
 mod workbench;

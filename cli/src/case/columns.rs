@@ -225,6 +225,29 @@ impl Columns {
         self.rows.iter().fold(0.0, |most: f64, row| most.max(row[1].abs()))
     }
 
+    /// The same of all that is there from x = 0 to `end`, on straight lines between rows.
+    pub(crate) fn largest_upto(&self, end: f64) -> f64 {
+        let within = self.rows.iter().filter(|row| (0.0..=end).contains(&row[0]));
+        let ends = [0.0, end].map(|x| self.at(x).abs());
+        within.map(|row| row[1].abs()).chain(ends).fold(0.0, f64::max)
+    }
+
+    /// The last value, where it is there from some x up to `end` on.
+    pub(crate) fn constant_before(&self, end: f64) -> Option<f64> {
+        let [.., last] = *self.rows.last()?;
+        let same = self.rows.iter().rev().take_while(|row| row[1] == last);
+        same.last().filter(|row| row[0] <= end).map(|_| last)
+    }
+
+    /// The value at x, on straight lines between rows; beyond them that of the nearest.
+    fn at(&self, x: f64) -> f64 {
+        let after = self.rows.partition_point(|row| row[0] <= x);
+        let (Some(from), Some(to)) = (self.rows[..after].last(), self.rows.get(after)) else {
+            return self.rows[after.min(self.rows.len() - 1)][1];
+        };
+        from[1] + (to[1] - from[1]) * (x - from[0]) / (to[0] - from[0])
+    }
+
     /// From the first row to the last one: the period of a table that is periodic.
     pub(crate) fn span(&self) -> f64 {
         self.rows[self.rows.len() - 1][0] - self.rows[0][0]

@@ -1,6 +1,7 @@
 //! The cycle of a machine: the period after which rotation and loads are as they were.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use whirl_codegen::units::Dimension;
 
@@ -17,6 +18,22 @@ pub(super) struct Cycle {
     pub(super) common: bool,
 }
 
+/// How long a case runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Run {
+    /// s.
+    pub(crate) duration: f64,
+    /// Whether it goes on from a state, whose time and speeds are those of another run.
+    pub(crate) goes_on: bool,
+}
+
+impl Run {
+    /// When it ends (s); infinite where that is not known.
+    pub(crate) fn end(self) -> f64 {
+        if self.goes_on { f64::INFINITY } else { self.duration }
+    }
+}
+
 /// Periods of what is slowest that a common cycle has at most.
 pub(super) const MOST_PERIODS: usize = 64;
 /// What the cycle is of what turns without a load that repeats in time.
@@ -26,15 +43,15 @@ const MISSED: f64 = 1e-4;
 
 /// The common period of rotation and loads; without one the longest period of the loads, or else two revolutions at the
 /// fastest speed. Of an unbalance one revolution. None where nothing turns and no load changes.
-pub(super) fn of(system: &SystemDraft) -> Option<Cycle> {
-    let (mut loads, turns) = (frequencies(system), turns(system));
+pub(super) fn of(system: &SystemDraft, run: Run) -> Option<Cycle> {
+    let (mut loads, turns) = (frequencies(system), turns(system, run));
     loads.extend(of_tables_over_time(system));
-    let over_angles = over_angles(system);
+    let over_angles = over_angles(system, run);
     let own = |time, called| Some(Cycle { time, called, common: true });
     let least = |all: &[f64]| all.iter().copied().reduce(f64::min);
     let all: Vec<f64> = loads.iter().chain(&over_angles).chain(&turns).copied().collect();
     let Some(slowest) = least(&loads) else {
-        let (time, called) = revolutions(system)?;
+        let (time, called) = revolutions(system, run)?;
         let fastest = turns.iter().copied().reduce(f64::max);
         // A film may whirl once in two revolutions.
         let whirl = fastest.map_or(0.0, |fastest| 0.5 * fastest);
@@ -65,11 +82,22 @@ fn common(frequencies: &[f64], slowest: f64) -> Option<f64> {
     })
 }
 
-/// Times within which something is given that the steps must show: the shortest period of the loads, revolutions.
-pub(super) fn shortest(system: &SystemDraft) -> Vec<(f64, &'static str)> {
-    let fastest = frequencies(system).into_iter().reduce(f64::max);
-    let period = fastest.map(|frequency| (1.0 / frequency, "a period of the loads"));
-    period.into_iter().chain(revolutions(system)).collect()
+/// Times within which something is given that the steps must show, with what they are: the shortest period of the loads in
+/// time, of those over an angle at the fastest that it turns, and revolutions.
+pub(super) fn shortest(system: &SystemDraft, run: Run) -> Vec<(f64, String)> {
+    let fastest = |all: Vec<f64>| all.into_iter().reduce(f64::max);
+    let period =
+        fastest(frequencies(system)).map(|own| (1.0 / own, "a period of the loads".into()));
+    let table = fastest(of_tables_over_time(system));
+    let table = table.map(|own| (1.0 / own, "a period of a table over time".into()));
+    let over_angle = periods_by_speed(system, |body| Some(top_speed(system, body, run)));
+    let over_angle = over_angle.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
+    let over_angle = over_angle.map(|(frequency, speed)| {
+        let rpm = whirl_text::shown(speed * 60.0 / TAU, 6, 1e-3..1e7);
+        (1.0 / frequency, format!("a period of a load over an angle at {rpm} rpm"))
+    });
+    let turns = revolutions(system, run).map(|(time, called)| (time, called.to_owned()));
+    [period, table, over_angle, turns].into_iter().flatten().collect()
 }
 
 /// Loads, each with the body that carries it.
@@ -102,7 +130,13 @@ fn of_tables_over_time(system: &SystemDraft) -> Vec<f64> {
 }
 
 /// Of loads that follow the angle of what turns at a constant speed in the end, by an order or a periodic table (Hz).
-fn over_angles(system: &SystemDraft) -> Vec<f64> {
+fn over_angles(system: &SystemDraft, run: Run) -> Vec<f64> {
+    let all = periods_by_speed(system, |body| constant_speed(system, body, run));
+    all.into_iter().map(|(frequency, _)| frequency).collect()
+}
+
+/// Frequencies (Hz) of loads that follow an angle, by an order or a periodic table, at the speeds (rad/s) of bodies.
+fn periods_by_speed(system: &SystemDraft, speed: impl Fn(usize) -> Option<f64>) -> Vec<(f64, f64)> {
     let all = loads(system).into_iter().filter_map(|(load, body)| {
         // Periods of the load in a revolution.
         let order = match &load.variation {
@@ -110,57 +144,55 @@ fn over_angles(system: &SystemDraft) -> Vec<f64> {
             Variation::Table(columns, true) if load.turns_with_angle() => TAU / columns.span(),
             _ => return None,
         };
-        let speed = constant_speed(system, load.of.unwrap_or(body))?;
-        Some(order * speed.abs() / TAU)
+        let speed = speed(load.of.unwrap_or(body))?.abs();
+        Some((order * speed / TAU, speed))
     });
-    all.filter(|frequency| *frequency > 0.0).collect()
+    all.filter(|(frequency, _)| *frequency > 0.0).collect()
 }
 
 /// The speed that a body has in the end (rad/s), where the case gives one.
-fn constant_speed(system: &SystemDraft, body: usize) -> Option<f64> {
+fn constant_speed(system: &SystemDraft, body: usize, run: Run) -> Option<f64> {
     match system {
-        SystemDraft::Rotor(rotor) => {
-            let drive = rotor.drive.as_ref().filter(|drive| drive.acts)?;
-            Some(drive.target_speed)
-        }
-        SystemDraft::Joined(joined) => joined.as_ref()?.constant_speed(body),
+        SystemDraft::Rotor(rotor) => rotor.constant_speed(run),
+        SystemDraft::Joined(joined) => joined.as_ref()?.constant_speed(body, run),
         SystemDraft::Lumped(_) => None,
     }
 }
 
-/// Revolutions a second of what turns at a constant speed in the end.
-fn turns(system: &SystemDraft) -> Vec<f64> {
-    let speeds = match system {
-        SystemDraft::Rotor(rotor) => {
-            let drive = rotor.drive.iter().filter(|drive| drive.acts);
-            drive.map(|drive| drive.target_speed).collect()
-        }
+/// The largest speed that the case gives a body (rad/s); 0 where it gives none.
+fn top_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
+    match system {
+        SystemDraft::Rotor(rotor) => rotor.top_speed(run),
         SystemDraft::Joined(joined) => {
-            joined.as_ref().map_or_else(Vec::new, |joined| joined.constant_speeds())
+            joined.as_ref().map_or(0.0, |joined| joined.top_speed(body, run))
         }
-        SystemDraft::Lumped(_) => Vec::new(),
-    };
-    speeds.iter().map(|speed| speed.abs() / TAU).filter(|turns| *turns > 0.0).collect()
+        SystemDraft::Lumped(_) => 0.0,
+    }
 }
 
-/// Two revolutions at the speed that the drive aims at, or at the fastest of its table; one of an unbalance.
-fn revolutions(system: &SystemDraft) -> Option<(f64, &'static str)> {
+/// The bodies that may turn.
+fn bodies(system: &SystemDraft) -> Range<usize> {
     match system {
-        SystemDraft::Rotor(rotor) => {
-            let drive = rotor.drive.as_ref()?;
-            let speed = drive.top_speed();
-            let turns = drive.acts && speed != 0.0;
-            turns.then_some((2.0 * TAU / speed, TWO_REVOLUTIONS))
-        }
-        SystemDraft::Joined(joined) => {
-            let fastest = joined.as_ref()?.speeds().into_iter().reduce(f64::max)?;
-            Some((2.0 * TAU / fastest, TWO_REVOLUTIONS))
-        }
-        SystemDraft::Lumped(lumped) => {
-            let unbalance = lumped.as_ref()?.unbalance?;
-            Some((TAU / unbalance.speed, "a revolution of the unbalance"))
-        }
+        SystemDraft::Rotor(_) => 0..1,
+        SystemDraft::Joined(joined) => 0..joined.as_ref().map_or(0, |joined| joined.bodies.len()),
+        SystemDraft::Lumped(_) => 0..0,
     }
+}
+
+/// Revolutions a second of what turns at a constant speed in the end.
+fn turns(system: &SystemDraft, run: Run) -> Vec<f64> {
+    let speeds = bodies(system).filter_map(|body| constant_speed(system, body, run));
+    speeds.map(|speed| speed.abs() / TAU).filter(|turns| *turns > 0.0).collect()
+}
+
+/// Two revolutions at the fastest speed of the run; one of an unbalance.
+fn revolutions(system: &SystemDraft, run: Run) -> Option<(f64, &'static str)> {
+    if let SystemDraft::Lumped(lumped) = system {
+        let unbalance = lumped.as_ref()?.unbalance?;
+        return Some((TAU / unbalance.speed, "a revolution of the unbalance"));
+    }
+    let fastest = bodies(system).map(|body| top_speed(system, body, run)).fold(0.0, f64::max);
+    (fastest > 0.0).then_some((2.0 * TAU / fastest, TWO_REVOLUTIONS))
 }
 
 #[cfg(test)]

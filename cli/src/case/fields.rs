@@ -1,6 +1,6 @@
 //! Motions of whole bodies for other programs: `[fields]`.
 
-use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
 use whirl_codegen::document::Table;
 
 use super::{Form, Mesh, SystemDraft};
@@ -12,8 +12,9 @@ pub(crate) struct Fields {
     pub(crate) bodies: Vec<usize>,
     /// Frames of the last cycle.
     pub(crate) frames: usize,
-    /// Times of further frames (s).
+    /// Times of further frames (s), from t = 0 of tables and loads on, and where the case gives them.
     pub(crate) times: Vec<f64>,
+    times_place: Located,
     /// Whether stresses are written, too.
     pub(crate) stresses: bool,
 }
@@ -27,8 +28,37 @@ pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<Fields> {
         let stresses = table.optional_boolean("stresses").unwrap_or(false);
         let bodies = bodies(table, system);
         let usual = if times.is_empty() { FRAMES } else { 0 };
-        Some(Fields { bodies: bodies?, frames: frames.unwrap_or(usual), times, stresses })
+        let times_place = table.written("times");
+        let frames = frames.unwrap_or(usual);
+        Some(Fields { bodies: bodies?, frames, times, times_place, stresses })
     })
+}
+
+impl Fields {
+    /// Whether a run from one time to another (s) reaches all times of frames.
+    ///
+    /// # Errors
+    /// It does not.
+    pub(crate) fn check_times(&self, run: [f64; 2]) -> Result<(), Diagnostics> {
+        self.times_beyond(run).map_or(Ok(()), |error| Err(error.into()))
+    }
+
+    /// Times that a run from one time to another (s) does not reach.
+    pub(crate) fn times_beyond(&self, [begun, end]: [f64; 2]) -> Option<Diagnostic> {
+        let rounding = 1e-9 * end.abs();
+        let within = begun - rounding..=end + rounding;
+        let beyond = self.times.iter().find(|time| !within.contains(time))?;
+        let shown = |time: f64| whirl_text::shown(time, 8, 1e-4..1e6);
+        let message = format!(
+            "`times` has {} s, and the run is from {} s to {} s",
+            shown(*beyond),
+            shown(begun),
+            shown(end)
+        );
+        let help = "give times within the run; they count from t = 0, as those of tables do, also where a run goes on from \
+                    another one";
+        Some(self.times_place.error_here(Code::BAD_VALUE, message).help(help))
+    }
 }
 
 /// The bodies that the table names, or all that have a mesh.

@@ -72,6 +72,11 @@ impl Load {
         }
     }
 
+    /// Whether it is a couple about the axis of its body.
+    pub(crate) fn turns(&self) -> bool {
+        matches!(self.acting, Acting::Couple([.., z]) if z != 0.0)
+    }
+
     /// Whether it follows an angle.
     pub(crate) fn turns_with_angle(&self) -> bool {
         match &self.variation {

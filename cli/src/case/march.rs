@@ -2,10 +2,10 @@
 
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
-use whirl_solver::dynamics::AutomaticStep;
+use whirl_solver::dynamics::{AutomaticStep, LEAST_STEPS};
 
 use super::SystemDraft;
-use super::cycle::{self, MOST_PERIODS};
+use super::cycle::{self, MOST_PERIODS, Run};
 use super::schema::{AUTOMATIC, MOST_STEPS};
 
 /// How a case is marched in time.
@@ -45,11 +45,6 @@ impl MarchSettings {
     }
 }
 
-/// Steps in a cycle at least. Between N samples of a sine lies (2π/N)²/8 of its amplitude: that much a
-/// straight line between two of them misses it, and the largest of them its peak. From 23 on this is below
-/// the 1 % by which a steady state is tested.
-const LEAST_STEPS: f64 = 23.0;
-
 /// Steps beyond have nothing to do with a machine, and their squares leave the range of numbers (s).
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 1e9;
@@ -57,11 +52,12 @@ const LONGEST: f64 = 1e9;
 /// Of the reference histories: far below every force of interest, far above rounding.
 const FORCE_TOLERANCE: f64 = 1e-3;
 
-pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<MarchSettings> {
-    file.in_table("march", |march| read_march(march, system))
+/// `goes_on`: from the state of another run.
+pub(super) fn read(file: &Table, system: &SystemDraft, goes_on: bool) -> Option<MarchSettings> {
+    file.in_table("march", |march| read_march(march, system, goes_on))
 }
 
-fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
+fn read_march(march: &Table, system: &SystemDraft, goes_on: bool) -> MarchSettings {
     let automatic = is_automatic(march);
     let step = if automatic { Step::of_rows(march) } else { Step::fixed(march) };
     let (given, key) = (step.given, step.key);
@@ -70,15 +66,16 @@ fn read_march(march: &Table, system: &SystemDraft) -> MarchSettings {
     let steps = steps(march, &step);
     let force_tolerance = march.quantity("force_tolerance").unwrap_or(FORCE_TOLERANCE);
     let frequency = march.quantity("cycle_frequency");
-    let natural = cycle::of(system);
+    let run = Run { duration: time_step * steps as f64, goes_on };
+    let natural = cycle::of(system, run);
     let cycle = match frequency {
         Some(frequency) => Some((1.0 / frequency, "cycle_frequency", "a cycle")),
         None => natural.map(|own| (own.time, key, own.called)),
     };
-    let shortest = cycle::shortest(system);
+    let shortest = cycle::shortest(system, run);
     if let (Some(time_step), false) = (given, automatic) {
         let cycle = cycle.filter(|(_, key, _)| *key == "cycle_frequency");
-        let shortest = shortest.iter().map(|(time, called)| (*time, key, *called));
+        let shortest = shortest.iter().map(|(time, called)| (*time, key, called.as_str()));
         cycle.into_iter().chain(shortest).for_each(|own| shown(march, time_step, own));
     }
     let cycle_of_rows = cycle;

@@ -28,7 +28,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::Source;
 
 pub(crate) use columns::Columns;
-pub(crate) use cycle::TWO_REVOLUTIONS;
+pub(crate) use cycle::{Run, TWO_REVOLUTIONS};
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
 pub(crate) use joined::{
@@ -82,6 +82,12 @@ pub struct Case {
 }
 
 impl Case {
+    /// How long it runs.
+    pub(crate) fn run(&self) -> Run {
+        let goes_on = matches!(self.start, Start::State(_) | Start::After(_));
+        Run { duration: self.march.duration(), goes_on }
+    }
+
     /// Name under which results are kept.
     pub fn name(&self) -> &str {
         &self.name

@@ -150,9 +150,14 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
     if let Some(start) = &start {
         start::check(file, start, &system);
     }
-    let march = march::read(file, &system);
+    let goes_on = start.as_ref().is_some_and(StartDraft::goes_on);
+    let march = march::read(file, &system, goes_on);
     let outputs = outputs::read(file, &system);
     let fields = fields::read(file, &system);
+    if let (Some(fields), Some(march), false) = (&fields, &march, goes_on) {
+        let beyond = fields.times_beyond([0.0, march.duration()]);
+        beyond.into_iter().for_each(|error| file.push(error));
+    }
     let memory_limit = reduction::memory_limit(file);
     Draft {
         name: case_name(path),

@@ -15,6 +15,7 @@ use whirl_solver::mesh::support::RingSupport;
 use whirl_specs::Motion;
 
 use super::columns::Columns;
+use super::cycle::Run;
 use super::gravity::Gravity;
 use super::law::NamedLaw;
 use super::loads::Load;
@@ -86,6 +87,27 @@ impl Drive {
 }
 
 impl RotorDraft {
+    /// The largest speed that the case gives the shaft in a run (rad/s).
+    pub(super) fn top_speed(&self, run: Run) -> f64 {
+        let aims = self.drive.iter().filter(|drive| drive.acts).map(Drive::top_speed);
+        let start = self.start_speed.filter(|_| !run.goes_on).unwrap_or(0.0);
+        aims.fold(start.abs(), f64::max)
+    }
+
+    /// The speed that the shaft has in the end, where the case gives one (rad/s).
+    pub(super) fn constant_speed(&self, run: Run) -> Option<f64> {
+        match self.drive.as_ref().filter(|drive| drive.acts) {
+            Some(drive) => drive.table.is_none().then_some(drive.target_speed),
+            None => self.start_speed.filter(|_| !run.goes_on && !self.is_turned()),
+        }
+    }
+
+    /// Whether a couple acts on the shaft beside its drive: of a load, or of the law of a bearing.
+    fn is_turned(&self) -> bool {
+        let mut bearings = self.bearings.iter().filter_map(|(_, bearing)| bearing.as_ref());
+        self.loads.iter().any(Load::turns) || bearings.any(|own| own.law.source.gives_torque())
+    }
+
     /// The machine, if all of it is there.
     pub(super) fn finish(self) -> Option<Rotor> {
         let RotorDraft { shaft, support, bearings, drive, loads, gravity, start_speed } = self;

@@ -8,7 +8,7 @@ use whirl_solver::bearing::MotionKind;
 use whirl_solver::mesh::measure::Circle;
 use whirl_text::rounded;
 
-use crate::case::{Attached, Carried, JoinedMachine, Joint, JointKind, SetParameter, Turning};
+use crate::case::{Attached, Carried, JoinedMachine, Joint, JointKind, Run, SetParameter, Turning};
 use crate::errors::Failure;
 use crate::machine::{Built, JoinedPlan, PlannedBody};
 use crate::report::table;
@@ -22,7 +22,7 @@ pub(super) fn say(
     joined: &JoinedMachine,
     plan: &JoinedPlan,
     built: &Built,
-    duration: f64,
+    run: Run,
 ) -> Result<(), Failure> {
     text.push_str(&masses(joined, plan)?);
     text.push('\n');
@@ -37,7 +37,7 @@ pub(super) fn say(
             body.name,
             first.join(", ")
         );
-        turning(text, joined, built, &body.name, duration)?;
+        turning(text, joined, built, &body.name, run)?;
     }
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
         let frame = match own {
@@ -105,12 +105,12 @@ fn turning(
     joined: &JoinedMachine,
     built: &Built,
     name: &str,
-    duration: f64,
+    run: Run,
 ) -> Result<(), Failure> {
     let Some(place) = joined.bodies.iter().position(|body| body.name.text() == name) else {
         return Ok(());
     };
-    let (speed, shaft) = (joined.top_speed(place, duration), built.machine.bodies[place].shaft());
+    let (speed, shaft) = (joined.top_speed(place, run), built.machine.bodies[place].shaft());
     let Some(shaft) = shaft.filter(|_| speed > 0.0) else { return Ok(()) };
     let found = shaft.frequencies_at(speed).map_err(whirl_solver::Error::from)?;
     let of_speed = format!("  with all that it carries, turning at {} rpm", rpm(speed));

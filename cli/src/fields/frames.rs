@@ -28,8 +28,9 @@ pub(crate) struct Schedule {
     slots: u64,
     /// Steps of a cycle.
     cycle: u64,
-    /// Steps at given times.
-    steps: Vec<u64>,
+    /// Given times (s), and from one step to the next.
+    times: Vec<f64>,
+    step: f64,
 }
 
 impl Schedule {
@@ -40,17 +41,25 @@ impl Schedule {
         let cycle = (case.march.cycle / dt).round().max(1.0) as u64;
         let frames = fields.frames as u64;
         let every = (frames > 0).then(|| (cycle / frames.max(1)).max(1));
-        let steps = fields.times.iter().map(|time| (time / dt).round().max(1.0) as u64);
         let slots = every.map_or(0, |every| cycle.div_ceil(every));
-        Some(Schedule { every, slots, cycle, steps: steps.collect() })
+        Some(Schedule { every, slots, cycle, times: fields.times.clone(), step: dt })
     }
 
-    /// Records into which a step goes.
-    fn records(&self, step: u64) -> impl Iterator<Item = u64> {
+    /// Records into which a step goes that ends at `time` (s).
+    fn records(&self, step: u64, time: f64) -> impl Iterator<Item = u64> {
         let of_cycle = self.every.filter(|every| step.is_multiple_of(*every));
         let of_cycle = of_cycle.map(|every| step / every % self.slots);
-        let at_times = self.steps.iter().enumerate().filter(move |(_, own)| **own == step);
+        let at_times = self.times.iter().enumerate();
+        let at_times = at_times.filter(move |(_, own)| self.is_nearest((step, time), **own));
         of_cycle.into_iter().chain(at_times.map(|(place, _)| self.slots + place as u64))
+    }
+
+    /// Whether of all steps the one that ends at `time` ends nearest to a given time: of two as near the later one, and the
+    /// first one for what is before it.
+    fn is_nearest(&self, (step, time): (u64, f64), given: f64) -> bool {
+        // Half a step may be missed by rounding.
+        let steps = ((given - time) / self.step + 0.5 + 1e-6).floor();
+        steps == 0.0 || step == 1 && steps < 0.0
     }
 }
 
@@ -90,7 +99,7 @@ impl<W: Write + Seek> FrameWriter<W> {
     /// # Errors
     /// It cannot be written.
     pub(crate) fn record(&mut self, step: u64, time: f64, q: &[f64]) -> io::Result<()> {
-        for record in self.schedule.records(step) {
+        for record in self.schedule.records(step, time) {
             let length = 16 + 8 * q.len() as u64;
             let mut bytes = Vec::with_capacity(length as usize);
             bytes.extend(step.to_le_bytes());

@@ -13,7 +13,7 @@ use realfft::RealFftPlanner;
 use super::figure::{Figure, Line, Mark, Panel, Style};
 use super::stack::{Stacked, stack};
 use crate::history::ReadHistory;
-use crate::report::Oscillation;
+use crate::report::{Oscillation, begun};
 
 /// Cycles of a spectrum at most, and rows.
 const CYCLES: f64 = 16.0;
@@ -103,8 +103,9 @@ pub(crate) fn last_spectra(
     (step, cycle): (f64, f64),
 ) -> io::Result<Option<LastSpectra>> {
     let end = history.last_time()?.unwrap_or(0.0);
-    let cycles = (0.5 * end / cycle).floor().clamp(1.0, CYCLES);
-    let rows = ((cycles * cycle).min(end) / step).round() as usize;
+    let duration = end - begun(history, step)?;
+    let cycles = (0.5 * duration / cycle).floor().clamp(1.0, CYCLES);
+    let rows = ((cycles * cycle).min(duration) / step).round() as usize;
     let rows = rows.min(MOST_ROWS);
     if rows < 16 || all.is_empty() {
         return Ok(None);
@@ -223,7 +224,8 @@ pub(crate) fn waterfall(
 
 fn slices(history: &dyn ReadHistory, all: &[Oscillation], step: f64) -> io::Result<Vec<Slice>> {
     let Some(end) = history.last_time()? else { return Ok(Vec::new()) };
-    let total = (end / step).round() as usize;
+    let begun = begun(history, step)?;
+    let total = ((end - begun) / step).round() as usize;
     let reach = (total / REACH).min(MOST_ROWS / 4);
     if reach < 32 || all.is_empty() {
         return Ok(Vec::new());
@@ -249,7 +251,7 @@ fn slices(history: &dyn ReadHistory, all: &[Oscillation], step: f64) -> io::Resu
         let speed = |k: usize| (last[2 * k + 1] - first[2 * k + 1]).abs() / TAU;
         let span = step * (reach - 1) as f64;
         slices.push(Slice {
-            time: step * count as f64 - 0.5 * span,
+            time: begun + step * count as f64 - 0.5 * span,
             speeds: (0..all.len()).map(|k| speed(k) / span).collect(),
             spectra: (0..all.len()).map(|k| Spectrum::of(&column(2 * k), step)).collect(),
         });
@@ -306,7 +308,16 @@ mod tests {
     }
 
     /// A history of x over the angle, which is α t + β t².
-    fn history([a, b]: [f64; 2], x: impl Fn(f64, f64) -> f64) -> (tempfile::TempDir, HistoryFile) {
+    fn history(rates: [f64; 2], x: impl Fn(f64, f64) -> f64) -> (tempfile::TempDir, HistoryFile) {
+        history_from(0.0, rates, x)
+    }
+
+    /// The same of a run that goes on at a time (s).
+    fn history_from(
+        begun: f64,
+        [a, b]: [f64; 2],
+        x: impl Fn(f64, f64) -> f64,
+    ) -> (tempfile::TempDir, HistoryFile) {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("history.csv");
         let names = ["t_s", "theta_rad", "x_um"].map(str::to_owned).to_vec();
@@ -314,7 +325,7 @@ mod tests {
         for step in 1..=8000 {
             let t = STEP * f64::from(step);
             let theta = a * t + b * t * t;
-            writer.push(&[t, theta, x(t, theta)]).unwrap();
+            writer.push(&[begun + t, theta, x(t, theta)]).unwrap();
         }
         writer.finish().unwrap();
         let history = HistoryFile::open(&path).unwrap();
@@ -361,6 +372,24 @@ mod tests {
         let peak = top.iter().fold((0.0, 0.0), |most, p| if p.1 > most.1 { *p } else { most });
         let order = first.points.last().expect("points").0;
         assert!((peak.0 / order - 1.0).abs() < 0.1, "{peak:?} {order}");
+    }
+
+    /// A run that goes on from another one has all slices, at its own times, and spectra of its own length.
+    #[test]
+    fn a_run_that_goes_on_is_as_long_as_it_is() {
+        let all = [oscillation()];
+        let (_folder, whole) = history([400.0, -150.0], |_, theta| theta.cos());
+        let (_folder, later) = history_from(3.2, [400.0, -150.0], |_, theta| theta.cos());
+        let [first, second] = [&whole, &later].map(|own| slices(own, &all, STEP).unwrap());
+        assert_eq!((first.len(), second.len()), (SLICES, SLICES));
+        for (first, second) in first.iter().zip(&second) {
+            assert!((second.time - first.time - 3.2).abs() < 1e-9, "{}", second.time);
+        }
+        assert!(first[0].time > 0.0 && first[SLICES - 1].time < 0.8);
+        // Five of the ten cycles of the run.
+        let [first, second] = [&whole, &later]
+            .map(|own| last_spectra(own, &all, (STEP, 0.075)).unwrap().expect("spectra").span);
+        assert!((first - 0.375).abs() < 1e-9 && (second - 0.375).abs() < 1e-9, "{first} {second}");
     }
 
     #[test]

@@ -22,3 +22,10 @@ pub(crate) fn last_cycle(history: &dyn ReadHistory, cycle: f64) -> io::Result<u6
     // A row that lies a rounding error, of the sum or of its ten digits, before the cycle belongs to it.
     history.place_of_time(end - cycle - 1e-9 * (cycle + end))
 }
+
+/// When the rows of a history begin (s), which are `step` s apart: 0, or where a run goes on from another one.
+pub(crate) fn begun(history: &dyn ReadHistory, step: f64) -> io::Result<f64> {
+    let mut begun = 0.0;
+    history.first_row(history.start(), &["t_s"], &mut |row| begun = row[0] - step)?;
+    Ok(begun)
+}

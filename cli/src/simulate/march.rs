@@ -117,6 +117,9 @@ pub(super) fn march(
         Some(point) => March::resume(&built.machine, &options, point.march)?,
         None => start::begin((case, built), &options, store.folder(), watch)?,
     };
+    if let (Some(fields), true) = (&case.fields, case.run().goes_on) {
+        fields.check_times([march.begun(), march.begun() + case.march.duration()])?;
+    }
     watch.begun(options.steps, march.progress().step);
     let start = Instant::now();
     let end = loop {

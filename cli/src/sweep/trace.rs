@@ -120,7 +120,7 @@ impl Strobe {
             history.first_row(place, &columns, &mut |row| found = [row[0], row[1]])?;
             Ok(found)
         };
-        let [first, start] = at(history.place_of_time(0.5 * end)?)?;
+        let [first, start] = at(second_half(history)?)?;
         let [last, stop] = at(history.place_of_time(end)?)?;
         let turns = (stop - start).abs() / TAU / (last - first) * cycle;
         let whole = if alone && turns > MISSED { 1.0 } else { turns.round() };
@@ -146,8 +146,7 @@ fn positions(
     let empty = |own: &Oscillation| vec![VecDeque::with_capacity(CYCLES); own.columns.len()];
     let mut found: Vec<Vec<VecDeque<f32>>> = all.iter().map(empty).collect();
     let mut before: Option<Vec<f64>> = None;
-    let half = history.place_of_time(0.5 * history.last_time()?.unwrap_or(0.0))?;
-    history.scan(half, &names, &mut |row| {
+    history.scan(second_half(history)?, &names, &mut |row| {
         let Some(before) = &mut before else {
             before = Some(row.to_vec());
             return;
@@ -169,6 +168,14 @@ fn positions(
         before.copy_from_slice(row);
     })?;
     Ok(found.into_iter().map(|own| own.into_iter().map(Vec::from).collect()).collect())
+}
+
+/// Where the second half of a run begins.
+fn second_half(history: &dyn ReadHistory) -> io::Result<u64> {
+    let mut first = 0.0;
+    history.first_row(history.start(), &["t_s"], &mut |row| first = row[0])?;
+    let last = history.last_time()?.unwrap_or(first);
+    history.place_of_time(0.5 * (first + last))
 }
 
 /// The part of a step after which a whole number is passed, if one is, whichever way.

@@ -3,7 +3,6 @@
 //! The trapezoidal rule averages a jump into the step in which it is, which makes the motion wrong by O(Δt). So the step is
 //! split there: its first part ends with what acts before the jump, and the accelerations start anew from what acts after it.
 
-use super::control::MOST_HALVINGS;
 use super::march::{March, accelerate};
 use super::newmark::State;
 use crate::error::Error;
@@ -11,9 +10,7 @@ use crate::loads::Onset;
 use crate::machine::{Body, Machine, Rotation};
 
 /// Parts of a step shorter than this part of it are none.
-const SHORTEST: f64 = 1e-6;
-/// Jumps within a step that are located.
-const MOST_JUMPS: usize = 2;
+pub(super) const SHORTEST: f64 = 1e-6;
 
 /// Times (s), ascending, at which a load begins at once, or the acceleration of a told rotation jumps.
 pub(super) fn jumps(machine: &Machine) -> Vec<f64> {
@@ -33,20 +30,13 @@ pub(super) fn jumps(machine: &Machine) -> Vec<f64> {
 }
 
 impl March<'_> {
-    /// Takes a step of `dt` from time `t`, in parts where something jumps within it. Where much does in one step, as of a
-    /// table with rows closer than steps, all of it counts at the end of the step. `halvings`: of a step, which led to `dt`.
+    /// Takes a step of `dt` from time `t`, in parts where something jumps within it. `halvings`: of a step, which led to `dt`.
     pub(super) fn leap(&mut self, t: f64, dt: f64, halvings: u32) -> Result<(), Error> {
         let (near, end) = (SHORTEST * dt, t + dt);
         let upto = |time: f64| self.jumps.partition_point(|jump| *jump <= time + near);
         let within = upto(t)..upto(end);
-        if within.len() > MOST_JUMPS && self.options.automatic.is_some() && halvings < MOST_HALVINGS
-        {
-            let half = 0.5 * dt;
-            self.leap(t, half, halvings + 1)?;
-            return self.leap(t + half, half, halvings + 1);
-        }
-        if within.is_empty() || within.len() > MOST_JUMPS {
-            return self.part((t, dt), 0, halvings);
+        if within.is_empty() {
+            return self.smooth((t, dt), halvings);
         }
         let mut begun = t;
         for place in within {
@@ -55,18 +45,18 @@ impl March<'_> {
             let taken = if begun == t && next == end { dt } else { next - begun };
             if taken > near {
                 self.system.before = true;
-                let solved = self.part((begun, taken), 0, halvings);
+                let solved = self.smooth((begun, taken), halvings);
                 self.system.before = false;
                 solved?;
                 begun = next;
             }
             self.jump(at.max(begun))?;
         }
-        if end - begun > near { self.part((begun, end - begun), 0, halvings) } else { Ok(()) }
+        if end - begun > near { self.smooth((begun, end - begun), halvings) } else { Ok(()) }
     }
 
     /// Starts the accelerations anew from what acts from time `t` (s) on.
-    fn jump(&mut self, t: f64) -> Result<(), Error> {
+    pub(super) fn jump(&mut self, t: f64) -> Result<(), Error> {
         let State { q, v, a } = &mut self.state;
         self.machine.set_given(t, false, [q, v, a]);
         accelerate(&mut self.system, t, &mut self.state)?;

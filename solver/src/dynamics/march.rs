@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use super::checkpoint::{Checkpoint, Clock, Tally};
 use super::control::{AutomaticStep, PartsTaken};
+use super::cuts::{Watched, watched};
 use super::energy::EnergyBalance;
 use super::jumps::jumps;
 use super::meters::Meters;
@@ -158,6 +159,8 @@ pub struct March<'m> {
     settled: f64,
     /// When loads begin and told accelerations jump (s), ascending.
     pub(super) jumps: Vec<f64>,
+    /// Curves by which loads vary.
+    pub(super) watched: Vec<Watched>,
 }
 
 impl<'m> March<'m> {
@@ -209,8 +212,10 @@ impl<'m> March<'m> {
         let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
         let steady = options.cycle.map(|cycle| SteadyTest::new(signals, cycle, options.time_step));
         let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
-        // Of parts that may be long or short, factors are kept for the lengths of which there are most.
-        let shelves = if options.automatic.is_some() { SHELVES } else { 0 };
+        // Of parts that may be long or short, or end at rows of tables, factors are kept for the lengths of which there are most.
+        let watched = watched(machine);
+        let cut = options.automatic.is_some() || !watched.is_empty();
+        let shelves = if cut { SHELVES } else { 0 };
         let halvings = most_halvings(options);
         let columns = History::for_machine(machine).names().len();
         let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
@@ -229,6 +234,7 @@ impl<'m> March<'m> {
             usual: columns - asked,
             settled: settled_from(machine),
             jumps: jumps(machine),
+            watched,
             options: options.clone(),
         })
     }

@@ -6,6 +6,7 @@ use super::contacts::Contacts;
 use super::control::{AutomaticStep, ControlMemory, Measured, PartsTaken, StepControl};
 use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
 use super::newmark::{Newmark, State};
+use super::periods::{FewestSteps, PeriodMeter};
 use super::quality::{Quality, QualityMeter, QualitySums, StepLength};
 use super::system::System;
 use crate::error::Error;
@@ -17,6 +18,7 @@ pub(crate) struct Meters {
     /// Chooses the parts of steps, where the march does.
     control: Option<StepControl>,
     contacts: Contacts,
+    periods: PeriodMeter,
     /// By parts of the machine: local errors of a part of a step, and displacements at its end.
     errors: Vec<f64>,
     displacements: Vec<f64>,
@@ -30,6 +32,7 @@ pub(crate) struct MeterSums {
     energy: EnergySums,
     quality: QualitySums,
     control: Option<ControlMemory>,
+    fewest_steps: Option<FewestSteps>,
 }
 
 impl MeterSums {
@@ -64,13 +67,15 @@ impl Meters {
             kinetic: vec![0.0; bearings],
             control: automatic.map(|own| StepControl::new(own, dt, &displacements, bearings)),
             contacts: Contacts::new(system.machine),
+            periods: PeriodMeter::new(system.machine),
             quality,
             displacements,
         })
     }
 
     /// What a part of a step of `dt` s from time `t` on is worth that ends at a state just evaluated, over what it may be; 0 where
-    /// steps are fixed, and no number where a contact begins and ends within it. It leaves no trace in what was measured so far.
+    /// steps are fixed, and no number where a contact begins and ends within it, or a
+    /// load that follows an angle has too few steps in its period. It leaves no trace in what was measured so far.
     pub(crate) fn judge(
         &mut self,
         system: &System,
@@ -91,7 +96,9 @@ impl Meters {
             kinetic: &self.kinetic,
             rounding: rounding(system, end),
         });
-        let hides = judged <= 1.0 && self.contacts.are_within(system, (t, dt), [start, end]);
+        let hides = judged <= 1.0
+            && (self.periods.excess([start, end]) > 1.0
+                || self.contacts.are_within(system, (t, dt), [start, end]));
         if hides { f64::NAN } else { judged }
     }
 
@@ -135,6 +142,7 @@ impl Meters {
     ) {
         let made = self.energy.add(system, start, end);
         self.quality.add(span, start, end, made, row_error);
+        self.periods.add(span.1, [start, end]);
     }
 
     /// Goes on at the state of the step that was added last, just evaluated, after loads have changed at once.
@@ -148,6 +156,7 @@ impl Meters {
             energy: self.energy.sums.clone(),
             quality: self.quality.sums.clone(),
             control: self.control.as_ref().map(|own| own.memory.clone()),
+            fewest_steps: self.periods.fewest,
         }
     }
 
@@ -155,6 +164,7 @@ impl Meters {
     pub(crate) fn resume_from(&mut self, system: &System, sums: MeterSums) {
         self.energy.resume_from(system, sums.energy);
         self.quality.sums = sums.quality;
+        self.periods.fewest = sums.fewest_steps;
         self.resume_control(sums.control);
     }
 
@@ -177,6 +187,8 @@ impl Meters {
 
     /// What the steps were worth; the system is evaluated elsewhere for it.
     pub(crate) fn quality(&self, system: &mut System) -> Quality {
-        self.quality.quality(system, &self.energy.sums.flows, self.energy.negligible())
+        let quality =
+            self.quality.quality(system, &self.energy.sums.flows, self.energy.negligible());
+        Quality { fewest_steps: self.periods.fewest, ..quality }
     }
 }

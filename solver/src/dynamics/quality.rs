@@ -8,6 +8,7 @@ use super::histogram::Histogram;
 use super::modes::MachineModes;
 use super::newmark::{Coefficients, Newmark, State};
 use super::parts::{Part, Parts, largest_sensible};
+use super::periods::FewestSteps;
 use super::system::System;
 use super::windows::Windows;
 use crate::error::Error;
@@ -52,6 +53,8 @@ pub struct Quality {
     /// A step that resolves all modes of the machine at the start: 0.3/ω of the fastest (s); none where all are
     /// resolved.
     pub(crate) mode_step: Option<f64>,
+    /// Where a load that follows an angle had the fewest steps in a period; none where no load does.
+    pub fewest_steps: Option<FewestSteps>,
 }
 
 /// A part of a machine whose steps are judged by themselves.
@@ -316,6 +319,7 @@ impl QualityMeter {
             row_error: sums.row_error,
             resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
             mode_step: (fastest * self.steps.most() >= 1.0).then_some(RESOLVED / fastest),
+            fewest_steps: None,
         }
     }
 }

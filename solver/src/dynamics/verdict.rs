@@ -2,6 +2,7 @@
 
 use super::control::AutomaticStep;
 use super::energy::EnergyBalance;
+use super::periods::{FewestSteps, LEAST_STEPS};
 use super::quality::{MovingPart, Quality};
 
 /// Something that was measured and is beyond its limit.
@@ -95,7 +96,8 @@ pub fn findings(
         remedy: automatic.map_or_else(|| shorter(step), narrower),
     };
     let too_far = runaway(quality).into_iter();
-    too_far.chain(found.map(finding)).collect()
+    let too_fast = outrun(quality, time_step, automatic.is_some());
+    too_far.chain(too_fast).chain(found.map(finding)).collect()
 }
 
 /// Whether a body left the machine.
@@ -113,6 +115,30 @@ fn runaway(quality: &Quality) -> Option<Finding> {
             "look for a stiffness or damping that is negative or missing at this body, and for \
                  a load that nothing holds"
                 .to_owned(),
+    })
+}
+
+/// Whether a load that follows an angle had too few steps in its period.
+fn outrun(quality: &Quality, time_step: f64, automatic: bool) -> Option<Finding> {
+    let FewestSteps { steps, body, speed } = quality.fewest_steps?;
+    // What a case is held to may be missed by rounding.
+    let too_few = steps < LEAST_STEPS * (1.0 - 1e-6);
+    too_few.then(|| {
+        let rpm = whirl_text::shown(speed.abs() * 60.0 / std::f64::consts::TAU, 4, 1e-3..1e7);
+        Finding {
+            what: format!(
+                "fewest steps in a period of a load that follows the angle, at {rpm} rpm"
+            ),
+            bearing: None,
+            part: Some(MovingPart { body, turns: true }),
+            value: steps,
+            limit: LEAST_STEPS,
+            unit: "steps".to_owned(),
+            remedy: match automatic {
+                true => "set a shorter `output_step` in [march]".to_owned(),
+                false => shorter(time_step * steps / LEAST_STEPS),
+            },
+        }
     })
 }
 
@@ -148,6 +174,7 @@ mod tests {
         row_error: 1.0,
         resolving_step: Some(1e-9),
         mode_step: Some(1e-9),
+        fewest_steps: Some(FewestSteps { steps: LEAST_STEPS, body: 0, speed: 1.0 }),
     };
 
     /// Out of balance by a fraction of 100 J.
@@ -198,6 +225,17 @@ mod tests {
         assert_eq!(found.part, Some(MovingPart { body: 1, turns: false }));
         assert_eq!((found.value, found.limit, found.unit.as_str()), (1.6, 1.5, "m"));
         assert!(found.remedy.contains("negative or missing"), "{}", found.remedy);
+    }
+
+    #[test]
+    fn a_load_that_outruns_the_steps_is_not_sound() {
+        let fewest = FewestSteps { steps: 9.2, body: 1, speed: std::f64::consts::TAU };
+        let found = found(Quality { fewest_steps: Some(fewest), ..SOUND });
+        assert_eq!(found.part, Some(MovingPart { body: 1, turns: true }));
+        assert_eq!((found.value, found.limit, found.unit.as_str()), (9.2, 23.0, "steps"));
+        assert!(found.what.ends_with("at 60 rpm"), "{}", found.what);
+        // 2.36e-3 s · 9.2/23.
+        assert_eq!(found.remedy, set("9.4e-4"));
     }
 
     #[test]

@@ -7,7 +7,6 @@ use whirl_specs::Motion;
 
 use super::fit;
 use super::{Drive, Form, JoinedMachine, Joint, JointKind, NamedBody, Side, Turning};
-use crate::case::loads::Acting;
 use crate::case::machine;
 
 /// The motion of all bodies, which is one.
@@ -239,7 +238,7 @@ impl Checks<'_, '_> {
         let Some(Turning::Free { initial_speed }) = body.turning else { return };
         let mut loads = self.machine.loads.iter().filter(|load| load.body == place);
         let driven = self.machine.drives.iter().any(|drive| drive.body == place)
-            || loads.any(|own| matches!(own.load.acting, Acting::Couple([.., z]) if z != 0.0));
+            || loads.any(|own| own.load.turns());
         let turned = self.goes_on || initial_speed.is_some_and(|speed| speed != 0.0);
         if !turned && !driven && !joints.iter().any(|joint| turns(joint)) {
             let message = format!("nothing acts on the rotation of `{name}`");

@@ -26,6 +26,7 @@ use whirl_specs::{Element, Motion};
 
 pub(crate) use self::attached::{Attached, Carried};
 use super::columns::Columns;
+use super::cycle::Run;
 use super::gravity::{self, Gravity};
 use super::law::NamedLaw;
 use super::library::FileStore;
@@ -359,37 +360,35 @@ impl JoinedMachine {
         Some(machine)
     }
 
-    /// The largest speed that the case gives a body in `duration` (s): of its drive, at its start, or as prescribed (rad/s).
-    pub(crate) fn top_speed(&self, body: usize, duration: f64) -> f64 {
+    /// The largest speed that the case gives a body in a run: of its drive, at its start, or as prescribed (rad/s).
+    pub(crate) fn top_speed(&self, body: usize, run: Run) -> f64 {
         let aims = self.drives.iter().filter(|drive| drive.body == body && drive.couple.acts);
         let given = match &self.bodies[body].turning {
             Some(Turning::Prescribed { speed, acceleration }) => {
-                speed.abs().max((speed + acceleration * duration).abs())
+                speed.abs().max((speed + acceleration * run.duration).abs())
             }
-            Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
-            Some(Turning::Table(columns)) => columns.largest(),
+            Some(Turning::Free { initial_speed }) => {
+                initial_speed.filter(|_| !run.goes_on).unwrap_or(0.0).abs()
+            }
+            Some(Turning::Table(columns)) => columns.largest_upto(run.end()),
             None => 0.0,
         };
-        aims.map(|drive| drive.couple.target_speed.abs()).fold(given.abs(), f64::max)
+        aims.map(|drive| drive.couple.top_speed()).fold(given, f64::max)
     }
 
-    /// Speeds that bodies have in the end: those that drives aim at, that are prescribed and constant or the last ones of a
-    /// table, and those with which bodies start that no couple acts on (rad/s).
-    pub(super) fn constant_speeds(&self) -> Vec<f64> {
-        (0..self.bodies.len()).filter_map(|body| self.constant_speed(body)).collect()
-    }
-
-    /// That of one body.
-    pub(super) fn constant_speed(&self, body: usize) -> Option<f64> {
+    /// The speed that a body has in the end, where the case gives one (rad/s): that at which its drive aims, which is prescribed
+    /// and constant or with which a table ends, or with which a body starts that no couple acts on.
+    pub(super) fn constant_speed(&self, body: usize, run: Run) -> Option<f64> {
         let aims = || {
             let own = self.drives.iter().find(|drive| drive.body == body && drive.couple.acts)?;
             own.couple.table.is_none().then_some(own.couple.target_speed)
         };
         match &self.bodies[body].turning {
             Some(Turning::Prescribed { speed, acceleration: 0.0 }) => Some(*speed),
-            Some(Turning::Table(columns)) => columns.rows.last().map(|row| row[1]),
-            Some(Turning::Free { initial_speed }) => aims()
-                .or_else(|| initial_speed.filter(|speed| *speed != 0.0 && !self.is_turned(body))),
+            Some(Turning::Table(columns)) => columns.constant_before(run.end()),
+            Some(Turning::Free { initial_speed }) => {
+                aims().or_else(|| initial_speed.filter(|_| !run.goes_on && !self.is_turned(body)))
+            }
             _ => aims(),
         }
     }
@@ -397,31 +396,12 @@ impl JoinedMachine {
     /// Whether a couple acts on a body that turns freely: of a drive, of a load, or of the law of a joint.
     fn is_turned(&self, body: usize) -> bool {
         let drives = self.drives.iter().any(|own| own.body == body && own.couple.acts);
-        let couples =
-            |own: &Load| matches!(own.load.acting, loads::Acting::Couple([.., z]) if z != 0.0);
         let turns = |joint: &Joint| {
             let joins = joint.sides.iter().any(|side| side.body == Some(body));
             joins && joint.bearing.law.source.gives_torque()
         };
         drives
-            || self.loads.iter().any(|own| own.body == body && couples(own))
+            || self.loads.iter().any(|own| own.body == body && own.load.turns())
             || self.joints.iter().any(turns)
-    }
-
-    /// Speeds about which revolutions are counted: those that drives aim at, and that are prescribed (rad/s).
-    pub(super) fn speeds(&self) -> Vec<f64> {
-        let aims = self.drives.iter().filter(|drive| drive.couple.acts);
-        let aims = aims.map(|drive| drive.couple.top_speed());
-        let given = self.bodies.iter().filter_map(|body| match &body.turning {
-            Some(Turning::Prescribed { speed, .. }) => Some(*speed),
-            Some(Turning::Table(columns)) => Some(columns.largest()),
-            _ => None,
-        });
-        let free = (0..self.bodies.len()).filter_map(|body| match self.bodies[body].turning {
-            Some(Turning::Free { .. }) => self.constant_speed(body),
-            _ => None,
-        });
-        let given = given.chain(free);
-        aims.chain(given).map(f64::abs).filter(|speed| *speed > 0.0).collect()
     }
 }

@@ -1,5 +1,6 @@
 //! Loads, drives and weights of machines as they run.
 
+mod closer;
 mod couple;
 mod jumps;
 mod orders;

@@ -76,7 +76,7 @@ fn margin(width: &Rational) -> Rational {
 impl LawTable {
     /// `x` and `y`: the rows; `x` rises.
     fn fill(&mut self, x: Vec<Rational>, y: &[Rational]) {
-        let slopes = cubic::slopes(&x, y, self.extend == Extend::Periodic);
+        let slopes = whirl_slopes::slopes(&x, y, self.extend == Extend::Periodic);
         self.pieces = cubic::cubics(&x, y, &slopes);
         let last = x.len() - 1;
         self.splits = x[1..last].to_vec();
