@@ -29,6 +29,7 @@ mod spec_file;
 mod start;
 mod streams;
 pub mod sweep;
+mod text_file;
 mod version;
 mod watch;
 

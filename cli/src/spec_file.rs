@@ -9,6 +9,8 @@ use whirl_codegen::document::Document;
 use whirl_codegen::spec::list::{KINDS, Spec};
 use whirl_specs::{Origin, TABLES, generated};
 
+use crate::text_file;
+
 /// Reads a spec file of the kind that it says.
 ///
 /// # Errors
@@ -53,10 +55,7 @@ fn columns(law: &Source, name: &str) -> Result<Arc<Source>, String> {
         if path.exists() && !path.is_file() {
             return Err(format!("`{}` is not a file", path.display()));
         }
-        return match fs::read_to_string(&path) {
-            Ok(text) => Ok(Source::new(path, text)),
-            Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
-        };
+        return text_file::read(&path).map(|text| Source::new(path, text));
     }
     let built_in = path.strip_prefix(FOLDER).unwrap_or(&path);
     let found = TABLES.iter().find(|(other, _)| Path::new(other) == built_in);
@@ -80,8 +79,7 @@ pub(crate) fn built_in_source(origin: &Origin) -> Arc<Source> {
 pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>), Diagnostics> {
     let path = Path::new(name);
     if path.is_file() {
-        let text = fs::read_to_string(path)
-            .map_err(|error| not_found(name, format!("cannot read `{name}`: {error}"), None))?;
+        let text = text_file::read(path).map_err(|error| not_found(name, error, None))?;
         let built_in_file = built_in().find(|origin| origin.text == text);
         return Ok((Source::new(path, text), built_in_file));
     }

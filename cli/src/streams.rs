@@ -15,11 +15,16 @@ pub(crate) fn say(text: &str) -> Result<(), Failure> {
         .map_err(|error| Failure::StandardOutput { reason: error.to_string() })
 }
 
-/// What `work` gives, once the warnings that it adds to a list are written to standard error.
+/// What `work` gives, once the warnings that it adds to a list are written to standard error: each once, though two
+/// bodies have the same mesh.
 pub(crate) fn warned<T>(work: impl FnOnce(&mut Vec<String>) -> T) -> T {
     let mut warnings = Vec::new();
     let made = work(&mut warnings);
-    warnings.iter().for_each(warn);
+    for (place, warning) in warnings.iter().enumerate() {
+        if !warnings[..place].contains(warning) {
+            warn(warning);
+        }
+    }
     made
 }
 

@@ -20,6 +20,7 @@ mod law_values;
 mod lost_work;
 mod machines;
 mod matrices_page;
+mod mesh_forms;
 mod mesh_pictures;
 mod messages;
 mod mutants;

@@ -105,6 +105,13 @@ fn an_instance_is_moved_and_turned() {
         assert!((found - known).abs() < 1e-15, "{found} {known}");
     }
     assert_eq!(labels(&read.mesh, "TIP"), [3]);
+    // Labels of the assembly's own nodes are not those of the part.
+    let points = "*NODE\n1, 9, 9, 9\n*NSET, NSET=POINT\n1\n*ELEMENT, TYPE=MASS, ELSET=M\n1, 1\n*END ASSEMBLY";
+    let read = open(text.replace("*END ASSEMBLY", points).as_bytes(), "part.inp");
+    let read = read.unwrap_or_else(|errors| panic!("{errors}"));
+    let warned: Vec<&str> = read.warnings.iter().map(|own| own.what.as_str()).collect();
+    assert_eq!(warned, ["nodes of the assembly, and what stands on them, are left out"]);
+    assert_eq!((read.mesh.nodes().len(), read.mesh.node_sets().len()), (8, 1));
     // Moved first, then turned: (3, 0, 5) about the same line.
     let aside = text.replace("0, 0, 5\n", "2, -1, 5\n");
     let read = open(aside.as_bytes(), "part.inp").unwrap_or_else(|errors| panic!("{errors}"));

@@ -3,6 +3,7 @@
 
 mod calculix;
 mod damaged;
+mod forms;
 mod gmsh;
 mod input;
 mod packed;

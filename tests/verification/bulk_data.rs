@@ -1,5 +1,6 @@
 //! Reading Nastran's bulk data: what is accepted, what is refused, and what it means.
 
+mod damage;
 mod errors;
 mod fixtures;
 mod hostile;

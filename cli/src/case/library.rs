@@ -1,6 +1,5 @@
 //! Where case files come from: the disk, or the cases built into the program.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -9,6 +8,7 @@ use whirl_codegen::document::Wording;
 use whirl_codegen::document::tree::{Content, Node, Place, Tree};
 
 use super::CaseText;
+use crate::text_file;
 
 macro_rules! embedded {
     ($($file:literal),* $(,)?) => {
@@ -112,16 +112,11 @@ impl<'a> FileStore<'a> {
                 if path.exists() && !path.is_file() {
                     return Err(format!("`{}` is not a file", path.display()));
                 }
-                match fs::read_to_string(path) {
-                    Ok(text) => {
-                        let source = Source::new(path, text);
-                        if let FileStore::Given(text) = self {
-                            text.note(&source);
-                        }
-                        Ok(source)
-                    }
-                    Err(error) => Err(format!("cannot read `{}`: {error}", path.display())),
+                let source = Source::new(path, text_file::read(path)?);
+                if let FileStore::Given(text) = self {
+                    text.note(&source);
                 }
+                Ok(source)
             }
             FileStore::Embedded => embedded_file(path)
                 .ok_or_else(|| format!("there is no built-in file `{}`", path.display())),
@@ -354,6 +349,8 @@ fn include_names(include: Node, errors: &mut Diagnostics) -> Vec<(Place, String)
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

@@ -74,6 +74,7 @@ fn read(
     warnings.extend(read.warnings.iter().map(ToString::to_string));
     warnings.extend(read.masses.iter().map(|mass| masses::in_case(&path, mass)));
     let mesh = in_regions(read.mesh, regions)?;
+    complete(file, &path, &mesh)?;
     let bare: Vec<bool> =
         mesh.materials().iter().map(|material| material.properties.is_empty()).collect();
     let is_bare = |cell: Cell| bare[mesh.blocks()[cell.block].material];
@@ -94,6 +95,27 @@ fn read(
         );
     }
     Ok(mesh)
+}
+
+/// Refuses materials of the file that lack a property: that of the case is another material's.
+fn complete(file: &MeshFile, path: &str, mesh: &Mesh) -> Result<(), Failure> {
+    let mut errors = Diagnostics::new();
+    for (index, material) in mesh.materials().iter().enumerate() {
+        let Some(property) = material.lacks().filter(|_| !material.properties.is_empty()) else {
+            continue;
+        };
+        let blocks = mesh.blocks().iter().filter(|block| block.material == index);
+        let labels: Vec<u64> = blocks.flat_map(|block| block.labels.iter().copied()).collect();
+        let Some(first) = labels.first() else { continue };
+        let message = format!(
+            "{path}: material {} of {} cells, such as cell {first}, has no {property}",
+            material.name,
+            labels.len()
+        );
+        let help = "write it into the file, or give these cells a whole material by `regions`";
+        errors.push(file.name.error_here(Code::BAD_VALUE, message).help(help));
+    }
+    Ok(errors.into_result(())?)
 }
 
 /// A body of matrices.

@@ -63,7 +63,10 @@ fn say(text: &mut String, mesh: &Mesh) {
         let material = &mesh.materials()[block.material];
         let of = match material.properties.is_empty() {
             true => "without material".to_owned(),
-            false => format!("of {}", material.name),
+            false => match material.lacks() {
+                Some(property) => format!("of {}, which has no {property}", material.name),
+                None => format!("of {}", material.name),
+            },
         };
         line!(text, "{} cells {}, {of}", block.len(), block.element.origin.name);
     }
@@ -78,7 +81,11 @@ fn say(text: &mut String, mesh: &Mesh) {
     for (name, nodes) in mesh.node_sets() {
         let [low, high] = bounds(nodes.iter().map(|&node| &mesh.nodes()[node]));
         let mut row = vec![name.clone(), nodes.len().to_string()];
-        row.extend((0..3).map(|k| format!("{} to {}", mm(low[k]), mm(high[k]))));
+        let range = |k: usize| match nodes.is_empty() {
+            true => "–".to_owned(),
+            false => format!("{} to {}", mm(low[k]), mm(high[k])),
+        };
+        row.extend((0..3).map(range));
         rows.push(row);
     }
     if !rows.is_empty() {

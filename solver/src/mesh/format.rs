@@ -7,6 +7,7 @@ use std::path::Path;
 use whirl_specs::Element;
 
 use super::bdf::AddedMass;
+use super::foreign::{Foreign, foreign};
 pub use super::units::MeshUnits;
 use super::{Mesh, bdf, inp, msh};
 use crate::error::{InputError, InputErrors};
@@ -109,6 +110,11 @@ impl Format {
 /// # Errors
 /// All that is wrong, each with its place, and how to fix it.
 pub fn read(bytes: Vec<u8>, path: &str, options: &ReadOptions) -> Result<ReadMesh, InputErrors> {
+    if let Some(Foreign { what, help }) = foreign(&bytes, path) {
+        let what = format!("this is {what}, which is not read");
+        let file = path.to_owned();
+        return Err(InputErrors(vec![InputError { file, line: 0, column: 0, what, help }]));
+    }
     match Format::of(&bytes, path) {
         Format::Inp => inp::read_with(&inp::decode(bytes), path, options),
         Format::Msh => msh::read(&bytes, path, options),
@@ -122,7 +128,14 @@ fn load(path: &Path) -> std::io::Result<String> {
     if !std::fs::metadata(path)?.is_file() {
         return Err(std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is no file"));
     }
-    std::fs::read(path).map(inp::decode)
+    let bytes = std::fs::read(path)?;
+    match foreign(&bytes, &path.display().to_string()) {
+        Some(Foreign { what, help }) => Err(std::io::Error::new(
+            std::io::ErrorKind::InvalidData,
+            format!("it is {what}: {help}"),
+        )),
+        None => Ok(inp::decode(bytes)),
+    }
 }
 
 #[cfg(test)]

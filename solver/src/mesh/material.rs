@@ -32,7 +32,19 @@ pub struct Material {
     pub properties: BTreeMap<String, f64>,
 }
 
+/// What cells need of their material: symbols of the forms, and what people call them.
+pub(super) const NEEDED: [(&str, &str); 3] =
+    [("E", "Young's modulus"), ("nu", "Poisson's ratio"), ("rho", "density")];
+
 impl Material {
+    /// What cells need and the material has not, such as `density`.
+    pub fn lacks(&self) -> Option<&'static str> {
+        NEEDED
+            .iter()
+            .find(|(symbol, _)| !self.properties.contains_key(*symbol))
+            .map(|(_, name)| *name)
+    }
+
     /// Linear elastic and isotropic: E (Pa), ν, ρ (kg/m³).
     ///
     /// # Errors

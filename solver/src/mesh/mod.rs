@@ -5,6 +5,7 @@
 
 pub mod bdf;
 pub mod crank;
+pub mod foreign;
 pub mod format;
 pub mod inp;
 mod layers;

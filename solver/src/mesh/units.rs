@@ -56,6 +56,16 @@ impl MeshUnits {
         value * (self.mass / (self.length * self.length * self.length))
     }
 
+    /// What a file in these units has for a modulus in Pa.
+    pub(super) fn written_modulus(&self, value: f64) -> String {
+        written(value / self.modulus(1.0))
+    }
+
+    /// What a file in these units has for a density in kg/m³.
+    pub(super) fn written_density(&self, value: f64) -> String {
+        written(value / self.density(1.0))
+    }
+
     /// Whether a material of this E and ρ in Pa and kg/m³ could be one.
     pub(super) fn is_material(e: f64, rho: f64) -> bool {
         DENSITY.contains(&rho) && SOUND.contains(&(e / rho).sqrt())
@@ -66,6 +76,15 @@ impl MeshUnits {
         let (e, rho) = (e / self.modulus(1.0), rho / self.density(1.0));
         let fits = |units: &MeshUnits| MeshUnits::is_material(units.modulus(e), units.density(rho));
         SYSTEMS.iter().find(|(_, units)| fits(units)).map(|(name, _)| *name)
+    }
+}
+
+/// A number of three digits as people write it into files.
+fn written(value: f64) -> String {
+    let short = format!("{value:.2e}").parse().unwrap_or(value);
+    match (1e-3..1e5).contains(&short) {
+        true => short.to_string(),
+        false => format!("{short:e}"),
     }
 }
 
@@ -95,6 +114,20 @@ mod tests {
             assert_eq!(si.likely(e, rho), Some(system), "{e} {rho}");
         }
         assert_eq!(si.likely(1.0, 1e30), None);
+    }
+
+    #[test]
+    fn steel_is_written_as_in_files() {
+        let si = MeshUnits::default();
+        assert_eq!(
+            (si.written_modulus(200e9), si.written_density(7860.0)),
+            ("2e11".into(), "7860".into())
+        );
+        let mm = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };
+        assert_eq!(
+            (mm.written_modulus(200e9), mm.written_density(7860.0)),
+            ("2e5".into(), "7.86e-9".into())
+        );
     }
 
     #[test]

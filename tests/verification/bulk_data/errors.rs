@@ -4,6 +4,9 @@
 use std::fs;
 use std::path::Path;
 
+use whirl_solver::mesh::bdf;
+use whirl_solver::mesh::format::{MeshUnits, ReadOptions};
+
 use super::{GOOD, read};
 
 const SOLID_1: &str = "CHEXA        101       1       1       2       3       4       5       6\n               7       8\n";
@@ -81,6 +84,7 @@ const CASES: &[(&str, &str)] = &[
     // What would change the mesh.
     ("PSHELL", "MPC,1,1,1,1.,2,1,-1.\nMPC,1,1,2,1.,2,2,-1.\nPSHELL"),
     ("PSHELL", "RBAR,9,1,2,123456\nPSHELL"),
+    ("PSHELL", "RBE1,9,1,123456\n,UM,2,123\nPSHELL"),
     ("BEGIN BULK", "BEGIN SUPER=3"),
     ("PSHELL", "BEGIN BULK\nPSHELL"),
     ("PSHELL", "INCLUDE 'more.bdf'\nPSHELL"),
@@ -118,6 +122,40 @@ fn all_errors_are_given_at_once_in_the_order_of_the_lines() {
     let errors = read(&text).unwrap_err();
     let lines: Vec<usize> = errors.0.iter().map(|error| error.line).collect();
     assert_eq!(lines, [16, 25, 26]);
+}
+
+/// Ties of a node beside the elements join nothing that is read.
+#[test]
+fn ties_that_join_no_two_nodes_of_elements_are_left_out() {
+    let text = GOOD.replace("PSHELL ", "RBAR,9,1,20,123456\nMPC,1,20,3,1.,7,3,-1.\nPSHELL ");
+    let warnings = super::good(&text).warnings;
+    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    let known =
+        "left out, as only solid elements are read: 1 CQUAD4, 1 MPC, 1 PSHELL, 1 RBAR, 1 SPC1";
+    assert!(warnings.iter().any(|warning| warning.ends_with(known)), "{warnings:?}");
+}
+
+/// The material of a file is another one than that of a case: E and ν stay where the density is missing.
+#[test]
+fn a_material_without_density_keeps_what_it_has() {
+    for (written, by) in [("   7860.", ""), ("   7860.", "      0.")] {
+        let text = GOOD.replacen(written, by, 1);
+        let open = ReadOptions { open: true, ..super::options() };
+        let mesh = bdf::read(&text, "cube.bdf", &open, &super::no_files).unwrap().mesh;
+        let material = &mesh.materials()[mesh.blocks()[0].material];
+        assert_eq!((material.properties["E"], material.properties["nu"]), (2e11, 0.3));
+        assert_eq!(material.lacks(), Some("density"));
+        let error = read(&text).unwrap_err().to_string();
+        assert!(error.starts_with("cube.bdf:26:1: material MAT1_1 has no density"), "{error}");
+        // No element is of this material: it is not missed.
+        let unused = text.replace("PSOLID         1       1", "PSOLID         1       2");
+        assert_eq!(super::good(&unused).mesh.materials().len(), 2);
+    }
+    let units = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };
+    let options = ReadOptions { units, ..super::options() };
+    let text = GOOD.replacen("   7860.", "", 1);
+    let error = bdf::read(&text, "cube.bdf", &options, &super::no_files).unwrap_err().to_string();
+    assert!(error.contains("such as 7.86e-9 (steel)"), "{error}");
 }
 
 #[test]

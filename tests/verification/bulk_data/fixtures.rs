@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use whirl_solver::assembly::mass_properties;
-use whirl_solver::mesh::bdf;
 use whirl_solver::mesh::format::{ReadMesh, ReadOptions};
+use whirl_solver::mesh::{Mesh, bdf};
 use whirl_specs::{ELEMENTS, Element};
 
 fn data(name: &str) -> String {
@@ -52,32 +52,84 @@ fn nodes_are_where_pynastran_puts_them() {
     }
 }
 
-/// Nodes on some of the edges, on all of those of a pyramid, and turned the other way.
-#[test]
-fn elements_of_other_nodes_are_refused() {
-    let text = data("every-element-small.bdf");
+/// The file with another card, or why it is refused.
+fn with(card: &str) -> Result<ReadMesh, String> {
+    let text = format!("{}{card}\n", data("every-element-small.bdf"));
     let elements: Vec<&'static Element> = ELEMENTS.iter().collect();
-    let errors = |card: &str| {
-        let text = format!("{text}{card}\n");
-        let read = bdf::read(&text, "cells.bdf", &ReadOptions::new(&elements), &super::no_files);
-        let error = read.unwrap_err().to_string();
-        error.split_once(": ").unwrap().1.to_owned()
-    };
-    let help = "\n  help: give a node to every edge, or to none: elements that are quadratic on some of their edges are \
-                not read";
+    let read = bdf::read(&text, "cells.bdf", &ReadOptions::new(&elements), &super::no_files);
+    read.map_err(|errors| errors.to_string().split_once(": ").unwrap().1.to_owned())
+}
+
+#[test]
+fn pyramids_with_nodes_on_edges_are_refused() {
     assert_eq!(
-        errors("CHEXA,99,4,1,2,3,4,5,6\n,7,8,9,10,11,12,13,14\n,15,16,17,,19,20"),
-        format!("CHEXA 99 has 19 of 20 nodes: G18 is missing on its edges{help}")
-    );
-    assert_eq!(
-        errors("CPENTA,99,4,1,2,3,4,5,6\n,7,8,9,10,11,12,13"),
-        format!("CPENTA 99 has 13 of 15 nodes: G14, G15 are missing on its edges{help}")
-    );
-    assert_eq!(
-        errors("CPYRAM,99,4,1,2,3,4,5,6\n,7,8,9,10,11,12,13"),
+        with("CPYRAM,99,4,1,2,3,4,5,6\n,7,8,9,10,11,12,13").unwrap_err(),
         "no element is known for CPYRAM 99 with nodes on its edges\n  help: write CPYRAM with its 5 corners only, \
          or mesh this part with other elements"
     );
+}
+
+/// A node on an edge that has none: that of the neighbour, where it has one, else a new one in the middle.
+#[test]
+fn edges_without_a_node_get_one_in_their_middle() {
+    let whole = read(&data("every-element-small.bdf")).mesh;
+    let quadratic = |mesh: &Mesh| -> Vec<(u64, Vec<u64>)> {
+        let blocks = mesh.blocks().iter().filter(|block| block.element.nodes > 8);
+        let cells = blocks.flat_map(|block| block.labels.iter().zip(block.cells()));
+        cells
+            .map(|(label, nodes)| (*label, nodes.iter().map(|&node| mesh.labels()[node]).collect()))
+            .collect()
+    };
+    let cards = quadratic(&whole);
+    assert!(cards.len() > 5);
+    // Every card once, without the last node on an edge; a node that no other cell has is then gone.
+    for (label, nodes) in &cards {
+        let text = data("every-element-large.bdf");
+        let start = text.lines().position(|line| {
+            let mut words = line.split_whitespace();
+            line.starts_with('C') && words.nth(1) == Some(&label.to_string())
+        });
+        let Some(start) = start else { panic!("no card of {label}") };
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let mut end = start + 1;
+        while lines[end].starts_with(' ') {
+            end += 1;
+        }
+        let last = lines[end - 1].trim_end().to_owned();
+        let cut = last.rfind(char::is_whitespace).expect("fields");
+        let removed: u64 = last[cut..].trim().parse().expect("a label");
+        lines[end - 1] = last[..cut].to_owned();
+        let found = read(&(lines.join("\n") + "\n"));
+        assert!(
+            found.warnings.iter().any(|own| own.what.starts_with(&format!(
+                "1 quadratic element without a node on each edge ({label}): "
+            ))),
+            "{:?}",
+            found.warnings
+        );
+        let now = quadratic(&found.mesh);
+        let (_, own) = now.iter().find(|(own, _)| own == label).expect("the cell");
+        let at = nodes.iter().position(|node| *node == removed).expect("its node");
+        for (place, (own, before)) in own.iter().zip(nodes).enumerate() {
+            assert!(place == at || own == before, "{label}: {own} for {before}");
+        }
+        // In the middle of the corners between which it stands in the element.
+        let position = |label: &u64| {
+            let mesh = &found.mesh;
+            mesh.nodes()[mesh.labels().iter().position(|own| own == label).expect("a node")]
+        };
+        let element = ELEMENTS.iter().find(|element| {
+            element.nodes == own.len() && element.nastran.is_some() && element.nodes > 8
+        });
+        let place = |node: usize| element.expect("an element").reference_nodes[node];
+        let is_edge = |&(a, b): &(usize, usize)| {
+            a < b && (0..3).all(|i| place(a)[i] + place(b)[i] == 2.0 * place(at)[i])
+        };
+        let pairs = (0..own.len()).flat_map(|a| (0..own.len()).map(move |b| (a, b)));
+        let edge = pairs.filter(is_edge).find(|(a, b)| *a != at && *b != at).expect("an edge");
+        let ends = [position(&own[edge.0]), position(&own[edge.1])];
+        assert_eq!(position(&own[at]), [0, 1, 2].map(|i| (ends[0][i] + ends[1][i]) / 2.0));
+    }
 }
 
 /// Edges in the order in which Nastran's cards list the nodes on them.

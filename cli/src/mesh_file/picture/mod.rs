@@ -73,7 +73,13 @@ pub(super) fn draw(mesh: &Mesh, name: &str, file: &Path) -> Result<(), Failure> 
         false => svg.into_bytes(),
     };
     let name = file.file_name().ok_or_else(|| failure("it names no file"))?;
-    let mut output = Output::open(file.parent().unwrap_or(Path::new("")))?;
+    // A bare name is in this folder, which has no name of its own.
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let opened = Output::open(folder.unwrap_or(Path::new(".")));
+    let mut output = opened.map_err(|error| match error {
+        Failure::Output { reason, .. } => failure(&reason),
+        other => other,
+    })?;
     output.put(&name.to_string_lossy(), content);
     output.commit()
 }

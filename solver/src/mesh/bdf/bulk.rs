@@ -17,6 +17,7 @@ use super::properties::Properties;
 use super::sets::{self, RawSet};
 use super::spiders::{self, Spider};
 use super::systems::Systems;
+use super::ties::Tie;
 use super::values::ALIGN;
 
 /// Cards that are read besides those of elements, for hints.
@@ -40,6 +41,8 @@ pub(super) struct Bulk {
     pub(super) mass_factor: f64,
     /// Cards that are left out, with their number and the first of them.
     pub(super) left_out: BTreeMap<String, (usize, LinePosition)>,
+    /// Cards that tie nodes.
+    ties: Vec<Tie>,
     unknown: BTreeMap<String, (usize, LinePosition)>,
     refused: BTreeMap<String, (usize, LinePosition, &'static str, &'static str)>,
 }
@@ -61,6 +64,7 @@ pub(super) fn read(
         names: Names::default(),
         mass_factor: 1.0,
         left_out: BTreeMap::new(),
+        ties: Vec::new(),
         unknown: BTreeMap::new(),
         refused: BTreeMap::new(),
     };
@@ -159,6 +163,7 @@ impl Bulk {
         if word != card.name && (READ.contains(&word) || self.cells.are(word)) {
             let what = format!("`{}` is no card", card.name);
             report.error(card.place, what, ALIGN);
+            self.grids.lost |= word.starts_with("GRID");
             return;
         }
         let note = |cards: &mut BTreeMap<String, (usize, LinePosition)>| match cards
@@ -171,6 +176,7 @@ impl Bulk {
             Meaning::Control => {}
             Meaning::LeftOut => note(&mut self.left_out),
             Meaning::Unknown => note(&mut self.unknown),
+            Meaning::Tie => self.ties.push(Tie::read(card)),
             Meaning::Refused(what, help) => {
                 let entry = self.refused.entry(card.name.to_string());
                 entry.or_insert((0, card.place, what, help)).0 += 1;
@@ -186,6 +192,9 @@ impl Bulk {
                 _ => format!(" ({number} cards)"),
             };
             report.error(*place, format!("{name} {what}{all}"), *help);
+        }
+        for (name, place) in super::ties::refuse(&self.ties, &self.cells, report) {
+            self.left_out.entry(name).or_insert((0, place)).0 += 1;
         }
         if let Some((_, first)) = self.left_out.values().min_by_key(|(_, place)| *place) {
             let cards = self.left_out.iter().map(|(name, (number, _))| format!("{number} {name}"));

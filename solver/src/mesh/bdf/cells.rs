@@ -15,7 +15,7 @@ pub(super) struct RawCell {
     pub(super) property: u64,
     /// `None` where the card is wrong, which is an error by itself.
     pub(super) element: Option<&'static Element>,
-    /// Labels of the nodes, in the order of the card.
+    /// Labels of the nodes, in the order of the card; 0 where an edge has none.
     pub(super) nodes: Vec<u64>,
     pub(super) place: LinePosition,
 }
@@ -60,14 +60,22 @@ impl Cells {
         while fields.last().is_some_and(is_blank) {
             fields.pop();
         }
-        let element = self.element(label, card, &fields, report);
+        let mut element = self.element(label, card, &fields, report);
         let mut nodes = Vec::with_capacity(fields.len());
         for field in fields {
-            if is_blank(&field) {
+            let node = match is_blank(&field) {
+                true => Some(0),
+                false => report.label_in(card, field, "label of a node"),
+            };
+            // A label that cannot be read is an error by itself.
+            let Some(node) = node else {
+                element = None;
                 continue;
-            }
-            let Some(node) = report.label_in(card, field, "label of a node") else { continue };
+            };
             nodes.push(node);
+        }
+        if let Some(element) = element {
+            nodes.resize(element.nodes, 0);
         }
         if let Some(&first) = self.index.get(&label) {
             let line = report.line(self.list[first].place, card.place);
@@ -118,33 +126,23 @@ impl Cells {
             8 => 20,
             other => known.iter().max().copied().unwrap_or(other),
         };
-        let reads = |nodes: usize| known.contains(&nodes);
         if fields.len() > full {
             let what = format!(
                 "{name} {label} has {}, it can have {full} at most",
                 count(fields.len(), "node")
             );
             report.error(fields[full].place, what, "take out what stands behind its last node");
-        } else if fields.len() == full && blank.is_empty() || !reads(full) {
+        } else if let Some(element) = self.called(name).find(|element| element.nodes == full) {
+            // Edges without a node get one in their middle.
+            return Some(element);
+        } else {
             let what = format!("no element is known for {name} {label} with nodes on its edges");
-            let help = match reads(corners) {
+            let help = match known.contains(&corners) {
                 true => format!(
                     "write {name} with its {corners} corners only, or mesh this part with other elements"
                 ),
                 false => "mesh this part with other elements".to_owned(),
             };
-            report.error(card.place, what, help);
-        } else {
-            let given = fields.len() - blank.len();
-            let missing = (corners..full).filter(|at| *at >= fields.len() || blank.contains(at));
-            let missing: Vec<String> = missing.map(|at| format!("G{}", at + 1)).collect();
-            let what = format!(
-                "{name} {label} has {given} of {full} nodes: {} {} missing on its edges",
-                missing.join(", "),
-                if missing.len() == 1 { "is" } else { "are" }
-            );
-            let help = "give a node to every edge, or to none: elements that are quadratic on some of their edges \
-                        are not read";
             report.error(card.place, what, help);
         }
         None
@@ -155,10 +153,12 @@ impl Cells {
         let mut sorted: Vec<u64> = Vec::new();
         for cell in self.list.iter().filter(|cell| cell.element.is_some()) {
             let label = cell.label;
-            let missing = || cell.nodes.iter().filter(|node| grids.place_of(**node).is_none());
+            let named = || cell.nodes.iter().filter(|node| **node > 0);
+            let missing = || named().filter(|node| grids.place_of(**node).is_none());
             let help = "add its GRID, or correct the label";
             match missing().count() {
                 0 => {}
+                _ if grids.lost => {}
                 1 => {
                     let what = format!(
                         "element {label} has node {}, which is not defined",
@@ -175,7 +175,7 @@ impl Cells {
                 }
             }
             sorted.clear();
-            sorted.extend(&cell.nodes);
+            sorted.extend(named());
             sorted.sort_unstable();
             if let Some(pair) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
                 let what = format!("element {label} has node {} twice", pair[0]);

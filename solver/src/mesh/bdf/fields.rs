@@ -81,7 +81,8 @@ pub(super) fn each<'a>(sources: &'a Sources, lines: &[Line], mut take: impl FnMu
             take(Entry::Card(&card));
         }
         comments.drain(..).for_each(|comment| take(Entry::Comment(comment)));
-        let name = cut.name.trim_end_matches('*').trim_end();
+        // meshio writes `CTETRA_` of quadratic elements.
+        let name = cut.name.trim_end_matches('*').trim_end().trim_end_matches('_');
         let mut card = Card {
             name: match name.bytes().any(|c| c.is_ascii_lowercase()) {
                 true => Cow::Owned(name.to_ascii_uppercase()),

@@ -166,6 +166,9 @@ impl Interfaces {
                 report.error(raw.place, format!("CONM2 {} {what}", raw.label), help);
             };
             let Some(node) = bulk.grids.place_of(raw.node) else {
+                if bulk.grids.lost {
+                    continue;
+                }
                 let what = format!("stands on node {}, which is not defined", raw.node);
                 missing(report, what, "add its GRID, or correct the label".to_owned());
                 continue;

@@ -9,6 +9,8 @@ pub(super) enum Meaning {
     LeftOut,
     /// Without it, the mesh would be another: why it is refused, and what to do.
     Refused(&'static str, &'static str),
+    /// It ties nodes: refused where these are nodes of elements that are read.
+    Tie,
     Unknown,
 }
 
@@ -16,8 +18,8 @@ const CONTROL: &[&str] = &[
     "PARAM", "MDLPRM", "EIGR", "EIGRL", "EIGB", "EIGC", "EIGP", "FREQ", "FREQ1", "FREQ2", "FREQ3",
     "FREQ4", "FREQ5", "TSTEP", "TSTEPNL", "NLPARM", "NLPCI", "NLSTEP", "NXSTRAT", "TABLED1",
     "TABLED2", "TABLED3", "TABLED4", "TABLEM1", "TABLES1", "TABDMP1", "TABRND1", "RANDPS",
-    "ECHOON", "ECHOOFF", "DOPTPRM", "DTI", "ITER", "OMIT", "ASET", "ASET1", "QSET", "QSET1",
-    "SPOINT",
+    "MPCADD", "ECHOON", "ECHOOFF", "DOPTPRM", "DTI", "ITER", "OMIT", "ASET", "ASET1", "QSET",
+    "QSET1", "SPOINT",
 ];
 
 /// Names, or with an asterisk their beginnings.
@@ -35,8 +37,11 @@ const LEFT_OUT: &[&str] = &[
     "BCTPARM", "BSURF*", "BCPROP*", "BCBODY*", "BCTABLE*", "BCONT*", "BCRPARA", "BGADD", "BGPARM",
 ];
 
-const TIES: &str = "ties nodes to one another, which is not read";
-const BY_SPIDERS: &str =
+/// Cards that tie nodes to one another, which is not read.
+const TIES: &[&str] =
+    &["MPC", "RBAR", "RBAR1", "RBE1", "RROD", "RTRPLT", "RTRPLT1", "RSPLINE", "RSSCON", "RJOINT"];
+
+pub(super) const BY_SPIDERS: &str =
     "let the meshes share nodes; for what carries a load or a bearing use RBE2 or RBE3";
 const SUPERELEMENTS: &str = "belongs to superelements, which are not read";
 const NO_SUPERELEMENTS: &str = "write the model without superelements";
@@ -44,17 +49,6 @@ const MATRICES: &str = "adds matrices to the model, which are not read";
 const NO_MATRICES: &str = "write the part as a mesh";
 
 const REFUSED: &[(&str, &str, &str)] = &[
-    ("MPC", TIES, BY_SPIDERS),
-    ("MPCADD", TIES, BY_SPIDERS),
-    ("RBAR", TIES, BY_SPIDERS),
-    ("RBAR1", TIES, BY_SPIDERS),
-    ("RBE1", TIES, BY_SPIDERS),
-    ("RROD", TIES, BY_SPIDERS),
-    ("RTRPLT", TIES, BY_SPIDERS),
-    ("RTRPLT1", TIES, BY_SPIDERS),
-    ("RSPLINE", TIES, BY_SPIDERS),
-    ("RSSCON", TIES, BY_SPIDERS),
-    ("RJOINT", TIES, BY_SPIDERS),
     ("BGSET", "glues surfaces, which is not read", BY_SPIDERS),
     ("CSUPER", SUPERELEMENTS, NO_SUPERELEMENTS),
     ("CSUPEXT", SUPERELEMENTS, NO_SUPERELEMENTS),
@@ -80,6 +74,8 @@ pub(super) fn meaning(name: &str) -> Meaning {
     };
     if CONTROL.contains(&name) {
         Meaning::Control
+    } else if TIES.contains(&name) {
+        Meaning::Tie
     } else if let Some((_, what, help)) = REFUSED.iter().find(|(refused, ..)| *refused == name) {
         Meaning::Refused(what, help)
     } else if LEFT_OUT.iter().any(|known| is(known)) {

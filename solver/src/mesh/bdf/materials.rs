@@ -80,15 +80,7 @@ fn material(
     }
     let label = own.material?;
     if let Some(raw) = properties.materials.get(&label) {
-        if raw.broken {
-            return None;
-        }
-        let dense = raw.values.contains_key("rho");
-        if !dense && !open {
-            let what = format!("MAT1 {label} has no density");
-            report.error(raw.place, what, "write ρ into its field 6, such as 7860. in kg/m³");
-        }
-        return Some(label).filter(|_| dense);
+        return Some(label).filter(|_| !raw.broken);
     }
     match properties.other_materials.get(&label) {
         Some((card, place)) => {

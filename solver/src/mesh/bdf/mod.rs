@@ -8,6 +8,7 @@
 mod bulk;
 mod cells;
 mod dmig;
+mod edges;
 mod fields;
 mod files;
 mod interfaces;
@@ -21,6 +22,7 @@ mod properties;
 mod sets;
 mod spiders;
 mod systems;
+mod ties;
 mod values;
 
 pub(super) use self::dmig::{Dmig, DmigColumn, grid_points, matrices};
@@ -35,6 +37,14 @@ use crate::error::InputErrors;
 const REMEDIES: Remedies = Remedies {
     no_cells: "add CTETRA, CPENTA, CPYRAM or CHEXA; points, lines and shells are not read",
     no_section: "add PSOLID and MAT1; in a case `material` serves, too",
+    // E and ν are there, or the card is refused.
+    lacks: |name, _, steel| {
+        let help = format!(
+            "write ρ into field 6 of its MAT1, such as {steel} (steel), or give the elements another material by \
+             `regions` in the case"
+        );
+        (format!("material {name} has no density"), help)
+    },
 };
 
 /// Reads a mesh; `path` is used in messages, and to find included files, which `load` reads.
@@ -49,11 +59,15 @@ pub fn read(
 ) -> Result<ReadMesh, InputErrors> {
     let mut report = MeshReport::new(path);
     let sources = files::read(text, load, &mut report);
-    let bulk = bulk::read(&sources, options.elements, &mut report);
+    // What stands in a file that is not there is missing because of that.
+    let lost = report.error_count() > 0;
+    let mut bulk = bulk::read(&sources, options.elements, &mut report);
+    bulk.grids.lost |= lost;
     let frames = bulk.systems.resolve(&bulk.grids, &mut report);
-    let positions = bulk.grids.positions(&bulk.systems, &frames, &mut report);
+    let mut positions = bulk.grids.positions(&bulk.systems, &frames, &mut report);
     bulk.cells.check_nodes(&bulk.grids, &mut report);
-    let regions = materials::regions(&bulk, options.open, &mut report);
+    edges::fill(&mut bulk.cells, &mut bulk.grids, &mut positions, &mut report);
+    let regions = materials::regions(&bulk, options.open || lost, &mut report);
     let used = bulk.used(&mut report);
     let interfaces = interfaces::find(&bulk, &frames, &positions, &used, &mut report);
     let mut nodes = NodeTable::new();

@@ -32,11 +32,16 @@ pub(super) struct Grids {
     /// Grid points with constraints of their own (PS).
     pub(super) held: usize,
     held_by_default: bool,
+    /// Whether a label was lost in an error: what has it is no further error.
+    pub(super) lost: bool,
 }
 
 impl Grids {
     pub(super) fn read(&mut self, card: &Card, report: &mut MeshReport) {
-        let Some(label) = report.label(card, 0, "label of the node") else { return };
+        let Some(label) = report.label(card, 0, "label of the node") else {
+            self.lost = true;
+            return;
+        };
         let system = card.field(1).map(|_| report.count_or_zero(card, 1, "coordinate system"));
         let mut at = [0.0; 3];
         for (i, value) in at.iter_mut().enumerate() {
@@ -124,6 +129,23 @@ impl Grids {
             report.error(place, what, systems.known());
         }
         positions
+    }
+
+    /// Adds a grid point that no card gives, in the basic system: its label, which is free from `from` on.
+    pub(super) fn add(&mut self, from: u64, at: Point, place: LinePosition) -> u64 {
+        let mut label = from;
+        while self.index.contains_key(&label) {
+            label = label.wrapping_add(1).max(1);
+        }
+        self.index.insert(label, self.list.len());
+        self.list.push(RawGrid { label, system: Some(0), at, place });
+        label
+    }
+
+    /// A label above all others, but for those that leave no room.
+    pub(super) fn above(&self) -> u64 {
+        let labels = self.list.iter().map(|grid| grid.label);
+        labels.filter(|label| *label < u64::MAX / 2).max().unwrap_or(0) + 1
     }
 
     pub(super) fn place_of(&self, label: u64) -> Option<usize> {

@@ -102,11 +102,7 @@ impl Properties {
             }
             _ if !broken => {
                 let what = format!("MAT1 {label} has fewer than two of E, G and ν");
-                report.error(
-                    card.place,
-                    what,
-                    "write E and ν, such as 2.1E11 and 0.3 for steel in Pa",
-                );
+                report.error(card.place, what, "write E and ν into its fields 3 and 5");
                 broken = true;
             }
             _ => {}

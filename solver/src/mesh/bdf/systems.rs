@@ -272,6 +272,9 @@ impl Systems {
                 let mut points = [[0.0; 3]; 3];
                 for (point, grid) in points.iter_mut().zip(labels) {
                     let Some((system, at)) = grids.raw(grid) else {
+                        if grids.lost {
+                            return Next::Frame(None);
+                        }
                         let what = format!(
                             "coordinate system {label} stands on node {grid}, which is not defined"
                         );

@@ -38,6 +38,8 @@ pub(super) struct Card<'a> {
     pub(super) parameters: Vec<Parameter<'a>>,
     /// Data lines as tokens; the empty token after a comma at the end of a line is left out.
     pub(super) lines: Vec<Vec<Token<'a>>>,
+    /// Which of these lines end with a comma.
+    pub(super) open: Vec<bool>,
 }
 
 impl<'a> Card<'a> {
@@ -80,6 +82,7 @@ pub(super) fn cards(pieces: &[Piece]) -> Vec<Card<'_>> {
                 place,
                 parameters: tokens.map(parameter).collect(),
                 lines: Vec::new(),
+                open: Vec::new(),
             });
             continued = open;
         } else {
@@ -90,10 +93,12 @@ pub(super) fn cards(pieces: &[Piece]) -> Vec<Card<'_>> {
                     place,
                     parameters: Vec::new(),
                     lines: Vec::new(),
+                    open: Vec::new(),
                 });
             }
             if let Some(card) = cards.last_mut() {
                 card.lines.push(tokens);
+                card.open.push(open);
             }
         }
     }

@@ -1,5 +1,7 @@
 //! Nodes, cells and the sections that give cells their material.
 
+use std::collections::BTreeMap;
+
 use whirl_specs::Element;
 
 use super::super::raw::{
@@ -7,24 +9,32 @@ use super::super::raw::{
     in_own_order, list,
 };
 use super::cards::{Card, Token};
+use super::others::OtherElements;
+use super::types::{self, Kind, Substitute};
 use super::values::{label, number, required};
 
 pub(super) fn read_nodes(cards: &[&Card], report: &mut MeshReport) -> NodeTable {
     let mut nodes = NodeTable::new();
     for card in cards.iter().filter(|card| card.keyword == "NODE") {
-        if let Some(system) = card.parameter("SYSTEM") {
+        if let Some(system) = card.parameter("SYSTEM")
+            && !system.value.is_some_and(|value| value.text.eq_ignore_ascii_case("R"))
+        {
             report.error(system.place, "only rectangular coordinates are read", "write x, y, z");
         }
         let mut members = Vec::new();
         for line in &card.lines {
             let Some(token) = line.first() else { continue };
-            let Some(label) = label(token, "label of a node", report) else { continue };
+            let Some(label) = label(token, "label of a node", report) else {
+                nodes.named.lost = true;
+                continue;
+            };
+            // What is left out is 0; behind z a normal may stand, which says nothing of solids.
             let mut position = [0.0; 3];
-            if line.len() == 4 {
-                for (value, token) in position.iter_mut().zip(&line[1..]) {
-                    *value = number(token, "coordinate", report).unwrap_or(0.0);
-                }
-            } else {
+            let given = line[1..].iter().zip(&mut position);
+            for (token, value) in given.filter(|(token, _)| !token.text.is_empty()) {
+                *value = number(token, "coordinate", report).unwrap_or(0.0);
+            }
+            if line.len() > 7 {
                 let what = format!("node {label} has {}", count(line.len() - 1, "coordinate"));
                 report.error(*token, what, "write label, x, y, z");
             }
@@ -40,83 +50,65 @@ pub(super) fn read_nodes(cards: &[&Card], report: &mut MeshReport) -> NodeTable 
     nodes
 }
 
+/// Reads the solids, and notes what else there is.
 pub(super) fn read_elements(
     cards: &[&Card],
     elements: &[&'static Element],
     nodes: &NodeTable,
     report: &mut MeshReport,
-) -> Cells {
+) -> (Cells, OtherElements) {
     let mut cells = Cells::new();
+    let mut others = OtherElements::default();
+    let mut substitutes: BTreeMap<String, (usize, LinePosition, Substitute)> = BTreeMap::new();
     for card in cards.iter().filter(|card| card.keyword == "ELEMENT") {
-        let element = element(card, elements, report);
+        let set = card.parameter("ELSET").and_then(|parameter| parameter.value);
+        let (element, substitute) = match types::of_card(card, elements, report) {
+            Kind::Solid(element, substitute) => (element, substitute),
+            Kind::LeftOut => {
+                others.read(card, nodes);
+                if let Some(set) = set {
+                    cells.named.sets.add(set.text, []);
+                }
+                continue;
+            }
+            Kind::Refused => {
+                cells.named.lost = true;
+                continue;
+            }
+        };
         let mut members = Vec::new();
         for tokens in cell_lines(card, element) {
             let Some(&token) = tokens.first() else { continue };
-            let Some(label) = label(&token, "label of a cell", report) else { continue };
-            let nodes = match element {
-                Some(element) => cell_nodes(label, &tokens, element, nodes, report),
-                None => Vec::new(),
+            let Some(label) = label(&token, "label of a cell", report) else {
+                cells.named.lost = true;
+                continue;
             };
+            let nodes = cell_nodes(label, &tokens, element, nodes, report);
             if let Some(index) = cells.named.add(label, token, report) {
-                cells.list.push(RawCell { element, nodes });
+                cells.list.push(RawCell { element: Some(element), nodes });
                 members.push(index);
             }
         }
-        if let Some(name) = card.parameter("ELSET").and_then(|parameter| parameter.value) {
-            cells.named.sets.add(name.text, members);
+        if let Some(substitute) = substitute {
+            let name = card.parameter("TYPE").and_then(|kind| kind.value);
+            let name = name.map_or(String::new(), |name| name.text.to_uppercase());
+            let new = (0, card.place.into(), substitute);
+            substitutes.entry(name).or_insert(new).0 += members.len();
+        }
+        if let Some(set) = set {
+            cells.named.sets.add(set.text, members);
         }
     }
-    cells
-}
-
-fn element(
-    card: &Card,
-    elements: &[&'static Element],
-    report: &mut MeshReport,
-) -> Option<&'static Element> {
-    let name = required(card, "TYPE", "*ELEMENT, TYPE=C3D8I, ELSET=NAME", report)?;
-    let is_named = |element: &&&Element| {
-        element.abaqus.iter().any(|known| known.eq_ignore_ascii_case(name.text))
-    };
-    let found = elements.iter().find(is_named).copied();
-    if found.is_none() {
-        let types: Vec<&str> =
-            elements.iter().flat_map(|element| element.abaqus.iter().copied()).collect();
-        let known = format!("types that are read: {}", types.join(", "));
-        let help = match alike(name.text, &types) {
-            Some(other) => {
-                format!(
-                    "write TYPE={other}, an element of the same nodes in the same order; {known}"
-                )
-            }
-            None => known,
-        };
-        report.error(name, format!("no element is known for type {}", name.text), help);
+    for (name, (number, place, Substitute { known, difference })) in substitutes {
+        let what = format!("{} of {name} read as {known}", count(number, "cell"));
+        report.warn(place, what, difference);
     }
-    found
-}
-
-/// The type among `types` that has as many nodes as `name`, as its number says: for elements that differ in
-/// their integration (R), are hybrid (H) or modified (M). One with incompatible modes, if there is any.
-fn alike<'t>(name: &str, types: &[&'t str]) -> Option<&'t str> {
-    let name = name.to_uppercase();
-    let stem = name.trim_end_matches(|c: char| c.is_ascii_alphabetic());
-    let numbered = stem.starts_with("C3D") && stem.ends_with(|c: char| c.is_ascii_digit());
-    let mut fitting: Vec<&str> = types
-        .iter()
-        .copied()
-        .filter(|known| {
-            let rest = known.strip_prefix(stem);
-            numbered && rest.is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()))
-        })
-        .collect();
-    fitting.sort_by_key(|known| !known.ends_with('I'));
-    fitting.first().copied()
+    others.tell(report);
+    (cells, others)
 }
 
 /// The tokens of each cell: a cell goes on in the next line until it has all its nodes.
-fn cell_lines<'a>(card: &Card<'a>, element: Option<&Element>) -> Vec<Vec<Token<'a>>> {
-    let Some(element) = element else { return card.lines.clone() };
+fn cell_lines<'a>(card: &Card<'a>, element: &Element) -> Vec<Vec<Token<'a>>> {
     let mut cells: Vec<Vec<Token>> = Vec::new();
     for line in &card.lines {
         match cells.last_mut() {
@@ -153,6 +145,7 @@ fn cell_nodes(
     for token in &tokens[1..] {
         let Some(node) = label(token, "label of a node", report) else { continue };
         match nodes.named.index.get(&node) {
+            None if nodes.named.lost => {}
             None => {
                 let what = format!("cell {cell} has node {node}, which is not defined");
                 report.error(*token, what, "add it under *NODE, or correct the label");
@@ -179,14 +172,14 @@ pub(super) fn assign_sections(
     report: &mut MeshReport,
 ) -> (Vec<Option<usize>>, bool) {
     let mut material_of: Vec<Option<(usize, LinePosition)>> = vec![None; cells.list.len()];
-    let mut all_found = cells.named.complete;
+    let mut all_found = cells.named.complete && !cells.named.lost;
     for card in cards.iter().filter(|card| card.keyword == "SOLID SECTION") {
         let example = "*SOLID SECTION, ELSET=NAME, MATERIAL=NAME";
         let set = required(card, "ELSET", example, report);
         let material = required(card, "MATERIAL", example, report);
         let members = set.and_then(|set| {
             let members = cells.named.sets.get(set.text);
-            if members.is_none() {
+            if members.is_none() && !cells.named.lost {
                 let what = format!("no set of cells is called {}", set.text);
                 report.error(set, what, did_you_mean(set.text, cells.named.sets.names()));
             }
@@ -206,11 +199,15 @@ pub(super) fn assign_sections(
             all_found = false;
             continue;
         };
-        // An unknown material has been reported: its cells count as having a section.
-        let material = material.unwrap_or(0);
         let mut twice = Vec::new();
         for &cell in members {
+            // An unknown material has been reported: its cells count as having a section.
+            let Some(material) = material else {
+                material_of[cell].get_or_insert((usize::MAX, card.place.into()));
+                continue;
+            };
             match material_of[cell] {
+                Some((usize::MAX, _)) => {}
                 Some((other, _)) if other != material => twice.push(cells.named.labels[cell]),
                 _ => material_of[cell] = Some((material, card.place.into())),
             }

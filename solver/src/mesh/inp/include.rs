@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+use super::super::foreign::{Foreign, foreign};
 use super::super::raw::{LinePosition, MeshReport};
 use super::cards::{Token, parameter, tokens};
 use super::decode;
@@ -108,6 +109,11 @@ fn include(
         report.error(name, format!("more than {MOST_FILES} files are included"), help);
     } else if report.files.len() < MOST_FILES {
         match fs::read(&path) {
+            Ok(bytes) if foreign(&bytes, &shown).is_some() => {
+                if let Some(Foreign { what, help }) = foreign(&bytes, &shown) {
+                    report.error(name, format!("`{shown}` is {what}, which is not read"), help);
+                }
+            }
             Ok(bytes) => {
                 report.files.push(shown);
                 let file = report.files.len() - 1;

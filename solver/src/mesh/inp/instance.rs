@@ -8,17 +8,23 @@ use super::values::number;
 pub(super) const PARTS: [&str; 6] =
     ["PART", "END PART", "ASSEMBLY", "END ASSEMBLY", "INSTANCE", "END INSTANCE"];
 
-/// Puts the nodes where the instance has them; a second part or instance is refused.
-pub(super) fn place(cards: &[Card], nodes: &mut NodeTable, report: &mut MeshReport) {
+/// Whether there is one part and one instance at most. Of more the labels stand twice: nothing else can be said of
+/// the file.
+pub(super) fn is_one(cards: &[Card], report: &mut MeshReport) -> bool {
+    let before = report.error_count();
     for keyword in ["PART", "INSTANCE"] {
-        let mut all = cards.iter().filter(|card| card.keyword == keyword);
-        let first = all.next();
-        if let Some(second) = all.next() {
+        if let Some(second) = cards.iter().filter(|card| card.keyword == keyword).nth(1) {
             let help = "merge them into one part, or write a file for each body";
             report.error(second.place, format!("a second *{keyword} is not read"), help);
-        } else if let Some(card) = first.filter(|_| keyword == "INSTANCE") {
-            move_and_turn(card, nodes, report);
         }
+    }
+    report.error_count() == before
+}
+
+/// Puts the nodes where the instance has them.
+pub(super) fn place(cards: &[Card], nodes: &mut NodeTable, report: &mut MeshReport) {
+    if let Some(card) = cards.iter().find(|card| card.keyword == "INSTANCE") {
+        move_and_turn(card, nodes, report);
     }
 }
 

@@ -36,7 +36,6 @@ pub(super) fn read_materials(cards: &[&Card], report: &mut MeshReport) -> Vec<Ra
             _ => {}
         }
     }
-    materials.iter().for_each(|material| complete(material, report));
     materials
 }
 
@@ -48,7 +47,8 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
         |kind: &Token| ["ISO", "ISOTROPIC"].contains(&kind.text.to_uppercase().as_str());
     if let Some(kind) = kind.filter(|kind| !isotropic(kind)) {
         let what = format!("material {name} is {}: only isotropic materials are read", kind.text);
-        report.error(kind, what, "write *ELASTIC and E, ν");
+        material.unread.push((kind.into(), what, "write *ELASTIC and E, ν".to_owned()));
+        return;
     }
     let wanted: &[(&'static str, &str)] = match card.keyword.as_str() {
         "ELASTIC" => &[("E", "Young's modulus"), ("nu", "Poisson's ratio")],
@@ -56,8 +56,8 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
     };
     if card.lines.len() > 1 {
         let what = format!("*{} has {}", card.keyword, count(card.lines.len(), "line"));
-        let help = "properties that depend on temperature are not read: keep one line";
-        report.error(card.lines[1][0], what, help);
+        let help = "properties that depend on temperature are not read: keep one line".to_owned();
+        material.unread.push((card.lines[1][0].into(), what, help));
     }
     let line: &[Token] = card.lines.first().map_or(&[], Vec::as_slice);
     for (place, &(symbol, title)) in wanted.iter().enumerate() {
@@ -66,7 +66,7 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
             report.error(
                 at,
                 format!("*{} lacks the {title}", card.keyword),
-                "write E, ν in Pa and 1, ρ in kg/m³",
+                "write E, ν below *ELASTIC, and ρ below *DENSITY",
             );
             continue;
         };
@@ -74,18 +74,4 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
         material.set(symbol, title, value, (*token).into(), report);
     }
     material.broken |= report.error_count() > before;
-}
-
-/// Notes properties that are not there.
-fn complete(material: &RawMaterial, report: &mut MeshReport) {
-    let name = &material.name;
-    if material.broken {
-        return;
-    }
-    for (symbol, keyword, example) in [("E", "ELASTIC", "200e9, 0.3"), ("rho", "DENSITY", "7860")] {
-        if !material.values.contains_key(symbol) {
-            let help = format!("write *{keyword} and a line such as {example} below *MATERIAL");
-            report.error(material.place, format!("material {name} has no *{keyword}"), help);
-        }
-    }
 }

@@ -10,8 +10,12 @@ mod cells;
 mod include;
 mod instance;
 mod materials;
+mod others;
+mod parameters;
 mod sets;
 mod surfaces;
+mod ties;
+mod types;
 mod values;
 
 use std::collections::BTreeSet;
@@ -30,8 +34,12 @@ use super::matrices::PlacedNodes;
 use super::raw::{MeshReport, RawMesh, Remedies};
 use crate::error::InputErrors;
 
-/// The text of a file in UTF-8, or else in Latin-1, in which older programs write names and comments.
-pub fn decode(bytes: Vec<u8>) -> String {
+/// The text of a file in UTF-8, without a byte order mark, or else in Latin-1, in which older programs write names and
+/// comments.
+pub fn decode(mut bytes: Vec<u8>) -> String {
+    if bytes.starts_with(b"\xef\xbb\xbf") {
+        bytes.drain(..3);
+    }
     match String::from_utf8(bytes) {
         Ok(text) => text,
         // Latin-1 is the first 256 characters of Unicode.
@@ -52,10 +60,23 @@ pub fn read(
     read_with(text, path, &ReadOptions::new(elements))
 }
 
+/// Cards by the symbols of a material.
+fn card_of(symbol: &str) -> &'static str {
+    if symbol == "rho" { "DENSITY" } else { "ELASTIC" }
+}
+
 const REMEDIES: Remedies = Remedies {
     no_cells: "add *ELEMENT with its TYPE and cells",
     no_section: "add *SOLID SECTION, ELSET=…, MATERIAL=… for a set that holds them; in a case `material` \
                  serves, too",
+    lacks: |name, symbol, steel| {
+        let card = card_of(symbol);
+        let help = format!(
+            "write *{card} and a line such as {steel} (steel) below its *MATERIAL, or give the cells another material \
+             by `regions` in the case"
+        );
+        (format!("material {name} has no *{card}"), help)
+    },
 };
 
 /// As [`read`], with these options.
@@ -67,14 +88,25 @@ pub fn read_with(text: &str, path: &str, options: &ReadOptions) -> Result<ReadMe
     let pieces = pieces(text, path, &mut report);
     let all = cards(&pieces);
     let cards = readable(&all, &mut report);
+    // What a file lacks that is not there, or a card that is not read, follows from that error.
+    let lost = report.error_count() > 0;
+    if !instance::is_one(&all, &mut report) {
+        return Err(report.into_errors());
+    }
     let mut nodes = read_nodes(&cards, &mut report);
+    nodes.named.lost |= lost;
     instance::place(&all, &mut nodes, &mut report);
-    let mut cells = read_elements(&cards, options.elements, &nodes, &mut report);
-    sets::read(&cards, "NSET", &mut nodes.named, &mut report);
-    sets::read(&cards, "ELSET", &mut cells.named, &mut report);
-    surfaces::read(&cards, &mut nodes, &cells, &mut report);
+    let (mut cells, mut others) = read_elements(&cards, options.elements, &nodes, &mut report);
+    cells.named.lost |= lost;
+    sets::read_of_elements(&cards, &mut cells, &mut others, &mut report);
+    sets::read_of_nodes(&cards, &mut nodes, Some((&cells, &others)), &mut report);
+    surfaces::read(&cards, &mut nodes, (&cells, &others), &mut report);
+    others.into_node_sets(&mut nodes, &cells);
+    ties::check(&cards, &nodes, &cells, &mut report);
     let materials = read_materials(&cards, &mut report);
     let (sections, sections_complete) = assign_sections(&cards, &cells, &materials, &mut report);
+    // Sets of elements that are left out have sections, too.
+    cells.named.sets.drop_empty();
     let raw = RawMesh { nodes, cells, materials, sections, sections_complete };
     raw.finish(&REMEDIES, options, report)
 }
@@ -86,6 +118,9 @@ pub(super) fn placed_nodes(text: &str, path: &str, report: &mut MeshReport) -> P
     let all = cards(&pieces);
     let kept: Vec<&Card> =
         all.iter().filter(|card| ["NODE", "NSET"].contains(&card.keyword.as_str())).collect();
+    if !instance::is_one(&all, report) {
+        return PlacedNodes::default();
+    }
     let mut nodes = read_nodes(&kept, report);
     instance::place(&all, &mut nodes, report);
     if let Some(card) =
@@ -94,7 +129,7 @@ pub(super) fn placed_nodes(text: &str, path: &str, report: &mut MeshReport) -> P
         let what = format!("*{} turns the axes of nodes, and is not read", card.keyword);
         report.error(card.place, what, "write places and dofs in x, y, z");
     }
-    sets::read(&kept, "NSET", &mut nodes.named, report);
+    sets::read_of_nodes(&kept, &mut nodes, None, report);
     let labels = &nodes.named.labels;
     let places = labels.iter().copied().zip(nodes.positions.iter().copied()).collect();
     let sets = std::mem::take(&mut nodes.named.sets).into_map(|node| labels[node]);
@@ -117,21 +152,36 @@ const READ: [&str; 9] = [
 const SAYS_NOTHING: [&str; 2] = ["HEADING", "PREPRINT"];
 
 /// Keywords that add or move nodes, cells or their matrices: a mesh without them would be another mesh.
-const CHANGES_THE_MESH: [&str; 8] =
-    ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "ORIENTATION"];
+const CHANGES_THE_MESH: [&str; 7] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM"];
 
 /// The cards that this reader knows; warns of the others.
 fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c Card<'a>> {
     let mut kept = Vec::new();
     let mut in_step = false;
     let mut skipped: BTreeSet<&str> = BTreeSet::new();
+    let (mut in_assembly, mut in_instance) = (false, false);
+    let has_instance = cards.iter().any(|card| card.keyword == "INSTANCE");
     for card in cards {
         let keyword = card.keyword.as_str();
+        match keyword {
+            "ASSEMBLY" | "END ASSEMBLY" => in_assembly = keyword == "ASSEMBLY",
+            "INSTANCE" | "END INSTANCE" => in_instance = keyword == "INSTANCE",
+            _ => {}
+        }
+        let beside = has_instance && in_assembly && !in_instance;
         if keyword == "END STEP" {
             in_step = false;
-        } else if in_step || SAYS_NOTHING.contains(&keyword) || PARTS.contains(&keyword) {
+        } else if in_step || SAYS_NOTHING.contains(&keyword) {
             continue;
-        } else if READ.contains(&keyword) {
+        } else if beside && is_of_assembly(card) {
+            if skipped.insert("ASSEMBLY") {
+                let what = "nodes of the assembly, and what stands on them, are left out";
+                report.warn(card.place, what, "");
+            }
+        } else if READ.contains(&keyword) || PARTS.contains(&keyword) {
+            parameters::check(card, report);
+            kept.push(card);
+        } else if ties::is_tie(keyword) {
             kept.push(card);
         } else if keyword.is_empty() {
             report.error(card.place, "data before the first keyword", "begin with *NODE");
@@ -149,4 +199,18 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c C
         }
     }
     kept
+}
+
+/// Whether a card beside the instance has nodes of the assembly, such as reference points. Their labels are not those of
+/// the part.
+fn is_of_assembly(card: &Card) -> bool {
+    match card.keyword.as_str() {
+        "NODE" | "ELEMENT" => true,
+        "NSET" | "ELSET" => {
+            let first = card.lines.iter().flatten().next();
+            card.parameter("INSTANCE").is_none()
+                && first.is_some_and(|label| values::whole(label.text).is_some())
+        }
+        _ => false,
+    }
 }

@@ -1,45 +1,138 @@
 //! Sets of nodes and of cells, from their cards.
 
-use super::super::raw::{Labelled, MeshReport, did_you_mean};
+use super::super::raw::{Cells, Labelled, MeshReport, NodeTable, count, did_you_mean};
 use super::cards::{Card, Token};
-use super::values::{label, required};
+use super::others::OtherElements;
+use super::values::{label, required, whole};
 
-/// Reads `*NSET` or `*ELSET`: labels, names of sets above, or ranges (`GENERATE`).
-pub(super) fn read(cards: &[&Card], keyword: &str, named: &mut Labelled, report: &mut MeshReport) {
+/// Reads `*ELSET`; labels of elements that are left out go to sets of these.
+pub(super) fn read_of_elements(
+    cards: &[&Card],
+    cells: &mut Cells,
+    others: &mut OtherElements,
+    report: &mut MeshReport,
+) {
+    read(cards, "ELSET", &mut cells.named, others, None, report);
+}
+
+/// Reads `*NSET`: labels, or the nodes of sets of `elements`.
+pub(super) fn read_of_nodes(
+    cards: &[&Card],
+    nodes: &mut NodeTable,
+    elements: Option<(&Cells, &OtherElements)>,
+    report: &mut MeshReport,
+) {
+    read(cards, "NSET", &mut nodes.named, &mut OtherElements::default(), elements, report);
+}
+
+/// Labels, names of sets above, or ranges (`GENERATE`).
+fn read(
+    cards: &[&Card],
+    keyword: &str,
+    named: &mut Labelled,
+    others: &mut OtherElements,
+    elements: Option<(&Cells, &OtherElements)>,
+    report: &mut MeshReport,
+) {
     let before = report.error_count();
     for card in cards.iter().filter(|card| card.keyword == keyword) {
         let example = format!("*{keyword}, {keyword}=NAME");
-        let Some(name) = required(card, keyword, &example, report) else { continue };
-        let mut members = Vec::new();
+        let Some(name) = required(card, keyword, &example, report) else {
+            named.lost = true;
+            continue;
+        };
+        let mut members = Members::default();
+        if keyword == "NSET"
+            && let Some(set) = card.parameter("ELSET").and_then(|parameter| parameter.value)
+        {
+            of_elements(&set, elements, &mut members, report);
+        }
         for line in &card.lines {
             if card.parameter("GENERATE").is_some() {
-                generate(line, named, &mut members, report);
+                generate(line, named, others, &mut members, report);
             } else {
                 let filled = line.iter().filter(|token| !token.text.is_empty());
-                filled.for_each(|token| member(token, named, &mut members, report));
+                filled.for_each(|token| member(token, named, others, &mut members, report));
             }
         }
-        named.sets.add(name.text, members);
+        if members.missing > 0 && !named.lost {
+            let what = format!(
+                "{} of the set {} that no {} has, left out",
+                count(members.missing, "label"),
+                name.text,
+                named.noun
+            );
+            report.warn(name, what, "");
+        }
+        named.sets.add(name.text, members.own);
+        if keyword == "ELSET" && !members.others.is_empty() {
+            others.sets.add(name.text, members.others);
+        }
     }
     named.complete = report.error_count() == before;
 }
 
-fn member(token: &Token, named: &Labelled, members: &mut Vec<usize>, report: &mut MeshReport) {
+/// What is found of a set.
+#[derive(Default)]
+struct Members {
+    own: Vec<usize>,
+    /// Elements that are left out.
+    others: Vec<usize>,
+    /// Labels that nothing has.
+    missing: usize,
+}
+
+/// The nodes of a set of elements.
+fn of_elements(
+    set: &Token,
+    elements: Option<(&Cells, &OtherElements)>,
+    members: &mut Members,
+    report: &mut MeshReport,
+) {
+    let Some((cells, others)) = elements else {
+        report.error(*set, "elements are not read here", "list the nodes of the set");
+        return;
+    };
+    let own = cells.named.sets.get(set.text);
+    if own.is_none() && !cells.named.lost {
+        let what = format!("no set of cells is called {}", set.text);
+        report.error(*set, what, did_you_mean(set.text, cells.named.sets.names()));
+    }
+    let of_cells = own.unwrap_or_default().iter().flat_map(|&cell| &cells.list[cell].nodes);
+    members.own.extend(of_cells);
+    let rest = others.sets.get(set.text).unwrap_or_default();
+    members.own.extend(rest.iter().flat_map(|&element| &others.nodes[element]));
+}
+
+fn member(
+    token: &Token,
+    named: &Labelled,
+    others: &OtherElements,
+    members: &mut Members,
+    report: &mut MeshReport,
+) {
     let noun = named.noun;
     if token.text.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+') {
-        let Some(label) = label(token, &format!("label of a {noun}"), report) else { return };
-        match named.index.get(&label) {
-            Some(&index) => members.push(index),
-            None => {
-                let help = "define it, or take it out of the set";
-                report.error(*token, format!("{noun} {label} is not defined"), help);
-            }
+        let Some(label) = whole(token.text) else {
+            let what = format!("label of a {noun} must be a whole number, found `{}`", token.text);
+            report.error(*token, what, "");
+            return;
+        };
+        let label = u64::try_from(label).unwrap_or(0);
+        match (named.index.get(&label), others.index.get(&label)) {
+            (Some(&index), _) => members.own.push(index),
+            (None, Some(&index)) => members.others.push(index),
+            (None, None) => members.missing += 1,
         }
         return;
     }
     let name = token.text.trim_matches('"');
     match named.sets.get(name) {
-        Some(set) => members.extend(set),
+        Some(set) => {
+            members.own.extend(set);
+            members.others.extend(others.sets.get(name).unwrap_or_default());
+        }
+        None if named.lost => {}
         None => {
             let what = format!("no set of {noun}s called {name} stands above this line");
             report.error(*token, what, did_you_mean(name, named.sets.names()));
@@ -47,8 +140,14 @@ fn member(token: &Token, named: &Labelled, members: &mut Vec<usize>, report: &mu
     }
 }
 
-/// first, last, step: labels in the range that are not defined are an error.
-fn generate(line: &[Token], named: &Labelled, members: &mut Vec<usize>, report: &mut MeshReport) {
+/// first, last, step. Labels in the range need not be there: preprocessors write ranges over gaps.
+fn generate(
+    line: &[Token],
+    named: &Labelled,
+    others: &OtherElements,
+    members: &mut Members,
+    report: &mut MeshReport,
+) {
     let noun = named.noun;
     let filled: Vec<&Token> = line.iter().filter(|token| !token.text.is_empty()).collect();
     let (first, last, step) = match filled[..] {
@@ -79,18 +178,16 @@ fn generate(line: &[Token], named: &Labelled, members: &mut Vec<usize>, report: 
         return;
     }
     // A range may be far wider than the mesh: look at the labels, not at every number.
-    let wanted = (to - from) / step + 1;
-    let mut found: Vec<(u64, usize)> = named
-        .index
-        .iter()
-        .filter(|&(&label, _)| label >= from && label <= to && (label - from) % step == 0)
-        .map(|(&label, &index)| (label, index))
-        .collect();
-    found.sort_unstable();
-    let missing = wanted - found.len() as u64;
-    if missing > 0 {
-        let what = format!("{missing} of the {wanted} labels from {from} to {to} are no {noun}s");
-        report.error(*first, what, "narrow the range");
-    }
-    members.extend(found.into_iter().map(|(_, index)| index));
+    let fits = |label: u64| label >= from && label <= to && (label - from).is_multiple_of(step);
+    let within = |index: &std::collections::HashMap<u64, usize>| {
+        let own = index.iter().filter(|(label, _)| fits(**label));
+        let mut found: Vec<(u64, usize)> = own.map(|(&label, &index)| (label, index)).collect();
+        found.sort_unstable();
+        found
+    };
+    let (own, left) = (within(&named.index), within(&others.index));
+    let wanted = usize::try_from((to - from) / step + 1).unwrap_or(usize::MAX);
+    members.missing = members.missing.saturating_add(wanted.saturating_sub(own.len() + left.len()));
+    members.own.extend(own.into_iter().map(|(_, index)| index));
+    members.others.extend(left.into_iter().map(|(_, index)| index));
 }

@@ -4,6 +4,7 @@ use whirl_specs::Element;
 
 use super::super::raw::{Cells, MeshReport, NodeTable, did_you_mean};
 use super::cards::{Card, Token};
+use super::others::OtherElements;
 use super::values::{label, required};
 
 /// Corners of the faces S1, S2, … by their places in a line of the file, from 0.
@@ -30,7 +31,12 @@ fn face(element: &Element, number: usize) -> Option<&'static [usize]> {
 }
 
 /// Reads the surfaces: faces of cells and sets of them, or nodes and sets of them.
-pub(super) fn read(cards: &[&Card], nodes: &mut NodeTable, cells: &Cells, report: &mut MeshReport) {
+pub(super) fn read(
+    cards: &[&Card],
+    nodes: &mut NodeTable,
+    (cells, others): (&Cells, &OtherElements),
+    report: &mut MeshReport,
+) {
     for card in cards.iter().filter(|card| card.keyword == "SURFACE") {
         let Some(name) = required(card, "NAME", "*SURFACE, NAME=BORE, TYPE=ELEMENT", report) else {
             continue;
@@ -40,7 +46,7 @@ pub(super) fn read(cards: &[&Card], nodes: &mut NodeTable, cells: &Cells, report
         match kind.map_or("ELEMENT".to_owned(), |kind| kind.text.to_uppercase()).as_str() {
             "ELEMENT" => {
                 for line in &card.lines {
-                    of_faces(line, cells, &mut members, report);
+                    of_faces(line, cells, others, &mut members, report);
                 }
             }
             "NODE" => {
@@ -66,18 +72,36 @@ pub(super) fn read(cards: &[&Card], nodes: &mut NodeTable, cells: &Cells, report
     }
 }
 
-/// A line such as `OUTER, S2` or `17, S2`.
-fn of_faces(line: &[Token], cells: &Cells, members: &mut Vec<usize>, report: &mut MeshReport) {
+/// A line such as `OUTER, S2` or `17, S2`; of faces that are elements themselves it has their nodes.
+fn of_faces(
+    line: &[Token],
+    cells: &Cells,
+    others: &OtherElements,
+    members: &mut Vec<usize>,
+    report: &mut MeshReport,
+) {
     let Some(&whose) = line.first() else { return };
-    let chosen = match is_label(&whose) {
-        true => label(&whose, "label of a cell", report)
-            .and_then(|label| cells.named.index.get(&label))
-            .map(std::slice::from_ref),
-        false => cells.named.sets.get(whose.text),
+    let named = if is_label(&whose) { label(&whose, "label of a cell", report) } else { None };
+    let (chosen, left) = match named {
+        Some(label) => (
+            cells.named.index.get(&label).map(std::slice::from_ref),
+            others.index.get(&label).map(std::slice::from_ref),
+        ),
+        None => (cells.named.sets.get(whose.text), others.sets.get(whose.text)),
     };
+    let left = left.unwrap_or_default();
+    // E1, E2, … are edges of theirs.
+    if line.get(1).is_none_or(|at| !at.text.to_uppercase().starts_with('E')) {
+        members.extend(left.iter().flat_map(|&element| &others.nodes[element]));
+    }
+    if !left.is_empty() && chosen.is_none_or(<[usize]>::is_empty) {
+        return;
+    }
     let Some(chosen) = chosen else {
-        let what = format!("no cell and no set of cells is called {}", whose.text);
-        report.error(whose, what, did_you_mean(whose.text, cells.named.sets.names()));
+        if !cells.named.lost {
+            let what = format!("no cell and no set of cells is called {}", whose.text);
+            report.error(whose, what, did_you_mean(whose.text, cells.named.sets.names()));
+        }
         return;
     };
     let at = line.get(1).filter(|token| !token.text.is_empty());
@@ -108,6 +132,7 @@ fn of_nodes(line: &[Token], nodes: &NodeTable, members: &mut Vec<usize>, report:
     if !is_label(&whose) {
         match nodes.named.sets.get(whose.text) {
             Some(set) => members.extend(set),
+            None if nodes.named.lost => {}
             None => {
                 let what = format!("no set of nodes is called {}", whose.text);
                 report.error(whose, what, did_you_mean(whose.text, nodes.named.sets.names()));
@@ -116,6 +141,7 @@ fn of_nodes(line: &[Token], nodes: &NodeTable, members: &mut Vec<usize>, report:
     } else if let Some(label) = label(&whose, "label of a node", report) {
         match nodes.named.index.get(&label) {
             Some(&node) => members.push(node),
+            None if nodes.named.lost => {}
             None => {
                 let help = "define it, or take it out of the surface";
                 report.error(whose, format!("node {label} is not defined"), help);

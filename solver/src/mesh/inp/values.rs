@@ -11,10 +11,19 @@ impl From<Token<'_>> for LinePosition {
     }
 }
 
+/// A whole number; meshio writes some as `3.0`.
+pub(super) fn whole(text: &str) -> Option<i64> {
+    let digits = match text.split_once('.') {
+        Some((digits, rest)) if rest.bytes().all(|digit| digit == b'0') => digits,
+        _ => text,
+    };
+    digits.parse().ok()
+}
+
 /// A positive whole number.
 pub(super) fn label(token: &Token, of: &str, report: &mut MeshReport) -> Option<u64> {
-    match token.text.parse() {
-        Ok(label) if label > 0 => Some(label),
+    match token.text.parse().ok().or_else(|| whole(token.text)?.try_into().ok()) {
+        Some(label) if label > 0 => Some(label),
         _ => {
             let what = format!("{of} must be a whole number from 1, found `{}`", token.text);
             report.error(*token, what, "");

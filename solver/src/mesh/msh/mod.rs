@@ -24,6 +24,7 @@ const REMEDIES: Remedies = Remedies {
                `Physical Volume`",
     no_section: "files of Gmsh have no materials: write `material = \"…\"`, or `regions` by physical groups, in \
                  the case",
+    lacks: |name, symbol, _| (format!("material {name} has no {symbol}"), String::new()),
 };
 
 /// Reads a mesh; `path` is used in messages only.

@@ -5,7 +5,8 @@ use std::collections::hash_map::Entry;
 
 use whirl_text::rounded;
 
-use super::super::format::MeshUnits;
+use super::super::format::{MeshUnits, ReadOptions};
+use super::super::material::NEEDED;
 use super::report::{LinePosition, MeshReport, count, list};
 use super::{RawMesh, Remedies};
 
@@ -49,6 +50,46 @@ impl RawMesh {
             _ => format!("{take}, of which {} has the first", report.line(first, here)),
         };
         report.error(here, what, help);
+    }
+
+    /// Notes what the materials of cells lack, or what of them is not read. Where another material may take their
+    /// place, what is there is kept: which cells need the rest is not known yet.
+    pub(super) fn materials_are_read(
+        &mut self,
+        remedies: &Remedies,
+        options: &ReadOptions,
+        report: &mut MeshReport,
+    ) {
+        for (index, material) in self.materials.iter().enumerate() {
+            if !self.sections.contains(&Some(index)) {
+                continue;
+            }
+            for (place, what, help) in &material.unread {
+                match options.open {
+                    true => report.warn(*place, what.clone(), "the material of the case holds"),
+                    false => report.error(*place, what.clone(), help.clone()),
+                }
+            }
+            let is_bare = material.values.is_empty() && !material.broken;
+            if options.open && (is_bare || !material.unread.is_empty()) {
+                let own = self.sections.iter_mut().filter(|own| **own == Some(index));
+                own.for_each(|own| *own = None);
+            } else if !options.open && !material.broken && material.unread.is_empty() {
+                let lacking = NEEDED.iter().map(|(symbol, _)| *symbol);
+                let mut said = String::new();
+                for symbol in lacking.filter(|symbol| !material.values.contains_key(symbol)) {
+                    let steel = match symbol {
+                        "rho" => options.units.written_density(7860.0),
+                        _ => format!("{}, 0.3", options.units.written_modulus(200e9)),
+                    };
+                    let (what, help) = (remedies.lacks)(&material.name, symbol, &steel);
+                    if what != said {
+                        report.error(material.place, what.clone(), help);
+                        said = what;
+                    }
+                }
+            }
+        }
     }
 
     /// Notes cells that the file gives no material. Where one was lost in an error, they are no further one.

@@ -27,6 +27,16 @@ impl Sets {
         self.by_capitals.values().map(|(name, _)| name.as_str())
     }
 
+    /// Takes out the sets without members.
+    pub(crate) fn drop_empty(&mut self) {
+        self.by_capitals.retain(|_, (_, members)| !members.is_empty());
+    }
+
+    /// The sets by name, with members as often as they were added.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (&str, &[usize])> {
+        self.by_capitals.values().map(|(name, members)| (name.as_str(), members.as_slice()))
+    }
+
     /// Every set with its members once each, in the order of the source.
     pub(crate) fn into_map<T: Ord + Copy>(
         self,
@@ -51,6 +61,8 @@ pub(crate) struct Labelled {
     pub(crate) sets: Sets,
     /// Whether every member of every set was found.
     pub(crate) complete: bool,
+    /// Whether labels were lost in an error: what is missing is then no further error.
+    pub(crate) lost: bool,
 }
 
 impl Labelled {
@@ -62,6 +74,7 @@ impl Labelled {
             index: HashMap::new(),
             sets: Sets::default(),
             complete: true,
+            lost: false,
         }
     }
 

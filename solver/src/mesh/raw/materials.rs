@@ -17,11 +17,14 @@ pub(crate) struct RawMaterial {
     pub(crate) values: BTreeMap<&'static str, (f64, LinePosition)>,
     /// Whether something in it was refused, so that what is missing is no further error.
     pub(crate) broken: bool,
+    /// What in it is not read, with the remedy: an error where cells need it.
+    pub(crate) unread: Vec<(LinePosition, String, String)>,
 }
 
 impl RawMaterial {
     pub(crate) fn new(name: String, place: LinePosition) -> RawMaterial {
-        RawMaterial { name, place, values: BTreeMap::new(), broken: false }
+        let (values, unread) = (BTreeMap::new(), Vec::new());
+        RawMaterial { name, place, values, broken: false, unread }
     }
 
     /// Without places.
@@ -92,9 +95,10 @@ impl RawMaterial {
                         format!(
                             "{}, if it is meant in these units; or: {}",
                             line(system),
-                            doubt.help
+                            in_units(units, doubt.help)
                         )
                     }
+                    None if doubt.symbol == "E" => in_units(units, doubt.help),
                     None => doubt.help.to_owned(),
                 };
                 report.error(place, doubt.what.clone(), help);
@@ -110,4 +114,13 @@ impl RawMaterial {
             report.warn(place, what, line(system));
         }
     }
+}
+
+/// What E and ρ of steel are in a file; `in_si` where it is in SI units.
+fn in_units(units: &MeshUnits, in_si: &str) -> String {
+    if *units == MeshUnits::default() {
+        return in_si.to_owned();
+    }
+    let (e, rho) = (units.written_modulus(200e9), units.written_density(7860.0));
+    format!("in the units of this file steel is {e} and {rho}")
 }

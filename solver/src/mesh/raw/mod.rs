@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 use whirl_specs::Element;
 
-pub(super) use self::labelled::{Labelled, did_you_mean};
+pub(super) use self::labelled::{Labelled, Sets, did_you_mean};
 pub(super) use self::materials::RawMaterial;
 pub(super) use self::report::{LinePosition, MeshReport, count, list};
 use super::format::{MeshUnits, ReadMesh, ReadOptions};
@@ -79,6 +79,9 @@ pub(super) struct Remedies {
     pub(super) no_cells: &'static str,
     /// Where cells have no material.
     pub(super) no_section: &'static str,
+    /// What is wrong with the material of a name that lacks a symbol, and the remedy; the last text is what steel has
+    /// there, in units of the file.
+    pub(super) lacks: fn(&str, &str, &str) -> (String, String),
 }
 
 impl RawMesh {
@@ -94,6 +97,7 @@ impl RawMesh {
         if self.cells.list.is_empty() && report.error_count() == 0 {
             report.error_in_file("the file has no cells", remedies.no_cells);
         }
+        self.materials_are_read(remedies, options, &mut report);
         if !options.open {
             self.cells_have_materials(remedies, &mut report);
         }
