@@ -2,6 +2,7 @@
 //! that are damaged.
 
 mod calculix;
+mod corpus;
 mod damaged;
 mod forms;
 mod gmsh;
