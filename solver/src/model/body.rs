@@ -259,12 +259,17 @@ impl Attachment {
                 (mean.node_at([x, y, self.z]), Some(mean))
             }
         };
+        // A point of a rigid body turns as the body does, whose motion as a whole is its one measure.
+        let turn = match mean.as_ref().or(shaft.measures.first()) {
+            Some(mean) => mean.rotation.clone(),
+            None => Matrix::zeros(3, shaft.size()),
+        };
         match (self.kind, mean) {
             (AttachmentKind::Unbalance(moment), _) => {
                 shaft.with_unbalance(&Unbalance { moment, node: &centre })
             }
             (AttachmentKind::Mass { mass, .. }, _) => {
-                shaft.with_point_mass(&PointMass { mass, node: &centre })
+                shaft.with_point_mass(&PointMass { mass, node: &centre, turn: &turn })
             }
             (AttachmentKind::Disc { mass, polar_inertia, diametral_inertia }, Some(mean)) => {
                 let rows = |first: usize, count: usize| {

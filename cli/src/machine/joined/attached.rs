@@ -1,6 +1,7 @@
 //! Discs and unbalance on the sections of a body that turns.
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
+use whirl_solver::assembly::mass_properties;
 use whirl_solver::mesh::MeanComponent;
 use whirl_solver::model::{Attachment, AttachmentKind, Place};
 
@@ -12,6 +13,8 @@ use crate::machine::plan::geometry::mm;
 
 /// A section is at most this part of the body's length away from where it is looked for.
 const NEAR: f64 = 0.01;
+/// Share of the body's mass from which masses on a section have its tilts and its turn as coordinates, too.
+const HEAVY: f64 = 0.05;
 
 /// Finds the sections, and retains their centres where there are nodes.
 pub(super) fn plan(
@@ -22,7 +25,10 @@ pub(super) fn plan(
     let mut all = Vec::with_capacity(attached.len());
     for own in attached {
         let at = match body {
-            PlannedBody::Meshed(plan) => section(own, plan, errors).map(Place::Mean),
+            PlannedBody::Meshed(plan) => {
+                let beside = carried_beside(attached, own);
+                section((own, beside), plan, errors).map(Place::Mean)
+            }
             PlannedBody::Rigid(rigid) => {
                 let [x, y] = off_axis(own);
                 Some(Place::Nodes(vec![rigid.node([x, y, own.z])]))
@@ -40,8 +46,21 @@ pub(super) fn plan(
     all
 }
 
-/// The mean motion of the section nearest to where something is.
-fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Option<usize> {
+/// The masses at the z of one of them, all together (kg).
+fn carried_beside(attached: &[Attached], own: &Attached) -> f64 {
+    let masses = attached.iter().filter_map(|other| match other.what {
+        Carried::Mass { mass, .. } if other.z == own.z => Some(mass),
+        _ => None,
+    });
+    masses.sum()
+}
+
+/// The mean motion of the section nearest to where something is; `beside`: the masses there (kg).
+fn section(
+    (own, beside): (&Attached, f64),
+    plan: &mut BodyPlan,
+    errors: &mut Diagnostics,
+) -> Option<usize> {
     let nodes = plan.mesh.nodes();
     let ends = ends(&plan.mesh);
     let length = ends[1] - ends[0];
@@ -81,15 +100,19 @@ fn section(own: &Attached, plan: &mut BodyPlan, errors: &mut Diagnostics) -> Opt
         return None;
     }
     // What is heavy beside the body moves with coordinates of its own: modes of the body alone would hold it.
+    const MOTIONS: [MeanComponent; 5] = [
+        MeanComponent::Displacement(0),
+        MeanComponent::Displacement(1),
+        MeanComponent::Rotation(0),
+        MeanComponent::Rotation(1),
+        MeanComponent::Rotation(2),
+    ];
     let own_motions: &[MeanComponent] = match own.what {
-        Carried::Disc { .. } => &[
-            MeanComponent::Displacement(0),
-            MeanComponent::Displacement(1),
-            MeanComponent::Rotation(0),
-            MeanComponent::Rotation(1),
-            MeanComponent::Rotation(2),
-        ],
-        Carried::Mass { .. } => &[MeanComponent::Displacement(0), MeanComponent::Displacement(1)],
+        Carried::Disc { .. } => &MOTIONS,
+        Carried::Mass { .. } => {
+            let mass = mass_properties(&plan.mesh).map_or(f64::INFINITY, |own| own.mass);
+            if beside > HEAVY * mass { &MOTIONS } else { &MOTIONS[..2] }
+        }
         Carried::Unbalance(_) => &[],
     };
     for component in own_motions {

@@ -20,7 +20,8 @@ const GRAVITY: [f64; 3] = [-9.81, 1.5, 0.0];
 fn rotor() -> Shaft {
     let shaft = plain();
     let node = shaft.nodes[1].clone();
-    let heavier = shaft.with_point_mass(&PointMass { mass: 1.0, node: &node });
+    let turn = whirl_solver::linalg::Matrix::zeros(3, shaft.size());
+    let heavier = shaft.with_point_mass(&PointMass { mass: 1.0, node: &node, turn: &turn });
     heavier.with_unbalance(&Unbalance { moment: [1e-3, 2e-3], node: &node })
 }
 
