@@ -26,6 +26,7 @@ macro_rules! line {
 
 mod contacts;
 mod joined;
+mod round;
 
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
 /// file, says its report; of a sweep, its points.
@@ -82,6 +83,7 @@ pub(crate) fn of_case(
         joined::say(&mut text, joined, plan, &built, case.run())?;
     }
     contacts::say_loads(&mut text, case, (plan.as_ref(), contacts), cache)?;
+    round::say(&mut text, case, &built)?;
     if contacts {
         contacts::say(&mut text, case, plan.as_ref(), cache)?;
     }

@@ -12,6 +12,7 @@ use crate::case::{Case, Start, System, Turning};
 use crate::errors::Failure;
 use crate::machine::Built;
 use crate::results::{STATE, SUMMARY};
+use crate::simulate::options;
 use crate::watch::Watch;
 
 /// Layout of the file.
@@ -48,7 +49,7 @@ pub(crate) fn begin<'m>(
         }
         Start::Rest => rest(case, built),
         Start::Equilibrium => {
-            let found = equilibrium(machine, &speeds(case))?;
+            let found = equilibrium(machine, &speeds(case), options.equal_step())?;
             watch.note(&words(case, &found));
             found.bodies
         }
@@ -65,7 +66,10 @@ pub(crate) fn begin<'m>(
 pub(crate) fn described(case: &Case, built: &Built) -> Result<Option<String>, Failure> {
     Ok(match &case.start {
         Start::Rest | Start::After(_) => None,
-        Start::Equilibrium => Some(words(case, &equilibrium(&built.machine, &speeds(case))?)),
+        Start::Equilibrium => {
+            let step = options(case, built).equal_step();
+            Some(words(case, &equilibrium(&built.machine, &speeds(case), step)?))
+        }
         Start::State(folder) => {
             let last = read(Path::new(folder.text()), None)?;
             last.check(&built.machine).map_err(|error| refused(folder.text(), error))?;
@@ -150,6 +154,10 @@ fn words(case: &Case, found: &Equilibrium) -> String {
                 let rpm = own.speed * 60.0 / std::f64::consts::TAU;
                 let speed = whirl_text::shown(rpm, 5, 1e-3..1e7);
                 parts.push(format!("{} turns at {speed} rpm", body.name.text()));
+            }
+            if own.angle != 0.0 {
+                let angle = whirl_text::shown(own.angle.to_degrees(), 5, 1e-3..1e6);
+                parts.push(format!("{} stands at {angle} deg", body.name.text()));
             }
         }
     }

@@ -116,6 +116,16 @@ impl Curve {
         off <= f64::max(RESOLVED * size, NEGLIGIBLE * self.largest)
     }
 
+    /// x of the end beyond which y goes on driving x away from 0, where there is one: positive beyond the last x, else
+    /// negative before the first.
+    pub(crate) fn driven_end(&self) -> Option<f64> {
+        let last = self.x.len() - 1;
+        if self.y[last] > 0.0 && self.x[last] > 0.0 {
+            return Some(self.x[last]);
+        }
+        (self.y[0] < 0.0 && self.x[0] < 0.0).then_some(self.x[0])
+    }
+
     /// y at x.
     pub fn value(&self, x: f64) -> f64 {
         match self.piece(x) {

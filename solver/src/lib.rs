@@ -30,6 +30,7 @@ pub mod reduction;
 mod requested;
 pub mod rigid;
 mod rotating;
+pub mod roundness;
 pub mod schedule;
 pub mod shaft;
 pub mod sparse;

@@ -31,6 +31,7 @@ mod own_mesh;
 mod read_meshes;
 mod readme;
 mod schema;
+mod standing;
 mod starts;
 mod streams;
 mod sweep_figures;

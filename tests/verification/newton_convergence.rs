@@ -154,6 +154,7 @@ fn between_stops() -> Machine {
 fn thrown(position: f64, speed: f64, steps: usize, newton: NewtonOptions) -> MarchOptions {
     MarchOptions {
         initial: vec![BodyStart {
+            angle: 0.0,
             speed: 0.0,
             position: vec![position, 0.0],
             velocity: vec![speed, 0.0],

@@ -107,6 +107,7 @@ pub(super) fn describe<'a>(
         axes: Vec::new(),
         plans: vec![None, None],
         initial: vec![BodyStart {
+            angle: 0.0,
             speed: 0.0,
             position: vec![lumped.displacement, 0.0],
             velocity: vec![lumped.velocity, 0.0],

@@ -45,9 +45,19 @@ pub struct MarchOptions {
     pub initial: Vec<BodyStart>,
 }
 
+impl MarchOptions {
+    /// Δt (s), if the march takes equal steps by the trapezoidal rule.
+    pub fn equal_step(&self) -> Option<f64> {
+        let equal = self.automatic.is_none() && self.newmark == Newmark::default();
+        equal.then_some(self.time_step)
+    }
+}
+
 /// A body at t = 0.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BodyStart {
+    /// θ (rad), where it is an unknown.
+    pub angle: f64,
     /// θ̇ (rad/s), where it is an unknown.
     pub speed: f64,
     /// η, or x_b; empty for zero.
@@ -62,7 +72,7 @@ impl BodyStart {
         state.q[first..first + self.position.len()].copy_from_slice(&self.position);
         state.v[first..first + self.velocity.len()].copy_from_slice(&self.velocity);
         if let Some(theta) = place.rotation {
-            state.v[theta] = self.speed;
+            (state.q[theta], state.v[theta]) = (self.angle, self.speed);
         }
     }
 }

@@ -71,6 +71,23 @@ impl<'m> TurningBody<'m> {
         }
     }
 
+    /// Q_v − M q̈ of the body at a state, a value a coordinate, θ first.
+    pub(super) fn inertia(&mut self, state: &State) -> &[f64] {
+        let motion = motion_state(state, self.place);
+        (self.motion.inertia_force)(&self.tensors, &motion, &mut self.workspace, &mut self.row);
+        &self.row
+    }
+
+    /// Minus the derivatives of [`TurningBody::inertia`] by q, plus a1 and a2 times those by q̇ and q̈: a column a coordinate,
+    /// θ first.
+    pub(super) fn inertia_tangent(&mut self, state: &State, [a1, a2]: [f64; 2]) -> Matrix {
+        let motion = motion_state(state, self.place);
+        let (workspace, block) = (&mut self.workspace, &mut self.block);
+        (self.motion.tangent)(&self.tensors, &motion, a1, a2, workspace, block);
+        let rows = 1 + self.shaft.size();
+        Matrix { rows, cols: rows, data: self.block.clone() }
+    }
+
     /// Adds a2 M + a1 C + K + PF − a1 P − B of the motion to a matrix over q, column after column.
     pub(super) fn add_tangent(&mut self, state: &State, step: &Coefficients, out: &mut [f64]) {
         let motion = motion_state(state, self.place);

@@ -17,7 +17,7 @@ fn thrown(time_step: f64, steps: usize) -> MarchOptions {
     let mut random = wild(3);
     let mut throw = |size: f64| (0..2 * DISCS).map(|_| size * random()).collect();
     let [position, velocity] = [throw(2e-2), throw(2.0)];
-    let initial = vec![BodyStart { speed: SPEED, position, velocity }];
+    let initial = vec![BodyStart { angle: 0.0, speed: SPEED, position, velocity }];
     MarchOptions { initial, ..options(time_step, steps) }
 }
 

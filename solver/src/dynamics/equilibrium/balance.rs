@@ -1,18 +1,21 @@
 //! The balance of forces that a start at equilibrium solves, and its derivatives.
 //!
-//! Unknowns z: η_s of every turning body and x_b of every standing one, in the order of q, then the speeds that are not
-//! given. With η = η_s + η_c(θ̇), η̇ = θ̇ L η_s, θ = 0 and x_b at rest the rows are
-//! f = Q_e + Q_s − K η_s − C η̇ (bodies that stand: K x_b), and Q_e + Q_s in the rows of θ of speeds that are not given.
+//! Unknowns z: η_s of every turning body and x_b of every standing one, in the order of q, then what is unknown of the
+//! rotations (`rotations`). With η = η_s + η_c(θ̇), η̇ = ω̃ L η_s, η̈ = ω̃² L² η_s and x_b at rest the rows are
+//! f = Q_e + Q_s − K η_s − C η̇ (bodies that stand: K x_b), of a round body with Q_v − M q̈ of η_s, and Q_e + Q_s − J0 θ̈ in the
+//! rows of θ. ω̃ is θ̇, or what the steps of the march make of it.
 
-use super::turning::{TurningStart, idle_speed};
-use crate::bearing::Springs;
+mod tangent;
+
+use super::rotations::{Rotations, Turn};
+use super::turning::TurningStart;
 use crate::dynamics::newmark::State;
 use crate::dynamics::spring_tangent::SpringTangent;
 use crate::dynamics::system::{System, instant, placed};
 use crate::error::Error;
-use crate::linalg::{Columns, Matrix, add_product, multiply};
-use crate::loads::{Frame, Load};
-use crate::machine::{Body, Machine};
+use crate::linalg::add_product;
+use crate::loads::{Frame, Load, Position};
+use crate::machine::{Body, BodyPlace, Machine};
 
 /// Shares at which a row is solved: of its largest term, and of the largest force projected on it (PHYSICS.md, 10).
 const OF_TERM: f64 = 1e-6;
@@ -32,10 +35,20 @@ pub(super) struct Balance<'m> {
     /// η_c by body, and its derivative by the speed, at `speeds`.
     centrifugal: Vec<[Vec<f64>; 2]>,
     speeds: Vec<f64>,
-    /// Places in q of the unknowns, or of the θ whose speed is unknown; they are the places of the rows, too.
+    /// η_s with its rates, and nothing but the speeds.
+    standing: State,
+    turned: State,
+    /// Q_v − M q̈ of η_s, of bodies that are round.
+    inertia: Vec<f64>,
+    /// Places in q of the rows: those of the unknowns, then those of θ for what is unknown of the rotations.
     pub(super) places: Vec<usize>,
-    /// Where the speeds begin among them.
+    /// Where the rotations begin among them.
     pub(super) flexible: usize,
+    pub(super) rotations: Vec<Turn>,
+    /// Δt (s) of equal steps by the trapezoidal rule.
+    step: Option<f64>,
+    /// Whether unknown speeds stay as they are, their rows left out.
+    pub(super) held: bool,
     /// The share of the loads that are fixed in space that acts.
     pub(super) share: f64,
     /// f, a row each, and what it may be.
@@ -46,49 +59,47 @@ pub(super) struct Balance<'m> {
 
 impl<'m> Balance<'m> {
     /// At rest in the middle. `speeds`: by body, where it turns freely and its speed is given (rad/s).
-    pub(super) fn new(machine: &'m Machine, speeds: &[Option<f64>]) -> Result<Self, Error> {
-        let (size, rotations) = (machine.size(), machine.rotations());
+    pub(super) fn new(
+        machine: &'m Machine,
+        speeds: &[Option<f64>],
+        step: Option<f64>,
+    ) -> Result<Self, Error> {
+        let (size, first) = (machine.size(), machine.rotations());
         let mut state = State::new(size);
         machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
-        state.a.fill(0.0);
-        let mut places: Vec<usize> = (rotations..size).collect();
+        let mut system = System::new(machine);
+        let mut tangent = SpringTangent::new(&machine.springs);
+        let twisting = twisting(machine, &mut system, &mut tangent, &state);
+        let Rotations { rows, unknowns } = Rotations::new(machine, speeds, &twisting, &mut state);
+        let mut places: Vec<usize> = (first..size).collect();
         let flexible = places.len();
-        let mut turning = Vec::new();
-        for (number, body) in machine.bodies.iter().enumerate() {
-            let Body::Turning { shaft, rotation, .. } = body else {
-                turning.push(None);
-                continue;
-            };
-            let theta = machine.places()[number].rotation.expect("a body that turns");
-            if rotation.given(0.0, false).is_none() {
-                match speeds.get(number).copied().flatten() {
-                    Some(speed) => state.v[theta] = speed,
-                    None => places.push(theta),
-                }
-            }
-            turning.push(Some(TurningStart::new(shaft)?));
-        }
-        // Between two films a ring turns at about half the speed of what it carries.
-        let fastest = state.v[..rotations]
-            .iter()
-            .fold(0.0, |most: f64, speed| if speed.abs() > most.abs() { *speed } else { most });
-        for &theta in &places[flexible..] {
-            state.v[theta] = idle_speed(machine, theta).unwrap_or(0.5 * fastest);
-        }
+        places.extend(rows);
+        let turning = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
+            let Body::Turning { shaft, .. } = body else { return Ok(None) };
+            let theta = place.rotation.expect("a body that turns");
+            TurningStart::new(shaft, state.v[theta]).map(Some)
+        });
+        let turning: Vec<Option<TurningStart>> = turning.collect::<Result<_, Error>>()?;
         let rows = places.len();
         let mut balance = Balance {
             machine,
-            system: System::new(machine),
-            state,
+            system,
             centrifugal: vec![[const { Vec::new() }; 2]; turning.len()],
             speeds: vec![f64::NAN; turning.len()],
+            standing: State::new(size),
+            turned: State::new(size),
+            inertia: vec![0.0; size],
             turning,
             places,
             flexible,
+            rotations: unknowns,
+            step,
+            held: false,
             share: 1.0,
             force: vec![0.0; rows],
             bound: vec![0.0; rows],
-            tangent: SpringTangent::new(&machine.springs),
+            tangent,
+            state,
         };
         let z = balance.unknowns();
         balance.set(&z)?;
@@ -100,6 +111,22 @@ impl<'m> Balance<'m> {
         self.machine.places()[body].rotation.map_or(0.0, |theta| self.state.v[theta])
     }
 
+    /// ω̃ of a body: its speed, or that whose rates the steps of the march give to what turns at its speed, where that is
+    /// told and stays.
+    fn pace(&self, body: usize) -> f64 {
+        let speed = self.speed(body);
+        let rotation = self.machine.bodies[body].rotation();
+        let stays = rotation.and_then(|own| own.given(0.0, false)).is_some_and(|own| own[2] == 0.0);
+        match self.step {
+            // Longer steps turn it about as far as a sixth of a revolution.
+            Some(step) if stays && (speed * step).abs() < 1.0 => {
+                let half = 0.5 * speed * step;
+                if half == 0.0 { speed } else { speed * half.tan() / half }
+            }
+            _ => speed,
+        }
+    }
+
     /// z at the state.
     pub(super) fn unknowns(&self) -> Vec<f64> {
         let mut z: Vec<f64> =
@@ -108,14 +135,14 @@ impl<'m> Balance<'m> {
             let first = place.flexible.start - self.machine.rotations();
             z[first..].iter_mut().zip(&own[0]).for_each(|(sum, turning)| *sum -= turning);
         }
-        z.extend(self.places[self.flexible..].iter().map(|&theta| self.state.v[theta]));
+        z.extend(self.rotations.iter().map(|own| own.value(&self.state)));
         z
     }
 
     /// Sets the state to z, and computes f there.
     pub(super) fn set(&mut self, z: &[f64]) -> Result<(), Error> {
-        for (&theta, speed) in self.places[self.flexible..].iter().zip(&z[self.flexible..]) {
-            self.state.v[theta] = *speed;
+        for (own, &value) in self.rotations.iter().zip(&z[self.flexible..]) {
+            own.set(value, &mut self.state);
         }
         let rotations = self.machine.rotations();
         for (number, own) in self.turning.iter().enumerate() {
@@ -126,10 +153,16 @@ impl<'m> Balance<'m> {
                 self.state.v[place].fill(0.0);
                 continue;
             };
-            let speed = self.speed(number);
+            let (speed, pace) = (self.speed(number), self.pace(number));
             let turned = own.quarter_turn.apply(standing);
             let rates = self.state.v[place.clone()].iter_mut().zip(turned);
-            rates.for_each(|(rate, turned)| *rate = speed * turned);
+            rates.for_each(|(rate, turned)| *rate = pace * turned);
+            if let Some(half_turn) = &own.half_turn {
+                let turned = half_turn.apply(standing);
+                let rates = self.state.a[place.clone()].iter_mut().zip(turned);
+                rates.for_each(|(rate, turned)| *rate = pace * pace * turned);
+            }
+            self.standing.q[place.clone()].copy_from_slice(standing);
             if self.speeds[number] != speed {
                 self.centrifugal[number] = own.centrifugal(speed)?;
                 self.speeds[number] = speed;
@@ -137,8 +170,28 @@ impl<'m> Balance<'m> {
             let both = self.state.q[place].iter_mut().zip(&self.centrifugal[number][0]);
             both.for_each(|(sum, turning)| *sum += turning);
         }
+        let theta = ..rotations;
+        for part in [&mut self.standing, &mut self.turned] {
+            part.v[theta].copy_from_slice(&self.state.v[theta]);
+        }
+        self.standing.v[rotations..].copy_from_slice(&self.state.v[rotations..]);
+        self.standing.a[rotations..].copy_from_slice(&self.state.a[rotations..]);
         self.evaluate();
         Ok(())
+    }
+
+    /// Q_v − M q̈ of η_s: what it adds to that of a body which only turns.
+    fn stand(&mut self) {
+        let numbers = (0..self.turning.len()).filter(|&body| self.turning[body].is_some());
+        for (own, body) in self.system.turning.iter_mut().zip(numbers) {
+            let place = self.machine.places()[body].flexible.clone();
+            if self.turning[body].as_ref().is_none_or(|own| own.half_turn.is_none()) {
+                continue;
+            }
+            self.inertia[place.clone()].copy_from_slice(&own.inertia(&self.standing)[1..]);
+            let turned = own.inertia(&self.turned)[1..].iter();
+            self.inertia[place].iter_mut().zip(turned).for_each(|(own, turned)| *own -= turned);
+        }
     }
 
     /// f at the state, and what each row may be.
@@ -146,6 +199,7 @@ impl<'m> Balance<'m> {
         let machine = self.machine;
         self.system.evaluate(0.0, &self.state);
         self.loads();
+        self.stand();
         let system = &mut self.system;
         for (place, (own, centrifugal)) in
             machine.places().iter().zip(self.turning.iter().zip(&self.centrifugal))
@@ -159,15 +213,24 @@ impl<'m> Balance<'m> {
         let springs = system.springs.forces.iter().fold(LEAST_FORCE, |most, f| most.max(f.abs()));
         let products = self.products();
         let system = &self.system;
-        for (row, &place) in self.places.iter().enumerate() {
+        for (row, place) in self.places.clone().into_iter().enumerate() {
             let terms = [
                 system.load[place],
                 system.spring[place],
                 -system.elastic[place],
                 -system.damper[place],
+                self.inertia[place],
             ];
-            let is_rotation = row >= self.flexible;
-            let terms = if is_rotation { [terms[0], terms[1], 0.0, 0.0] } else { terms };
+            let terms = match row >= self.flexible {
+                true => {
+                    [terms[0], terms[1], -self.own_inertia(place) * self.state.a[place], 0.0, 0.0]
+                }
+                false => terms,
+            };
+            if self.holds(row) {
+                (self.force[row], self.bound[row]) = (0.0, 1.0);
+                continue;
+            }
             self.force[row] = terms.iter().sum();
             let size = |f: fn(f64, f64) -> f64| terms.iter().map(|x| x.abs()).fold(0.0, f);
             let projected = springs * machine.springs.reach[place];
@@ -175,6 +238,19 @@ impl<'m> Balance<'m> {
                 + OF_FORCE * projected
                 + ROUNDING * f64::EPSILON * (size(|a, b| a + b) + projected + products[row]);
         }
+    }
+
+    /// Whether a row is that of a speed that stays as it is.
+    fn holds(&self, row: usize) -> bool {
+        let own = row.checked_sub(self.flexible).map(|own| &self.rotations[own]);
+        self.held && matches!(own, Some(Turn::Speed(_)))
+    }
+
+    /// J0 of the body with θ at a place.
+    fn own_inertia(&self, theta: usize) -> f64 {
+        let own = self.turning.iter().zip(self.machine.places());
+        let own = own.filter(|(_, place)| place.rotation == Some(theta));
+        own.filter_map(|(own, _)| own.as_ref()).map(|own| own.shaft.j0).sum()
     }
 
     /// Whether a load has ended at the speed at which the machine starts.
@@ -206,7 +282,7 @@ impl<'m> Balance<'m> {
         add(&mut self.system.load[rotations], &turning[rotations]);
     }
 
-    /// Σ |products| of K η_s and C η̇ of the rows.
+    /// Σ |products| of K η_s, C η̇ and the inertia of the rows.
     fn products(&self) -> Vec<f64> {
         let mut sums = vec![0.0; self.places.len()];
         for (number, own) in self.turning.iter().enumerate() {
@@ -214,10 +290,15 @@ impl<'m> Balance<'m> {
             let place = self.machine.places()[number].flexible.clone();
             let first = place.start - self.machine.rotations();
             for (j, at) in place.enumerate() {
-                let (moved, rate) = (self.state.q[at].abs(), self.state.v[at].abs());
+                let [moved, rate] = [&self.state.q, &self.state.v].map(|own| own[at].abs());
+                // Those by Q_v are as large as those by M q̈: M θ̇², 2 M θ̇².
+                let turned =
+                    if own.half_turn.is_some() { 4.0 * self.state.a[at].abs() } else { 0.0 };
                 let columns = own.shaft.stiffness.col(j).iter().zip(own.shaft.damping.col(j));
-                let rows = sums[first..].iter_mut().zip(columns);
-                rows.for_each(|(sum, (k, c))| *sum += k.abs() * moved + c.abs() * rate);
+                let rows = sums[first..].iter_mut().zip(columns.zip(own.shaft.mass.col(j)));
+                rows.for_each(|(sum, ((k, c), m))| {
+                    *sum += k.abs() * moved + c.abs() * rate + m.abs() * turned;
+                });
             }
         }
         sums
@@ -237,114 +318,6 @@ impl<'m> Balance<'m> {
     /// The largest |f| over what its row may be.
     pub(super) fn worst(&self) -> f64 {
         (0..self.force.len()).map(|row| self.share_of(row)).fold(0.0, f64::max)
-    }
-
-    /// −∂f/∂z at the state that was last set, n × n.
-    pub(super) fn tangent(&mut self) -> Matrix {
-        let (machine, size) = (self.machine, self.machine.size());
-        let mut by_position = vec![0.0; size * size];
-        let springs: &Springs = &machine.springs;
-        self.tangent.subtract(springs, &self.system.springs, 0.0, size, &mut by_position);
-        // B + a1 P with a1 = 1 and without it: P.
-        let mut by_rate = vec![0.0; size * size];
-        self.tangent.subtract(springs, &self.system.springs, 1.0, size, &mut by_rate);
-        by_rate.iter_mut().zip(&by_position).for_each(|(both, own)| *both -= own);
-        self.subtract_loads(&mut by_position, &mut by_rate);
-        let n = self.places.len();
-        let mut tangent = Matrix::zeros(n, n);
-        for (number, own) in self.turning.iter().enumerate() {
-            let place = machine.places()[number].flexible.clone();
-            let first = place.start - machine.rotations();
-            let Some(own) = own else {
-                for (column, at) in place.enumerate() {
-                    self.gather(&by_position[at * size..], tangent.col_mut(first + column));
-                }
-                continue;
-            };
-            let shaft = own.shaft;
-            for (j, at) in place.clone().enumerate() {
-                let (k, c) = (shaft.stiffness.col(j), shaft.damping.col(j));
-                add(&mut by_position[at * size + place.start..], k);
-                add(&mut by_rate[at * size + place.start..], c);
-            }
-            let columns = |data| Columns { rows: size, cols: place.len(), data };
-            let range = place.start * size..place.end * size;
-            let turned = multiply(columns(&by_rate[range.clone()]), own.quarter_turn.view());
-            let speed = self.speed(number);
-            for (j, at) in place.clone().enumerate() {
-                let mut column = by_position[at * size..(at + 1) * size].to_vec();
-                let rates = column.iter_mut().zip(turned.col(j));
-                rates.for_each(|(sum, rate)| *sum += speed * rate);
-                self.gather(&column, tangent.col_mut(first + j));
-            }
-            let theta = machine.places()[number].rotation;
-            let unknown = self.places[self.flexible..].iter().position(|&own| Some(own) == theta);
-            if let (Some(theta), Some(unknown)) = (theta, unknown) {
-                let mut column = by_rate[theta * size..(theta + 1) * size].to_vec();
-                self.add_speed_slope(number, own, (&by_position, &turned), &mut column);
-                self.gather(&column, tangent.col_mut(self.flexible + unknown));
-            }
-        }
-        for (body, place) in machine.bodies.iter().zip(machine.places()) {
-            if let Body::Standing { support, .. } = body {
-                for (k, at) in support.stiffness.iter().zip(place.flexible.clone()) {
-                    tangent[(at - machine.rotations(), at - machine.rotations())] += k;
-                }
-            }
-        }
-        tangent
-    }
-
-    /// Subtracts the derivatives of the loads by positions and by rates, as far as the loads act.
-    fn subtract_loads(&self, by_position: &mut [f64], by_rate: &mut [f64]) {
-        let (machine, size) = (self.machine, self.machine.size());
-        let now = instant(machine, 0.0, &self.state);
-        let mut parts = [vec![0.0; size * size], vec![0.0; size * size]];
-        for load in &machine.loads {
-            let (_, position) = placed(machine, load, &self.state.q);
-            for (a1, part) in [0.0, 1.0].into_iter().zip(&mut parts) {
-                part.fill(0.0);
-                load.subtract_tangent(&now, self.released(load), &position, a1, part);
-            }
-            let (share, rows) = match load.frame {
-                Frame::Space => (self.share, 0..size),
-                // Only its couple acts.
-                Frame::Body => (1.0, 0..machine.rotations()),
-            };
-            let [position, both] = &parts;
-            for place in
-                (0..size).flat_map(|column| rows.clone().map(move |row| column * size + row))
-            {
-                by_position[place] += share * position[place];
-                by_rate[place] += share * (both[place] - position[place]);
-            }
-        }
-    }
-
-    /// Adds to a column over q how η̇ = θ̇ L η_s and η_c change with the speed of a body; K acts on η_s alone.
-    fn add_speed_slope(
-        &self,
-        body: usize,
-        own: &TurningStart,
-        (by_position, turned): (&[f64], &Matrix),
-        column: &mut [f64],
-    ) {
-        let (size, place) = (column.len(), self.machine.places()[body].flexible.clone());
-        let [turning, slope] = &self.centrifugal[body];
-        let standing = self.state.q[place.clone()].iter().zip(turning).map(|(sum, own)| sum - own);
-        let standing: Vec<f64> = standing.collect();
-        add(column, &turned.apply(&standing));
-        for (j, (at, slope)) in place.clone().zip(slope).enumerate() {
-            let both = &by_position[at * size..(at + 1) * size];
-            column.iter_mut().zip(both).for_each(|(sum, value)| *sum += slope * value);
-            let k = own.shaft.stiffness.col(j);
-            column[place.clone()].iter_mut().zip(k).for_each(|(sum, k)| *sum -= slope * k);
-        }
-    }
-
-    /// The rows of a column over q.
-    fn gather(&self, column: &[f64], out: &mut [f64]) {
-        out.iter_mut().zip(&self.places).for_each(|(out, &place)| *out = column[place]);
     }
 
     /// The inertia of each unknown: what its row of M has on the diagonal.
@@ -381,20 +354,39 @@ impl<'m> Balance<'m> {
         ratios.collect()
     }
 
-    /// Eccentricity of the journal in each bearing (m, along x and y), θ being 0.
+    /// Eccentricity of the journal in each bearing (m, along x and y of space), bodies being turned as in the state.
     pub(super) fn eccentricities(&self, q: &[f64]) -> Vec<[f64; 2]> {
         let monitors = self.machine.monitors.iter().map(|monitor| {
-            let [journal, bore] =
-                monitor.bodies.map(|body| &q[self.machine.places()[body].flexible.clone()]);
+            let places = monitor.bodies.map(|body| &self.machine.places()[body]);
+            let [journal, bore] = places.map(|place| &q[place.flexible.clone()]);
             let [journal, bore] = monitor.displacements(journal, bore);
-            [0, 1].map(|axis| {
-                journal[axis] + monitor.run_out[axis] + monitor.apart[axis]
-                    - bore[axis]
-                    - monitor.offset[axis]
-            })
+            let in_space = |place: &BodyPlace, own: [f64; 2], more: [f64; 2]| {
+                let angle = place.rotation.map_or(0.0, |theta| self.state.q[theta]);
+                Position::new(angle).to_space([own[0] + more[0], own[1] + more[1]])
+            };
+            let journal = in_space(places[0], journal, monitor.run_out);
+            let bore = in_space(places[1], bore, monitor.offset);
+            [0, 1].map(|axis| journal[axis] + monitor.apart[axis] - bore[axis])
         });
         monitors.collect()
     }
+}
+
+/// Pairs of bodies between which an angle makes a couple.
+fn twisting(
+    machine: &Machine,
+    system: &mut System,
+    tangent: &mut SpringTangent,
+    state: &State,
+) -> Vec<[usize; 2]> {
+    let size = machine.size();
+    system.evaluate(0.0, state);
+    tangent.subtract(&machine.springs, &system.springs, 0.0, size, &mut vec![0.0; size * size]);
+    let planes = machine.springs.planes.iter().enumerate();
+    let planes = planes.filter(|(plane, own)| {
+        own.other.is_none() && machine.springs.may_twist(*plane) && tangent.by_angle(*plane) != 0.0
+    });
+    planes.map(|(_, own)| machine.monitors[own.bearing].bodies).collect()
 }
 
 fn add(sum: &mut [f64], terms: &[f64]) {

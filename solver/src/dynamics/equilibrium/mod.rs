@@ -1,12 +1,19 @@
 //! The start of a machine in equilibrium at speed.
 //!
 //! A shaft that turns at a constant speed under loads fixed in space has a deflection η_s that stands in space, so that it
-//! moves in the frame that turns: η̇_s = θ̇ L η_s. What the centrifugal load does, η_c, turns with the frame and rests in
-//! it. Bodies that stand are at rest. The joints act with these rates, the damping of the shaft does (`balance`). Left
-//! out are the loads that turn: unbalance, forces fixed to a body; so a machine that has some starts with a transient.
+//! moves in the frame that turns: η̇_s = θ̇ L η_s, L = −S of a round body ([`crate::roundness`]), and η̈_s = θ̇² L² η_s. What the
+//! centrifugal load does, η_c, turns with the frame and rests in it. Bodies that stand are at rest. The joints act with these
+//! rates, the damping of the shaft does (`balance`). Left out are the loads that turn: unbalance, forces fixed to a body; so a
+//! machine that has some starts with a transient.
+//!
+//! In a march by the trapezoidal rule in equal steps what turns by ΩΔt a step has rates as if its speed were
+//! ω̃ = (2/Δt) tan(ΩΔt/2). With these in place of Ω the discrete motion stands exactly still.
 
 mod balance;
+mod rotations;
 mod search;
+#[cfg(test)]
+mod standing;
 #[cfg(test)]
 mod tests;
 mod turning;
@@ -15,6 +22,8 @@ use balance::Balance;
 use search::{Found, Nearest, floating, search};
 
 use super::march::BodyStart;
+#[cfg(doc)]
+use super::march::MarchOptions;
 use crate::error::Error;
 use crate::machine::Machine;
 
@@ -36,12 +45,18 @@ pub struct Equilibrium {
 }
 
 /// The state in which all forces are balanced at t = 0. `speeds`: θ̇ (rad/s) of bodies that turn freely, by their places; of
-/// one without it the speed is found at which no couple acts on it.
+/// one without it the speed is found at which no couple acts on it. Bodies on torsional couplings have one speed, and the
+/// angles at which these carry the couples. `step`: Δt (s) of the march, if it takes equal steps by the trapezoidal rule
+/// ([`MarchOptions::equal_step`]).
 ///
 /// # Errors
 /// There is none, or it was not found: what is out of balance; nothing holds the machine.
-pub fn equilibrium(machine: &Machine, speeds: &[Option<f64>]) -> Result<Equilibrium, Error> {
-    let mut balance = Balance::new(machine, speeds)?;
+pub fn equilibrium(
+    machine: &Machine,
+    speeds: &[Option<f64>],
+    step: Option<f64>,
+) -> Result<Equilibrium, Error> {
+    let mut balance = Balance::new(machine, speeds, step)?;
     let Found { iterations } = match search(&mut balance)? {
         Ok(found) => found,
         Err(nearest) => return Err(unbalanced(&mut balance, &nearest)),
@@ -52,6 +67,7 @@ pub fn equilibrium(machine: &Machine, speeds: &[Option<f64>]) -> Result<Equilibr
         return Err(Error::Floating { coordinates });
     }
     let bodies = machine.places().iter().enumerate().map(|(body, place)| BodyStart {
+        angle: place.rotation.map_or(0.0, |theta| balance.state.q[theta]),
         speed: balance.speed(body),
         position: balance.state.q[place.flexible.clone()].to_vec(),
         velocity: balance.state.v[place.flexible.clone()].to_vec(),

@@ -1,6 +1,7 @@
 //! The search for the balance: Newton's method with steps that journals can follow, and ways around where it fails.
 
 use super::balance::Balance;
+use super::rotations::Turn;
 use crate::error::Error;
 use crate::linalg::{Lu, Matrix};
 
@@ -11,6 +12,10 @@ const DAMPED: usize = 400;
 const MOVE: f64 = 0.25;
 /// Shortest step along a direction.
 const SHORTEST: f64 = 1e-6;
+/// Largest change of an unknown speed by a step, as a share of it.
+const SPEED: f64 = 0.3;
+/// Multiples of the speeds from which the search begins that are tried where it fails from these.
+const SPEEDS: [f64; 4] = [1.0, 0.5, 2.0, 0.25];
 /// First and least step of the share of the loads.
 const SHARE: f64 = 0.25;
 const LEAST_SHARE: f64 = 1e-3;
@@ -51,6 +56,13 @@ pub(super) fn search(balance: &mut Balance) -> Result<Result<Found, Nearest>, Er
     if let Some(found) = search.by_shares(balance, &middle, &mut nearest)? {
         return Ok(Ok(found));
     }
+    if balance.rotations.iter().any(|own| matches!(own, Turn::Speed(_))) {
+        for multiple in SPEEDS {
+            if let Some(found) = search.at_speeds(balance, &middle, multiple, &mut nearest)? {
+                return Ok(Ok(found));
+            }
+        }
+    }
     Ok(Err(nearest))
 }
 
@@ -85,7 +97,50 @@ impl Search {
                 (clearance > 0.0 && moved > 0.0).then(|| MOVE * clearance / moved)
             },
         );
-        lengths.fold(1.0, f64::min)
+        let speeds = balance.rotations.iter().zip(&step[balance.flexible..]);
+        let turned = speeds.filter_map(|(own, moved)| match own {
+            Turn::Speed(_) if *moved != 0.0 && !balance.held => {
+                let speed = own.value(&balance.state).abs();
+                (speed > 0.0).then(|| SPEED * speed / moved.abs())
+            }
+            _ => None,
+        });
+        lengths.chain(turned).fold(1.0, f64::min)
+    }
+
+    /// Finds where films carry the loads at speeds that stay, and from there those at which couples are in balance, too.
+    fn at_speeds(
+        &mut self,
+        balance: &mut Balance,
+        z: &[f64],
+        multiple: f64,
+        nearest: &mut Nearest,
+    ) -> Result<Option<Found>, Error> {
+        let mut z = z.to_vec();
+        for (value, own) in z[balance.flexible..].iter_mut().zip(&balance.rotations) {
+            if matches!(own, Turn::Speed(_)) {
+                *value *= multiple;
+            }
+        }
+        balance.held = true;
+        let mut there = self.newton(balance, &z, nearest)?.is_some();
+        if !there && self.damped(balance, &z, nearest)? {
+            there = self.newton(balance, &balance.unknowns(), nearest)?.is_some();
+        }
+        there = there || self.by_shares(balance, &z, nearest)?.is_some();
+        balance.held = false;
+        if !there {
+            return Ok(None);
+        }
+        let z = balance.unknowns();
+        if let Some(found) = self.newton(balance, &z, nearest)? {
+            return Ok(Some(found));
+        }
+        if self.damped(balance, &z, nearest)? {
+            let z = balance.unknowns();
+            return self.newton(balance, &z, nearest);
+        }
+        Ok(None)
     }
 
     /// Newton's method from `z`. A step is taken if the next one by the same tangent is shorter (Deuflhard's natural
@@ -102,7 +157,7 @@ impl Search {
         }
         for _ in 0..NEWTON {
             let worst = balance.worst();
-            if balance.share == 1.0 && worst < nearest.worst {
+            if balance.share == 1.0 && !balance.held && worst < nearest.worst {
                 (nearest.z, nearest.worst) = (z.clone(), worst);
             }
             let tangent = balance.tangent();
@@ -190,7 +245,7 @@ impl Search {
             z = trial;
             damping *= 0.5;
             let worst = balance.worst();
-            if worst < nearest.worst {
+            if !balance.held && worst < nearest.worst {
                 (nearest.z, nearest.worst) = (z.clone(), worst);
             }
             if worst <= 1.0 {
@@ -214,7 +269,9 @@ impl Search {
                 Some(found) if balance.share == 1.0 => return Ok(Some(found)),
                 Some(_) => {
                     share = balance.share;
-                    nearest.share = share;
+                    if !balance.held {
+                        nearest.share = share;
+                    }
                     z = balance.unknowns();
                     step *= 1.5;
                 }

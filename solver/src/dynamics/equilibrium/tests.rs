@@ -51,7 +51,7 @@ fn shaft() -> Shaft {
     }
 }
 
-fn bearing(name: &str, bodies: [usize; 2], bore: Vec<usize>, clearance: f64) -> Bearing {
+pub(super) fn bearing(name: &str, bodies: [usize; 2], bore: Vec<usize>, clearance: f64) -> Bearing {
     Bearing {
         others: Vec::new(),
         name: name.to_owned(),
@@ -67,7 +67,7 @@ fn bearing(name: &str, bodies: [usize; 2], bore: Vec<usize>, clearance: f64) -> 
     }
 }
 
-fn load(node: &BodyNode, force: [f64; 3], frame: Frame) -> Load {
+pub(super) fn load(node: &BodyNode, force: [f64; 3], frame: Frame) -> Load {
     Load::force(0, node.clone(), force, TimeFunction::Constant, frame)
 }
 
@@ -106,7 +106,7 @@ fn floating_ring() -> Machine {
 #[test]
 fn a_journal_next_to_the_axis_turns_as_one_on_it() {
     let on_axis = shaft();
-    let quarter_turn = |shaft: &Shaft| TurningStart::new(shaft).expect("a start").quarter_turn;
+    let quarter_turn = |shaft: &Shaft| TurningStart::new(shaft, 0.0).expect("a start").quarter_turn;
     let exact = quarter_turn(&on_axis);
     for off in [1e-18, 1e-9, 1e-7] {
         let mut other = shaft();
@@ -126,7 +126,7 @@ fn a_journal_next_to_the_axis_turns_as_one_on_it() {
 #[test]
 fn the_tangent_is_that_of_differences() {
     let machine = floating_ring();
-    let mut balance = Balance::new(&machine, &[Some(700.0), None]).expect("a balance");
+    let mut balance = Balance::new(&machine, &[Some(700.0), None], None).expect("a balance");
     let n = balance.places.len();
     assert_eq!(n, 3 + 3 + 2 + 1);
     let mut z: Vec<f64> = (0..n).map(|i| 8e-6 * (1.3 * i as f64 + 0.4).sin()).collect();
@@ -158,7 +158,7 @@ fn the_tangent_is_that_of_differences() {
 #[test]
 fn forces_and_couples_of_a_floating_ring_are_balanced() {
     let machine = floating_ring();
-    let found = equilibrium(&machine, &[Some(700.0), None]).expect("is there");
+    let found = equilibrium(&machine, &[Some(700.0), None], None).expect("is there");
     assert!(found.left <= 1.0 && found.iterations < 60, "{found:?}");
     assert!((100.0..600.0).contains(&found.bodies[1].speed), "{found:?}");
 }
@@ -199,7 +199,7 @@ fn in_clearance(weight: f64) -> Machine {
 #[test]
 fn a_journal_falls_through_its_clearance_until_springs_carry_it() {
     let machine = in_clearance(500.0);
-    let found = equilibrium(&machine, &[Some(300.0)]).expect("is there");
+    let found = equilibrium(&machine, &[Some(300.0)], None).expect("is there");
     // Springs act where less than 233/6517 mm are left of 0.1 mm.
     let fallen = -found.bodies[0].position[0];
     assert!((6.4e-5..1.2e-4).contains(&fallen), "{found:?}");
@@ -208,7 +208,7 @@ fn a_journal_falls_through_its_clearance_until_springs_carry_it() {
 
 #[test]
 fn what_nothing_holds_is_an_error() {
-    match equilibrium(&in_clearance(0.0), &[Some(300.0)]) {
+    match equilibrium(&in_clearance(0.0), &[Some(300.0)], None) {
         Err(Error::Floating { coordinates }) => {
             assert!(!coordinates.is_empty() && coordinates[0].contains("rotor"), "{coordinates:?}");
         }

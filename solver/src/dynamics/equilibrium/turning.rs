@@ -16,11 +16,16 @@ const ON_AXIS: f64 = 1e-3;
 /// Multiples of n · eps of the stiffest eigenvalue of K below which one is none: rounding of a motion that bends nothing.
 const RIGID: f64 = 64.0;
 
+/// Share of the largest value of y0 that is rounding of its other ones.
+const ROUNDING: f64 = 1e-13;
+
 /// A body at the start.
 pub(super) struct TurningStart<'m> {
     pub(super) shaft: &'m Shaft,
-    /// L of η̇_s = θ̇ L η_s.
+    /// L of η̇_s = θ̇ L η_s: −S of a round body.
     pub(super) quarter_turn: Matrix,
+    /// L² of η̈_s = θ̇² L² η_s, of a round body: the inertia of what stands in space is then in balance, too.
+    pub(super) half_turn: Option<Matrix>,
     /// M R of the rigid motions R of the body, RᵀMR = 1; one column each.
     rigid: Matrix,
     /// θ̇² (y0 − M R Rᵀ y0) at θ̇ = 1.
@@ -28,8 +33,13 @@ pub(super) struct TurningStart<'m> {
 }
 
 impl<'m> TurningStart<'m> {
-    pub(super) fn new(shaft: &'m Shaft) -> Result<Self, Error> {
+    /// `speed`: at which it turns, or about that (rad/s).
+    pub(super) fn new(shaft: &'m Shaft, speed: f64) -> Result<Self, Error> {
         let n = shaft.size();
+        let roundness = shaft.roundness()?;
+        if roundness.is_round_at(speed) {
+            return Ok(TurningStart::round(shaft, &roundness.generator));
+        }
         let (rigid, centrifugal) = if n == 0 {
             (Matrix::zeros(0, 0), Vec::new())
         } else {
@@ -46,7 +56,28 @@ impl<'m> TurningStart<'m> {
             }
             (rigid, load)
         };
-        Ok(TurningStart { shaft, quarter_turn: quarter_turn(shaft)?, rigid, centrifugal })
+        let quarter_turn = quarter_turn(shaft)?;
+        Ok(TurningStart { shaft, quarter_turn, half_turn: None, rigid, centrifugal })
+    }
+
+    /// Of a round body with the generator S of its turns. Of y0 it has what stands, −(Sᵀ)² y0 being what turns: unbalance, and
+    /// a mesh off its axis.
+    fn round(shaft: &'m Shaft, s: &Matrix) -> Self {
+        let turns = s.apply_transpose(&s.apply_transpose(&shaft.y0));
+        let reach = shaft.y0.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        let stands = shaft.y0.iter().zip(turns).map(|(own, turns)| {
+            let sum = own + turns;
+            // Rounding of what turns is none of it.
+            if sum.abs() <= ROUNDING * reach { 0.0 } else { sum }
+        });
+        let centrifugal = stands.collect();
+        TurningStart {
+            shaft,
+            quarter_turn: Matrix { data: s.data.iter().map(|own| -own).collect(), ..s.clone() },
+            half_turn: Some(multiply(s.view(), s.view())),
+            rigid: Matrix::zeros(shaft.size(), 0),
+            centrifugal,
+        }
     }
 
     /// η_c at a speed (rad/s) and its derivative by that, both n values:
@@ -84,7 +115,7 @@ impl<'m> TurningStart<'m> {
 
 /// L of η̇ = θ̇ L η, the motion in the frame of a deflection that stands in space: A_θ θ̇ φη + A φη̇ = 0.
 ///
-/// Projected on sideways motions that is Y L = H, which is exact where the section at every z moves as a whole; M, by which
+/// Of a body that is not round there is no such motion; projected on sideways motions it is Y L = H, which is exact where the section at every z moves as a whole; M, by which
 /// it may be projected, too, has the rotary inertia of tilts that H has not. Points on the axis at which motion is known
 /// count as masses as large as the body, so that tilts of thin discs, of which Y and H have nothing, follow at the
 /// journals. A share of M settles coordinates without a sideways motion: they stay where they are in the frame.
@@ -132,11 +163,11 @@ fn size(shaft: &Shaft) -> f64 {
 }
 
 /// The speed (rad/s) at which the couples over the speed end that act on the rotation at place `theta` of q: where a motor
-/// turns without a load.
+/// turns without a load, or where its table ends.
 pub(super) fn idle_speed(machine: &Machine, theta: usize) -> Option<f64> {
     let on_it = |load: &&Load| machine.places()[load.body].rotation == Some(theta);
     let idle = machine.loads.iter().filter(on_it).filter_map(|load| match &load.time_function {
-        TimeFunction::OverSpeed(curve) => curve.last_fall(),
+        TimeFunction::OverSpeed(curve) => curve.last_fall().or_else(|| curve.driven_end()),
         _ => None,
     });
     idle.reduce(f64::max)

@@ -106,7 +106,7 @@ fn a_ring_that_is_held_centred_turns_at_the_ratio_of_its_torques() {
 
 #[test]
 fn a_centred_ring_in_equilibrium_turns_at_the_ratio_of_its_torques() {
-    let found = equilibrium(&machine([0.1, 0.05], 1e9), &[]).expect("is there");
+    let found = equilibrium(&machine([0.1, 0.05], 1e9), &[], None).expect("is there");
     let speed = found.bodies[1].speed / SPEED;
     assert!((speed / ratio() - 1.0).abs() < 1e-9, "{speed} for {}", ratio());
 }

@@ -64,7 +64,7 @@ fn machine(bodies: Vec<Body>, bearings: Vec<Bearing>) -> MachineParts {
 }
 
 fn start(speed: f64, position: [f64; 2], velocity: [f64; 2]) -> BodyStart {
-    BodyStart { speed, position: position.to_vec(), velocity: velocity.to_vec() }
+    BodyStart { angle: 0.0, speed, position: position.to_vec(), velocity: velocity.to_vec() }
 }
 
 /// Marches to the end.

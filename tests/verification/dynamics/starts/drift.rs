@@ -53,7 +53,7 @@ fn drift(machine: &Machine, initial: Vec<BodyStart>) -> f64 {
 #[test]
 fn reactions_stay_where_a_machine_starts_in_equilibrium() {
     let machine = machine();
-    let found = equilibrium(&machine, &[Some(SPEED)]).expect("is there");
+    let found = equilibrium(&machine, &[Some(SPEED)], None).expect("is there");
     let half = 0.5 * (500.0 + 9.81 * DISC * DISCS as f64);
     let own = drift(&machine, found.bodies) / half;
     let at_rest = BodyStart { speed: SPEED, ..BodyStart::default() };
@@ -70,7 +70,7 @@ fn a_rotor_that_stands_tilted_stays_so() {
     for transverse in [0.2, 0.015, 0.01] {
         let rotation = Rotation::Prescribed { speed: SPEED, acceleration: 0.0 };
         let machine = tilting_rotor([10.0, transverse], total, 0.06, rotation);
-        let found = equilibrium(&machine, &[None]).expect("is there");
+        let found = equilibrium(&machine, &[None], None).expect("is there");
         let own = drift(&machine, found.bodies) / (0.5 * total);
         println!("{transverse}: {own:.2e}");
         assert!(own < 1e-5, "{transverse}: {own}");

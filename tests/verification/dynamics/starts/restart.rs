@@ -66,7 +66,7 @@ fn another_load_acts_from_the_last_state_on() {
     let rotation = Rotation::Prescribed { speed: SPEED, acceleration: 0.0 };
     let rotor = |share: f64| rigid_rotor(10.0, share * load(0.5, SPEED), 0.0, rotation.clone());
     let (first, second) = (rotor(2.0), rotor(2.4));
-    let initial = equilibrium(&first, &[None]).expect("is there").bodies;
+    let initial = equilibrium(&first, &[None], None).expect("is there").bodies;
     let options = MarchOptions { initial, ..options(1e-5, 300) };
     let mut march = March::new(&first, &options).expect("starts");
     let (_, last) = finish(&mut march);

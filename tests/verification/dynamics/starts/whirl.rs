@@ -75,7 +75,7 @@ fn the_threshold_of_oil_whirl_is_that_of_linear_theory() {
     for eps in [0.1, 0.3, 0.5, 0.7] {
         let carried = load(eps, SPEED);
         let machine = rotor(10.0, eps);
-        let found = equilibrium(&machine, &[None]).expect("is there");
+        let found = equilibrium(&machine, &[None], None).expect("is there");
         let [stiffness, damping] = linearised(&machine, &found, 10.0);
         let scaled = |matrix: [[f64; 2]; 2], by: f64| {
             matrix.map(|row| row.map(|own| own * by * C / carried))
@@ -91,7 +91,7 @@ fn the_threshold_of_oil_whirl_is_that_of_linear_theory() {
 fn growth(mass: f64, eps: f64, revolutions: usize) -> f64 {
     const STEPS: usize = 100;
     let machine = rotor(mass, eps);
-    let found = equilibrium(&machine, &[None]).expect("is there");
+    let found = equilibrium(&machine, &[None], None).expect("is there");
     let at = [0, 1].map(|axis| found.bodies[0].position[axis]);
     let moved = 1e-3 * C;
     let mut initial = found.bodies;
