@@ -151,7 +151,8 @@ fn joint(law: usize, kinds: [Kind; 2]) -> Bearing {
         name: "joint".to_owned(),
         label: None,
         sides: Sides {
-            run_out: [[3e-5, -1e-5]; 3],
+            // Of a body that does not turn the arm of a force is that to its nodes.
+            run_out: [if kinds[0].turns() { [3e-5, -1e-5] } else { [0.0; 2] }; 3],
             offset: [[-2e-5, 4e-5]; 3],
             sections: if coupling { sections } else { [None; 2] },
             torque_section: if coupling { None } else { sections[0] },

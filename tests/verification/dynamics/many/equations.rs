@@ -126,14 +126,16 @@ fn outputs_are_what_the_laws_see() {
         let mut force = [0.0; 2];
         for station in &own.stations {
             for spring in 0..springs(own) {
-                let given = given(own, spring, &measures(&machine, own, *station, spring, &q));
+                let seen = measures(&machine, own, *station, spring, &q);
+                let (sin, cos) = seen.beta.re.sin_cos();
+                let given = given(own, spring, &seen);
                 let psi = own.angles[spring];
                 for (name, value) in LAWS[own.law].outputs.iter().zip(&given) {
                     let along = match *name {
                         "Q" => [-psi.cos(), -psi.sin()],
                         "T" => [-psi.sin(), psi.cos()],
-                        "F_x" => [1.0, 0.0],
-                        "F_y" => [0.0, 1.0],
+                        "F_x" => [cos, sin],
+                        "F_y" => [-sin, cos],
                         _ => [0.0; 2],
                     };
                     force = [0, 1].map(|axis| force[axis] + value.re * along[axis]);
@@ -141,8 +143,9 @@ fn outputs_are_what_the_laws_see() {
             }
         }
         let force = turn(angle(bore), force);
-        let [_, _, _, e_x, e_y] = measures(&machine, own, 0.5, 0, &q).values;
-        let eccentricity = turn(angle(bore), [e_x.re, e_y.re]).map(|e| 1e6 * e);
+        let middle = measures(&machine, own, 0.5, 0, &q);
+        let [_, _, _, e_x, e_y] = middle.values;
+        let eccentricity = turn(angle(bore) + middle.beta.re, [e_x.re, e_y.re]).map(|e| 1e6 * e);
         let node = &machine.bodies[journal].nodes()[own.journal[1]];
         let place = machine.places()[journal].flexible.clone();
         let moved = [0, 1].map(|axis| {
@@ -161,8 +164,9 @@ fn outputs_are_what_the_laws_see() {
             }
         }
         for other in &own.others {
-            let given = given_by(LAWS[other.law], 0.0, &other_measures(&machine, own, other, &q));
-            let [x, y] = turn(angle(bore), [given[0].re, given[1].re]);
+            let seen = other_measures(&machine, own, other, &q);
+            let given = given_by(LAWS[other.law], 0.0, &seen);
+            let [x, y] = turn(angle(bore) + seen.beta.re, [given[0].re, given[1].re]);
             let columns = match other.kind {
                 MotionKind::Tilts => vec![("MX", x, "Nm"), ("MY", y, "Nm")],
                 MotionKind::Along => vec![("RZ", given[0].re, "N")],

@@ -249,6 +249,8 @@ struct Measures {
     /// h, s, α, e_x, e_y.
     values: [Dual64; 5],
     theta: Dual64,
+    /// The mean turn of the bore in its body, with which the axes of e_x and e_y turn.
+    beta: Dual64,
 }
 
 /// The measures at a spring of a bearing, from positions in space: of the centre of the journal and of the bore.
@@ -339,6 +341,7 @@ fn measures(
             e_y,
         ],
         theta,
+        beta: turned,
     }
 }
 
@@ -371,7 +374,8 @@ fn other_measures(machine: &Machine, own: &Bearing, other: &OtherMotion, q: &[Du
             [cos * x + sin * y, cos * y - sin * x]
         }
     };
-    Measures { values: [zero, zero, zero, x, y], theta: zero }
+    let beta = if other.kind == MotionKind::Tilts { side(1, 2) } else { zero };
+    Measures { values: [zero, zero, zero, x, y], theta: zero, beta }
 }
 
 /// One load of every kind on the bodies of the machine of everything.
