@@ -3,7 +3,9 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use whirl_benches::hand;
-use whirl_solver::dynamics::{BodyStart, March, MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::dynamics::{
+    BodyStart, Integrator, March, MarchOptions, NewtonOptions, SteadyRule,
+};
 use whirl_solver::machine::{Machine, MachineParts};
 
 /// Steps before the timing, so that the shaft turns and the springs switch.
@@ -14,9 +16,10 @@ fn options() -> MarchOptions {
         time_step: 7.4e-5,
         automatic: None,
         steps: WARM,
-        newmark: Newmark::default(),
+        integrator: Integrator::default(),
         newton: NewtonOptions::default(),
         cycle: None,
+        steady_rule: SteadyRule::default(),
         stop_when_steady: false,
         initial: vec![BodyStart::default()],
     }

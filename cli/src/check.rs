@@ -243,6 +243,9 @@ fn say_march(text: &mut String, case: &Case) {
             longest.min(march.time_step)
         );
     }
+    if let Some(radius) = march.spectral_radius {
+        line!(text, "integrated by generalized-α, spectral radius {radius}");
+    }
     line!(text, "the cycle is {}", march.cycle_called);
     if march.no_common_cycle {
         line!(
@@ -255,7 +258,7 @@ fn say_march(text: &mut String, case: &Case) {
         line!(text, "stops at its steady state");
     }
     if march.steady_cycle().is_none() {
-        line!(text, "shorter than two cycles: not checked for a steady state");
+        line!(text, "shorter than {}: not checked for a steady state", march.steady_cycles());
     }
     if march.output_every > 1 {
         line!(text, "a row of the history every {} steps", march.output_every);

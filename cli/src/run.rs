@@ -153,13 +153,7 @@ fn closing(case: &Case, summary: &Summary, folder: &Path) -> String {
         none if none.is_empty() => none,
         some => some + "\n",
     };
-    let steady = match summary.steady_time() {
-        Some(time) => format!("steady from {time:.4} s"),
-        None if case.march.steady_cycle().is_none() => {
-            "not tested for a steady state: the run is shorter than two cycles".to_string()
-        }
-        None => "not steady".to_string(),
-    };
+    let steady = summary.steadiness(&case.march);
     let stresses: String = (summary.stresses.iter())
         .map(|(body, own)| format!("largest stress of {body}: {}\n", own.words()))
         .collect();

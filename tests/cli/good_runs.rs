@@ -283,7 +283,7 @@ fn what_is_still_to_come_is_waited_for() {
              polar_inertia = \"1e-2 kg*m^2\"\n[joint.spring]\nkind = \"bushing\"\nfirst = {{ body = \"wheel\" }}\n\
              stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n\
              damping = {{ xx = \"2e3 N*s/m\", yy = \"2e3 N*s/m\" }}\n{rest}\n\
-             [march]\ntime_step = \"1e-4 s\"\nduration = \"0.5 s\"\ncycle_frequency = \"100 Hz\"\n\
+             [march]\ntime_step = \"1e-4 s\"\nduration = \"0.8 s\"\ncycle_frequency = \"100 Hz\"\n\
              stop_when_steady = true\n"
         )
     };
@@ -297,12 +297,13 @@ fn what_is_still_to_come_is_waited_for() {
         *bench.history("out").column("t_s").last().expect("a row")
     };
     let at_once = ends(&format!("{turns}{load}"));
-    assert!(at_once < 0.1, "{at_once}");
+    // Seventeen cycles after what is waited for, and one to begin with.
+    assert!(at_once < 0.18, "{at_once}");
     let stepped = ends(&format!("{turns}{load}start = \"0.2 s\"\n"));
-    assert!(stepped > 0.2 && stepped < 0.3, "{stepped}");
+    assert!(stepped > 0.2 && stepped < 0.38, "{stepped}");
     let ramped = ends(&format!("{turns}{load}ramp = [\"0.1 s\", \"0.3 s\"]\n"));
-    assert!(ramped > 0.3 && ramped < 0.4, "{ramped}");
+    assert!(ramped > 0.3 && ramped < 0.48, "{ramped}");
     // 4 rad/s after 0.08 s.
     let driven = ends(&format!("{drive}target_speed = \"10 rad/s\"\n{load}"));
-    assert!(driven > 0.2 && driven < 0.3, "{driven}");
+    assert!(driven > 0.2 && driven < 0.38, "{driven}");
 }

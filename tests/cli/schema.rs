@@ -252,7 +252,7 @@ fn unknown(bench: &Workbench, value: &Value) -> Vec<String> {
 }
 
 /// What files of named bodies have not, and keys whose errors would take the place of others.
-const SHORT: &str = "include /start/kind /march/duration /march/stop_when_steady /march/step_tolerance \
+const SHORT: &str = "include /start/kind /march/duration /march/stop_when_steady /march/step_tolerance /march/spectral_radius \
     /figures/laws /fields/bodies /shaft /support /springs /bearing /drive /load /mass /stop";
 
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.

@@ -62,7 +62,7 @@ fn a_stop_that_the_step_does_not_resolve_is_reported_with_a_remedy_that_serves()
 /// A cycle that never ends twice, by its own frequency or by the shortness of the steps, is not searched for: of its
 /// forces, which would take terabytes, none are kept.
 #[test]
-fn a_run_shorter_than_two_cycles_is_not_checked_for_a_steady_state() {
+fn a_run_of_too_few_cycles_is_not_checked_for_a_steady_state() {
     let mass = "title = \"a long cycle\"\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e4 N/m\"\nforce = \"1 N\"\n\
                 [[stop]]\nside = \"above\"\ngap = \"0.1 mm\"\nlaw = \"gap-linear-1e6\"\n\
                 [march]\ntime_step = \"1e-4 s\"\nsteps = 20\ncycle_frequency = \"1e-9 Hz\"\n";
@@ -72,18 +72,139 @@ fn a_run_shorter_than_two_cycles_is_not_checked_for_a_steady_state() {
         let file = format!("{name}.toml");
         let outcome = bench.whirl(&["run", &file, "--no-figures"]);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-        let words = "for a steady state: the run is shorter than two cycles";
+        let words = "for a steady state: the run is shorter than 17 cycles";
         assert!(outcome.stdout.contains(words), "{}", outcome.stdout);
         let steady = &bench.summary(&format!("results/{name}"))["steady_state"];
         assert_eq!((&steady["checked"], &steady["reached"]), (&false.into(), &false.into()));
         let checked = bench.whirl(&["check", &file]).stdout;
-        assert!(checked.contains("shorter than two cycles"), "{checked}");
+        assert!(checked.contains("shorter than 17 cycles"), "{checked}");
     }
-    // Two cycles can be compared.
-    let two = mass.replace("1e-9 Hz", "1000 Hz").replace("steps = 20\n", "steps = 200\n");
-    let two = two.replace("1e-4 s", "1e-5 s");
-    let bench = bench.file("two.toml", &two);
-    let outcome = bench.whirl(&["run", "two.toml", "--no-figures"]);
-    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert_eq!(bench.summary("results/two")["steady_state"]["checked"], true);
+    // So many can be compared, or two.
+    let long = mass.replace("1e-9 Hz", "1000 Hz").replace("1e-4 s", "1e-5 s");
+    for (steps, test) in [(1700, ""), (200, "steady_test = \"one-cycle\"\n")] {
+        let case = long.replace("steps = 20\n", &format!("steps = {steps}\n")) + test;
+        let bench = Workbench::new().file("long.toml", &case);
+        let outcome = bench.whirl(&["run", "long.toml", "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let steady = &bench.summary("results/long")["steady_state"];
+        assert_eq!(steady["checked"], true);
+        assert_eq!(steady.get("left").is_some(), test.is_empty(), "{steady}");
+        let short = case.replace(&format!("steps = {steps}"), &format!("steps = {}", steps - 1));
+        let bench = Workbench::new().file("long.toml", &short);
+        assert!(bench.whirl(&["check", "long.toml"]).stdout.contains("not checked"), "{short}");
+    }
+}
+
+/// A rotor at its resonance, whose amplitude grows to e/2ζ: a cycle repeats the one before to 1 % long before.
+#[test]
+fn a_resonance_that_still_grows_is_not_steady() {
+    for (damping, zeta) in [("0.6 N*s/m", 3e-3_f64), ("2 N*s/m", 1e-2), ("10 N*s/m", 0.05)] {
+        let case = |more: &str| {
+            format!(
+                "title = \"m\"\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e4 N/m\"\ndamping = \"{damping}\"\n\
+                 unbalance = {{ eccentricity = \"1 um\", speed = \"100 rad/s\" }}\n\
+                 [[stop]]\nside = \"above\"\ngap = \"100 mm\"\nlaw = \"gap-linear-1e6\"\n\
+                 [march]\ntime_step = \"1e-3 s\"\nduration = \"60 s\"\nstop_when_steady = true\n{more}"
+            )
+        };
+        let bench = Workbench::new()
+            .file("case.toml", &case(""))
+            .file("paper.toml", &case("steady_test = \"one-cycle\"\n"));
+        let ends = ["case", "paper"].map(|name| {
+            let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
+            assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+            let history = bench.history(&format!("results/{name}"));
+            let place = history.column("X1_um");
+            // The last sixty-three steps are a cycle.
+            place[place.len() - 63..].iter().fold(0.0_f64, |most, x| most.max(x.abs()))
+        });
+        let summary = bench.summary("results/case");
+        let left = summary["steady_state"]["left"].as_f64().expect("left");
+        assert!(left < 0.01 && summary["march"]["complete"] == true, "{summary}");
+        // The trapezoidal rule turns 100 rad/s into tan(0.05)/0.05 of it.
+        let detuned = (0.05_f64.tan() / 0.05).powi(2) - 1.0;
+        let exact = 1.0 / (detuned.powi(2) + (2.0 * zeta).powi(2)).sqrt();
+        assert!((ends[0] / exact - 1.0).abs() < 0.02, "ζ = {zeta}: {} for {exact}", ends[0]);
+        assert!(zeta > 0.02 || ends[1] < 0.9 * exact, "ζ = {zeta}: {} for {exact}", ends[1]);
+    }
+}
+
+/// A ring of 10 mg on a bushing that would stop it in a nanosecond, pushed by 10 N: the bushing carries 10 N, and Newmark's method
+/// swings about that for ever.
+#[test]
+fn ringing_is_a_finding_and_has_a_cure() {
+    let case = |more: &str| {
+        format!(
+            "title = \"x\"\n[body.ring]\nturns = \"no\"\nmass = \"1e-5 kg\"\n[joint.d]\nkind = \"bushing\"\n\
+             first = {{ body = \"ring\" }}\nstiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n\
+             damping = {{ xx = \"1e4 N*s/m\", yy = \"1e4 N*s/m\" }}\n[loads.f]\nbody = \"ring\"\nforce = \"10 N\"\n\
+             [march]\n{more}"
+        )
+    };
+    let damped = "integrator = \"generalized-alpha\"\n";
+    let fixed = "time_step = \"1e-4 s\"\nsteps = 2000\n";
+    let bench = Workbench::new()
+        .file("rings.toml", &case(fixed))
+        .file("damped.toml", &case(&format!("{fixed}{damped}")))
+        .file("soft.toml", &case(&format!("{fixed}{damped}spectral_radius = 0.5\n")));
+    let run = |name: &str| {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let summary = bench.summary(&format!("results/{name}"));
+        let history = bench.history(&format!("results/{name}"));
+        (outcome.stdout, summary, history.column("RX_d_N").to_vec())
+    };
+    let (said, summary, force) = run("rings");
+    assert_eq!(summary["verdict"]["sound"], false, "{said}");
+    assert!(said.contains("part of a force that changes its sign every step"), "{said}");
+    assert!(
+        said.contains("(at joint d)") && said.contains("integrator = \"generalized-alpha\""),
+        "{said}"
+    );
+    assert!(summary["verdict"]["measures"]["ringing"].as_f64().expect("a share") > 0.3);
+    assert!((force[1999] - force[1998]).abs() > 10.0, "{} {}", force[1998], force[1999]);
+    for (name, radius) in [("damped", 0.9), ("soft", 0.5)] {
+        let (said, summary, force) = run(name);
+        assert_eq!(summary["verdict"]["sound"], true, "{said}");
+        assert_eq!(summary["march"]["spectral_radius"], radius);
+        // What is left of the first swing of 10 N after 300 steps, and what a row may have, 5e-7 of its largest term.
+        let left = 10.0 * f64::powi(radius, 300) + 1e-5;
+        assert!(force[300..].iter().all(|own| (own + 10.0).abs() <= left), "{name}");
+    }
+    let refused = bench.file("wrong.toml", &case(&format!("{fixed}spectral_radius = 0.5\n")));
+    let outcome = refused.whirl(&["check", "wrong.toml"]);
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.stderr.contains("has no effect on Newmark's method"), "{}", outcome.stderr);
+}
+
+/// A rotor on a motor whose couple falls by 95.5 N·m a rad/s, under a load of 50 N·m: it slips by half of what it has, and the
+/// motor swings by kilowatts about that.
+#[test]
+fn a_stiff_table_of_speeds_rings() {
+    let case = |more: &str| {
+        format!(
+            "title = \"x\"\n[body.r]\nturns = \"free\"\ninitial_speed = \"3000 rpm\"\nmass = \"1 kg\"\n\
+             polar_inertia = \"0.001 kg*m^2\"\n[joint.b]\nkind = \"bushing\"\nfirst = {{ body = \"r\" }}\n\
+             stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n[drives.d]\nbody = \"r\"\ntable = \"t.csv\"\n\
+             [loads.q]\nbody = \"r\"\ncouple = \"-50 N*m\"\n[march]\ntime_step = \"1e-3 s\"\nsteps = 500\n{more}"
+        )
+    };
+    let bench = Workbench::new()
+        .file("t.csv", "speed [rpm], couple [N*m]\n0,10\n2900,1000\n3100,-1000\n")
+        .file("rings.toml", &case(""))
+        .file("damped.toml", &case("integrator = \"generalized-alpha\"\n"));
+    for (name, sound) in [("rings", false), ("damped", true)] {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let summary = bench.summary(&format!("results/{name}"));
+        assert_eq!(summary["verdict"]["sound"], sound, "{}", outcome.stdout);
+        if sound {
+            let speed = bench.history(&format!("results/{name}")).last("omega_rad_s");
+            // 2995 rpm, by the slope of the table.
+            let exact = std::f64::consts::TAU / 60.0 * 2995.0;
+            assert!((speed / exact - 1.0).abs() < 1e-8, "{speed} for {exact}");
+        } else {
+            assert!(outcome.stdout.contains("(rotation of r)"), "{}", outcome.stdout);
+        }
+    }
 }

@@ -1,6 +1,8 @@
 //! The shipped cases of the reference system stay where their laws may be believed.
 
-use whirl_solver::dynamics::{BodyStart, March, MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::dynamics::{
+    BodyStart, Integrator, March, MarchOptions, NewtonOptions, SteadyRule,
+};
 use whirl_solver::machine::Machine;
 
 /// Steps of each analysis, as its file has them, and its step in s.
@@ -22,9 +24,10 @@ fn the_reference_system_stays_within_its_films() {
             time_step: TIME_STEP,
             automatic: None,
             steps,
-            newmark: Newmark::default(),
+            integrator: Integrator::default(),
             newton: NewtonOptions { force_tolerance: 1e-3, ..NewtonOptions::default() },
             cycle: None,
+            steady_rule: SteadyRule::default(),
             stop_when_steady: false,
             initial: vec![BodyStart::default()],
         };

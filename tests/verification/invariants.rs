@@ -46,7 +46,9 @@ fn displaced(shaft: &Shaft, [theta, speed, acceleration]: [f64; 3], d: [f64; 2])
         all.extend(translation(shaft, b));
         all
     };
-    State { q: with(theta, b), v: with(speed, rate), a: with(acceleration, second) }
+    let q = with(theta, b);
+    let still = State::new(q.len());
+    State { q, v: with(speed, rate), a: with(acceleration, second), ..still }
 }
 
 /// What rounding may leave in the residual of a state: every entry of the reduced matrices is a sum over

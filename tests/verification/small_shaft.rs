@@ -4,7 +4,7 @@ use whirl_benches::hand::elements::ELEMENTS;
 use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::Constraints;
-use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::dynamics::{BodyStart, Integrator, MarchOptions, NewtonOptions, SteadyRule};
 use whirl_solver::machine::{Body, MachineParts, Rotation};
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::{Material, Mesh, NodeSetMean};
@@ -176,9 +176,10 @@ pub(crate) fn options(time_step: f64, steps: usize) -> MarchOptions {
         time_step,
         automatic: None,
         steps,
-        newmark: Newmark::default(),
+        integrator: Integrator::default(),
         newton,
         cycle: None,
+        steady_rule: SteadyRule::default(),
         stop_when_steady: false,
         initial: vec![BodyStart::default()],
     }

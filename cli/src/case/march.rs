@@ -2,11 +2,11 @@
 
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
-use whirl_solver::dynamics::{AutomaticStep, LEAST_STEPS};
+use whirl_solver::dynamics::{AutomaticStep, Integrator, LEAST_STEPS, SteadyRule};
 
 use super::SystemDraft;
 use super::cycle::{self, MOST_PERIODS, Run};
-use super::schema::{AUTOMATIC, MOST_STEPS};
+use super::schema::{AUTOMATIC, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]
@@ -17,6 +17,10 @@ pub(crate) struct MarchSettings {
     pub(crate) automatic: Option<AutomaticStep>,
     /// Steps.
     pub(crate) steps: usize,
+    /// How they are integrated.
+    pub(crate) integrator: Integrator,
+    /// Spectral radius of generalized-α, where it is that.
+    pub(crate) spectral_radius: Option<f64>,
     /// Largest change of a spring force between iterations, in N, at which a step has converged.
     pub(crate) force_tolerance: f64,
     /// Steps from one row of the history to the next.
@@ -27,27 +31,46 @@ pub(crate) struct MarchSettings {
     pub(crate) cycle_called: &'static str,
     /// Whether loads and rotation have no period in common, so that the cycle is not theirs.
     pub(crate) no_common_cycle: bool,
+    /// What tells the steady state.
+    pub(crate) steady_rule: SteadyRule,
     /// Whether the steady state is the end.
     pub(crate) stop_when_steady: bool,
 }
 
 impl MarchSettings {
+    /// The integrator as a case names it.
+    pub(crate) fn integrator_called(&self) -> &'static str {
+        if self.spectral_radius.is_some() { GENERALIZED_ALPHA } else { NEWMARK }
+    }
+
     /// End of the analysis in s.
     pub(crate) fn duration(&self) -> f64 {
         self.time_step * self.steps as f64
     }
 
-    /// The cycle by which the steady state is tested, in s; none where the analysis ends before two of them
-    /// are over, so that no cycle can be compared with the one before.
+    /// The cycle by which the steady state is tested, in s; none where the analysis ends before there are so many of them
+    /// that a steady state could be told.
     pub(crate) fn steady_cycle(&self) -> Option<f64> {
+        let least = self.steady_rule.cycles() as f64 * self.cycle;
         // A sum of steps may miss the end by rounding.
-        (2.0 * self.cycle <= self.duration() * (1.0 + 1e-9)).then_some(self.cycle)
+        (least <= self.duration() * (1.0 + 1e-9)).then_some(self.cycle)
+    }
+
+    /// How many cycles a run has at least in which a steady state can be told, in words.
+    pub(crate) fn steady_cycles(&self) -> String {
+        match self.steady_rule.cycles() {
+            2 => "two cycles".to_owned(),
+            more => format!("{more} cycles"),
+        }
     }
 }
 
 /// Steps beyond have nothing to do with a machine, and their squares leave the range of numbers (s).
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 1e9;
+
+/// Of generalized-α: motion that is far faster than the step falls to a tenth in 22 of them.
+const SPECTRAL_RADIUS: f64 = 0.9;
 
 /// Of the reference histories: far below every force of interest, far above rounding.
 const FORCE_TOLERANCE: f64 = 1e-3;
@@ -84,6 +107,7 @@ fn read_march(march: &Table, system: &SystemDraft, goes_on: bool) -> MarchSettin
     if let (Some(_), Some((cycle, ..))) = (given, cycle_of_rows) {
         shown_by_rows(march, output_every as f64 * time_step, (cycle, automatic));
     }
+    let spectral_radius = spectral_radius(march);
     let stop_when_steady = march.optional_boolean("stop_when_steady").unwrap_or(false);
     let settings = MarchSettings {
         time_step,
@@ -95,6 +119,8 @@ fn read_march(march: &Table, system: &SystemDraft, goes_on: bool) -> MarchSettin
                 .fold(f64::INFINITY, f64::min),
         }),
         steps,
+        integrator: spectral_radius.map_or_else(Integrator::default, Integrator::generalized_alpha),
+        spectral_radius,
         force_tolerance,
         output_every,
         cycle,
@@ -102,6 +128,10 @@ fn read_march(march: &Table, system: &SystemDraft, goes_on: bool) -> MarchSettin
             (Some(_), _) => "the period of `cycle_frequency`",
             (None, Some(own)) => own.called,
             (None, None) => "the whole run",
+        },
+        steady_rule: match march.optional_word("steady_test") {
+            Some(ONE_CYCLE) => SteadyRule::OneCycle,
+            _ => SteadyRule::default(),
         },
         no_common_cycle: frequency.is_none() && natural.is_some_and(|own| !own.common),
         stop_when_steady,
@@ -156,6 +186,22 @@ fn is_automatic(march: &Table) -> bool {
     march.gives(key) && march.written(key).text().trim_matches(['"', '\'']) == AUTOMATIC
 }
 
+/// The spectral radius of generalized-α, where that is the integrator.
+fn spectral_radius(march: &Table) -> Option<f64> {
+    let key = "spectral_radius";
+    let chosen = march.optional_word("integrator") == Some(GENERALIZED_ALPHA);
+    if !march.has(key) {
+        return chosen.then_some(SPECTRAL_RADIUS);
+    }
+    let given = march.number_or_middle(key);
+    if !chosen {
+        let message = "`spectral_radius` has no effect on Newmark's method, which damps nothing";
+        let help = format!("write `integrator = \"{GENERALIZED_ALPHA}\"`, or leave it out");
+        refuse(march, key, message, help);
+    }
+    chosen.then_some(given)
+}
+
 /// The tolerance by which steps are chosen, where they are.
 fn tolerance(march: &Table, automatic: bool) -> Option<f64> {
     let key = "step_tolerance";
@@ -187,12 +233,15 @@ fn has_a_steady_state(march: &Table, settings: &MarchSettings, has_cycle: bool) 
         refuse(march, "stop_when_steady", message, write.to_owned());
     } else if settings.steady_cycle().is_none() {
         let message = format!(
-            "a run of {} s is shorter than two cycles of {} s ({}): it can have no steady state",
+            "a run of {} s is shorter than {} of {} s ({}): no steady state can be told in it",
             plain(settings.duration()),
+            settings.steady_cycles(),
             three_digits(settings.cycle, f64::round),
             settings.cycle_called
         );
-        let least = three_digits(2.0 * settings.cycle, |digits| (digits - 1e-6).ceil());
+        let least = three_digits(settings.steady_rule.cycles() as f64 * settings.cycle, |digits| {
+            (digits - 1e-6).ceil()
+        });
         let help = format!(
             "write `duration = \"{least} s\"` or more, or a higher `cycle_frequency` at which the motion repeats"
         );

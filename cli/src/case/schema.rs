@@ -62,6 +62,12 @@ measures! {
 
 /// What stands for a time step that the program chooses.
 pub(super) const AUTOMATIC: &str = "auto";
+/// What tells a steady state.
+const ESTIMATE: &str = "estimate";
+pub(super) const ONE_CYCLE: &str = "one-cycle";
+/// How steps are integrated.
+pub(crate) const NEWMARK: &str = "newmark";
+pub(crate) const GENERALIZED_ALPHA: &str = "generalized-alpha";
 /// Steps of a march; their history takes some gigabytes.
 pub(super) const MOST_STEPS: usize = 10_000_000;
 /// Springs of a bearing in all its rings.
@@ -347,9 +353,27 @@ const MARCH: &[Key] = &[
         DURATION,
         "from one row of history.csv to the next, a multiple of a time_step that is given",
     ),
+    key(
+        "integrator",
+        Words(&[NEWMARK, GENERALIZED_ALPHA]),
+        "how steps are integrated: without damping of its own, or with one of motion that is far faster than the step; \
+         newmark if left out",
+    ),
+    key(
+        "spectral_radius",
+        Between(0.0, 1.0),
+        "of generalized-alpha: what a step leaves of motion that is far faster; 0.9 if left out",
+    )
+    .like("0.8"),
     key("force_tolerance", TOLERANCE, "change of a spring force at which a step has converged"),
     key("cycle_frequency", FREQUENCY, "of the cycle over which results are summed up"),
-    key("stop_when_steady", Flag, "true ends the run when a cycle repeats the one before"),
+    key("stop_when_steady", Flag, "true ends the run at its steady state"),
+    key(
+        "steady_test",
+        Words(&[ESTIMATE, ONE_CYCLE]),
+        "what tells the steady state: an estimate of what is left to change, below 1 %, or that a cycle repeats the one \
+         before to 1 %; estimate if left out",
+    ),
 ];
 
 const REDUCTION: &[Key] =

@@ -78,6 +78,9 @@ struct MarchFacts {
     converged: bool,
     /// Every step that was asked for.
     complete: bool,
+    integrator: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spectral_radius: Option<f64>,
     /// Where steps are all alike.
     #[serde(skip_serializing_if = "Option::is_none")]
     time_step_s: Option<f64>,
@@ -234,11 +237,14 @@ impl Signal {
 
 #[derive(Debug, Serialize)]
 struct SteadyFacts {
-    /// Whether cycles were compared: a run shorter than two of them has none to compare.
+    /// Whether cycles were compared: a short run has too few of them.
     checked: bool,
     reached: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     time_s: Option<f64>,
+    /// What is left to change, as a fraction of what varies in a cycle: infinite where nothing settles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left: Option<f64>,
 }
 
 /// work_in = kinetic + strain + spring_stored + spring_dissipated + dissipated + error.
@@ -297,6 +303,8 @@ impl Summary {
                 converged,
                 complete: steps == case.march.steps
                     || case.march.stop_when_steady && outcome.steady.is_some() && error.is_none(),
+                integrator: case.march.integrator_called(),
+                spectral_radius: case.march.spectral_radius,
                 time_step_s: case.march.automatic.is_none().then_some(case.march.time_step),
                 automatic: AutomaticFacts::new(&case.march, outcome),
                 steps_asked: case.march.steps,
@@ -314,6 +322,7 @@ impl Summary {
                 checked: case.march.steady_cycle().is_some(),
                 reached: outcome.steady.is_some(),
                 time_s: outcome.steady.map(|steady| steady.time),
+                left: outcome.left,
             },
             energy_balance_j: EnergyFacts {
                 balance: outcome.energy,
@@ -324,9 +333,23 @@ impl Summary {
         })
     }
 
-    /// When the steady state was reached, s.
-    pub(crate) fn steady_time(&self) -> Option<f64> {
-        self.steady_state.time_s
+    /// When the steady state was reached, and what is left to change, in words.
+    pub(crate) fn steadiness(&self, march: &MarchSettings) -> String {
+        let facts = &self.steady_state;
+        let left = |left: f64| match left.is_finite() {
+            true => format!("{} % left to change", whirl_text::shown(100.0 * left, 2, 1e-3..1e6)),
+            false => "what changes from cycle to cycle does not get less".to_owned(),
+        };
+        match (facts.time_s, facts.left) {
+            _ if !facts.checked => format!(
+                "not tested for a steady state: the run is shorter than {}",
+                march.steady_cycles()
+            ),
+            (Some(time), Some(own)) => format!("steady from {time:.4} s, {}", left(own)),
+            (Some(time), None) => format!("steady from {time:.4} s"),
+            (None, Some(own)) => format!("not steady: {}", left(own)),
+            (None, None) => "not steady".to_owned(),
+        }
     }
 
     /// The steps that the program chose, in words; nothing where it did not.

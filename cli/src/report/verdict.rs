@@ -35,6 +35,7 @@ struct Measures {
     local_error: f64,
     largest_local_error: f64,
     unresolved_motion: f64,
+    ringing: f64,
     /// Of accepted steps, so that it is never above 1.
     row_error: f64,
 }
@@ -69,6 +70,7 @@ impl VerdictFacts {
                 local_error: quality.local_error,
                 largest_local_error: quality.largest_local_error,
                 unresolved_motion: quality.unresolved_motion,
+                ringing: quality.ringing.share,
                 row_error: quality.row_error,
             },
         }

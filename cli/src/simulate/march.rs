@@ -4,9 +4,7 @@ use std::io;
 use std::path::Path;
 use std::time::Instant;
 
-use whirl_solver::dynamics::{
-    Checkpoint, LastState, March, MarchOptions, Newmark, NewtonOptions, Outcome,
-};
+use whirl_solver::dynamics::{Checkpoint, LastState, March, MarchOptions, NewtonOptions, Outcome};
 
 use super::Watch;
 use crate::case::Case;
@@ -168,12 +166,13 @@ pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {
         time_step: case.march.time_step,
         automatic: case.march.automatic,
         steps: case.march.steps,
-        newmark: Newmark::default(),
+        integrator: case.march.integrator,
         newton: NewtonOptions {
             force_tolerance: case.march.force_tolerance,
             ..NewtonOptions::default()
         },
         cycle: case.march.steady_cycle(),
+        steady_rule: case.march.steady_rule,
         stop_when_steady: case.march.stop_when_steady,
         initial: built.initial.clone(),
     }

@@ -5,7 +5,7 @@ use whirl_specs::ContactTangent;
 
 use super::condensed::Condensed;
 use super::merit::Merit;
-use super::newmark::{Coefficients, Newmark, State};
+use super::newmark::{Coefficients, Integrator, State};
 use super::secants::Secants;
 use super::system::System;
 use crate::linalg::{Lu, RoughInverse, copy_block_from};
@@ -198,7 +198,7 @@ impl KeptFactors {
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
     pub(super) fn resume_from(
         &mut self,
-        (system, method): (&mut System, Newmark),
+        (system, method): (&mut System, Integrator),
         kept: FactorsState,
         merit: &mut Merit,
     ) {
@@ -223,7 +223,7 @@ impl KeptFactors {
     }
 
     /// Computes factors again where they were computed.
-    fn repeat(&mut self, system: &mut System, method: Newmark, own: &Factored) -> Coefficients {
+    fn repeat(&mut self, system: &mut System, method: Integrator, own: &Factored) -> Coefficients {
         own.restore(system);
         system.evaluate(own.time, &own.state);
         let step = Coefficients::new(method, own.dt);

@@ -57,7 +57,7 @@ impl March<'_> {
 
     /// Starts the accelerations anew from what acts from time `t` (s) on.
     pub(super) fn jump(&mut self, t: f64) -> Result<(), Error> {
-        let State { q, v, a } = &mut self.state;
+        let State { q, v, a, .. } = &mut self.state;
         self.machine.set_given(t, false, [q, v, a]);
         accelerate(&mut self.system, t, &mut self.state)?;
         self.meters.jump(&self.system);

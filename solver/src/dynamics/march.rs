@@ -8,14 +8,14 @@ use super::cuts::{Watched, watched};
 use super::energy::EnergyBalance;
 use super::jumps::jumps;
 use super::meters::Meters;
-use super::newmark::{Newmark, State};
+use super::newmark::{Integrator, State};
 use super::newton::{Newton, NewtonOptions, NewtonState, StepReport};
 use super::outputs::write_outputs;
 use super::quality::Quality;
 use super::restart::LastState;
 use super::row::{displacements, write_row};
 use super::settled::settled_from;
-use super::steady::{SteadyState, SteadyTest};
+use super::steady::{SteadyRule, SteadyState, SteadyTest};
 use super::strides::{SHELVES, most_halvings};
 use super::system::System;
 use crate::bearing::Worst;
@@ -33,12 +33,14 @@ pub struct MarchOptions {
     pub automatic: Option<AutomaticStep>,
     /// Number of steps.
     pub steps: usize,
-    /// Parameters of the time integration.
-    pub newmark: Newmark,
+    /// How steps are integrated.
+    pub integrator: Integrator,
     /// How each step is solved.
     pub newton: NewtonOptions,
     /// Cycle of the steady-state test (s), if it is to be made.
     pub cycle: Option<f64>,
+    /// How the steady state is told.
+    pub steady_rule: SteadyRule,
     /// Whether to stop at the steady state.
     pub stop_when_steady: bool,
     /// How the bodies begin, in their order; those that are missing begin at rest.
@@ -104,6 +106,9 @@ pub struct Outcome {
     pub worst: Vec<Option<Worst>>,
     /// When the steady state was reached.
     pub steady: Option<SteadyState>,
+    /// What was left to change at the end, as a fraction of what varies in a cycle, infinite where nothing settles; none where it
+    /// was not estimated.
+    pub left: Option<f64>,
     /// Newton iterations in all.
     pub iterations: usize,
     /// Matrices factored in all.
@@ -217,10 +222,15 @@ impl<'m> March<'m> {
             true => accelerate(&mut system, time, &mut state)?,
             false => system.evaluate(time, &state),
         }
+        if options.integrator.is_direct() {
+            state.lag.fill(0.0);
+        }
         let length = (options.time_step, options.automatic);
-        let meters = Meters::new(&mut system, options.newmark, length, &state)?;
+        let meters = Meters::new(&mut system, options.integrator, length, &state)?;
         let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
-        let steady = options.cycle.map(|cycle| SteadyTest::new(signals, cycle, options.time_step));
+        let rule = options.steady_rule;
+        let test = |cycle| SteadyTest::new(rule, signals, cycle, options.time_step);
+        let steady = options.cycle.map(test);
         let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
         // Of parts that may be long or short, or end at rows of tables, factors are kept for the lengths of which there are most.
         let watched = watched(machine);
@@ -254,7 +264,7 @@ impl<'m> March<'m> {
         self.clock = clock;
         if let Some(newton) = newton {
             let released = self.system.released.clone();
-            self.newton.resume_from(&mut self.system, self.options.newmark, newton);
+            self.newton.resume_from(&mut self.system, self.options.integrator, newton);
             self.system.released = released;
             self.system.evaluate(time, &self.state);
         }
@@ -273,7 +283,7 @@ impl<'m> March<'m> {
         let Checkpoint { state, time, clock, released, newton, meters, worst, tally } = from;
         let mut march = March::new(machine, options).map_err(|failure| failure.error)?;
         let system = &mut march.system;
-        march.newton.resume_from(system, options.newmark, newton);
+        march.newton.resume_from(system, options.integrator, newton);
         system.released = released;
         system.evaluate(time, &state);
         system.springs.resume(&worst);
@@ -413,7 +423,8 @@ impl<'m> March<'m> {
             quality: self.meters.quality(&mut self.system),
             worst: self.worst().to_vec(),
             history: History::for_machine(self.machine),
-            steady: self.tally.steady.and_then(|test| test.reached),
+            steady: self.tally.steady.as_ref().and_then(|test| test.reached),
+            left: self.tally.steady.as_ref().and_then(SteadyTest::left),
             iterations: self.tally.iterations,
             factorisations: self.newton.factorisations(),
             halved_steps: self.tally.halved_steps,
@@ -431,6 +442,7 @@ impl<'m> March<'m> {
 pub(super) fn accelerate(system: &mut System, t: f64, state: &mut State) -> Result<(), Error> {
     let first = system.machine.first_unknown();
     state.a[first..].fill(0.0);
+    state.lag.fill(0.0);
     system.evaluate(t, state);
     state.a[first..].copy_from_slice(&system.residual[first..]);
     for body in 0..system.turning.len() {

@@ -106,7 +106,10 @@ mod tests {
         let system = System::new(&machine);
         let mut merit = Merit::new(1, 4);
         // Without inertia 1/s is 1/900, 1/1700, 1/125 and 1/200.
-        merit.weigh(&system, &Coefficients { dt: 1.0, a1: 0.0, a2: 1e-9 });
+        merit.weigh(
+            &system,
+            &Coefficients { dt: 1.0, a1: 0.0, a2: 1e-9, ..Coefficients::at_rest() },
+        );
         assert_eq!(merit.worst(&[1e9, 1.0, 1.0, 1.0, 1.0]), 3);
         // The largest row is not the worst, nor is that with the least s.
         assert_eq!(merit.worst(&[0.0, -30.0, 40.0, 3.0, 1.0]), 1);

@@ -5,9 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::contacts::Contacts;
 use super::control::{AutomaticStep, ControlMemory, Measured, PartsTaken, StepControl};
 use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
-use super::newmark::{Newmark, State};
+use super::newmark::{Integrator, State};
 use super::periods::{FewestSteps, PeriodMeter};
 use super::quality::{Quality, QualityMeter, QualitySums, StepLength};
+use super::ringing::{RingingMeter, RingingSums};
 use super::system::System;
 use crate::error::Error;
 
@@ -15,6 +16,7 @@ use crate::error::Error;
 pub(crate) struct Meters {
     energy: EnergyMeter,
     quality: QualityMeter,
+    ringing: RingingMeter,
     /// Chooses the parts of steps, where the march does.
     control: Option<StepControl>,
     contacts: Contacts,
@@ -31,6 +33,7 @@ pub(crate) struct Meters {
 pub(crate) struct MeterSums {
     energy: EnergySums,
     quality: QualitySums,
+    ringing: RingingSums,
     control: Option<ControlMemory>,
     fewest_steps: Option<FewestSteps>,
 }
@@ -49,7 +52,7 @@ impl Meters {
     /// A mass matrix that is not positive definite.
     pub(crate) fn new(
         system: &mut System,
-        method: Newmark,
+        method: Integrator,
         (dt, automatic): (f64, Option<AutomaticStep>),
         state: &State,
     ) -> Result<Self, Error> {
@@ -63,6 +66,7 @@ impl Meters {
         quality.displacements(state, &mut displacements);
         Ok(Meters {
             energy: EnergyMeter::new(system, state),
+            ringing: RingingMeter::new(system, &quality.parts, method.damps()),
             errors: vec![0.0; quality.parts()],
             kinetic: vec![0.0; bearings],
             control: automatic.map(|own| StepControl::new(own, dt, &displacements, bearings)),
@@ -143,6 +147,7 @@ impl Meters {
         let made = self.energy.add(system, start, end);
         self.quality.add(span, start, end, made, row_error);
         self.periods.add(span.1, [start, end]);
+        self.ringing.add(system, end, &self.quality.parts);
     }
 
     /// Goes on at the state of the step that was added last, just evaluated, after loads have changed at once.
@@ -155,6 +160,7 @@ impl Meters {
         MeterSums {
             energy: self.energy.sums.clone(),
             quality: self.quality.sums.clone(),
+            ringing: self.ringing.sums.clone(),
             control: self.control.as_ref().map(|own| own.memory.clone()),
             fewest_steps: self.periods.fewest,
         }
@@ -165,6 +171,7 @@ impl Meters {
         self.energy.resume_from(system, sums.energy);
         self.quality.sums = sums.quality;
         self.periods.fewest = sums.fewest_steps;
+        self.ringing.sums = sums.ringing;
         self.resume_control(sums.control);
     }
 
@@ -187,8 +194,9 @@ impl Meters {
 
     /// What the steps were worth; the system is evaluated elsewhere for it.
     pub(crate) fn quality(&self, system: &mut System) -> Quality {
-        let quality =
-            self.quality.quality(system, &self.energy.sums.flows, self.energy.negligible());
-        Quality { fewest_steps: self.periods.fewest, ..quality }
+        let (flows, negligible) = (&self.energy.sums.flows, self.energy.negligible());
+        let quality = self.quality.quality(system, flows, negligible);
+        let ringing = self.ringing.ringing(&self.quality.parts);
+        Quality { fewest_steps: self.periods.fewest, ringing, ..quality }
     }
 }

@@ -1,4 +1,10 @@
-//! Newmark's method in displacements, eqs. (36b) and (36c).
+//! Newmark's method in displacements, eqs. (36b) and (36c), and generalized-α on it.
+//!
+//! Generalized-α (Chung and Hulbert, 1993) integrates accelerations a that differ from q̈, as Arnold and Brüls (2007) have it:
+//! (1 − α_m) a_{n+1} + α_m a_n = (1 − α_f) q̈_{n+1} + α_f q̈_n, Newmark's formulas with a in place of q̈, and the equations of the
+//! machine with q̈ at the end of the step. So q̇ and q̈ follow from q there as in Newmark's method, with another a2, and what
+//! acts at the end is what balances there. Of a, (a − q̈)/Δt is kept: it is (α_m − α_f) times the rate of q̈ whatever Δt, so that
+//! steps may change.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +26,57 @@ impl Default for Newmark {
     }
 }
 
+/// How a step is integrated: Newmark's method, of q̈ itself where α_m = α_f = 0.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Integrator {
+    /// γ and β.
+    pub newmark: Newmark,
+    /// α_m.
+    pub alpha_m: f64,
+    /// α_f.
+    pub alpha_f: f64,
+}
+
+impl From<Newmark> for Integrator {
+    fn from(newmark: Newmark) -> Self {
+        Integrator { newmark, ..Integrator::default() }
+    }
+}
+
+impl Integrator {
+    /// Generalized-α, of second order, that leaves the fraction ρ of motion which is far faster than the step, 0 to 1 (Chung and
+    /// Hulbert, 1993, eqs. 17 to 25).
+    pub fn generalized_alpha(spectral_radius: f64) -> Self {
+        let rho = spectral_radius;
+        let (alpha_m, alpha_f) = ((2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0));
+        let apart = alpha_m - alpha_f;
+        let newmark = Newmark { gamma: 0.5 - apart, beta: 0.25 * (1.0 - apart).powi(2) };
+        Integrator { newmark, alpha_m, alpha_f }
+    }
+
+    /// Whether it integrates q̈ itself.
+    pub(super) fn is_direct(&self) -> bool {
+        self.alpha_m == 0.0 && self.alpha_f == 0.0
+    }
+
+    /// Error of a step of `dt` s over the change of q̈ in it (s²): (β + (α_m − α_f)/2 − 1/6) Δt² (q̈_{n+1} − q̈_n), of Newmark's
+    /// method as Zienkiewicz and Xie (1991) have it.
+    pub(super) fn error_factor(&self, dt: f64) -> f64 {
+        let apart = self.alpha_m - self.alpha_f;
+        (self.newmark.beta + 0.5 * apart - 1.0 / 6.0).abs() * dt * dt
+    }
+
+    /// Whether it damps motion that is far faster than the step.
+    pub(super) fn damps(&self) -> bool {
+        self.newmark.gamma > 0.5
+    }
+
+    /// How much K weighs in a step of motion at ω beside M, over (ωΔt)²: β of Newmark's method.
+    pub(super) fn elastic_weight(&self) -> f64 {
+        self.newmark.beta * ((1.0 - self.alpha_f) / (1.0 - self.alpha_m))
+    }
+}
+
 /// What one time step turns positions into: q̇ = a1 (q−q_n) − a3 q̇_n − a4 q̈_n,
 /// q̈ = a2 (q−q_n) − a5 q̇_n − a6 q̈_n. Written from the prediction (see `Coefficients::predict`) only a1 and
 /// a2 are left.
@@ -28,23 +85,38 @@ pub struct Coefficients {
     pub(crate) dt: f64,
     pub(crate) a1: f64,
     pub(crate) a2: f64,
+    pub(super) integrator: Integrator,
 }
 
 impl Coefficients {
     /// The coefficients for a step of `dt` s.
-    pub fn new(method: Newmark, dt: f64) -> Self {
-        let Newmark { gamma, beta } = method;
-        Coefficients { dt, a1: gamma / (beta * dt), a2: 1.0 / (beta * dt * dt) }
+    pub fn new(integrator: impl Into<Integrator>, dt: f64) -> Self {
+        let integrator = integrator.into();
+        let Newmark { gamma, beta } = integrator.newmark;
+        let shares = (1.0 - integrator.alpha_m) / (1.0 - integrator.alpha_f);
+        Coefficients { dt, a1: gamma / (beta * dt), a2: shares / (beta * dt * dt), integrator }
     }
 
     /// Of a machine at rest that takes all the time there is: a1 = a2 = 0.
     pub(crate) fn at_rest() -> Self {
-        Coefficients { dt: f64::INFINITY, a1: 0.0, a2: 0.0 }
+        let integrator = Integrator::default();
+        Coefficients { dt: f64::INFINITY, a1: 0.0, a2: 0.0, integrator }
     }
 
-    /// The end of the step if accelerations stay as they are: q_n + Δt q̇_n + ½ Δt² q̈_n, q̇_n + Δt q̈_n, q̈_n.
+    /// The end of the step if the accelerations that are integrated stay as they are: q_n + Δt q̇_n + ½ Δt² a_n, q̇_n + Δt a_n,
+    /// and the q̈ that goes with them, in Newmark's method q̈_n.
     pub(crate) fn predict(&self, start: &State, end: &mut State) {
         let (dt, n) = (self.dt, start.q.len());
+        if !self.integrator.is_direct() {
+            let rest = dt / (1.0 - self.integrator.alpha_f);
+            for i in 0..n {
+                let integrated = start.a[i] + dt * start.lag[i];
+                end.q[i] = start.q[i] + dt * (start.v[i] + 0.5 * dt * integrated);
+                end.v[i] = start.v[i] + dt * integrated;
+                end.a[i] = start.a[i] + rest * start.lag[i];
+            }
+            return;
+        }
         let [q, v, a] = [&start.q, &start.v, &start.a].map(|own| &own[..n]);
         let [to_q, to_v, to_a] = [&mut end.q, &mut end.v, &mut end.a].map(|own| &mut own[..n]);
         widely(|| {
@@ -81,6 +153,21 @@ impl Coefficients {
     }
 }
 
+impl Coefficients {
+    /// Takes what the method carries on to the next step, of the coordinates from `first` on, where a step from `start` has
+    /// ended.
+    pub(crate) fn end(&self, start: &State, first: usize, end: &mut State) {
+        let Integrator { alpha_m, alpha_f, .. } = self.integrator;
+        if self.integrator.is_direct() {
+            return;
+        }
+        for i in first..end.lag.len() {
+            let rate = (end.a[i] - start.a[i]) / self.dt;
+            end.lag[i] = ((alpha_m - alpha_f) * rate - alpha_m * start.lag[i]) / (1.0 - alpha_m);
+        }
+    }
+}
+
 /// Positions, velocities and accelerations of all coordinates q = {θ, η, x_b}.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct State {
@@ -90,12 +177,15 @@ pub struct State {
     pub v: Vec<f64>,
     /// q̈.
     pub a: Vec<f64>,
+    /// (a − q̈)/Δt, by which what is integrated differs from q̈; zero in Newmark's method.
+    pub lag: Vec<f64>,
 }
 
 impl State {
     /// All zeros.
     pub fn new(size: usize) -> Self {
-        State { q: vec![0.0; size], v: vec![0.0; size], a: vec![0.0; size] }
+        let values = || vec![0.0; size];
+        State { q: values(), v: values(), a: values(), lag: values() }
     }
 
     /// Takes over the first coordinates only, which no correction moves.
@@ -109,6 +199,7 @@ impl State {
         self.q.copy_from_slice(&other.q);
         self.v.copy_from_slice(&other.v);
         self.a.copy_from_slice(&other.a);
+        self.lag.copy_from_slice(&other.lag);
     }
 }
 
@@ -121,7 +212,8 @@ mod tests {
         let (method, dt) = (Newmark { gamma: 0.6, beta: 0.31 }, 0.02);
         let Newmark { gamma, beta } = method;
         let step = Coefficients::new(method, dt);
-        let start = State { q: vec![1.0, -2.0], v: vec![3.0, 0.5], a: vec![-7.0, 40.0] };
+        let start =
+            State { q: vec![1.0, -2.0], v: vec![3.0, 0.5], a: vec![-7.0, 40.0], lag: vec![0.0; 2] };
         let (mut predicted, mut end) = (State::new(2), State::new(2));
         step.predict(&start, &mut predicted);
         end.copy_from(&predicted);
@@ -135,6 +227,70 @@ mod tests {
             let q = start.q[i] + dt * start.v[i] + dt * dt * mean;
             assert!((end.q[i] - q).abs() <= 1e-15, "{} for {q}", end.q[i]);
             assert!((end.v[i] - start.v[i] - dt * rate).abs() <= 1e-14);
+        }
+    }
+
+    /// Whatever ρ, by the formulas of the method.
+    #[test]
+    fn a_corrected_prediction_is_the_end_of_a_step_of_generalized_alpha() {
+        for rho in [0.0, 0.3, 0.9, 1.0] {
+            let method = Integrator::generalized_alpha(rho);
+            let (dt, Newmark { gamma, beta }) = (0.02, method.newmark);
+            let step = Coefficients::new(method, dt);
+            let start = State {
+                q: vec![0.0, 1.0, -2.0],
+                v: vec![0.0, 3.0, 0.5],
+                a: vec![0.0, -7.0, 40.0],
+                lag: vec![0.0, 500.0, -30.0],
+            };
+            let (mut predicted, mut end) = (State::new(3), State::new(3));
+            step.predict(&start, &mut predicted);
+            end.copy_from(&predicted);
+            step.correct(&predicted, [0.003, -0.02].into_iter(), 1, &mut end);
+            step.end(&start, 1, &mut end);
+            for i in 1..3 {
+                let [a, b] = [&start, &end].map(|own| own.a[i] + dt * own.lag[i]);
+                let q = start.q[i] + dt * start.v[i] + dt * dt * ((0.5 - beta) * a + beta * b);
+                let v = start.v[i] + dt * ((1.0 - gamma) * a + gamma * b);
+                let left = (1.0 - method.alpha_m) * b + method.alpha_m * a;
+                let right = (1.0 - method.alpha_f) * end.a[i] + method.alpha_f * start.a[i];
+                assert!((end.q[i] - q).abs() <= 1e-14, "{rho}: {} for {q}", end.q[i]);
+                assert!((end.v[i] - v).abs() <= 1e-13, "{rho}: {} for {v}", end.v[i]);
+                assert!((left - right).abs() <= 1e-11, "{rho}: {left} for {right}");
+            }
+            assert_eq!(end.lag[0], 0.0);
+        }
+    }
+
+    /// ρ = 1 damps nothing, and is the average acceleration.
+    #[test]
+    fn a_spectral_radius_of_one_is_newmarks_method() {
+        let method = Integrator::generalized_alpha(1.0);
+        assert_eq!(method.newmark, Newmark::default());
+        let [own, newmark] = [method, Integrator::default()].map(|own| Coefficients::new(own, 0.1));
+        assert_eq!((own.a1, own.a2), (newmark.a1, newmark.a2));
+        assert_eq!(method.error_factor(0.1), Integrator::default().error_factor(0.1));
+    }
+
+    /// Of a free motion with q̈ = t: what a step misses of t³/6 is the error that is measured.
+    #[test]
+    fn the_error_of_a_step_is_what_it_misses() {
+        for rho in [0.0, 0.5, 0.9, 1.0] {
+            let (method, dt) = (Integrator::generalized_alpha(rho), 0.1);
+            let step = Coefficients::new(method, dt);
+            let lag = method.alpha_m - method.alpha_f;
+            let start = State { lag: vec![lag], ..State::new(1) };
+            let mut end = State::new(1);
+            step.predict(&start, &mut end);
+            let (predicted, moved) = (end.clone(), (dt - end.a[0]) / step.a2);
+            step.correct(&predicted, [moved].into_iter(), 0, &mut end);
+            step.end(&start, 0, &mut end);
+            assert!((end.a[0] - dt).abs() < 1e-15 && (end.lag[0] - lag).abs() < 1e-14);
+            let missed = (end.q[0] - dt.powi(3) / 6.0).abs();
+            assert!(
+                (missed / (method.error_factor(dt) * dt) - 1.0).abs() < 1e-12,
+                "{rho}: {missed}"
+            );
         }
     }
 }

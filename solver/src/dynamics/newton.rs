@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::extrapolation::Extrapolation;
 use super::factors::{FactorsState, KeptFactors};
 use super::merit::Merit;
-use super::newmark::{Coefficients, Newmark, State};
+use super::newmark::{Coefficients, Integrator, State};
 use super::system::System;
 use crate::linalg::{largest_and_sum, widely};
 
@@ -156,7 +156,12 @@ impl Newton {
     }
 
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
-    pub(crate) fn resume_from(&mut self, system: &mut System, method: Newmark, kept: NewtonState) {
+    pub(crate) fn resume_from(
+        &mut self,
+        system: &mut System,
+        method: Integrator,
+        kept: NewtonState,
+    ) {
         self.factors.resume_from((system, method), kept.factors, &mut self.merit);
         (self.extrapolation, self.largest_force) = (kept.extrapolation, kept.largest_force);
     }

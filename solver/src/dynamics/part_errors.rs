@@ -1,7 +1,7 @@
 //! What is measured of a part of a step before it is accepted, by the parts of the machine; it leaves no trace in the sums.
 
 use super::newmark::State;
-use super::quality::{QualityMeter, error_factor, larger};
+use super::quality::{QualityMeter, larger};
 use crate::machine::Machine;
 
 impl QualityMeter {
@@ -14,8 +14,8 @@ impl QualityMeter {
 
     /// Local errors of a step of `dt` s in all modes, by parts (m), those of a mode over 1 + β(ωΔt)².
     pub(crate) fn errors(&mut self, dt: f64, start: &State, end: &State, out: &mut [f64]) {
-        let factor = error_factor(self.method, dt);
-        let beta = self.method.beta;
+        let factor = self.method.error_factor(dt);
+        let beta = self.method.elastic_weight();
         let QualityMeter { modes, parts, motion, within, .. } = self;
         let first = end.a.len() - motion.len();
         let ends = end.a[first..].iter().zip(&start.a[first..]);

@@ -6,9 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
 use super::modes::MachineModes;
-use super::newmark::{Coefficients, Newmark, State};
+use super::newmark::{Coefficients, Integrator, State};
 use super::parts::{Part, Parts, largest_sensible};
 use super::periods::FewestSteps;
+use super::ringing::Ringing;
 use super::system::System;
 use super::windows::Windows;
 use crate::error::Error;
@@ -45,6 +46,8 @@ pub struct Quality {
     pub farthest: Option<usize>,
     /// The largest displacement that can be meant (m).
     pub sensible_displacement: f64,
+    /// What changes its sign from step to step.
+    pub ringing: Ringing,
     /// Largest residual of a row over what it may have; see `System::row_error`.
     pub row_error: f64,
     /// A step that resolves the machine with the springs as they were when most energy was made (s):
@@ -146,7 +149,7 @@ const SLOWEST: f64 = 1e-6;
 /// Measures steps.
 pub(crate) struct QualityMeter {
     pub(crate) sums: QualitySums,
-    pub(super) method: Newmark,
+    pub(super) method: Integrator,
     steps: StepLength,
     pub(super) modes: MachineModes,
     pub(super) parts: Parts,
@@ -163,7 +166,7 @@ impl QualityMeter {
     /// A mass matrix that is not positive definite.
     pub(crate) fn new(
         system: &mut System,
-        method: Newmark,
+        method: Integrator,
         steps: StepLength,
         state: &State,
     ) -> Result<Self, Error> {
@@ -215,7 +218,7 @@ impl QualityMeter {
     /// Adds the error of a step of `dt` s, and its motion in modes that are not resolved.
     fn add_step(&mut self, dt: f64, start: &State, end: &State) {
         let [resolved, unresolved] = self.modes_by(dt);
-        let factor = error_factor(self.method, dt);
+        let factor = self.method.error_factor(dt);
         let QualityMeter { sums, modes, parts, motion, before, within, .. } = self;
         let first = end.a.len() - motion.len();
         let ends = end.a[first..].iter().zip(&start.a[first..]);
@@ -316,6 +319,7 @@ impl QualityMeter {
             largest_displacement: displacement,
             farthest: farthest.map(|(_, part): (_, &Part)| part.body),
             sensible_displacement: largest_sensible(system.machine),
+            ringing: Ringing::default(),
             row_error: sums.row_error,
             resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
             mode_step: (fastest * self.steps.most() >= 1.0).then_some(RESOLVED / fastest),
@@ -329,7 +333,7 @@ impl QualityMeter {
 fn modes_anywhere(system: &mut System, state: &State) -> Result<MachineModes, Error> {
     let (time, released) = (system.time, system.released.clone());
     let mut still = State::new(state.q.len());
-    let State { q, v, a } = &mut still;
+    let State { q, v, a, .. } = &mut still;
     system.machine.set_given(0.0, false, [q, v, a]);
     system.released.fill(false);
     system.evaluate(0.0, &still);
@@ -337,12 +341,6 @@ fn modes_anywhere(system: &mut System, state: &State) -> Result<MachineModes, Er
     system.released = released;
     system.evaluate(time, state);
     modes
-}
-
-/// Local error of a step of `dt` s over the change of its accelerations (s²), Zienkiewicz and Xie (1991):
-/// (β − 1/6) Δt² (q̈_{n+1} − q̈_n).
-pub(super) fn error_factor(method: Newmark, dt: f64) -> f64 {
-    (method.beta - 1.0 / 6.0).abs() * dt * dt
 }
 
 /// The larger of two; what is no number is larger than any, and stays it.
@@ -434,9 +432,13 @@ mod tests {
         let mut system = System::new(&machine);
         let states: Vec<State> =
             [1.0, 2.0, 4.0, 8.0].map(|q| State { q: vec![q; 5], ..State::new(5) }).into();
-        let mut meter =
-            QualityMeter::new(&mut system, Newmark::default(), StepLength::Fixed(0.5), &states[0])
-                .unwrap();
+        let mut meter = QualityMeter::new(
+            &mut system,
+            Integrator::default(),
+            StepLength::Fixed(0.5),
+            &states[0],
+        )
+        .unwrap();
         for (place, made) in [(0, 3.0), (1, 7.0), (2, 5.0)] {
             let t = 10.0 + place as f64;
             meter.add((t, 0.5), &states[place], &states[place + 1], made, 0.0);

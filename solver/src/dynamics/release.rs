@@ -30,11 +30,12 @@ impl March<'_> {
 
     /// Solves a step of `dt` from `start` at time `t`.
     pub(super) fn attempt(&mut self, t: f64, dt: f64, start: &State) -> StepReport {
-        let step = Coefficients::new(self.options.newmark, dt);
+        let step = Coefficients::new(self.options.integrator, dt);
         step.predict(start, &mut self.state);
-        let State { q, v, a } = &mut self.state;
+        let State { q, v, a, .. } = &mut self.state;
         self.machine.set_given(t + dt, self.system.before, [q, v, a]);
         let report = self.newton.solve(&mut self.system, t + dt, &step, &mut self.state);
+        step.end(start, self.machine.first_unknown(), &mut self.state);
         self.last_iterations += report.iterations;
         report
     }

@@ -49,8 +49,8 @@ struct LastBody {
     name: String,
     /// What its coordinates are.
     content: Key,
-    /// θ, θ̇, θ̈ of one that turns.
-    rotation: Option<[f64; 3]>,
+    /// θ, θ̇, θ̈ of one that turns, and what its method carries on.
+    rotation: Option<[f64; 4]>,
     /// η or x_b.
     flexible: State,
 }
@@ -64,8 +64,15 @@ impl LastState {
             LastBody {
                 name: body.name().to_owned(),
                 content: content(body),
-                rotation: place.rotation.map(|at| [state.q[at], state.v[at], state.a[at]]),
-                flexible: State { q: part(&state.q), v: part(&state.v), a: part(&state.a) },
+                rotation: place
+                    .rotation
+                    .map(|at| [state.q[at], state.v[at], state.a[at], state.lag[at]]),
+                flexible: State {
+                    q: part(&state.q),
+                    v: part(&state.v),
+                    a: part(&state.a),
+                    lag: part(&state.lag),
+                },
             }
         });
         LastState {
@@ -115,11 +122,13 @@ impl LastState {
                 differ.push(format!("`{name}` is another one"));
                 continue;
             }
-            let State { q, v, a } = &own.flexible;
-            let all = [(&mut state.q, q), (&mut state.v, v), (&mut state.a, a)];
+            let State { q, v, a, lag } = &own.flexible;
+            let all =
+                [(&mut state.q, q), (&mut state.v, v), (&mut state.a, a), (&mut state.lag, lag)];
             all.into_iter().for_each(|(all, own)| all[place.flexible.clone()].copy_from_slice(own));
-            if let (Some(at), Some([angle, speed, rate])) = (place.rotation, own.rotation) {
-                (state.q[at], state.v[at], state.a[at]) = (angle, speed, rate);
+            if let (Some(at), Some([angle, speed, rate, lag])) = (place.rotation, own.rotation) {
+                (state.q[at], state.v[at]) = (angle, speed);
+                (state.a[at], state.lag[at]) = (rate, lag);
             }
         }
         let is_gone = |own: &&LastBody| machine.bodies.iter().all(|body| body.name() != own.name);

@@ -115,7 +115,8 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
 /// A state in which nothing is zero but θ, so that both frames are one.
 pub(super) fn state(size: usize) -> State {
     let values = |first: f64| (0..size).map(|i| (first + 1.7 * i as f64).sin()).collect();
-    let mut state = State { q: values(0.4), v: values(1.1), a: values(2.3) };
+    let (q, v, a) = (values(0.4), values(1.1), values(2.3));
+    let mut state = State { q, v, a, ..State::new(size) };
     state.q.iter_mut().for_each(|q| *q *= 0.03);
     state.q[0] = 0.0;
     state

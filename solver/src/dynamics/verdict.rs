@@ -4,6 +4,7 @@ use super::control::AutomaticStep;
 use super::energy::EnergyBalance;
 use super::periods::{FewestSteps, LEAST_STEPS};
 use super::quality::{MovingPart, Quality};
+use super::ringing::{Ringing, RingingPart};
 
 /// Something that was measured and is beyond its limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +34,8 @@ const LOCAL_ERROR: f64 = 3.5e-3;
 /// Motion in a step in modes with ωΔt ≥ 1, as a fraction of the largest displacement of the body. A mode that rings with the
 /// fraction s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
 const UNRESOLVED_MOTION: f64 = 0.3;
+/// Amplitude of what alternates from step to step, as a fraction of the range of the same quantity: peaks are off by so much.
+const RINGING: f64 = 0.02;
 /// What does not balance, as a fraction of the energy in play: the limit of what steps may make at the bearings.
 const ENERGY_ERROR: f64 = 0.05;
 
@@ -97,7 +100,43 @@ pub fn findings(
     };
     let too_far = runaway(quality).into_iter();
     let too_fast = outrun(quality, time_step, automatic.is_some());
-    too_far.chain(too_fast).chain(found.map(finding)).collect()
+    let rings = rings(&quality.ringing, time_step, automatic);
+    too_far.chain(too_fast).chain(found.map(finding)).chain(rings).collect()
+}
+
+/// Whether something changes its sign from step to step.
+fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) -> Option<Finding> {
+    let value = ringing.share;
+    if value <= RINGING {
+        return None;
+    }
+    let body = |body: usize, turns: bool| (None, Some(MovingPart { body, turns }));
+    let (called, (bearing, part)) = match ringing.of {
+        Some(RingingPart::Force(bearing)) => ("a force", (Some(bearing), None)),
+        Some(RingingPart::Moment(bearing)) => ("a moment", (Some(bearing), None)),
+        Some(RingingPart::Couple(own)) => ("the couple of loads and drives", body(own, true)),
+        Some(RingingPart::Speed(own)) => ("the speed", body(own, true)),
+        Some(RingingPart::Velocity(own)) => ("the velocities", body(own, false)),
+        None => ("a quantity", (None, None)),
+    };
+    let shorter = automatic.map_or_else(|| shorter(0.1 * time_step), narrower);
+    Some(Finding {
+        what: format!(
+            "part of {called} that changes its sign every step, for forty steps and more, as a fraction of its range"
+        ),
+        bearing,
+        part,
+        value,
+        limit: RINGING,
+        unit: "1".to_owned(),
+        remedy: match ringing.damped {
+            true => format!("set a smaller `spectral_radius` in [march], or {shorter}"),
+            false => format!(
+                "set `integrator = \"generalized-alpha\"` in [march], which damps what is far faster than the \
+                 step, or {shorter}"
+            ),
+        },
+    })
 }
 
 /// Whether a body left the machine.
@@ -171,6 +210,7 @@ mod tests {
         largest_displacement: 1.5,
         farthest: Some(1),
         sensible_displacement: 1.5,
+        ringing: Ringing { share: RINGING, of: Some(RingingPart::Force(0)), damped: false },
         row_error: 1.0,
         resolving_step: Some(1e-9),
         mode_step: Some(1e-9),
@@ -217,6 +257,22 @@ mod tests {
         }
         let unbalanced = findings(&SOUND, &balance(-0.051), (2.36e-3, None));
         assert_eq!((unbalanced.len(), &unbalanced[0].remedy), (1, &set("1.1e-3")));
+    }
+
+    #[test]
+    fn what_rings_is_named_with_its_cure() {
+        let rings = |of, damped| {
+            let ringing = Ringing { share: 0.3, of: Some(of), damped };
+            found(Quality { ringing, ..SOUND })
+        };
+        let force = rings(RingingPart::Force(2), false);
+        assert_eq!((force.bearing, force.part, force.limit), (Some(2), None, RINGING));
+        assert!(force.remedy.contains("`integrator = \"generalized-alpha\"`"), "{}", force.remedy);
+        let speed = rings(RingingPart::Speed(1), true);
+        assert_eq!(speed.part, Some(MovingPart { body: 1, turns: true }));
+        assert!(speed.remedy.contains("`spectral_radius`"), "{}", speed.remedy);
+        let ringing = Ringing { share: f64::NAN, ..Ringing::default() };
+        assert!(found(Quality { ringing, ..SOUND }).value.is_nan());
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! ```
 //! use std::ops::ControlFlow;
 //! use whirl_solver::bodies::{Body, Rotation};
-//! use whirl_solver::dynamics::{MarchOptions, Newmark, NewtonOptions, march};
+//! use whirl_solver::dynamics::{Integrator, MarchOptions, NewtonOptions, SteadyRule, march};
 //! use whirl_solver::loads::{Frame, Onset, TimeFunction};
 //! use whirl_solver::model::{BodyModel, Form, LoadAction, LoadModel, Model, Place};
 //! use whirl_solver::rigid::RigidBody;
@@ -52,9 +52,10 @@
 //!     time_step: 1e-3,
 //!     automatic: None,
 //!     steps: 1000,
-//!     newmark: Newmark::default(),
+//!     integrator: Integrator::default(),
 //!     newton: NewtonOptions::default(),
 //!     cycle: None,
+//!     steady_rule: SteadyRule::default(),
 //!     stop_when_steady: false,
 //!     initial: Vec::new(),
 //! };

@@ -6,7 +6,9 @@ use std::ops::ControlFlow;
 use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{Constraints, GroundSpring};
-use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions, march};
+use whirl_solver::dynamics::{
+    BodyStart, Integrator, MarchOptions, NewtonOptions, SteadyRule, march,
+};
 use whirl_solver::history::History;
 use whirl_solver::loads::{Frame, Load, Release, Target, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
@@ -125,12 +127,13 @@ impl ByHand {
             time_step: self.time_step,
             automatic: None,
             steps: self.steps,
-            newmark: Newmark::default(),
+            integrator: Integrator::default(),
             newton: NewtonOptions {
                 force_tolerance: self.force_tolerance,
                 ..NewtonOptions::default()
             },
             cycle: None,
+            steady_rule: SteadyRule::default(),
             stop_when_steady: false,
             initial: vec![BodyStart { speed: self.start_speed, ..BodyStart::default() }],
         };

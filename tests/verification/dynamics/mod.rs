@@ -8,6 +8,7 @@ mod equations;
 mod films;
 mod free_shaft;
 mod friction;
+mod generalized_alpha;
 mod loads;
 mod lumped;
 mod many;
@@ -22,7 +23,7 @@ mod validity;
 use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
 use whirl_solver::body::BodyNode;
 use whirl_solver::centre_of_mass::CentreOfMass;
-use whirl_solver::dynamics::{BodyStart, MarchOptions, Newmark, NewtonOptions};
+use whirl_solver::dynamics::{BodyStart, Integrator, MarchOptions, NewtonOptions, SteadyRule};
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Body, MachineParts, Rotation};
@@ -207,13 +208,14 @@ pub(crate) fn options(time_step: f64, steps: usize) -> MarchOptions {
         time_step,
         automatic: None,
         steps,
-        newmark: Newmark::default(),
+        integrator: Integrator::default(),
         newton: NewtonOptions {
             force_tolerance: 1e-8,
             residual_tolerance: 1e-10,
             ..NewtonOptions::default()
         },
         cycle: None,
+        steady_rule: SteadyRule::default(),
         stop_when_steady: false,
         initial: vec![BodyStart::default()],
     }

@@ -258,7 +258,8 @@ fn without_bearings_every_body_moves_as_it_does_alone() {
         let places: Vec<usize> = place.rotation.into_iter().chain(place.flexible.clone()).collect();
         let of = |all: &[f64]| places.iter().map(|&place| all[place]).collect::<Vec<f64>>();
         let mut by_itself = System::new(&alone);
-        let state = State { q: of(&state.q), v: of(&state.v), a: of(&state.a) };
+        let [q, v, a, lag] = [&state.q, &state.v, &state.a, &state.lag].map(|all| of(all));
+        let state = State { q, v, a, lag };
         by_itself.evaluate(0.013, &state);
         assert_eq!(of(system.residual()), by_itself.residual(), "body {number}");
     }

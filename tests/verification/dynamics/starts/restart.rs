@@ -1,7 +1,7 @@
 //! A march from the last state of another one.
 
 use whirl_solver::Error;
-use whirl_solver::dynamics::{BodyStart, LastState, March, MarchOptions, equilibrium};
+use whirl_solver::dynamics::{BodyStart, Integrator, LastState, March, MarchOptions, equilibrium};
 use whirl_solver::loads::{Frame, Release, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
 
@@ -27,9 +27,11 @@ fn finish(march: &mut March) -> (Vec<Vec<u64>>, LastState) {
 fn a_march_cut_in_parts_has_the_bits_of_the_whole_one() {
     let fixed = [Release::Located, Release::AtStep].into_iter().map(|release| (release, None));
     let chosen = chosen().map(|automatic| (Release::Located, automatic));
-    for (release, automatic) in fixed.chain(chosen) {
+    let newmark = fixed.chain(chosen).map(|(release, own)| (release, own, Integrator::default()));
+    let damped = Integrator::generalized_alpha(0.8);
+    for (release, automatic, integrator) in newmark.chain([(Release::Located, None, damped)]) {
         let (machine, options) =
-            (machine(target(), release), MarchOptions { automatic, ..march_options() });
+            (machine(target(), release), MarchOptions { automatic, integrator, ..march_options() });
         let (whole, _) = finish(&mut March::new(&machine, &options).expect("starts"));
         for cuts in [vec![CUTS[0]], vec![CUTS[1]], vec![CUTS[2], CUTS[3]]] {
             let part = |steps: usize| MarchOptions { steps, ..options.clone() };

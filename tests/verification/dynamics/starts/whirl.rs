@@ -2,7 +2,7 @@
 //! theory: Holmes, J. Mech. Eng. Sci. 2 (1960) 337-341; here by the closed coefficients of the short film.
 
 use whirl_solver::dynamics::{
-    Coefficients, Equilibrium, March, MarchOptions, State, System, equilibrium,
+    Coefficients, Equilibrium, March, MarchOptions, Newmark, State, System, equilibrium,
 };
 use whirl_solver::machine::{Machine, Rotation};
 
@@ -37,7 +37,7 @@ fn linearised(machine: &Machine, found: &Equilibrium, mass: f64) -> [[[f64; 2]; 
     let mut tangent = |dt: f64| {
         system.evaluate(0.0, &state);
         let mut out = vec![0.0; 25];
-        system.tangent(0.0, &state, &Coefficients::new(Default::default(), dt), &mut out);
+        system.tangent(0.0, &state, &Coefficients::new(Newmark::default(), dt), &mut out);
         // a1 = 2/Δt and a2 = 4/Δt² of the average acceleration.
         [[1, 1], [1, 2], [2, 1], [2, 2]].map(|[i, j]| out[5 * j + i])
     };
