@@ -103,7 +103,7 @@ fn single_damaged_fields_never_panic() {
     }
     assert_eq!(damage::cards().len(), 34);
     // Many fields do not matter to a mesh; were all files refused, nothing would be tried behind the cards.
-    assert!((5_000..15_000).contains(&accepted), "{accepted}");
+    assert!((2_000..15_000).contains(&accepted), "{accepted}");
 }
 
 /// What would take the square of its length is read in time.
