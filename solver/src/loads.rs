@@ -145,6 +145,17 @@ impl Load {
         (factor * force).abs() * reach
     }
 
+    /// By how much the factor would change if the angle or the speed that it follows were none, to the first order: rounding of
+    /// what it follows leaves it unknown by ε times that.
+    pub(crate) fn followed(&self, at: &Instant) -> f64 {
+        let followed = match self.time_function.slope(at, self.body) {
+            Some(Slope::Angle(place, by)) => by * at.q[place],
+            Some(Slope::Speed(place, by)) => by * at.v[place],
+            None => 0.0,
+        };
+        self.onset.factor(at) * followed
+    }
+
     /// Adds the generalised force at `factor` times the amplitude to those on q; the coordinates of the body stand at
     /// `own`.
     pub(crate) fn add_force(

@@ -206,7 +206,7 @@ impl Machine {
     }
 
     /// What coordinate `place` of q is.
-    pub(crate) fn coordinate(&self, place: usize) -> String {
+    pub fn coordinate(&self, place: usize) -> String {
         let Owner { body, coordinate } = self.owner(place);
         let body = &self.bodies[body];
         match coordinate {

@@ -16,6 +16,7 @@ mod first_law;
 mod good_runs;
 mod hostile;
 mod in_memory;
+mod judged;
 mod law_values;
 mod lost_work;
 mod machines;

@@ -32,6 +32,7 @@ pub(crate) struct FindingFacts {
 struct Measures {
     energy_made_share: f64,
     energy_error_share: f64,
+    /// Null where there was no motion that steps resolve.
     local_error: f64,
     largest_local_error: f64,
     unresolved_motion: f64,
@@ -50,6 +51,7 @@ impl VerdictFacts {
         diverged: Option<[usize; 2]>,
     ) -> Self {
         let quality = &outcome.quality;
+        let judged = |error: f64| if quality.judged { error } else { f64::NAN };
         let key = if length.1.is_some() { "output_step" } else { "time_step" };
         let of_run = diverged.into_iter().map(|steps| FindingFacts::diverged(steps, key));
         let of_steps = findings(quality, &outcome.energy, length).into_iter();
@@ -67,8 +69,8 @@ impl VerdictFacts {
             measures: Measures {
                 energy_made_share: quality.energy_made_share,
                 energy_error_share: outcome.energy.error_fraction(),
-                local_error: quality.local_error,
-                largest_local_error: quality.largest_local_error,
+                local_error: judged(quality.local_error),
+                largest_local_error: judged(quality.largest_local_error),
                 unresolved_motion: quality.unresolved_motion,
                 ringing: quality.ringing.share,
                 row_error: quality.row_error,
@@ -93,14 +95,15 @@ impl VerdictFacts {
 
 impl FindingFacts {
     fn of_steps(finding: Finding, (machine, places): (&Machine, &[SupportName])) -> Self {
-        let Finding { what, bearing, part, value, limit, unit, remedy } = finding;
+        let Finding { what, bearing, part, coordinate, value, limit, unit, remedy } = finding;
         let place = bearing.map(|bearing| format!(" (at {})", named(places, bearing)));
         let part = part.map(|MovingPart { body, turns }| {
             let (rotation, name) =
                 (if turns { "rotation of " } else { "" }, machine.bodies[body].name());
             format!(" ({rotation}{name})")
         });
-        let what = what + &place.or(part).unwrap_or_default();
+        let row = coordinate.map(|place| format!(" ({})", machine.coordinate(place)));
+        let what = what + &place.or(part).or(row).unwrap_or_default();
         FindingFacts { what, value, limit, unit, remedy }
     }
 

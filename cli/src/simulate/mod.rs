@@ -4,6 +4,8 @@
 mod folder;
 mod in_memory;
 mod march;
+#[cfg(test)]
+mod resumed;
 
 use std::io;
 use std::time::Instant;

@@ -222,6 +222,20 @@ impl Springs {
         self.laws.iter().map(|law| law.springs).sum()
     }
 
+    /// The bearing of a force among those tested for convergence.
+    pub(crate) fn bearing_of(&self, force: usize) -> Option<usize> {
+        let mut first = 0;
+        let law = self.laws.iter().position(|law| {
+            let count = law.bound.forces.len() * law.springs;
+            let found = force < first + count;
+            first += if found { 0 } else { count };
+            found
+        })?;
+        let spring = (force - first) % self.laws[law].springs;
+        let own = &self.planes[self.laws[law].planes.clone()];
+        own.iter().find(|plane| plane.springs.contains(&spring)).map(|plane| plane.bearing)
+    }
+
     /// Number of forces tested for convergence: every force that a law gives, at every spring.
     pub(crate) fn forces(&self) -> usize {
         self.laws.iter().map(|law| law.bound.forces.len() * law.springs).sum()

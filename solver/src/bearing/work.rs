@@ -50,6 +50,9 @@ pub(crate) struct Flow {
     /// Σ |Σ ∫ Q dh|: the work on its springs together, without sign. What springs hold against each other
     /// flows nowhere.
     pub(crate) flowed: f64,
+    /// Σ |Δh| over its springs that push at either end of a step (m, or rad of a moment): a force that is solved to a tolerance
+    /// leaves energy unknown by as much times that.
+    pub(crate) moved: f64,
 }
 
 impl Flow {
@@ -57,6 +60,7 @@ impl Flow {
     pub(crate) fn add(&mut self, other: &Flow) {
         self.made += other.made;
         self.flowed += other.flowed;
+        self.moved += other.moved;
     }
 
     /// Made over flowed; 0 where nothing was made.
@@ -195,6 +199,7 @@ impl WorkAlong {
                         [self.along[k * n + j], self.at_rest[k * n + j]].map(|mean| mean * moved);
                     made += 0.5 * ends * moved - along;
                     flow.flowed += along;
+                    flow.moved += if ends == 0.0 { 0.0 } else { moved.abs() };
                     work.add(along, at_rest);
                 }
                 flow.made += made.abs();

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::halvings::Halvings;
 use super::meters::MeterSums;
 use super::newmark::State;
 use super::newton::NewtonState;
@@ -24,7 +25,7 @@ pub(super) struct Tally {
     /// Steps done.
     pub(super) step: usize,
     pub(super) iterations: usize,
-    pub(super) halved_steps: usize,
+    pub(super) halvings: Halvings,
     pub(super) steady: Option<SteadyTest>,
 }
 

@@ -206,7 +206,7 @@ mod tests {
         control.judge(&Measured {
             errors: &errors,
             displacements: &[2.0, 1e-6],
-            flows: &[Flow { made, flowed: 0.5 }],
+            flows: &[Flow { made, flowed: 0.5, moved: 0.0 }],
             kinetic: &[kinetic],
             rounding: 1e-12,
         })

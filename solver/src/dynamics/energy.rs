@@ -63,8 +63,6 @@ pub(crate) struct EnergySums {
     work_in: f64,
     dissipated: f64,
     turnover: f64,
-    /// What there was at the start, and what loads brought and took.
-    supplied: f64,
     springs: SpringWork,
     pub(crate) flows: Windows,
     start: (f64, f64),
@@ -107,7 +105,6 @@ impl EnergyMeter {
                 springs: SpringWork::default(),
                 flows: Windows::new(system.machine.springs.bearings),
                 turnover: start.0 + start.1,
-                supplied: start.0 + start.1,
                 start,
             },
             along: WorkAlong::new(&system.machine.springs, &system.springs),
@@ -129,8 +126,8 @@ impl EnergyMeter {
         self.measured = None;
     }
 
-    /// Adds a step that ends at a state just evaluated; the energy that it made or destroyed (J).
-    pub(crate) fn add(&mut self, system: &System, start: &State, end: &State) -> f64 {
+    /// Adds a step that ends at a state just evaluated.
+    pub(crate) fn add(&mut self, system: &System, start: &State, end: &State) {
         let moved = |before: &[f64], after: &[f64]| -> f64 {
             let forces = before.iter().zip(after).map(|(a, b)| 0.5 * (a + b));
             forces.zip(start.q.iter().zip(&end.q)).map(|(force, (a, b))| force * (b - a)).sum()
@@ -149,9 +146,7 @@ impl EnergyMeter {
         let bearings = self.along.bearings();
         self.sums.flows.add(bearings);
         let flowed: f64 = bearings.iter().map(|own| own.flowed).sum();
-        self.sums.supplied += work_in.abs();
         self.sums.turnover += work_in.abs() + dissipated.abs() + flowed;
-        bearings.iter().map(|own| own.made).sum()
     }
 
     /// Takes the forces of the state that was just evaluated for those of the start of the next step: loads have changed at
@@ -177,9 +172,9 @@ impl EnergyMeter {
         }
     }
 
-    /// Energy below which it does not matter what is made of it (J): a thousandth of what was supplied.
-    pub(crate) fn negligible(&self) -> f64 {
-        1e-3 * self.sums.supplied
+    /// Energy made and flowed by the step that was added last, by bearings.
+    pub(crate) fn flows(&self) -> &[Flow] {
+        self.along.bearings()
     }
 
     /// Goes on from sums of an earlier march at a state that was just evaluated.

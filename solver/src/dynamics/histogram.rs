@@ -26,20 +26,24 @@ impl Histogram {
         let class = (value.log10() - Self::LEAST) * Self::CLASSES;
         let last = self.counts.len() - 1;
         match class {
-            _ if class.is_nan() || class >= last as f64 => self.count(last),
+            _ if class.is_nan() || class >= last as f64 => self.add_to(last),
             _ if class < 0.0 => self.zeros += 1,
-            _ => self.count(class as usize),
+            _ => self.add_to(class as usize),
         }
     }
 
-    fn count(&mut self, class: usize) {
+    fn add_to(&mut self, class: usize) {
         self.counts[class] = self.counts[class].saturating_add(1);
+    }
+
+    /// How many values there are.
+    pub(super) fn count(&self) -> u64 {
+        self.zeros + self.counts.iter().map(|&count| u64::from(count)).sum::<u64>()
     }
 
     /// What a fraction of the values stays below, to 1/50 decade.
     pub(super) fn below(&self, fraction: f64) -> f64 {
-        let total = self.zeros + self.counts.iter().map(|&count| u64::from(count)).sum::<u64>();
-        let mut left = (fraction * total as f64).ceil() as u64;
+        let mut left = (fraction * self.count() as f64).ceil() as u64;
         if left <= self.zeros {
             return 0.0;
         }

@@ -6,6 +6,7 @@ use super::checkpoint::{Checkpoint, Clock, Tally};
 use super::control::{AutomaticStep, PartsTaken};
 use super::cuts::{Watched, watched};
 use super::energy::EnergyBalance;
+use super::halvings::Halvings;
 use super::jumps::jumps;
 use super::meters::Meters;
 use super::newmark::{Integrator, State};
@@ -231,7 +232,8 @@ impl<'m> March<'m> {
         let rule = options.steady_rule;
         let test = |cycle| SteadyTest::new(rule, signals, cycle, options.time_step);
         let steady = options.cycle.map(test);
-        let tally = Tally { step: 0, iterations: 0, halved_steps: 0, steady };
+        let halvings = Halvings::new(size, machine.springs.bearings);
+        let tally = Tally { step: 0, iterations: 0, halvings, steady };
         // Of parts that may be long or short, or end at rows of tables, factors are kept for the lengths of which there are most.
         let watched = watched(machine);
         let cut = options.automatic.is_some() || !watched.is_empty();
@@ -287,7 +289,8 @@ impl<'m> March<'m> {
         system.released = released;
         system.evaluate(time, &state);
         system.springs.resume(&worst);
-        march.meters.resume_from(system, meters);
+        march.meters.resume_from(system, meters)?;
+        system.evaluate(time, &state);
         (march.state, march.clock, march.tally) = (state, clock, tally);
         Ok(march)
     }
@@ -418,17 +421,20 @@ impl<'m> March<'m> {
 
     /// Ends the march.
     pub fn outcome(mut self) -> Outcome {
+        let parts = self.meters.parts_taken();
+        let halved = self.tally.halvings.of(parts.map_or(self.tally.step, |own| own.parts));
+        let unknown = self.newton.unknown_force();
         Outcome {
             energy: self.energy(),
-            quality: self.meters.quality(&mut self.system),
+            quality: Quality { halved, ..self.meters.quality(&mut self.system, unknown) },
             worst: self.worst().to_vec(),
             history: History::for_machine(self.machine),
             steady: self.tally.steady.as_ref().and_then(|test| test.reached),
             left: self.tally.steady.as_ref().and_then(SteadyTest::left),
             iterations: self.tally.iterations,
             factorisations: self.newton.factorisations(),
-            halved_steps: self.tally.halved_steps,
-            parts: self.meters.parts_taken(),
+            halved_steps: self.tally.halvings.steps,
+            parts,
         }
     }
 

@@ -138,14 +138,14 @@ impl Meters {
     #[inline(never)]
     pub(crate) fn add(
         &mut self,
-        system: &System,
+        system: &mut System,
         span: (f64, f64),
         start: &State,
         end: &State,
         row_error: f64,
     ) {
-        let made = self.energy.add(system, start, end);
-        self.quality.add(span, start, end, made, row_error);
+        self.energy.add(system, start, end);
+        self.quality.add(system, span, [start, end], (self.energy.flows(), row_error));
         self.periods.add(span.1, [start, end]);
         self.ringing.add(system, end, &self.quality.parts);
     }
@@ -166,13 +166,20 @@ impl Meters {
         }
     }
 
-    /// Goes on from what was measured before, at a state that was just evaluated.
-    pub(crate) fn resume_from(&mut self, system: &System, sums: MeterSums) {
+    /// Goes on from what was measured before, at a state that was just evaluated. The system is evaluated elsewhere after it.
+    ///
+    /// # Errors
+    /// A mass matrix that is not positive definite.
+    pub(crate) fn resume_from(
+        &mut self,
+        system: &mut System,
+        sums: MeterSums,
+    ) -> Result<(), Error> {
         self.energy.resume_from(system, sums.energy);
-        self.quality.sums = sums.quality;
         self.periods.fewest = sums.fewest_steps;
         self.ringing.sums = sums.ringing;
         self.resume_control(sums.control);
+        self.quality.resume_from(system, sums.quality)
     }
 
     /// Chooses parts of steps as an earlier march did.
@@ -192,10 +199,9 @@ impl Meters {
         self.energy.balance(system, state)
     }
 
-    /// What the steps were worth; the system is evaluated elsewhere for it.
-    pub(crate) fn quality(&self, system: &mut System) -> Quality {
-        let (flows, negligible) = (&self.energy.sums.flows, self.energy.negligible());
-        let quality = self.quality.quality(system, flows, negligible);
+    /// What the steps were worth, where forces of springs are known to `unknown` (N); the system is evaluated elsewhere for it.
+    pub(crate) fn quality(&self, system: &mut System, unknown: f64) -> Quality {
+        let quality = self.quality.quality(system, &self.energy.sums.flows, unknown);
         let ringing = self.ringing.ringing(&self.quality.parts);
         Quality { fewest_steps: self.periods.fewest, ringing, ..quality }
     }

@@ -5,32 +5,75 @@ use std::ops::Range;
 use super::newmark::{Coefficients, State};
 use super::system::System;
 use crate::error::Error;
-use crate::linalg::{Matrix, add_columns, generalised_symmetric_eigen, multiply};
+use crate::linalg::{
+    Matrix, add_columns, add_product, generalised_symmetric_eigen, multiply, symmetric_eigen,
+    transpose_multiply,
+};
 
-/// The modes of the machine at rest, springs as they are at the start. Every θ takes part: it and its flexible body
+/// The modes of the machine by its stiffness at a state. Every θ takes part: it and its flexible body
 /// accelerate against each other.
 pub(super) struct MachineModes {
-    /// ω², ascending ((rad/s)²).
+    /// ω², ascending ((rad/s)²); −∞ of motions on which nothing acts, where those are told apart.
     squares: Vec<f64>,
     /// MΦ and Φ: unknowns × modes.
     rows: Matrix,
     vectors: Matrix,
+    /// The symmetric part of the stiffness of the unknowns.
+    stiffness: Matrix,
 }
 
 impl MachineModes {
     /// At a state that was just evaluated.
     pub(super) fn new(system: &mut System, state: &State) -> Result<Self, Error> {
-        let machine = system.machine;
-        let (size, first) = (machine.size(), machine.first_unknown());
-        let mut tangent = vec![0.0; size * size];
-        system.tangent(system.time, state, &Coefficients::at_rest(), &mut tangent);
-        let unknowns: Vec<usize> = (first..size).collect();
-        let whole = Matrix { rows: size, cols: size, data: tangent };
-        let stiffness = whole.select(&unknowns, &unknowns).symmetric_part();
+        let stiffness = unknown_tangent(system, state, &Coefficients::at_rest()).symmetric_part();
+        let first = system.machine.first_unknown();
+        let unknowns: Vec<usize> = (first..system.machine.size()).collect();
         let mass = system.mass(state).select(&unknowns, &unknowns);
         let eigen = generalised_symmetric_eigen(&stiffness, &mass)?;
         let rows = multiply(mass.view(), eigen.vectors.view());
-        Ok(MachineModes { squares: eigen.values, rows, vectors: eigen.vectors })
+        Ok(MachineModes { squares: eigen.values, rows, vectors: eigen.vectors, stiffness })
+    }
+
+    /// The same, with motions on which nothing acts before all others: neither stiffness, symmetric or not, nor damping, nor
+    /// turning, by as much as would change ω² by `slow` in steps of `length` s. Those alone are integrated exactly.
+    pub(super) fn told_apart(
+        system: &mut System,
+        state: &State,
+        (slow, length): (f64, f64),
+    ) -> Result<Self, Error> {
+        let mut modes = MachineModes::new(system, state)?;
+        let still = modes.within(-slow..slow);
+        if still.is_empty() {
+            return Ok(modes);
+        }
+        let step = Coefficients { dt: length, a1: 1.0 / length, a2: 0.0 };
+        let tangent = unknown_tangent(system, state, &step);
+        let forces = multiply(tangent.view(), modes.vectors.columns(still.clone()));
+        let acting = transpose_multiply(modes.vectors.view(), forces.view());
+        let own = symmetric_eigen(&transpose_multiply(acting.view(), acting.view()))?;
+        let free = own.values.partition_point(|square| square.max(0.0).sqrt() < slow);
+        let n = modes.squares.len();
+        for matrix in [&mut modes.rows, &mut modes.vectors] {
+            let turned = multiply(matrix.columns(still.clone()), own.vectors.view());
+            matrix.data[still.start * n..still.end * n].copy_from_slice(&turned.data);
+            matrix.data[..(still.start + free) * n].rotate_right(free * n);
+        }
+        let squares = &mut modes.squares;
+        squares[still.clone()].fill(0.0);
+        squares[..still.start + free].rotate_right(free);
+        squares[..free].fill(f64::NEG_INFINITY);
+        Ok(modes)
+    }
+
+    /// Places of motions on which nothing acts.
+    pub(super) fn free(&self) -> Range<usize> {
+        0..self.squares.partition_point(|square| *square == f64::NEG_INFINITY)
+    }
+
+    /// Places of modes of which something acts, with ω² below a limit, and of those beyond it.
+    pub(super) fn acted(&self, limit: f64) -> [Range<usize>; 2] {
+        let fast = self.squares.partition_point(|square| *square < limit);
+        [self.free().end..fast, fast..self.squares.len()]
     }
 
     /// The modes whose ω² is in a range, as a range of their places.
@@ -39,9 +82,26 @@ impl MachineModes {
         below(squares.start)..below(squares.end)
     }
 
+    /// ω² of a mode.
+    pub(super) fn square(&self, mode: usize) -> f64 {
+        self.squares[mode]
+    }
+
     /// ω of the fastest mode (rad/s).
     pub(super) fn fastest(&self) -> f64 {
         self.squares.last().copied().unwrap_or(0.0).max(0.0).sqrt()
+    }
+
+    /// The share that the coordinates at some places have in the kinetic energy of a mode.
+    pub(super) fn share(&self, mode: usize, places: Range<usize>) -> f64 {
+        let [rows, vectors] = [&self.rows, &self.vectors].map(|own| &own.col(mode)[places.clone()]);
+        rows.iter().zip(vectors).map(|(a, b)| a * b).sum()
+    }
+
+    /// Writes K x.
+    pub(super) fn pull(&self, x: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+        add_product(out, &self.stiffness, x);
     }
 
     /// Writes what of a motion of the unknowns is in the modes at some places, ΦΦᵀM x.
@@ -64,4 +124,13 @@ impl MachineModes {
         });
         add_columns(out, amplitudes);
     }
+}
+
+/// The tangent of the unknowns at a state that was just evaluated.
+fn unknown_tangent(system: &mut System, state: &State, step: &Coefficients) -> Matrix {
+    let (size, first) = (system.machine.size(), system.machine.first_unknown());
+    let mut data = vec![0.0; size * size];
+    system.tangent(system.time, state, step, &mut data);
+    let unknowns: Vec<usize> = (first..size).collect();
+    Matrix { rows: size, cols: size, data }.select(&unknowns, &unknowns)
 }

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::extrapolation::Extrapolation;
 use super::factors::{FactorsState, KeptFactors};
+use super::halvings::HalvedAt;
 use super::merit::Merit;
 use super::newmark::{Coefficients, Integrator, State};
 use super::system::System;
@@ -176,6 +177,11 @@ impl Newton {
         self.largest_force
     }
 
+    /// What may be missing of a force of a step that counts as solved (N).
+    pub(crate) fn unknown_force(&self) -> f64 {
+        self.force_tolerance(self.largest_force) + FORCE_ROUNDING * self.largest_force
+    }
+
     /// Forgets the forces of a step that is not accepted: the largest was so much before it (N).
     pub(crate) fn forget(&mut self, largest_force: f64) {
         self.largest_force = largest_force;
@@ -333,6 +339,17 @@ impl Newton {
         self.factors.drop();
         let row_error = f64::INFINITY;
         StepReport { ending: Ending::Failed, iterations, residual, force_change, row_error }
+    }
+
+    /// Where an iteration failed that just did: at the bearing whose force changed most, if the forces did not come to rest.
+    pub(crate) fn failed_at(&self, system: &System, report: &StepReport) -> HalvedAt {
+        let settled = self.unknown_force();
+        let moving = report.force_change > settled && report.force_change.is_finite();
+        let changes = self.forces.iter().zip(&system.springs.forces).map(|(a, b)| (a - b).abs());
+        let most = changes.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).filter(|_| moving);
+        let bearing = most.and_then(|(force, _)| system.machine.springs.bearing_of(force));
+        let row = || HalvedAt::Coordinate(self.worst(&system.residual));
+        bearing.map_or_else(row, HalvedAt::Bearing)
     }
 
     /// The coordinate that contributes most to φ.

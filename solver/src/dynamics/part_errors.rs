@@ -12,11 +12,13 @@ impl QualityMeter {
         out.iter_mut().zip(measured).for_each(|(out, own)| *out = own);
     }
 
-    /// Local errors of a step of `dt` s in all modes, by parts (m), those of a mode over 1 + β(ωΔt)².
+    /// Local errors of a step of `dt` s in all modes, by parts (m), those of a mode over 1 + β(ωΔt)²; of a march that chooses its
+    /// steps.
     pub(crate) fn errors(&mut self, dt: f64, start: &State, end: &State, out: &mut [f64]) {
         let factor = self.method.error_factor(dt);
         let beta = self.method.elastic_weight();
-        let QualityMeter { modes, parts, motion, within, .. } = self;
+        let QualityMeter { undeformed, parts, motion, within, .. } = self;
+        let Some(modes) = undeformed else { return };
         let first = end.a.len() - motion.len();
         let ends = end.a[first..].iter().zip(&start.a[first..]);
         motion.iter_mut().zip(ends).for_each(|(out, (end, start))| *out = end - start);

@@ -12,13 +12,14 @@ use crate::machine::{Body, Machine};
 pub(super) struct Part {
     /// Its body.
     pub(super) body: usize,
-    place: Range<usize>,
+    /// Where its coordinates stand among the unknowns.
+    pub(super) place: Range<usize>,
     weight: Weight,
 }
 
 enum Weight {
-    /// √(J0/m) of an angle (m).
-    Angle(f64),
+    /// √(J0/m) of an angle (m), and m.
+    Angle(f64, f64),
     /// The mass matrix and the mass.
     Mass(Matrix, f64),
     /// The mass, where the mass matrix is the identity.
@@ -28,13 +29,13 @@ enum Weight {
 impl Part {
     /// Whether it is the rotation of its body.
     pub(super) fn turns(&self) -> bool {
-        matches!(self.weight, Weight::Angle(_))
+        matches!(self.weight, Weight::Angle(..))
     }
 
     /// The most that a displacement of it says of how far the machine moves (m): one radian, as what turns further slips.
     pub(super) fn most(&self) -> f64 {
         match self.weight {
-            Weight::Angle(radius) => radius,
+            Weight::Angle(radius, _) => radius,
             Weight::Mass(..) | Weight::Identity(_) => f64::INFINITY,
         }
     }
@@ -43,7 +44,7 @@ impl Part {
     pub(super) fn measure(&self, x: &[f64]) -> f64 {
         let x = &x[self.place.clone()];
         match &self.weight {
-            Weight::Angle(radius) => x[0].abs() * radius,
+            Weight::Angle(radius, _) => x[0].abs() * radius,
             Weight::Mass(matrix, mass) => {
                 let columns = x.iter().enumerate();
                 let square: f64 = columns.map(|(j, x_j)| x_j * dot(matrix.col(j), x)).sum();
@@ -54,10 +55,17 @@ impl Part {
         }
     }
 
+    /// What the square of a size is multiplied by to make it twice a kinetic energy (kg).
+    pub(super) fn mass(&self) -> f64 {
+        match self.weight {
+            Weight::Angle(_, mass) | Weight::Mass(_, mass) | Weight::Identity(mass) => mass,
+        }
+    }
+
     /// Kinetic energy of what is no rotation at these rates of the unknowns (J); that of a rotation is not counted.
     pub(super) fn kinetic_energy(&self, rates: &[f64]) -> f64 {
         match self.weight {
-            Weight::Angle(_) => 0.0,
+            Weight::Angle(..) => 0.0,
             Weight::Mass(_, mass) | Weight::Identity(mass) => {
                 0.5 * mass * self.measure(rates).powi(2)
             }
@@ -108,7 +116,7 @@ impl Parts {
                         groups.any(|group| group.judges() && group.has(theta))
                     });
                     if let Some(theta) = held.filter(|_| mass > 0.0) {
-                        let weight = Weight::Angle((shaft.j0 / mass).sqrt());
+                        let weight = Weight::Angle((shaft.j0 / mass).sqrt(), mass);
                         let place = theta - first..theta - first + 1;
                         all.push(Part { body: number, place, weight });
                     }

@@ -1,17 +1,18 @@
 //! How good the steps of a march are: the energy that they make, their local error, what is left in their rows.
 
-use std::ops::Range;
-
 use serde::{Deserialize, Serialize};
 
-use super::histogram::Histogram;
+use super::halvings::HalvedSteps;
+use super::linearised::{Linearised, PartMotion, Place};
 use super::modes::MachineModes;
 use super::newmark::{Coefficients, Integrator, State};
 use super::parts::{Part, Parts, largest_sensible};
 use super::periods::FewestSteps;
 use super::ringing::Ringing;
+use super::sampled::PartSums;
 use super::system::System;
 use super::windows::Windows;
+use crate::bearing::work::Flow;
 use crate::error::Error;
 use crate::linalg::Cholesky;
 
@@ -33,6 +34,8 @@ pub struct Quality {
     pub local_error: f64,
     /// The part where it is that.
     pub local_error_of: Option<MovingPart>,
+    /// Whether the local error of any part could be judged: whether there was one that steps resolve.
+    pub judged: bool,
     /// The largest local error of any part: of the first 128 steps and of one in 32 after.
     pub largest_local_error: f64,
     /// Motion in a step, in modes that the step does not resolve (ωΔt ≥ 1), that 95 % of the steps stay below, of the
@@ -50,6 +53,8 @@ pub struct Quality {
     pub ringing: Ringing,
     /// Largest residual of a row over what it may have; see `System::row_error`.
     pub row_error: f64,
+    /// Steps that had to be halved, as they could not be solved.
+    pub halved: HalvedSteps,
     /// A step that resolves the machine with the springs as they were when most energy was made (s):
     /// 0.3/√λ, λ the largest eigenvalue of M⁻¹K; none if no energy was made.
     pub resolving_step: Option<f64>,
@@ -81,41 +86,29 @@ const ALL_SAMPLED: u64 = 128;
 /// moves is of no account.
 pub(super) const SMALLEST: f64 = 1e-3;
 
+/// Share of the energy in play in the bodies of a bearing that may be made there, or lost, whatever flows through it.
+const NEGLIGIBLE: f64 = 1e-3;
+
 /// What is carried from step to step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct QualitySums {
-    steps: u64,
-    parts: Vec<PartSums>,
+    pub(super) steps: u64,
+    pub(super) parts: Vec<PartSums>,
     row_error: f64,
-    /// Most energy made by a step, and the ends of that step.
-    most_made: f64,
-    worst: [(f64, State); 2],
+    /// By bearings.
+    worst: Vec<WorstStep>,
+    /// Where the machine was linearised last, after how many steps, and ω of its fastest mode so far (rad/s).
+    pub(super) linearised: Place,
+    pub(super) linearised_at: u64,
+    pub(super) fastest: f64,
 }
 
-/// What is carried of a part (m).
+/// The step that made most energy at a bearing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct PartSums {
-    errors: Histogram,
-    largest_error: f64,
-    /// Largest displacement in resolved modes, in the others, and in all directions.
-    amplitude: f64,
-    unresolved_amplitude: f64,
-    displacement: f64,
-    /// Motion in a step in modes that are not resolved.
-    motions: Histogram,
-}
-
-impl PartSums {
-    fn new() -> Self {
-        PartSums {
-            errors: Histogram::new(),
-            largest_error: 0.0,
-            amplitude: 0.0,
-            unresolved_amplitude: 0.0,
-            displacement: 0.0,
-            motions: Histogram::new(),
-        }
-    }
+struct WorstStep {
+    made: f64,
+    /// Times (s) and states at its ends.
+    ends: [(f64, State); 2],
 }
 
 /// How long the steps of a march are (s).
@@ -128,7 +121,7 @@ pub(crate) enum StepLength {
 }
 
 impl StepLength {
-    fn most(self) -> f64 {
+    pub(super) fn most(self) -> f64 {
         match self {
             StepLength::Fixed(dt) | StepLength::Most(dt) => dt,
         }
@@ -143,20 +136,26 @@ impl StepLength {
     }
 }
 
-/// Motions of more than 6000 steps a period are left out, so that a body that turns is not measured by its angle.
-const SLOWEST: f64 = 1e-6;
-
 /// Measures steps.
 pub(crate) struct QualityMeter {
     pub(crate) sums: QualitySums,
     pub(super) method: Integrator,
-    steps: StepLength,
-    pub(super) modes: MachineModes,
+    pub(super) steps: StepLength,
+    /// The modes by which the march chooses its steps, where it does.
+    pub(super) undeformed: Option<MachineModes>,
+    /// Those by which steps are judged.
+    pub(super) linearised: Linearised,
     pub(super) parts: Parts,
     /// A motion of the unknowns, what was before it, and what of it is in some modes.
     pub(super) motion: Vec<f64>,
-    before: Vec<f64>,
+    pub(super) before: Vec<f64>,
     pub(super) within: Vec<f64>,
+    /// What deformations and springs held against at the end of the last step, and by how much the step changed it.
+    held: Vec<f64>,
+    pub(super) change: Vec<f64>,
+    /// Of the step that was sampled last its motion by kinds of modes, and what of it is that of the parts.
+    pub(super) kinds: [Vec<f64>; 3],
+    pub(super) moved: Vec<PartMotion>,
 }
 
 impl QualityMeter {
@@ -170,125 +169,126 @@ impl QualityMeter {
         steps: StepLength,
         state: &State,
     ) -> Result<Self, Error> {
-        let modes = match steps {
-            StepLength::Fixed(_) => MachineModes::new(system, state)?,
-            StepLength::Most(_) => modes_anywhere(system, state)?,
-        };
-        let parts = Parts::new(system);
+        let automatic = matches!(steps, StepLength::Most(_));
+        let (undeformed, parts) = undeformed(system, state, automatic)?;
+        let linearised = Linearised::new(system, &parts.all, steps.most(), state)?;
         let sums = QualitySums {
             steps: 0,
             parts: parts.all.iter().map(|_| PartSums::new()).collect(),
             row_error: 0.0,
-            most_made: 0.0,
-            worst: [(0.0, state.clone()), (0.0, state.clone())],
+            worst: vec![
+                WorstStep { made: 0.0, ends: [(0.0, state.clone()), (0.0, state.clone())] };
+                system.machine.springs.bearings
+            ],
+            linearised: Place::of(system, state),
+            linearised_at: 0,
+            fastest: linearised.fastest(),
         };
         let values = || vec![0.0; system.machine.active()];
-        let (motion, before, within) = (values(), values(), values());
-        let mut meter = QualityMeter { sums, method, steps, modes, parts, motion, before, within };
+        let mut meter = QualityMeter {
+            sums,
+            method,
+            steps,
+            undeformed,
+            linearised,
+            moved: vec![PartMotion::default(); parts.all.len()],
+            parts,
+            motion: values(),
+            before: values(),
+            within: values(),
+            held: values(),
+            kinds: std::array::from_fn(|_| values()),
+            change: values(),
+        };
+        meter.hold(system);
         meter.add_displacement(state);
         Ok(meter)
     }
 
-    /// The modes that a step of `dt` s resolves, and those that it does not.
-    fn modes_by(&self, dt: f64) -> [Range<usize>; 2] {
-        let square = |length: f64| length * length;
-        let slowest = SLOWEST / square(self.steps.most());
-        let fastest = 1.0 / square(self.steps.of(dt));
-        [slowest..fastest, fastest..f64::INFINITY].map(|squares| self.modes.within(squares))
-    }
-
-    /// Adds the displacement of a state to the largest.
-    fn add_displacement(&mut self, state: &State) {
-        let [resolved, unresolved] = self.modes_by(self.steps.most());
-        let QualityMeter { sums, modes, parts, motion, within, .. } = self;
-        parts.displacement(state, motion);
-        let mut each = |x: &[f64], largest: fn(&mut PartSums) -> &mut f64| {
-            for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
-                let largest = largest(sums);
-                *largest = larger(*largest, part.measure(x));
-            }
-        };
-        each(motion, |sums| &mut sums.displacement);
-        modes.part(resolved, motion, within);
-        each(within, |sums| &mut sums.amplitude);
-        modes.part(unresolved, motion, within);
-        each(within, |sums| &mut sums.unresolved_amplitude);
-    }
-
-    /// Adds the error of a step of `dt` s, and its motion in modes that are not resolved.
-    fn add_step(&mut self, dt: f64, start: &State, end: &State) {
-        let [resolved, unresolved] = self.modes_by(dt);
-        let factor = self.method.error_factor(dt);
-        let QualityMeter { sums, modes, parts, motion, before, within, .. } = self;
-        let first = end.a.len() - motion.len();
-        let ends = end.a[first..].iter().zip(&start.a[first..]);
-        motion.iter_mut().zip(ends).for_each(|(out, (end, start))| *out = end - start);
-        modes.part(resolved, motion, within);
-        for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
-            let error = factor * part.measure(within);
-            sums.errors.add(error);
-            sums.largest_error = larger(sums.largest_error, error);
+    /// Goes on from what was measured before, at a state that was just evaluated. The system is evaluated elsewhere after it.
+    ///
+    /// # Errors
+    /// A mass matrix that is not positive definite.
+    pub(crate) fn resume_from(
+        &mut self,
+        system: &mut System,
+        sums: QualitySums,
+    ) -> Result<(), Error> {
+        self.hold(system);
+        if sums.linearised != self.sums.linearised {
+            self.linearised.again(system, &self.parts.all, &sums.linearised)?;
         }
-        parts.displacement(end, motion);
-        parts.displacement(start, before);
-        motion.iter_mut().zip(&*before).for_each(|(out, before)| *out -= before);
-        modes.part(unresolved, motion, within);
-        for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
-            sums.motions.add(part.measure(within));
-        }
+        self.sums = sums;
+        Ok(())
     }
 
-    /// Adds a step of `dt` s from `start` at time `t` (s) to `end`.
+    /// Takes what deformations and springs hold against at the state that was just evaluated.
+    fn hold(&mut self, system: &System) {
+        let first = system.machine.first_unknown();
+        let forces = system.elastic[first..].iter().zip(&system.spring[first..]);
+        self.held.iter_mut().zip(forces).for_each(|(held, (elastic, spring))| {
+            *held = elastic - spring;
+        });
+    }
+
+    /// Adds a step of `dt` s from `start` at time `t` (s) to `end`, which was just evaluated.
     pub(crate) fn add(
         &mut self,
+        system: &mut System,
         (t, dt): (f64, f64),
-        start: &State,
-        end: &State,
-        made: f64,
-        row_error: f64,
+        [start, end]: [&State; 2],
+        (flows, row_error): (&[Flow], f64),
     ) {
         let steps = self.sums.steps;
-        if steps < ALL_SAMPLED || scattered(steps).is_multiple_of(SAMPLED) {
-            self.add_step(dt, start, end);
-            self.add_displacement(end);
+        let sampled = steps < ALL_SAMPLED || scattered(steps).is_multiple_of(SAMPLED);
+        if sampled {
+            self.change.copy_from_slice(&self.held);
+        }
+        self.hold(system);
+        if sampled {
+            self.change.iter_mut().zip(&self.held).for_each(|(own, held)| *own = held - *own);
+            self.sample(system, self.steps.of(dt), start, end);
         }
         let sums = &mut self.sums;
         sums.steps += 1;
         sums.row_error = sums.row_error.max(row_error);
-        if made > sums.most_made {
-            sums.most_made = made;
-            for (kept, (t, state)) in sums.worst.iter_mut().zip([(t, start), (t + dt, end)]) {
-                kept.0 = t;
-                kept.1.copy_from(state);
+        for (worst, flow) in sums.worst.iter_mut().zip(flows) {
+            if flow.made > worst.made {
+                worst.made = flow.made;
+                for (kept, (t, state)) in worst.ends.iter_mut().zip([(t, start), (t + dt, end)]) {
+                    kept.0 = t;
+                    kept.1.copy_from(state);
+                }
             }
         }
     }
 
-    /// What the steps so far were worth; an energy below `negligible` (J) counts as that.
-    pub(crate) fn quality(&self, system: &mut System, flows: &Windows, negligible: f64) -> Quality {
+    /// What the steps so far were worth; forces of springs are known to `unknown` (N).
+    pub(crate) fn quality(&self, system: &mut System, flows: &Windows, unknown: f64) -> Quality {
         let sums = &self.sums;
-        let worst = sums.worst.iter().filter(|_| sums.most_made > 0.0);
-        let eigenvalues = worst.filter_map(|(t, state)| {
-            let value = largest_eigenvalue(system, *t, state);
-            (value > 0.0).then_some(value)
-        });
-        let largest = eigenvalues.reduce(f64::max);
         let bearings = 0..system.machine.springs.bearings;
-        let fractions =
-            bearings.map(|bearing| (bearing, flows.fraction(bearing, negligible).abs()));
+        let fractions = bearings.map(|bearing| {
+            let least = NEGLIGIBLE * self.in_play(system, bearing);
+            (bearing, flows.fraction(bearing, least, unknown).abs())
+        });
         // No number is larger than any.
         let worst =
             fractions.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, fraction)| *fraction != 0.0);
         let flow = worst.map(|(bearing, _)| flows.whole(bearing)).unwrap_or_default();
-        let all = |sums: &PartSums| sums.amplitude.hypot(sums.unresolved_amplitude);
+        let ends = worst.map(|(bearing, _)| &sums.worst[bearing]).filter(|own| own.made > 0.0);
+        let eigenvalues = ends.into_iter().flat_map(|own| &own.ends).filter_map(|(t, state)| {
+            let value = largest_eigenvalue(system, *t, state);
+            (value > 0.0).then_some(value)
+        });
+        let largest = eigenvalues.reduce(f64::max);
         let parts = sums.parts.iter().zip(&self.parts.all);
-        let most = parts.map(|(sums, part)| all(sums).min(part.most())).fold(0.0, larger);
+        let most = parts.map(|(sums, part)| sums.reach().min(part.most())).fold(0.0, larger);
         let least = SMALLEST * most;
         // The largest fraction of what moves, and the part where it is.
         let judge = |of: &dyn Fn(&PartSums) -> f64| {
             let parts = sums.parts.iter().zip(&self.parts.all);
             let judged = parts.map(|(sums, part)| {
-                let (value, amplitude) = (of(sums), larger(all(sums), least));
+                let (value, amplitude) = (of(sums), larger(sums.reach(), least));
                 (if value == 0.0 { 0.0 } else { value / amplitude }, part)
             });
             judged.fold((0.0, None), |worst: (f64, Option<MovingPart>), (value, part)| {
@@ -305,7 +305,7 @@ impl QualityMeter {
         let bodies = sums.parts.iter().zip(&self.parts.all).filter(|(_, part)| !part.turns());
         let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
         let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
-        let fastest = self.modes.fastest();
+        let fastest = sums.fastest;
         Quality {
             energy_made_share: worst.map_or(0.0, |(_, fraction)| fraction),
             bearing: worst.map(|(bearing, _)| bearing),
@@ -313,6 +313,7 @@ impl QualityMeter {
             energy_flowed: flow.flowed,
             local_error,
             local_error_of,
+            judged: sums.parts.is_empty() || sums.parts.iter().any(|own| own.errors.count() > 0),
             largest_local_error: judge(&|sums| sums.largest_error).0,
             unresolved_motion,
             unresolved_motion_of,
@@ -321,26 +322,48 @@ impl QualityMeter {
             sensible_displacement: largest_sensible(system.machine),
             ringing: Ringing::default(),
             row_error: sums.row_error,
+            halved: HalvedSteps::default(),
             resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
             mode_step: (fastest * self.steps.most() >= 1.0).then_some(RESOLVED / fastest),
             fewest_steps: None,
         }
     }
+
+    /// The energy in play in the bodies that a bearing joins: the most kinetic energy that each had, of the one that had less (J).
+    /// What flows in others says nothing of this bearing.
+    fn in_play(&self, system: &System, bearing: usize) -> f64 {
+        let joined = &system.machine.monitors[bearing].bodies;
+        let parts = self.sums.parts.iter().zip(&self.parts.all);
+        let own = parts.filter(|(_, part)| !part.turns() && joined.contains(&part.body));
+        own.map(|(sums, _)| sums.kinetic).reduce(f64::min).unwrap_or(0.0)
+    }
 }
 
-/// The modes of a machine that was just evaluated at a state, springs as they are where nothing is deformed: the same wherever
-/// a march goes on, as they choose its steps.
-fn modes_anywhere(system: &mut System, state: &State) -> Result<MachineModes, Error> {
+/// What is found of a machine that was just evaluated at a state where nothing is deformed, so that it is the same wherever a
+/// march goes on: its modes, where a march chooses its steps by them, and its parts.
+fn undeformed(
+    system: &mut System,
+    state: &State,
+    automatic: bool,
+) -> Result<(Option<MachineModes>, Parts), Error> {
     let (time, released) = (system.time, system.released.clone());
     let mut still = State::new(state.q.len());
     let State { q, v, a, .. } = &mut still;
     system.machine.set_given(0.0, false, [q, v, a]);
     system.released.fill(false);
     system.evaluate(0.0, &still);
-    let modes = MachineModes::new(system, &still);
+    let modes = match automatic {
+        true => MachineModes::new(system, &still).map(Some),
+        false => {
+            let mut tangent = vec![0.0; state.q.len().pow(2)];
+            system.tangent(0.0, &still, &Coefficients::at_rest(), &mut tangent);
+            Ok(None)
+        }
+    };
+    let parts = Parts::new(system);
     system.released = released;
     system.evaluate(time, state);
-    modes
+    Ok((modes?, parts))
 }
 
 /// The larger of two; what is no number is larger than any, and stays it.
@@ -349,7 +372,7 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
 }
 
 /// A number for each step in which no order is to be seen (the finish of splitmix64).
-fn scattered(step: u64) -> u64 {
+pub(super) fn scattered(step: u64) -> u64 {
     let mut hash = step.wrapping_add(0x9e37_79b9_7f4a_7c15);
     hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -422,7 +445,7 @@ mod tests {
 
     #[test]
     fn the_step_that_makes_most_energy_is_kept_with_its_ends() {
-        let mut machine = without_springs(Rotation::Held);
+        let mut machine = machine(Rotation::Held);
         let [Body::Turning { shaft, .. }, Body::Standing { support, .. }] =
             machine.bodies.as_mut_slice()
         else {
@@ -441,11 +464,18 @@ mod tests {
         .unwrap();
         for (place, made) in [(0, 3.0), (1, 7.0), (2, 5.0)] {
             let t = 10.0 + place as f64;
-            meter.add((t, 0.5), &states[place], &states[place + 1], made, 0.0);
+            let ends = [&states[place], &states[place + 1]];
+            system.evaluate(t + 0.5, ends[1]);
+            // At the second of three bearings; at the third always as much, at the first nothing.
+            let flows = [0.0, made, 1.0].map(|made| Flow { made, flowed: 1.0, moved: 0.0 });
+            meter.add(&mut system, (t, 0.5), ends, (&flows, 0.0));
         }
-        assert_eq!(meter.sums.worst, [(11.0, states[1].clone()), (11.5, states[2].clone())]);
+        let ends = |bearing: usize| meter.sums.worst[bearing].ends.clone();
+        assert_eq!(ends(1), [(11.0, states[1].clone()), (11.5, states[2].clone())]);
+        assert_eq!(ends(2), [(10.0, states[0].clone()), (10.5, states[1].clone())]);
+        assert_eq!(meter.sums.worst[0].made, 0.0);
         // Nothing holds the machine, so that no step resolves it.
-        let flows = Windows::new(0);
+        let flows = Windows::new(3);
         assert_eq!(meter.quality(&mut system, &flows, 1.0).resolving_step, None);
     }
 

@@ -2,7 +2,7 @@
 
 use super::newmark::State;
 use super::newton::{CONTRACTION, NewtonOptions};
-use super::system::System;
+use super::system::{System, instant};
 use super::turning::TurningBody;
 use crate::linalg::{largest_and_sum, sum_of, widely};
 
@@ -47,10 +47,11 @@ impl RowBounds {
         };
         let reach = system.machine.springs.reach[i];
         let load: f64 = system.projected_loads(state, i).sum();
+        let followed: f64 = system.followed_loads(state, i).sum();
         // Σ |coefficient · force| of n springs is √n · reach · force at most.
         let springs = (system.springs.forces.len() as f64).sqrt() * self.force * reach;
         2.0 * (tolerance * PROJECTED * (self.force * reach + load)
-            + ROUNDING * f64::EPSILON * (products + springs + load))
+            + ROUNDING * f64::EPSILON * (products + springs + load + followed))
     }
 }
 
@@ -157,6 +158,16 @@ impl System<'_> {
         })
     }
 
+    /// What loads would change by on row `i` if the angles or speeds that they follow were none: their rounding is one of these.
+    fn followed_loads<'s>(&'s self, state: &'s State, i: usize) -> impl Iterator<Item = f64> + 's {
+        let (machine, owner) = (self.machine, self.machine.owner(i));
+        let now = instant(machine, self.time, state);
+        machine.loads.iter().filter(move |load| load.body == owner.body).map(move |load| {
+            let flexible = machine.places()[load.body].flexible.clone();
+            load.projected(load.followed(&now), &state.q[flexible], owner.coordinate)
+        })
+    }
+
     /// Of row `i` the largest single force projected on it, and the sum of all products that stand in it, of the terms that
     /// were sized. The mass matrix of its body, if that turns, must be in the body's block; it and K are symmetric.
     fn projected(&self, state: &State, predicted: &State, i: usize) -> (f64, f64) {
@@ -166,6 +177,7 @@ impl System<'_> {
             largest = f64::max(largest, force);
             sum += force;
         }
+        sum += self.followed_loads(state, i).sum::<f64>();
         let Some(body) = self.turning_at(i).map(|body| &self.turning[body]) else {
             return (largest, sum + predicted.a[i].abs());
         };

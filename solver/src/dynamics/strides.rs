@@ -61,7 +61,7 @@ impl March<'_> {
         let solved = match ending {
             Some(judged) => {
                 let row_error = report.row_error;
-                self.meters.add(&self.system, (t, taken), &start, &self.state, row_error);
+                self.meters.add(&mut self.system, (t, taken), &start, &self.state, row_error);
                 self.meters.accept(judged, halvings);
                 self.system.springs.observe(&self.machine.springs, t + taken);
                 match self.overshoots() {
@@ -74,7 +74,10 @@ impl March<'_> {
             }
             None if may_halve => {
                 let failed = report.ending == Ending::Failed;
-                self.tally.halved_steps += usize::from(failed && depth == 0);
+                if failed {
+                    let at = self.newton.failed_at(&self.system, &report);
+                    self.tally.halvings.count(depth == 0, at);
+                }
                 self.meters.reject();
                 self.newton.forget(most_force);
                 self.state.copy_from(&start);

@@ -2,6 +2,7 @@
 
 use super::control::AutomaticStep;
 use super::energy::EnergyBalance;
+use super::halvings::{HalvedAt, HalvedSteps};
 use super::periods::{FewestSteps, LEAST_STEPS};
 use super::quality::{MovingPart, Quality};
 use super::ringing::{Ringing, RingingPart};
@@ -15,6 +16,8 @@ pub struct Finding {
     pub bearing: Option<usize>,
     /// The part of the machine where it was, if it was in one.
     pub part: Option<MovingPart>,
+    /// The coordinate of the machine whose equation it is of, by its place in q, if it is of one.
+    pub coordinate: Option<usize>,
     /// How much it is, in `unit`.
     pub value: f64,
     /// How much it may be.
@@ -38,6 +41,10 @@ const UNRESOLVED_MOTION: f64 = 0.3;
 const RINGING: f64 = 0.02;
 /// What does not balance, as a fraction of the energy in play: the limit of what steps may make at the bearings.
 const ENERGY_ERROR: f64 = 0.05;
+
+/// Steps that could not be solved whole, as a fraction of all: more than a contact here and there; and of few steps so many.
+const HALVED_STEPS: f64 = 0.05;
+const FEW_STEPS: f64 = 10.0;
 
 /// What is beyond its limit in steps of `time_step` s, or in parts of them that the march chose; nothing where the run is
 /// sound.
@@ -93,15 +100,17 @@ pub fn findings(
         what: what.to_owned(),
         bearing,
         part,
+        coordinate: None,
         value,
         limit,
         unit: "1".to_owned(),
         remedy: automatic.map_or_else(|| shorter(step), narrower),
     };
     let too_far = runaway(quality).into_iter();
+    let often = halved(quality, (time_step, automatic)).into_iter();
     let too_fast = outrun(quality, time_step, automatic.is_some());
     let rings = rings(&quality.ringing, time_step, automatic);
-    too_far.chain(too_fast).chain(found.map(finding)).chain(rings).collect()
+    too_far.chain(too_fast).chain(found.map(finding)).chain(rings).chain(often).collect()
 }
 
 /// Whether something changes its sign from step to step.
@@ -126,6 +135,7 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
         ),
         bearing,
         part,
+        coordinate: None,
         value,
         limit: RINGING,
         unit: "1".to_owned(),
@@ -139,6 +149,41 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
     })
 }
 
+/// Whether steps had to be halved again and again to be solved.
+fn halved(
+    quality: &Quality,
+    (time_step, automatic): (f64, Option<AutomaticStep>),
+) -> Option<Finding> {
+    let HalvedSteps { steps, of, halvings, at } = quality.halved;
+    let limit = (HALVED_STEPS * of as f64).max(FEW_STEPS).floor();
+    let often = steps as f64 > limit;
+    let [bearing, coordinate] = match at {
+        Some(HalvedAt::Bearing(bearing)) => [Some(bearing), None],
+        Some(HalvedAt::Coordinate(place)) => [None, Some(place)],
+        None => [None; 2],
+    };
+    let cause = match at {
+        Some(HalvedAt::Bearing(_)) => "forces that do not come to rest",
+        _ => "an equation that stays unsolved",
+    };
+    let jumps = "look for a law, or a table of a load, that jumps or is very steep there";
+    often.then(|| Finding {
+        what: format!(
+            "steps that could not be solved whole, halved {halvings} times in all, most often for {cause}"
+        ),
+        bearing,
+        part: None,
+        coordinate,
+        value: steps as f64,
+        limit,
+        unit: "steps".to_owned(),
+        remedy: match automatic {
+            Some(_) => jumps.to_owned(),
+            None => format!("{jumps}; or {}", shorter(0.1 * time_step)),
+        },
+    })
+}
+
 /// Whether a body left the machine.
 fn runaway(quality: &Quality) -> Option<Finding> {
     let (value, limit) = (quality.largest_displacement, quality.sensible_displacement);
@@ -147,6 +192,7 @@ fn runaway(quality: &Quality) -> Option<Finding> {
         what: "displacement, which is larger than the machine".to_owned(),
         bearing: None,
         part: quality.farthest.map(|body| MovingPart { body, turns: false }),
+        coordinate: None,
         value,
         limit,
         unit: "m".to_owned(),
@@ -170,6 +216,7 @@ fn outrun(quality: &Quality, time_step: f64, automatic: bool) -> Option<Finding>
             ),
             bearing: None,
             part: Some(MovingPart { body, turns: true }),
+            coordinate: None,
             value: steps,
             limit: LEAST_STEPS,
             unit: "steps".to_owned(),
@@ -212,6 +259,8 @@ mod tests {
         sensible_displacement: 1.5,
         ringing: Ringing { share: RINGING, of: Some(RingingPart::Force(0)), damped: false },
         row_error: 1.0,
+        judged: true,
+        halved: HalvedSteps { steps: 50, of: 1000, halvings: 99, at: None },
         resolving_step: Some(1e-9),
         mode_step: Some(1e-9),
         fewest_steps: Some(FewestSteps { steps: LEAST_STEPS, body: 0, speed: 1.0 }),
@@ -292,6 +341,26 @@ mod tests {
         assert!(found.what.ends_with("at 60 rpm"), "{}", found.what);
         // 2.36e-3 s · 9.2/23.
         assert_eq!(found.remedy, set("9.4e-4"));
+    }
+
+    #[test]
+    fn steps_that_are_halved_again_and_again_are_a_finding_with_their_place() {
+        let times = |steps, of, at| Quality {
+            halved: HalvedSteps { steps, of, halvings: 777, at },
+            ..SOUND
+        };
+        // One in twenty, and ten of few.
+        for (most, of) in [(50, 1000), (10, 11)] {
+            assert_eq!(findings(&times(most, of, None), &balance(0.0), (1e-3, None)), []);
+            let row = found(times(most + 1, of, Some(HalvedAt::Coordinate(3))));
+            assert_eq!((row.coordinate, row.bearing), (Some(3), None));
+            assert_eq!((row.value, row.limit), ((most + 1) as f64, most as f64));
+            assert!(row.what.contains("halved 777 times") && row.what.contains("an equation"));
+            assert!(row.remedy.contains("time_step = \"2.3e-4 s\""), "{}", row.remedy);
+        }
+        let joint = found(times(51, 1000, Some(HalvedAt::Bearing(1))));
+        assert_eq!((joint.coordinate, joint.bearing), (None, Some(1)));
+        assert!(joint.what.contains("forces that do not come to rest"), "{}", joint.what);
     }
 
     #[test]

@@ -67,20 +67,25 @@ impl Windows {
 
     /// The largest fraction of energy made at a bearing: over the whole march, or over eight windows of it, so that
     /// a long quiet time hides no bad impact. What flowed in eight windows includes that in the windows beside
-    /// them, which a contact may reach into, and is never less than it is on average, nor than `least` (J).
-    pub(crate) fn fraction(&self, bearing: usize, least: f64) -> f64 {
+    /// them, which a contact may reach into, and is never less than it is on average, nor than `least` (J). What is made counts as
+    /// far as forces are known: to `unknown` (N).
+    pub(crate) fn fraction(&self, bearing: usize, least: f64, unknown: f64) -> f64 {
         let flows: Vec<&Flow> = self.of(bearing).collect();
         let whole = self.whole(bearing);
         let average = whole.flowed * TOGETHER as f64 / flows.len().max(TOGETHER) as f64;
-        let fraction = |made: f64, flowed: f64| Flow { made, flowed: flowed.max(least) }.fraction();
+        let fraction = |own: Flow, flowed: f64| {
+            let made = own.made - unknown * own.moved;
+            let made = if made < 0.0 { 0.0 } else { made };
+            Flow { made, flowed: flowed.max(least), moved: 0.0 }.fraction()
+        };
         let parts = (0..flows.len().saturating_sub(TOGETHER - 1)).map(|start| {
             let end = start + TOGETHER;
             let beside = start.saturating_sub(1)..(end + 1).min(flows.len());
-            let made = sum(flows[start..end].iter().copied()).made;
+            let own = sum(flows[start..end].iter().copied());
             let flowed = sum(flows[beside].iter().copied()).flowed;
-            fraction(made, f64::max(flowed, average))
+            fraction(own, f64::max(flowed, average))
         });
-        parts.fold(fraction(whole.made, whole.flowed), |worst, fraction| {
+        parts.fold(fraction(whole, whole.flowed), |worst, fraction| {
             // A fraction that is no number is the worst, and stays it.
             if fraction <= worst || worst.is_nan() { worst } else { fraction }
         })
@@ -107,14 +112,15 @@ mod tests {
         let mut windows = Windows::new(2);
         let steps = 300_000_u32;
         for step in 0..steps {
-            let flow = |made: f64| Flow { made, flowed: 1.0 };
+            let flow = |made: f64| Flow { made, flowed: 1.0, moved: 0.0 };
             windows.add(&[flow(f64::from(step)), flow(0.0)]);
         }
         assert!(windows.flows.len() <= 2 * MOST);
         let whole = f64::from(steps) * f64::from(steps - 1) / 2.0;
-        assert_eq!(windows.whole(0), Flow { made: whole, flowed: f64::from(steps) });
-        assert_eq!(windows.whole(1), Flow { made: 0.0, flowed: f64::from(steps) });
-        assert_eq!(windows.fraction(1, 0.0), 0.0);
+        let flowed = f64::from(steps);
+        assert_eq!(windows.whole(0), Flow { made: whole, flowed, moved: 0.0 });
+        assert_eq!(windows.whole(1), Flow { made: 0.0, flowed, moved: 0.0 });
+        assert_eq!(windows.fraction(1, 0.0, 0.0), 0.0);
     }
 
     #[test]
@@ -125,19 +131,22 @@ mod tests {
                 // A contact of 30 steps: its first makes 13 % of the energy that flows in and out.
                 let made = if step == at { 0.13 * 30.0 } else { 0.0 };
                 let flowed = if (at..at + 30).contains(&step) { 1.0 } else { 1e-3 };
-                windows.add(&[Flow { made, flowed }]);
+                windows.add(&[Flow { made, flowed, moved: made }]);
             }
             assert!(windows.whole(0).fraction() < 0.04);
-            let fraction = windows.fraction(0, 0.0);
+            let fraction = windows.fraction(0, 0.0, 0.0);
             assert!((0.1..=0.13).contains(&fraction), "{fraction} where it begins in step {at}");
-            let fraction = windows.fraction(0, 390.0);
+            let of = |least: f64, unknown: f64| windows.fraction(0, least, unknown);
+            let fraction = of(390.0, 0.0);
             assert!((fraction - 0.01).abs() < 1e-12, "{fraction} of 390 J, 3.9 J made");
+            assert!((of(390.0, 0.25) - 0.0075).abs() < 1e-12, "a quarter of a newton over 3.9 m");
+            assert_eq!(of(390.0, 1.0), 0.0);
         }
     }
 
     #[test]
     fn energy_made_where_none_flowed_is_beyond_every_limit() {
-        let fraction = |made, flowed| Flow { made, flowed }.fraction();
+        let fraction = |made, flowed| Flow { made, flowed, moved: 1.0 }.fraction();
         assert_eq!(fraction(0.0, 0.0), 0.0);
         assert_eq!(fraction(1e-9, 0.0), f64::INFINITY);
         assert!(fraction(f64::NAN, f64::NAN).is_nan());

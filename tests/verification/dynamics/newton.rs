@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use whirl_solver::Error;
 use whirl_solver::bearing::{Bearing, SpringLaw};
-use whirl_solver::dynamics::{March, MarchOptions, NewtonOptions, march};
+use whirl_solver::dynamics::{HalvedAt, March, MarchOptions, NewtonOptions, march};
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -143,6 +143,11 @@ fn step_cutting_saves_the_plain_method() {
     options.steps = 3;
     let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(())).expect("halves");
     assert!(outcome.halved_steps > 0);
+    // The springs go from one side to the other.
+    let halved = outcome.quality.halved;
+    assert_eq!((halved.steps, halved.of), (outcome.halved_steps, 3));
+    assert!(halved.halvings >= halved.steps as u64, "{halved:?}");
+    assert_eq!(halved.at, Some(HalvedAt::Bearing(0)));
     let times = outcome.history.column("t_s").expect("a column");
     for (row, time) in times.iter().enumerate() {
         assert!((time - 1e-3 * (row + 1) as f64).abs() < 1e-15, "back on the grid: {time}");

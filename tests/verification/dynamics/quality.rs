@@ -117,6 +117,59 @@ fn what_rings_faster_than_the_step_is_not_sound() {
     }
 }
 
+/// A mass that nothing holds where the march begins, and a stop of 1e9 N/m in all but its first step: it is judged as the
+/// oscillator that it then is.
+#[test]
+fn what_holds_a_body_in_the_run_judges_it_not_what_did_at_the_start() {
+    let outcome = |ratio: f64| {
+        let shaft = Shaft::lumped(1.0, [0.0; 2], [0.0; 2], 0.0);
+        let mut mass = parts(shaft, Support::rigid(&[]), Rotation::Held);
+        mass.laws = vec![Box::new(&STIFF)];
+        mass.bearings = vec![stops("above", 1e-12, &[0.0], 0)];
+        let node = &mass.bodies[0].nodes()[0];
+        mass.loads = vec![force(node, [1e3, 0.0, 0.0], TimeFunction::Constant, Frame::Space)];
+        let time_step = ratio / 1e9_f64.sqrt();
+        let outcome = run(&Machine::new(mass).expect("a machine"), time_step, 4000, [0.0; 2]);
+        (verdict(&outcome, time_step), outcome.quality)
+    };
+    // Of the oscillator on paper above, over twice its amplitude.
+    for ratio in [0.2, 0.5] {
+        let (found, quality) = outcome(ratio);
+        let largest = ratio.powi(2) / 12.0 * (0.5 * ratio).atan().sin();
+        assert!((quality.largest_local_error / largest - 1.0).abs() < 0.01, "{quality:?}");
+        assert_eq!(found.is_empty(), ratio < 0.3, "{found:?}");
+    }
+    let (found, quality) = outcome(2.0);
+    let fast = found.iter().find(|own| own.what.contains("faster than the step"));
+    // 0.3/ω.
+    assert!(fast.is_some_and(|own| own.remedy.contains("9.4e-6 s")), "{found:?} {quality:?}");
+}
+
+/// The other way: a stop that no step resolves holds the mass where it begins, and lets it go onto a soft spring.
+#[test]
+fn what_held_a_body_at_the_start_only_hides_nothing_after_it() {
+    let (omega, ratio, damping) = (100.0, 0.5, 0.05);
+    let shaft = Shaft::lumped(1.0, [0.0; 2], [2.0 * damping * omega; 2], 0.0);
+    let mut mass = parts(shaft, Support::rigid(&[]), Rotation::Held);
+    mass.laws = vec![Box::new(&STIFF), Box::new(&GENTLE)];
+    mass.bearings = vec![stops("above", 1e-12, &[0.0], 0), stops("below", 1e-12, &[PI], 1)];
+    let node = &mass.bodies[0].nodes()[0];
+    mass.loads = vec![force(node, [-10.0, 0.0, 0.0], TimeFunction::Constant, Frame::Space)];
+    let machine = Machine::new(mass).expect("a machine");
+    let quality = run(&machine, ratio / omega, 100, [2e-12, 0.0]).quality;
+    // Within the damping of half a swing, 15 %, that of the oscillator on paper over twice its amplitude.
+    let largest = ratio.powi(2) / 12.0 * (0.5 * ratio).atan().sin();
+    assert!((quality.largest_local_error / largest - 1.0).abs() < 0.15, "{quality:?}");
+}
+
+/// A stop of 1e4 N/m.
+static GENTLE: Formula = Formula {
+    name: "gentle",
+    inputs: &["h"],
+    outputs: &["Q"],
+    value: |z| vec![if z[0].re < 0.0 { z[0] * -1e4 } else { z[0] * 0.0 }],
+};
+
 static PRESSED: Formula = Formula {
     name: "pressed",
     inputs: &["h"],

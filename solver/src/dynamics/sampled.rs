@@ -1,0 +1,203 @@
+//! What is measured of the steps that are sampled, by the parts of the machine: their local error, how far they go, and what
+//! they move in modes that they do not resolve.
+
+use serde::{Deserialize, Serialize};
+
+use super::histogram::Histogram;
+use super::linearised::Kind;
+use super::newmark::State;
+use super::parts::Part;
+use super::quality::{QualityMeter, larger, scattered};
+use super::system::System;
+
+/// What is carried of a part of the machine (m).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct PartSums {
+    /// Whether the modes are no longer those in which it moves, and were not taken anew yet.
+    changed: bool,
+    /// Whether it moves in modes that would not be judged, and should be.
+    unknown: bool,
+    /// Of the steps of which it could be judged.
+    pub(super) errors: Histogram,
+    pub(super) largest_error: f64,
+    /// Largest displacement in the modes in which it is judged, in those that are faster, and in all directions.
+    amplitude: f64,
+    unresolved_amplitude: f64,
+    pub(super) displacement: f64,
+    /// Motion in a step in modes that are not resolved.
+    pub(super) motions: Histogram,
+    /// The most kinetic energy, without rotations (J).
+    pub(super) kinetic: f64,
+}
+
+impl PartSums {
+    pub(super) fn new() -> Self {
+        PartSums {
+            changed: false,
+            unknown: false,
+            errors: Histogram::new(),
+            largest_error: 0.0,
+            amplitude: 0.0,
+            unresolved_amplitude: 0.0,
+            displacement: 0.0,
+            motions: Histogram::new(),
+            kinetic: 0.0,
+        }
+    }
+
+    /// Largest displacement that measures are fractions of (m).
+    pub(super) fn reach(&self) -> f64 {
+        self.amplitude.hypot(self.unresolved_amplitude)
+    }
+}
+
+/// Steps from one linearisation to the next, at least. Of many unknowns it is as dear as thousands of steps, so that they are
+/// n² apart: together they take a few hundredths of the time that steps do.
+fn apart(unknowns: usize) -> u64 {
+    const LEAST: u64 = 64;
+    LEAST.max((unknowns as u64).pow(2))
+}
+
+impl QualityMeter {
+    /// Measures a step of `dt` s that ends at a state just evaluated.
+    pub(super) fn sample(&mut self, system: &mut System, dt: f64, start: &State, end: &State) {
+        self.parts.displacement(end, &mut self.motion);
+        self.parts.displacement(start, &mut self.before);
+        self.motion.iter_mut().zip(&self.before).for_each(|(out, before)| *out -= before);
+        self.move_parts(dt);
+        if self.is_compared() {
+            self.compare();
+            for (sums, moved) in self.sums.parts.iter_mut().zip(&self.moved) {
+                let changed = self.linearised.changed(dt, moved, sums.displacement);
+                sums.changed = changed.contains(&true);
+                let [free, _, fast] = changed;
+                sums.unknown = free || fast;
+            }
+        }
+        let changed = self.sums.parts.iter().any(|own| own.changed);
+        if changed && self.may_linearise() && self.linearise(system, end) {
+            self.sums.parts.iter_mut().for_each(|own| (own.changed, own.unknown) = (false, false));
+            self.move_parts(dt);
+        }
+        self.add_errors(dt, start, end);
+        self.add_displacement(end);
+    }
+
+    /// Whether the modes are compared with the motion of the step: of few unknowns in each that is sampled.
+    fn is_compared(&self) -> bool {
+        const FEW: usize = 32;
+        let steps = self.sums.steps;
+        let now_and_then = steps < 8 || steps < 128 && steps.is_multiple_of(16);
+        self.motion.len() <= FEW || now_and_then || scattered(steps).is_multiple_of(256)
+    }
+
+    /// Whether the last linearisation is so long ago that another one costs little; the first one after the start is due at
+    /// once.
+    fn may_linearise(&self) -> bool {
+        let sums = &self.sums;
+        let passed = sums.steps - sums.linearised_at;
+        passed >= if sums.linearised_at == 0 { 1 } else { apart(self.motion.len()) }
+    }
+
+    /// Linearises at a state that was just evaluated; whether it could be done.
+    fn linearise(&mut self, system: &mut System, state: &State) -> bool {
+        let place = (&mut self.sums.linearised, state);
+        let done = self.linearised.renew(system, &self.parts.all, place).is_ok();
+        if done {
+            self.sums.linearised_at = self.sums.steps;
+            self.sums.fastest = larger(self.sums.fastest, self.linearised.fastest());
+        }
+        done
+    }
+
+    /// Tells apart by kinds of modes what the parts moved by, which is in `motion`.
+    fn move_parts(&mut self, dt: f64) {
+        let QualityMeter { linearised, parts, motion, kinds, moved, .. } = self;
+        for (place, (kind, own)) in Kind::ALL.into_iter().zip(kinds).enumerate() {
+            linearised.part(kind, dt, motion, own);
+            for (moved, part) in moved.iter_mut().zip(&parts.all) {
+                moved.mass = part.mass();
+                moved.squares[place] = moved.mass * part.measure(own).powi(2);
+            }
+        }
+    }
+
+    /// Compares the elastic forces of the step with those by the stiffness in the modes, along the motion in every kind of them.
+    fn compare(&mut self) {
+        let QualityMeter { linearised, parts, kinds, moved, change, within, .. } = self;
+        let work = |part: &Part, motion: &[f64], force: &[f64]| -> f64 {
+            let own = motion[part.place.clone()].iter().zip(&force[part.place.clone()]);
+            own.map(|(x, f)| x * f).sum()
+        };
+        for (place, own) in kinds.iter().enumerate() {
+            linearised.pull(own, within);
+            change.iter_mut().zip(&*within).for_each(|(change, pulled)| *change -= pulled);
+            for (moved, part) in moved.iter_mut().zip(&parts.all) {
+                moved.works[place] = work(part, own, within);
+            }
+        }
+        for (place, own) in kinds.iter().enumerate() {
+            for (moved, part) in moved.iter_mut().zip(&parts.all) {
+                moved.changes[place] = work(part, own, change);
+            }
+        }
+    }
+
+    /// Adds the error of a step of `dt` s, and its motion in modes that are not resolved. Where the modes of a part are not those
+    /// of the machine any more, and cannot be taken anew yet, its whole motion counts.
+    fn add_errors(&mut self, dt: f64, start: &State, end: &State) {
+        let factor = self.method.error_factor(dt);
+        let first = end.a.len() - self.motion.len();
+        let ends = end.a[first..].iter().zip(&start.a[first..]);
+        self.motion.iter_mut().zip(ends).for_each(|(out, (end, start))| *out = end - start);
+        for kind in [None, Some(Kind::Free), Some(Kind::Resolved)] {
+            match kind {
+                None => self.within.copy_from_slice(&self.motion),
+                Some(kind) => self.linearised.part(kind, dt, &self.motion, &mut self.within),
+            }
+            self.parts.refer(&mut self.within);
+            for number in 0..self.moved.len() {
+                let unknown = self.sums.parts[number].unknown;
+                let own = match (unknown, self.linearised.is_held(number)) {
+                    (true, _) => None,
+                    (false, false) => Some(Kind::Free),
+                    (false, true) => Some(Kind::Resolved),
+                };
+                if own != kind {
+                    continue;
+                }
+                let error = factor * self.parts.all[number].measure(&self.within);
+                let (sums, moved) = (&mut self.sums.parts[number], &self.moved[number]);
+                if kind.is_none() || self.linearised.resolves(number, dt) {
+                    sums.errors.add(error);
+                    sums.largest_error = larger(sums.largest_error, error);
+                }
+                let [.., fast] = moved.squares;
+                sums.motions.add(if kind.is_none() { 0.0 } else { (fast / moved.mass).sqrt() });
+            }
+        }
+    }
+
+    /// Adds the displacement of a state to the largest.
+    pub(super) fn add_displacement(&mut self, state: &State) {
+        let dt = self.steps.most();
+        let QualityMeter { sums, linearised, parts, motion, within, .. } = self;
+        let rates = &state.v[state.v.len() - motion.len()..];
+        parts.displacement(state, motion);
+        for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
+            sums.displacement = larger(sums.displacement, part.measure(motion));
+            sums.kinetic = larger(sums.kinetic, part.kinetic_energy(rates));
+        }
+        for kind in Kind::ALL {
+            linearised.part(kind, dt, motion, within);
+            for (number, (sums, part)) in sums.parts.iter_mut().zip(&parts.all).enumerate() {
+                let largest = match kind {
+                    Kind::Fast => &mut sums.unresolved_amplitude,
+                    Kind::Free if linearised.is_held(number) => continue,
+                    Kind::Free | Kind::Resolved => &mut sums.amplitude,
+                };
+                *largest = larger(*largest, part.measure(within));
+            }
+        }
+    }
+}
