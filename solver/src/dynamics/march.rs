@@ -51,7 +51,7 @@ pub struct MarchOptions {
 impl MarchOptions {
     /// Δt (s), if the march takes equal steps by the trapezoidal rule.
     pub fn equal_step(&self) -> Option<f64> {
-        let equal = self.automatic.is_none() && self.newmark == Newmark::default();
+        let equal = self.automatic.is_none() && self.integrator == Integrator::default();
         equal.then_some(self.time_step)
     }
 }

@@ -46,7 +46,7 @@ impl MachineModes {
         if still.is_empty() {
             return Ok(modes);
         }
-        let step = Coefficients { dt: length, a1: 1.0 / length, a2: 0.0 };
+        let step = Coefficients { dt: length, a1: 1.0 / length, ..Coefficients::at_rest() };
         let tangent = unknown_tangent(system, state, &step);
         let forces = multiply(tangent.view(), modes.vectors.columns(still.clone()));
         let acting = transpose_multiply(modes.vectors.view(), forces.view());

@@ -126,7 +126,7 @@ fn what_stands_in_space_is_damped_falsely_by_the_third_power_of_the_step() {
         let expected = push / (k + m * false_inertia + c * s1);
         let own = MarchOptions {
             integrator,
-            initial: equilibrium(&machine, &[None]).expect("is there").bodies,
+            initial: equilibrium(&machine, &[None], None).expect("is there").bodies,
             ..options(dt, (1.0 / dt).round() as usize)
         };
         let mut last = Complex64::default();

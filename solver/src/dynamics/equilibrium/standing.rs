@@ -6,7 +6,7 @@ use super::equilibrium;
 use super::tests::{bearing, load};
 use crate::attached::Disc;
 use crate::bearing::Bearing;
-use crate::dynamics::{BodyStart, March, MarchOptions, Newmark, NewtonOptions};
+use crate::dynamics::{BodyStart, Integrator, March, MarchOptions, NewtonOptions, SteadyRule};
 use crate::gravity::weights;
 use crate::loads::Frame;
 use crate::machine::{Body, Machine, MachineParts, Rotation};
@@ -69,9 +69,10 @@ fn drift(machine: &Machine, initial: Vec<BodyStart>, dt: f64, steps: usize) -> f
         time_step: dt,
         automatic: None,
         steps,
-        newmark: Newmark::default(),
+        integrator: Integrator::default(),
         newton: NewtonOptions { force_tolerance: 1e-9, ..NewtonOptions::default() },
         cycle: None,
+        steady_rule: SteadyRule::default(),
         stop_when_steady: false,
         initial,
     };
@@ -130,9 +131,10 @@ fn accelerations_at_the_start_are_those_of_what_stands() {
             time_step: DT,
             automatic: None,
             steps: 1,
-            newmark: Newmark::default(),
+            integrator: Integrator::default(),
             newton: NewtonOptions::default(),
             cycle: None,
+            steady_rule: SteadyRule::default(),
             stop_when_steady: false,
             initial: found.bodies.clone(),
         };
