@@ -15,6 +15,45 @@ pub trait Shared<L> {
     fn run(self) -> Self::Output;
 }
 
+/// The functions that are computed one value after the other: `$macro!` of a list of documentation, name and value.
+macro_rules! each_function {
+    ($macro:ident) => {
+        $macro! {
+            "eᵃ.", exp = libm::exp;
+            "ln a.", ln = libm::log;
+            "sin a.", sin = libm::sin;
+            "cos a.", cos = libm::cos;
+            "tan a.", tan = libm::tan;
+            "arctan a.", atan = libm::atan;
+            "tanh a.", tanh = libm::tanh;
+            "arsinh a.", asinh = libm::asinh;
+            "erf a.", erf = libm::erf;
+        }
+    };
+}
+#[cfg(test)]
+pub(crate) use each_function;
+
+macro_rules! methods {
+    ($($about:literal, $name:ident = $value:path;)*) => {
+        $(
+            #[doc = $about]
+            #[inline(always)]
+            fn $name(self) -> Self {
+                self.each($value)
+            }
+        )*
+    };
+}
+
+macro_rules! names {
+    ($($about:literal, $name:ident = $value:path;)*) => {
+        /// Names of the functions that lanes compute one value after the other.
+        pub const FUNCTIONS: &[&str] = &[$(stringify!($name)),*];
+    };
+}
+each_function!(names);
+
 /// A lane of numbers. Kernels are generic over it: `f64` computes one cell or spring at a time, wider
 /// lanes compute several, and a dual number differentiates the same text. An `f64` operand stands for
 /// the same value in every lane.
@@ -55,51 +94,7 @@ pub trait Lane:
     /// A function of every lane, one value after the other. Those below come from one pinned implementation, so
     /// that every lane type, the tape and every platform give the same bits.
     fn each(self, function: fn(f64) -> f64) -> Self;
-    /// eᵃ.
-    #[inline(always)]
-    fn exp(self) -> Self {
-        self.each(libm::exp)
-    }
-    /// ln a.
-    #[inline(always)]
-    fn ln(self) -> Self {
-        self.each(libm::log)
-    }
-    /// sin a.
-    #[inline(always)]
-    fn sin(self) -> Self {
-        self.each(libm::sin)
-    }
-    /// cos a.
-    #[inline(always)]
-    fn cos(self) -> Self {
-        self.each(libm::cos)
-    }
-    /// tan a.
-    #[inline(always)]
-    fn tan(self) -> Self {
-        self.each(libm::tan)
-    }
-    /// arctan a.
-    #[inline(always)]
-    fn atan(self) -> Self {
-        self.each(libm::atan)
-    }
-    /// tanh a.
-    #[inline(always)]
-    fn tanh(self) -> Self {
-        self.each(libm::tanh)
-    }
-    /// arsinh a.
-    #[inline(always)]
-    fn asinh(self) -> Self {
-        self.each(libm::asinh)
-    }
-    /// erf a.
-    #[inline(always)]
-    fn erf(self) -> Self {
-        self.each(libm::erf)
-    }
+    each_function!(methods);
     /// aᵇ for a real exponent b, a > 0.
     fn powf(self, exponent: Self) -> Self;
     /// a < b.

@@ -26,7 +26,7 @@ mod wide;
 mod x86;
 
 pub use cell_kernel::{CellKernel, FormKernel, StressKernel, Structure};
-pub use lane::{Lane, Shared};
+pub use lane::{FUNCTIONS, Lane, Shared};
 pub use matrices::{Batch, CellMatrix, Matrix};
 pub use origin::{Origin, Variable};
 pub use registers::{Register, Registers};

@@ -1,5 +1,6 @@
 //! Kernels of cells on every kind of register that this processor has.
 
+use whirl_codegen::operation::Function;
 use whirl_specs::{Batch, CellMatrix, ELEMENTS, Element, FormKernel, Registers};
 
 /// Not a whole number of registers of any width.
@@ -39,6 +40,14 @@ fn evaluate(kernel: &FormKernel, nodes: usize, cells: &[f64]) -> (Vec<f64>, Vec<
 
 fn bits(values: &[f64]) -> Vec<u64> {
     values.iter().map(|value| value.to_bits()).collect()
+}
+
+/// Lanes test all functions that they have: those of formulas are among them. |a| is an operator of theirs.
+#[test]
+fn lanes_have_the_functions_of_formulas() {
+    let of_formulas = Function::ALL.iter().map(|function| function.lane());
+    let of_formulas: Vec<&str> = of_formulas.filter(|name| *name != "abs").collect();
+    assert_eq!(of_formulas, whirl_specs::FUNCTIONS);
 }
 
 /// What the processor says of itself decides what is tested: none that it has is left out.

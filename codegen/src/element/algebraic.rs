@@ -1,6 +1,8 @@
 //! Exact numbers with square roots: a tower of quadratic extensions of the rationals, in which sums over the
 //! points of a rule are exact and cheap.
 
+mod roots;
+
 use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
@@ -14,9 +16,6 @@ const BITS: u32 = 320;
 
 /// Most roots of one field: numbers have up to 2^roots coefficients.
 const ROOTS: usize = 8;
-
-/// Largest prime that is taken out of a square root; a larger square is kept as it is.
-const PRIMES: u32 = 1000;
 
 /// Most bits of a numerator or denominator of a number that is read, and most coefficients: what is done with
 /// the points of a rule afterwards takes time that grows with both.
@@ -180,72 +179,6 @@ impl Field {
         Some(self.multiply(&conjugate, &self.inverse(&norm)?))
     }
 
-    /// √a, in a field that grows where it must; an error of a negative number, or past `ROOTS`.
-    fn bounded_root(&mut self, a: &Algebraic) -> Result<Algebraic, ReadError> {
-        if a.is_zero() {
-            return Ok(Algebraic::default());
-        }
-        if self.fixed(a).is_negative() {
-            return Err(ReadError::Roots);
-        }
-        // a = (n/d)·b, where b has whole coefficients without a common divisor.
-        let divisor = |f: fn(&BigInt, &BigInt) -> BigInt, part: fn(&Rational) -> BigInt| {
-            a.0.values().map(part).fold(None, |common: Option<BigInt>, next| {
-                Some(common.map_or(next.abs(), |common| f(&common, &next)))
-            })
-        };
-        let numerator = divisor(gcd, Rational::numer).ok_or(ReadError::Roots)?;
-        let denominator =
-            divisor(|a, b| a / gcd(a, b) * b, Rational::denom).ok_or(ReadError::Roots)?;
-        let content = Rational::new(numerator.clone(), denominator.clone());
-        let mut root = self.root_of_whole(numerator * &denominator)?;
-        root = root.times(&Rational::new(BigInt::one(), denominator));
-        if a.as_rational().is_none() {
-            let adjoined = self.adjoin(a.times(&content.recip()))?;
-            root = self.bounded_product(&root, &adjoined)?;
-        }
-        Ok(root)
-    }
-
-    /// √n by the roots of its primes, which are independent of each other.
-    fn root_of_whole(&mut self, mut n: BigInt) -> Result<Algebraic, ReadError> {
-        let mut root = Algebraic::rational(Rational::one());
-        let whole = |n: BigInt| Algebraic::rational(Rational::from(n));
-        let mut prime = 2;
-        while prime < PRIMES && BigInt::from(prime * prime) <= n {
-            let p = BigInt::from(prime);
-            while (&n % (&p * &p)).is_zero() {
-                n /= &p * &p;
-                root = root.times(&Rational::from(p.clone()));
-            }
-            if (&n % &p).is_zero() {
-                n /= &p;
-                let factor = self.adjoin(whole(p))?;
-                root = self.bounded_product(&root, &factor)?;
-            }
-            prime += 1;
-        }
-        let exact = n.sqrt();
-        let rest = if &exact * &exact == n { whole(exact) } else { self.adjoin(whole(n))? };
-        self.bounded_product(&root, &rest)
-    }
-
-    /// The root of this square, which is in the field already or is added to it.
-    fn adjoin(&mut self, square: Algebraic) -> Result<Algebraic, ReadError> {
-        let known = self.squares.iter().position(|known| *known == square);
-        let place = match known {
-            Some(place) => place,
-            None if self.squares.len() == ROOTS => return Err(ReadError::Roots),
-            None if !square.is_moderate() => return Err(ReadError::Size),
-            None => {
-                self.roots.push((self.fixed(&square) << BITS).sqrt());
-                self.squares.push(square);
-                self.squares.len() - 1
-            }
-        };
-        Ok(Algebraic(BTreeMap::from([(1 << place, Rational::one())])))
-    }
-
     /// A number of a graph.
     ///
     /// # Errors
@@ -334,14 +267,6 @@ impl Algebra for Field {
     }
 }
 
-fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
-    let (mut a, mut b) = (a.abs(), b.abs());
-    while !b.is_zero() {
-        (a, b) = (b.clone(), a % b);
-    }
-    a
-}
-
 /// The product of two numbers times 2^BITS.
 pub(crate) fn product(a: &BigInt, b: &BigInt) -> BigInt {
     (a * b) >> BITS
@@ -385,6 +310,15 @@ mod tests {
             ("1/sqrt(3)", "sqrt(3)/3"),
             ("sqrt(12)*sqrt(3)", "6"),
             ("1/(1 + sqrt(2))", "sqrt(2) - 1"),
+            // The root of a square of the field, and of such a square times one of its roots.
+            ("sqrt(3 + 2*sqrt(2))", "1 + sqrt(2)"),
+            ("1/(sqrt(3 + 2*sqrt(2)) + 1 + sqrt(2))", "(sqrt(2) - 1)/2"),
+            ("sqrt(5 + 2*sqrt(6))", "sqrt(2) + sqrt(3)"),
+            ("sqrt(5 - 2*sqrt(6))", "sqrt(3) - sqrt(2)"),
+            ("sqrt(3 - 2*sqrt(2))*(1 + sqrt(2))", "1"),
+            ("sqrt(sqrt(2) + 1)*sqrt(sqrt(2) - 1)", "1"),
+            ("sqrt(1022117)", "sqrt(1009)*sqrt(1013)"),
+            ("1/(sqrt(2 + sqrt(3)) - sqrt(6)/2)", "sqrt(2)"),
             ("sqrt(3/7 - 2*sqrt(30)/35)*sqrt(35)", "sqrt(15 - 2*sqrt(30))"),
             ("1/sqrt(15 - 2*sqrt(30))", "sqrt(15 - 2*sqrt(30))*(15 + 2*sqrt(30))/105"),
         ] {

@@ -86,6 +86,11 @@ impl Graph {
         self.signatures.agree(a, b)
     }
 
+    /// Whether a scalar has one value at all the fixed points, to rounding.
+    pub(crate) fn seems_constant(&self, id: Id) -> bool {
+        self.signatures.is_steady(id)
+    }
+
     /// Evaluates all nodes, those to come too, at other points.
     pub(crate) fn evaluate_at(&mut self, points: Points) {
         self.signatures.move_to(points, &self.nodes, &self.shapes);
@@ -99,6 +104,20 @@ impl Graph {
     /// To be called by a pass for every node that it puts another in the place of: they must agree.
     pub(crate) fn keep(&mut self, old: Id, new: Id) {
         if old != new && !self.exceeded && !self.same_signature(old, new) {
+            self.changed.get_or_insert(old);
+        }
+    }
+
+    /// [`Graph::keep`] of a pass that puts Σ factor·scalar·rest in the place of a node.
+    pub(crate) fn keep_sum(&mut self, old: Id, parts: &[(Rational, Id, Id)]) {
+        if !self.exceeded && !self.signatures.is_sum(old, self.shape(old), parts) {
+            self.changed.get_or_insert(old);
+        }
+    }
+
+    /// [`Graph::keep`] of a pass that puts factor·(a·b) in the place of a scalar.
+    pub(crate) fn keep_dot(&mut self, old: Id, factor: &Rational, vectors: [Id; 2]) {
+        if !self.exceeded && !self.signatures.is_dot(old, factor, vectors) {
             self.changed.get_or_insert(old);
         }
     }

@@ -104,6 +104,32 @@ impl Signatures {
         let (a, b) = (self.of(a), self.of(b));
         a.len() == b.len() && a.iter().zip(b).all(|(a, b)| agree(a, b))
     }
+
+    /// Whether a node agrees at all points with Σ factor·scalar·rest, whose rests have its shape.
+    pub(super) fn is_sum(&self, id: Id, shape: Shape, parts: &[(Rational, Id, Id)]) -> bool {
+        let size = size(shape);
+        self.of(id).iter().enumerate().all(|(place, expected)| {
+            let terms = parts.iter().map(|(factor, scalar, rest)| {
+                number(factor).mul(&self.of(*scalar)[place / size]).mul(&self.of(*rest)[place])
+            });
+            agree(expected, &terms.fold(exactly(0.0), |sum, term| sum.add(&term)))
+        })
+    }
+
+    /// Whether a scalar agrees at all points with factor·(a·b) of two vectors.
+    pub(super) fn is_dot(&self, id: Id, factor: &Rational, [a, b]: [Id; 2]) -> bool {
+        let vectors = self.of(a).chunks(N).zip(self.of(b).chunks(N));
+        self.of(id).iter().zip(vectors).all(|(expected, (a, b))| {
+            let products = a.iter().zip(b).map(|(a, b)| a.mul(b));
+            let dot = products.fold(exactly(0.0), |sum, product| sum.add(&product));
+            agree(expected, &number(factor).mul(&dot))
+        })
+    }
+
+    /// Whether a scalar agrees with itself from point to point.
+    pub(super) fn is_steady(&self, id: Id) -> bool {
+        self.of(id).windows(2).all(|pair| agree(&pair[0], &pair[1]))
+    }
 }
 
 const NOTHING: Rounded = Rounded { value: f64::NAN, error: f64::NAN };

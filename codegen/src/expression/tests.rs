@@ -345,6 +345,38 @@ fn the_normal_form_decides_equality() {
     }
 }
 
+/// What passes put in the place of a node without a node of their own.
+#[test]
+fn sums_and_dot_products_in_the_place_of_a_node_are_compared_with_it() {
+    let one = || Rational::from(1);
+    for (expression, parts, kept) in [
+        ("a*b*S*x - c*H*x", [(1, "a*b", "S*x"), (-1, "c", "H*x")], true),
+        ("a*b*S*x - c*H*x", [(1, "a*b", "S*x"), (1, "c", "H*x")], false),
+        ("a*b*S*x - c*H*x", [(1, "a", "S*x"), (-1, "c", "H*x")], false),
+        ("a*sin(b) + 2*c", [(1, "a", "sin(b)"), (2, "c", "1")], true),
+        ("a*sin(b) + 2*c", [(1, "a", "sin(b)"), (2, "c", "b")], false),
+    ] {
+        let mut bench = Bench::new();
+        let id = bench.read(expression);
+        let parts = parts
+            .map(|(f, scalar, rest)| (Rational::from(f), bench.read(scalar), bench.read(rest)));
+        bench.graph.keep_sum(id, &parts);
+        assert_eq!(bench.graph.changed().is_none(), kept, "{expression}");
+    }
+    for (a, b, factor, kept) in [
+        ("x", "H*y", one(), true),
+        ("H*x", "y", -one(), true),
+        ("H*x", "y", one(), false),
+        ("x", "S*y", one(), false),
+    ] {
+        let mut bench = Bench::new();
+        let id = bench.read("dot(x, H*y)");
+        let vectors = [a, b].map(|text| bench.read(text));
+        bench.graph.keep_dot(id, &factor, vectors);
+        assert_eq!(bench.graph.changed().is_none(), kept, "{a} and {b}");
+    }
+}
+
 #[test]
 fn signatures_tell_apart_what_differs_slightly() {
     let mut bench = Bench::new();

@@ -9,7 +9,7 @@ use num_traits::{One, Signed};
 use super::built::Takes;
 use super::function::Builtin;
 use super::series::{self, Budget};
-use super::{Formula, LIMITS, PI, Scope, Side, Term, TermKind, check};
+use super::{Formula, LIMITS, PI, Scope, Side, Term, TermKind, check, undefined};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::expression::{Function, Graph, Id, Node, Shape};
 use crate::operation::Operation;
@@ -166,10 +166,10 @@ impl<'f> Lowering<'f> {
         for (side, part) in parts {
             let id = self.term(part);
             match side {
-                Side::Against if self.graph.is_zero(id) => {
-                    self.error(Code::UNDEFINED, &part.span, "division by zero");
-                }
-                Side::Against => factors.push((id, -Rational::one())),
+                Side::Against => match undefined::division(self.graph, id) {
+                    Some(why) => self.error(Code::UNDEFINED, &part.span, why),
+                    None => factors.push((id, -Rational::one())),
+                },
                 Side::With if self.graph.shape(id) == Shape::Scalar => {
                     factors.push((id, Rational::one()));
                 }
@@ -192,9 +192,8 @@ impl<'f> Lowering<'f> {
 
     fn power(&mut self, term: &'f Term, base: &'f Term, exponent: &'f Term) -> Id {
         let (a, b) = (self.term(base), self.term(exponent));
-        let negative_base = self.graph.as_number(a).is_some_and(Signed::is_negative);
         let Some(constant) = self.graph.as_number(b).cloned() else {
-            if negative_base || self.graph.is_zero(a) {
+            if self.graph.as_number(a).is_some_and(|base| !base.is_positive()) {
                 let message = "a power that varies needs a base above zero";
                 self.error(Code::UNDEFINED, &base.span, message);
             }
@@ -205,12 +204,8 @@ impl<'f> Lowering<'f> {
             self.error(Code::LIMIT, &exponent.span, message);
             return a;
         }
-        if negative_base && !constant.is_integer() {
-            self.error(Code::UNDEFINED, &term.span, "a fractional power of a negative number");
-            return a;
-        }
-        if self.graph.is_zero(a) && constant.is_negative() {
-            self.error(Code::UNDEFINED, &term.span, "division by zero");
+        if let Some(why) = undefined::power(self.graph, a, &constant) {
+            self.error(Code::UNDEFINED, &term.span, why);
             return a;
         }
         let power = self.graph.power(a, constant);
@@ -243,7 +238,7 @@ impl<'f> Lowering<'f> {
         let constant = self.graph.as_number(a).cloned();
         match builtin {
             Builtin::Sqrt => {
-                if constant.is_some_and(|value| value.is_negative()) {
+                if undefined::power(self.graph, a, &Rational::half()).is_some() {
                     self.error(Code::UNDEFINED, &term.span, "the root of a negative number");
                 }
                 self.graph.sqrt(a)
@@ -355,6 +350,10 @@ mod tests {
         for (text, expected) in [
             ("x/(2 - 2)", "f:1:4: division by zero"),
             ("0^-1", "f:1:1: division by zero"),
+            ("1/((1 + x)^2 - 1 - 2*x - x^2)", "f:1:4: division by zero"),
+            ("(x*(x + 1) - x^2 - x)^(-1/2)", "f:1:1: division by zero"),
+            ("(x*(x + 1) - x^2 - x - n)^n", "f:1:1: a fractional power of a negative number"),
+            ("sqrt((x + 1)^2 - x^2 - 2*x - 2)", "f:1:1: the root of a negative number"),
             ("sqrt(-2)*x", "f:1:1: the root of a negative number"),
             ("log(0)", "f:1:1: the logarithm of a number that is not positive"),
             ("(-2)^n", "f:1:1: a fractional power of a negative number"),

@@ -24,6 +24,7 @@ mod lower;
 mod parse;
 mod series;
 mod token;
+pub(crate) mod undefined;
 mod unit;
 
 use std::collections::BTreeMap;

@@ -37,7 +37,10 @@ pub fn take_out(graph: &mut Graph, expression: Id, varies: &[Id]) -> Vec<(Id, Id
         };
         parts.insert(id, split);
     }
-    merged(graph, &parts[&expression])
+    let merged = merged(graph, &parts[&expression]);
+    let products: Vec<_> = merged.iter().map(|(a, b)| (Rational::one(), *a, *b)).collect();
+    graph.keep_sum(expression, &products);
+    merged
 }
 
 /// Pairs of a shared and a varying factor.

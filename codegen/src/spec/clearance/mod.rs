@@ -168,4 +168,11 @@ impl ClearanceSpec {
     pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
         read::read(file)
     }
+
+    /// Kinds of laws of this name; those of springs are laws Q(h, ḣ), too.
+    pub(crate) fn contacts_of<'s>(&'s self, name: &'s str) -> impl Iterator<Item = &'s Contact> {
+        self.contacts.iter().filter(move |contact| {
+            contact.name == name || contact.name == derive::NORMAL && name == "spring"
+        })
+    }
 }

@@ -120,3 +120,36 @@ fn errors_name_the_place() {
     assert!(error("[ring.theta]", "[ring.x_dot]").contains("that of a rate"));
     assert!(error("[ring.theta]", "[ring.dT_dh]").contains("that of a slope"));
 }
+
+/// A name of a quantity that is changed in the clearance alone is wrong there and in every law that has it.
+#[test]
+fn laws_and_clearances_have_the_same_quantities() {
+    use crate::generate::{SpecFile, generate};
+    let law = |name: &str, input: &str| SpecFile {
+        path: format!("laws/{name}.toml"),
+        text: format!(
+            "kind = \"law\"\nname = \"{name}\"\ntitle = \"t\"\nsource = \"s\"\n\
+             [inputs.h]\nunit = \"m\"\n[inputs.{input}]\nunit = \"rad/s\"\n\
+             [outputs.Q]\nunit = \"N\"\nvalue = '1e6*h + 2*omega'\n"
+        ),
+    };
+    let errors = |from: &str, to: &str| {
+        let clearance =
+            SpecFile { path: "motion/clearance.toml".to_owned(), text: JOURNAL.replace(from, to) };
+        let made = generate(&[law("turned", "omega"), clearance]);
+        made.map_or_else(|errors| errors.to_string(), |_| String::new())
+    };
+    assert_eq!(errors("", ""), "");
+    let renamed = errors("\"omega\"", "\"spin\"");
+    assert!(
+        renamed.contains("law files have no quantity `spin` for a law of a spring"),
+        "{renamed}"
+    );
+    assert!(renamed.contains("law files have no quantity `spin` for a law of a ring"), "{renamed}");
+    assert!(
+        renamed.contains("`motion/clearance.toml` gives no `omega` of a law of a spring"),
+        "{renamed}"
+    );
+    let listed = errors("\"omega\", \"v_t\"", "\"v_t\"");
+    assert!(listed.contains("gives no `omega` of a law of a spring"), "{listed}");
+}

@@ -9,7 +9,7 @@ use num_traits::{One, ToPrimitive};
 
 use crate::diagnostic::{Code, Diagnostic, suggest};
 use crate::expression::{Graph, Id, Node, Rational, normal};
-use crate::formula::{Formula, Side, Term, TermKind};
+use crate::formula::{Formula, Side, Term, TermKind, undefined};
 
 /// Component i of the test function, j of the trial function; which of (N, ∂x, ∂y, ∂z) of either.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -32,6 +32,8 @@ pub type Bilinear = BTreeMap<Place, Id>;
 pub struct Names {
     /// Properties and coefficients of the material, as symbols.
     pub scalars: BTreeMap<String, Id>,
+    /// What the symbols of coefficients stand for, over the material.
+    pub coefficients: BTreeMap<Id, Id>,
     /// Constant matrices.
     pub(crate) matrices: BTreeMap<String, [[Rational; 3]; 3]>,
     /// Stresses, as symbols of their components.
@@ -166,7 +168,7 @@ impl Expansion<'_> {
             }
             TermKind::Sum(parts) => self.sum(parts),
             TermKind::Product(parts) => self.product(parts),
-            TermKind::Power(base, exponent) => constant(self.power(base, exponent)?),
+            TermKind::Power(base, exponent) => constant(self.power(term, base, exponent)?),
             TermKind::Call { function, name, arguments } => {
                 self.call(term, function, name, arguments)
             }
@@ -255,8 +257,9 @@ impl Expansion<'_> {
             let stressed = self.stressed(&part.value) || self.stressed(&total.value);
             let value = match (part.value, total.value, side) {
                 (Value::Scalar(a), other, Side::Against) if part.degrees == [0, 0] => {
-                    if self.graph.is_zero(a) {
-                        return self.error(Code::UNDEFINED, &term.span, "division by zero");
+                    let divisor = self.seen(a);
+                    if let Some(why) = undefined::division(self.graph, divisor) {
+                        return self.error(Code::UNDEFINED, &term.span, why);
                     }
                     let inverse = self.graph.power(a, -Rational::one());
                     other.map(|id| self.graph.mul(inverse, id))
@@ -319,7 +322,17 @@ impl Expansion<'_> {
         self.graph.sum(&terms)
     }
 
-    fn power(&mut self, base: &Term, exponent: &Term) -> Result<Value, Box<Diagnostic>> {
+    /// What is known of a scalar: coefficients stand for their values.
+    fn seen(&mut self, id: Id) -> Id {
+        self.graph.substitute(id, &self.names.coefficients)
+    }
+
+    fn power(
+        &mut self,
+        term: &Term,
+        base: &Term,
+        exponent: &Term,
+    ) -> Result<Value, Box<Diagnostic>> {
         let (a, b) = (self.term(base)?, self.term(exponent)?);
         if let Some(term) = [(&a, base), (&b, exponent)].iter().find(|(p, _)| p.degrees != [0, 0]) {
             let message = "no powers of what depends on u or v";
@@ -328,8 +341,11 @@ impl Expansion<'_> {
         match (a.value, b.value) {
             (Value::Scalar(a), Value::Scalar(b)) => match self.graph.as_number(b) {
                 Some(b) if b.to_f64().is_some_and(|b| b.abs() <= 8.0) => {
-                    let b = b.clone();
-                    Ok(Value::Scalar(self.graph.power(a, b)))
+                    let (b, base) = (b.clone(), self.seen(a));
+                    match undefined::power(self.graph, base, &b) {
+                        Some(why) => self.error(Code::UNDEFINED, &term.span, why),
+                        None => Ok(Value::Scalar(self.graph.power(a, b))),
+                    }
                 }
                 _ => {
                     let message = "an exponent is a number up to 8";

@@ -280,6 +280,7 @@ impl Reader<'_> {
                         self.meanings.insert(name.clone(), Meaning { dimension, value: None });
                     }
                     values.insert(name.clone(), value);
+                    self.names.coefficients.insert(symbol, value);
                     coefficients.push(Coefficient { name, symbol, value, text });
                 }
                 Ok(_) => {

@@ -111,6 +111,29 @@ fn slips_of_the_pen_are_named() {
 }
 
 #[test]
+fn what_has_no_value_is_refused_as_in_any_formula() {
+    const FORM: &str = "lambda*div(u)*div(v) + 2*mu*inner(eps(u), eps(v))";
+    for (text, expected) in [
+        ("0^(-1)*div(u)*div(v)", "division by zero"),
+        ("(-8)^(1/3)*div(u)*div(v)", "a fractional power of a negative number"),
+        ("div(u)*div(v)/(lambda*(mu - mu))", "division by zero"),
+        // Zero only when it is multiplied out, and by what coefficients stand for.
+        ("div(u)*div(v)/((1 + nu)^2 - 1 - 2*nu - nu^2)", "division by zero"),
+        ("div(u)*div(v)*(both - mu - twice)^(-1)", "division by zero"),
+        ("div(u)*div(v)/none", "division by zero"),
+        ("less^(1/2)*div(u)*div(v)", "a fractional power of a negative number"),
+    ] {
+        let changed = stiffness_alone().replace(FORM, text);
+        let more = "none = 'nu - nu'\nless = '-4'\ntwice = '2*mu'\nboth = '3*mu'\n\n[forms]";
+        let found = read(&changed.replace("[forms]", more)).err().unwrap_or_default();
+        assert!(found.iter().any(|error| error.contains(expected)), "{text}: {found:?}");
+    }
+    for text in ["0^0*div(u)*div(v)", "(-8)^3*div(u)*div(v)", "(E - nu*E)^(1/2)*div(u)*div(v)/mu"] {
+        assert!(read(&stiffness_alone().replace(FORM, text)).is_ok(), "{text}");
+    }
+}
+
+#[test]
 fn the_stress_is_derived_from_the_form() {
     let mut spec = read(ELASTICITY).unwrap();
     let form = spec.forms[1].clone();

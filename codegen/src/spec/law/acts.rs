@@ -39,6 +39,14 @@ impl Acts {
         }
     }
 
+    /// What clearance files call the kind.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Acts::Spring => "spring",
+            Acts::Ring => "ring",
+        }
+    }
+
     /// What it is called, with its article.
     pub fn called(self) -> &'static str {
         match self {

@@ -12,7 +12,7 @@ use num_traits::{One, ToPrimitive};
 use super::{Condition, LawSpec, short};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Graph, Id, Rational, display_rounded};
-use crate::formula::{Formula, PI, TermKind, lower};
+use crate::formula::{Formula, PI, Term, TermKind, lower};
 
 /// An equation of a law.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,6 +119,8 @@ struct Derivation {
     graph: Graph,
     names: BTreeMap<String, Id>,
     inputs: Vec<Id>,
+    /// Parameters and definitions that are numbers, as bounds of sums are made of them.
+    bounds: BTreeSet<String>,
     /// Symbols of definitions with their derivatives by every input.
     chain: Vec<(Id, Vec<Id>)>,
 }
@@ -127,10 +129,11 @@ impl Derivation {
     fn new(law: &LawSpec) -> Self {
         let mut graph = Graph::new();
         let mut names = BTreeMap::from([(PI.to_string(), graph.scalar(PI))]);
-        let exponents = names_in_exponents(law);
+        let (exponents, bounds) = (names_in_exponents(law), names_in_bounds(law));
         for parameter in &law.parameters {
-            // An exponent must be a number for its power to stay one.
-            let id = match exponents.contains(&parameter.name) {
+            // An exponent must be a number for its power to stay one, and so must the bounds of sums.
+            let number = [&exponents, &bounds].iter().any(|own| own.contains(&parameter.name));
+            let id = match number {
                 true => graph.number(parameter.value.clone()),
                 false => graph.scalar(&parameter.name),
             };
@@ -140,7 +143,7 @@ impl Derivation {
         for (input, symbol) in law.inputs.iter().zip(&inputs) {
             names.insert(input.name.clone(), *symbol);
         }
-        Derivation { graph, names, inputs, chain: Vec::new() }
+        Derivation { graph, names, inputs, bounds, chain: Vec::new() }
     }
 
     fn lowered(&mut self, formula: &Formula) -> Result<Id, Diagnostics> {
@@ -155,6 +158,10 @@ impl Derivation {
             let slopes = (0..law.inputs.len()).map(|place| self.derivative(value, place)).collect();
             let text = display_rounded(&self.graph, value);
             equations.push(plain(definition.name.clone(), text));
+            if self.bounds.contains(&definition.name) {
+                self.names.insert(definition.name.clone(), value);
+                continue;
+            }
             self.declare(law, &definition.name, slopes, &mut equations);
             self.tables(law, &mut equations)?;
         }
@@ -217,19 +224,47 @@ impl Derivation {
     }
 }
 
+/// Every formula of the outputs and definitions of a law.
+fn formulas(law: &LawSpec) -> impl Iterator<Item = &Formula> {
+    let values = law.outputs.iter().flat_map(|output| &output.pieces).map(|piece| &piece.value);
+    values.chain(law.definitions.iter().map(|definition| &definition.formula))
+}
+
+fn add_names(term: &Term, names: &mut BTreeSet<String>) {
+    term.visit(&mut |part| {
+        if let TermKind::Name(name) = &part.kind {
+            names.insert(name.clone());
+        }
+    });
+}
+
 fn names_in_exponents(law: &LawSpec) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
-    let values = law.outputs.iter().flat_map(|output| &output.pieces).map(|piece| &piece.value);
-    for formula in values.chain(law.definitions.iter().map(|definition| &definition.formula)) {
+    for formula in formulas(law) {
         formula.root.visit(&mut |term| {
             if let TermKind::Power(_, exponent) = &term.kind {
-                exponent.visit(&mut |part| {
-                    if let TermKind::Name(name) = &part.kind {
-                        names.insert(name.clone());
-                    }
-                });
+                add_names(exponent, &mut names);
             }
         });
+    }
+    names
+}
+
+/// Names by which the bounds of sums are written, and those by which their definitions are.
+fn names_in_bounds(law: &LawSpec) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for formula in formulas(law) {
+        formula.root.visit(&mut |term| {
+            if let TermKind::Series { ends, .. } = &term.kind {
+                ends.iter().for_each(|end| add_names(end, &mut names));
+            }
+        });
+    }
+    // A definition has names of those before it only.
+    for definition in law.definitions.iter().rev() {
+        if names.contains(&definition.name) {
+            add_names(&definition.formula.root, &mut names);
+        }
     }
     names
 }
@@ -275,6 +310,19 @@ mod tests {
         );
         assert_eq!(equations.outputs[2].unit.as_deref(), Some("N/(mm/s)"));
         assert_eq!(equations.outputs[2].pieces[1], ("0".to_string(), None));
+    }
+
+    /// A sum whose bounds are parameters, or definitions of them.
+    #[test]
+    fn sums_up_to_a_parameter_are_written_out() {
+        let law = law("[inputs.h]\nunit = \"mm\"\nrange = [-0.1, 0.1]\n\
+             [parameters]\nZ = { value = 4, unit = \"1\" }\nk = { value = 2, unit = \"N/mm\" }\n\
+             [definitions]\nhalf = 'Z/2'\n\
+             [outputs.Q]\nunit = \"N\"\nvalue = '-k*sum(j, 1, half, j*h) - sum(j, 1, Z, k*h)'\n");
+        let equations = equations(&law).unwrap();
+        let texts: Vec<String> =
+            equations.outputs.iter().map(|e| format!("{} = {}", e.name, e.pieces[0].0)).collect();
+        assert_eq!(texts, ["Q = -7*h*k", "dQ_dh = -7*k"]);
     }
 
     /// The printed equations, read again as formulas, give the numbers of the law's own graph by a tape.

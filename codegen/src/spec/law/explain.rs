@@ -116,7 +116,8 @@ fn derived(page: &mut Page, law: &LawSpec) {
     let equations = match equations(law) {
         Ok(equations) => equations,
         Err(errors) => {
-            page.paragraph(2, &format!("too large to be written out: {errors}"));
+            let why: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
+            page.paragraph(2, &format!("too large to be written out: {}", why.join("; ")));
             return;
         }
     };

@@ -79,7 +79,7 @@ impl Compiled for ElementSpec {
         let registered = registered(self, &about, &tables.all(), [&entries, &stresses]);
         let heading = documented(&heading(self, &about));
         let name = identifier(&self.name);
-        // An self may do nothing that another does not.
+        // A kernel that calls those of an element before it may use none of these itself.
         let used = names(&functions);
         let called = ["cells", "forms", "Batch", "Lane", "Matrix", "Register"];
         let called = called.iter().filter(|name| used.contains(**name));

@@ -97,6 +97,39 @@ fn groups_map<C, D>(
 
 /// The expanded expression as a form.
 pub(super) fn form(graph: &mut Graph, expanded: Id) -> Combination<Id> {
+    let form = combination(graph, expanded);
+    let parts = parts(graph, &form);
+    graph.keep_sum(expanded, &parts);
+    form
+}
+
+/// What a combination adds up, each as factor · coefficient · vector or matrix.
+fn parts(graph: &mut Graph, form: &Combination<Id>) -> Vec<(Rational, Id, Id)> {
+    let sign = |term: &Term| Rational::from(if term.negative { -1 } else { 1 });
+    let of = |groups: &[Group<Id>]| -> Vec<(Rational, Id, Id)> {
+        let each = |group: &Group<Id>| -> Vec<_> {
+            group.terms.iter().map(|term| (sign(term), group.coefficient, term.id)).collect()
+        };
+        groups.iter().flat_map(each).collect()
+    };
+    match form {
+        Combination::Scalar(scalar) => vec![(Rational::one(), graph.integer(1), *scalar)],
+        Combination::Vector(groups) => of(groups),
+        Combination::Matrix { stored, identity, outer } => {
+            let mut parts = of(stored);
+            if let Some(coefficient) = identity {
+                parts.push((Rational::one(), *coefficient, graph.identity()));
+            }
+            for (left, groups) in outer {
+                let products = of(groups).into_iter();
+                parts.extend(products.map(|(s, c, right)| (s, c, graph.outer(*left, right))));
+            }
+            parts
+        }
+    }
+}
+
+fn combination(graph: &mut Graph, expanded: Id) -> Combination<Id> {
     match graph.shape(expanded) {
         Shape::Vector => {
             let combined = combined(graph, expanded);

@@ -226,6 +226,7 @@ fn dot_products(
     let mut dots: Vec<DotProduct> = Vec::new();
     let mut by = BTreeMap::new();
     for (dot, split) in chosen {
+        graph.keep_dot(*dot, &split.factor, [split.left, split.right]);
         let (a, b) = (split.left.min(split.right), split.left.max(split.right));
         let name = match dots.iter().find(|other| (other.a, other.b) == (a, b)) {
             Some(known) => known.name.clone(),
