@@ -75,14 +75,17 @@ pub enum ReductionError {
         modes: f64,
     },
     /// The block Lanczos iteration stopped before all modes had converged.
-    #[error("only {converged} of {asked} modes converged after {restarts} restarts")]
+    #[error(
+        "only {converged} of {asked} modes converged in {slices} slices of the spectrum: they lie closer together than \
+         rounding can tell; ask for fewer modes, or leave out cells that are much smaller or stiffer than the others"
+    )]
     NotConverged {
         /// Modes that converged.
         converged: usize,
         /// Modes wanted.
         asked: usize,
-        /// Restarts made.
-        restarts: usize,
+        /// Slices, or shifts of one, that were tried.
+        slices: usize,
     },
     /// The modes found below a frequency are not as many as the Sturm count says.
     #[error("{found} modes were found below {hertz} Hz, but the Sturm count says {counted}")]

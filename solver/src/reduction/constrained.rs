@@ -123,9 +123,24 @@ impl<'a> Split<'a> {
     }
 }
 
+/// The factor of what is left without the pins.
+enum Sparse {
+    Definite(SparseCholesky),
+    Indefinite(SparseLdlt),
+}
+
+impl Sparse {
+    fn solve_in_place(&self, rhs: &mut [f64]) {
+        match self {
+            Sparse::Definite(factor) => factor.solve_in_place(rhs),
+            Sparse::Indefinite(factor) => factor.solve_in_place(rhs),
+        }
+    }
+}
+
 /// The factor of A on the motions that constraints allow.
 pub struct ConstrainedCholesky {
-    sparse: SparseCholesky,
+    sparse: Sparse,
     free: Vec<usize>,
     pins: Vec<usize>,
     /// A⁻¹E.
@@ -154,8 +169,37 @@ impl ConstrainedCholesky {
             }
             other => other,
         })?;
+        ConstrainedCholesky::of(split, Sparse::Definite(sparse), constraints.pins, matrix.size)
+    }
+
+    /// The same of a matrix that may have negative eigenvalues, with the number of these on the motions that constraints
+    /// allow; none where the signs of pivots cannot be trusted.
+    ///
+    /// # Errors
+    /// As [`SparseLdlt::new`].
+    pub(super) fn indefinite(
+        matrix: &LowerTriangle,
+        order: &[usize],
+        constraints: Constraints,
+        limit: impl Into<MemoryLimit>,
+    ) -> Result<Option<(Self, usize)>, ReductionError> {
+        let split = Split::new(matrix, order, constraints);
+        let Some(sparse) = SparseLdlt::new(&split.sparse, &split.order, limit)? else {
+            return Ok(None);
+        };
+        let Some(negative) = split.negative(&sparse, constraints)? else { return Ok(None) };
+        let sparse = Sparse::Indefinite(sparse);
+        let factor = ConstrainedCholesky::of(split, sparse, constraints.pins, matrix.size)?;
+        Ok(Some((factor, negative)))
+    }
+
+    fn of(
+        split: Split,
+        sparse: Sparse,
+        pins: &[usize],
+        size: usize,
+    ) -> Result<Self, ReductionError> {
         let solved = split.solved(|columns| sparse.solve_in_place(columns));
-        let pins = constraints.pins.to_vec();
         let (complement, scale) = split.complement(pins.len(), &solved);
         let mut small = Matrix::identity(complement.rows);
         if small.rows > 0 {
@@ -169,7 +213,8 @@ impl ConstrainedCholesky {
                 }
             }
         }
-        Ok(ConstrainedCholesky { sparse, free: split.free, pins, solved, small, size: matrix.size })
+        let (free, pins) = (split.free, pins.to_vec());
+        Ok(ConstrainedCholesky { sparse, free, pins, solved, small, size })
     }
 
     /// Replaces each column b of `rhs` by u with A u − Cᵀλ = b and C u = 0.
@@ -216,11 +261,36 @@ impl ConstrainedCholesky {
     }
 }
 
+impl Split<'_> {
+    /// Number of negative eigenvalues on the motions that constraints allow, by the factor of what is left without the pins;
+    /// none where a sign cannot be trusted.
+    ///
+    /// With the multipliers a matrix has as many negative ones more as there are constraints; and it has those of A without
+    /// pins and those of the Schur complement (Haynsworth).
+    fn negative(
+        &self,
+        sparse: &SparseLdlt,
+        constraints: Constraints,
+    ) -> Result<Option<usize>, LinearAlgebraError> {
+        /// An eigenvalue below this part of the largest has no sign that could be trusted.
+        const ROUNDING: f64 = 1e-11;
+        if self.coupling.is_empty() {
+            return Ok(Some(sparse.inertia().negative));
+        }
+        let solved = self.solved(|columns| sparse.solve_in_place(columns));
+        let (complement, _) = self.complement(constraints.pins.len(), &solved);
+        let eigen = symmetric_eigen(&complement)?;
+        let largest = eigen.values.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        if eigen.values.iter().any(|own| own.abs() <= ROUNDING * largest) {
+            return Ok(None);
+        }
+        let all = sparse.inertia().negative + eigen.values.iter().filter(|own| **own < 0.0).count();
+        Ok(all.checked_sub(constraints.rows.len()))
+    }
+}
+
 /// Number of negative eigenvalues of a matrix on the motions that constraints allow; none where the signs of pivots cannot
 /// be trusted.
-///
-/// With the multipliers a matrix has as many negative ones more as there are constraints; and it has those of A without
-/// pins and those of the Schur complement (Haynsworth).
 ///
 /// # Errors
 /// As [`SparseLdlt::new`].
@@ -230,24 +300,11 @@ pub(super) fn negative(
     constraints: Constraints,
     limit: usize,
 ) -> Result<Option<usize>, LinearAlgebraError> {
-    /// An eigenvalue below this part of the largest has no sign that could be trusted.
-    const ROUNDING: f64 = 1e-11;
     let split = Split::new(matrix, order, constraints);
-    let Some(sparse) = SparseLdlt::new(&split.sparse, &split.order, limit)? else {
-        return Ok(None);
-    };
-    if split.coupling.is_empty() {
-        return Ok(Some(sparse.inertia().negative));
+    match SparseLdlt::new(&split.sparse, &split.order, limit)? {
+        Some(sparse) => split.negative(&sparse, constraints),
+        None => Ok(None),
     }
-    let solved = split.solved(|columns| sparse.solve_in_place(columns));
-    let (complement, _) = split.complement(constraints.pins.len(), &solved);
-    let eigen = symmetric_eigen(&complement)?;
-    let largest = eigen.values.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
-    if eigen.values.iter().any(|own| own.abs() <= ROUNDING * largest) {
-        return Ok(None);
-    }
-    let all = sparse.inertia().negative + eigen.values.iter().filter(|own| **own < 0.0).count();
-    Ok(all.checked_sub(constraints.rows.len()))
 }
 
 #[cfg(test)]

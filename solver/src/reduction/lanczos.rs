@@ -28,6 +28,9 @@ const RESIDUAL: f64 = 1e-10;
 /// What is left of a vector after orthogonalisation is noise below this part of it.
 const NOISE: f64 = 1e-14;
 const RESTARTS: usize = 60;
+/// Restarts after which an iteration without a converged pair is given up: what it looks for lies too close together, seen
+/// from the shift of its factor.
+const BARREN: usize = 12;
 
 /// Dofs below which a dense decomposition of the whole is as quick as `count` vectors by iteration, and
 /// for which the iteration might run out of dimensions.
@@ -71,6 +74,21 @@ pub(super) struct Lanczos<'a> {
     random: Random,
 }
 
+/// What an iteration came to.
+pub(super) struct Found {
+    /// θ of the wanted pairs, descending; those that have not converged are below the eigenvalues that they approach.
+    pub(super) theta: Vec<f64>,
+    /// Vectors of those that have converged, M-orthonormal.
+    pub(super) vectors: Matrix,
+}
+
+impl Found {
+    /// Whether all that were wanted have converged.
+    pub(super) fn is_whole(&self) -> bool {
+        self.vectors.cols == self.theta.len()
+    }
+}
+
 /// Approximate eigenpairs out of the basis, θ descending.
 struct Ritz {
     theta: Vec<f64>,
@@ -105,22 +123,17 @@ impl<'a> Lanczos<'a> {
         Ok(lanczos)
     }
 
-    /// Iterates until the wanted pairs have converged: θ descending and their vectors, M-orthonormal.
-    pub(super) fn run(&mut self) -> Result<(Vec<f64>, Matrix), ReductionError> {
+    /// Iterates until the wanted pairs have converged, or as long as that is of any use.
+    pub(super) fn run(&mut self) -> Result<Found, ReductionError> {
         for restart in 0..=RESTARTS {
             let ritz = self.expand()?;
-            if ritz.converged >= self.wanted {
+            let barren = restart >= BARREN && ritz.converged == 0;
+            if ritz.converged >= self.wanted || barren || restart == RESTARTS {
+                let converged = ritz.converged.min(self.wanted);
                 self.compress(&ritz, self.wanted);
-                let Columns { rows, cols, data } = self.basis.columns(0..self.wanted);
+                let Columns { rows, cols, data } = self.basis.columns(0..converged);
                 let vectors = Matrix { rows, cols, data: data.to_vec() };
-                return Ok((ritz.theta[..self.wanted].to_vec(), vectors));
-            }
-            if restart == RESTARTS {
-                return Err(ReductionError::NotConverged {
-                    converged: ritz.converged,
-                    asked: self.wanted,
-                    restarts: RESTARTS,
-                });
+                return Ok(Found { theta: ritz.theta[..self.wanted].to_vec(), vectors });
             }
             let keep = (self.wanted + self.size) / 2;
             self.compress(&ritz, keep);

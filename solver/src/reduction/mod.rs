@@ -8,6 +8,7 @@ mod lanczos;
 mod modes;
 mod partition;
 mod rigid;
+mod slices;
 mod sturm;
 
 pub use constrained::{ConstrainedCholesky, Constraints};

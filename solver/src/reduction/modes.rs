@@ -7,11 +7,12 @@ use crate::sparse::SparseMatrix;
 
 use super::constrained::{ConstrainedCholesky, Constraints};
 use super::lanczos::{Lanczos, dense_limit};
+use super::slices::Slices;
 use super::{convention, lanczos, sturm};
 use crate::error::ReductionError;
 
 /// Modes found beyond those asked for, so that there is a gap to cut in after the last one.
-const GUARD: usize = 4;
+pub(super) const GUARD: usize = 4;
 /// A multiple eigenvalue that reaches beyond the guard is searched for among this many times the modes.
 const WIDEST: usize = 8;
 /// Dofs up to which all modes are found at once where the iteration finds no gap to count in.
@@ -226,9 +227,16 @@ impl Pencil<'_> {
         let mut lanczos = Lanczos::new(factor, &mass, wanted)?;
         let mut searches = 0;
         loop {
-            let (theta, vectors) = lanczos.run()?;
-            let eigenvalues: Vec<f64> = theta.iter().map(|theta| 1.0 / theta - shift).collect();
-            let modes = Modes { eigenvalues, vectors };
+            let found = lanczos.run()?;
+            let eigenvalues: Vec<f64> =
+                found.theta.iter().map(|theta| 1.0 / theta - shift).collect();
+            if !found.is_whole() {
+                // They lie closer together than the iteration can tell from here.
+                drop(lanczos);
+                let slices = Slices::new(self, count, eigenvalues, found.vectors).modes()?;
+                return slices.map_or_else(|| self.all_dense((definite, factor), shift, count), Ok);
+            }
+            let modes = Modes { eigenvalues, vectors: found.vectors };
             let Some((below, cut, counted)) = self.count(&modes.eigenvalues, count)? else {
                 // A multiple eigenvalue reaches beyond the guard: search further up.
                 wanted *= 2;
@@ -237,8 +245,15 @@ impl Pencil<'_> {
                 if self.mass.size <= dense_limit(wanted) || hopeless && self.mass.size <= DENSE {
                     return self.all_dense((definite, factor), shift, count);
                 }
-                if hopeless {
+                if self.hides(&modes.eigenvalues) {
                     return Err(self.hidden(&modes.eigenvalues));
+                }
+                if widest {
+                    drop(lanczos);
+                    let slices =
+                        Slices::new(self, count, modes.eigenvalues, modes.vectors).modes()?;
+                    return slices
+                        .map_or_else(|| self.all_dense((definite, factor), shift, count), Ok);
                 }
                 lanczos = Lanczos::new(factor, &mass, wanted)?;
                 continue;
@@ -267,7 +282,7 @@ impl Pencil<'_> {
     }
 
     /// The error that says so, with the place of the stiffest dof in this pencil for its node.
-    fn hidden(&self, eigenvalues: &[f64]) -> ReductionError {
+    pub(super) fn hidden(&self, eigenvalues: &[f64]) -> ReductionError {
         let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
         let row = (0..k.len())
             .filter(|&a| m[a] > 0.0)
@@ -282,7 +297,7 @@ impl Pencil<'_> {
     }
 
     /// The first safe cut after `count` modes: (modes found below, λ of the cut, modes there are below).
-    fn count(
+    pub(super) fn count(
         &self,
         eigenvalues: &[f64],
         count: usize,
