@@ -264,6 +264,10 @@ fn a_sweep_that_is_wrong_says_where_and_writes_nothing() {
         ),
         ("[vary]\nstop.1.gap = []\n", &["study.toml:3:14", "has no values"]),
         ("[vary]\nstop.1.gap = [\"1 mm\", \"1 mm\"]\n", &["study.toml:3:23", "stands twice"]),
+        (
+            "[vary]\nstop.1.gap = [\"0.3 mm\", \"300 um\"]\n",
+            &["study.toml:3:25", "\"300 um\" is \"0.3 mm\" once more"],
+        ),
         ("[vary]\nstop.1.gap = \"1 mm .. 2 mm\"\n", &["1 mm .. 2 mm, 9", "how many"]),
         (
             "[vary]\nstop.1.gap = \"1 mm .. 2 mm, 1000\"\nstop.2.gap = \"1 mm .. 2 mm, 1000000\"\n",
@@ -659,6 +663,36 @@ fn states_that_are_not_what_they_were_do_not_change_a_sweep() {
     fs::write(bench.path(&format!("cut/chains/{:05}.bin", last + 1)), &other).unwrap();
     done(&bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]));
     assert!(text(&bench, "cut/table.csv") == whole, "other bytes");
+}
+
+/// A point behind one that fails goes on from an older state, or from none: it says so.
+#[test]
+fn points_behind_one_that_fails_say_from_where_they_go_on() {
+    let study = |laws: &str| {
+        format!(
+            "case = \"mass.toml\"\ncontinue = \"up\"\nalong = \"stop.1.gap\"\n\
+             together = [[\"stop.1.gap\", \"stop.1.law\"]]\n[vary]\n\
+             stop.1.gap = [\"1 mm\", \"1.1 mm\", \"1.2 mm\", \"1.3 mm\"]\nstop.1.law = [{laws}]\n"
+        )
+    };
+    let (fine, fails) = ("\"gap-linear-1e6\"", "\"root.toml\"");
+    let bench = bench(2_000, &study(&[fine, fails, fine, fine].join(", ")))
+        .file("root.toml", NO_NUMBER)
+        .file("first.toml", &study(&[fails, fine, fine, fine].join(", ")));
+    let outcome = bench.whirl(&["sweep", "study.toml"]);
+    done(&outcome);
+    let older = "goes on from point 0, as the points between failed";
+    let found = text(&bench, "results/study/table.csv");
+    let said = |found: &str, words: &str| -> Vec<bool> {
+        found.lines().skip(1).map(|line| line.contains(words)).collect()
+    };
+    assert_eq!(said(&found, older), [false, false, true, false], "{found}");
+    assert!(outcome.stderr.contains(&format!("warning: point 2 {older}")), "{}", outcome.stderr);
+    let outcome = bench.whirl(&["sweep", "first.toml"]);
+    done(&outcome);
+    let none = "begins as the case says, as the points before it failed";
+    let found = text(&bench, "results/first/table.csv");
+    assert_eq!(said(&found, none), [false, true, false, false], "{found}");
 }
 
 /// Points that fail before any of a chain has a state are not run again.

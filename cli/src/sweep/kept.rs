@@ -8,15 +8,16 @@ use whirl_solver::cache::Key;
 use super::Sweep;
 use super::folder::SweepFolder;
 use super::journal::{self, Journal, Record, Records};
-use super::row::Row;
+use super::row::{Row, Verdict};
 use crate::checkpoint::Identity;
 use crate::errors::Failure;
 
 /// The rows that are there.
 pub(super) struct Kept {
     records: Records,
-    /// Where the row of every point begins, if it is there.
+    /// Where the row of every point begins, if it is there, and whether it came to no end.
     rows: Vec<Option<u64>>,
+    failed: Vec<bool>,
     /// Lists of names that rows have.
     pub(super) names: Vec<Vec<String>>,
     /// Bytes of whole records.
@@ -40,6 +41,7 @@ impl Kept {
         let numbers: BTreeMap<Key, usize> = keys.zip(0..).collect();
         let mut kept = Kept {
             rows: vec![None; sweep.count()],
+            failed: vec![false; sweep.count()],
             names: Vec::new(),
             whole: 0,
             others: 0,
@@ -50,8 +52,11 @@ impl Kept {
             match record {
                 Record::Begin(identity) => kept.identity = Some(identity),
                 Record::Names(names) => kept.names.push(names),
-                Record::Done { point, .. } => match numbers.get(&point) {
-                    Some(number) => kept.rows[*number] = Some(start),
+                Record::Done { point, row, .. } => match numbers.get(&point) {
+                    Some(number) => {
+                        kept.rows[*number] = Some(start);
+                        kept.failed[*number] = row.verdict == Verdict::Failed;
+                    }
                     None => kept.others += 1,
                 },
             }
@@ -115,6 +120,11 @@ impl Kept {
     /// Whether a point is done.
     pub(super) fn has(&self, number: usize) -> bool {
         self.rows[number].is_some()
+    }
+
+    /// Whether a point that is done came to no end, so that no other one can go on from it.
+    pub(super) fn has_failed(&self, number: usize) -> bool {
+        self.failed[number]
     }
 
     /// The row of a point, and which of the lists of names it has; none of one that is not done.

@@ -36,6 +36,15 @@ impl Level {
         Level { node: Node { place, content }, literal }
     }
 
+    /// What it is, however it is written: a quantity in SI units and what it measures, or the text itself.
+    pub(super) fn value(&self) -> String {
+        let Some(own) = self.quantity() else { return self.literal.clone() };
+        match own.unit().rational() {
+            Some(unit) => format!("{} {:?}", own.value() * unit, own.dimension()),
+            None => format!("{:e} {:?}", own.si(), own.dimension()),
+        }
+    }
+
     /// The number with its unit, if it is one.
     pub(super) fn quantity(&self) -> Option<Quantity> {
         match &self.node.content {

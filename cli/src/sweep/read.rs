@@ -1,5 +1,6 @@
 //! From a sweep file, or a case and what the command line varies, to a sweep.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -8,7 +9,7 @@ use whirl_codegen::document::schema::Described;
 use whirl_codegen::document::tree::{Place, Tree};
 use whirl_codegen::document::{Document, Table};
 
-use super::level::quoted;
+use super::level::{Level, quoted};
 use super::points::{Along, Axis};
 use super::random::Random;
 use super::schema::MOST_POINTS;
@@ -320,11 +321,16 @@ fn twice(keys: &[Varied], axis: &Axis, errors: &mut Diagnostics) {
     if !axis.keys.iter().map(|place| &keys[*place]).all(|key| listed(&key)) {
         return;
     }
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen: BTreeMap<Vec<String>, Vec<String>> = BTreeMap::new();
     for k in 0..axis.count {
         let levels: Vec<_> = axis.keys.iter().map(|place| keys[*place].level(k)).collect();
-        if !seen.insert(levels.iter().map(|own| own.literal.clone()).collect::<Vec<_>>()) {
-            let message = format!("{} stands twice", levels[0].literal);
+        let written = levels.iter().map(|own| own.literal.clone()).collect::<Vec<_>>();
+        if let Some(first) = seen.insert(levels.iter().map(Level::value).collect(), written.clone())
+        {
+            let message = match first == written {
+                true => format!("{} stands twice", levels[0].literal),
+                false => format!("{} is {} once more", written.join(", "), first.join(", ")),
+            };
             errors.push(levels[0].node.place.error(Code::BAD_VALUE, message).help("leave it out"));
         }
     }

@@ -70,6 +70,14 @@ impl Row {
     }
 }
 
+impl Row {
+    /// Adds to what is said of the point.
+    pub(super) fn remark(&mut self, words: &str) {
+        let apart = if self.words.is_empty() { "" } else { "; " };
+        self.words = format!("{}{apart}{words}", self.words);
+    }
+}
+
 fn one_line(words: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
 }

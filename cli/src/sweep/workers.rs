@@ -127,8 +127,13 @@ fn follow(
             None => passed = 0,
         }
     }
+    // The last point before that came to its end.
+    let ended =
+        |number: &usize| is_done(number) && !kept.is_some_and(|own| own.has_failed(*number));
+    let mut last = (first..first + passed).rev().find(ended);
     for &(number, key) in &points[passed..] {
         let point = sweep.point(number);
+        let beside = (number > first && last != Some(number - 1)).then(|| goes_on_from(last));
         watch.shown.begun(watch.worker);
         let mut done = match point::run((sweep, &point), state.as_deref(), (cache, results), watch)
         {
@@ -139,6 +144,13 @@ fn follow(
                 return Break(());
             }
         };
+        if done.state.is_some() {
+            last = Some(number);
+        }
+        if let Some(words) = beside {
+            done.warnings.push(format!("point {number} {words}"));
+            done.row.remark(&words);
+        }
         if sweep.chain() > 1 {
             // The next one goes on from the last point that came to its end.
             state = done.state.take().or(state);
@@ -156,6 +168,16 @@ fn follow(
         }
     }
     Continue(())
+}
+
+/// How a point begins that does not go on from the one before it.
+fn goes_on_from(last: Option<usize>) -> String {
+    match last {
+        Some(number) => format!(
+            "goes on from point {number}, as the points between failed: it may stand on another branch of solutions"
+        ),
+        None => "begins as the case says, as the points before it failed".to_owned(),
+    }
 }
 
 /// Writes rows as they come, as many at once as there are. A point that cannot be kept stops the others, whose rows are kept.
