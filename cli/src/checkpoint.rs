@@ -4,14 +4,15 @@ use std::io;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use whirl_solver::bodies::Body;
 use whirl_solver::cache::{Key, instruction_set, pack, unpack, write_whole};
 use whirl_solver::dynamics::Checkpoint;
 
-use crate::case::Case;
+use crate::case::{Case, Start};
 use crate::errors::Failure;
-use crate::history::HistoryFile;
+use crate::history::{HistoryFile, Written};
 use crate::machine::Built;
-use crate::results::{CHECKPOINT, Results, SUMMARY};
+use crate::results::{CHECKPOINT, Results, STATE, SUMMARY};
 use crate::{history, version};
 
 /// Layout of the file.
@@ -38,6 +39,23 @@ impl Identity {
         for body in built.bodies.iter().flat_map(|facts| &facts.bodies) {
             let what = format!("the mesh of the {}, or what is made of it", body.name);
             parts.push((what, body.content.hex()));
+        }
+        // What is not reduced has its numbers from a mesh, from matrices or from the case.
+        let reduced = |name: &str| {
+            let mut facts = built.bodies.iter().flat_map(|facts| &facts.bodies);
+            facts.any(|own| own.name == name)
+        };
+        for body in built.machine.bodies.iter().filter(|body| !reduced(body.name())) {
+            let content = match body {
+                Body::Turning { name: _, shaft, rotation: _ } => Key::of(shaft),
+                Body::Standing { name: _, support } => Key::of(support),
+            };
+            parts.push((format!("what the body `{}` is made of", body.name()), content.hex()));
+        }
+        if let Start::State(folder) = &case.start {
+            let path = Path::new(folder.text()).join(STATE);
+            let content = std::fs::read(&path).map_or("none".to_owned(), |own| Key::of(&own).hex());
+            parts.push((format!("the state in `{}`", folder.text()), content));
         }
         Identity(parts)
     }
@@ -74,8 +92,8 @@ impl Identity {
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Point {
     identity: Identity,
-    /// Bytes of the history up to it.
-    pub(crate) history: u64,
+    /// The history up to it.
+    pub(crate) history: Written,
     /// Wall time of the march up to it (s).
     pub(crate) wall: f64,
     /// The march.
@@ -89,7 +107,7 @@ pub(crate) struct Point {
 pub(crate) fn write(
     path: &Path,
     identity: &Identity,
-    history: u64,
+    history: Written,
     (march, wall): (Checkpoint, f64),
 ) -> io::Result<()> {
     let point = Point { identity: identity.clone(), history, wall, march };
@@ -127,11 +145,16 @@ pub(crate) fn read(results: &Results, identity: &Identity) -> Result<Option<Poin
     if !differences.is_empty() {
         return refused(differences);
     }
-    let length = HistoryFile::open(&results.path(history::NAME)).map(|history| history.length());
-    if length.is_ok_and(|length| length >= point.history) {
-        return Ok(Some(point));
+    let path = results.path(history::NAME);
+    let length = HistoryFile::open(&path).map(|history| history.length());
+    if !length.is_ok_and(|length| length >= point.history.length) {
+        return refused(vec![format!("`{}`, which has fewer rows", history::NAME)]);
     }
-    refused(vec![format!("`{}`, which has fewer rows", history::NAME)])
+    match point.history.begins(&path) {
+        Ok(true) => Ok(Some(point)),
+        Ok(false) => refused(vec![format!("rows of `{}`", history::NAME)]),
+        Err(error) => Err(nothing(format!("cannot read `{}`: {error}", history::NAME))),
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,13 @@
 //! `whirl run`: a case from its file to its results.
 
+use std::io;
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread::Builder;
+use std::time::{Duration, Instant};
+
+use whirl_solver::history::History;
 
 use crate::arguments::{CacheArguments, RunArguments};
 use crate::case::{Case, System};
@@ -11,10 +17,15 @@ use crate::history::HistoryFile;
 use crate::machine::{self, Built};
 use crate::progress::{self, ProgressMode, Terminal};
 use crate::report::{Summary, of_orders, stops, supports};
-use crate::results::{CHECKPOINT, Results, SUMMARY};
+use crate::results::{Results, SUMMARY};
 use crate::signals::Interruption;
 use crate::simulate::{End, FolderStore, Simulated, simulate};
 use crate::{fields, figures, history, streams};
+
+/// How often a run that is being built looks for an interruption.
+const PAUSE: Duration = Duration::from_millis(20);
+/// Of the thread that builds it (bytes): as much as that of a program.
+const STACK: usize = 8 << 20;
 
 /// Runs a case: read, build, march, report. What was computed is kept however the run ends; the history is on disk
 /// before anything is made of it.
@@ -27,7 +38,11 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let case = streams::warned(|warnings| machine::read(&arguments.case, warnings))?;
     let folder = folder(arguments, &case);
     let mut results = streams::warned(|warnings| Results::open(&folder, warnings))?;
-    let built = build(&case, &arguments.cache, show)?;
+    let interruption = Interruption::install().map_err(|error| Failure::Output {
+        path: results.folder().to_path_buf(),
+        reason: format!("signal handlers cannot be installed: {error}"),
+    })?;
+    let built = build(&case, &arguments.cache, (show, &interruption))?;
     let identity = Identity::of(&case, &built);
     let from = match arguments.resume {
         true => checkpoint::read(&results, &identity)?,
@@ -44,16 +59,14 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             }
         });
     }
-    let interruption = Interruption::install().map_err(|error| Failure::Output {
-        path: results.folder().to_path_buf(),
-        reason: format!("signal handlers cannot be installed: {error}"),
-    })?;
-    let mut store = FolderStore::new((&case, &built), &mut results, identity, from.as_ref());
+    let own = identity.clone();
+    let mut store = FolderStore::new((&case, &built), &mut results, own, from.as_ref());
     let terminal = Terminal::new(show, &interruption);
     let simulated = simulate((&case, &built), &mut store, from, (&terminal, start))?;
     drop(store);
     simulated.marched.warning.iter().for_each(streams::warn);
-    report(arguments, (&case, &built), &results, (simulated, &interruption), show)
+    let both = (&results, &identity);
+    report(arguments, (&case, &built), both, (simulated, &interruption), show)
 }
 
 fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
@@ -61,14 +74,50 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
     arguments.out.clone().unwrap_or_else(usual)
 }
 
-fn build(case: &Case, arguments: &CacheArguments, show: ProgressMode) -> Result<Built, Failure> {
+/// Reads meshes and reduces bodies, on a thread of its own: an interruption does not wait for it.
+fn build(
+    case: &Case,
+    arguments: &CacheArguments,
+    (show, interruption): (ProgressMode, &Interruption),
+) -> Result<Built, Failure> {
     let cache = arguments.open();
+    let (own, (sender, receiver)) = (case.clone(), channel());
+    let work = move || {
+        let mut warnings = Vec::new();
+        let built = machine::plan(&own, &mut warnings)
+            .and_then(|plan| machine::build(&own, plan.as_ref(), cache.as_ref(), &mut warnings));
+        // Nobody waits for it any more where the run has been interrupted.
+        let _ = sender.send((built, warnings));
+    };
+    let failed = |error: io::Error| Failure::Unfinished {
+        reason: format!("no thread can be started: {error}"),
+        kept: None,
+        help: None,
+    };
+    let thread = Builder::new().stack_size(STACK).spawn(work).map_err(failed)?;
     streams::warned(|warnings| {
-        let build = || {
-            let plan = machine::plan(case, warnings)?;
-            machine::build(case, plan.as_ref(), cache.as_ref(), warnings)
+        let wait = || loop {
+            match receiver.recv_timeout(PAUSE) {
+                Ok((built, found)) => {
+                    warnings.extend(found);
+                    return built;
+                }
+                Err(RecvTimeoutError::Timeout) if interruption.asked() => {
+                    let reason = "interrupted before the first step, while the machine was built";
+                    return Err(Failure::Unfinished {
+                        reason: reason.to_owned(),
+                        kept: None,
+                        help: None,
+                    });
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => {
+                    let panic = thread.join().expect_err("it sends what it has made");
+                    resume_unwind(panic);
+                }
+            }
         };
-        progress::during(show, case.reducing(), build)
+        progress::during(show, case.reducing(), wait)
     })
 }
 
@@ -76,7 +125,7 @@ fn build(case: &Case, arguments: &CacheArguments, show: ProgressMode) -> Result<
 fn report(
     arguments: &RunArguments,
     (case, built): (&Case, &Built),
-    results: &Results,
+    (results, identity): (&Results, &Identity),
     (simulated, interruption): (Simulated, &Interruption),
     show: ProgressMode,
 ) -> Result<(), Failure> {
@@ -87,8 +136,9 @@ fn report(
     if let Some(words) = motions.as_ref().and_then(fields::Motions::without_frames) {
         streams::warn(words);
     }
-    let made =
-        made.and_then(|summary| Ok((HistoryFile::open(&results.path(history::NAME))?, summary)));
+    let path = results.path(history::NAME);
+    let names = History::for_machine(&built.machine).names().to_vec();
+    let made = made.and_then(|summary| Ok((HistoryFile::of_run(&path, &names)?, summary)));
     match made {
         Err(error) => problems.push(format!("no summary and no figures: {error}")),
         Ok((history, summary)) => {
@@ -126,10 +176,12 @@ fn report(
     let printed = closing_words.map_or(Ok(()), |words| streams::say(&words));
     let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return printed };
     problems.iter().filter(|problem| **problem != reason).for_each(streams::warn);
-    let goes_on = results.path(CHECKPOINT).exists();
+    // What others did to the folder meanwhile counts.
+    let goes_on = checkpoint::read(results, identity).is_ok_and(|point| point.is_some());
+    let rows = HistoryFile::of_run(&path, &names).is_ok_and(|own| own.has_rows());
     Err(Failure::Unfinished {
         reason,
-        kept: Some(results.folder().to_path_buf()),
+        kept: rows.then(|| results.folder().to_path_buf()),
         help: goes_on.then(|| "the same command with `--resume` goes on from there".to_string()),
     })
 }

@@ -52,6 +52,22 @@ impl Key {
     }
 }
 
+/// The key of bytes that come one after the other.
+#[derive(Debug, Clone, Default)]
+pub struct RunningKey(Sha256);
+
+impl RunningKey {
+    /// Takes in what follows.
+    pub fn add(&mut self, bytes: &[u8]) {
+        self.0.update(bytes);
+    }
+
+    /// Of all so far.
+    pub fn key(&self) -> Key {
+        Key(self.0.clone().finalize().into())
+    }
+}
+
 fn hash(bytes: &[u8]) -> [u8; HASH] {
     Sha256::digest(bytes).into()
 }

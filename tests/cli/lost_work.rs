@@ -208,6 +208,124 @@ fn another_run_is_not_resumed_and_loses_nothing() {
     assert_eq!(read(bench.path("new/history.csv")).lines().count(), 1501);
 }
 
+/// Rows before the checkpoint that are not those that the run wrote: as many, but others.
+#[cfg(unix)]
+#[test]
+fn a_history_that_was_changed_is_not_resumed() {
+    let bench = Workbench::new().file("case.toml", &case(MANY, ""));
+    let running = begin(&bench, &["run", "case.toml", "--out", "cut", "--no-figures"]);
+    running.signal("TERM");
+    assert_eq!(running.end().0, Some(1));
+    let before = read(bench.path("cut/history.csv"));
+    let (head, rows) = before.split_once('\n').expect("rows");
+    let place = rows.find(|c: char| ('1'..='8').contains(&c)).expect("a digit");
+    let mut changed = rows.to_owned();
+    changed.replace_range(place..place + 1, "9");
+    fs::write(bench.path("cut/history.csv"), format!("{head}\n{changed}")).expect("written");
+    let outcome = bench.whirl(&["run", "case.toml", "--out", "cut", "--resume"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("changed: rows of `history.csv`"), "{}", outcome.stderr);
+    fs::write(bench.path("cut/history.csv"), before).expect("written");
+    resumes(&bench);
+}
+
+/// What others do to the results of a run that is at work ends it, and what is said of it is true.
+#[cfg(unix)]
+#[test]
+fn results_that_others_take_away_end_the_run() {
+    let empty = |bench: &Workbench| {
+        drop(fs::File::create(bench.path("cut/history.csv")).expect("emptied"));
+    };
+    let remove = |bench: &Workbench| {
+        // A checkpoint may come into the folder meanwhile.
+        wait_until("no folder", || fs::remove_dir_all(bench.path("cut")).is_ok());
+    };
+    let harms: [(&dyn Fn(&Workbench), &str); 2] = [
+        (&empty, "cannot write `history.csv` after step"),
+        (&remove, "it was removed while the run wrote it"),
+    ];
+    for (harm, words) in harms {
+        let bench = Workbench::new().file("case.toml", &case(MANY * 20, ""));
+        let running = begin(&bench, &["run", "case.toml", "--out", "cut", "--no-figures"]);
+        harm(&bench);
+        let (status, said) = running.end();
+        assert_eq!(status, Some(1), "{said}");
+        assert!(said.contains(words), "`{words}` is not in: {said}");
+        for untrue in ["panicked", "are kept in", "--resume"] {
+            assert!(!said.contains(untrue), "`{untrue}` is in: {said}");
+        }
+    }
+}
+
+/// No step is waited for while meshes are read and bodies reduced.
+#[cfg(unix)]
+#[test]
+fn a_run_is_interrupted_while_its_bodies_are_reduced() {
+    let case = "include = \"hu2003-5.toml\"\ntitle = \"a fine mesh\"\n\
+                [support.dimensions]\nlayers_between = 150\n";
+    for signal in ["TERM", "INT"] {
+        let bench = Workbench::new().file("case.toml", case);
+        let running = Running::start(&bench, &["run", "case.toml", "--out", "cut", "--no-cache"]);
+        wait_until("a lock", || bench.path("cut/.lock").exists());
+        // Handlers are there right after the lock.
+        std::thread::sleep(Duration::from_millis(300));
+        running.signal(signal);
+        let (status, said) = running.end();
+        assert_eq!(status, Some(1), "{said}");
+        assert!(said.contains("interrupted before the first step"), "{said}");
+        assert!(!bench.path("cut").exists(), "nothing is written");
+    }
+}
+
+/// The state from which a run begins, and meshes of bodies that are not reduced, are part of what it is.
+#[cfg(unix)]
+#[test]
+fn a_run_whose_start_or_rigid_mesh_was_changed_is_not_resumed() {
+    const CUBE: &str = "*NODE, NSET=ALL\n1, -1, -1, 0\n2, 1, -1, 0\n3, 1, 1, 0\n4, -1, 1, 0\n\
+        5, -1, -1, 2\n6, 1, -1, 2\n7, 1, 1, 2\n8, -1, 1, 2\n*ELEMENT, TYPE=C3D8, ELSET=CUBE\n\
+        1, 1, 2, 3, 4, 5, 6, 7, 8\n";
+    let case = |steps: usize, start: &str| {
+        format!(
+            "title = \"a cube\"\n{start}[material.steel]\nyoungs_modulus = \"200 GPa\"\n\
+             poissons_ratio = 0.3\ndensity = \"7860 kg/m^3\"\n[body.cube]\nturns = \"prescribed\"\n\
+             speed = \"3000 rpm\"\nrigid = true\nmesh = \"cube.inp\"\nunits = \"cm, N, t\"\nmaterial = \"steel\"\n\
+             [joint.mount]\nkind = \"bushing\"\nsides = [{{ body = \"cube\", z = \"0 mm\" }}, {{}}]\n\
+             stiffness = {{ xx = \"1e5 N/m\", yy = \"1e5 N/m\" }}\n\
+             tilting_stiffness = {{ xx = \"10 N*m/rad\", yy = \"10 N*m/rad\" }}\n\
+             [loads.push]\nbody = \"cube\"\nz = \"0 mm\"\nforce = \"1 N\"\n\
+             [march]\ntime_step = \"1e-4 s\"\nsteps = {steps}\n"
+        )
+    };
+    let bench = Workbench::new()
+        .file("cube.inp", CUBE)
+        .file("first.toml", &case(40, ""))
+        .file("other.toml", &case(60, ""))
+        .file("case.toml", &case(MANY, "start = { from = \"first\" }\n"));
+    for name in ["first", "other"] {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--out", name, "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    }
+    let running = begin(&bench, &["run", "case.toml", "--out", "cut", "--no-figures"]);
+    running.signal("TERM");
+    let (status, said) = running.end();
+    assert_eq!(status, Some(1), "{said}");
+    let refused = |words: &str| {
+        let outcome = bench.whirl(&["run", "case.toml", "--out", "cut", "--resume"]);
+        assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+        assert!(outcome.stderr.contains(words), "`{words}` is not in: {}", outcome.stderr);
+    };
+    let first = fs::read(bench.path("first/state.bin")).expect("a state");
+    fs::copy(bench.path("other/state.bin"), bench.path("first/state.bin")).expect("copied");
+    refused("changed: the state in `first`");
+    fs::write(bench.path("first/state.bin"), first).expect("written");
+    // The same lengths in all but one direction.
+    fs::write(bench.path("cube.inp"), CUBE.replace("1, 2\n", "1, 3\n")).expect("written");
+    refused("changed: what the body `cube` is made of");
+    fs::write(bench.path("cube.inp"), CUBE).expect("written");
+    let outcome = bench.whirl(&["run", "case.toml", "--out", "cut", "--resume", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_folder_in_use_is_refused() {

@@ -37,6 +37,23 @@ impl HistoryFile {
         Ok(history)
     }
 
+    /// The history of a run with these columns.
+    ///
+    /// # Errors
+    /// As [`HistoryFile::open`]; it has other columns.
+    pub(crate) fn of_run(path: &Path, names: &[String]) -> io::Result<HistoryFile> {
+        let history = HistoryFile::open(path)?;
+        match history.names == names {
+            true => Ok(history),
+            false => Err(invalid(path, "its first line has not the names that the run wrote")),
+        }
+    }
+
+    /// Whether there are rows.
+    pub(crate) fn has_rows(&self) -> bool {
+        self.end > self.first
+    }
+
     /// Bytes of names and whole rows.
     pub(crate) fn length(&self) -> u64 {
         self.end
@@ -221,6 +238,12 @@ mod tests {
     #[test]
     fn what_is_no_history_is_an_error() {
         assert!(file("").1.is_err());
+        let (folder, history) = file("t_s,x\n1,2\n");
+        assert!(history.unwrap().has_rows());
+        let path = folder.path().join("history.csv");
+        let names = |all: [&str; 2]| all.map(str::to_owned);
+        assert!(HistoryFile::of_run(&path, &names(["t_s", "x"])).is_ok());
+        assert!(HistoryFile::of_run(&path, &names(["t_s", "y"])).is_err());
         assert!(file("t_s,x").1.is_err());
         let (_folder, history) = file("t_s,x\n1,2\n1\n");
         let history = history.unwrap();

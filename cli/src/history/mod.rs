@@ -15,7 +15,7 @@ pub(crate) use npz::write_npz;
 pub(crate) use read::ReadHistory;
 pub use table::HistoryTable;
 pub(crate) use thinned::{Bucket, Thinned};
-pub(crate) use writer::{HistoryWriter, NotWritten};
+pub(crate) use writer::{HistoryWriter, NotWritten, Written};
 
 /// Name of the file among the results.
 pub(crate) const NAME: &str = "history.csv";

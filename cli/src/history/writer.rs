@@ -3,14 +3,18 @@
 //! Checkpoints travel with the rows, so that one stands in its file only when the rows before it stand in theirs.
 
 use std::fs::File;
-use std::io::{self, Seek, SeekFrom, Write};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use serde::{Deserialize, Serialize};
+use whirl_solver::cache::{Key, RunningKey};
+
 use super::text;
+use crate::lock::is_at;
 
 /// Longest time for which a row stands in memory only, but for the time that writing takes.
 const PAUSE: Duration = Duration::from_millis(100);
@@ -21,8 +25,42 @@ const BATCH: usize = 1 << 16;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct NotWritten(pub(crate) String);
 
-/// A point from which the march can be resumed, made from the length in bytes of the history up to it.
-pub(crate) type Resumable = Box<dyn FnOnce(u64) -> io::Result<()> + Send>;
+/// The bytes of a history up to a point: how many, and a hash of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Written {
+    pub(crate) length: u64,
+    pub(crate) hash: Key,
+}
+
+impl Written {
+    /// Whether a history begins with these bytes.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub(crate) fn begins(&self, path: &Path) -> io::Result<bool> {
+        let hash = hash_of(&mut File::open(path)?, self.length)?;
+        Ok(hash.is_some_and(|hash| hash.key() == self.hash))
+    }
+}
+
+/// The hash of the first `length` bytes of a file, if it has as many.
+fn hash_of(file: &mut File, length: u64) -> io::Result<Option<RunningKey>> {
+    let (mut hash, mut block) = (RunningKey::default(), vec![0; 1 << 18]);
+    let mut left = length;
+    while left > 0 {
+        let wanted = block.len().min(usize::try_from(left).unwrap_or(usize::MAX));
+        let read = file.read(&mut block[..wanted])?;
+        if read == 0 {
+            return Ok(None);
+        }
+        hash.add(&block[..read]);
+        left -= read as u64;
+    }
+    Ok(Some(hash))
+}
+
+/// A point from which the march can be resumed, made from what is written of the history up to it.
+pub(crate) type Resumable = Box<dyn FnOnce(Written) -> io::Result<()> + Send>;
 
 /// A history that is being written.
 pub(crate) struct HistoryWriter {
@@ -62,7 +100,7 @@ impl HistoryWriter {
     /// # Errors
     /// The file cannot be made or written.
     pub(crate) fn create(path: &Path, names: &[String]) -> io::Result<HistoryWriter> {
-        let mut lines = CsvLines::new(File::create(path)?, 0);
+        let mut lines = CsvLines::new(File::create(path)?, Some(path), RunningKey::default(), 0);
         lines.text.extend(text::head(names).into_bytes());
         lines.write()?;
         Ok(HistoryWriter::start(lines, names.len()))
@@ -73,10 +111,11 @@ impl HistoryWriter {
     /// # Errors
     /// The file cannot be opened, cut or written.
     pub(crate) fn go_on(path: &Path, length: u64, columns: usize) -> io::Result<HistoryWriter> {
-        let mut file = File::options().write(true).open(path)?;
+        let mut file = File::options().read(true).write(true).open(path)?;
+        let hash = hash_of(&mut file, length)?.ok_or(io::ErrorKind::UnexpectedEof)?;
         file.set_len(length)?;
         file.seek(SeekFrom::End(0))?;
-        Ok(HistoryWriter::start(CsvLines::new(file, length), columns))
+        Ok(HistoryWriter::start(CsvLines::new(file, Some(path), hash, length), columns))
     }
 
     fn start(mut lines: CsvLines, columns: usize) -> HistoryWriter {
@@ -145,14 +184,29 @@ impl Drop for HistoryWriter {
 /// The file, and the lines that are to be written next.
 struct CsvLines {
     file: File,
-    /// Bytes of whole lines in the file.
+    /// Where it is; none of what is no file of a folder.
+    path: Option<PathBuf>,
+    /// Of the whole lines in the file, and how many bytes these have.
+    hash: RunningKey,
     length: u64,
     text: Vec<u8>,
 }
 
 impl CsvLines {
-    fn new(file: File, length: u64) -> CsvLines {
-        CsvLines { file, length, text: Vec::new() }
+    fn new(file: File, path: Option<&Path>, hash: RunningKey, length: u64) -> CsvLines {
+        CsvLines { file, path: path.map(Path::to_path_buf), hash, length, text: Vec::new() }
+    }
+
+    /// Nobody else has removed or changed the file.
+    fn is_ours(&self) -> io::Result<()> {
+        let Some(path) = &self.path else { return Ok(()) };
+        if !is_at(&self.file, path) {
+            return Err(io::Error::other("it was removed while the run wrote it"));
+        }
+        if self.file.metadata()?.len() != self.length {
+            return Err(io::Error::other("another program changed it while the run wrote it"));
+        }
+        Ok(())
     }
 
     fn serve(&mut self, shared: &Shared, columns: usize) {
@@ -194,13 +248,13 @@ impl CsvLines {
     /// A point to resume from is as good as the rows before it.
     fn make_point(&self, make: Resumable) -> io::Result<()> {
         self.file.sync_data()?;
-        make(self.length)
+        make(Written { length: self.length, hash: self.hash.key() })
     }
 
     /// Writes the text; if not all of it fits, as many whole lines as do.
     fn write(&mut self) -> io::Result<()> {
         let mut written = 0;
-        let mut result = Ok(());
+        let mut result = self.is_ours();
         while result.is_ok() && written < self.text.len() {
             result = match self.file.write(&self.text[written..]) {
                 Ok(0) => Err(io::ErrorKind::WriteZero.into()),
@@ -215,6 +269,7 @@ impl CsvLines {
         let whole = self.text[..written].iter().rposition(|byte| *byte == b'\n');
         let whole = whole.map_or(0, |end| end + 1);
         self.length += whole as u64;
+        self.hash.add(&self.text[..whole]);
         self.text.clear();
         if written > whole {
             // Who reads the file drops a torn line, too.
@@ -265,9 +320,9 @@ mod tests {
         let length = Arc::new(AtomicU64::new(0));
         let point = || -> Resumable {
             let (own, at) = (length.clone(), path.clone());
-            Box::new(move |length| {
-                own.store(length, Ordering::Relaxed);
-                assert!(std::fs::metadata(at)?.len() >= length);
+            Box::new(move |written| {
+                own.store(written.length, Ordering::Relaxed);
+                assert!(written.begins(&at)?);
                 Ok(())
             })
         };
@@ -287,11 +342,56 @@ mod tests {
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "t_s,x\n1,2\n7,8\n");
     }
 
+    /// What is done to the file while it is written, and what is said of it.
+    #[test]
+    fn a_file_that_others_remove_or_change_stops_the_march() {
+        let cases: [(fn(&Path), &str); 3] = [
+            (|path| std::fs::remove_file(path).unwrap(), "removed"),
+            (|path| drop(File::create(path).unwrap()), "changed"),
+            (
+                |path| {
+                    let mut file = File::options().append(true).open(path).unwrap();
+                    file.write_all(b"x").unwrap();
+                },
+                "changed",
+            ),
+        ];
+        for (harm, said) in cases {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("history.csv");
+            let mut writer = HistoryWriter::create(&path, &names()).unwrap();
+            writer.push(&[1.0, 2.0]).unwrap();
+            wait_for(&path, "t_s,x\n1,2\n");
+            harm(&path);
+            // The last rows are noticed, too.
+            let _ = writer.push(&[2.0, 3.0]);
+            let error = writer.finish().expect_err("it is noticed");
+            assert!(error.0.contains(said), "{error:?}");
+        }
+    }
+
+    #[test]
+    fn bytes_that_are_others_are_not_those_of_a_history() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        std::fs::write(&path, "t_s,x\n1,2\n2,3\n").unwrap();
+        let hash = hash_of(&mut File::open(&path).unwrap(), 10).unwrap().unwrap().key();
+        let written = Written { length: 10, hash };
+        assert!(written.begins(&path).unwrap());
+        for other in ["t_s,x\n1,3\n2,3\n", "t_s,x\n1,2", ""] {
+            std::fs::write(&path, other).unwrap();
+            assert!(!written.begins(&path).unwrap(), "{other}");
+        }
+        std::fs::write(&path, "t_s,x\n1,2\nanything").unwrap();
+        assert!(written.begins(&path).unwrap());
+    }
+
     #[cfg(target_os = "linux")]
     #[test]
     fn a_full_disk_stops_the_march() {
         let file = File::options().write(true).open("/dev/full").unwrap();
-        let mut writer = HistoryWriter::start(CsvLines::new(file, 0), 2);
+        let lines = CsvLines::new(file, None, RunningKey::default(), 0);
+        let mut writer = HistoryWriter::start(lines, 2);
         let patience = std::time::Instant::now();
         let error = loop {
             assert!(patience.elapsed() < Duration::from_secs(20), "the error is noticed");

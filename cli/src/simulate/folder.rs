@@ -52,7 +52,7 @@ impl<'r> FolderStore<'r> {
         FolderStore {
             results,
             identity: Arc::new(identity),
-            head: (names, from.map(|point| point.history)),
+            head: (names, from.map(|point| point.history.length)),
             writer: None,
             written: None,
             schedule: Schedule::new(case),
@@ -119,8 +119,8 @@ impl Store for FolderStore<'_> {
         self.kept = Some(Instant::now());
         if let Some(writer) = &mut self.writer {
             let (path, identity) = (self.path.clone(), self.identity.clone());
-            writer.keep(Box::new(move |length| {
-                checkpoint::write(&path, &identity, length, (point, wall))
+            writer.keep(Box::new(move |written| {
+                checkpoint::write(&path, &identity, written, (point, wall))
             }));
         }
     }
@@ -140,7 +140,8 @@ impl Store for FolderStore<'_> {
     }
 
     fn history(&mut self) -> io::Result<&dyn ReadHistory> {
-        Ok(self.written.insert(HistoryFile::open(&self.results.path(history::NAME))?))
+        let path = self.results.path(history::NAME);
+        Ok(self.written.insert(HistoryFile::of_run(&path, &self.head.0)?))
     }
 
     fn frames(&mut self) -> Result<Vec<u8>, String> {

@@ -212,15 +212,16 @@ fn content(body: &Body) -> Key {
                 spin_inertia,
                 spin_coupling,
                 spin_net,
-                hertz: _,
+                hertz,
                 coordinates,
                 nodes: _,
                 measures: _,
-                // Unbalance moves it.
-                centre_of_mass: _,
+                centre_of_mass: CentreOfMass { mass: _, node },
             } = shaft;
             let matrices = [mass, stiffness, spin_inertia, spin_coupling, spin_net];
-            Key::of(&(coordinates, j0, matrices.map(|own| &own.data)))
+            // The coordinates of a rigid body are motions of its centre, which unbalance moves across the axis only.
+            let centre = hertz.is_empty().then_some(node.position[2]);
+            Key::of(&(coordinates, j0, matrices.map(|own| &own.data), centre))
         }
         // Coordinates of what stands have unit mass: what they are depends on the mass itself.
         Body::Standing { support, name: _ } => {

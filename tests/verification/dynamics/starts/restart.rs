@@ -4,6 +4,7 @@ use whirl_solver::Error;
 use whirl_solver::dynamics::{BodyStart, Integrator, LastState, March, MarchOptions, equilibrium};
 use whirl_solver::loads::{Frame, Release, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
+use whirl_solver::rigid::RigidBody;
 
 use super::super::resume::{CUTS, STEPS, chosen, machine, march_options, target};
 use super::super::{discs, force, options, parts};
@@ -98,6 +99,33 @@ fn line(bending: f64, rotation: Rotation) -> Machine {
     let node = parts.bodies[0].nodes()[1].clone();
     parts.loads = vec![force(&node, push, TimeFunction::Constant, Frame::Space)];
     Machine::new(parts).expect("a machine")
+}
+
+/// The coordinates of a rigid body are motions of its centre: of one whose centre is elsewhere they are others.
+#[test]
+fn a_rigid_body_whose_centre_has_moved_is_another_one() {
+    let mut options = options(1e-4, 20);
+    options.initial[0].speed = 50.0;
+    let rotor = |z: f64| {
+        let body = RigidBody {
+            mass: 10.0,
+            polar_inertia: 0.2,
+            transverse_inertia: Some(0.15),
+            along: false,
+            centre: [0.0, 0.0, z],
+            stiffness: [0.0; 2],
+            damping: [0.0; 2],
+        };
+        let shaft = body.turning(&[[0.0; 3]]);
+        Machine::new(parts(shaft, Support::rigid(&[]), Rotation::Free)).expect("a machine")
+    };
+    let first = rotor(0.1);
+    let (_, last) = finish(&mut March::new(&first, &options).expect("starts"));
+    assert!(March::from_last(&rotor(0.1), &options, &last).is_ok());
+    match March::from_last(&rotor(0.12), &options, &last).map(|_| ()) {
+        Err(Error::OtherBodies(differ)) => assert_eq!(differ, ["`shaft` is another one"]),
+        other => panic!("{other:?}"),
+    }
 }
 
 #[test]
