@@ -9,7 +9,9 @@ use whirl_solver::dynamics::AutomaticStep;
 use whirl_text::rounded;
 
 use crate::arguments::CheckArguments;
-use crate::case::{Case, Gravity, LawSource, Lumped, Rotor, Side, System, Unbalance};
+use crate::case::{
+    Case, Gravity, Joint, JointKind, LawSource, Lumped, Rotor, Side, System, Unbalance,
+};
 use crate::errors::Failure;
 use crate::explain;
 use crate::machine::{self, BodyPlan, MachinePlan, Plan};
@@ -69,9 +71,13 @@ pub(crate) fn of_case(
             say_rotor(&mut text, rotor, plan)?;
             plan.laws.clone()
         }
-        (System::Joined(_), Some(Plan::Joined(plan))) => {
+        (System::Joined(joined), Some(Plan::Joined(plan))) => {
             plan.verify()?;
-            plan.laws.clone()
+            // What a bushing or a coupling is stands beside its joint.
+            let reported =
+                |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
+            let laws = joined.joints.iter().zip(&plan.laws).filter(|(joint, _)| reported(joint));
+            laws.map(|(_, law)| law.clone()).collect()
         }
         (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
         (System::Rotor(_) | System::Joined(_), _) => Vec::new(),
@@ -126,7 +132,7 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &MachinePlan) -> Result<(),
     line!(text, "motion: {}", rotor.shaft.motion.origin.title);
     for load in &rotor.loads {
         let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
-        line!(text, "load: {}", load.described(&format!(" at {}", sets.join(", "))));
+        line!(text, "load: {}", load.described(&format!(" at {}", sets.join(", ")), None));
     }
     if let Some(gravity) = &rotor.gravity {
         line!(text, "gravity: {} m/s²", listed(gravity));

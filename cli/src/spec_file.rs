@@ -9,7 +9,7 @@ use whirl_codegen::document::Document;
 use whirl_codegen::spec::list::{KINDS, Spec};
 use whirl_specs::{Origin, TABLES, generated};
 
-use crate::text_file;
+use crate::{case, text_file};
 
 /// Reads a spec file of the kind that it says.
 ///
@@ -95,7 +95,11 @@ pub(crate) fn find(name: &str) -> Result<(Arc<Source>, Option<&'static Origin>),
                 format!("there is no file `{name}` and no built-in spec of this name")
             };
             let names: Vec<&str> = built_in().map(|origin| origin.name).collect();
-            Err(not_found(name, message, suggest(name, &names)))
+            let help = match case::embedded_cases().any(|own| own == name) {
+                true => Some(format!("it is a case: `whirl check {name}` says what it would run")),
+                false => suggest(name, &names),
+            };
+            Err(not_found(name, message, help))
         }
         several => {
             let paths: Vec<String> =

@@ -331,3 +331,22 @@ fn what_cannot_be_explained_is_reported() {
         assert_eq!(bench.listing(), before);
     }
 }
+
+/// No page of a built-in spec holds an error in place of what it shows.
+#[test]
+fn pages_of_built_in_specs_have_no_errors_in_them() {
+    for (.., name) in shipped() {
+        let outcome = Workbench::new().whirl(&["explain", &name]);
+        assert_eq!(outcome.status, 0, "{name}: {}", outcome.stderr);
+        for words in ["error[", "too large"] {
+            assert!(!outcome.stdout.contains(words), "{name}: {}", outcome.stdout);
+        }
+    }
+}
+
+#[test]
+fn a_case_is_explained_by_check() {
+    let outcome = Workbench::new().whirl(&["explain", "hu2003-5"]);
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.stderr.contains("`whirl check hu2003-5`"), "{}", outcome.stderr);
+}

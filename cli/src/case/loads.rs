@@ -86,8 +86,9 @@ impl Load {
         }
     }
 
-    /// What it is, for people; `at`: where it acts, behind its amplitude.
-    pub(crate) fn described(&self, at: &str) -> String {
+    /// What it is, for people; `at`: where it acts, behind its amplitude; `of`: the body whose angle it follows, if that is
+    /// another one.
+    pub(crate) fn described(&self, at: &str, of: Option<&str>) -> String {
         let (parts, unit, word) = match self.acting {
             Acting::Force(parts) => (parts, "N", "along"),
             Acting::Couple(parts) => (parts, "N m", "about"),
@@ -106,10 +107,17 @@ impl Load {
             .collect();
         let variation = match &self.variation {
             Variation::Constant => "constant".to_string(),
-            Variation::Sine(frequency, _) => format!("sine of {frequency} Hz"),
-            Variation::Order(order, _) => format!("order {order}"),
+            Variation::Sine(frequency, phase) => {
+                format!("sine of {frequency} Hz{}", shifted(*phase))
+            }
+            Variation::Order(order, phase) => {
+                let of = of.map_or(String::new(), |body| format!(" of {body}"));
+                format!("order {order}{of}{}", shifted(*phase))
+            }
             Variation::Table(columns, periodic) => {
-                let over = if self.turns_with_angle() { "the angle" } else { "time" };
+                let of = of.map_or(String::new(), |body| format!(" of {body}"));
+                let angle = format!("the angle{of}");
+                let over = if self.turns_with_angle() { angle.as_str() } else { "time" };
                 let periodic = if *periodic { ", periodic" } else { "" };
                 format!("table `{}` over {over}{periodic}", columns.name.text())
             }
@@ -122,6 +130,14 @@ impl Load {
         let frame = if self.frame == Frame::Body { ", turning with it" } else { "" };
         let nothing = if along.is_empty() { format!("0 {unit}") } else { along.join(", ") };
         format!("{nothing}{at}{frame}, {variation}{from}")
+    }
+}
+
+/// A phase (rad) behind what it shifts.
+fn shifted(phase: f64) -> String {
+    match phase {
+        0.0 => String::new(),
+        phase => format!(", phase {}°", whirl_text::rounded(phase.to_degrees(), 10)),
     }
 }
 

@@ -220,6 +220,11 @@ fn components(table: &Table) -> Vec<usize> {
             }
         }
     }
+    if table.has("components") && table.texts("components").is_empty() {
+        let place = table.written("components");
+        let help = "name some of \"x\", \"y\" and \"z\", or leave it out for x and y";
+        table.push(place.error_here(Code::BAD_VALUE, "`components` names none").help(help));
+    }
     if components.is_empty() { vec![0, 1] } else { components }
 }
 

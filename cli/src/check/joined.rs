@@ -33,7 +33,7 @@ pub(super) fn say(
         let more = if body.hertz.len() > FIRST { ", …" } else { "" };
         line!(
             text,
-            "natural frequencies of {}, its retained nodes held: {}{more} Hz",
+            "natural frequencies of {} with its joints and loads held: {}{more} Hz",
             body.name,
             first.join(", ")
         );
@@ -89,7 +89,7 @@ pub(super) fn say(
             "load {} on {}{place}: {}",
             own.name.text(),
             joined.bodies[own.body].name.text(),
-            own.load.described("")
+            own.load.described("", own.load.of.map(|body| joined.bodies[body].name.text()))
         );
     }
     if let Some(gravity) = &joined.gravity {
@@ -115,7 +115,10 @@ fn turning(
     let found = shaft.frequencies_at(speed).map_err(whirl_solver::Error::from)?;
     let of_speed = format!("  with all that it carries, turning at {} rpm", rpm(speed));
     let Some(found) = found else {
-        line!(text, "{of_speed}: beyond a critical speed of the body with its retained nodes held");
+        line!(
+            text,
+            "{of_speed}: beyond a critical speed of the body with its joints and loads held"
+        );
         return Ok(());
     };
     let at_rest = shaft.frequencies_at(0.0).map_err(whirl_solver::Error::from)?;

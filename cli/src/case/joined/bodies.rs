@@ -193,7 +193,7 @@ fn read_meshed(
             }
         }
     } else if !table.has("modes") && !table.gives("matrices") {
-        let help = "add `modes = 20`: so many of its lowest modes are kept, its retained nodes held; more change little";
+        let help = "add `modes = 20`: so many of its lowest modes with its joints and loads held are kept; more change little";
         table.absent("modes", help);
     }
     let body = match table.gives("matrices") {

@@ -150,7 +150,13 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
     let named = name.text().replace('\\', "\\\\").replace('"', "\\\"");
     let law = Source::new(&law.path, law.text.replace(OVER_SPEED.1, &named));
     match LawSpec::read_with(&law, &|_| Ok(file.clone())) {
-        Ok(spec) => {
+        Ok(mut spec) => {
+            for own in &mut spec.valid {
+                own.help = format!(
+                    "add rows to `{}` for the speeds that the run reaches, or keep the run within its rows",
+                    name.text()
+                );
+            }
             let called = format!("{} ({})", OVER_SPEED.0, file.path.display());
             let law = GivenLaw { spec: Arc::new(spec), given: Vec::new(), name: called };
             let source = LawSource::Given(Arc::new(law));

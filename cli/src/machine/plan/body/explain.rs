@@ -48,6 +48,16 @@ impl BodyPlan {
                 let at = self.sprung.get(place).unwrap_or(&self.held_by);
                 Diagnostics::from(at.error_here(Code::BAD_VALUE, message).help(help)).into()
             }
+            Error::Reduction(
+                ReductionError::TooManyModes { .. }
+                | ReductionError::NotConverged { .. }
+                | ReductionError::Miscounted { .. },
+            ) => {
+                let message = format!("{}: {error}", self.mesh.origin());
+                let help = "write a smaller number of `modes` for this body";
+                Diagnostics::from(self.made_from.error_here(Code::BAD_VALUE, message).help(help))
+                    .into()
+            }
             Error::Reduction(_) | Error::Constraint { .. } => {
                 let message = format!("{}: {error}", self.mesh.origin());
                 Diagnostics::from(self.held_by.error_here(Code::BAD_VALUE, message)).into()
