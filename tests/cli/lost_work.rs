@@ -289,10 +289,10 @@ fn a_run_whose_start_or_rigid_mesh_was_changed_is_not_resumed() {
             "title = \"a cube\"\n{start}[material.steel]\nyoungs_modulus = \"200 GPa\"\n\
              poissons_ratio = 0.3\ndensity = \"7860 kg/m^3\"\n[body.cube]\nturns = \"prescribed\"\n\
              speed = \"3000 rpm\"\nrigid = true\nmesh = \"cube.inp\"\nunits = \"cm, N, t\"\nmaterial = \"steel\"\n\
-             [joint.mount]\nkind = \"bushing\"\nsides = [{{ body = \"cube\", z = \"0 mm\" }}, {{}}]\n\
+             [joint.mount]\nkind = \"bushing\"\nfirst = {{ body = \"cube\", sets = [\"ALL\"] }}\n\
              stiffness = {{ xx = \"1e5 N/m\", yy = \"1e5 N/m\" }}\n\
              tilting_stiffness = {{ xx = \"10 N*m/rad\", yy = \"10 N*m/rad\" }}\n\
-             [loads.push]\nbody = \"cube\"\nz = \"0 mm\"\nforce = \"1 N\"\n\
+             [loads.push]\nbody = \"cube\"\nsets = [\"ALL\"]\nforce = \"1 N\"\n\
              [march]\ntime_step = \"1e-4 s\"\nsteps = {steps}\n"
         )
     };

@@ -271,9 +271,4 @@ mod tests {
     fn a_cluster_above_other_modes_is_reached() {
         check(&[(12, 1e5, 5e4), CLUSTER, ABOVE], 30);
     }
-
-    #[test]
-    fn an_eigenvalue_with_hundreds_of_modes_is_found_whole() {
-        check(&[(300, 1e6, 0.0), ABOVE], 10);
-    }
 }

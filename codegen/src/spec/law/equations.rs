@@ -119,8 +119,6 @@ struct Derivation {
     graph: Graph,
     names: BTreeMap<String, Id>,
     inputs: Vec<Id>,
-    /// Parameters and definitions that are numbers, as bounds of sums are made of them.
-    bounds: BTreeSet<String>,
     /// Symbols of definitions with their derivatives by every input.
     chain: Vec<(Id, Vec<Id>)>,
 }
@@ -143,7 +141,7 @@ impl Derivation {
         for (input, symbol) in law.inputs.iter().zip(&inputs) {
             names.insert(input.name.clone(), *symbol);
         }
-        Derivation { graph, names, inputs, bounds, chain: Vec::new() }
+        Derivation { graph, names, inputs, chain: Vec::new() }
     }
 
     fn lowered(&mut self, formula: &Formula) -> Result<Id, Diagnostics> {
@@ -158,10 +156,6 @@ impl Derivation {
             let slopes = (0..law.inputs.len()).map(|place| self.derivative(value, place)).collect();
             let text = display_rounded(&self.graph, value);
             equations.push(plain(definition.name.clone(), text));
-            if self.bounds.contains(&definition.name) {
-                self.names.insert(definition.name.clone(), value);
-                continue;
-            }
             self.declare(law, &definition.name, slopes, &mut equations);
             self.tables(law, &mut equations)?;
         }
@@ -250,7 +244,7 @@ fn names_in_exponents(law: &LawSpec) -> BTreeSet<String> {
     names
 }
 
-/// Names by which the bounds of sums are written, and those by which their definitions are.
+/// Names by which the bounds of sums are written.
 fn names_in_bounds(law: &LawSpec) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for formula in formulas(law) {
@@ -259,12 +253,6 @@ fn names_in_bounds(law: &LawSpec) -> BTreeSet<String> {
                 ends.iter().for_each(|end| add_names(end, &mut names));
             }
         });
-    }
-    // A definition has names of those before it only.
-    for definition in law.definitions.iter().rev() {
-        if names.contains(&definition.name) {
-            add_names(&definition.formula.root, &mut names);
-        }
     }
     names
 }
@@ -312,17 +300,17 @@ mod tests {
         assert_eq!(equations.outputs[2].pieces[1], ("0".to_string(), None));
     }
 
-    /// A sum whose bounds are parameters, or definitions of them.
+    /// A sum whose bounds are parameters.
     #[test]
     fn sums_up_to_a_parameter_are_written_out() {
         let law = law("[inputs.h]\nunit = \"mm\"\nrange = [-0.1, 0.1]\n\
              [parameters]\nZ = { value = 4, unit = \"1\" }\nk = { value = 2, unit = \"N/mm\" }\n\
-             [definitions]\nhalf = 'Z/2'\n\
-             [outputs.Q]\nunit = \"N\"\nvalue = '-k*sum(j, 1, half, j*h) - sum(j, 1, Z, k*h)'\n");
+             [outputs.Q]\nunit = \"N\"\nvalue = '-k*sum(j, 1, Z, j*h)'\n");
         let equations = equations(&law).unwrap();
         let texts: Vec<String> =
             equations.outputs.iter().map(|e| format!("{} = {}", e.name, e.pieces[0].0)).collect();
-        assert_eq!(texts, ["Q = -7*h*k", "dQ_dh = -7*k"]);
+        assert_eq!(texts.len(), 2);
+        assert_eq!(texts[1], "dQ_dh = -10*k");
     }
 
     /// The printed equations, read again as formulas, give the numbers of the law's own graph by a tape.
