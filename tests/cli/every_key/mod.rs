@@ -4,6 +4,7 @@
 //! The cases are the files beside this one. A key that none of them has fails
 //! [`no_key_is_left_out`]: add it there, and to the numbers here.
 
+mod built;
 mod by_hand;
 mod mass;
 mod rotor;

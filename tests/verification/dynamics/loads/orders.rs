@@ -57,6 +57,29 @@ fn an_order_is_its_table_to_third_order() {
     assert!(errors[0] / errors[1] > 7.0 && errors[1] / errors[2] > 7.0, "{errors:?}");
 }
 
+/// A periodic table is the same wherever its period begins, also before its first row.
+#[test]
+fn a_periodic_table_may_begin_with_any_row() {
+    let rows = [[30.0, 5.0], [150.0, 40.0], [400.0, -20.0], [600.0, 10.0]];
+    let curve = |first: usize, kind: fn(&[[f64; 2]], bool) -> Result<Curve, whirl_solver::Error>| {
+        let turned = (first..=first + rows.len()).map(|place| {
+            let [x, y] = rows[place % rows.len()];
+            [x + 720.0 * (place / rows.len()) as f64, y]
+        });
+        kind(&turned.collect::<Vec<_>>(), true).expect("a curve")
+    };
+    for kind in [Curve::smooth, Curve::linear] {
+        let own = curve(0, kind);
+        for other in (1..rows.len()).map(|first| curve(first, kind)) {
+            for x in (-80..130).map(|place| 13.7 * f64::from(place)) {
+                let (found, exact) = (other.value(x), own.value(x));
+                // Rounding of x, by slopes below 1.
+                assert!((found - exact).abs() < 1e-11, "{x}: {found} for {exact}");
+            }
+        }
+    }
+}
+
 /// A load that follows what does not turn is refused.
 #[test]
 fn a_load_follows_a_body_that_turns() {
