@@ -48,6 +48,9 @@ pub(crate) struct MeshArguments {
     /// Units of length, force and mass in the file, such as "mm, N, t"
     #[arg(long, value_name = "UNITS")]
     pub(crate) units: Option<String>,
+    /// Merge nodes that are at most so far apart, such as "1e-6 m"
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) merge: Option<String>,
     /// Draw the surface of the mesh with its sets: FILE.svg or FILE.png
     #[arg(long, value_name = "FILE")]
     pub(crate) picture: Option<PathBuf>,

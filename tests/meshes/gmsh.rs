@@ -148,7 +148,7 @@ fn what_is_left_out_is_said_in_one_line() {
 fn units_scale_lengths_and_need_a_material() {
     let elements = elements();
     let units = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };
-    let options = ReadOptions { elements: &elements, open: true, units };
+    let options = ReadOptions { open: true, units, ..ReadOptions::new(&elements) };
     let found = read(data("gmsh/hex8-41-text.msh"), "h.msh", &options).unwrap().mesh;
     let there = made("hex8", "41-text").mesh;
     for (small, large) in found.nodes().iter().zip(there.nodes()) {

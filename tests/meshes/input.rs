@@ -171,7 +171,7 @@ fn units_scale_materials_and_others_are_guessed() {
     let text = format!("{NODES}{CELLS}{section}");
     let elements = elements();
     let units = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };
-    let options = ReadOptions { elements: &elements, open: false, units };
+    let options = ReadOptions { units, ..ReadOptions::new(&elements) };
     let found = read(text.clone().into_bytes(), "cube.inp", &options).unwrap();
     assert_eq!(found.warnings, []);
     let steel = &found.mesh.materials()[0].properties;

@@ -8,12 +8,13 @@ mod forms;
 mod gmsh;
 mod input;
 mod packed;
+mod seams;
 mod through;
 mod writer;
 
 use whirl_solver::error::InputErrors;
 use whirl_solver::mesh::Material;
-use whirl_solver::mesh::format::{MeshUnits, ReadMesh, ReadOptions, read};
+use whirl_solver::mesh::format::{ReadMesh, ReadOptions, read};
 use whirl_specs::{ELEMENTS, Element};
 
 fn elements() -> Vec<&'static Element> {
@@ -23,7 +24,7 @@ fn elements() -> Vec<&'static Element> {
 /// A mesh whose material is open.
 fn open(bytes: &[u8], path: &str) -> Result<ReadMesh, InputErrors> {
     let elements = elements();
-    let options = ReadOptions { elements: &elements, open: true, units: MeshUnits::default() };
+    let options = ReadOptions { open: true, ..ReadOptions::new(&elements) };
     read(bytes.to_vec(), path, &options)
 }
 

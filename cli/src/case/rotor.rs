@@ -159,6 +159,8 @@ pub(crate) struct MeshFile {
     pub(crate) name: Located,
     /// Units of its numbers.
     pub(crate) units: MeshUnits,
+    /// Nodes that are at most so far apart (m) become one.
+    pub(crate) merge: Option<f64>,
 }
 
 /// Matrices of a body that a case names, in place of a mesh.

@@ -123,10 +123,16 @@ const MATERIAL: &[Key] = &[
     merged("density", DENSITY, "mass a volume"),
 ];
 
+/// Of a mesh file, also of a body by name.
+pub(super) const MERGE: Key =
+    key("merge", LENGTH, "nodes of the mesh file that are at most so far apart become one")
+        .like("\"1e-6 m\"");
+
 const BODY: &[Key] = &[
     key("mesh", Text, "a mesh file: Gmsh, or input of Abaqus or CalculiX"),
     key("units", Text, "of length, force and mass in the mesh file; m, N, kg if left out")
         .like("\"mm, N, t\""),
+    MERGE,
     key("material", Text, "a material, of a mesh file where it has no sections"),
     key("regions", Named(&Text), "materials by the names of element sets, in place of the mesh's"),
     key(

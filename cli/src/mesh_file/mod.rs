@@ -31,7 +31,8 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
     if let Some(file) = &arguments.picture {
         picture::kind(file)?;
     }
-    let Opened { mesh, format, units } = open(&arguments.file, arguments.units.as_deref())?;
+    let (units, merge) = (arguments.units.as_deref(), arguments.merge.as_deref());
+    let Opened { mesh, format, units } = open(&arguments.file, units, merge)?;
     let mut text = String::new();
     let called = match format {
         Format::Inp => "Abaqus or CalculiX input",
@@ -47,7 +48,8 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
         (None, _) => line!(text, "units: m, N, kg, by its size; else give `--units`"),
     }
     say(&mut text, &mesh);
-    lines(&mut text, &arguments.file, (&mesh, units.as_deref()));
+    let said = (units.as_deref(), arguments.merge.as_deref());
+    lines(&mut text, &arguments.file, &mesh, said);
     if let Some(file) = &arguments.picture {
         picture::draw(&mesh, &path, file)?;
     }
@@ -104,7 +106,12 @@ fn say(text: &mut String, mesh: &Mesh) {
 }
 
 /// Cylinders, and the lines by which a case names them.
-fn lines(text: &mut String, file: &Path, (mesh, units): (&Mesh, Option<&str>)) {
+fn lines(
+    text: &mut String,
+    file: &Path,
+    mesh: &Mesh,
+    (units, merge): (Option<&str>, Option<&str>),
+) {
     let axis = mesh.round_axis();
     let about = axis.unwrap_or_default();
     let cylinders = mesh.cylinders(about);
@@ -127,6 +134,9 @@ fn lines(text: &mut String, file: &Path, (mesh, units): (&Mesh, Option<&str>)) {
     line!(text, "mesh = {:?}", file.display().to_string());
     if let Some(units) = units {
         line!(text, "units = {units:?}");
+    }
+    if let Some(merge) = merge {
+        line!(text, "merge = {merge:?}");
     }
     if about != [0.0; 2] {
         line!(text, "axis = [\"{} mm\", \"{} mm\"]", mm(about[0]), mm(about[1]));

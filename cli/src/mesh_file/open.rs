@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use whirl_codegen::units::{Dimension, Quantity};
 use whirl_solver::mesh::format::{self, Format, MeshUnits, ReadMesh, ReadOptions};
 use whirl_solver::mesh::{Cylinder, Mesh};
 use whirl_specs::ELEMENTS;
@@ -30,8 +31,12 @@ pub(crate) struct Opened {
 /// Reads a mesh; cells without material are none the worse for it.
 ///
 /// # Errors
-/// A file that cannot be read, whatever is wrong with it, and units that are none.
-pub(crate) fn open(file: &Path, units: Option<&str>) -> Result<Opened, Failure> {
+/// A file that cannot be read, whatever is wrong with it, and units or a distance that are none.
+pub(crate) fn open(
+    file: &Path,
+    units: Option<&str>,
+    merge: Option<&str>,
+) -> Result<Opened, Failure> {
     let path = file.display().to_string();
     let bytes = fs::read(file).map_err(|error| Failure::Argument {
         message: format!("cannot read `{path}`: {error}"),
@@ -43,9 +48,10 @@ pub(crate) fn open(file: &Path, units: Option<&str>) -> Result<Opened, Failure> 
         mesh_units(text).map(|units| (text.to_owned(), units)).map_err(wrong)
     });
     let given = given.transpose()?;
+    let merge = merge.map(distance).transpose()?;
     let read = |units: MeshUnits| -> Result<ReadMesh, Failure> {
         let elements: Vec<_> = ELEMENTS.iter().collect();
-        let options = ReadOptions { elements: &elements, open: true, units };
+        let options = ReadOptions { elements: &elements, open: true, units, merge };
         let read = format::read(bytes.clone(), &path, &options);
         read.map_err(|errors| Failure::from(placed_errors(&errors)))
     };
@@ -67,6 +73,15 @@ pub(crate) fn open(file: &Path, units: Option<&str>) -> Result<Opened, Failure> 
     };
     found.warnings.iter().for_each(streams::warn);
     Ok(Opened { mesh: found.mesh, format, units })
+}
+
+/// How far nodes may be apart that are to be one (m).
+fn distance(text: &str) -> Result<f64, Failure> {
+    let read = Quantity::parse(text).ok().filter(|own| *own.dimension() == Dimension::LENGTH);
+    read.map(|own| own.si()).filter(|&length| length > 0.0).ok_or_else(|| Failure::Argument {
+        message: format!("`--merge {text}` is no length above zero"),
+        help: "write a number with its unit, such as `--merge \"1e-6 m\"`".to_owned(),
+    })
 }
 
 /// The name of a body for a file: what of its stem a case can call it.

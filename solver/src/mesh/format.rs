@@ -33,12 +33,14 @@ pub struct ReadOptions<'a> {
     pub open: bool,
     /// Units of the file.
     pub units: MeshUnits,
+    /// Nodes that are at most so far apart (m) become one.
+    pub merge: Option<f64>,
 }
 
 impl<'a> ReadOptions<'a> {
     /// Every cell must have a material, and the file is in SI units.
     pub fn new(elements: &'a [&'static Element]) -> ReadOptions<'a> {
-        ReadOptions { elements, open: false, units: MeshUnits::default() }
+        ReadOptions { elements, open: false, units: MeshUnits::default(), merge: None }
     }
 }
 

@@ -195,7 +195,7 @@ impl<'a> Surface<'a> {
 }
 
 /// How far a point is beyond the edges of a face, in s and t; negative within.
-fn beyond(face: &Face, [s, t]: [f64; 2]) -> f64 {
+pub(super) fn beyond(face: &Face, [s, t]: [f64; 2]) -> f64 {
     match face.corners {
         3 => (-s).max(-t).max(s + t - 1.0),
         _ => s.abs().max(t.abs()) - 1.0,

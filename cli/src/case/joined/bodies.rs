@@ -29,10 +29,11 @@ const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffn
 /// Keys of rigid bodies, with a mesh or without, and of all.
 const OF_BOTH: [&str; 4] = ["z", "damping", "ground_spring", "moves_along_z"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 14] = [
+const MESHED: [&str; 15] = [
     "mesh",
     "matrices",
     "units",
+    "merge",
     "dimensions",
     "rigid",
     "material",

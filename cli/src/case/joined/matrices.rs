@@ -14,7 +14,8 @@ use crate::case::selections;
 use crate::case::units::mesh_units;
 
 /// Keys of a mesh that matrices have not, and what to do instead.
-const OF_MESH: [(&str, &str); 2] = [
+const OF_MESH: [(&str, &str); 3] = [
+    ("merge", "leave it out: K and M say which nodes are joined"),
     ("material", "leave it out: K and M have the stiffness and the mass of the material"),
     ("regions", "leave it out: K and M have the stiffness and the mass of all materials"),
 ];

@@ -7,9 +7,10 @@ use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
 use crate::case::schema::{
     ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
-    GROUND_SPRING, INERTIA, LENGTH, MASS, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION, NAMES,
-    PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION, STIFFNESS, TARGET_SPEED, TILTING_DAMPING,
-    TILTING_STIFFNESS, TORQUE, TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
+    GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION,
+    NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION, STIFFNESS, TARGET_SPEED,
+    TILTING_DAMPING, TILTING_STIFFNESS, TORQUE, TORSIONAL_DAMPING, TORSIONAL_STIFFNESS,
+    TURNING_SPEED,
 };
 
 /// In place of a clearance: the radius of the bore less that of the journal, as the meshes have them.
@@ -32,6 +33,7 @@ pub(crate) const BODY: &[Key] = &[
     ),
     key("units", Text, "of length, force and mass in the mesh file, or in `matrices`; m, N, kg if left out")
         .like("\"mm, N, t\""),
+    MERGE,
     key(
         "dimensions",
         Table(&[DIMENSIONS]),

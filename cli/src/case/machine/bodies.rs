@@ -114,7 +114,7 @@ fn mesh<D>(
 ) -> Option<Mesh<D>> {
     let before = table.errors();
     let dimensions = table.optional_table("dimensions");
-    let units = units(table);
+    let (units, merge) = (units(table), merge(table));
     match (table.optional_string("mesh"), dimensions) {
         (Some(_), Some(dimensions)) => {
             table.conflict("mesh", "dimensions");
@@ -130,7 +130,7 @@ fn mesh<D>(
                 table.push(error.help("paths are relative to the file that names them"));
                 return None;
             }
-            Some(Mesh::File(MeshFile { path, name, units: units? }))
+            Some(Mesh::File(MeshFile { path, name, units: units?, merge }))
         }
         (None, Some(dimensions)) => {
             if !table.has("material") {
@@ -172,6 +172,17 @@ fn units(table: &Table) -> Option<MeshUnits> {
         table.push(text.error_here(Code::BAD_VALUE, message).help(help));
     })
     .ok()
+}
+
+/// How far nodes of a mesh file may be apart that are to be one (m).
+fn merge(table: &Table) -> Option<f64> {
+    let merge = table.quantity("merge");
+    if table.gives("merge") && !table.gives("mesh") {
+        let message = "`merge` is of a mesh file";
+        let help = "leave it out: a mesh made from dimensions has each node once";
+        table.push(table.written("merge").error_here(Code::BAD_VALUE, message).help(help));
+    }
+    merge
 }
 
 fn no_material() -> Material {

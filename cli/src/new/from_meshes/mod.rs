@@ -73,7 +73,7 @@ pub(super) fn case(
         // A name of a case's own.
         let taken = name.is_empty() || name.eq_ignore_ascii_case("ground");
         let name = if taken { ["shaft", "support"][place].to_owned() } else { name };
-        Ok(Part { opened: open(file, units)?, name, path: seen_from(folder, file) })
+        Ok(Part { opened: open(file, units, None)?, name, path: seen_from(folder, file) })
     });
     let (shaft, support) = (shaft?, support?);
     let Some(axis) = shaft.mesh().round_axis() else {

@@ -7,6 +7,7 @@ use whirl_text::rounded;
 
 use super::super::format::{MeshUnits, ReadOptions};
 use super::super::material::NEEDED;
+use super::merge::extent;
 use super::report::{LinePosition, MeshReport, count, list};
 use super::{RawMesh, Remedies};
 
@@ -115,11 +116,17 @@ impl RawMesh {
         let what = format!("{} in no cell, left out: {list}", count(unused.len(), "node"));
         let help = "delete them, or add the cells that they belong to";
         report.warn(nodes.named.places[first], what, help);
-        let mut place = vec![usize::MAX; used.len()];
-        let kept = (0..used.len()).filter(|&node| used[node]);
+        self.keep_nodes(|node| used[node]);
+    }
+
+    /// Leaves out all nodes but these; cells and sets count anew.
+    pub(super) fn keep_nodes(&mut self, keep: impl Fn(usize) -> bool) {
+        let nodes = &mut self.nodes;
+        let mut place = vec![usize::MAX; nodes.positions.len()];
+        let kept = (0..nodes.positions.len()).filter(|&node| keep(node));
         kept.enumerate().for_each(|(new, old)| place[old] = new);
         let mut old = 0..;
-        nodes.positions.retain(|_| used[old.next().unwrap_or(0)]);
+        nodes.positions.retain(|_| keep(old.next().unwrap_or(0)));
         nodes.named.renumber(&place);
         let cells = self.cells.list.iter_mut().flat_map(|cell| &mut cell.nodes);
         cells.for_each(|node| *node = place[*node]);
@@ -128,12 +135,7 @@ impl RawMesh {
     /// Warns of a size that looks like other units.
     pub(super) fn extent(&self, units: &MeshUnits, report: &mut MeshReport) {
         const USUAL: std::ops::Range<f64> = 1e-3..50.0;
-        let positions = &self.nodes.positions;
-        let axis = |i: usize| {
-            let values = || positions.iter().map(|x| x[i]);
-            values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
-        };
-        let extent = (0..3).map(axis).fold(0.0, f64::max);
+        let extent = extent(&self.nodes.positions);
         if extent == 0.0 || USUAL.contains(&extent) {
             return;
         }

@@ -37,6 +37,12 @@ impl Sets {
         self.by_capitals.values().map(|(name, members)| (name.as_str(), members.as_slice()))
     }
 
+    /// Puts another member in place of each.
+    pub(crate) fn map_members(&mut self, other: impl Fn(usize) -> usize) {
+        let members = self.by_capitals.values_mut().flat_map(|(_, members)| members);
+        members.for_each(|member| *member = other(*member));
+    }
+
     /// Every set with its members once each, in the order of the source.
     pub(crate) fn into_map<T: Ord + Copy>(
         self,

@@ -4,9 +4,12 @@
 //! A reader fills a [`RawMesh`] and tells a [`MeshReport`] what is wrong; [`RawMesh::finish`] does the rest.
 
 mod checks;
+mod grid;
 mod labelled;
 mod materials;
+mod merge;
 mod report;
+mod seams;
 
 use std::collections::BTreeMap;
 
@@ -93,6 +96,9 @@ impl RawMesh {
         mut report: MeshReport,
     ) -> Result<ReadMesh, InputErrors> {
         self.convert(&options.units);
+        if let Some(within) = options.merge.filter(|_| report.error_count() == 0) {
+            self.merge_nodes(within, &mut report);
+        }
         self.cells_stand_once(&mut report);
         if self.cells.list.is_empty() && report.error_count() == 0 {
             report.error_in_file("the file has no cells", remedies.no_cells);
@@ -108,6 +114,7 @@ impl RawMesh {
         if report.error_count() > 0 {
             return Err(report.into_errors());
         }
+        self.seams(&mut report);
         match self.build(&report.files[0]) {
             Ok(mesh) => Ok(ReadMesh { mesh, masses: Vec::new(), warnings: report.into_warnings() }),
             Err(error) => {

@@ -1,0 +1,103 @@
+//! Nodes at one place become one node, where a case asks for it.
+
+use whirl_text::shown;
+
+use super::RawMesh;
+use super::grid::{PointGrid, distance};
+use super::report::{LinePosition, MeshReport, count};
+
+impl RawMesh {
+    /// Merges nodes that are at most `within` (m) apart: cells and sets then have the first of them.
+    pub(super) fn merge_nodes(&mut self, within: f64, report: &mut MeshReport) {
+        let positions = &self.nodes.positions;
+        if !positions.iter().flatten().all(|x| x.is_finite()) {
+            // An error of its own.
+            return;
+        }
+        if let Some((cell, shortest)) = self.shortest_edge().filter(|(_, edge)| *edge <= within) {
+            let what = format!(
+                "`merge` joins nodes that are up to {} m apart, which would flatten cell {}: two of its nodes are {} m apart",
+                metres(within),
+                self.cells.named.labels[cell],
+                metres(shortest)
+            );
+            let help = "make it smaller than the shortest edge of the mesh";
+            report.error(self.cells.named.places[cell], what, help);
+            return;
+        }
+        let all: Vec<usize> = (0..positions.len()).collect();
+        let grid = PointGrid::new(positions, &all, spacing(positions, all.len()).max(4.0 * within));
+        // The first of those that are joined stands for them.
+        let mut first = all.clone();
+        for &node in &all {
+            grid.each_near(positions, (positions[node], within), |other, _| {
+                if other < node {
+                    let (a, b) = (root(&mut first, other), root(&mut first, node));
+                    first[a.max(b)] = a.min(b);
+                }
+            });
+        }
+        let first: Vec<usize> = all.iter().map(|&node| root(&mut first, node)).collect();
+        let merged = all.iter().filter(|&&node| first[node] != node).count();
+        if merged == 0 {
+            let what = format!("`merge`: no nodes are within {} m of each other", metres(within));
+            let help = "leave it out, or write a larger distance";
+            report.warn(LinePosition::default(), what, help);
+            return;
+        }
+        let what = format!(
+            "{} merged with others within {} m, as `merge` asks for",
+            count(merged, "node"),
+            metres(within)
+        );
+        report.warn(LinePosition::default(), what, "");
+        self.nodes.named.sets.map_members(|node| first[node]);
+        let cells = self.cells.list.iter_mut().flat_map(|cell| &mut cell.nodes);
+        cells.for_each(|node| *node = first[*node]);
+        self.keep_nodes(|node| first[node] == node);
+    }
+
+    /// The cell with the shortest distance between two of its nodes, and that distance (m).
+    fn shortest_edge(&self) -> Option<(usize, f64)> {
+        let positions = &self.nodes.positions;
+        let of_cell = |nodes: &[usize]| {
+            let pairs =
+                nodes.iter().enumerate().flat_map(|(k, a)| nodes[..k].iter().map(move |b| (a, b)));
+            pairs.map(|(&a, &b)| distance(positions[a], positions[b])).fold(f64::INFINITY, f64::min)
+        };
+        let all =
+            self.cells.list.iter().enumerate().map(|(place, cell)| (place, of_cell(&cell.nodes)));
+        all.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, edge)| edge.is_finite())
+    }
+}
+
+/// Edge of a cube of which as many as there are points fill the box around them (m).
+pub(super) fn spacing(positions: &[[f64; 3]], count: usize) -> f64 {
+    let extent = extent(positions);
+    // In a plane or on a line fewer cells hold points, and none has many.
+    extent / (count.max(1) as f64).cbrt()
+}
+
+/// The longest side of the box around points (m).
+pub(super) fn extent(positions: &[[f64; 3]]) -> f64 {
+    let axis = |i: usize| {
+        let values = || positions.iter().map(|x| x[i]);
+        values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+    };
+    (0..3).map(axis).fold(0.0, f64::max)
+}
+
+/// The node that stands for this one; the way to it is made shorter.
+fn root(first: &mut [usize], node: usize) -> usize {
+    let mut top = node;
+    while first[top] != top {
+        first[top] = first[first[top]];
+        top = first[top];
+    }
+    top
+}
+
+/// A length in m, for people.
+pub(super) fn metres(length: f64) -> String {
+    shown(length, 6, 1e-3..1e6)
+}
