@@ -10,7 +10,7 @@ use whirl_text::rounded;
 
 use crate::arguments::CheckArguments;
 use crate::case::{
-    Case, Gravity, Joint, JointKind, LawSource, Lumped, Rotor, Side, System, Unbalance,
+    Case, Gravity, Joint, JointKind, LawSource, Lumped, Mesh, Rotor, Side, System, Unbalance,
 };
 use crate::errors::Failure;
 use crate::explain;
@@ -29,6 +29,7 @@ macro_rules! line {
 mod contacts;
 mod joined;
 mod round;
+mod sets;
 
 /// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
 /// file, says its report; of a sweep, its points.
@@ -107,14 +108,15 @@ fn say_rotor(text: &mut String, rotor: &Rotor, plan: &MachinePlan) -> Result<(),
     let both = [&plan.shaft, &plan.support].map(|body| body.counts().craig_bampton_dofs);
     let active = 1 + plan.shaft.active() + plan.support.active();
     line!(text, "\n{} coordinates, {active} active", 1 + both.iter().sum::<usize>());
+    let made = match &rotor.shaft.body.mesh {
+        Mesh::Generated(made) => made.dimensions.fineness(),
+        _ => None,
+    };
+    if let Some(found) = made {
+        line!(text, "shaft: {}", machine::fineness::described(&found));
+    }
     for (name, body) in [("shaft", &plan.shaft), ("support", &plan.support)] {
-        let sets: Vec<String> = body
-            .mesh
-            .node_sets()
-            .iter()
-            .map(|(name, nodes)| format!("{name} ({})", nodes.len()))
-            .collect();
-        line!(text, "node sets of the {name}: {}", sets.join(", "));
+        sets::say(text, &format!("the {name}"), &body.mesh)?;
         let materials: Vec<String> = (body.mesh.materials().iter().enumerate())
             .map(|(place, material)| {
                 let blocks = body.mesh.blocks().iter().filter(|block| block.material == place);

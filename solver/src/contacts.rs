@@ -17,6 +17,8 @@ pub struct BoreNodes {
     pub name: String,
     /// Nodes of the mesh, ring by ring; or all of a surface as one.
     pub rings: Vec<Vec<usize>>,
+    /// The node set of a surface, faces of which may be cut.
+    pub surface: Option<String>,
     /// x and y of its axis (m).
     pub axis: [f64; 2],
 }
@@ -37,7 +39,10 @@ pub struct Pattern {
 pub fn patterns(mesh: &Mesh, bore: &BoreNodes) -> Result<Vec<Pattern>, Error> {
     let mut patterns = Vec::new();
     for ring in bore.rings.iter().filter(|ring| !ring.is_empty()) {
-        let mean = NodeSetMean::new(mesh, ring)?;
+        let mean = match &bore.surface {
+            Some(set) => NodeSetMean::of_sets(mesh, &[set])?,
+            None => NodeSetMean::new(mesh, ring)?,
+        };
         let nodes: Vec<(usize, f64, f64)> = mean
             .nodes()
             .iter()

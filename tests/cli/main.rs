@@ -32,6 +32,7 @@ mod own_mesh;
 mod read_meshes;
 mod readme;
 mod schema;
+mod set_places;
 mod standing;
 mod starts;
 mod streams;

@@ -120,7 +120,10 @@ fn nodes_at_one_place_are_counted_and_named() {
         let text = joined.text(1.0);
         let found = warnings(&text);
         let [found] = found.as_slice() else { panic!("{found:?}") };
-        assert!(found.starts_with(&format!("{pairs} pairs of nodes are at one place: ")), "{found}");
+        assert!(
+            found.starts_with(&format!("{pairs} pairs of nodes are at one place: ")),
+            "{found}"
+        );
         let first = joined.nodes[27..].iter().find(|x| x[2] == MEETING).unwrap();
         let [x, y, _] = first.map(|x| (1e6 * x).round() / 1e3);
         assert!(found.contains(&format!(" at ({x}, {y}, 40 mm)")), "{found}");
@@ -134,7 +137,9 @@ fn nodes_at_one_place_merge_into_the_first_of_them() {
     let mut apart = bar(|[x, ..]| x < 0.005);
     // As files have them: equal to some digits only.
     apart.nodes.iter_mut().skip(27).for_each(|x| x[2] += 3e-9);
-    for (scale, units) in [(1.0, MeshUnits::default()), (1e-3, MeshUnits { length: 1e-3, ..MeshUnits::default() })] {
+    for (scale, units) in
+        [(1.0, MeshUnits::default()), (1e-3, MeshUnits { length: 1e-3, ..MeshUnits::default() })]
+    {
         let text = apart.text(scale);
         let merged = read_with(&text, Some(1e-8), units).unwrap();
         assert_eq!(merged.mesh.nodes().len(), whole.nodes().len());
@@ -155,7 +160,10 @@ fn nodes_at_one_place_merge_into_the_first_of_them() {
     }
     // Farther than an edge is long, cells would be flat.
     let errors = read_with(&apart.text(1.0), Some(0.01), MeshUnits::default()).unwrap_err();
-    assert!(errors.0[0].what.contains("would flatten cell 1: two of its nodes are 0.01 m apart"), "{errors:?}");
+    assert!(
+        errors.0[0].what.contains("would flatten cell 1: two of its nodes are 0.01 m apart"),
+        "{errors:?}"
+    );
 }
 
 #[test]
@@ -203,12 +211,17 @@ fn meshes_of_other_programs_have_no_seams() {
     for part in ["own-mesh", "gmsh", "calculix"] {
         for entry in std::fs::read_dir(format!("{folder}/{part}")).unwrap() {
             let name = entry.unwrap().file_name().into_string().unwrap();
-            let Some(name) = name.strip_suffix(".gz").map(|name| format!("{part}/{name}")) else { continue };
+            let Some(name) = name.strip_suffix(".gz").map(|name| format!("{part}/{name}")) else {
+                continue;
+            };
             let Ok(read) = open(&data(&name), &name) else { continue };
             seen += 1;
             for warning in &read.warnings {
                 let seam = ["at one place", "hang", "by their corners only"];
-                assert!(!seam.iter().any(|words| warning.what.contains(words)), "{name}: {warning}");
+                assert!(
+                    !seam.iter().any(|words| warning.what.contains(words)),
+                    "{name}: {warning}"
+                );
             }
         }
     }

@@ -129,7 +129,7 @@ fn another_shaft_has_the_mass_of_its_polygon() {
         layers_in_support: 4,
         layers_between: 10,
         loads: vec![0.3],
-        section: SectionCells { sectors: 12, rings: 4 },
+        section: SectionCells { sectors: 12, rings: 4, order: 1 },
         material: Material::isotropic("bronze", 110e9, 0.34, 8800.0).unwrap(),
     };
     let mesh = other.mesh(&ELEMENTS).unwrap();
@@ -164,7 +164,7 @@ fn another_support_has_the_mass_of_its_parts() {
         bore_radius: 0.025,
         layers_in_ring: 4,
         layers_between: 15,
-        section: SupportCells { height: 3, width: 6, pedestal: 4, around: 30, radial: 3 },
+        section: SupportCells { height: 3, width: 6, pedestal: 4, around: 30, radial: 3, order: 1 },
         material: steel(),
     };
     let mesh = other.mesh(&ELEMENTS).unwrap();
@@ -258,7 +258,7 @@ fn crank() -> CrankThrow {
         web_thickness: 0.018,
         layers_in_support: 4,
         layers_between: 2,
-        section: SectionCells { sectors: 16, rings: 3 },
+        section: SectionCells { sectors: 16, rings: 3, order: 1 },
         material: steel(),
     }
 }
@@ -303,7 +303,7 @@ fn a_crank_has_the_mass_and_the_centre_of_its_parts() {
 #[test]
 fn dimensions_of_a_crank_that_cannot_be_are_named() {
     let message = |crank: CrankThrow| crank.mesh(&ELEMENTS).unwrap_err().to_string();
-    let section = SectionCells { sectors: 12, rings: 3 };
+    let section = SectionCells { sectors: 12, rings: 3, order: 1 };
     for (wrong, expected) in [
         (CrankThrow { throw: 0.04, ..crank() }, "throw"),
         (CrankThrow { web_width: 0.05, ..crank() }, "web_width"),

@@ -12,7 +12,8 @@ use whirl_codegen::document::Table;
 use whirl_specs::{MOTIONS, Motion};
 
 pub(super) use self::bodies::{
-    body as meshed, crank_throw, ground_springs, ring_support, solid_shaft, static_correction,
+    Cells, body as meshed, crank_throw, ground_springs, ring_support, solid_shaft,
+    static_correction,
 };
 pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as drive};
 pub(super) use self::materials::Materials;

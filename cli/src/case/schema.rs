@@ -191,6 +191,7 @@ const SHAFT_DIMENSIONS: &[Key] = &[
 const SHAFT_CELLS: &[Key] = &[
     key("sectors", Count(1, MOST_CELLS), "cells around"),
     key("rings", Count(1, MOST_CELLS), "cells from the centre outwards"),
+    key("order", Count(1, 2), "1: linear cells, the default here; 2: quadratic ones"),
 ];
 
 const SUPPORT: &[Key] = &[
@@ -225,6 +226,7 @@ const SUPPORT_CELLS: &[Key] = &[
     key("pedestal", Count(1, MOST_CELLS), "cells over the height of the pedestal"),
     key("around", Count(1, MOST_CELLS), "cells around the ring"),
     key("radial", Count(1, MOST_CELLS), "cells over the ring's wall"),
+    key("order", Count(1, 2), "1: linear cells, the default here; 2: quadratic ones"),
 ];
 
 pub(super) const GROUND_SPRING: &[Key] = &[

@@ -15,6 +15,8 @@ pub(crate) struct NamedSelection {
     pub(crate) selection: Selection,
     /// Whether a cylinder is about the axis of the body, as the case does not say about which.
     pub(crate) about_axis: bool,
+    /// Whether the case says how far nodes may be from it.
+    pub(crate) within_given: bool,
 }
 
 /// Nodes of a cylinder are this part of its radius from it at most, if the case does not say it.
@@ -56,8 +58,8 @@ fn one(name: Located, own: &Table) -> Option<NamedSelection> {
     match given[..] {
         [_] => {}
         [] => {
-            let help = "add `radius = \"20 mm\"` for a cylinder, `point = [\"0 mm\", \"0 mm\", \"100 mm\"]` for nodes near \
-                        it, or `plane = \"0 mm\"` for faces across the axis (with `across = \"x\"` across x)";
+            let help = "add `radius = \"20 mm\"` for a cylinder (faces count that are up to `within`, 1 % of it, away from it), \
+                        `point = [\"0 mm\", \"0 mm\", \"100 mm\"]` for nodes near it, or `plane = \"0 mm\"` for faces across the axis (with `across = \"x\"` across x)";
             own.absent("radius", help);
             return None;
         }
@@ -77,7 +79,8 @@ fn one(name: Located, own: &Table) -> Option<NamedSelection> {
     } else {
         Selection::Plane { across, at: plane?, within: within.unwrap_or(FLAT) }
     };
-    Some(NamedSelection { name, selection, about_axis: !own.gives("centre") })
+    let (about_axis, within_given) = (!own.gives("centre"), own.gives("within"));
+    Some(NamedSelection { name, selection, about_axis, within_given })
 }
 
 /// From where to where along z: everywhere if the case does not say it. None if what it says is wrong.

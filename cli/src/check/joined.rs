@@ -5,12 +5,16 @@ use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
 use whirl_solver::bearing::MotionKind;
+use whirl_solver::mesh::Fineness;
 use whirl_solver::mesh::measure::Circle;
 use whirl_text::rounded;
 
-use crate::case::{Attached, Carried, JoinedMachine, Joint, JointKind, Run, SetParameter, Turning};
+use crate::case::{
+    Attached, Carried, Form, JoinedMachine, Joint, JointKind, Mesh, NamedBody, Run, SetParameter,
+    Turning,
+};
 use crate::errors::Failure;
-use crate::machine::{Built, JoinedPlan, PlannedBody};
+use crate::machine::{Built, JoinedPlan, PlannedBody, fineness};
 use crate::report::table;
 
 /// Frequencies of a body that are said.
@@ -27,6 +31,14 @@ pub(super) fn say(
     text.push_str(&masses(joined, plan)?);
     text.push('\n');
     text.push_str(&sizes(plan, joined));
+    for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
+        if let Some(found) = fineness_of(body) {
+            line!(text, "{}: {}", body.name.text(), fineness::described(&found));
+        }
+        if let PlannedBody::Meshed(meshed) = own {
+            super::sets::say(text, body.name.text(), &meshed.mesh)?;
+        }
+    }
     let facts = built.bodies.iter().flat_map(|facts| &facts.bodies);
     for body in facts.filter(|body| !body.hertz.is_empty()) {
         let first: Vec<String> = body.hertz.iter().take(FIRST).map(|f| format!("{f:.2}")).collect();
@@ -97,6 +109,17 @@ pub(super) fn say(
     }
     line!(text, "motion: {}", joined.motion.origin.title);
     Ok(())
+}
+
+/// How fine the layers of a flexible body are that is made from dimensions.
+fn fineness_of(body: &NamedBody) -> Option<Fineness> {
+    match &body.form {
+        Form::Meshed(own) if !own.rigid => match &own.body.mesh {
+            Mesh::Generated(made) => made.dimensions.fineness(),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// What turning at its top speed makes of the natural frequencies of a body.

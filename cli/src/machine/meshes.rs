@@ -38,7 +38,7 @@ pub(super) fn mesh<D>(
         case::Mesh::File(_) | case::Mesh::Matrices(_) => axis,
         case::Mesh::Generated(_) => [0.0; 2],
     };
-    selections::with_selections(mesh, &body.selections, axis)
+    selections::with_selections(mesh, &body.selections, axis, warnings)
 }
 
 fn elements() -> Vec<&'static Element> {

@@ -1,6 +1,7 @@
 //! From a case to a machine that can be marched: meshes, sets, reduced bodies, springs, loads.
 
 mod described;
+pub(crate) mod fineness;
 mod forces;
 mod joined;
 mod laws;

@@ -23,8 +23,8 @@ pub(super) fn places(
 pub(super) fn on_mesh(plan: &mut BodyPlan, set: &Located, errors: &mut Diagnostics) -> usize {
     match plan.nodes(set, errors).as_slice() {
         [] => 0,
-        [node] => plan.output_node(*node),
-        nodes => plan.output_mean(nodes),
+        [node] if !plan.is_cut(set) => plan.output_node(*node),
+        nodes => plan.output_mean(set, nodes),
     }
 }
 

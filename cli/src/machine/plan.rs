@@ -18,7 +18,7 @@ pub(super) use self::body::HoldingWords;
 pub(super) use self::driven::Turn;
 use self::geometry::stations::Extent;
 use super::laws::laws;
-use super::{meshes, outputs};
+use super::{fineness, meshes, outputs};
 use crate::case::{self, Fields, LawSource, Output, Rotor, RotorDraft};
 use crate::errors::Failure;
 
@@ -184,6 +184,9 @@ impl MachinePlan {
         };
         let shaft = outline.shaft.and_then(|case| {
             let mesh = meshes::mesh((&case.body, AXIS), SolidShaft::mesh, warnings);
+            if let (case::Mesh::Generated(made), Ok(_)) = (&case.body.mesh, &mesh) {
+                fineness::warn("shaft", &made.table, made.dimensions.fineness(), warnings);
+            }
             Some(OnShaft::place(case, made(mesh, &mut errors)?, outline, &mut errors))
         });
         let support = outline.support.and_then(|case| {
@@ -293,7 +296,7 @@ fn place_support(
     }
     for (number, bore) in bores.iter().enumerate() {
         let rings = bore.iter().map(|ring| support.mesh_nodes(ring)).collect();
-        support.add_bore(format!("bearing {}", number + 1), AXIS, rings);
+        support.add_bore(format!("bearing {}", number + 1), AXIS, (rings, None));
     }
     support.correct(errors);
     let held = support.nodes(mounts, errors);

@@ -1,14 +1,20 @@
 //! The node sets that a case adds to a mesh.
 
-use whirl_codegen::diagnostic::{Code, Diagnostics};
-use whirl_solver::mesh::{Mesh, Selection};
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_solver::mesh::{Mesh, Selection, SetPlace};
+use whirl_text::rounded;
 
 use super::plan::AXES;
 use super::plan::geometry::mm;
 use crate::case::NamedSelection;
 use crate::errors::Failure;
 
-/// The mesh with these sets; cylinders about which the case says no axis are about `axis` (m).
+/// Faces that cover less than this part of a band are warned of.
+const COVERED: f64 = 0.98;
+/// So are those whose middle is farther from the axis than this part of the radius.
+const CENTRED: f64 = 0.01;
+
+/// The mesh with these sets; cylinders about which the case says no axis are about `axis` (m). `warnings` are added to.
 ///
 /// # Errors
 /// Those without nodes, and those whose name the mesh has.
@@ -16,10 +22,12 @@ pub(super) fn with_selections(
     mesh: Mesh,
     selections: &[NamedSelection],
     axis: [f64; 2],
+    warnings: &mut Vec<String>,
 ) -> Result<Mesh, Failure> {
     let mut errors = Diagnostics::new();
     let mut all = mesh;
-    for NamedSelection { name, selection, about_axis } in selections {
+    for own in selections {
+        let NamedSelection { name, selection, about_axis, .. } = own;
         if all.node_set(name.text()).is_ok() {
             let message = format!("{} has a node set `{}` of its own", all.origin(), name.text());
             let help = "give this one another name";
@@ -32,14 +40,88 @@ pub(super) fn with_selections(
             }
             other => other,
         };
-        let nodes = all.selected(&placed);
-        if nodes.is_empty() {
+        let place = one_side(&all, own, all.select(&placed), warnings, &mut errors);
+        if place.nodes.is_empty() {
             let (message, help) = nothing(&all, &placed);
             errors.push(name.error_here(Code::BAD_VALUE, message).help(help));
         }
-        all = all.with_node_set(name.text(), nodes);
+        all = all.with_place(name.text(), place);
+        warnings.extend(uneven(&all, name, &placed)?);
     }
     Ok(errors.into_result(all)?)
+}
+
+/// Of both sides of a thin wall the one that is nearer to the radius, where the case does not say how far nodes may be
+/// from it.
+fn one_side(
+    mesh: &Mesh,
+    own: &NamedSelection,
+    place: SetPlace,
+    warnings: &mut Vec<String>,
+    errors: &mut Diagnostics,
+) -> SetPlace {
+    let Selection::Cylinder { centre, radius, within, z } = place.selection else { return place };
+    let Some([outer, hole]) = place.two_sides(mesh) else { return place };
+    let name = &own.name;
+    let both = format!(
+        "`{}` has both sides of a wall of {}: faces up to {} from the radius {} count",
+        name.text(),
+        mesh.origin(),
+        mm(within),
+        mm(radius)
+    );
+    if own.within_given {
+        warnings.push(format!(
+            "{}: {both}; write a smaller `within` if one side is meant",
+            name.source().path.display()
+        ));
+        return place;
+    }
+    let [near, far] = if outer[1] <= hole[1] { [outer, hole] } else { [hole, outer] };
+    if near[1] < far[0] {
+        let within = 0.5 * (near[1] + far[0]);
+        return mesh.select(&Selection::Cylinder { centre, radius, within, z });
+    }
+    let help = "write the radius of one side, and `within = \"0.1 mm\"`, less than the thickness of the wall";
+    errors.push(name.error_here(Code::BAD_VALUE, both).help(help));
+    place
+}
+
+/// What is said of faces that leave much of a band open, or whose middle is beside the axis.
+fn uneven(mesh: &Mesh, name: &Located, selection: &Selection) -> Result<Option<String>, Failure> {
+    let Selection::Cylinder { centre, radius, z, .. } = *selection else { return Ok(None) };
+    if mesh.node_set(name.text()).is_ok_and(<[usize]>::is_empty) {
+        return Ok(None);
+    }
+    let caught = mesh.caught(name.text())?;
+    let (Some(share), Some(off)) = (caught.share, caught.off_axis) else { return Ok(None) };
+    if share >= COVERED && off <= CENTRED * radius {
+        return Ok(None);
+    }
+    let of_band = match z {
+        [from, to] if from.is_finite() && to.is_finite() => {
+            format!("the band from z = {} to {}", mm(from), mm(to))
+        }
+        _ => "the band from its first to its last face".to_owned(),
+    };
+    let there = mesh.nearest_cylinder(centre, radius, z).map_or_else(String::new, |own| {
+        let [from, to] = own.z;
+        format!(
+            "; the cylinder of radius {} is from z = {} to {}",
+            mm(own.radius),
+            mm(from),
+            mm(to)
+        )
+    });
+    Ok(Some(format!(
+        "{}: the faces of `{}` cover {} % of {of_band} of {}, and their middle is {} off its axis{there}: see to `z`, `radius` \
+         and `within` unless that is meant",
+        name.source().path.display(),
+        name.text(),
+        rounded(100.0 * share, 3),
+        mesh.origin(),
+        mm(off)
+    )))
 }
 
 /// What is said of a selection that finds nothing, and of the nearest there is.
@@ -47,12 +129,7 @@ fn nothing(mesh: &Mesh, selection: &Selection) -> (String, String) {
     let origin = mesh.origin();
     match *selection {
         Selection::Cylinder { centre, radius, within, z } => {
-            let found = mesh.cylinders(centre);
-            let beside = |own: &[f64; 2]| (z[0] - own[1]).max(own[0] - z[1]).max(0.0);
-            let away = |own: &whirl_solver::mesh::Cylinder| {
-                (own.radius - radius).abs() + beside(&own.z).min(1e3)
-            };
-            let nearest = found.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+            let nearest = mesh.nearest_cylinder(centre, radius, z);
             let range = match z {
                 [from, to] if from.is_finite() && to.is_finite() => {
                     format!(", from z = {} to {}", mm(from), mm(to))
@@ -68,7 +145,7 @@ fn nothing(mesh: &Mesh, selection: &Selection) -> (String, String) {
             );
             let help = match nearest {
                 Some(own) => format!(
-                    "the nearest has `radius = \"{}\"`, from z = {} to {}",
+                    "the nearest has `radius = \"{}\"`, from z = {} to {}; `within` says how far nodes may be from it",
                     mm(own.radius),
                     mm(own.z[0]),
                     mm(own.z[1])

@@ -115,6 +115,7 @@ fn lines(
     let axis = mesh.round_axis();
     let about = axis.unwrap_or_default();
     let cylinders = mesh.cylinders(about);
+    let about = if cylinders.is_empty() { [0.0; 2] } else { about };
     match (axis, cylinders.is_empty()) {
         (_, true) => line!(text, "\nno cylinders about an axis along z"),
         (axis, false) => {

@@ -120,7 +120,9 @@ pub(crate) fn bounds<'a>(nodes: impl Iterator<Item = &'a [f64; 3]>) -> [[f64; 3]
     ends
 }
 
-/// A length in mm.
+/// A length in mm: to six digits, and to the picometre, below which there is only rounding of other lengths.
 pub(crate) fn mm(x: f64) -> String {
-    rounded(1e3 * x, 6).to_string()
+    // Adding zero takes the sign off what rounds to it.
+    let shown = rounded((1e12 * x).round() / 1e9, 6) + 0.0;
+    shown.to_string()
 }

@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 use whirl_specs::Element;
 
-use super::layers::{MOST_CELLS, element, length, positive, wrong};
-use super::shaft::{SectionCells, corner_radius, from_abaqus};
-use super::{Cell, Material, Mesh, MeshParts};
+use super::layers::{MOST_CELLS, length, positive, wrong};
+use super::shaft::{SectionCells, layers, solids};
+use super::{Material, Mesh, MeshParts};
 use crate::error::Error;
 
 const ORIGIN: &str = "the crank made from its dimensions";
@@ -65,13 +65,11 @@ struct Round {
 }
 
 impl CrankThrow {
-    /// The mesh, with the elements of `elements` that Abaqus calls C3D6 and C3D8I.
+    /// The mesh, with the elements of `elements` that Abaqus calls C3D6 and C3D8I, or C3D15 and C3D20.
     ///
     /// # Errors
     /// [`Error::Dimension`] naming the dimension that cannot be, [`Error::Mesh`] for a missing element.
     pub fn mesh(&self, elements: &[&'static Element]) -> Result<Mesh, Error> {
-        let (wedge, hexahedron) =
-            (element(elements, "C3D6", ORIGIN)?, element(elements, "C3D8I", ORIGIN)?);
         self.check()?;
         let plane = self.plane();
         // Layers from the left: how many, how long, and which cells of the plane they have.
@@ -127,20 +125,12 @@ impl CrankThrow {
         for (name, place) in ["DRIVE_TOP", "DRIVE_BOTTOM"].into_iter().zip(plane.rounds[0].rim) {
             node_sets.insert(name.to_owned(), vec![node(0, place)]);
         }
+        let [journal, pin] = self.radii();
+        let rounds = [([0.0; 2], journal), ([self.throw, 0.0], pin)];
+        let order = self.section.order;
+        let (blocks, element_sets) =
+            solids(elements, ORIGIN, &mut nodes, ([wedges, hexahedra], order), &rounds)?;
         node_sets.insert("Nall".to_owned(), (0..nodes.len()).collect());
-
-        let mut blocks = Vec::new();
-        let mut element_sets = BTreeMap::new();
-        let mut first_label = 1;
-        for (name, element, connectivity) in
-            [("Ewedge6", wedge, wedges), ("Ehex8", hexahedron, hexahedra)]
-        {
-            let block = from_abaqus(element, &connectivity, first_label);
-            first_label += block.len() as u64;
-            let cells = (0..block.len()).map(|cell| Cell { block: blocks.len(), cell });
-            element_sets.insert(name.to_owned(), cells.collect());
-            blocks.push(block);
-        }
         Mesh::new(MeshParts {
             origin: ORIGIN.to_owned(),
             labels: (1..=nodes.len() as u64).collect(),
@@ -153,10 +143,18 @@ impl CrankThrow {
         })
     }
 
+    /// Layers in journals and pin, and in a web, no longer than a radius: enough for quadratic cells, as nothing in a throw
+    /// is slender.
+    pub fn default_layers(&self) -> [usize; 2] {
+        let radius = 0.5 * self.diameter.min(self.pin_diameter);
+        let longest = self.support_length.max(self.pin_length);
+        [layers(0.5 * longest, radius).saturating_mul(2), layers(self.web_thickness, radius)]
+    }
+
     /// Radii of journals and pin to the corners of their polygons.
     fn radii(&self) -> [f64; 2] {
         [self.diameter, self.pin_diameter]
-            .map(|diameter| corner_radius(0.5 * diameter, self.section.sectors))
+            .map(|diameter| self.section.corner_radius(0.5 * diameter))
     }
 
     fn plane(&self) -> Plane {
@@ -182,7 +180,7 @@ impl CrankThrow {
         [left, right]: [f64; 2],
         before: Option<usize>,
     ) -> Round {
-        let SectionCells { sectors, rings } = self.section;
+        let SectionCells { sectors, rings, .. } = self.section;
         let (half, side) = (0.5 * self.web_width, sectors / 4);
         // The edge of the web, from the corner at the lower right on around it; as many cells at each side.
         let edge = |sector: usize| {
@@ -249,7 +247,8 @@ impl CrankThrow {
             ("web_width", self.web_width),
             ("web_thickness", self.web_thickness),
         ])?;
-        let SectionCells { sectors, rings } = self.section;
+        self.section.check()?;
+        let SectionCells { sectors, rings, .. } = self.section;
         if sectors < 8 || !sectors.is_multiple_of(8) {
             let help = "make it 8, 16 or another multiple of 8";
             return Err(wrong(

@@ -1,6 +1,9 @@
 //! The mean motion of a set of nodes.
 
+use std::collections::BTreeMap;
+
 use super::Mesh;
+use super::cut::Sample;
 use super::surface::faces_within;
 use crate::error::Error;
 use crate::linalg::{Matrix, symmetric_eigen};
@@ -15,6 +18,9 @@ const ON_LINE: f64 = 1e-6;
 ///
 /// With c = Σ w x_a the displacement d at c is Σ w u_a, and the small rotation ω solves J ω = Σ w r_a × u_a with
 /// r_a = x_a − c and J = Σ w (|r_a|² 1 − r_a r_aᵀ).
+///
+/// Where faces or cells are cut, sums over nodes are integrals over the area A of what is left, with the motion
+/// u = Σ N_a u_a within them: w_a = ∫ N_a dA / A, J = ∫ (|r|² 1 − r rᵀ) dA / A, and ω solves J ω = ∫ r × u dA / A.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NodeSetMean {
     /// The nodes that have a weight, ascending.
@@ -25,8 +31,8 @@ pub struct NodeSetMean {
     centre: [f64; 3],
     /// Area of the faces (m²); none where the set has no whole face.
     area: Option<f64>,
-    /// r_a (m), one a node of `nodes`.
-    arms: Vec<[f64; 3]>,
+    /// Factor and arm (m) of each node of `nodes`: w and r_a; or 1 and ∫ N_a (x − c) dA over the area.
+    arms: Vec<(f64, [f64; 3])>,
     /// J⁻¹ (1/m²), without the axes that [`NodeSetMean::turns_about`] excludes.
     inverse: [[f64; 3]; 3],
     /// Unit vectors along these axes.
@@ -112,20 +118,8 @@ impl NodeSetMean {
             let term = |r: &[f64; 3]| if i == j { square(r) - r[i] * r[j] } else { -r[i] * r[j] };
             weights.iter().zip(&arms).map(|(w, r)| w * term(r)).sum()
         });
-        let eigen = symmetric_eigen(&moment)?;
-        let largest = eigen.values[2].max(0.0);
-        let mut inverse = [[0.0; 3]; 3];
-        let mut undefined = Vec::new();
-        for (k, &value) in eigen.values.iter().enumerate() {
-            let axis = eigen.vectors.col(k);
-            if value <= ON_AXIS * largest {
-                undefined.push([axis[0], axis[1], axis[2]]);
-                continue;
-            }
-            for (row, &x) in inverse.iter_mut().zip(axis) {
-                row.iter_mut().zip(axis).for_each(|(entry, &y)| *entry += x * y / value);
-            }
-        }
+        let (inverse, undefined) = inverse_of(&moment)?;
+        let arms = weights.iter().copied().zip(arms).collect();
         Ok(NodeSetMean {
             nodes,
             weights,
@@ -136,6 +130,45 @@ impl NodeSetMean {
             undefined,
             turned: Vec::new(),
         })
+    }
+
+    /// The mean of sets by their names; of those by place whose faces are cut, that of the parts within.
+    ///
+    /// # Errors
+    /// As [`NodeSetMean::new`], and a set that is not there.
+    pub fn of_sets(mesh: &Mesh, names: &[&str]) -> Result<NodeSetMean, Error> {
+        if !names.iter().any(|name| mesh.is_cut(name)) {
+            let mut nodes = Vec::new();
+            for name in names {
+                nodes.extend_from_slice(mesh.node_set(name)?);
+            }
+            return NodeSetMean::new(mesh, &nodes);
+        }
+        let mut sums = Sums::default();
+        for name in names {
+            match mesh.place_of(name).filter(|own| own.is_cut()) {
+                Some(own) => own.each_point(mesh, |sample| sums.add(sample)),
+                None => {
+                    let mut inside = vec![false; mesh.nodes().len()];
+                    mesh.node_set(name)?.iter().for_each(|&node| inside[node] = true);
+                    let faces = faces_within(mesh, &inside);
+                    faces
+                        .iter()
+                        .for_each(|face| face.each_point(mesh.nodes(), |own| sums.add(own)));
+                }
+            }
+        }
+        sums.mean(mesh)
+    }
+
+    /// The mean of the section of all cells across z (m); none where no cell is cut there.
+    ///
+    /// # Errors
+    /// Of linear algebra.
+    pub fn of_section(mesh: &Mesh, z: f64) -> Result<Option<NodeSetMean>, Error> {
+        let mut sums = Sums::default();
+        mesh.each_point_of_section(z, |sample| sums.add(sample));
+        if sums.area > 0.0 { sums.mean(mesh).map(Some) } else { Ok(None) }
     }
 
     /// Has nodes turn by dofs of their own about the axes that their places do not show; `turns` are these dofs about x, y and z,
@@ -196,15 +229,16 @@ impl NodeSetMean {
     /// Σ cᵢ uᵢ over dofs i = 3·node + component that gives a component of the mean motion. A rotation that the set does not
     /// show (see [`NodeSetMean::turns_about`]) counts as zero.
     pub fn row(&self, motion: MeanComponent) -> Vec<(usize, f64)> {
-        let nodes = self.nodes.iter().zip(&self.weights).zip(&self.arms);
         match motion {
             MeanComponent::Displacement(axis) => {
-                nodes.map(|((node, w), _)| (3 * node + axis, *w)).collect()
+                let nodes = self.nodes.iter().zip(&self.weights);
+                nodes.map(|(node, w)| (3 * node + axis, *w)).collect()
             }
             // ω_axis = Σ_a w (J⁻¹)_axis · (r × u) = Σ_a w ((J⁻¹)_axis × r) · u.
             MeanComponent::Rotation(axis) => {
                 let [a, b, c] = self.inverse[axis];
-                let terms = nodes.flat_map(|((&node, w), [x, y, z])| {
+                let nodes = self.nodes.iter().zip(&self.arms);
+                let terms = nodes.flat_map(|(&node, (w, [x, y, z]))| {
                     let cross = [b * z - c * y, c * x - a * z, a * y - b * x];
                     cross.into_iter().enumerate().map(move |(i, value)| (3 * node + i, w * value))
                 });
@@ -222,6 +256,87 @@ impl NodeSetMean {
                 row
             }
         }
+    }
+}
+
+/// J⁻¹ without the axes about which there is no moment, and unit vectors along these.
+#[allow(clippy::type_complexity, reason = "a matrix and vectors")]
+fn inverse_of(
+    moment: &Matrix,
+) -> Result<([[f64; 3]; 3], Vec<[f64; 3]>), crate::linalg::LinearAlgebraError> {
+    let eigen = symmetric_eigen(moment)?;
+    let largest = eigen.values[2].max(0.0);
+    let mut inverse = [[0.0; 3]; 3];
+    let mut undefined = Vec::new();
+    for (k, &value) in eigen.values.iter().enumerate() {
+        let axis = eigen.vectors.col(k);
+        if value <= ON_AXIS * largest {
+            undefined.push([axis[0], axis[1], axis[2]]);
+            continue;
+        }
+        for (row, &x) in inverse.iter_mut().zip(axis) {
+            row.iter_mut().zip(axis).for_each(|(entry, &y)| *entry += x * y / value);
+        }
+    }
+    Ok((inverse, undefined))
+}
+
+/// Integrals over an area, about a point of it that keeps them small.
+#[derive(Default)]
+struct Sums {
+    /// Where lengths count from (m); none before the first point.
+    origin: Option<[f64; 3]>,
+    /// ∫ dA (m²), ∫ x dA and ∫ x xᵀ dA.
+    area: f64,
+    first: [f64; 3],
+    second: [[f64; 3]; 3],
+    /// ∫ N_a dA and ∫ N_a x dA, a node each.
+    of_nodes: BTreeMap<usize, (f64, [f64; 3])>,
+}
+
+impl Sums {
+    fn add(&mut self, sample: &Sample) {
+        let origin = *self.origin.get_or_insert(sample.at);
+        let x = [0, 1, 2].map(|k| sample.at[k] - origin[k]);
+        let area = sample.area.iter().map(|a| a * a).sum::<f64>().sqrt();
+        self.area += area;
+        for i in 0..3 {
+            self.first[i] += area * x[i];
+            (0..3).for_each(|j| self.second[i][j] += area * x[i] * x[j]);
+        }
+        for (&node, value) in sample.nodes.iter().zip(sample.values) {
+            let (whole, moments) = self.of_nodes.entry(node).or_default();
+            *whole += area * value;
+            moments.iter_mut().zip(x).for_each(|(sum, x)| *sum += area * value * x);
+        }
+    }
+
+    fn mean(self, mesh: &Mesh) -> Result<NodeSetMean, Error> {
+        let (Some(origin), true) = (self.origin, self.area > 0.0) else {
+            let what = "a set without area has no mean motion by area".to_owned();
+            return Err(Error::Mesh { origin: mesh.origin().to_owned(), what });
+        };
+        let area = self.area;
+        let middle = self.first.map(|sum| sum / area);
+        let about = |i: usize, j: usize| self.second[i][j] / area - middle[i] * middle[j];
+        let trace: f64 = (0..3).map(|k| about(k, k)).sum();
+        let moment =
+            Matrix::from_fn(3, 3, |i, j| if i == j { trace - about(i, j) } else { -about(i, j) });
+        let (inverse, undefined) = inverse_of(&moment)?;
+        let of_nodes = || self.of_nodes.values();
+        let arm = |(weight, moments): &(f64, [f64; 3])| {
+            (1.0, [0, 1, 2].map(|k| (moments[k] - weight * middle[k]) / area))
+        };
+        Ok(NodeSetMean {
+            nodes: self.of_nodes.keys().copied().collect(),
+            weights: of_nodes().map(|(weight, _)| weight / area).collect(),
+            centre: [0, 1, 2].map(|k| origin[k] + middle[k]),
+            area: Some(area),
+            arms: of_nodes().map(arm).collect(),
+            inverse,
+            undefined,
+            turned: Vec::new(),
+        })
     }
 }
 

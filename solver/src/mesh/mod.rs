@@ -5,6 +5,8 @@
 
 pub mod bdf;
 pub mod crank;
+mod cut;
+mod fineness;
 pub mod foreign;
 pub mod format;
 pub mod inp;
@@ -14,6 +16,8 @@ pub mod matrices;
 mod mean;
 pub mod measure;
 pub mod msh;
+mod place;
+mod quadratic;
 mod quality;
 mod raw;
 mod regions;
@@ -23,8 +27,10 @@ pub mod support;
 mod surface;
 mod units;
 
+pub use fineness::Fineness;
 pub use material::{ImplausibleProperty, Material};
 pub use mean::{MeanComponent, NodeSetMean};
+pub use place::{Caught, SetPlace};
 pub use quality::WorstCell;
 pub(crate) use regions::connected;
 pub use selection::{Cylinder, Selection};
@@ -107,6 +113,8 @@ pub struct MeshParts {
 #[derive(Debug, Clone)]
 pub struct Mesh {
     parts: MeshParts,
+    /// Where the node sets are that are chosen by their place, by name.
+    places: BTreeMap<String, SetPlace>,
 }
 
 impl Mesh {
@@ -114,7 +122,7 @@ impl Mesh {
     ///
     /// Errors: an index out of range, lengths that do not fit, or a position that is not finite.
     pub fn new(parts: MeshParts) -> Result<Mesh, Error> {
-        let mesh = Mesh { parts };
+        let mesh = Mesh { parts, places: BTreeMap::new() };
         match mesh.misfit() {
             None => Ok(mesh),
             Some(what) => Err(Error::Mesh { origin: mesh.parts.origin, what }),
@@ -213,6 +221,7 @@ impl Mesh {
     /// All of it on which a reduced body depends, for the key of a cache. Names and labels change no number, and sets only say
     /// which nodes are output.
     pub(crate) fn content(&self) -> impl Serialize + '_ {
+        let Mesh { parts, places: _ } = self;
         let MeshParts {
             origin: _,
             nodes,
@@ -222,7 +231,7 @@ impl Mesh {
             node_sets: _,
             element_sets: _,
             matrices,
-        } = &self.parts;
+        } = parts;
         let block = |block: &'_ Block| {
             let Block { element, material, labels: _, connectivity } = block;
             (element.origin.hash, *material, connectivity.clone())

@@ -76,7 +76,7 @@ impl Mesh {
         let cells = parts.element_sets.values_mut().flatten();
         cells.for_each(|cell| *cell = places[cell.block][cell.cell]);
         (parts.blocks, parts.materials) = (blocks, kept);
-        Mesh::new(parts)
+        Ok(Mesh { places: self.places.clone(), ..Mesh::new(parts)? })
     }
 
     /// The mesh moved by so much along x and y (m).
@@ -84,11 +84,12 @@ impl Mesh {
     /// # Errors
     /// As [`Mesh::new`]: positions beyond all numbers.
     pub fn moved(self, by: [f64; 2]) -> Result<Mesh, Error> {
-        let mut parts = self.parts;
+        let (mut parts, mut places) = (self.parts, self.places);
         for node in &mut parts.nodes {
             (node[0], node[1]) = (node[0] + by[0], node[1] + by[1]);
         }
-        Mesh::new(parts)
+        places.values_mut().for_each(|place| place.selection.moves(by));
+        Ok(Mesh { places, ..Mesh::new(parts)? })
     }
 
     /// The part of each node: nodes of one cell are in one part, which are counted from 0 in the order of

@@ -1,6 +1,7 @@
 //! Node sets by where they are: what a mesh file has no sets of.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::f64::consts::TAU;
 
 use super::surface::{SurfaceFace, faces_within};
 use super::{Mesh, MeshParts, connected};
@@ -49,58 +50,25 @@ pub struct Cylinder {
 }
 
 /// A normal counts as radial, or as along z, where this part of it is.
-const ALONG: f64 = 0.7;
+pub(super) const ALONG: f64 = 0.7;
+/// A face of a cylinder is seen from its axis under this angle at most (rad): a square bar is none, a pentagon may be.
+const FACET: f64 = 75.0 / 180.0 * std::f64::consts::PI;
+/// Faces look into so many directions at least on a cylinder, and into others by this angle (rad).
+const DIRECTIONS: (usize, f64) = (3, 1e-3);
 /// Faces are on one cylinder if their radii differ by at most this part.
 const SAME: f64 = 0.01;
 
 impl Mesh {
-    /// The nodes of a selection, ascending; faces count where they are on the surface of the mesh. Of a body of
-    /// matrices, which has no faces, the nodes count.
+    /// The nodes of a selection, ascending: see [`Mesh::select`].
     pub fn selected(&self, selection: &Selection) -> Vec<usize> {
-        let near = |node: &[f64; 3]| match *selection {
-            Selection::Cylinder { centre, radius, within, z } => {
-                let away = (node[0] - centre[0]).hypot(node[1] - centre[1]) - radius;
-                // Ends of a range are planes of nodes as often as not.
-                let margin = 1e-6 * radius;
-                away.abs() <= within && z[0] - margin <= node[2] && node[2] <= z[1] + margin
-            }
-            Selection::Point { at, within } => {
-                let square: f64 = (0..3).map(|k| (node[k] - at[k]).powi(2)).sum();
-                square <= within * within
-            }
-            Selection::Plane { across, at, within } => (node[across] - at).abs() <= within,
-        };
-        let placed = &self.nodes()[..self.placed()];
-        let inside: Vec<bool> = placed.iter().map(near).collect();
-        let fits = |face: &SeenFace| match *selection {
-            Selection::Cylinder { .. } => face.radial.abs() >= ALONG,
-            Selection::Plane { across, .. } => face.normal[across].abs() >= ALONG,
-            Selection::Point { .. } => true,
-        };
-        let centre = match *selection {
-            Selection::Cylinder { centre, .. } => centre,
-            _ => [0.0; 2],
-        };
-        let chosen: BTreeSet<usize> = match selection {
-            // Matrices have no faces.
-            _ if self.matrices().is_some() => {
-                (0..placed.len()).filter(|&node| inside[node]).collect()
-            }
-            Selection::Point { .. } => (0..inside.len()).filter(|&node| inside[node]).collect(),
-            _ => {
-                let faces = self.surface_within(&inside);
-                let fit = faces.iter().filter(|face| fits(&self.seen(face, centre)));
-                fit.flat_map(SurfaceFace::nodes).collect()
-            }
-        };
-        chosen.into_iter().collect()
+        self.select(selection).nodes
     }
 
     /// The mesh with another node set, in place of one of the same name.
     pub fn with_node_set(self, name: &str, nodes: Vec<usize>) -> Mesh {
         let mut parts: MeshParts = self.parts;
         parts.node_sets.insert(name.to_owned(), nodes);
-        Mesh { parts }
+        Mesh { parts, places: self.places }
     }
 
     /// The cylinders about an axis parallel to z that are parts of the surface, by z and then by radius.
@@ -114,9 +82,8 @@ impl Mesh {
         let faces = self.surface_within(&all);
         let faces = faces.iter().map(|face| (self.seen(face, centre), face));
         // All nodes of a face on a cylinder are as far from the axis.
-        let round = |(own, _): &(SeenFace, &SurfaceFace)| {
-            own.radial.abs() >= ALONG && own.spread <= SAME * own.radius
-        };
+        let round =
+            |(own, _): &(SeenFace, &SurfaceFace)| own.is_round() && own.spread <= SAME * own.radius;
         let faces: Vec<(SeenFace, &SurfaceFace)> = faces.filter(round).collect();
         let mut known: HashMap<(usize, bool), Vec<usize>> = HashMap::new();
         let mut pairs = Vec::new();
@@ -130,20 +97,31 @@ impl Mesh {
                 others.push(place);
             }
         }
-        let mut found: BTreeMap<usize, (Cylinder, f64, BTreeSet<usize>)> = BTreeMap::new();
+        type Part = (Cylinder, f64, BTreeSet<usize>, Vec<f64>);
+        let mut found: BTreeMap<usize, Part> = BTreeMap::new();
         let parts = connected(faces.len(), pairs);
         for ((own, face), part) in faces.iter().zip(parts) {
-            let (cylinder, count, nodes) = found.entry(part).or_insert_with(|| {
+            let (cylinder, count, nodes, directions) = found.entry(part).or_insert_with(|| {
                 let hollow = own.radial < 0.0;
-                (Cylinder { radius: 0.0, z: own.z, hollow }, 0.0, BTreeSet::new())
+                (Cylinder { radius: 0.0, z: own.z, hollow }, 0.0, BTreeSet::new(), Vec::new())
             });
+            let direction = own.normal[1].atan2(own.normal[0]);
+            let (enough, apart) = DIRECTIONS;
+            if directions.len() < enough
+                && directions.iter().all(|known| turn(direction - known).abs() > apart)
+            {
+                directions.push(direction);
+            }
             *count += 1.0;
             cylinder.radius += (own.radius - cylinder.radius) / *count;
             cylinder.z = [cylinder.z[0].min(own.z[0]), cylinder.z[1].max(own.z[1])];
             nodes.extend(face.nodes());
         }
-        let mut found: Vec<_> =
-            found.into_values().map(|(own, _, nodes)| (own, nodes.into_iter().collect())).collect();
+        let mut found: Vec<_> = found
+            .into_values()
+            .filter(|(_, _, _, directions)| directions.len() >= DIRECTIONS.0)
+            .map(|(own, _, nodes, _)| (own, nodes.into_iter().collect()))
+            .collect();
         found.sort_by(|(a, _): &(Cylinder, Vec<usize>), (b, _)| {
             a.z[0].total_cmp(&b.z[0]).then(a.radius.total_cmp(&b.radius))
         });
@@ -151,14 +129,13 @@ impl Mesh {
     }
 
     /// Faces of one cell only, all of whose nodes are inside.
-    fn surface_within(&self, inside: &[bool]) -> Vec<SurfaceFace> {
+    pub(super) fn surface_within(&self, inside: &[bool]) -> Vec<SurfaceFace> {
         faces_within(self, inside).into_iter().filter(|face| !face.shared).collect()
     }
 
-    fn seen(&self, face: &SurfaceFace, centre: [f64; 2]) -> SeenFace {
-        let places = face.nodes().map(|node| self.nodes()[node]);
+    pub(super) fn seen(&self, face: &SurfaceFace, centre: [f64; 2]) -> SeenFace {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for [x, y, z] in places {
+        for [x, y, z] in places(face, self) {
             let seen = [(x - centre[0]).hypot(y - centre[1]), z];
             for k in 0..2 {
                 low[k] = low[k].min(seen[k]);
@@ -168,6 +145,13 @@ impl Mesh {
         let ([x, y, _], normal) = face.middle(self.nodes());
         let (x, y) = (x - centre[0], y - centre[1]);
         let away = x.hypot(y);
+        let angle = y.atan2(x);
+        let (mut first, mut last) = (0.0_f64, 0.0_f64);
+        for [x, y, _] in places(face, self) {
+            let turned = turn((y - centre[1]).atan2(x - centre[0]) - angle);
+            (first, last) = (first.min(turned), last.max(turned));
+        }
+        let span = last - first;
         let radial = if away > 0.0 { (normal[0] * x + normal[1] * y) / away } else { 0.0 };
         SeenFace {
             radius: 0.5 * (low[0] + high[0]),
@@ -175,17 +159,36 @@ impl Mesh {
             z: [low[1], high[1]],
             normal,
             radial,
+            span,
         }
     }
 }
 
+fn places(face: &SurfaceFace, mesh: &Mesh) -> impl Iterator<Item = [f64; 3]> {
+    face.nodes().map(|node| mesh.nodes()[node])
+}
+
+/// An angle from −π to π.
+fn turn(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+impl SeenFace {
+    /// Whether it may be one of a cylinder about the axis.
+    pub(super) fn is_round(&self) -> bool {
+        self.radial.abs() >= ALONG && self.span <= FACET
+    }
+}
+
 /// A face as seen from an axis.
-struct SeenFace {
+pub(super) struct SeenFace {
     radius: f64,
     /// Largest less smallest distance of its nodes from the axis.
     spread: f64,
-    z: [f64; 2],
+    pub(super) z: [f64; 2],
     /// Its outward unit normal, and the part of it along the radius.
-    normal: [f64; 3],
-    radial: f64,
+    pub(super) normal: [f64; 3],
+    pub(super) radial: f64,
+    /// Angle under which it is seen from the axis (rad).
+    span: f64,
 }

@@ -5,18 +5,22 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use whirl_specs::Element;
 
+use super::fineness::Beam;
 use super::layers::{LayerPlan, Layers, element, length, positive, wrong};
-use super::shaft::from_abaqus;
-use super::{Cell, Material, Mesh, MeshParts};
+use super::quadratic::Middles;
+use super::shaft::{FINE, check_order, from_abaqus, layers, shear_ratio};
+use super::{Cell, Fineness, Material, Mesh, MeshParts};
 use crate::error::Error;
 
 const ORIGIN: &str = "the support made from its dimensions";
+/// κ of a rectangle (Cowper, J. Appl. Mech. 33 (1966) 335–340, at ν = 0.3).
+const RECTANGLE: f64 = 0.850;
 
 /// A beam along z above rings around the z axis; a pedestal joins each ring's top to the beam.
 ///
-/// All cells are hexahedra with incompatible modes. Node sets: `BOREk_LEFT`, `_MIDDLE`, `_RIGHT` around
+/// All cells are hexahedra: linear ones with incompatible modes, or quadratic ones, whose edges around the axis are arcs. Node sets: `BOREk_LEFT`, `_MIDDLE`, `_RIGHT` around
 /// each bore (k from 1), `MOUNTS` on the beam's top and `GROUND_SPRINGS` on its underside, half way
-/// across, at both ends and in the middle; `Nall`. Element set: `Ehex8`.
+/// across, at both ends and in the middle; `Nall`. Element set: `Ehex8` or `Ehex20`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RingSupport {
     /// z of the beam's start, m.
@@ -60,11 +64,13 @@ pub struct SupportCells {
     pub around: usize,
     /// Through a ring's thickness.
     pub radial: usize,
+    /// 1: linear cells, 2: quadratic ones.
+    pub order: usize,
 }
 
 impl Default for SupportCells {
     fn default() -> Self {
-        SupportCells { height: 8, width: 4, pedestal: 6, around: 24, radial: 2 }
+        SupportCells { height: 8, width: 4, pedestal: 6, around: 24, radial: 2, order: 1 }
     }
 }
 
@@ -77,12 +83,11 @@ enum GridPlace {
 }
 
 impl RingSupport {
-    /// The mesh, with the element of `elements` that Abaqus calls C3D8I.
+    /// The mesh, with the element of `elements` that Abaqus calls C3D8I, or C3D20.
     ///
     /// # Errors
     /// [`Error::Dimension`] naming the dimension that cannot be, [`Error::Mesh`] for a missing element.
     pub fn mesh(&self, elements: &[&'static Element]) -> Result<Mesh, Error> {
-        let hexahedron = element(elements, "C3D8I", ORIGIN)?;
         self.check()?;
         let layers = self.plan().layers()?;
         let maker = MeshBuilder::new(self, &layers);
@@ -91,17 +96,30 @@ impl RingSupport {
         for corners in maker.beam().chain(maker.pedestals()).chain(maker.rings()) {
             cells.extend(corners.map(|place| nodes.index(place)));
         }
-        let node_sets = maker.node_sets(&mut nodes);
-        let block = from_abaqus(hexahedron, &cells, 1);
+        let mut node_sets = maker.node_sets(&mut nodes);
+        let mut nodes = nodes.positions;
+        let (set, block) = match self.section.order {
+            1 => ("Ehex8", from_abaqus(element(elements, "C3D8I", ORIGIN)?, &cells, 1)),
+            _ => {
+                let mut middles = Middles::default();
+                let rounds = [([0.0; 2], self.outer_radius())];
+                let cells = middles.raise(&mut nodes, &cells, 8, &rounds);
+                for (_, ring) in node_sets.iter_mut().filter(|(name, _)| name.starts_with("BORE")) {
+                    *ring = middles.around(ring);
+                }
+                node_sets.insert("Nall".to_owned(), (0..nodes.len()).collect());
+                ("Ehex20", from_abaqus(element(elements, "C3D20", ORIGIN)?, &cells, 1))
+            }
+        };
         let all = (0..block.len()).map(|cell| Cell { block: 0, cell }).collect();
         Mesh::new(MeshParts {
             origin: ORIGIN.to_owned(),
-            labels: (1..=nodes.positions.len() as u64).collect(),
-            nodes: nodes.positions,
+            labels: (1..=nodes.len() as u64).collect(),
+            nodes,
             blocks: vec![block],
             materials: vec![self.material.clone()],
             node_sets,
-            element_sets: BTreeMap::from([("Ehex8".to_owned(), all)]),
+            element_sets: BTreeMap::from([(set.to_owned(), all)]),
             matrices: None,
         })
     }
@@ -110,7 +128,41 @@ impl RingSupport {
         self.bore_radius + self.ring_thickness
     }
 
+    /// Layers in a ring and between two of them with which frequencies of bending of the beam, as a beam without rings, are
+    /// right to this part, if cells are quadratic.
+    pub fn layers_for(&self, tolerance: f64) -> [usize; 2] {
+        let longest = self.beam().longest_layer(tolerance);
+        let between = self.rings.windows(2).map(|pair| pair[1] - pair[0] - self.ring_length);
+        [
+            layers(0.5 * self.ring_length, longest).saturating_mul(2),
+            between.map(|span| layers(span, longest)).max().unwrap_or(1),
+        ]
+    }
+
+    /// How fine its layers are; none where its dimensions cannot be, and of linear cells, which have modes for bending.
+    pub fn fineness(&self) -> Option<Fineness> {
+        let planes = self.plan().layers().ok()?.planes;
+        let longest = planes.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+        let order = self.section.order;
+        (order == 2).then(|| Fineness {
+            order,
+            longest,
+            error: self.beam().quadratic_error(longest),
+        })
+    }
+
+    fn beam(&self) -> Beam {
+        // Bending across its lower side, in which it is softest.
+        let side = self.height.min(self.width);
+        Beam {
+            length: self.length,
+            area_over_moment: 12.0 / (side * side),
+            shear: RECTANGLE * shear_ratio(&self.material),
+        }
+    }
+
     fn check(&self) -> Result<(), Error> {
+        check_order(self.section.order)?;
         positive(&[
             ("length", self.length),
             ("height", self.height),
@@ -169,9 +221,13 @@ impl RingSupport {
             support_length: ("ring_length", self.ring_length),
             layers_in_support: ("layers_in_ring", self.layers_in_ring),
             layers_between: ("layers_between", self.layers_between),
-            longest: 0.5 * self.height,
+            longest: match self.section.order {
+                1 => 0.5 * self.height,
+                // Where there is no span, as where layers are chosen.
+                _ => self.beam().longest_layer(FINE).max(0.5 * self.height),
+            },
             in_layer: {
-                let SupportCells { height, width, pedestal, around, radial } = self.section;
+                let SupportCells { height, width, pedestal, around, radial, .. } = self.section;
                 width
                     .saturating_mul(height.saturating_add(pedestal))
                     .saturating_add(around.saturating_mul(radial))

@@ -5,7 +5,8 @@ use std::collections::hash_map::Entry;
 
 use whirl_specs::{Element, Face};
 
-use super::Mesh;
+use super::{Mesh, SetPlace};
+use crate::error::Error;
 
 /// A face of a cell.
 #[derive(Debug, Clone)]
@@ -90,6 +91,8 @@ pub struct Surface<'a> {
     /// x and y of the axis (m).
     axis: [f64; 2],
     faces: Vec<SurfaceFace>,
+    /// From where to where along z faces count (m).
+    band: [f64; 2],
 }
 
 /// A point of a body: Σ c u over nodes of the mesh is its displacement.
@@ -103,7 +106,19 @@ impl<'a> Surface<'a> {
     pub fn new(mesh: &'a Mesh, nodes: &[usize], axis: [f64; 2]) -> Surface<'a> {
         let mut inside = vec![false; mesh.nodes().len()];
         nodes.iter().for_each(|&node| inside[node] = true);
-        Surface { mesh, axis, faces: faces_within(mesh, &inside) }
+        let band = [f64::NEG_INFINITY, f64::INFINITY];
+        Surface { mesh, axis, faces: faces_within(mesh, &inside), band }
+    }
+
+    /// The faces of a set by its name; of one by place whose faces are cut, as far as they count.
+    ///
+    /// # Errors
+    /// The set is not there.
+    pub fn of_set(mesh: &'a Mesh, name: &str, axis: [f64; 2]) -> Result<Surface<'a>, Error> {
+        match mesh.place_of(name).map(SetPlace::faces) {
+            Some((faces, Some(band))) => Ok(Surface { mesh, axis, faces: faces.to_vec(), band }),
+            _ => Ok(Surface::new(mesh, mesh.node_set(name)?, axis)),
+        }
     }
 
     /// Whether there are no faces.
@@ -115,7 +130,9 @@ impl<'a> Surface<'a> {
     pub fn ends(&self) -> [f64; 2] {
         let nodes = self.faces.iter().flat_map(SurfaceFace::nodes);
         let z = nodes.map(|node| self.mesh.nodes()[node][2]);
-        z.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)])
+        let [low, high] =
+            z.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);
+        [low.max(self.band[0]), high.min(self.band[1])]
     }
 
     /// Where the half-plane at `angle` (rad) about the axis meets the surface at `z` (m), by the face's own shape

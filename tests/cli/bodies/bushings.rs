@@ -113,7 +113,7 @@ supports = ["10 mm", "390 mm"]
 support_length = "20 mm"
 layers_in_support = 2
 layers_between = 30
-cells = { sectors = 12, rings = 4 }
+cells = { sectors = 12, rings = 4, order = 1 }
 
 [body.shaft.sets.END]
 plane = "0 mm"

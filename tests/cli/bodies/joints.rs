@@ -260,6 +260,7 @@ ring_thickness = "8 mm"
 bore_radius = "10 mm"
 layers_in_ring = 2
 layers_between = 6
+cells = { order = 1 }
 
 [joint.left]
 kind = "bushing"

@@ -338,7 +338,7 @@ fn free_shaft(section: &str, disc: &str, unbalance: &str, steps: usize) -> Strin
          unbalance.u = {{ mass = \"{unbalance}\", radius = \"100 mm\", z = \"450 mm\" }}\n\
          [body.s.dimensions]\nlength = \"500 mm\"\ndiameter = \"50 mm\"\n\
          supports = [\"50 mm\", \"300 mm\", \"450 mm\"]\nsupport_length = \"20 mm\"\n\
-         layers_in_support = 2\nlayers_between = 6\n{}{}{}",
+         layers_in_support = 2\nlayers_between = 6\ncells = {{ order = 1 }}\n{}{}{}",
         bushing("near", "JOURNAL1_MIDDLE"),
         bushing("far", "JOURNAL2_MIDDLE"),
         march("2e-5 s", steps)

@@ -346,7 +346,7 @@ fn added_masses_stand_at_their_radius() {
     let rigid_joints = bushing("near", "z = \"-50 mm\"") + &bushing("far", "z = \"50 mm\"");
     let meshed = "material = \"steel\"\nmodes = 4\ndamping = \"1e-5 s\"\naxial_restraint = \"JOURNAL1_MIDDLE\"\n[body.rotor.dimensions]\n\
                   length = \"100 mm\"\ndiameter = \"60 mm\"\nsupports = [\"20 mm\", \"80 mm\"]\nsupport_length = \"10 mm\"\n\
-                  layers_in_support = 2\nlayers_between = 4\ncells = { sectors = 8, rings = 2 }\n\
+                  layers_in_support = 2\nlayers_between = 4\ncells = { sectors = 8, rings = 2, order = 1 }\n\
                   [material.steel]\nyoungs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\ndensity = \"7860 kg/m^3\"\n";
     let meshed_joints = bushing("near", "sets = \"JOURNAL1_MIDDLE\"")
         + &bushing("far", "sets = \"JOURNAL2_MIDDLE\"");

@@ -25,6 +25,7 @@ supports = ["50 mm", "450 mm"]
 support_length = "20 mm"
 layers_in_support = 2
 layers_between = 10
+cells = { order = 1 }
 
 [body.other]
 turns = "OTHER"

@@ -183,7 +183,7 @@ fn a_generated_rotor_is_what_its_case_says() {
         layers_in_support: 4,
         layers_between: 6,
         loads: vec![0.085, 0.178],
-        section: SectionCells { sectors: 6, rings: 2 },
+        section: SectionCells { sectors: 6, rings: 2, order: 2 },
         material: titanium(),
     };
     let support = RingSupport {
@@ -198,7 +198,7 @@ fn a_generated_rotor_is_what_its_case_says() {
         bore_radius: 0.02054,
         layers_in_ring: 2,
         layers_between: 5,
-        section: SupportCells { height: 3, width: 2, pedestal: 4, around: 10, radial: 1 },
+        section: SupportCells { height: 3, width: 2, pedestal: 4, around: 10, radial: 1, order: 2 },
         material: copper(),
     };
     let machine = ByHand {

@@ -25,7 +25,7 @@ fn frame() -> Mesh {
         bore_radius: 0.010,
         layers_in_ring: 2,
         layers_between: 2,
-        section: SupportCells { height: 1, width: 2, pedestal: 1, around: 16, radial: 1 },
+        section: SupportCells { height: 1, width: 2, pedestal: 1, around: 16, radial: 1, order: 1 },
         material: Material::isotropic("STEEL", 2e11, 0.3, 7860.0).expect("steel"),
     };
     support.mesh(&ELEMENTS.iter().collect::<Vec<_>>()).expect("a mesh")
@@ -33,7 +33,12 @@ fn frame() -> Mesh {
 
 fn bore(mesh: &Mesh) -> BoreNodes {
     let ring = |place: &str| mesh.node_set(&format!("BORE1_{place}")).expect("a set").to_vec();
-    BoreNodes { name: "one".into(), rings: ["LEFT", "MIDDLE"].map(ring).into(), axis: [0.0; 2] }
+    BoreNodes {
+        name: "one".into(),
+        rings: ["LEFT", "MIDDLE"].map(ring).into(),
+        surface: None,
+        axis: [0.0; 2],
+    }
 }
 
 /// Loads count from the axis of the bore, wherever that is.

@@ -1,6 +1,8 @@
 //! Measures of bodies: mean motions of node sets, as outputs and as retained coordinates, and held sets.
 
+mod bands;
 mod bores;
+mod dimensions;
 mod held;
 mod means;
 mod retained;

@@ -8,15 +8,24 @@ use whirl_specs::{ELEMENTS, Element};
 use super::{mesh, near};
 use crate::elements::block;
 
-const INNER: f64 = 0.02;
-const OUTER: f64 = 0.03;
-const LENGTH: f64 = 0.04;
+pub(super) const INNER: f64 = 0.02;
+pub(super) const OUTER: f64 = 0.03;
+pub(super) const LENGTH: f64 = 0.04;
 
 /// A ring of cells about (0.1, −0.2), open at angle 0 in its mesh but not in its shape.
-fn ring(element: &'static Element, counts: [usize; 3]) -> Mesh {
+pub(super) fn ring(element: &'static Element, counts: [usize; 3]) -> Mesh {
+    bent_ring(element, counts, |[_, _, z]| z)
+}
+
+/// As [`ring`], with the part of the length at which nodes are.
+pub(super) fn bent_ring(
+    element: &'static Element,
+    counts: [usize; 3],
+    along: impl Fn([f64; 3]) -> f64,
+) -> Mesh {
     let bent = |[x, y, z]: [f64; 3]| {
         let (radius, angle) = (INNER + (OUTER - INNER) * x, TAU * y);
-        [0.1 + radius * angle.cos(), -0.2 + radius * angle.sin(), LENGTH * z]
+        [0.1 + radius * angle.cos(), -0.2 + radius * angle.sin(), LENGTH * along([x, y, z])]
     };
     let block = block(element, [1.0; 3], counts, bent);
     mesh(element.origin.name, block.nodes, block.cells.concat(), Default::default())

@@ -25,7 +25,7 @@ fn disc() -> Mesh {
         layers_in_support: 2,
         layers_between: 1,
         loads: Vec::new(),
-        section: SectionCells { sectors: 16, rings: 5 },
+        section: SectionCells { sectors: 16, rings: 5, order: 1 },
         material: steel(DENSITY),
     };
     disc.mesh(&elements()).expect("a mesh")
@@ -130,7 +130,7 @@ fn overhung() -> Mesh {
         layers_in_support: 2,
         layers_between: 14,
         loads: Vec::new(),
-        section: SectionCells { sectors: 8, rings: 6 },
+        section: SectionCells { sectors: 8, rings: 6, order: 1 },
         material: steel(DENSITY),
     };
     let whole = whole.mesh(&elements()).expect("a mesh");

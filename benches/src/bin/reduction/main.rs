@@ -261,7 +261,7 @@ fn support_of(finer: f64) -> Body {
     let cells = |count: usize| (finer * count as f64).round() as usize;
     // Some numbers have to be even.
     let even = |count: usize| 2 * cells(count / 2);
-    let SupportCells { height, width, pedestal, around, radial } = SupportCells::default();
+    let SupportCells { height, width, pedestal, around, radial, .. } = SupportCells::default();
     let dimensions = RingSupport {
         start: 0.0115,
         length: 1.381,
@@ -280,6 +280,7 @@ fn support_of(finer: f64) -> Body {
             pedestal: cells(pedestal),
             around: even(around),
             radial: cells(radial),
+            order: 1,
         },
         material: steel(),
     };

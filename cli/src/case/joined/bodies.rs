@@ -245,9 +245,8 @@ fn read_meshed(
 
 /// Dimensions of a shaft, of a crank or of a support.
 fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
-    const SHAFT: [&str; 6] =
-        ["length", "diameter", "supports", "support_length", "layers_in_support", "layers_between"];
-    const SUPPORT: [&str; 11] = [
+    const SHAFT: [&str; 4] = ["length", "diameter", "supports", "support_length"];
+    const SUPPORT: [&str; 9] = [
         "start",
         "length",
         "height",
@@ -257,10 +256,8 @@ fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
         "ring_length",
         "ring_thickness",
         "bore_radius",
-        "layers_in_ring",
-        "layers_between",
     ];
-    const CRANK: [&str; 9] = [
+    const CRANK: [&str; 7] = [
         "throw",
         "diameter",
         "support_length",
@@ -268,8 +265,6 @@ fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
         "pin_length",
         "web_width",
         "web_thickness",
-        "layers_in_support",
-        "layers_between",
     ];
     let crank = turns && table.has("throw");
     let needed: &[&str] = match (crank, turns) {
@@ -278,10 +273,11 @@ fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
         _ => &SUPPORT,
     };
     needed.iter().for_each(|key| table.demand(key));
+    let cells = machine::Cells::Quadratic;
     match (crank, turns) {
-        (true, _) => Dimensions::Crank(machine::crank_throw(table, material)),
-        (_, true) => Dimensions::Shaft(machine::solid_shaft(table, material)),
-        _ => Dimensions::Support(machine::ring_support(table, material)),
+        (true, _) => Dimensions::Crank(machine::crank_throw(table, material, cells)),
+        (_, true) => Dimensions::Shaft(machine::solid_shaft(table, material, cells)),
+        _ => Dimensions::Support(machine::ring_support(table, material, cells)),
     }
 }
 

@@ -174,6 +174,15 @@ impl Dimensions {
             Dimensions::Support(support) => support.mesh(elements),
         }
     }
+
+    /// How fine the layers of the mesh are, where that is known.
+    pub(crate) fn fineness(&self) -> Option<mesh::Fineness> {
+        match self {
+            Dimensions::Shaft(shaft) => shaft.fineness(),
+            Dimensions::Crank(_) => None,
+            Dimensions::Support(support) => support.fineness(),
+        }
+    }
 }
 
 /// What joins two bodies, or a body and the ground: the values of a bearing, whose law a bushing and a coupling bring

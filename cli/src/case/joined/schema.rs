@@ -1,7 +1,7 @@
 //! What the tables `[body.NAME]`, `[joint.NAME]`, `[drives.NAME]` and `[loads.NAME]` may say.
 
 use whirl_codegen::document::schema::Shape::{
-    Count, Either, Flag, List, Named, Table, Text, Tuple, Words,
+    Between, Count, Either, Flag, List, Named, Table, Text, Tuple, Words,
 };
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
@@ -140,8 +140,12 @@ const DIMENSIONS: &[Key] = &[
     key("diameter", LENGTH, "of the shaft"),
     key("supports", List(&POSITION), "z of the middles of the shaft's supports"),
     key("support_length", LENGTH, "along z"),
-    key("layers_in_support", Count(1, MOST_CELLS), "cells along a support"),
-    key("layers_between", Count(1, MOST_CELLS), "cells along z between supports or rings"),
+    key("layers_in_support", Count(1, MOST_CELLS), "cells along a support; chosen if left out"),
+    key(
+        "layers_between",
+        Count(1, MOST_CELLS),
+        "cells along z between supports or rings; chosen if left out",
+    ),
     key("loads", List(&POSITION), "z of loaded nodes on the centre line"),
     key("throw", LENGTH, "of a crank: from its axis to the centre of its pin"),
     key("pin_diameter", LENGTH, "of the pin of a crank"),
@@ -156,7 +160,7 @@ const DIMENSIONS: &[Key] = &[
     key("ring_length", LENGTH, "along z"),
     key("ring_thickness", LENGTH, "of the wall"),
     key("bore_radius", LENGTH, "of the bore"),
-    key("layers_in_ring", Count(1, MOST_CELLS), "cells along a ring"),
+    key("layers_in_ring", Count(1, MOST_CELLS), "cells along a ring; chosen if left out"),
     key("cells", Table(&[CELLS]), "cells of the section"),
 ];
 
@@ -168,6 +172,13 @@ const CELLS: &[Key] = &[
     key("pedestal", Count(1, MOST_CELLS), "cells over the height of the pedestal"),
     key("around", Count(1, MOST_CELLS), "cells around the ring"),
     key("radial", Count(1, MOST_CELLS), "cells over the ring's wall"),
+    key("order", Count(1, 2), "1: linear cells; 2: quadratic ones, the default"),
+    key(
+        "tolerance",
+        Between(0.0, 0.1),
+        "part by which frequencies of bending may be off, where layers of quadratic cells are left out: 0.001 if left out",
+    )
+    .like("0.001"),
 ];
 
 pub(crate) const JOINT: &[Key] = &[

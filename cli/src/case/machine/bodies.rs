@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use whirl_codegen::diagnostic::Code;
+use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::crank::CrankThrow;
 use whirl_solver::mesh::format::MeshUnits;
-use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
+use whirl_solver::mesh::shaft::{FINE, SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 
 use super::super::library::{FileStore, resolve};
@@ -25,7 +25,8 @@ pub(super) fn shaft(store: FileStore, file: &Table, materials: &Materials) -> Op
 }
 
 fn read_shaft(store: FileStore, table: &Table, materials: &Materials) -> Option<Shaft> {
-    let body = body(store, table, materials, solid_shaft);
+    let body =
+        body(store, table, materials, |own, material| solid_shaft(own, material, Cells::Linear));
     let motion = motion(table);
     let stiffening = table.optional_boolean("stiffening").unwrap_or(true);
     let static_correction = answers_to_loads(table);
@@ -43,7 +44,8 @@ pub(super) fn support(store: FileStore, file: &Table, materials: &Materials) -> 
 }
 
 fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Option<Support> {
-    let body = body(store, table, materials, ring_support);
+    let body =
+        body(store, table, materials, |own, material| ring_support(own, material, Cells::Linear));
     let ground_springs = ground_springs(table);
     let static_correction = static_correction(table);
     let mounts = table.text_or_none("mounts");
@@ -189,16 +191,83 @@ fn no_material() -> Material {
     Material { name: String::new(), properties: BTreeMap::new() }
 }
 
+/// How the cells of a mesh made from dimensions are chosen where the table does not say it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::case) enum Cells {
+    /// Linear ones in layers that the table counts.
+    Linear,
+    /// Quadratic ones in layers that may be left open.
+    Quadratic,
+}
+
+/// What the table `cells` says of all kinds of bodies: the order, and how far frequencies of bending may be off.
+struct Order {
+    order: usize,
+    tolerance: f64,
+    /// Where the case says the tolerance.
+    given: Option<Located>,
+}
+
+impl Cells {
+    fn order(self, cells: &Table) -> Order {
+        let usual = if self == Cells::Linear { 1 } else { 2 };
+        let order = cells.optional_count("order").unwrap_or(usual);
+        let given = self == Cells::Quadratic && cells.has("tolerance");
+        let tolerance = if given { cells.number_or_middle("tolerance") } else { FINE };
+        Order { order, tolerance, given: given.then(|| cells.written("tolerance")) }
+    }
+
+    /// What `read` makes of the table `cells`, or of an empty one, with its order.
+    fn read<T>(self, table: &Table, none: T, read: impl Fn(&Table) -> T) -> (T, Order) {
+        let found = table.in_table("cells", |cells| (read(cells), self.order(cells)));
+        let order = if self == Cells::Linear { 1 } else { 2 };
+        found.unwrap_or((none, Order { order, tolerance: FINE, given: None }))
+    }
+
+    /// The counts of layers: those of the table, or as `chosen` by the tolerance where quadratic cells leave them open; a
+    /// tolerance by which nothing is chosen is noted.
+    fn layers(
+        self,
+        table: &Table,
+        keys: [&str; 2],
+        (order, given): (usize, Option<Located>),
+        chosen: [usize; 2],
+    ) -> [usize; 2] {
+        let mut counts = chosen;
+        let open = order == 2 && keys.iter().any(|key| !table.has(key));
+        for (count, key) in counts.iter_mut().zip(keys) {
+            if self == Cells::Quadratic && order == 1 {
+                table.demand(key);
+            }
+            *count = match order {
+                1 => table.count_or_one(key),
+                _ => table.optional_count(key).unwrap_or(*count),
+            };
+        }
+        if let Some(given) = given.filter(|_| !open) {
+            let message = "no layers are chosen by this `tolerance`: it is of quadratic cells along a beam, in layers that \
+                           are left out";
+            let help = format!("leave it out, or leave out `{}` and `{}`", keys[0], keys[1]);
+            table.push(given.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        counts
+    }
+}
+
 fn section(cells: &Table) -> SectionCells {
     let usual = SectionCells::default();
     SectionCells {
         sectors: cells.optional_count("sectors").unwrap_or(usual.sectors),
         rings: cells.optional_count("rings").unwrap_or(usual.rings),
+        ..usual
     }
 }
 
-pub(in crate::case) fn crank_throw(table: &Table, material: Material) -> CrankThrow {
-    CrankThrow {
+const IN_SUPPORT: [&str; 2] = ["layers_in_support", "layers_between"];
+
+pub(in crate::case) fn crank_throw(table: &Table, material: Material, cells: Cells) -> CrankThrow {
+    let (section, Order { order, given, .. }) = cells.read(table, SectionCells::default(), section);
+    let mut own = CrankThrow {
         throw: table.quantity_or_one("throw"),
         diameter: table.quantity_or_one("diameter"),
         support_length: table.quantity_or_one("support_length"),
@@ -206,28 +275,45 @@ pub(in crate::case) fn crank_throw(table: &Table, material: Material) -> CrankTh
         pin_length: table.quantity_or_one("pin_length"),
         web_width: table.quantity_or_one("web_width"),
         web_thickness: table.quantity_or_one("web_thickness"),
-        layers_in_support: table.count_or_one("layers_in_support"),
-        layers_between: table.count_or_one("layers_between"),
-        section: table.in_table("cells", section).unwrap_or_default(),
+        layers_in_support: 0,
+        layers_between: 0,
+        section: SectionCells { order, ..section },
         material,
+    };
+    [own.layers_in_support, own.layers_between] =
+        cells.layers(table, IN_SUPPORT, (order, None), own.default_layers());
+    if let Some(given) = given {
+        let message = "no layers are chosen by this `tolerance`: a crank is no beam";
+        let help = "leave it out";
+        table.push(given.error_here(Code::BAD_VALUE, message).help(help));
     }
+    own
 }
 
-pub(in crate::case) fn solid_shaft(table: &Table, material: Material) -> SolidShaft {
-    SolidShaft {
+pub(in crate::case) fn solid_shaft(table: &Table, material: Material, cells: Cells) -> SolidShaft {
+    let (section, Order { order, tolerance, given }) =
+        cells.read(table, SectionCells::default(), section);
+    let mut own = SolidShaft {
         length: table.quantity_or_one("length"),
         diameter: table.quantity_or_one("diameter"),
         supports: table.quantities("supports"),
         support_length: table.quantity_or_one("support_length"),
-        layers_in_support: table.count_or_one("layers_in_support"),
-        layers_between: table.count_or_one("layers_between"),
+        layers_in_support: 0,
+        layers_between: 0,
         loads: table.quantities("loads"),
-        section: table.in_table("cells", section).unwrap_or_default(),
+        section: SectionCells { order, ..section },
         material,
-    }
+    };
+    [own.layers_in_support, own.layers_between] =
+        cells.layers(table, IN_SUPPORT, (order, given), own.layers_for(tolerance));
+    own
 }
 
-pub(in crate::case) fn ring_support(table: &Table, material: Material) -> RingSupport {
+pub(in crate::case) fn ring_support(
+    table: &Table,
+    material: Material,
+    cells: Cells,
+) -> RingSupport {
     let section = |cells: &Table| {
         let usual = SupportCells::default();
         let count = |key, usual| cells.optional_count(key).unwrap_or(usual);
@@ -237,9 +323,12 @@ pub(in crate::case) fn ring_support(table: &Table, material: Material) -> RingSu
             pedestal: count("pedestal", usual.pedestal),
             around: count("around", usual.around),
             radial: count("radial", usual.radial),
+            ..usual
         }
     };
-    RingSupport {
+    let (section, Order { order, tolerance, given }) =
+        cells.read(table, SupportCells::default(), section);
+    let mut own = RingSupport {
         start: table.quantity_or_one("start"),
         length: table.quantity_or_one("length"),
         height: table.quantity_or_one("height"),
@@ -249,9 +338,16 @@ pub(in crate::case) fn ring_support(table: &Table, material: Material) -> RingSu
         ring_length: table.quantity_or_one("ring_length"),
         ring_thickness: table.quantity_or_one("ring_thickness"),
         bore_radius: table.quantity_or_one("bore_radius"),
-        layers_in_ring: table.count_or_one("layers_in_ring"),
-        layers_between: table.count_or_one("layers_between"),
-        section: table.in_table("cells", section).unwrap_or_default(),
+        layers_in_ring: 0,
+        layers_between: 0,
+        section: SupportCells { order, ..section },
         material,
-    }
+    };
+    [own.layers_in_ring, own.layers_between] = cells.layers(
+        table,
+        ["layers_in_ring", "layers_between"],
+        (order, given),
+        own.layers_for(tolerance),
+    );
+    own
 }

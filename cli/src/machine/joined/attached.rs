@@ -2,7 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::assembly::mass_properties;
-use whirl_solver::mesh::MeanComponent;
+use whirl_solver::mesh::{MeanComponent, NodeSetMean};
 use whirl_solver::model::{Attachment, AttachmentKind, Place};
 
 use super::PlannedBody;
@@ -66,7 +66,8 @@ fn section(
     let length = ends[1] - ends[0];
     let away = |node: &[f64; 3]| (node[2] - own.z).abs();
     let nearest = nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).copied();
-    let Some(nearest) = nearest.filter(|node| away(node) <= NEAR * length) else {
+    let near = nearest.filter(|node| away(node) <= NEAR * length).map(|node| node[2]);
+    let Some(mean) = section_near(plan, own.z, near) else {
         let message = format!(
             "no section of {} is at z = {}; it has nodes from {} to {}",
             plan.mesh.origin(),
@@ -81,21 +82,16 @@ fn section(
         errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));
         return None;
     };
-    let found = nodes_at(&plan.mesh, nearest[2]);
-    let mean = plan.mean(&found);
     let on_axis = matches!(own.what, Carried::Disc { .. });
-    if !is_section(plan, mean, &found, on_axis) {
+    if !is_section(plan, mean, on_axis) {
         let message = format!(
-            "the {} of {} at z = {} are no section that could carry `{}`",
-            match found.len() {
-                1 => "node".to_owned(),
-                count => format!("{count} nodes"),
-            },
+            "the section of {} at z = {} could not carry `{}`: {}",
             plan.mesh.origin(),
-            mm(nearest[2]),
-            own.name.text()
+            mm(own.z),
+            own.name.text(),
+            if on_axis { "its middle is not on the axis" } else { "it shows no turn" }
         );
-        let help = "give a `z` at which the mesh has a plane of nodes around its axis";
+        let help = "give a `z` at which the body is around its axis";
         errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));
         return None;
     }
@@ -121,12 +117,34 @@ fn section(
     Some(mean)
 }
 
-/// Whether nodes in a plane show all turns and, if asked for, have their centre on the axis to a part of how far they reach.
-fn is_section(plan: &BodyPlan, mean: usize, nodes: &[usize], on_axis: bool) -> bool {
+/// The mean motion of the nodes at the z that is near, where they are a plane of nodes; else of the section of the cells at
+/// `z` (m). None where there is no section.
+fn section_near(plan: &mut BodyPlan, z: f64, near: Option<f64>) -> Option<usize> {
+    /// Faces in a plane of nodes have this part of the section's area at least.
+    const WHOLE: f64 = 0.98;
+    let section = |z: f64| NodeSetMean::of_section(&plan.mesh, z).ok().flatten();
+    let area = |own: &NodeSetMean| own.area().unwrap_or(0.0);
+    if let Some(near) = near {
+        let found = nodes_at(&plan.mesh, near);
+        let [first, last] = ends(&plan.mesh);
+        let cut = section(near).or_else(|| section(near + NEAR * NEAR * (last - first)));
+        let own = NodeSetMean::new(&plan.mesh, &found);
+        // Matrices have no cells.
+        if cut.is_none_or(|cut| own.is_ok_and(|own| area(&own) >= WHOLE * area(&cut))) {
+            return Some(plan.mean(&found));
+        }
+    }
+    let cut = section(z).or_else(|| section(near?))?;
+    plan.spec.means.push(cut);
+    Some(plan.spec.means.len() - 1)
+}
+
+/// Whether a section shows all turns and, if asked for, has its centre on the axis to a part of how far it reaches.
+fn is_section(plan: &BodyPlan, mean: usize, on_axis: bool) -> bool {
     const CENTRED: f64 = 0.1;
     let own = &plan.spec.means[mean];
     let reach = |node: &usize| plan.mesh.nodes()[*node][0].hypot(plan.mesh.nodes()[*node][1]);
-    let farthest = nodes.iter().map(reach).fold(0.0, f64::max);
+    let farthest = own.nodes().iter().map(reach).fold(0.0, f64::max);
     let [x, y, _] = own.centre();
     (0..3).all(|axis| own.turns_about(axis)) && (!on_axis || x.hypot(y) <= CENTRED * farthest)
 }

@@ -12,8 +12,8 @@ use crate::case::{
     self, Acting, Dimensions, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody,
 };
 use crate::errors::Failure;
-use crate::machine::meshes;
 use crate::machine::plan::{AXES, BodyPlan, HoldingWords};
+use crate::machine::{fineness, meshes};
 
 /// A body before its reduction, if it needs one.
 pub(crate) enum PlannedBody {
@@ -85,6 +85,9 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
         Form::Meshed(own) => own,
     };
     let mesh = meshes::mesh((&own.body, body.axis), Dimensions::mesh, warnings)?;
+    if let (case::Mesh::Generated(made), false) = (&own.body.mesh, own.rigid) {
+        fineness::warn(body.name.text(), &made.table, made.dimensions.fineness(), warnings);
+    }
     // Meshes of files stand in space, those made from dimensions about their own axis.
     let by = match (&own.body.mesh, body.turning.is_some()) {
         (case::Mesh::File(_) | case::Mesh::Matrices(_), true) => body.axis.map(|x| -x),
@@ -195,9 +198,9 @@ impl PlannedBody {
         if let Some(axial) = &case.axial_restraint {
             let held = match plan.nodes(axial, errors).as_slice() {
                 [] => None,
-                [node] => Some(plan.retain(axial, *node, 2)),
+                [node] if !plan.is_cut(axial) => Some(plan.retain(axial, *node, 2)),
                 nodes => {
-                    let mean = plan.mean(nodes);
+                    let mean = plan.mean_of(std::slice::from_ref(axial), nodes);
                     Some(plan.retain_mean(axial, mean, MeanComponent::Displacement(2)))
                 }
             };

@@ -23,7 +23,11 @@ pub(super) fn circle_of(side: &JointSide, bodies: &[PlannedBody]) -> Option<Circ
     let PlannedBody::Meshed(plan) = &bodies[side.body?] else { return None };
     let mut nodes = Vec::new();
     for set in &side.sets {
-        nodes.extend_from_slice(nodes_of(&plan.mesh, set)?);
+        // Of faces that are cut all nodes are on the circle, within the band or not.
+        match plan.mesh.place_of(set.text()) {
+            Some(place) if plan.is_cut(set) => nodes.extend(place.face_nodes()),
+            _ => nodes.extend_from_slice(nodes_of(&plan.mesh, set)?),
+        }
     }
     let points: Vec<[f64; 2]> =
         nodes.into_iter().map(|node| plan.mesh.nodes()[node]).map(|[x, y, _]| [x, y]).collect();

@@ -50,15 +50,13 @@ impl PlannedJoint {
     pub(super) fn add_bore(&self, joint: &Joint, bodies: &mut [PlannedBody]) {
         let acts = matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
         let Some(PlannedBody::Meshed(plan)) = bodies.get_mut(self.sides.bodies[1]) else { return };
-        let rings: Vec<Vec<usize>> = match &self.sides.surface {
+        let rings: (Vec<Vec<usize>>, Option<String>) = match &self.sides.surface {
             Some(_) => {
                 let set = joint.sides[1].sets.first();
-                set.and_then(|set| nodes_of(&plan.mesh, set))
-                    .map(<[usize]>::to_vec)
-                    .into_iter()
-                    .collect()
+                let nodes = set.and_then(|set| nodes_of(&plan.mesh, set)).map(<[usize]>::to_vec);
+                (nodes.into_iter().collect(), set.map(|set| set.text().to_owned()))
             }
-            None => self.bore.iter().map(|ring| plan.mesh_nodes(ring)).collect(),
+            None => (self.bore.iter().map(|ring| plan.mesh_nodes(ring)).collect(), None),
         };
         if acts {
             plan.add_bore(joint.name.text().to_owned(), self.sides.bore_axis, rings);
@@ -223,10 +221,10 @@ fn turning_section(
     let set = side.sets.first()?;
     let nodes = match plan.nodes(set, errors).as_slice() {
         [] => return None,
-        [one] => nodes_at(&plan.mesh, plan.mesh.nodes()[*one][2]),
+        [one] if !plan.is_cut(set) => nodes_at(&plan.mesh, plan.mesh.nodes()[*one][2]),
         nodes => nodes.to_vec(),
     };
-    let place = plan.mean(&nodes);
+    let place = plan.mean_of(std::slice::from_ref(set), &nodes);
     if !plan.spec.means[place].turns_about(2) {
         let message = format!(
             "the nodes of `{}` stand on the axis of {}: they show no turn about it",

@@ -62,13 +62,13 @@ fn section(
     }
     nodes.sort_unstable();
     nodes.dedup();
-    if let [only] = nodes[..] {
-        nodes = nodes_at(&plan.mesh, plan.mesh.nodes()[only][2]);
+    if let ([only], false) = (&nodes[..], plan.is_cut(name)) {
+        nodes = nodes_at(&plan.mesh, plan.mesh.nodes()[*only][2]);
     }
     if nodes.is_empty() {
         return None;
     }
-    let place = plan.mean(&nodes);
+    let place = plan.mean_of(&side.sets, &nodes);
     let tilts = own.kind == MotionKind::Tilts;
     if tilts && !(0..2).all(|axis| plan.spec.means[place].turns_about(axis)) {
         let message = format!(

@@ -1,6 +1,7 @@
 //! Where joints stand along z.
 
-use whirl_codegen::diagnostic::{Code, Diagnostics};
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_solver::mesh::NodeSetMean;
 
 use super::{PlannedBody, surfaces};
 use crate::case::{Joint, JointKind, JointSide};
@@ -80,7 +81,7 @@ fn ends_of_surfaces(
                 if nodes.is_empty() {
                     return None;
                 }
-                surfaces::ends(plan, set, &nodes, errors)?
+                surfaces::ends(plan, set, errors)?
             }
             (_, sets @ [_, _, _]) => {
                 let Some([left, _, right]) = on_mesh(side, bodies) else {
@@ -139,7 +140,10 @@ fn apart_on_meshes(
 /// z of the sets of a side on a mesh: their means.
 fn on_mesh(side: &JointSide, bodies: &[PlannedBody]) -> Option<[f64; 3]> {
     let PlannedBody::Meshed(plan) = &bodies[side.body?] else { return None };
-    let z = |set| {
+    let z = |set: &Located| {
+        if plan.is_cut(set) {
+            return Some(NodeSetMean::of_sets(&plan.mesh, &[set.text()]).ok()?.centre()[2]);
+        }
         let nodes = nodes_of(&plan.mesh, set)?;
         let sum: f64 = nodes.iter().map(|&node| plan.mesh.nodes()[node][2]).sum();
         Some(sum / nodes.len() as f64)

@@ -13,13 +13,8 @@ use crate::machine::plan::BodyPlan;
 use crate::machine::plan::geometry::mm;
 
 /// z of both ends of a surface; an error where the set has no faces.
-pub(super) fn ends(
-    plan: &BodyPlan,
-    set: &Located,
-    nodes: &[usize],
-    errors: &mut Diagnostics,
-) -> Option<[f64; 2]> {
-    let surface = Surface::new(&plan.mesh, nodes, [0.0; 2]);
+pub(super) fn ends(plan: &BodyPlan, set: &Located, errors: &mut Diagnostics) -> Option<[f64; 2]> {
+    let surface = Surface::of_set(&plan.mesh, set.text(), [0.0; 2]).ok()?;
     if surface.is_empty() {
         let message = format!(
             "the nodes of `{}` have no face of {} between them: they are no surface",
@@ -42,7 +37,7 @@ pub(super) fn journal(
     (axis, z): ([f64; 2], [f64; 3]),
     errors: &mut Diagnostics,
 ) -> Option<[usize; 3]> {
-    let mean = plan.mean(nodes);
+    let mean = plan.mean_of(std::slice::from_ref(set), nodes);
     if !(0..2).all(|about| plan.spec.means[mean].turns_about(about)) {
         let message = format!("the nodes of `{}` show no tilt of the journal", set.text());
         let help = "name a set with the faces of the journal, from one end to the other";
@@ -75,7 +70,7 @@ pub(super) fn bore(
     errors: &mut Diagnostics,
 ) -> Option<BoreSurface> {
     let mesh = plan.mesh.clone();
-    let surface = Surface::new(&mesh, nodes, springs.axis);
+    let surface = Surface::of_set(&mesh, set.text(), springs.axis).ok()?;
     let mut places: HashMap<usize, usize> = HashMap::new();
     let mut points = Vec::with_capacity(springs.stations.len());
     for &z in &springs.stations {
@@ -103,7 +98,7 @@ pub(super) fn bore(
         }
         points.push(ring);
     }
-    let mean = plan.mean(nodes);
+    let mean = plan.mean_of(std::slice::from_ref(set), nodes);
     Some(BoreSurface { stations: springs.stations, middle: springs.middle, points, mean })
 }
 

@@ -120,14 +120,14 @@ impl BodyPlan {
         }
     }
 
-    /// Adds a bore with its rings, or a surface as one.
+    /// Adds a bore with its rings, or with a surface as one, of which the node set is given, too.
     pub(in crate::machine) fn add_bore(
         &mut self,
         name: String,
         axis: [f64; 2],
-        rings: Vec<Vec<usize>>,
+        (rings, surface): (Vec<Vec<usize>>, Option<String>),
     ) {
-        self.bores.push(BoreNodes { name, rings, axis });
+        self.bores.push(BoreNodes { name, rings, surface, axis });
     }
 
     /// Asks for static answers to the loads of the case, unless it says otherwise, and to loads on all bores, if it does.
@@ -267,21 +267,37 @@ impl BodyPlan {
         self.spec.means.len() - 1
     }
 
-    /// Asks for the mean motion of nodes as a point at their centre; its place among the output points.
-    pub(in crate::machine) fn output_mean(&mut self, nodes: &[usize]) -> usize {
-        let mean = self.mean(nodes);
+    /// Asks for the mean motion of sets that the mesh has, whose nodes are these, one at least; its place among the means.
+    pub(in crate::machine) fn mean_of(&mut self, sets: &[Located], nodes: &[usize]) -> usize {
+        if !sets.iter().any(|set| self.is_cut(set)) {
+            return self.mean(nodes);
+        }
+        let names: Vec<&str> = sets.iter().map(Located::text).collect();
+        let mean = NodeSetMean::of_sets(&self.mesh, &names).expect("sets of the mesh with faces");
+        self.spec.means.push(mean);
+        self.spec.means.len() - 1
+    }
+
+    /// Whether faces of a set count in part only: it is none of its nodes then.
+    pub(in crate::machine) fn is_cut(&self, set: &Located) -> bool {
+        self.mesh.is_cut(set.text())
+    }
+
+    /// Asks for the mean motion of a set as a point at its centre; its place among the output points.
+    pub(in crate::machine) fn output_mean(&mut self, set: &Located, nodes: &[usize]) -> usize {
+        let mean = self.mean_of(std::slice::from_ref(set), nodes);
         self.output_on(mean, self.spec.means[mean].centre())
     }
 
     /// The output point of nodes: of one its motion, of several their mean motion, whose displacements in the plane are
     /// retained; its place.
     pub(in crate::machine) fn output_in_plane(&mut self, set: &Located, nodes: &[usize]) -> usize {
-        if let [node] = nodes {
+        if let ([node], false) = (nodes, self.is_cut(set)) {
             self.retain(set, *node, 0);
             self.retain(set, *node, 1);
             return self.output_node(*node);
         }
-        let mean = self.mean(nodes);
+        let mean = self.mean_of(std::slice::from_ref(set), nodes);
         for axis in 0..2 {
             self.retain_mean(set, mean, MeanComponent::Displacement(axis));
         }

@@ -38,7 +38,7 @@ impl BodyPlan {
         if nodes.is_empty() {
             return Place::Mean(0);
         }
-        let mean = self.mean(&nodes);
+        let mean = self.mean_of(&load.sets, &nodes);
         for (axis, letter) in AXES.iter().enumerate() {
             if couple[axis] != 0.0 && !self.spec.means[mean].turns_about(axis) {
                 let sets: Vec<&str> = load.sets.iter().map(Located::text).collect();
@@ -118,7 +118,7 @@ impl BodyPlan {
         if nodes.is_empty() {
             return (0, None);
         }
-        let mean = self.mean(&nodes);
+        let mean = self.mean_of(std::slice::from_ref(set), &nodes);
         if !self.spec.means[mean].turns_about(2) {
             let message = format!("the nodes of `{}` show no turn about z", set.text());
             let help = "name a set of nodes around the axis, such as those of a section";

@@ -44,7 +44,7 @@ fn uniform_shaft() -> Mesh {
         layers_in_support: 2,
         layers_between: 20,
         loads: Vec::new(),
-        section: SectionCells { sectors: 16, rings: 3 },
+        section: SectionCells { sectors: 16, rings: 3, order: 1 },
         material: Material::isotropic("STEEL", modulus, poisson, density).expect("steel"),
     };
     shaft.mesh(&ELEMENTS).expect("a mesh")

@@ -37,7 +37,7 @@ fn shaft() -> Shaft {
         layers_in_support: 2,
         layers_between: 8,
         loads: vec![0.2],
-        section: SectionCells { sectors: 16, rings: 2 },
+        section: SectionCells { sectors: 16, rings: 2, order: 1 },
         material: Material::isotropic("STEEL", 200e9, 0.3, DENSITY).expect("steel"),
     };
     let mesh = shaft.mesh(&ELEMENTS.iter().collect::<Vec<_>>()).expect("a mesh");
