@@ -6,17 +6,36 @@ use std::path::Path;
 
 use whirl_solver::Error;
 use whirl_solver::cache::{Key, pack, unpack, write_whole};
-use whirl_solver::dynamics::{BodyStart, Equilibrium, LastState, March, MarchOptions, equilibrium};
+use whirl_solver::dynamics::{
+    BodyStart, Equilibrium, LastState, March, MarchOptions, NewtonOptions, equilibrium,
+};
 
 use crate::case::{Case, Start, System, Turning};
 use crate::errors::Failure;
 use crate::machine::Built;
 use crate::results::{STATE, SUMMARY};
-use crate::simulate::options;
 use crate::watch::Watch;
 
 /// Layout of the file.
 const LAYOUT: &str = "whirl state 6";
+
+/// How a case is marched.
+pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {
+    MarchOptions {
+        time_step: case.march.time_step,
+        automatic: case.march.automatic,
+        steps: case.march.steps,
+        integrator: case.march.integrator,
+        newton: NewtonOptions {
+            force_tolerance: case.march.force_tolerance,
+            ..NewtonOptions::default()
+        },
+        cycle: case.march.steady_cycle(),
+        steady_rule: case.march.steady_rule,
+        stop_when_steady: case.march.stop_when_steady,
+        initial: built.initial.clone(),
+    }
+}
 
 /// The march of a case, whose results go to `out` if they go to a folder, before its first step.
 ///

@@ -200,7 +200,7 @@ fn files_of_calculix_that_are_wrong() {
             ),
             ("job.dof", &|_| String::new(), &["job.dof: the file lists no dofs"]),
             ("job.dof", &cut, &["is beyond the"]),
-            ("job.inp", &|text| line(text, 3, |_| String::new()), &["node 2"]),
+            ("job.inp", &|text| line(text, 3, |_| String::new()), &["1 node without a place: 2"]),
             (
                 "job.inp",
                 &|text| format!("*TRANSFORM, NSET=A\n1,0,0,0,1,0\n{text}"),

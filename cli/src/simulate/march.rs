@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 use std::time::Instant;
 
-use whirl_solver::dynamics::{Checkpoint, LastState, March, MarchOptions, NewtonOptions, Outcome};
+use whirl_solver::dynamics::{Checkpoint, LastState, March, Outcome};
 
 use super::Watch;
 use crate::case::Case;
@@ -109,7 +109,7 @@ pub(super) fn march(
     from: Option<Point>,
     watch: &dyn Watch,
 ) -> Result<Marched, Failure> {
-    let options = options(case, built);
+    let options = start::options(case, built);
     let passed = from.as_ref().map_or(0.0, |point| point.wall);
     let mut march = match from {
         Some(point) => March::resume(&built.machine, &options, point.march)?,
@@ -158,22 +158,4 @@ pub(super) fn march(
     };
     let warning = warning.or_else(|| store.keep_last(state?));
     Ok(Marched { outcome: march.outcome(), step, time, end, wall, warning })
-}
-
-/// How a case is marched.
-pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {
-    MarchOptions {
-        time_step: case.march.time_step,
-        automatic: case.march.automatic,
-        steps: case.march.steps,
-        integrator: case.march.integrator,
-        newton: NewtonOptions {
-            force_tolerance: case.march.force_tolerance,
-            ..NewtonOptions::default()
-        },
-        cycle: case.march.steady_cycle(),
-        steady_rule: case.march.steady_rule,
-        stop_when_steady: case.march.stop_when_steady,
-        initial: built.initial.clone(),
-    }
 }

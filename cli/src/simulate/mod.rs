@@ -24,7 +24,7 @@ pub use crate::watch::{Quiet, Watch};
 pub(crate) use self::folder::FolderStore;
 pub(crate) use self::in_memory::summed_up;
 pub use self::in_memory::{InMemory, in_memory};
-pub(crate) use self::march::{End, Marched, Store, options};
+pub(crate) use self::march::{End, Marched, Store};
 
 /// A run up to its end.
 pub(crate) struct Simulated<'a> {
@@ -69,7 +69,7 @@ pub(crate) fn simulate<'a>(
 /// # Errors
 /// No equilibrium, or no state that fits.
 pub fn begin<'m>(case: &Case, built: &'m Built) -> Result<(March<'m>, MarchOptions), Failure> {
-    let options = options(case, built);
+    let options = start::options(case, built);
     let march = start::begin((case, built), &options, None, &Quiet)?;
     Ok((march, options))
 }

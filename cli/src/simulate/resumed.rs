@@ -124,5 +124,7 @@ fn a_resumed_run_leaves_what_a_whole_one_leaves() {
     // Masses begin as their table says.
     let masses = ["annular-rub", "sdnd101", "sdnd108"];
     without.retain(|own| !masses.iter().any(|mass| own.starts_with(mass)));
+    // Without weight its journals touch nothing where they are in their clearances.
+    without.retain(|own| !(own.starts_with("two-spool") && own.ends_with("equilibrium")));
     assert!(without.is_empty() && runs > 100, "{without:?}");
 }

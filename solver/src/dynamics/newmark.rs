@@ -195,6 +195,11 @@ impl State {
         self.a[..first].copy_from_slice(&other.a[..first]);
     }
 
+    /// The accelerations from the coordinate `first` on that steps of `dt` s integrate: those of Newmark's method are q̈.
+    pub(super) fn integrated(&self, dt: f64, first: usize) -> impl Iterator<Item = f64> {
+        self.a[first..].iter().zip(&self.lag[first..]).map(move |(a, lag)| a + dt * lag)
+    }
+
     pub(crate) fn copy_from(&mut self, other: &State) {
         self.q.copy_from_slice(&other.q);
         self.v.copy_from_slice(&other.v);

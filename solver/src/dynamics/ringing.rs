@@ -45,6 +45,10 @@ pub enum RingingPart {
     Velocity(usize),
 }
 
+/// Share of the velocities of a body, of half of them at most, up to which ringing is that of modes that a step does not resolve:
+/// what they may move in a step.
+const ORDINARY: f64 = 0.3;
+
 /// Second differences in a row that have to alternate: with a spectral radius of 0.9 what rings has fallen to 1.5 % then.
 const LASTS: usize = 40;
 /// How much more velocities have to ring than what is named before them.
@@ -312,6 +316,9 @@ impl RingingMeter {
             // Classes of amplitudes round up, by less than what lets a joint or a rotation be named before its body.
             let beside = if matches!(what, RingingPart::Velocity(_)) { NAMED_BEFORE } else { 1.0 };
             let share = if share > 0.5 { 0.5 } else { share };
+            // After every sudden load bodies ring in modes that no step resolves, whose motion is judged by itself.
+            let ordinary = matches!(what, RingingPart::Velocity(_)) && share <= ORDINARY;
+            let share = if ordinary { 0.0 } else { share };
             if !(share <= beside * found.share) && !found.share.is_nan() {
                 (found.share, found.of) = (share, Some(what));
             }

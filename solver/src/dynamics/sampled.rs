@@ -148,8 +148,10 @@ impl QualityMeter {
     fn add_errors(&mut self, dt: f64, start: &State, end: &State) {
         let factor = self.method.error_factor(dt);
         let first = end.a.len() - self.motion.len();
-        let ends = end.a[first..].iter().zip(&start.a[first..]);
-        self.motion.iter_mut().zip(ends).for_each(|(out, (end, start))| *out = end - start);
+        end.integrated(dt, first)
+            .zip(start.integrated(dt, first))
+            .zip(self.motion.iter_mut())
+            .for_each(|((end, start), out)| *out = end - start);
         for kind in [None, Some(Kind::Free), Some(Kind::Resolved)] {
             match kind {
                 None => self.within.copy_from_slice(&self.motion),

@@ -225,7 +225,7 @@ force = "-300 N"
     let bench = Workbench::new().file("film.csv", FILM).file("case.toml", &case(6000.0, table));
     let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
     assert_eq!(outcome.stdout.matches("6000 rpm, limit 4000 rpm").count(), 1, "{}", outcome.stdout);
-    assert!(outcome.stdout.contains("rows that are missing to `film.csv`"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("add rows to `film.csv`"), "{}", outcome.stdout);
     let said = bench.whirl(&["check", "case.toml"]).stdout;
     assert!(said.contains("stiffness and damping over the speed in film.csv"), "{said}");
 }

@@ -100,9 +100,8 @@ fn a_shaft_carries_what_the_case_says() {
     let mass = shaft.centre_of_mass.mass;
     assert!((mass / (mesh + disc + added) - 1.0).abs() < 1e-3, "{mass} {mesh}");
     let angle = |degrees: f64| [degrees.to_radians().cos(), degrees.to_radians().sin()];
-    let moment = [0, 1].map(|axis| {
-        added * radius * angle(75.0)[axis] + unbalance * arm * angle(40.0)[axis]
-    });
+    let moment =
+        [0, 1].map(|axis| added * radius * angle(75.0)[axis] + unbalance * arm * angle(40.0)[axis]);
     // The mesh itself is balanced, to the rounding of its sums.
     for (axis, moment) in moment.into_iter().enumerate() {
         let found = mass * shaft.centre_of_mass.node.position[axis];
@@ -142,8 +141,22 @@ const PLANE: [(&str, f64); 4] =
 fn joints_stand_where_the_case_says() {
     let parts = parts();
     let names = [
-        "left", "right", "cup-near", "cup-far", "seal", "near", "outer", "motor-far", "hub",
-        "fan-left", "fan-right", "pad", "guard", "flywheel-near", "flywheel-far", "crank-near",
+        "left",
+        "right",
+        "cup-near",
+        "cup-far",
+        "seal",
+        "near",
+        "outer",
+        "motor-far",
+        "hub",
+        "fan-left",
+        "fan-right",
+        "pad",
+        "guard",
+        "flywheel-near",
+        "flywheel-far",
+        "crank-near",
         "crank-far",
     ];
     let labels: Vec<&str> =
@@ -222,10 +235,10 @@ fn laws_have_the_values_of_the_case() {
         near(&values(own(name), &PLANE), &linear(stiffness, damping), name);
     }
     let others = &joint("motor-far").others;
-    assert_eq!(others.iter().map(|own| own.kind).collect::<Vec<_>>(), [
-        MotionKind::Tilts,
-        MotionKind::Along
-    ]);
+    assert_eq!(
+        others.iter().map(|own| own.kind).collect::<Vec<_>>(),
+        [MotionKind::Tilts, MotionKind::Along]
+    );
     let tilts = linear([300.0, 20.0, -10.0, 400.0], [0.3, 0.02, -0.01, 0.4]);
     near(&values(law(others[0].law), &PLANE), &tilts, "tilts");
     let along = linear([4e6, 0.0, 0.0, 0.0], [250.0, 0.0, 0.0, 0.0]);

@@ -48,7 +48,11 @@ fn nodes_are_where_pynastran_puts_them() {
         assert_eq!(mesh.node_set("RBE3_52").unwrap().len(), 8);
         assert_eq!((masses.len(), masses[0].mass, masses[0].inertia[1][2]), (1, 2.5, -0.0));
         assert_eq!(masses[0].inertia[0], [0.1, 0.0, -0.01]);
-        assert_eq!(warnings.len(), 2, "{warnings:?}");
+        // The cells of the file touch anywhere, which is told beside what is left out.
+        let touches = ["at one place", "hang on faces", "quadratic"];
+        let told =
+            warnings.iter().filter(|own| !touches.iter().any(|word| own.what.contains(word)));
+        assert_eq!(told.count(), 2, "{warnings:?}");
     }
 }
 

@@ -61,13 +61,14 @@ fn an_order_is_its_table_to_third_order() {
 #[test]
 fn a_periodic_table_may_begin_with_any_row() {
     let rows = [[30.0, 5.0], [150.0, 40.0], [400.0, -20.0], [600.0, 10.0]];
-    let curve = |first: usize, kind: fn(&[[f64; 2]], bool) -> Result<Curve, whirl_solver::Error>| {
-        let turned = (first..=first + rows.len()).map(|place| {
-            let [x, y] = rows[place % rows.len()];
-            [x + 720.0 * (place / rows.len()) as f64, y]
-        });
-        kind(&turned.collect::<Vec<_>>(), true).expect("a curve")
-    };
+    let curve =
+        |first: usize, kind: fn(&[[f64; 2]], bool) -> Result<Curve, whirl_solver::Error>| {
+            let turned = (first..=first + rows.len()).map(|place| {
+                let [x, y] = rows[place % rows.len()];
+                [x + 720.0 * (place / rows.len()) as f64, y]
+            });
+            kind(&turned.collect::<Vec<_>>(), true).expect("a curve")
+        };
     for kind in [Curve::smooth, Curve::linear] {
         let own = curve(0, kind);
         for other in (1..rows.len()).map(|first| curve(first, kind)) {
