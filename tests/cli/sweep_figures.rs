@@ -110,6 +110,8 @@ fn texts_and_ways_are_named_and_what_is_not_sound_is_marked() {
     let bench = bench(400, laws);
     drawn(&bench, &[]);
     shows(&svg(&bench, "reactions"), &["gap-linear-1e6", "hu2003-nonlinear", "stop.1.law"]);
+    // The second half of a point has a revolution at least.
+    let bench = bench.file("rattler.toml", &rattler(1600));
     let both = "continue = \"both\"\n[vary]\nmass.unbalance.speed = \"500 rpm .. 2000 rpm, 4\"\n";
     let bench = bench.file("study.toml", &format!("case = \"rattler.toml\"\n{both}"));
     drawn(&bench, &[]);

@@ -16,6 +16,7 @@ use super::newmark::State;
 use super::parts::Parts;
 use super::quality::{SMALLEST, larger};
 use super::system::System;
+use super::verdict::RINGING;
 use crate::linalg::widely;
 
 /// What of a machine rings, and how much.
@@ -44,10 +45,6 @@ pub enum RingingPart {
     /// The velocities of a body in its frame, root mean square over its mass.
     Velocity(usize),
 }
-
-/// Share of the velocities of a body, of half of them at most, up to which ringing is that of modes that a step does not resolve:
-/// what they may move in a step.
-const ORDINARY: f64 = 0.3;
 
 /// Second differences in a row that have to alternate: with a spectral radius of 0.9 what rings has fallen to 1.5 % then.
 const LASTS: usize = 40;
@@ -316,9 +313,10 @@ impl RingingMeter {
             // Classes of amplitudes round up, by less than what lets a joint or a rotation be named before its body.
             let beside = if matches!(what, RingingPart::Velocity(_)) { NAMED_BEFORE } else { 1.0 };
             let share = if share > 0.5 { 0.5 } else { share };
-            // After every sudden load bodies ring in modes that no step resolves, whose motion is judged by itself.
-            let ordinary = matches!(what, RingingPart::Velocity(_)) && share <= ORDINARY;
-            let share = if ordinary { 0.0 } else { share };
+            // Velocities hide nothing that is judged.
+            if matches!(what, RingingPart::Velocity(_)) && found.share > RINGING {
+                break;
+            }
             if !(share <= beside * found.share) && !found.share.is_nan() {
                 (found.share, found.of) = (share, Some(what));
             }

@@ -38,7 +38,7 @@ const LOCAL_ERROR: f64 = 3.5e-3;
 /// fraction s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
 const UNRESOLVED_MOTION: f64 = 0.3;
 /// Amplitude of what alternates from step to step, as a fraction of the range of the same quantity: peaks are off by so much.
-const RINGING: f64 = 0.02;
+pub(super) const RINGING: f64 = 0.02;
 /// What does not balance, as a fraction of the energy in play: the limit of what steps may make at the bearings.
 const ENERGY_ERROR: f64 = 0.05;
 
@@ -116,7 +116,9 @@ pub fn findings(
 /// Whether something changes its sign from step to step.
 fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) -> Option<Finding> {
     let value = ringing.share;
-    if value <= RINGING {
+    // Bodies that deform ring after every sudden load in modes that no step resolves: what that moves is judged by itself.
+    let is_ordinary = matches!(ringing.of, Some(RingingPart::Velocity(_)));
+    if value <= RINGING || is_ordinary {
         return None;
     }
     let body = |body: usize, turns: bool| (None, Some(MovingPart { body, turns }));
@@ -125,8 +127,7 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
         Some(RingingPart::Moment(bearing)) => ("a moment", (Some(bearing), None)),
         Some(RingingPart::Couple(own)) => ("the couple of loads and drives", body(own, true)),
         Some(RingingPart::Speed(own)) => ("the speed", body(own, true)),
-        Some(RingingPart::Velocity(own)) => ("the velocities", body(own, false)),
-        None => ("a quantity", (None, None)),
+        Some(RingingPart::Velocity(_)) | None => ("a quantity", (None, None)),
     };
     let shorter = automatic.map_or_else(|| shorter(0.1 * time_step), narrower);
     Some(Finding {
