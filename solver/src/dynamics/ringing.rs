@@ -170,6 +170,8 @@ pub(super) struct RingingMeter {
     now: Vec<f64>,
     /// The first coordinate that is unknown.
     first: usize,
+    /// Whether each body deforms.
+    deform: Vec<bool>,
 }
 
 impl RingingMeter {
@@ -214,6 +216,7 @@ impl RingingMeter {
             damped,
             now: vec![0.0; signals],
             first: machine.first_unknown(),
+            deform: machine.bodies.iter().map(|body| !body.hertz().is_empty()).collect(),
         }
     }
 
@@ -313,9 +316,12 @@ impl RingingMeter {
             // Classes of amplitudes round up, by less than what lets a joint or a rotation be named before its body.
             let beside = if matches!(what, RingingPart::Velocity(_)) { NAMED_BEFORE } else { 1.0 };
             let share = if share > 0.5 { 0.5 } else { share };
-            // Velocities hide nothing that is judged.
-            if matches!(what, RingingPart::Velocity(_)) && found.share > RINGING {
-                break;
+            // Bodies that deform ring after every sudden load in modes that no step resolves, of which the motion is judged by
+            // itself; velocities of others hide nothing.
+            if let RingingPart::Velocity(body) = what
+                && (self.deform[body] || found.share > RINGING)
+            {
+                continue;
             }
             if !(share <= beside * found.share) && !found.share.is_nan() {
                 (found.share, found.of) = (share, Some(what));

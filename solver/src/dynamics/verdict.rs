@@ -116,9 +116,12 @@ pub fn findings(
 /// Whether something changes its sign from step to step.
 fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) -> Option<Finding> {
     let value = ringing.share;
-    // Bodies that deform ring after every sudden load in modes that no step resolves: what that moves is judged by itself.
-    let is_ordinary = matches!(ringing.of, Some(RingingPart::Velocity(_)));
-    if value <= RINGING || is_ordinary {
+    // What the velocities of a rigid body ring by moves it little while it follows a load; that is judged by itself.
+    let limit = match ringing.of {
+        Some(RingingPart::Velocity(_)) => UNRESOLVED_MOTION,
+        _ => RINGING,
+    };
+    if value <= limit {
         return None;
     }
     let body = |body: usize, turns: bool| (None, Some(MovingPart { body, turns }));
@@ -127,7 +130,8 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
         Some(RingingPart::Moment(bearing)) => ("a moment", (Some(bearing), None)),
         Some(RingingPart::Couple(own)) => ("the couple of loads and drives", body(own, true)),
         Some(RingingPart::Speed(own)) => ("the speed", body(own, true)),
-        Some(RingingPart::Velocity(_)) | None => ("a quantity", (None, None)),
+        Some(RingingPart::Velocity(own)) => ("the velocities", body(own, false)),
+        None => ("a quantity", (None, None)),
     };
     let shorter = automatic.map_or_else(|| shorter(0.1 * time_step), narrower);
     Some(Finding {
@@ -138,7 +142,7 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
         part,
         coordinate: None,
         value,
-        limit: RINGING,
+        limit,
         unit: "1".to_owned(),
         remedy: match ringing.damped {
             true => format!("set a smaller `spectral_radius` in [march], or {shorter}"),

@@ -9,10 +9,10 @@ use whirl_solver::machine::{Machine, Rotation};
 
 use super::{bearing, bores, discs, force, options, parts};
 
-/// k along x and along y (N/m).
-const STIFFNESS: [f64; 2] = [3e5, 7e5];
+/// k along x and along y (N/m): alike, as the axes of a law turn with its bore.
+const STIFFNESS: [f64; 2] = [5e5; 2];
 
-/// F_x = −k_x e_x, F_y = −k_y e_y.
+/// F_x = −k e_x, F_y = −k e_y.
 struct Linear;
 
 impl SpringLaw for Linear {
