@@ -114,6 +114,8 @@ impl Turn {
             let whole = norm(&own, &everything, &weight);
             let share = if whole > 0.0 { norm(&apart, &everything, &weight) / whole } else { 0.0 };
             found.shares.push(share);
+            // What damps a rigid motion less is rounding of what damps by stiffness.
+            let rounding = RIGID * norm(&own, &everything, &|_| 1.0);
             for cluster in &clusters {
                 let square = values[cluster[0]];
                 let one = |_: usize| 1.0;
@@ -121,6 +123,9 @@ impl Turn {
                     Scale::Mass => 1.0,
                     Scale::Stiffness if is_rigid(square) => continue,
                     Scale::Stiffness => square,
+                    Scale::Itself if is_rigid(square) && norm(&own, cluster, &one) <= rounding => {
+                        continue;
+                    }
                     Scale::Itself => norm(&own, cluster, &one),
                 };
                 let left = norm(&apart, cluster, &one);

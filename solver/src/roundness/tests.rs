@@ -169,7 +169,12 @@ fn check_round(shaft: &Shaft, called: &str) -> Roundness {
 #[test]
 fn prisms_of_three_sides_or_more_are_exactly_round() {
     for sectors in [3, 4, 6, 8] {
-        let found = check_round(&Prism::solid(sectors).shaft(), &format!("{sectors} sides"));
+        let shaft = Prism::solid(sectors).shaft();
+        let found = check_round(&shaft, &format!("{sectors} sides"));
+        // Damped by its stiffness alone, rigid motions have rounding of it.
+        let mut damping = shaft.stiffness.clone();
+        damping.data.iter_mut().for_each(|own| *own *= 1e-6);
+        check_round(&Shaft { damping, ..shaft }, &format!("{sectors} sides, damped by stiffness"));
         // Bending modes with both ends held along x and y, and what is axial and torsional.
         assert!(found.paired.len() == 3 && !found.still.is_empty(), "{found:?}");
     }
