@@ -129,19 +129,21 @@ pub trait Lane:
 }
 
 thread_local! {
-    /// The bits of an angle, and the function of it: rings of one machine ask for the same angle one after the other.
-    static SIN: Cell<(u64, f64)> = const { Cell::new((0, 0.0)) };
-    static COS: Cell<(u64, f64)> = const { Cell::new((0, 1.0)) };
+    /// The bits of angles, the last one first, and the function of them: rings of one machine ask for the same two angles, of
+    /// the shaft and of the bore, one after the other.
+    static SIN: Cell<[(u64, f64); 2]> = const { Cell::new([(0, 0.0); 2]) };
+    static COS: Cell<[(u64, f64); 2]> = const { Cell::new([(0, 1.0); 2]) };
 }
 
 #[inline(always)]
-fn remembered(last: &Cell<(u64, f64)>, angle: f64, function: fn(f64) -> f64) -> f64 {
-    let (bits, value) = last.get();
-    if bits == angle.to_bits() {
-        return value;
+fn remembered(known: &Cell<[(u64, f64); 2]>, angle: f64, function: fn(f64) -> f64) -> f64 {
+    let [last, older] = known.get();
+    let bits = angle.to_bits();
+    if last.0 == bits {
+        return last.1;
     }
-    let value = function(angle);
-    last.set((angle.to_bits(), value));
+    let value = if older.0 == bits { older.1 } else { function(angle) };
+    known.set([(bits, value), last]);
     value
 }
 

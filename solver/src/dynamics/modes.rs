@@ -104,9 +104,20 @@ impl MachineModes {
         add_product(out, &self.stiffness, x);
     }
 
-    /// Writes what of a motion of the unknowns is in the modes at some places, ΦΦᵀM x.
+    /// Writes what of a motion of the unknowns is in the modes at some places, ΦΦᵀM x. Of most modes it is what the others leave.
     pub(super) fn part(&self, modes: Range<usize>, x: &[f64], out: &mut [f64]) {
-        self.weighted(modes, |_| 1.0, x, out);
+        let all = self.squares.len();
+        if 2 * modes.len() <= all {
+            return self.weighted(modes, |_| 1.0, x, out);
+        }
+        out.copy_from_slice(x);
+        let others = (0..modes.start).chain(modes.end..all);
+        add_columns(out, others.map(|k| (self.vectors.col(k), -self.amplitude(k, x))));
+    }
+
+    /// That of a mode in a motion of the unknowns.
+    fn amplitude(&self, mode: usize, x: &[f64]) -> f64 {
+        whirl_specs::vector::dot(self.rows.col(mode), x)
     }
 
     /// Writes ΦWΦᵀM x, W the weights by ω² of the modes at some places.
@@ -118,10 +129,8 @@ impl MachineModes {
         out: &mut [f64],
     ) {
         out.fill(0.0);
-        let amplitudes = modes.map(|k| {
-            let own = whirl_specs::vector::dot(self.rows.col(k), x);
-            (self.vectors.col(k), weight(self.squares[k]) * own)
-        });
+        let amplitudes =
+            modes.map(|k| (self.vectors.col(k), weight(self.squares[k]) * self.amplitude(k, x)));
         add_columns(out, amplitudes);
     }
 }

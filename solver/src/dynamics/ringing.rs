@@ -47,7 +47,7 @@ pub enum RingingPart {
 }
 
 /// Second differences in a row that have to alternate: with a spectral radius of 0.9 what rings has fallen to 1.5 % then.
-const LASTS: usize = 40;
+const LASTS: f64 = 40.0;
 /// How much more velocities have to ring than what is named before them.
 const NAMED_BEFORE: f64 = 1.1;
 /// Second differences of velocities in a window.
@@ -117,40 +117,73 @@ impl Alternation {
     }
 }
 
-/// A signal, with how long it has alternated.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-struct Signal {
+/// Signals side by side, with how long each has alternated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Signals {
     /// After the last two steps, the later one second.
-    before: [f64; 2],
-    /// A quarter of the last second difference, and how many alternate up to it.
-    second: f64,
-    alternate: usize,
+    before: [Vec<f64>; 2],
+    /// A quarter of the last second difference, and the smaller of the last two without sign.
+    second: Vec<f64>,
+    amplitude: Vec<f64>,
+    /// How many second differences alternate up to the last.
+    alternate: Vec<f64>,
+    /// Smallest and largest value.
+    ends: [Vec<f64>; 2],
+    /// Steps taken in, up to those of the first second difference.
     steps: usize,
 }
 
-impl Signal {
-    /// Takes in the signal after a step; the amplitude of an alternation that lasts.
-    fn add(&mut self, now: f64) -> f64 {
-        let [older, old] = self.before;
-        self.before = [old, now];
-        self.steps = (self.steps + 1).min(3);
-        if self.steps < 3 {
-            return 0.0;
+impl Signals {
+    fn new(signals: usize) -> Self {
+        let values = |value: f64| vec![value; signals];
+        Signals {
+            before: [values(0.0), values(0.0)],
+            second: values(0.0),
+            amplitude: values(0.0),
+            alternate: values(0.0),
+            ends: [values(f64::INFINITY), values(f64::NEG_INFINITY)],
+            steps: 0,
         }
-        let second = 0.25 * (now - 2.0 * old + older);
-        let amplitude = f64::min(second.abs(), self.second.abs());
-        self.alternate = if second * self.second < 0.0 { self.alternate + 1 } else { 0 };
-        self.second = second;
-        if self.alternate < LASTS { 0.0 } else { amplitude }
+    }
+
+    /// Takes in the signals after a step; whether any has alternated for so long that it counts.
+    fn add(&mut self, now: &[f64]) -> bool {
+        let n = now.len();
+        let [older, old] = &mut self.before;
+        let [least, most] = &mut self.ends;
+        let (older, old) = (&mut older[..n], &mut old[..n]);
+        let (least, most) = (&mut least[..n], &mut most[..n]);
+        let (last, alternate) = (&mut self.second[..n], &mut self.alternate[..n]);
+        let amplitude = &mut self.amplitude[..n];
+        let mut longest = 0.0;
+        self.steps = (self.steps + 1).min(3);
+        let differs = if self.steps == 3 { 0.25 } else { 0.0 };
+        widely(|| {
+            for i in 0..n {
+                let x = now[i];
+                least[i] = if x < least[i] { x } else { least[i] };
+                most[i] = if x > most[i] { x } else { most[i] };
+                let second = differs * (x - 2.0 * old[i] + older[i]);
+                let (new, before) = (second.abs(), last[i].abs());
+                amplitude[i] = if new < before { new } else { before };
+                alternate[i] = if second * last[i] < 0.0 { alternate[i] + 1.0 } else { 0.0 };
+                longest = if alternate[i] > longest { alternate[i] } else { longest };
+                (older[i], old[i], last[i]) = (old[i], x, second);
+            }
+        });
+        longest >= LASTS
+    }
+
+    /// The amplitude of an alternation that lasts.
+    fn lasting(&self, signal: usize) -> f64 {
+        if self.alternate[signal] < LASTS { 0.0 } else { self.amplitude[signal] }
     }
 }
 
 /// What is carried from step to step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct RingingSums {
-    signals: Vec<Signal>,
-    /// Smallest and largest value of every signal.
-    ends: [Vec<f64>; 2],
+    signals: Signals,
     velocities: Alternation,
     /// Steps since the last window of velocities began.
     since: usize,
@@ -203,8 +236,7 @@ impl RingingMeter {
         let values = || vec![0.0; parts.all.len()];
         RingingMeter {
             sums: RingingSums {
-                signals: vec![Signal::default(); signals],
-                ends: [vec![f64::INFINITY; signals], vec![f64::NEG_INFINITY; signals]],
+                signals: Signals::new(signals),
                 velocities: Alternation::new(machine.active()),
                 // What dies within some steps of the start is left out here, too.
                 since: 2 + WINDOW,
@@ -223,24 +255,21 @@ impl RingingMeter {
     /// Adds the end of a step or of a part of one, just evaluated.
     pub(super) fn add(&mut self, system: &System, end: &State, parts: &Parts) {
         self.take(system, end);
-        let RingingMeter { sums, groups, now, first, .. } = self;
-        let [least, most] = &mut sums.ends;
-        for ((least, most), own) in least.iter_mut().zip(most).zip(&*now) {
-            (*least, *most) = (least.min(*own), most.max(*own));
-        }
-        for (group, largest) in groups.iter().zip(&mut sums.largest) {
-            let signals = sums.signals[group.signals.clone()].iter_mut();
-            let amplitudes =
-                signals.zip(&now[group.signals.clone()]).map(|(own, now)| own.add(*now));
-            *largest = larger(*largest, length(amplitudes));
+        let RingingMeter { sums, groups, now, first, deform, .. } = self;
+        if sums.signals.add(now) {
+            for (group, largest) in groups.iter().zip(&mut sums.largest) {
+                let amplitudes = group.signals.clone().map(|own| sums.signals.lasting(own));
+                *largest = larger(*largest, length(amplitudes));
+            }
         }
         let steps = sums.since;
-        sums.since = (steps + 1) % EVERY;
+        sums.since = if steps + 1 == EVERY { 0 } else { steps + 1 };
         let rates = &end.v[*first..];
         if steps < 2 + WINDOW && sums.velocities.add(rates) {
             sums.velocities.steps = 0;
             let measured = sums.fastest.iter_mut().zip(&mut sums.amplitudes);
-            for (part, (fastest, amplitudes)) in parts.all.iter().zip(measured) {
+            let measured = parts.all.iter().zip(measured);
+            for (part, (fastest, amplitudes)) in measured.filter(|(part, _)| !deform[part.body]) {
                 amplitudes.add(part.measure(&sums.velocities.least));
                 *fastest = larger(*fastest, part.measure(rates));
             }
@@ -287,7 +316,7 @@ impl RingingMeter {
     /// What rings so far.
     pub(super) fn ringing(&self, parts: &Parts) -> Ringing {
         let sums = &self.sums;
-        let [least, most] = &sums.ends;
+        let [least, most] = &sums.signals.ends;
         let over = |group: &Group, of: &dyn Fn(usize) -> f64| length(group.signals.clone().map(of));
         let peak = |group: &Group| over(group, &|i| f64::max(least[i].abs(), most[i].abs()));
         let mut largest = [0.0; 3];
@@ -362,8 +391,11 @@ mod tests {
     #[test]
     fn an_alternation_has_to_last() {
         let largest = |factor: f64| {
-            let mut own = Signal::default();
-            let steps = (0..400).map(|step| own.add(7.0 + (-factor).powi(step)));
+            let mut own = Signals::new(1);
+            let steps = (0..400).map(|step| {
+                own.add(&[7.0 + (-factor).powi(step)]);
+                own.lasting(0)
+            });
             steps.fold(0.0, f64::max)
         };
         // Forty differences after the first one end with step 42.

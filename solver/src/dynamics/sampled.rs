@@ -144,7 +144,8 @@ impl QualityMeter {
     }
 
     /// Adds the error of a step of `dt` s, and its motion in modes that are not resolved. Where the modes of a part are not those
-    /// of the machine any more, and cannot be taken anew yet, its whole motion counts.
+    /// of the machine any more, and cannot be taken anew yet, its whole motion counts: as resolved or not by its own ω, that by
+    /// which its acceleration changes with it. Overdamped motion is slow in fast modes; what rings in them is not resolved.
     fn add_errors(&mut self, dt: f64, start: &State, end: &State) {
         let factor = self.method.error_factor(dt);
         let first = end.a.len() - self.motion.len();
@@ -168,14 +169,24 @@ impl QualityMeter {
                 if own != kind {
                     continue;
                 }
-                let error = factor * self.parts.all[number].measure(&self.within);
+                let change = self.parts.all[number].measure(&self.within);
                 let (sums, moved) = (&mut self.sums.parts[number], &self.moved[number]);
-                if kind.is_none() || self.linearised.resolves(number, dt) {
+                let [.., fast] = moved.squares;
+                let (resolves, motion) = match kind {
+                    // By the quotient of Rayleigh of the step, as all of its motion counts.
+                    None => {
+                        let all = (moved.squares.iter().sum::<f64>() / moved.mass).sqrt();
+                        let resolves = !(change * dt * dt >= all) || all == 0.0;
+                        (resolves, if resolves { 0.0 } else { all })
+                    }
+                    Some(_) => (self.linearised.resolves(number, dt), (fast / moved.mass).sqrt()),
+                };
+                if resolves {
+                    let error = factor * change;
                     sums.errors.add(error);
                     sums.largest_error = larger(sums.largest_error, error);
                 }
-                let [.., fast] = moved.squares;
-                sums.motions.add(if kind.is_none() { 0.0 } else { (fast / moved.mass).sqrt() });
+                sums.motions.add(motion);
             }
         }
     }
