@@ -61,6 +61,24 @@ impl<'a> Bore<'a> {
     /// Rows of the plane at a station, by its place, one a spring or one a ring: the motion of each of the three rings,
     /// eqs. (20) to (23), with A_i(z) between them; or of the faces there.
     pub(super) fn rows(&self, place: usize, motion: BoreMotion) -> Vec<Vec<f64>> {
+        let mut rows = self.rows_of(place, motion);
+        let weights = (self.kernels.axial)(self.bearing.stations[place]);
+        let [x, y] = between(&self.bearing.sides.offset, weights);
+        // b0 turns with the bore: β ẑ×b0.
+        let arm = match motion {
+            BoreMotion::MeanX => -y,
+            BoreMotion::MeanY => x,
+            _ => 0.0,
+        };
+        if arm != 0.0 {
+            let turn = self.rows_of(place, BoreMotion::MeanTurn);
+            let turned = rows.iter_mut().flatten().zip(turn.iter().flatten());
+            turned.for_each(|(own, turn)| *own += arm * turn);
+        }
+        rows
+    }
+
+    fn rows_of(&self, place: usize, motion: BoreMotion) -> Vec<Vec<f64>> {
         if let Some(surface) = &self.bearing.sides.surface {
             return match at_springs(motion) {
                 true => self.on_faces(&surface.points[place], motion),
