@@ -54,9 +54,9 @@ pub(crate) fn begin<'m>(
             let march = March::from_last(machine, options, &last);
             let march = march.map_err(|error| refused(folder.text(), error))?;
             watch.note(&going_on(folder.text(), &last));
-            if was_unsound(Path::new(folder.text())) {
+            if unsound(&case.start).is_some() {
                 watch.warn(&format!(
-                    "the run in `{}`, from which this one goes on, is NOT SOUND by its own verdict, which does not count here",
+                    "the run in `{}`, from which this one goes on, is NOT SOUND by its own verdict",
                     folder.text()
                 ));
             }
@@ -110,11 +110,12 @@ fn refused(folder: &str, error: Error) -> Failure {
     }
 }
 
-/// Whether the summary of a run says that it is not sound.
-fn was_unsound(folder: &Path) -> bool {
-    let text = fs::read_to_string(folder.join(SUMMARY)).unwrap_or_default();
+/// The folder of the run from whose end a case starts, where the summary of that run says that it is not sound.
+pub(crate) fn unsound(start: &Start) -> Option<&str> {
+    let Start::State(folder) = start else { return None };
+    let text = fs::read_to_string(Path::new(folder.text()).join(SUMMARY)).unwrap_or_default();
     let summary: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
-    summary["verdict"]["sound"] == serde_json::Value::Bool(false)
+    (summary["verdict"]["sound"] == serde_json::Value::Bool(false)).then(|| folder.text())
 }
 
 fn going_on(folder: &str, last: &LastState) -> String {

@@ -35,21 +35,29 @@ fn quiet_runs_still_say_that_they_are_not_sound() {
     assert_eq!(verdict(&bench)["sound"], true);
 }
 
-/// A march that goes on from what is not sound measures only itself.
+/// What is wrong with a run stays wrong in those that go on from it, however good their own steps are.
 #[test]
-fn going_on_from_an_unsound_run_says_so() {
-    let second = format!("{SHORT}\n[start]\nfrom = \"results/first\"\n");
-    let bench = Workbench::new().file("first.toml", SHORT).file("second.toml", &second);
-    let warned = |name: &str| {
+fn what_goes_on_from_an_unsound_run_is_not_sound() {
+    let from = |before: &str| format!("{SHORT}\n[start]\nfrom = \"results/{before}\"\n");
+    let bench = Workbench::new()
+        .file("first.toml", SHORT)
+        .file("second.toml", &from("first"))
+        .file("third.toml", &from("second"));
+    let sound = |name: &str| {
         let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-        outcome.stderr.contains("is NOT SOUND by its own verdict")
+        let verdict = bench.summary(&format!("results/{name}"))["verdict"].clone();
+        let sound = verdict["sound"] == true;
+        let warned = outcome.stderr.contains("is NOT SOUND by its own verdict");
+        let what = verdict["findings"][0]["what"].as_str().unwrap_or_default().to_owned();
+        assert!(sound != warned && what.contains("runs before this one") == warned, "{verdict}");
+        sound
     };
-    assert!(!warned("first") && !warned("second"));
+    assert!(sound("first") && sound("second") && sound("third"));
     let path = bench.path("results/first/summary.json");
     let summary = fs::read_to_string(&path).expect("a summary");
     fs::write(&path, summary.replace("\"sound\": true", "\"sound\": false")).expect("a file");
-    assert!(warned("second"));
+    assert!(!sound("second") && !sound("third"));
 }
 
 /// √(h/1 mm) has no value beyond the gap.

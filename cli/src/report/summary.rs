@@ -14,7 +14,7 @@ use crate::case::{Case, MarchSettings, SupportName, System};
 use crate::fields::LargestStress;
 use crate::history::ReadHistory;
 use crate::machine::{BodyFacts, Built, Counts};
-use crate::version;
+use crate::{start, version};
 
 /// Everything that a run says of itself.
 #[derive(Debug, Serialize)]
@@ -297,7 +297,7 @@ impl Summary {
                 (&built.machine, &supports),
                 outcome,
                 (case.march.time_step, case.march.automatic),
-                (!converged).then_some([steps, case.march.steps]),
+                ((!converged).then_some([steps, case.march.steps]), start::unsound(&case.start)),
             ),
             march: MarchFacts {
                 converged,

@@ -43,17 +43,19 @@ struct Measures {
 
 impl VerdictFacts {
     /// Of a march of steps of so many s, or of parts of them that it chose; `diverged`: the steps that were done and those asked for, where the
-    /// march ended in one that does not converge; `places` names the supports or stops.
+    /// march ended in one that does not converge; `from`: the folder of the run from whose end it went on, if that is not sound;
+    /// `places` names the supports or stops.
     pub(crate) fn new(
         (machine, places): (&Machine, &[SupportName]),
         outcome: &Outcome,
         length: (f64, Option<AutomaticStep>),
-        diverged: Option<[usize; 2]>,
+        (diverged, from): (Option<[usize; 2]>, Option<&str>),
     ) -> Self {
         let quality = &outcome.quality;
         let judged = |error: f64| if quality.judged { error } else { f64::NAN };
         let key = if length.1.is_some() { "output_step" } else { "time_step" };
-        let of_run = diverged.into_iter().map(|steps| FindingFacts::diverged(steps, key));
+        let diverged = diverged.map(|steps| FindingFacts::diverged(steps, key));
+        let of_run = diverged.into_iter().chain(from.map(FindingFacts::inherited));
         let of_steps = findings(quality, &outcome.energy, length).into_iter();
         let of_steps = of_steps.map(|finding| FindingFacts::of_steps(finding, (machine, places)));
         let measures = machine.springs.measures().iter().zip(&outcome.worst);
@@ -116,6 +118,19 @@ impl FindingFacts {
             unit: "steps".to_owned(),
             remedy: format!(
                 "see `error`: a shorter `{key}` may pass, a law without a value there never will"
+            ),
+        }
+    }
+
+    /// What the run in `folder` got wrong stands in the state in which it ended.
+    fn inherited(folder: &str) -> Self {
+        FindingFacts {
+            what: format!("runs before this one that are not sound (in {folder})"),
+            value: 1.0,
+            limit: 0.0,
+            unit: "runs".to_owned(),
+            remedy: format!(
+                "mend the run in {folder} by what its own verdict says, and start from its new end"
             ),
         }
     }
