@@ -5,7 +5,7 @@ use whirl_specs::{CellMatrix, Structure};
 use crate::cells::{BlockKernel, evaluate};
 use crate::error::Error;
 use crate::linalg::LowerTriangle;
-use crate::mesh::{Block, Mesh};
+use crate::mesh::{Block, Cell, Mesh};
 use crate::sparse::{SparseColumns, SparseMatrix};
 
 /// The matrix of the form called `form` (`stiffness` K, `mass` M, `spin_inertia` Y, `spin_coupling` H)
@@ -97,6 +97,14 @@ pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
         mass += cell_mass;
         volume += cell_mass / density(&mesh.blocks()[block]);
     })?;
+    // Cells without mass have a volume all the same.
+    if let Some(light) = mesh.materials().iter().find(|material| !material.has_mass()) {
+        let mut of_unit_density = light.clone();
+        of_unit_density.properties.insert("rho".to_owned(), 1.0);
+        let is_light =
+            |cell: Cell| !mesh.materials()[mesh.blocks()[cell.block].material].has_mass();
+        volume = mass_properties(&mesh.with_material(&of_unit_density, is_light)?)?.volume;
+    }
     Ok(MassProperties { mass, volume, centre: first.map(|m| m / mass), second_moment: second })
 }
 

@@ -311,3 +311,28 @@ fn units_of_meshes_that_are_wrong_are_refused() {
     }
     refused(&block("", ""), &["files of Gmsh have no materials", "material = "]);
 }
+
+/// A part may be far stiffer than any solid or have no mass, with a warning; a body cannot be all without mass.
+#[test]
+fn materials_that_no_solid_has_are_warned_of() {
+    let with = |key: &str, from: &str, to: &str| {
+        let bench = block("units = \"mm, N, t\"", "regions = { body = \"steel\" }");
+        let case = fs::read_to_string(bench.path("case.toml")).expect("a case");
+        bench.file("case.toml", &case.replace(from, to)).whirl(&[key, "case.toml"])
+    };
+    let stiff = with("check", "206 GPa", "206000 GPa");
+    assert_eq!(stiff.status, 0, "{}", stiff.stderr);
+    let said = "case.toml: in material steel (E = 206000000000000 Pa, ρ = 7850 kg/m³) sound would travel at 1.620e5 m/s: if";
+    assert_eq!(stiff.stderr.matches(said).count(), 1, "{}", stiff.stderr);
+    let none = with("check", "7850 kg/m^3", "0 kg/m^3");
+    assert_eq!(none.status, 2, "{}", none.stderr);
+    assert!(
+        none.stderr.contains("nothing of this body has mass: its density is 0"),
+        "{}",
+        none.stderr
+    );
+    assert!(none.stderr.contains("by `regions`"), "{}", none.stderr);
+    for (from, to) in [("206 GPa", "0 GPa"), ("7850 kg/m^3", "-1 kg/m^3")] {
+        assert_eq!(with("check", from, to).status, 2, "{to}");
+    }
+}

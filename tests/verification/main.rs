@@ -16,6 +16,7 @@ mod invariants;
 mod jeffcott;
 mod laws;
 mod layers;
+mod massless;
 mod measures;
 mod mesh_input;
 mod missed_modes;

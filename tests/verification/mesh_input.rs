@@ -91,6 +91,37 @@ fn a_good_file_gives_its_mesh() {
     assert_eq!(error, "cube.inp: node set ODD must have one node, it has 5");
 }
 
+/// What no solid has may be meant: a stiff part, or one that only holds others.
+#[test]
+fn stiff_parts_and_parts_without_mass_are_warned_of() {
+    for (from, to, said, key) in [
+        (
+            "200e9, 0.3",
+            "200e12, 0.3",
+            "cube.inp:33:1: in material Steel (E = 200000000000000 Pa, ρ = 7860 kg/m³) sound would travel at 1.595e5 m/s\n  help: if that is meant, leave it; units are m, Pa and kg/m³: steel is 200e9 and 7860",
+            ("E", 200e12),
+        ),
+        (
+            "*DENSITY\n7860",
+            "*DENSITY\n0",
+            "cube.inp:35:1: material Steel has no mass: its density is 0\n  help: if that is meant, leave it; units are m, Pa and kg/m³: steel is 200e9 and 7860",
+            ("rho", 0.0),
+        ),
+    ] {
+        let text = GOOD.replace(from, to);
+        assert_ne!(text, GOOD);
+        let ReadMesh { mesh, warnings, .. } =
+            read(&text).unwrap_or_else(|errors| panic!("{errors}"));
+        assert_eq!(mesh.materials()[0].properties[key.0], key.1);
+        assert!(warnings.iter().any(|warning| warning.to_string() == said), "{warnings:?}");
+    }
+    for (from, to) in [("200e9, 0.3", "0, 0.3"), ("*DENSITY\n7860", "*DENSITY\n-1")] {
+        assert!(
+            read(&GOOD.replace(from, to)).unwrap_err().to_string().contains("must be positive")
+        );
+    }
+}
+
 #[test]
 fn windows_line_ends_and_capitals_do_not_matter() {
     let mesh = read(&GOOD.to_lowercase().replace('\n', "\r\n")).unwrap().mesh;
@@ -156,7 +187,7 @@ fn sections_may_be_left_open() {
     let cells = parted.element_set("all").unwrap().iter();
     let labels: Vec<u64> = cells.map(|c| parted.blocks()[c.block].labels[c.cell]).collect();
     assert_eq!(labels, [101, 102]);
-    assert!(open(&GOOD.replace("7860", "0").replace(whole, by)).is_err());
+    assert!(open(&GOOD.replace("7860", "-1").replace(whole, by)).is_err());
 }
 
 /// Text that is not UTF-8 is Latin-1.

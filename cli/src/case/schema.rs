@@ -34,7 +34,7 @@ measures! {
     VELOCITY: SPEED, "1 m/s", Any;
     MASS: MASS, "100 kg", Positive;
     MODULUS: PRESSURE, "200 GPa", Positive;
-    DENSITY: DENSITY, "7860 kg/m^3", Positive;
+    DENSITY: DENSITY, "7860 kg/m^3", NotNegative;
     TIME: TIME, "7.4e-5 s", Positive;
     DURATION: TIME, "0.1 s", Positive;
     START: TIME, "0.1 s", Any;
@@ -120,7 +120,7 @@ const CASE: &[Key] = &[
 const MATERIAL: &[Key] = &[
     merged("youngs_modulus", MODULUS, "E"),
     merged("poissons_ratio", Between(-1.0, 0.5), "ν").like("0.3"),
-    merged("density", DENSITY, "mass a volume"),
+    merged("density", DENSITY, "mass a volume; 0 of what only holds other parts"),
 ];
 
 /// Of a mesh file, also of a body by name.

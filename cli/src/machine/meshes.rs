@@ -38,7 +38,41 @@ pub(super) fn mesh<D>(
         case::Mesh::File(_) | case::Mesh::Matrices(_) => axis,
         case::Mesh::Generated(_) => [0.0; 2],
     };
+    has_mass(&mesh, &body.mesh.place())?;
+    unusual_materials(body, &mesh, warnings);
     selections::with_selections(mesh, &body.selections, axis, warnings)
+}
+
+/// Refuses a body nothing of which has mass: it has no motion of its own, and discs on it leave the rest without one.
+fn has_mass(mesh: &Mesh, place: &Located) -> Result<(), Failure> {
+    let materials = mesh.materials();
+    if mesh.matrices().is_some()
+        || mesh.blocks().iter().any(|block| materials[block.material].has_mass())
+    {
+        return Ok(());
+    }
+    let error =
+        place.error_here(Code::BAD_VALUE, "nothing of this body has mass: its density is 0");
+    let help =
+        "give its material a density, which may be small, or parts of it another one by `regions`";
+    Err(Diagnostics::from(error.help(help)).into())
+}
+
+/// Warns of materials of the case that no solid is made of; those of a file are judged where they are read.
+fn unusual_materials<D>(body: &case::Body<D>, mesh: &Mesh, warnings: &mut Vec<String>) {
+    let given = body.material.iter().chain(body.regions.iter().map(|region| &region.material));
+    let used = |material: &&Material| {
+        let mut blocks = mesh.blocks().iter();
+        blocks.any(|block| mesh.materials()[block.material] == **material)
+    };
+    let doubts = given.filter(used).flat_map(Material::implausible_properties);
+    for doubt in doubts.filter(|doubt| !doubt.refused) {
+        let path = body.mesh.place().source().path.display().to_string();
+        let warning = format!("{path}: {}: {}", doubt.what, doubt.help);
+        if !warnings.contains(&warning) {
+            warnings.push(warning);
+        }
+    }
 }
 
 fn elements() -> Vec<&'static Element> {

@@ -164,7 +164,7 @@ impl Pencil<'_> {
             Modes { eigenvalues: Vec::with_capacity(wanted), vectors: Matrix::zeros(n, wanted) };
         for i in 0..wanted {
             let theta = eigen.values[n - 1 - i];
-            if theta <= 0.0 {
+            if theta <= noise(&eigen.values) {
                 if i < count {
                     return Err(ReductionError::TooManyModes { asked: count, available: i });
                 }
@@ -181,7 +181,7 @@ impl Pencil<'_> {
         Ok(modes)
     }
 
-    /// By decomposition of LᵀGL with M = LLᵀ and G the inverse of K + shift·M on the allowed motions.
+    /// By decomposition of LᵀGL with M = LLᵀ, L not always triangular, and G the inverse of K + shift·M on the allowed motions.
     fn all_constrained(
         &self,
         factor: &ConstrainedCholesky,
@@ -189,28 +189,33 @@ impl Pencil<'_> {
         count: usize,
     ) -> Result<Modes, ReductionError> {
         let n = self.mass.size;
-        let wanted = (count + GUARD).min(n - self.constraints.rows.len());
+        let mut wanted = (count + GUARD).min(n - self.constraints.rows.len());
         let mass = dense(self.mass);
-        let mut lower = Cholesky::new(n);
-        lower.factor(&mass.data)?;
-        let lower = Matrix::from_fn(n, n, |i, j| if i >= j { lower.lower(i, j) } else { 0.0 });
+        let lower = root(&mass)?;
         let mut moved = lower.clone();
         factor.solve_in_place(&mut moved.data);
         let eigen =
             symmetric_eigen(&transpose_multiply(lower.view(), moved.view()).symmetric_part())?;
         let all: Vec<usize> = (0..n).collect();
         let highest: Vec<usize> = (n - wanted..n).rev().collect();
+        let noise = noise(&eigen.values);
         // x = G L y / θ, which is allowed, and xᵀMx = 1.
         let mut vectors = multiply(moved.view(), eigen.vectors.select(&all, &highest).view());
         let mut eigenvalues = Vec::with_capacity(wanted);
         for (i, &place) in highest.iter().enumerate() {
             let theta = eigen.values[place];
-            if theta <= 0.0 {
-                return Err(ReductionError::TooManyModes { asked: count, available: i });
+            if theta <= noise {
+                if i < count {
+                    return Err(ReductionError::TooManyModes { asked: count, available: i });
+                }
+                wanted = i;
+                break;
             }
             eigenvalues.push(1.0 / theta - shift);
             vectors.col_mut(i).iter_mut().for_each(|value| *value /= theta);
         }
+        vectors.cols = wanted;
+        vectors.data.truncate(n * wanted);
         Ok(Modes { eigenvalues, vectors })
     }
 
@@ -309,6 +314,26 @@ impl Pencil<'_> {
         }
         Ok(None)
     }
+}
+
+/// The θ = 1/ω² up to which ascending ones are rounding: those of motions without mass are none.
+fn noise(theta: &[f64]) -> f64 {
+    f64::EPSILON * theta.last().copied().unwrap_or(0.0)
+}
+
+/// L with M = LLᵀ, lower triangular where every motion has mass.
+fn root(mass: &Matrix) -> Result<Matrix, LinearAlgebraError> {
+    let n = mass.rows;
+    let mut lower = Cholesky::new(n);
+    if lower.factor(&mass.data).is_ok() {
+        return Ok(Matrix::from_fn(n, n, |i, j| if i >= j { lower.lower(i, j) } else { 0.0 }));
+    }
+    let mut eigen = symmetric_eigen(mass)?;
+    for (j, value) in eigen.values.iter().enumerate() {
+        let length = value.max(0.0).sqrt();
+        eigen.vectors.col_mut(j).iter_mut().for_each(|x| *x *= length);
+    }
+    Ok(eigen.vectors)
 }
 
 fn dense(a: &LowerTriangle) -> Matrix {

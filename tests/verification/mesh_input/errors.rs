@@ -142,7 +142,7 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         (
             "7860\n",
             "-7860\n",
-            "cube.inp:35:1: the density of Steel is -7860\n  help: it must be positive",
+            "cube.inp:35:1: the density of Steel is -7860\n  help: it must be positive, or 0 of a part without mass",
         ),
         (
             "200e9, 0.3",
@@ -183,11 +183,6 @@ fn every_error_says_where_what_and_how_to_fix_it() {
             "*SOLID SECTION,",
             "*MATERIAL, NAME=STEEL\n*SOLID SECTION,",
             "cube.inp:36:1: material STEEL is defined twice\n  help: line 31 has the first",
-        ),
-        (
-            "200e9, 0.3",
-            "200000, 0.3",
-            "cube.inp:33:1: in material Steel (E = 200000 Pa, ρ = 7860 kg/m³) sound would travel at 5.044e0 m/s\n  help: units are m, Pa and kg/m³: steel is 200e9 and 7860",
         ),
         (
             "200e9, 0.3",
@@ -271,7 +266,7 @@ fn every_error_says_where_what_and_how_to_fix_it() {
 #[test]
 fn all_errors_are_given_at_once_in_the_order_of_the_lines() {
     let text = GOOD
-        .replace("7860", "0")
+        .replace("7860", "-1")
         .replace("102, 2, 9, 3, 6, 10, 7", "102, 2, 9, 3, 6, 10, 77")
         .replace(" 5, 0, 0, 1\n", " 5, 0, 0, x\n");
     let errors = read(&text).unwrap_err();

@@ -30,6 +30,9 @@ impl Materials {
     }
 }
 
+/// A material in place of one with errors.
+const STAND_IN: [(&str, f64); 3] = [("E", 2e11), ("nu", 0.3), ("rho", 7860.0)];
+
 fn material(name: &str, table: &Table) -> Material {
     let before = table.errors();
     let values = [
@@ -37,11 +40,14 @@ fn material(name: &str, table: &Table) -> Material {
         ("nu", table.number_or_middle("poissons_ratio")),
         ("rho", table.quantity_or_one("density")),
     ];
-    let properties = values.map(|(symbol, value)| (symbol.to_string(), value)).into();
-    let material = Material { name: name.to_string(), properties };
     let keys = [("E", "youngs_modulus"), ("nu", "poissons_ratio"), ("rho", "density")];
     let whole = keys.iter().all(|(_, key)| table.has(key)) && table.errors() == before;
-    for doubt in material.implausible_properties().into_iter().filter(|_| whole) {
+    // What stands for an error is no reason for doubts.
+    let values = if whole { values } else { STAND_IN };
+    let properties = values.map(|(symbol, value)| (symbol.to_string(), value)).into();
+    let material = Material { name: name.to_string(), properties };
+    let doubts = material.implausible_properties().into_iter();
+    for doubt in doubts.filter(|doubt| doubt.refused) {
         let key = keys.iter().find(|(symbol, _)| *symbol == doubt.symbol).map(|(_, key)| *key);
         let place = key.map_or_else(|| table.heading().text(""), |key| table.written(key));
         table.push(place.error_here(Code::BAD_VALUE, doubt.what).help(doubt.help));

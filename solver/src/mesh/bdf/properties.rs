@@ -63,9 +63,10 @@ impl Properties {
             let place = card.field(at + 1).map_or(card.place, |field| field.place);
             let help = match at {
                 2 if !(value > -1.0 && value < 0.5) => "it lies between −1 and 0.5, both excluded",
-                0 | 1 | 3 if value < 0.0 => "it must be positive",
+                0 | 1 if value < 0.0 => "it must be positive",
+                3 if value < 0.0 => "it must be positive, or 0 of a part without mass",
                 // Nastran takes 0 for a blank field.
-                0 | 1 | 3 if value == 0.0 => return None,
+                0 | 1 if value == 0.0 => return None,
                 _ => return Some((value, place)),
             };
             report.error(place, format!("the {} of MAT1 {label} is {value}", titles[at]), help);

@@ -52,9 +52,14 @@ impl RawMaterial {
                 report.error(at, what, "it lies between −1 and 0.5, both excluded");
                 self.broken = true;
             }
-            "E" | "rho" if value <= 0.0 => {
+            "E" if !(value > 0.0 && value.is_finite()) => {
                 let what = format!("the {title} of {name} is {value}");
                 report.error(at, what, "it must be positive");
+                self.broken = true;
+            }
+            "rho" if !(value >= 0.0 && value.is_finite()) => {
+                let what = format!("the {title} of {name} is {value}");
+                report.error(at, what, "it must be positive, or 0 of a part without mass");
                 self.broken = true;
             }
             _ => {
@@ -74,14 +79,14 @@ impl RawMaterial {
         }
     }
 
-    /// Notes values that cannot be meant, and warns of those that look like other units.
+    /// Notes values with which nothing can be computed or that are of other units, and warns of those that no solid has.
     pub(super) fn judge(&self, units: &MeshUnits, report: &mut MeshReport) {
         if self.broken {
             return;
         }
         let value = |symbol: &str| self.values.get(symbol).copied();
         let likely = match (value("E"), value("rho")) {
-            (Some((e, _)), Some((rho, place))) if !MeshUnits::is_material(e, rho) => {
+            (Some((e, _)), Some((rho, place))) if rho > 0.0 && !MeshUnits::is_material(e, rho) => {
                 units.likely(e, rho).map(|system| (system, e, rho, place))
             }
             _ => None,
@@ -98,10 +103,14 @@ impl RawMaterial {
                             in_units(units, doubt.help)
                         )
                     }
-                    None if doubt.symbol == "E" => in_units(units, doubt.help),
-                    None => doubt.help.to_owned(),
+                    None if doubt.symbol == "nu" => doubt.help.to_owned(),
+                    None => in_units(units, doubt.help),
                 };
-                report.error(place, doubt.what.clone(), help);
+                // Another system in which it is an ordinary material is what was meant.
+                match doubt.refused || doubt.symbol == "E" && likely.is_some() {
+                    true => report.error(place, doubt.what.clone(), help),
+                    false => report.warn(place, doubt.what.clone(), help),
+                }
             }
         }
         if let Some((system, e, rho, place)) = likely.filter(|_| doubts.is_empty()) {
@@ -122,5 +131,5 @@ fn in_units(units: &MeshUnits, in_si: &str) -> String {
         return in_si.to_owned();
     }
     let (e, rho) = (units.written_modulus(200e9), units.written_density(7860.0));
-    format!("in the units of this file steel is {e} and {rho}")
+    format!("if that is meant, leave it; in the units of this file steel is {e} and {rho}")
 }
