@@ -31,6 +31,7 @@ mod outputs;
 mod own_mesh;
 mod read_meshes;
 mod readme;
+mod rubs;
 mod schema;
 mod set_places;
 mod standing;

@@ -42,7 +42,11 @@ impl SpringWork {
     }
 }
 
-/// Energy made and energy that flowed at a bearing (J).
+/// Motions at a bearing that are judged: those that its law takes, such as clearances and displacements, by themselves, then all
+/// together, with the slips and turns of which it takes no more than rates. The power of friction hides no impact.
+pub(crate) const MOTIONS: usize = 2;
+
+/// Energy made and energy that flowed at a bearing, in some of its motions (J).
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Flow {
     /// Σ |½ (Q_n + Q_{n+1})·Δh − ∫ Q dh| over its springs and the steps.
@@ -80,8 +84,8 @@ pub(crate) struct WorkAlong {
     /// if they had not turned since: what drives a spin does its work on no coordinate.
     spins: Vec<Option<Spin>>,
     without_spin: Vec<f64>,
-    /// Energy made and the work on all springs of each bearing in the step that was measured last.
-    bearings: Vec<Flow>,
+    /// Energy made and the work on all springs in the step that was measured last; every bearing has its [`MOTIONS`].
+    flows: Vec<Flow>,
 }
 
 /// Inputs, measures and forces of a law when the step began; rows as in [`whirl_specs::Contact`].
@@ -103,7 +107,7 @@ impl WorkAlong {
             memory: LawMemory::new(springs),
             spins: state.planes.iter().map(|own| own.spin).collect(),
             without_spin: vec![0.0; springs.most(|law| law.bound.kind.rows)],
-            bearings: vec![Flow::default(); springs.bearings],
+            flows: vec![Flow::default(); MOTIONS * springs.bearings],
         }
     }
 
@@ -120,7 +124,7 @@ impl WorkAlong {
     /// [`WorkAlong::start`].
     pub(crate) fn measure(&mut self, springs: &Springs, state: &SpringState) -> SpringWork {
         let mut work = SpringWork::default();
-        self.bearings.fill(Flow::default());
+        self.flows.fill(Flow::default());
         for (place, law) in springs.laws.iter().enumerate() {
             self.integrate(law, place, &state.laws[place]);
             if self.any_spins(law) {
@@ -128,7 +132,7 @@ impl WorkAlong {
             }
             self.add(springs, place, &state.laws[place], &mut work);
         }
-        self.bearings.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
+        self.flows.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
         work
     }
 
@@ -137,9 +141,9 @@ impl WorkAlong {
         self.spins[law.planes.clone()].iter().any(Option::is_some)
     }
 
-    /// Of the step that was measured last, one a bearing.
-    pub(crate) fn bearings(&self) -> &[Flow] {
-        &self.bearings
+    /// Of the step that was measured last, [`MOTIONS`] of a bearing, then of the next.
+    pub(crate) fn flows(&self) -> &[Flow] {
+        &self.flows
     }
 
     /// The means of the forces of a law along the way, and along the way at rest.
@@ -188,23 +192,28 @@ impl WorkAlong {
         let (start, n) = (&self.starts[place], law.springs);
         let moved_to = if self.any_spins(law) { &self.without_spin } else { &end.inputs };
         for plane in &springs.planes[law.planes.clone()] {
-            let mut flow = Flow::default();
+            let mut flows = [Flow::default(); MOTIONS];
             for j in plane.springs.clone() {
-                let mut made = 0.0;
+                let mut made = [0.0; MOTIONS];
                 for (k, &force) in law.bound.forces.iter().enumerate() {
-                    let measure = law.bound.kind.measures[force] * n + j;
+                    let row = law.bound.kind.measures[force];
+                    let measure = row * n + j;
+                    let first = usize::from(row >= law.bound.kind.inputs.len());
                     let moved = moved_to[measure] - start.inputs[measure];
                     let ends = start.forces[force * n + j] + end.forces[force * n + j];
                     let [along, at_rest] =
                         [self.along[k * n + j], self.at_rest[k * n + j]].map(|mean| mean * moved);
-                    made += 0.5 * ends * moved - along;
-                    flow.flowed += along;
-                    flow.moved += if ends == 0.0 { 0.0 } else { moved.abs() };
+                    for (flow, made) in flows.iter_mut().zip(&mut made).skip(first) {
+                        *made += 0.5 * ends * moved - along;
+                        flow.flowed += along;
+                        flow.moved += if ends == 0.0 { 0.0 } else { moved.abs() };
+                    }
                     work.add(along, at_rest);
                 }
-                flow.made += made.abs();
+                flows.iter_mut().zip(made).for_each(|(flow, made)| flow.made += made.abs());
             }
-            self.bearings[plane.bearing].add(&flow);
+            let own = &mut self.flows[MOTIONS * plane.bearing..];
+            own.iter_mut().zip(&flows).for_each(|(sum, flow)| sum.add(flow));
         }
     }
 }

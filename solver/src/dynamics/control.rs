@@ -11,7 +11,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::quality::{SMALLEST, larger};
-use crate::bearing::work::Flow;
+use crate::bearing::work::{Flow, MOTIONS};
 
 /// A march that chooses the parts of its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +64,8 @@ pub(super) struct ControlMemory {
     /// Parts in a row that were far below the tolerance, and whether all were so far.
     calm: u32,
     begins: bool,
-    /// Largest displacement of every part of the machine so far (m), and the most energy in play at every bearing (J).
+    /// Largest displacement of every part of the machine so far (m), and the most energy in play at every bearing, in each of
+    /// its [`MOTIONS`] (J).
     displacements: Vec<f64>,
     energies: Vec<f64>,
     pub(super) taken: PartsTaken,
@@ -93,7 +94,8 @@ pub(super) struct Measured<'m> {
     /// Local errors by parts of the machine (m), and displacements at the end of the part.
     pub(super) errors: &'m [f64],
     pub(super) displacements: &'m [f64],
-    /// By bearing: what was made and flowed, and the kinetic energy of both bodies without rotations (J).
+    /// What was made and flowed by bearings and their [`MOTIONS`], and by bearings the kinetic energy of both bodies without
+    /// rotations (J).
     pub(super) flows: &'m [Flow],
     pub(super) kinetic: &'m [f64],
     /// Work that is no more than rounding (J).
@@ -119,11 +121,11 @@ impl StepControl {
                 calm: 0,
                 begins: true,
                 displacements: displacements.to_vec(),
-                energies: vec![0.0; bearings],
+                energies: vec![0.0; MOTIONS * bearings],
                 taken: PartsTaken::default(),
             },
             displacements: displacements.to_vec(),
-            energies: vec![0.0; bearings],
+            energies: vec![0.0; MOTIONS * bearings],
         }
     }
 
@@ -143,8 +145,9 @@ impl StepControl {
         let errors = measured.errors.iter().zip(so_far);
         let errors = errors.map(|(error, own)| ratio(*error, tolerance * larger(*own, least)));
         let mut worst = errors.fold(0.0, larger);
-        let bearings = measured.flows.iter().zip(measured.kinetic).zip(&self.memory.energies);
-        for (((flow, kinetic), most), kept) in bearings.zip(&mut self.energies) {
+        let kinetic = measured.kinetic.iter().flat_map(|own| [own; MOTIONS]);
+        let flows = measured.flows.iter().zip(kinetic).zip(&self.memory.energies);
+        for (((flow, kinetic), most), kept) in flows.zip(&mut self.energies) {
             let in_play = flow.flowed + kinetic;
             *kept = in_play;
             let allowed = larger(in_play, SMALLEST * most);
@@ -206,7 +209,7 @@ mod tests {
         control.judge(&Measured {
             errors: &errors,
             displacements: &[2.0, 1e-6],
-            flows: &[Flow { made, flowed: 0.5, moved: 0.0 }],
+            flows: &[Flow::default(), Flow { made, flowed: 0.5, moved: 0.0 }],
             kinetic: &[kinetic],
             rounding: 1e-12,
         })

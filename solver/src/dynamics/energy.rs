@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::newmark::State;
 use super::system::System;
 use super::windows::Windows;
-use crate::bearing::work::{Flow, SpringWork, WorkAlong};
+use crate::bearing::work::{Flow, MOTIONS, SpringWork, WorkAlong};
 
 /// The energy balance of a march, in J: work in = kinetic + strain + stored + lost + dissipated + error, each
 /// counted from the start.
@@ -103,7 +103,7 @@ impl EnergyMeter {
                 work_in: 0.0,
                 dissipated: 0.0,
                 springs: SpringWork::default(),
-                flows: Windows::new(system.machine.springs.bearings),
+                flows: Windows::new(MOTIONS * system.machine.springs.bearings),
                 turnover: start.0 + start.1,
                 start,
             },
@@ -115,10 +115,10 @@ impl EnergyMeter {
         }
     }
 
-    /// Energy made and flowed at every bearing by a step that ends at a state just evaluated and may be added then, or may not.
+    /// Energy made and flowed at every bearing, in each of its [`MOTIONS`], by a step that ends at a state just evaluated and may be added then, or may not.
     pub(crate) fn measure(&mut self, system: &System) -> &[Flow] {
         self.measured = Some(self.along.measure(&system.machine.springs, &system.springs));
-        self.along.bearings()
+        self.along.flows()
     }
 
     /// Leaves out the step that was measured last.
@@ -143,9 +143,10 @@ impl EnergyMeter {
         let work = known.unwrap_or_else(|| self.along.measure(springs, &system.springs));
         self.along.start(&system.springs);
         self.sums.springs.add_step(&work);
-        let bearings = self.along.bearings();
-        self.sums.flows.add(bearings);
-        let flowed: f64 = bearings.iter().map(|own| own.flowed).sum();
+        let flows = self.along.flows();
+        self.sums.flows.add(flows);
+        let all = flows.iter().skip(MOTIONS - 1).step_by(MOTIONS);
+        let flowed: f64 = all.map(|own| own.flowed).sum();
         self.sums.turnover += work_in.abs() + dissipated.abs() + flowed;
     }
 
@@ -172,9 +173,9 @@ impl EnergyMeter {
         }
     }
 
-    /// Energy made and flowed by the step that was added last, by bearings.
+    /// Energy made and flowed by the step that was added last, by bearings and their [`MOTIONS`].
     pub(crate) fn flows(&self) -> &[Flow] {
-        self.along.bearings()
+        self.along.flows()
     }
 
     /// Goes on from sums of an earlier march at a state that was just evaluated.

@@ -12,7 +12,7 @@ use super::ringing::Ringing;
 use super::sampled::PartSums;
 use super::system::System;
 use super::windows::Windows;
-use crate::bearing::work::Flow;
+use crate::bearing::work::{Flow, MOTIONS};
 use crate::error::Error;
 use crate::linalg::Cholesky;
 
@@ -56,7 +56,7 @@ pub struct Quality {
     /// Steps that had to be halved, as they could not be solved.
     pub halved: HalvedSteps,
     /// A step that resolves the machine with the springs as they were when most energy was made (s):
-    /// 0.3/√λ, λ the largest eigenvalue of M⁻¹K; none if no energy was made.
+    /// 0.28/√λ, λ the largest eigenvalue of M⁻¹K; none if no energy was made.
     pub resolving_step: Option<f64>,
     /// A step that resolves all modes of the machine at the start: 0.3/ω of the fastest (s); none where all are
     /// resolved.
@@ -74,8 +74,11 @@ pub struct MovingPart {
     pub turns: bool,
 }
 
-/// √λ Δt that counts as resolved, for [`Quality::resolving_step`].
+/// ωΔt that counts as resolved, for [`Quality::mode_step`].
 const RESOLVED: f64 = 0.3;
+/// √λ Δt of a contact that makes no more energy than it may wherever in a step it begins, for [`Quality::resolving_step`]:
+/// (ωΔt)²/4 of what it takes where that is in the middle.
+const IMPACT: f64 = 0.28;
 
 /// Displacements, errors and motions in modes are taken from the first steps and one in so many of those
 /// after, in no order that a motion could keep to.
@@ -252,9 +255,10 @@ impl QualityMeter {
         let sums = &mut self.sums;
         sums.steps += 1;
         sums.row_error = sums.row_error.max(row_error);
-        for (worst, flow) in sums.worst.iter_mut().zip(flows) {
-            if flow.made > worst.made {
-                worst.made = flow.made;
+        for (worst, flows) in sums.worst.iter_mut().zip(flows.chunks_exact(MOTIONS)) {
+            let made = flows.iter().map(|flow| flow.made).fold(0.0, f64::max);
+            if made > worst.made {
+                worst.made = made;
                 for (kept, (t, state)) in worst.ends.iter_mut().zip([(t, start), (t + dt, end)]) {
                     kept.0 = t;
                     kept.1.copy_from(state);
@@ -266,16 +270,17 @@ impl QualityMeter {
     /// What the steps so far were worth; forces of springs are known to `unknown` (N).
     pub(crate) fn quality(&self, system: &mut System, flows: &Windows, unknown: f64) -> Quality {
         let sums = &self.sums;
-        let bearings = 0..system.machine.springs.bearings;
-        let fractions = bearings.map(|bearing| {
-            let least = NEGLIGIBLE * self.in_play(system, bearing);
-            (bearing, flows.fraction(bearing, least, unknown).abs())
+        let places = 0..MOTIONS * system.machine.springs.bearings;
+        let fractions = places.map(|place| {
+            let least = NEGLIGIBLE * self.in_play(system, place / MOTIONS);
+            (place, flows.fraction(place, least, unknown).abs())
         });
         // No number is larger than any.
         let worst =
             fractions.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, fraction)| *fraction != 0.0);
-        let flow = worst.map(|(bearing, _)| flows.whole(bearing)).unwrap_or_default();
-        let ends = worst.map(|(bearing, _)| &sums.worst[bearing]).filter(|own| own.made > 0.0);
+        let flow = worst.map(|(place, _)| flows.whole(place)).unwrap_or_default();
+        let ends =
+            worst.map(|(place, _)| &sums.worst[place / MOTIONS]).filter(|own| own.made > 0.0);
         let eigenvalues = ends.into_iter().flat_map(|own| &own.ends).filter_map(|(t, state)| {
             let value = largest_eigenvalue(system, *t, state);
             (value > 0.0).then_some(value)
@@ -308,7 +313,7 @@ impl QualityMeter {
         let fastest = sums.fastest;
         Quality {
             energy_made_share: worst.map_or(0.0, |(_, fraction)| fraction),
-            bearing: worst.map(|(bearing, _)| bearing),
+            bearing: worst.map(|(place, _)| place / MOTIONS),
             energy_made: flow.made,
             energy_flowed: flow.flowed,
             local_error,
@@ -323,7 +328,7 @@ impl QualityMeter {
             ringing: Ringing::default(),
             row_error: sums.row_error,
             halved: HalvedSteps::default(),
-            resolving_step: largest.map(|value| RESOLVED / value.sqrt()),
+            resolving_step: largest.map(|value| IMPACT / value.sqrt()),
             mode_step: (fastest * self.steps.most() >= 1.0).then_some(RESOLVED / fastest),
             fewest_steps: None,
         }
@@ -467,15 +472,16 @@ mod tests {
             let ends = [&states[place], &states[place + 1]];
             system.evaluate(t + 0.5, ends[1]);
             // At the second of three bearings; at the third always as much, at the first nothing.
-            let flows = [0.0, made, 1.0].map(|made| Flow { made, flowed: 1.0, moved: 0.0 });
-            meter.add(&mut system, (t, 0.5), ends, (&flows, 0.0));
+            let flow = |made: f64| Flow { made, flowed: 1.0, moved: 0.0 };
+            let flows = [0.0, made, 1.0].map(|made| [flow(0.25 * made), flow(made)]);
+            meter.add(&mut system, (t, 0.5), ends, (flows.as_flattened(), 0.0));
         }
         let ends = |bearing: usize| meter.sums.worst[bearing].ends.clone();
         assert_eq!(ends(1), [(11.0, states[1].clone()), (11.5, states[2].clone())]);
         assert_eq!(ends(2), [(10.0, states[0].clone()), (10.5, states[1].clone())]);
         assert_eq!(meter.sums.worst[0].made, 0.0);
         // Nothing holds the machine, so that no step resolves it.
-        let flows = Windows::new(3);
+        let flows = Windows::new(3 * MOTIONS);
         assert_eq!(meter.quality(&mut system, &flows, 1.0).resolving_step, None);
     }
 

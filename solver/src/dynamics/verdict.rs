@@ -28,9 +28,10 @@ pub struct Finding {
     pub remedy: String,
 }
 
-/// Energy made by steps, as a fraction of what flowed. A linear contact of frequency ω that is met in the middle
-/// of a step makes (ωΔt)²/6 of the energy that it takes: at 5 % it lasts six steps.
-const ENERGY_MADE: f64 = 0.05;
+/// Energy made by steps, as a fraction of what flowed. A linear contact of frequency ω makes (ωΔt)²/6 of the energy that it takes,
+/// on average over where in a step it begins and ends, so that its peaks are off by half of that: by (ωΔt)²/12, which is 1 % at
+/// this limit, as for [`LOCAL_ERROR`]. It lasts nine steps then.
+const ENERGY_MADE: f64 = 0.02;
 /// Local error of a step as a fraction of the largest displacement of the body. In motion at ω it is (ωΔt)³/12, and the period
 /// is wrong by (ωΔt)²/12: 1 % at this limit.
 const LOCAL_ERROR: f64 = 3.5e-3;
@@ -39,7 +40,7 @@ const LOCAL_ERROR: f64 = 3.5e-3;
 const UNRESOLVED_MOTION: f64 = 0.3;
 /// Amplitude of what alternates from step to step, as a fraction of the range of the same quantity: peaks are off by so much.
 pub(super) const RINGING: f64 = 0.02;
-/// What does not balance, as a fraction of the energy in play: the limit of what steps may make at the bearings.
+/// What does not balance, as a fraction of the energy in play.
 const ENERGY_ERROR: f64 = 0.05;
 
 /// Steps that could not be solved whole, as a fraction of all: more than a contact here and there; and of few steps so many.
@@ -252,7 +253,7 @@ mod tests {
     const SOUND: Quality = Quality {
         energy_made_share: ENERGY_MADE,
         bearing: Some(1),
-        energy_made: 0.05,
+        energy_made: ENERGY_MADE,
         energy_flowed: 1.0,
         local_error: LOCAL_ERROR,
         local_error_of: Some(MovingPart { body: 2, turns: true }),

@@ -1,4 +1,4 @@
-//! Energy made and energy that flowed, by bearing and by parts of the march.
+//! Energy made and energy that flowed, by places (the motions of each bearing) and by parts of the march.
 
 use serde::{Deserialize, Serialize};
 
@@ -14,41 +14,41 @@ const TOGETHER: usize = 8;
 /// Sums of [`Flow`] over windows of equal numbers of steps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Windows {
-    bearings: usize,
+    places: usize,
     /// Steps of a window, and those in the last.
     length: u64,
     in_last: u64,
-    /// Windows × bearings.
+    /// Windows × places.
     flows: Vec<Flow>,
 }
 
 impl Windows {
-    pub(crate) fn new(bearings: usize) -> Self {
-        Windows { bearings, length: SHORTEST, in_last: SHORTEST, flows: Vec::new() }
+    pub(crate) fn new(places: usize) -> Self {
+        Windows { places, length: SHORTEST, in_last: SHORTEST, flows: Vec::new() }
     }
 
-    /// Adds a step, one flow a bearing.
+    /// Adds a step, one flow a place.
     pub(crate) fn add(&mut self, step: &[Flow]) {
-        if self.bearings == 0 {
+        if self.places == 0 {
             return;
         }
         if self.in_last == self.length {
-            if self.flows.len() == MOST * self.bearings {
+            if self.flows.len() == MOST * self.places {
                 self.merge();
             }
-            self.flows.extend(std::iter::repeat_n(Flow::default(), self.bearings));
+            self.flows.extend(std::iter::repeat_n(Flow::default(), self.places));
             self.in_last = 0;
         }
-        let last = self.flows.len() - self.bearings;
+        let last = self.flows.len() - self.places;
         self.flows[last..].iter_mut().zip(step).for_each(|(sum, own)| sum.add(own));
         self.in_last += 1;
     }
 
     /// Makes one window of two.
     fn merge(&mut self) {
-        let pairs = self.flows.chunks_exact(2 * self.bearings);
+        let pairs = self.flows.chunks_exact(2 * self.places);
         let merged = pairs.flat_map(|pair| {
-            let (first, second) = pair.split_at(self.bearings);
+            let (first, second) = pair.split_at(self.places);
             first.iter().zip(second).map(|(a, b)| {
                 let mut sum = *a;
                 sum.add(b);
@@ -60,18 +60,18 @@ impl Windows {
         self.in_last = self.length;
     }
 
-    /// The flow of a bearing over the whole march.
-    pub(crate) fn whole(&self, bearing: usize) -> Flow {
-        sum(self.of(bearing))
+    /// The flow of a place over the whole march.
+    pub(crate) fn whole(&self, place: usize) -> Flow {
+        sum(self.of(place))
     }
 
-    /// The largest fraction of energy made at a bearing: over the whole march, or over eight windows of it, so that
+    /// The largest fraction of energy made at a place: over the whole march, or over eight windows of it, so that
     /// a long quiet time hides no bad impact. What flowed in eight windows includes that in the windows beside
     /// them, which a contact may reach into, and is never less than it is on average, nor than `least` (J). What is made counts as
     /// far as forces are known: to `unknown` (N).
-    pub(crate) fn fraction(&self, bearing: usize, least: f64, unknown: f64) -> f64 {
-        let flows: Vec<&Flow> = self.of(bearing).collect();
-        let whole = self.whole(bearing);
+    pub(crate) fn fraction(&self, place: usize, least: f64, unknown: f64) -> f64 {
+        let flows: Vec<&Flow> = self.of(place).collect();
+        let whole = self.whole(place);
         let average = whole.flowed * TOGETHER as f64 / flows.len().max(TOGETHER) as f64;
         let fraction = |own: Flow, flowed: f64| {
             let made = own.made - unknown * own.moved;
@@ -91,8 +91,8 @@ impl Windows {
         })
     }
 
-    fn of(&self, bearing: usize) -> impl Iterator<Item = &Flow> {
-        self.flows.iter().skip(bearing).step_by(self.bearings.max(1))
+    fn of(&self, place: usize) -> impl Iterator<Item = &Flow> {
+        self.flows.iter().skip(place).step_by(self.places.max(1))
     }
 }
 

@@ -34,12 +34,12 @@ fn an_unresolved_stop_is_not_sound_and_its_remedy_is() {
     let wrong = verdict(&outcome, 1e-3);
     assert!(!wrong.is_empty(), "{:?}", outcome.quality);
     assert!(outcome.quality.energy_made_share > 1.0, "{:?}", outcome.quality);
-    // 0.3/√(k/m).
+    // 0.28/√(k/m).
     let step = outcome.quality.resolving_step.expect("energy was made");
-    assert!((step / (0.3 / 1e9_f64.sqrt()) - 1.0).abs() < 1e-6, "{step}");
-    assert!(wrong[0].remedy.contains("9.4e-6 s"), "{}", wrong[0].remedy);
-    let outcome = run(&machine, 9.4e-6, (0.5 / 9.4e-6) as usize, [0.0, -1.0]);
-    assert_eq!(verdict(&outcome, 9.4e-6), [], "{:?}", outcome.quality);
+    assert!((step / (0.28 / 1e9_f64.sqrt()) - 1.0).abs() < 1e-6, "{step}");
+    assert!(wrong[0].remedy.contains("8.8e-6 s"), "{}", wrong[0].remedy);
+    let outcome = run(&machine, 8.8e-6, (0.5 / 8.8e-6) as usize, [0.0, -1.0]);
+    assert_eq!(verdict(&outcome, 8.8e-6), [], "{:?}", outcome.quality);
 }
 
 /// Each step's trapezoid less the drop of the stops' potential.
@@ -69,6 +69,7 @@ fn energy_made_is_that_of_the_potential() {
         let (found, exact) = (quality.energy_made, made[stop]);
         assert!((found / exact - 1.0).abs() < 0.1, "Δt = {time_step}: {found} for {exact} J");
         assert!((quality.energy_flowed / flowed[stop] - 1.0).abs() < 0.02, "Δt = {time_step}");
+        // √(k/m) Δt is 0.95, 0.32 and 0.095: shares of 15 %, 1.7 % and 0.15 % on average.
         assert_eq!(found / quality.energy_flowed < 0.05, time_step < 2e-5);
     }
 }
