@@ -91,13 +91,15 @@ pub struct BodySpec {
 pub(crate) struct Assembled {
     pub(crate) stiffness: SparseMatrix,
     pub(crate) mass: SparseMatrix,
+    /// Equations between dofs.
+    ties: Vec<Row>,
 }
 
 impl Assembled {
     /// The body to be reduced.
     pub(crate) fn solid<'a>(&'a self, mesh: &'a Mesh, memory: usize) -> Solid<'a> {
-        let Assembled { stiffness, mass } = self;
-        Solid { stiffness, mass, coordinates: mesh.nodes(), slots: mesh.slots(), memory }
+        let Assembled { stiffness, mass, ties } = self;
+        Solid { stiffness, mass, coordinates: mesh.nodes(), slots: mesh.slots(), ties, memory }
     }
 }
 
@@ -109,7 +111,7 @@ impl BodySpec {
     pub(crate) fn assemble(&self, mesh: &Mesh) -> Result<Assembled, Error> {
         self.check(mesh)?;
         let stiffness = add_ground_springs(&assemble(mesh, "stiffness")?, &self.springs)?;
-        Ok(Assembled { stiffness, mass: assemble(mesh, "mass")? })
+        Ok(Assembled { stiffness, mass: assemble(mesh, "mass")?, ties: mesh.tie_rows() })
     }
 
     /// Reduces a mesh with its matrices.

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::error::{Error, FreeMotion, ReductionError};
 use crate::mesh::Mesh;
 use crate::mesh::matrices::Slot;
-use crate::reduction;
+use crate::reduction::{self, Tied};
 use crate::sparse::{SparseColumns, SparseMatrix};
 
 /// What is left of an equation after elimination counts as zero below this part of its largest
@@ -235,7 +235,14 @@ pub fn free_motions_of_mesh(
     k: &SparseMatrix,
     constraints: &Constraints,
 ) -> Result<Vec<FreeMotion>, Error> {
-    free_motions_of((mesh.nodes(), mesh.slots()), k, constraints)
+    match Tied::new(mesh.dof_count(), &mesh.tie_rows(), &[]) {
+        Some(tied) => {
+            let whole = k.lower().ok_or(ReductionError::NotSymmetric { matrix: "stiffness" })?;
+            let own = SparseMatrix::Symmetric(tied.matrix(&whole));
+            free_motions_of((mesh.nodes(), mesh.slots()), &own, constraints)
+        }
+        None => free_motions_of((mesh.nodes(), mesh.slots()), k, constraints),
+    }
 }
 
 fn free_motions_of(

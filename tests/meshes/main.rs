@@ -10,6 +10,7 @@ mod input;
 mod packed;
 mod seams;
 mod through;
+mod ties;
 mod writer;
 
 use whirl_solver::error::InputErrors;

@@ -64,6 +64,7 @@ impl Block {
             mass: &self.mass,
             coordinates: &self.coordinates,
             slots: &[],
+            ties: &[],
             memory: PLENTY,
         }
     }

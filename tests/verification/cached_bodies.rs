@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::cache::Key;
 use whirl_solver::constraints::{Constraints, GroundSpring};
-use whirl_solver::mesh::{Material, Mesh, MeshParts, NodeSetMean};
+use whirl_solver::mesh::{Material, Mesh, MeshParts, NodeSetMean, Tie};
 use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
@@ -61,16 +61,23 @@ fn body() -> Body {
         ],
         node_sets: mesh.node_sets().clone(),
         element_sets: mesh.element_sets().clone(),
+        ties: Vec::new(),
         matrices: None,
     };
     Body { kind: BodyKind::Shaft, mesh, spec }
+}
+
+fn tie(by: f64) -> Tie {
+    Tie { name: "RBE2 1".to_owned(), rows: vec![vec![(60, 1.0), (63, -by)]] }
 }
 
 type Change = (&'static str, fn(&mut Body));
 
 #[test]
 fn every_ingredient_of_a_body_is_in_its_key() {
-    let changes: [Change; 21] = [
+    let changes: [Change; 23] = [
+        ("a tie", |b| b.mesh.ties.push(tie(2.0))),
+        ("a coefficient of a tie", |b| b.mesh.ties.push(tie(2.0_f64.next_up()))),
         ("the kind of body", |b| b.kind = BodyKind::Support),
         ("a node along x, by a rounding", |b| b.mesh.nodes[7][0] = b.mesh.nodes[7][0].next_up()),
         ("a node along z", |b| b.mesh.nodes[7][2] = b.mesh.nodes[7][2].next_up()),

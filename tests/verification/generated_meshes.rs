@@ -294,6 +294,7 @@ fn a_crank_has_the_mass_and_the_centre_of_its_parts() {
         mass: &mass,
         coordinates: mesh.nodes(),
         slots: &[],
+        ties: &[],
         memory: 1 << 30,
     };
     let hertz = solid.free_modes(7).unwrap().hertz();

@@ -79,6 +79,7 @@ fn reference_shaft() {
         mass: &mass,
         coordinates: mesh.nodes(),
         slots: &[],
+        ties: &[],
         memory: PLENTY,
     };
     let retained = shaft_retained(&mesh);
@@ -129,6 +130,7 @@ fn reference_support() {
         mass: &mass,
         coordinates: mesh.nodes(),
         slots: &[],
+        ties: &[],
         memory: PLENTY,
     };
     let retained = dofs(&mesh, &[("MOUNTS", "xyz")]);

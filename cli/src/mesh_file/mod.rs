@@ -3,6 +3,7 @@
 mod open;
 mod picture;
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -79,6 +80,7 @@ fn say(text: &mut String, mesh: &Mesh) {
             line!(text, "turned inside out at a node: {inverted} cells");
         }
     }
+    ties(text, mesh);
     let mut rows = Vec::new();
     for (name, nodes) in mesh.node_sets() {
         let [low, high] = bounds(nodes.iter().map(|&node| &mesh.nodes()[node]));
@@ -102,6 +104,27 @@ fn say(text: &mut String, mesh: &Mesh) {
             .map(|(name, cells)| format!("{name} ({})", cells.len()))
             .collect();
         line!(text, "element sets: {}", sets.join(", "));
+    }
+}
+
+/// What joins nodes beside the cells: by kinds of cards, as a mesh may have hundreds of one kind.
+fn ties(text: &mut String, mesh: &Mesh) {
+    let mut kinds: BTreeMap<&str, (usize, BTreeSet<usize>, usize)> = BTreeMap::new();
+    for tie in mesh.ties() {
+        // Names are `RBE2 12`, `*TIE SEAM`, `*RIGID BODY of line 30`.
+        let name = tie.name.split(" of line ").next().unwrap_or_default();
+        let kind = match name.strip_prefix('*') {
+            Some(_) if tie.name != name => name,
+            _ => name.rsplit_once(' ').map_or(name, |(kind, _)| kind),
+        };
+        let own = kinds.entry(kind).or_default();
+        own.0 += 1;
+        own.1.extend(tie.nodes());
+        own.2 += tie.rows.len();
+    }
+    for (kind, (number, nodes, equations)) in kinds {
+        let nodes = nodes.len();
+        line!(text, "joined by {number} {kind}: {nodes} nodes, {equations} equations");
     }
 }
 

@@ -139,6 +139,7 @@ impl CrankThrow {
             materials: vec![self.material.clone()],
             node_sets,
             element_sets,
+            ties: Vec::new(),
             matrices: None,
         })
     }

@@ -25,6 +25,7 @@ mod selection;
 pub mod shaft;
 pub mod support;
 mod surface;
+mod ties;
 mod units;
 
 pub use fineness::Fineness;
@@ -35,6 +36,7 @@ pub use quality::WorstCell;
 pub(crate) use regions::connected;
 pub use selection::{Cylinder, Selection};
 pub use surface::{Surface, SurfacePoint};
+pub use ties::Tie;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -105,6 +107,8 @@ pub struct MeshParts {
     pub node_sets: BTreeMap<String, Vec<usize>>,
     /// Cells by the set's name.
     pub element_sets: BTreeMap<String, Vec<Cell>>,
+    /// What joins dofs of nodes beside the cells.
+    pub ties: Vec<Tie>,
     /// Matrices of a body without cells.
     pub matrices: Option<Arc<BodyMatrices>>,
 }
@@ -162,6 +166,9 @@ impl Mesh {
                     return Some(format!("cell {label} names a node that is not there"));
                 }
             }
+        }
+        if let Some(what) = parts.ties.iter().find_map(|tie| tie.misfit(nodes)) {
+            return Some(what);
         }
         for (name, set) in &parts.node_sets {
             if set.iter().any(|&node| node >= nodes) {
@@ -230,6 +237,7 @@ impl Mesh {
             materials,
             node_sets: _,
             element_sets: _,
+            ties,
             matrices,
         } = parts;
         let block = |block: &'_ Block| {
@@ -242,7 +250,9 @@ impl Mesh {
             properties.clone()
         };
         let materials: Vec<_> = materials.iter().map(material).collect();
-        (nodes, blocks, materials, matrices.as_deref().map(BodyMatrices::content))
+        let rows = |Tie { name: _, rows }: &Tie| rows.clone();
+        let ties: Vec<_> = ties.iter().map(rows).collect();
+        (nodes, blocks, materials, ties, matrices.as_deref().map(BodyMatrices::content))
     }
 
     /// Number of degrees of freedom: three translations a node.

@@ -2,7 +2,7 @@
 
 use whirl_text::nearest_in_any_case;
 
-use super::{Block, Cell, Material, Mesh};
+use super::{Block, Cell, Material, Mesh, Tie};
 use crate::error::Error;
 
 impl Mesh {
@@ -92,12 +92,13 @@ impl Mesh {
         Ok(Mesh { places, ..Mesh::new(parts)? })
     }
 
-    /// The part of each node: nodes of one cell are in one part, which are counted from 0 in the order of
-    /// their first nodes.
+    /// The part of each node: nodes of one cell are in one part, and nodes that a tie joins. Parts are counted from 0 in the
+    /// order of their first nodes.
     pub fn parts(&self) -> Vec<usize> {
         let cells = self.blocks().iter().flat_map(Block::cells);
         let pairs = cells.flat_map(|cell| cell.windows(2).map(|pair| (pair[0], pair[1])));
-        connected(self.nodes().len(), pairs)
+        let ties = self.ties().iter().flat_map(Tie::pairs);
+        connected(self.nodes().len(), pairs.chain(ties))
     }
 }
 

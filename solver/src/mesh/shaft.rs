@@ -147,6 +147,7 @@ impl SolidShaft {
             materials: vec![self.material.clone()],
             node_sets,
             element_sets,
+            ties: Vec::new(),
             matrices: None,
         })
     }

@@ -120,6 +120,7 @@ impl RingSupport {
             materials: vec![self.material.clone()],
             node_sets,
             element_sets: BTreeMap::from([(set.to_owned(), all)]),
+            ties: Vec::new(),
             matrices: None,
         })
     }

@@ -12,6 +12,7 @@ use super::correction::corrected;
 use super::modes::{Modes, Pencil};
 use super::partition::{Interface, Partition};
 use super::rigid::{Row, free_motions, free_shapes_of_parts, pins};
+use super::ties::Tied;
 use crate::error::{FreeMotion, ReductionError};
 
 /// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
@@ -25,6 +26,8 @@ pub struct Solid<'a> {
     pub coordinates: &'a [[f64; 3]],
     /// What each dof is; empty where all are translations of the nodes.
     pub slots: &'a [Slot],
+    /// Equations Σ cᵢ uᵢ = 0 between its dofs.
+    pub ties: &'a [Row],
     /// Bytes that may be in use while it is reduced.
     pub memory: usize,
 }
@@ -94,8 +97,44 @@ impl Solid<'_> {
         interface: &Interface,
         modes: usize,
     ) -> Result<CraigBampton, ReductionError> {
+        let Some(tied) = self.tied(interface.held) else {
+            return self.reduce_free(interface, &[], modes);
+        };
+        let rows = |rows: &[Row]| -> Vec<Row> { rows.iter().map(|row| tied.row(row)).collect() };
+        let (retained, corrections) = (rows(interface.retained), rows(interface.corrections));
+        let own = Interface { retained: &retained, corrections: &corrections, ..*interface };
+        let (stiffness, mass) = self.tied_matrices(&tied)?;
+        let solid = Solid { stiffness: &stiffness, mass: &mass, ties: &[], ..*self };
+        let mut reduced = solid.reduce_free(&own, &tied.dependent, modes)?;
+        tied.expand(&mut reduced.shapes);
+        Ok(CraigBampton { retained: interface.retained.to_vec(), ..reduced })
+    }
+
+    /// The equations between dofs, solved; `None` of a body without.
+    pub(super) fn tied(&self, held: &[usize]) -> Option<Tied> {
+        Tied::new(self.mass.size(), self.ties, held)
+    }
+
+    /// K and M of what the equations leave free.
+    pub(super) fn tied_matrices(
+        &self,
+        tied: &Tied,
+    ) -> Result<(SparseMatrix, SparseMatrix), ReductionError> {
+        let own = |matrix, name| -> Result<SparseMatrix, ReductionError> {
+            Ok(SparseMatrix::Symmetric(tied.matrix(&*lower(matrix, name)?)))
+        };
+        Ok((own(self.stiffness, "stiffness")?, own(self.mass, "mass")?))
+    }
+
+    /// [`Solid::reduce`] of a body in which nothing but `dependent` dofs, which have no stiffness, follows from others.
+    fn reduce_free(
+        &self,
+        interface: &Interface,
+        dependent: &[usize],
+        modes: usize,
+    ) -> Result<CraigBampton, ReductionError> {
         let retained = interface.retained;
-        let partition = Partition::new(self.mass.size(), interface)?;
+        let partition = Partition::new(self.mass.size(), interface, dependent)?;
         let whole = lower(self.stiffness, "stiffness")?;
         let held = interface.held.iter().map(|&dof| vec![(dof, 1.0)]);
         let held: Vec<Row> = retained.iter().map(of_order_one).chain(held).collect();
@@ -185,16 +224,15 @@ impl Solid<'_> {
         interface: &Interface,
         force: &[f64],
     ) -> Result<Vec<f64>, ReductionError> {
-        let partition = Partition::new(self.mass.size(), interface)?;
-        let whole = lower(self.stiffness, "stiffness")?;
-        let order = self.order(&whole, &partition.inner);
-        let pins = self.pins(&whole, &partition, interface)?;
-        let constraints = Constraints { rows: &partition.rows, pins: &pins };
-        let stiffness = partition.inner(&whole);
-        let factor = ConstrainedCholesky::new(&stiffness, &order, constraints, self.memory)?;
-        let mut inner = partition.inner_load(force);
+        let tied = self.tied(interface.held);
+        let force = tied.as_ref().map_or(Cow::Borrowed(force), |tied| tied.forces(force).into());
+        let (partition, factor) = self.factored(interface, tied.as_ref())?;
+        let mut inner = partition.inner_load(&force);
         factor.solve_in_place(&mut inner);
-        Ok(partition.displacement(&inner))
+        let data = partition.displacement(&inner);
+        let mut moved = Matrix { rows: data.len(), cols: 1, data };
+        tied.iter().for_each(|tied| tied.expand(&mut moved));
+        Ok(moved.data)
     }
 
     /// The displacement under each of these loads in its own direction, with the retained motions and the held dofs at
@@ -207,17 +245,41 @@ impl Solid<'_> {
         interface: &Interface,
         loads: &[Row],
     ) -> Result<Vec<f64>, ReductionError> {
-        let partition = Partition::new(self.mass.size(), interface)?;
+        let tied = self.tied(interface.held);
+        let own: Vec<Row> = match &tied {
+            Some(tied) => loads.iter().map(|load| tied.row(load)).collect(),
+            None => loads.to_vec(),
+        };
+        let (partition, factor) = self.factored(interface, tied.as_ref())?;
+        let loads = partition.inner_loads(&own);
+        let mut moved = loads.clone();
+        factor.solve_in_place(&mut moved.data);
+        Ok((0..loads.cols).map(|j| dot(loads.col(j), moved.col(j))).collect())
+    }
+
+    /// What is inner, and the factor of its stiffness.
+    fn factored(
+        &self,
+        interface: &Interface,
+        tied: Option<&Tied>,
+    ) -> Result<(Partition, ConstrainedCholesky), ReductionError> {
         let whole = lower(self.stiffness, "stiffness")?;
+        let (whole, retained, dependent) = match tied {
+            Some(tied) => (
+                Cow::Owned(tied.matrix(&whole)),
+                interface.retained.iter().map(|row| tied.row(row)).collect(),
+                &tied.dependent[..],
+            ),
+            None => (whole, interface.retained.to_vec(), &[][..]),
+        };
+        let interface = &Interface { retained: &retained, ..*interface };
+        let partition = Partition::new(self.mass.size(), interface, dependent)?;
         let order = self.order(&whole, &partition.inner);
         let pins = self.pins(&whole, &partition, interface)?;
         let constraints = Constraints { rows: &partition.rows, pins: &pins };
         let stiffness = partition.inner(&whole);
         let factor = ConstrainedCholesky::new(&stiffness, &order, constraints, self.memory)?;
-        let loads = partition.inner_loads(loads);
-        let mut moved = loads.clone();
-        factor.solve_in_place(&mut moved.data);
-        Ok((0..loads.cols).map(|j| dot(loads.col(j), moved.col(j))).collect())
+        Ok((partition, factor))
     }
 
     /// The `count` lowest modes of the body with no dof held, rigid motions first.
@@ -225,19 +287,38 @@ impl Solid<'_> {
     /// # Errors
     /// See [`ReductionError`].
     pub fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
-        let all: Vec<usize> = (0..self.mass.size()).collect();
-        let (stiffness, mass) = (lower(self.stiffness, "stiffness")?, lower(self.mass, "mass")?);
-        let components: Vec<usize> = all.iter().map(|dof| dof % 3).collect();
+        if let Some(tied) = self.tied(&[]) {
+            let (stiffness, mass) = self.tied_matrices(&tied)?;
+            let solid = Solid { stiffness: &stiffness, mass: &mass, ties: &[], ..*self };
+            let mut modes = solid.free_modes_of(&tied.dependent, count)?;
+            tied.expand(&mut modes.vectors);
+            return Ok(modes);
+        }
+        self.free_modes_of(&[], count)
+    }
+
+    /// [`Solid::free_modes`] of a body in which nothing but `dependent` dofs follows from others.
+    fn free_modes_of(&self, dependent: &[usize], count: usize) -> Result<Modes, ReductionError> {
+        let partition = Partition::new(self.mass.size(), &Interface::default(), dependent)?;
+        let (whole, mass) = (lower(self.stiffness, "stiffness")?, lower(self.mass, "mass")?);
+        let components: Vec<usize> = partition.inner.iter().map(|dof| dof % 3).collect();
+        let order = self.order(&whole, &partition.inner);
+        let (stiffness, mass) = match dependent {
+            [] => (whole, mass),
+            _ => (Cow::Owned(partition.inner(&whole)), Cow::Owned(partition.inner(&mass))),
+        };
         let pencil = Pencil {
             stiffness: &stiffness,
             mass: &mass,
-            order: &self.order(&stiffness, &all),
+            order: &order,
             constraints: Constraints::NONE,
             components: &components,
             memory: self.memory,
             columns: 0,
         };
-        pencil.free_modes(count)
+        let Modes { eigenvalues, vectors } = pencil.free_modes(count)?;
+        let none = Matrix::zeros(partition.inner.len(), 0);
+        Ok(Modes { eigenvalues, vectors: partition.shapes(&vectors, &none) })
     }
 
     /// Inner dofs, by their places, without which nothing of the body moves freely while its means may: those that the rigid

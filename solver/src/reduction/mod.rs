@@ -10,6 +10,7 @@ mod partition;
 mod rigid;
 mod slices;
 mod sturm;
+mod ties;
 
 pub use constrained::{ConstrainedCholesky, Constraints};
 pub use craig_bampton::{CraigBampton, Solid};
@@ -17,6 +18,7 @@ pub use modes::{Modes, Pencil, hertz};
 pub use partition::Interface;
 pub use rigid::Row;
 pub(crate) use rigid::{free_motions, free_shapes};
+pub(crate) use ties::Tied;
 
 use crate::error::{FreeMotion, ReductionError};
 use crate::linalg::LinearAlgebraError;

@@ -49,11 +49,16 @@ pub(super) struct Partition {
 }
 
 impl Partition {
-    pub(super) fn new(dofs: usize, interface: &Interface) -> Result<Self, ReductionError> {
+    /// `dependent`: dofs that follow from others, and are left out as held ones are.
+    pub(super) fn new(
+        dofs: usize,
+        interface: &Interface,
+        dependent: &[usize],
+    ) -> Result<Self, ReductionError> {
         let mut place = vec![Place::Inner(0); dofs];
         let out_of_range =
             |dof: usize| ReductionError::Retained { dof, node: dof / 3, component: dof % 3, dofs };
-        for &dof in interface.held {
+        for &dof in interface.held.iter().chain(dependent) {
             *place.get_mut(dof).ok_or_else(|| out_of_range(dof))? = Place::Held;
         }
         let mut means = Vec::new();

@@ -186,7 +186,12 @@ pub(crate) fn free_motions(
 /// # Errors
 /// A stiffness that is not symmetric by its structure, or with values that are not finite.
 pub(crate) fn free_shapes(solid: &Solid, rows: &[Row]) -> Result<Matrix, ReductionError> {
-    let stiffness = lower(solid.stiffness, "stiffness")?;
+    let whole = lower(solid.stiffness, "stiffness")?;
+    // What equations resist costs energy on what they leave free.
+    let stiffness = match solid.tied(&[]) {
+        Some(tied) => std::borrow::Cow::Owned(tied.matrix(&whole)),
+        None => whole,
+    };
     let motions = RigidMotions::new((solid.coordinates, solid.slots));
     let free = motions.combinations(&stiffness, rows)?;
     Ok(multiply(motions.shapes.view(), free.view()))

@@ -103,6 +103,7 @@ impl Prism {
             materials: vec![Material::isotropic("STEEL", 200e9, 0.3, 7860.0).unwrap()],
             node_sets: std::collections::BTreeMap::new(),
             element_sets: std::collections::BTreeMap::<String, Vec<Cell>>::new(),
+            ties: Vec::new(),
             matrices: None,
         })
         .unwrap()

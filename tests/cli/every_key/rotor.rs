@@ -46,6 +46,7 @@ fn with(mesh: &Mesh, material: Material, types: &[&str]) -> Mesh {
         materials,
         node_sets: mesh.node_sets().clone(),
         element_sets: mesh.element_sets().clone(),
+        ties: Vec::new(),
         matrices: None,
     })
     .expect("a mesh")

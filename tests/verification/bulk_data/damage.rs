@@ -172,9 +172,7 @@ pub(crate) fn file(seed: u64) -> String {
     let mut lines: Vec<Vec<&str>> = CARDS.lines().map(|line| line.split(',').collect()).collect();
     // Cards that are refused as they are would hide all others.
     lines.retain(|line| {
-        !["MPC", "MPCADD", "RBAR", "RBE1", "RROD", "RSPLINE", "RTRPLT", "PLSOLID"]
-            .contains(&line[0])
-            || random.below(40) == 0
+        !["RSPLINE", "RTRPLT", "PLSOLID"].contains(&line[0]) || random.below(40) == 0
     });
     let line = random.below(lines.len());
     let field = random.below(lines[line].len() + 1);

@@ -100,6 +100,7 @@ fn frequencies(fine: usize, layers: usize) -> Vec<f64> {
         mass: &mass,
         coordinates: mesh.nodes(),
         slots: &[],
+        ties: &[],
         memory: 1 << 32,
     };
     let found = solid.free_modes(16).unwrap().hertz();

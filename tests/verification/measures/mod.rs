@@ -43,6 +43,7 @@ fn mesh(
         materials: vec![Material::isotropic("STEEL", 2e11, 0.3, 7860.0).expect("steel")],
         node_sets: sets,
         element_sets: BTreeMap::new(),
+        ties: Vec::new(),
         matrices: None,
     })
     .expect("a mesh")
@@ -105,6 +106,7 @@ impl Matrices {
             mass: &self.mass,
             coordinates: mesh.nodes(),
             slots: &[],
+            ties: &[],
             memory: PLENTY,
         }
     }

@@ -50,6 +50,7 @@ fn beam() -> Mesh {
         materials: vec![steel(DENSITY)],
         node_sets: BTreeMap::new(),
         element_sets: BTreeMap::new(),
+        ties: Vec::new(),
         matrices: None,
     })
     .expect("a mesh")

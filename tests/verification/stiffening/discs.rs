@@ -40,6 +40,7 @@ fn altered(mesh: &Mesh, change: impl FnOnce(&mut MeshParts)) -> Mesh {
         materials: mesh.materials().to_vec(),
         node_sets: BTreeMap::new(),
         element_sets: BTreeMap::new(),
+        ties: Vec::new(),
         matrices: None,
     };
     change(&mut parts);

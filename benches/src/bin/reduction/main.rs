@@ -143,7 +143,8 @@ impl Body {
     fn reduce(&self) -> CraigBampton {
         let Body { stiffness, mass, .. } = self;
         let coordinates = self.mesh.nodes();
-        let solid = Solid { stiffness, mass, coordinates, slots: &[], memory: usize::MAX };
+        let solid =
+            Solid { stiffness, mass, coordinates, slots: &[], ties: &[], memory: usize::MAX };
         let interface = Interface { held: &self.held, ..Interface::default() };
         solid.reduce(&interface, self.modes).expect("a body that is held")
     }

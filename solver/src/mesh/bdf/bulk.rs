@@ -13,18 +13,20 @@ use super::known::{Meaning, meaning};
 use super::masses::{self, RawMass};
 use super::names::Names;
 use super::nodes::Grids;
+use super::numbers;
 use super::properties::Properties;
 use super::sets::{self, RawSet};
 use super::spiders::{self, Spider};
 use super::systems::Systems;
-use super::ties::Tie;
+use super::ties::{self, Chosen, RawCard};
 use super::values::ALIGN;
 
 /// Cards that are read besides those of elements, for hints.
-const READ: [&str; 24] = [
+const READ: [&str; 30] = [
     "GRID", "GRDSET", "CORD2R", "CORD2C", "CORD2S", "CORD1R", "CORD1C", "CORD1S", "CTETRA",
     "CHEXA", "CPENTA", "CPYRAM", "MAT1", "PSOLID", "RBE2", "RBE3", "CONM2", "SET1", "SET3",
-    "PARAM", "INCLUDE", "ENDDATA", "PLSOLID", "MAT9",
+    "PARAM", "INCLUDE", "ENDDATA", "PLSOLID", "MAT9", "MPC", "MPCADD", "RBAR", "RBAR1", "RBE1",
+    "RROD",
 ];
 
 /// All that a file says of its mesh.
@@ -42,7 +44,9 @@ pub(super) struct Bulk {
     /// Cards that are left out, with their number and the first of them.
     pub(super) left_out: BTreeMap<String, (usize, LinePosition)>,
     /// Cards that tie nodes.
-    ties: Vec<Tie>,
+    pub(super) ties: Vec<RawCard>,
+    /// Which equations count.
+    pub(super) chosen: Chosen,
     unknown: BTreeMap<String, (usize, LinePosition)>,
     refused: BTreeMap<String, (usize, LinePosition, &'static str, &'static str)>,
 }
@@ -65,6 +69,7 @@ pub(super) fn read(
         mass_factor: 1.0,
         left_out: BTreeMap::new(),
         ties: Vec::new(),
+        chosen: Chosen::default(),
         unknown: BTreeMap::new(),
         refused: BTreeMap::new(),
     };
@@ -84,9 +89,16 @@ pub(super) fn read(
             );
         }
     }
+    bulk.chosen.control = begin.is_some();
     for line in control {
         if let Some(comment) = sources.text(line).trim_start().strip_prefix('$') {
             bulk.names.comment(comment);
+        }
+        if is_command(sources.text(line), "MPC")
+            && let Some((_, set)) = sources.text(line).split_once('=')
+        {
+            let set = set.split('$').next().and_then(|set| numbers::whole(set.trim()));
+            bulk.chosen.named.extend(set.map(|set| (set, line.place())));
         }
         if is_command(sources.text(line), "PARAM") {
             fields::each(sources, std::slice::from_ref(line), |entry| {
@@ -139,6 +151,11 @@ impl Bulk {
             "PARAM" => self.parameter(card, report),
             "BEGIN" => {}
             _ if self.cells.are(name) => self.cells.read(card, report),
+            "MPCADD" => {
+                let own = |at: usize| numbers::whole(card.field(at)?.text);
+                let parts = (1..card.fields.len()).filter_map(own).collect();
+                self.chosen.sums.extend(own(0).map(|set| (set, parts)));
+            }
             _ => self.other(card, report),
         }
         for (place, what, help) in &card.faults {
@@ -176,7 +193,7 @@ impl Bulk {
             Meaning::Control => {}
             Meaning::LeftOut => note(&mut self.left_out),
             Meaning::Unknown => note(&mut self.unknown),
-            Meaning::Tie => self.ties.push(Tie::read(card)),
+            Meaning::Tie => self.ties.extend(ties::read(card, report)),
             Meaning::Refused(what, help) => {
                 let entry = self.refused.entry(card.name.to_string());
                 entry.or_insert((0, card.place, what, help)).0 += 1;
@@ -192,9 +209,6 @@ impl Bulk {
                 _ => format!(" ({number} cards)"),
             };
             report.error(*place, format!("{name} {what}{all}"), *help);
-        }
-        for (name, place) in super::ties::refuse(&self.ties, &self.cells, report) {
-            self.left_out.entry(name).or_insert((0, place)).0 += 1;
         }
         if let Some((_, first)) = self.left_out.values().min_by_key(|(_, place)| *place) {
             let cards = self.left_out.iter().map(|(name, (number, _))| format!("{number} {name}"));

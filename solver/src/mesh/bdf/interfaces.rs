@@ -97,7 +97,6 @@ impl Interfaces {
             }
         }
         let mut by_reference: HashMap<u64, Vec<String>> = HashMap::new();
-        let mut rigid: Vec<(&Spider, String)> = Vec::new();
         let mut empty = Vec::new();
         for spider in &bulk.spiders {
             let plain = format!("{}_{}", spider.card(), spider.label);
@@ -105,17 +104,6 @@ impl Interfaces {
             if nodes.is_empty() {
                 empty.push(spider);
                 continue;
-            }
-            let reference_in_cell =
-                used.labels.binary_search_by_key(&spider.reference, |(label, _)| *label).is_ok();
-            if reference_in_cell {
-                let what = format!(
-                    "the reference node {} of {} {} is a node of the mesh: it is not tied to the others",
-                    spider.reference,
-                    spider.card(),
-                    spider.label
-                );
-                report.warn(spider.place, what, "let it be a node of no element");
             }
             let component = bulk.names.component(spider.label);
             let name = component.filter(|(own, _)| components[own] == 1).map(|(_, name)| name);
@@ -126,19 +114,10 @@ impl Interfaces {
                 report.warn(spider.place, what, format!("the node set {name} has the others"));
             }
             by_reference.entry(spider.reference).or_default().push(name.clone());
-            if spider.rigid {
-                rigid.push((spider, name));
-            } else if spider.weighted {
+            if spider.weighted {
                 let what = format!("the weights of RBE3 {} are not applied", spider.label);
                 report.warn(spider.place, what, "the motion of a set is its mean by area");
             }
-        }
-        if let Some((first, _)) = rigid.first() {
-            let what = format!(
-                "RBE2 is not rigid here: a joint at its set ({}) sees the mean motion of the nodes",
-                list(rigid.iter().map(|(_, name)| name))
-            );
-            report.warn(first.place, what, "where the part is stiff, mesh it");
         }
         if let Some(first) = empty.first() {
             let what = format!(

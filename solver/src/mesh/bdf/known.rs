@@ -9,7 +9,7 @@ pub(super) enum Meaning {
     LeftOut,
     /// Without it, the mesh would be another: why it is refused, and what to do.
     Refused(&'static str, &'static str),
-    /// It ties nodes: refused where these are nodes of elements that are read.
+    /// It ties nodes: read, or refused where these are nodes of elements that are read.
     Tie,
     Unknown,
 }
@@ -18,8 +18,8 @@ const CONTROL: &[&str] = &[
     "PARAM", "MDLPRM", "EIGR", "EIGRL", "EIGB", "EIGC", "EIGP", "FREQ", "FREQ1", "FREQ2", "FREQ3",
     "FREQ4", "FREQ5", "TSTEP", "TSTEPNL", "NLPARM", "NLPCI", "NLSTEP", "NXSTRAT", "TABLED1",
     "TABLED2", "TABLED3", "TABLED4", "TABLEM1", "TABLES1", "TABDMP1", "TABRND1", "RANDPS",
-    "MPCADD", "ECHOON", "ECHOOFF", "DOPTPRM", "DTI", "ITER", "OMIT", "ASET", "ASET1", "QSET",
-    "QSET1", "SPOINT",
+    "ECHOON", "ECHOOFF", "DOPTPRM", "DTI", "ITER", "OMIT", "ASET", "ASET1", "QSET", "QSET1",
+    "SPOINT",
 ];
 
 /// Names, or with an asterisk their beginnings.
@@ -37,11 +37,13 @@ const LEFT_OUT: &[&str] = &[
     "BCTPARM", "BSURF*", "BCPROP*", "BCBODY*", "BCTABLE*", "BCONT*", "BCRPARA", "BGADD", "BGPARM",
 ];
 
-/// Cards that tie nodes to one another, which is not read.
-const TIES: &[&str] =
-    &["MPC", "RBAR", "RBAR1", "RBE1", "RROD", "RTRPLT", "RTRPLT1", "RSPLINE", "RSSCON", "RJOINT"];
+/// Cards that tie nodes to one another, and are read.
+pub(super) const TIED: &[&str] = &["MPC", "RBAR", "RBAR1", "RBE1", "RROD"];
 
-pub(super) const BY_SPIDERS: &str =
+/// Cards that tie nodes to one another, and are not read.
+const TIES: &[&str] = &["RTRPLT", "RTRPLT1", "RSPLINE", "RSSCON", "RJOINT"];
+
+const BY_SPIDERS: &str =
     "let the meshes share nodes; for what carries a load or a bearing use RBE2 or RBE3";
 const SUPERELEMENTS: &str = "belongs to superelements, which are not read";
 const NO_SUPERELEMENTS: &str = "write the model without superelements";
@@ -74,7 +76,7 @@ pub(super) fn meaning(name: &str) -> Meaning {
     };
     if CONTROL.contains(&name) {
         Meaning::Control
-    } else if TIES.contains(&name) {
+    } else if TIED.contains(&name) || TIES.contains(&name) {
         Meaning::Tie
     } else if let Some((_, what, help)) = REFUSED.iter().find(|(refused, ..)| *refused == name) {
         Meaning::Refused(what, help)

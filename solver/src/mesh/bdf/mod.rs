@@ -1,8 +1,9 @@
 //! Meshes in Nastran's bulk data, in small, large and free fields.
 //!
 //! Read are `GRID` and `GRDSET` with coordinate systems (`CORD1R`, `CORD2R`, …), the solid elements that
-//! specs/elements names, `MAT1`, `PSOLID`, `RBE2` and `RBE3` as sets of their nodes, `SET` of case control, `SET1`,
-//! `SET3`, `CONM2`, `PARAM,WTMASS` and `INCLUDE`. Other elements, loads and constraints are left out with a line that
+//! specs/elements names, `MAT1`, `PSOLID`, `RBE2` and `RBE3` as sets of their nodes, what ties
+//! nodes, `SET` of case control, `SET1`,
+//! `SET3`, `CONM2`, `PARAM,WTMASS` and `INCLUDE`. Other elements, loads and supports are left out with a line that
 //! counts them; what would make the mesh another one is an error. A file's errors are all given at once.
 
 mod bulk;
@@ -28,6 +29,7 @@ mod values;
 pub(super) use self::dmig::{Dmig, DmigColumn, grid_points, matrices};
 pub use self::files::Load;
 pub use self::masses::AddedMass;
+use self::ties::RawCard;
 use super::format::{ReadMesh, ReadOptions};
 use super::raw::{
     Cells, MeshReport, NodeTable, RawCell, RawMesh, Remedies, count, in_own_order, list,
@@ -69,6 +71,7 @@ pub fn read(
     edges::fill(&mut bulk.cells, &mut bulk.grids, &mut positions, &mut report);
     let regions = materials::regions(&bulk, options.open || lost, &mut report);
     let used = bulk.used(&mut report);
+    let ties = bulk.tied(&frames, &positions, &used, &mut report);
     let interfaces = interfaces::find(&bulk, &frames, &positions, &used, &mut report);
     let mut nodes = NodeTable::new();
     for &node in &used.nodes {
@@ -98,7 +101,7 @@ pub fn read(
     let materials = regions.materials;
     // A property without a material is an error by itself.
     let sections_complete = false;
-    let raw = RawMesh { nodes, cells, materials, sections, sections_complete };
+    let raw = RawMesh { nodes, cells, materials, sections, sections_complete, ties };
     let mut read = raw.finish(&REMEDIES, options, report)?;
     read.masses = interfaces.masses;
     read.masses.iter_mut().for_each(|mass| mass.convert(&options.units));
@@ -161,6 +164,7 @@ impl bulk::Bulk {
         labels.sort_unstable();
         let mut others: Vec<u64> = self.spiders.iter().map(|spider| spider.reference).collect();
         others.extend(self.masses.iter().map(|mass| mass.node));
+        others.extend(self.ties.iter().flat_map(RawCard::nodes));
         others.sort_unstable();
         let unused: Vec<usize> = (0..place.len())
             .filter(|&node| place[node] == usize::MAX)

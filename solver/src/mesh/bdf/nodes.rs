@@ -13,6 +13,8 @@ struct RawGrid {
     /// Its system; `None` where the field is blank.
     system: Option<u64>,
     at: Point,
+    /// The system of its components; `None` where the field is blank.
+    axes: Option<u64>,
     place: LinePosition,
 }
 
@@ -20,6 +22,7 @@ struct RawGrid {
 #[derive(Debug, Clone, Copy)]
 struct Defaults {
     system: u64,
+    axes: u64,
     place: LinePosition,
 }
 
@@ -47,6 +50,9 @@ impl Grids {
         for (i, value) in at.iter_mut().enumerate() {
             *value = report.real_or_zero(card, 2 + i, "coordinate").unwrap_or(0.0);
         }
+        // −1 has a fluid's nodes, which no solid has.
+        let axes = card.field(5).filter(|field| field.text != "-1").copied();
+        let axes = axes.map(|_| report.count_or_zero(card, 5, "coordinate system"));
         self.held += match card.field(6) {
             Some(field) => usize::from(field.text != "0"),
             None => usize::from(self.held_by_default),
@@ -63,12 +69,19 @@ impl Grids {
             return;
         }
         self.index.insert(label, self.list.len());
-        self.list.push(RawGrid { label, system: system.flatten(), at, place: card.place });
+        self.list.push(RawGrid {
+            label,
+            system: system.flatten(),
+            at,
+            axes: axes.flatten(),
+            place: card.place,
+        });
     }
 
     /// Reads `GRDSET`.
     pub(super) fn read_defaults(&mut self, card: &Card, report: &mut MeshReport) {
         let system = report.count_or_zero(card, 1, "coordinate system").unwrap_or(0);
+        let axes = report.count_or_zero(card, 5, "coordinate system").unwrap_or(0);
         in_residual(card, report);
         if let Some(first) = self.defaults {
             let line = report.line(first.place, card.place);
@@ -80,7 +93,7 @@ impl Grids {
             return;
         }
         self.held_by_default = card.field(6).is_some_and(|field| field.text != "0");
-        self.defaults = Some(Defaults { system, place: card.place });
+        self.defaults = Some(Defaults { system, axes, place: card.place });
     }
 
     /// System and coordinates of a grid point.
@@ -91,6 +104,19 @@ impl Grids {
 
     fn system(&self, grid: &RawGrid) -> u64 {
         grid.system.or(self.defaults.map(|defaults| defaults.system)).unwrap_or(0)
+    }
+
+    /// The system of a grid point's components.
+    pub(super) fn axes(&self, index: usize) -> u64 {
+        self.list[index].axes.or(self.defaults.map(|defaults| defaults.axes)).unwrap_or(0)
+    }
+
+    /// Labels and indices of all, by label.
+    pub(super) fn labels(&self) -> Vec<(u64, usize)> {
+        let all = self.list.iter().enumerate().map(|(index, grid)| (grid.label, index));
+        let mut all: Vec<(u64, usize)> = all.collect();
+        all.sort_unstable();
+        all
     }
 
     /// Where all are, in the basic system, in the order of the file.
@@ -138,7 +164,7 @@ impl Grids {
             label = label.wrapping_add(1).max(1);
         }
         self.index.insert(label, self.list.len());
-        self.list.push(RawGrid { label, system: Some(0), at, place });
+        self.list.push(RawGrid { label, system: Some(0), at, axes: Some(0), place });
         label
     }
 

@@ -2,7 +2,7 @@
 
 use super::super::raw::{MeshReport, NodeTable};
 use super::cards::Card;
-use super::values::number;
+use super::values::{number, read_number};
 
 /// Keywords around parts and their instances.
 pub(super) const PARTS: [&str; 6] =
@@ -26,6 +26,18 @@ pub(super) fn place(cards: &[Card], nodes: &mut NodeTable, report: &mut MeshRepo
     if let Some(card) = cards.iter().find(|card| card.keyword == "INSTANCE") {
         move_and_turn(card, nodes, report);
     }
+}
+
+/// Where x, y and z of the part point in the instance.
+pub(super) fn axes(cards: &[Card]) -> [[f64; 3]; 3] {
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let turn = cards.iter().find(|card| card.keyword == "INSTANCE").and_then(|card| {
+        let values = card.lines.get(1)?.iter().map(|token| read_number(token.text));
+        let values: Vec<f64> = values.collect::<Option<_>>()?;
+        <[f64; 7]>::try_from(values).ok()
+    });
+    let Some([ax, ay, az, bx, by, bz, angle]) = turn else { return axes };
+    axes.map(|own| turned(own, [0.0; 3], [bx - ax, by - ay, bz - az], angle.to_radians()))
 }
 
 /// The first line moves, and the second one turns about the line from a to b, by an angle in degrees.

@@ -1,12 +1,14 @@
 //! Meshes in the input format of Abaqus and CalculiX.
 //!
 //! Read are `*NODE`, `*ELEMENT`, `*NSET`, `*ELSET` (with `GENERATE`), `*SURFACE` (as a node set), `*MATERIAL` with
-//! `*ELASTIC` and `*DENSITY`, and `*SOLID SECTION`, in any order and from files that are included; one part with one
+//! `*ELASTIC` and `*DENSITY`, `*SOLID SECTION`, and what ties nodes, in any order and from files that are included; one part with one
 //! instance is put in its place. Other keywords are left out with a warning, but for those that would change the mesh, which are errors, and those that say nothing of it. A file's errors are all given
 //! at once.
 
 mod cards;
 mod cells;
+mod couplings;
+mod equations;
 mod include;
 mod instance;
 mod materials;
@@ -100,14 +102,16 @@ pub fn read_with(text: &str, path: &str, options: &ReadOptions) -> Result<ReadMe
     cells.named.lost |= lost;
     sets::read_of_elements(&cards, &mut cells, &mut others, &mut report);
     sets::read_of_nodes(&cards, &mut nodes, Some((&cells, &others)), &mut report);
-    surfaces::read(&cards, &mut nodes, (&cells, &others), &mut report);
+    let surfaces = surfaces::read(&cards, &mut nodes, (&cells, &others), &mut report);
+    let all_others = &others;
+    let joining = ties::Joining::new((&nodes, &cells), all_others, &surfaces, instance::axes(&all));
+    let ties = ties::read((&all, &cards), &joining, &mut report);
     others.into_node_sets(&mut nodes, &cells);
-    ties::check(&cards, &nodes, &cells, &mut report);
     let materials = read_materials(&cards, &mut report);
     let (sections, sections_complete) = assign_sections(&cards, &cells, &materials, &mut report);
     // Sets of elements that are left out have sections, too.
     cells.named.sets.drop_empty();
-    let raw = RawMesh { nodes, cells, materials, sections, sections_complete };
+    let raw = RawMesh { nodes, cells, materials, sections, sections_complete, ties };
     raw.finish(&REMEDIES, options, report)
 }
 

@@ -1,8 +1,10 @@
 //! `*SURFACE`: node sets of the nodes of faces, or of nodes.
 
-use whirl_specs::Element;
+use std::collections::BTreeMap;
 
-use super::super::raw::{Cells, MeshReport, NodeTable, did_you_mean};
+use whirl_specs::{Element, Face};
+
+use super::super::raw::{Cells, FaceOfCell, MeshReport, NodeTable, did_you_mean};
 use super::cards::{Card, Token};
 use super::others::OtherElements;
 use super::values::{label, required};
@@ -14,8 +16,11 @@ const WEDGE: &[&[usize]] = &[&[0, 1, 2], &[3, 5, 4], &[0, 3, 4, 1], &[1, 4, 5, 2
 const HEXAHEDRON: &[&[usize]] =
     &[&[0, 1, 2, 3], &[4, 7, 6, 5], &[0, 4, 5, 1], &[1, 5, 6, 2], &[2, 6, 7, 3], &[3, 7, 4, 0]];
 
-/// Nodes of face `number` (from 1) of an element, in its own order.
-fn face(element: &Element, number: usize) -> Option<&'static [usize]> {
+/// Faces of cells by the names of surfaces, in capitals.
+pub(super) type Surfaces = BTreeMap<String, Vec<FaceOfCell>>;
+
+/// Face `number` (from 1) of an element.
+fn face(element: &'static Element, number: usize) -> Option<&'static Face> {
     let cell = match (element.faces.len(), element.nodes) {
         (4, _) => TETRAHEDRON,
         (5, 5 | 13) => PYRAMID,
@@ -27,26 +32,27 @@ fn face(element: &Element, number: usize) -> Option<&'static [usize]> {
     let of_face = |nodes: &[usize]| {
         corners.iter().all(|&corner| nodes.contains(&element.abaqus_order[corner]))
     };
-    element.faces.iter().map(|face| face.nodes).find(|nodes| of_face(nodes))
+    element.faces.iter().find(|face| of_face(face.nodes))
 }
 
-/// Reads the surfaces: faces of cells and sets of them, or nodes and sets of them.
+/// Reads the surfaces: faces of cells and sets of them, or nodes and sets of them. All are node sets; the faces are given.
 pub(super) fn read(
     cards: &[&Card],
     nodes: &mut NodeTable,
     (cells, others): (&Cells, &OtherElements),
     report: &mut MeshReport,
-) {
+) -> Surfaces {
+    let mut surfaces = Surfaces::new();
     for card in cards.iter().filter(|card| card.keyword == "SURFACE") {
         let Some(name) = required(card, "NAME", "*SURFACE, NAME=BORE, TYPE=ELEMENT", report) else {
             continue;
         };
         let kind = card.parameter("TYPE").and_then(|parameter| parameter.value);
-        let mut members = Vec::new();
+        let (mut members, mut faces) = (Vec::new(), Vec::new());
         match kind.map_or("ELEMENT".to_owned(), |kind| kind.text.to_uppercase()).as_str() {
             "ELEMENT" => {
                 for line in &card.lines {
-                    of_faces(line, cells, others, &mut members, report);
+                    of_faces(line, (cells, others), (&mut members, &mut faces), report);
                 }
             }
             "NODE" => {
@@ -69,15 +75,16 @@ pub(super) fn read(
             report.warn(name, what, "rename one of them");
         }
         nodes.named.sets.add(name.text, members);
+        surfaces.entry(name.text.to_uppercase()).or_default().extend(faces);
     }
+    surfaces
 }
 
 /// A line such as `OUTER, S2` or `17, S2`; of faces that are elements themselves it has their nodes.
 fn of_faces(
     line: &[Token],
-    cells: &Cells,
-    others: &OtherElements,
-    members: &mut Vec<usize>,
+    (cells, others): (&Cells, &OtherElements),
+    (members, faces): (&mut Vec<usize>, &mut Vec<FaceOfCell>),
     report: &mut MeshReport,
 ) {
     let Some(&whose) = line.first() else { return };
@@ -111,11 +118,14 @@ fn of_faces(
         report.error(at.copied().unwrap_or(whose), what, "write them as S1, S2, … after the cells");
         return;
     };
-    for &cell in chosen {
-        let cell = &cells.list[cell];
+    for &index in chosen {
+        let cell = &cells.list[index];
         let Some(element) = cell.element.filter(|_| !cell.nodes.is_empty()) else { continue };
         match face(element, number) {
-            Some(places) => members.extend(places.iter().map(|&place| cell.nodes[place])),
+            Some(face) => {
+                members.extend(face.nodes.iter().map(|&place| cell.nodes[place]));
+                faces.push((index, face));
+            }
             None => {
                 let faces = element.faces.len();
                 let what = format!("{} has no face {}", element.origin.name, at.text);

@@ -1,96 +1,309 @@
-//! Cards that tie nodes to one another. What they join is not joined in the mesh: where that is nodes of cells, the file
-//! is refused. A spider from a node beside the cells is an interface: its node set is all that is read of it.
+//! Cards that tie nodes to one another: what they say of nodes of cells is read as equations. What cannot be read is
+//! refused where it joins nodes of cells, and left out where it joins none.
 
 use std::collections::BTreeSet;
 
-use super::super::raw::{Cells, MeshReport, NodeTable};
+use super::super::Tie;
+use super::super::raw::{
+    Cells, FileDof, MeshReport, NodeTable, RawTie, TiePoint, count, did_you_mean, eliminate, list,
+    onto_faces,
+};
 use super::cards::{Card, Token};
+use super::others::OtherElements;
+use super::surfaces::Surfaces;
+use super::values::{number, whole};
+use super::{couplings, equations};
 
-/// Cards of equations and of ties, that join all that they name.
-const JOIN: [&str; 7] = [
+/// Cards that are read.
+const READ: [&str; 8] = [
     "EQUATION",
     "MPC",
     "TIE",
+    "RIGID BODY",
+    "COUPLING",
+    "KINEMATIC COUPLING",
+    "KINEMATIC",
+    "DISTRIBUTING",
+];
+/// Cards that join all that they name, in a way that is not read.
+const REFUSED: [&str; 5] = [
     "EMBEDDED ELEMENT",
     "SHELL TO SOLID COUPLING",
     "CYCLIC SYMMETRY MODEL",
     "FASTENER",
+    "DISTRIBUTING COUPLING",
 ];
-/// Cards of a reference node with the nodes that follow it, or that it follows.
-const SPIDERS: [&str; 4] =
-    ["COUPLING", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "RIGID BODY"];
+
+/// What else to do where a tie cannot be read.
+pub(super) const REMEDY: &str = "write it as *EQUATION, let the meshes share nodes, or write a file for each body and join \
+                                 them in the case";
 
 /// Whether a card ties nodes.
 pub(super) fn is_tie(keyword: &str) -> bool {
-    JOIN.contains(&keyword) || SPIDERS.contains(&keyword)
+    READ.contains(&keyword) || REFUSED.contains(&keyword)
 }
 
-/// Notes what of these cards joins nodes of cells, and what of them is left out.
-pub(super) fn check(cards: &[&Card], nodes: &NodeTable, cells: &Cells, report: &mut MeshReport) {
-    let mut of_cells = vec![false; nodes.positions.len()];
-    cells.list.iter().flat_map(|cell| &cell.nodes).for_each(|&node| of_cells[node] = true);
-    let named = |token: &Token| -> Vec<usize> {
-        let own = match token.text.parse() {
-            Ok(label) => nodes.named.index.get(&label).map(std::slice::from_ref),
-            Err(_) => nodes.named.sets.get(token.text),
+/// What cards of ties name.
+pub(super) struct Joining<'a> {
+    pub(super) nodes: &'a NodeTable,
+    pub(super) cells: &'a Cells,
+    pub(super) others: &'a OtherElements,
+    surfaces: &'a Surfaces,
+    of_cells: Vec<bool>,
+    /// Where x, y and z of a part point in its instance.
+    axes: [[f64; 3]; 3],
+}
+
+impl<'a> Joining<'a> {
+    pub(super) fn new(
+        (nodes, cells): (&'a NodeTable, &'a Cells),
+        others: &'a OtherElements,
+        surfaces: &'a Surfaces,
+        axes: [[f64; 3]; 3],
+    ) -> Joining<'a> {
+        let mut of_cells = vec![false; nodes.positions.len()];
+        cells.list.iter().flat_map(|cell| &cell.nodes).for_each(|&node| of_cells[node] = true);
+        Joining { nodes, cells, others, surfaces, of_cells, axes }
+    }
+
+    /// A node as a point of ties.
+    pub(super) fn point(&self, node: usize) -> TiePoint {
+        let dof = |k: usize| match self.of_cells[node] && k < 3 {
+            true => FileDof::Cell(3 * node + k),
+            false => FileDof::Other(node as u64, k),
         };
-        own.unwrap_or_default().iter().copied().filter(|&node| of_cells[node]).collect()
-    };
-    let mut skipped: BTreeSet<&str> = BTreeSet::new();
-    for card in cards.iter().filter(|card| is_tie(&card.keyword)) {
-        let keyword = card.keyword.as_str();
-        let value = |name: &str| card.parameter(name).and_then(|parameter| parameter.value);
-        let solids = value("ELSET").is_some_and(|set| {
-            cells.named.sets.get(set.text).is_some_and(|cells| !cells.is_empty())
-        });
-        let joined: BTreeSet<usize> = match SPIDERS.contains(&keyword) {
-            // The others are a set that a case may name; this one would join them to its part.
-            true => ["REF NODE", "PIN NSET", "TIE NSET"]
-                .iter()
-                .filter_map(|name| value(name))
-                .flat_map(|token| named(&token))
-                .collect(),
-            false if keyword == "EQUATION" => of_equations(card).flat_map(named).collect(),
-            false => card.lines.iter().flatten().flat_map(named).collect(),
+        TiePoint { dofs: std::array::from_fn(dof), at: self.nodes.positions[node] }
+    }
+
+    /// The nodes of a label or of a set; labels and names may have the name of an instance before a point. What is not there
+    /// is noted.
+    pub(super) fn named(&self, token: &Token, report: &mut MeshReport) -> Vec<usize> {
+        let (index, sets) = (&self.nodes.named.index, &self.nodes.named.sets);
+        let found = |text: &str| -> Option<&[usize]> {
+            let label = whole(text).and_then(|label| u64::try_from(label).ok());
+            match label {
+                Some(label) => index.get(&label).map(std::slice::from_ref),
+                None => sets.get(text),
+            }
         };
-        let joins = match keyword {
-            "EQUATION" | "MPC" => joined.len() > 1,
-            _ => !joined.is_empty(),
-        };
-        if joins || solids {
-            let what = format!("*{keyword} ties nodes of cells to one another, which is not read");
-            let help = "let the meshes share nodes, or write a file for each body and join them in the case; for what \
-                        carries a load or a bearing name a set of its nodes";
-            report.error(card.place, what, help);
-        } else if skipped.insert(keyword) {
-            let (what, help) = match SPIDERS.contains(&keyword) {
-                true => (
-                    format!(
-                        "*{keyword} is not rigid here: a joint at a set of its nodes sees their mean motion"
-                    ),
-                    "where the part is stiff, mesh it",
-                ),
-                false => (format!("*{keyword} is left out: it joins no two nodes of cells"), ""),
-            };
-            report.warn(card.place, what, help);
+        let text = token.text.trim_matches('"');
+        let own = found(text).or_else(|| found(text.rsplit_once('.')?.1));
+        if own.is_none() && !self.nodes.named.lost {
+            let what = format!("no node and no set of nodes is called {text}");
+            report.error(*token, what, did_you_mean(text, sets.names()));
+        }
+        let mut seen = BTreeSet::new();
+        own.unwrap_or_default().iter().copied().filter(|&node| seen.insert(node)).collect()
+    }
+
+    /// Whether cells have a node.
+    pub(super) fn is_of_cells(&self, node: usize) -> bool {
+        self.of_cells[node]
+    }
+
+    /// The only node of a parameter or of a value.
+    pub(super) fn single(&self, token: &Token, report: &mut MeshReport) -> Option<usize> {
+        match self.named(token, report)[..] {
+            [node] => Some(node),
+            [] => None,
+            ref many => {
+                let what = format!(
+                    "{} has {}, where one is needed",
+                    token.text,
+                    count(many.len(), "node")
+                );
+                report.error(*token, what, "name one node, or a set of one");
+                None
+            }
         }
     }
 }
 
-/// The nodes of equations: a line with the number of terms, then a node, a component and a coefficient a term.
-fn of_equations<'c, 'a>(card: &'c Card<'a>) -> impl Iterator<Item = &'c Token<'a>> {
-    let mut terms = 0;
-    card.lines.iter().flat_map(move |line| {
-        let first = match terms {
-            0 => {
-                terms = line.first().and_then(|number| number.text.parse().ok()).unwrap_or(0);
-                line.len()
+/// Reads the ties of all cards.
+pub(super) fn read(
+    (all, cards): (&[Card], &[&Card]),
+    joining: &Joining,
+    report: &mut MeshReport,
+) -> Vec<Tie> {
+    let mut raw: Vec<RawTie> = Vec::new();
+    let mut in_part = false;
+    let mut skipped: BTreeSet<&str> = BTreeSet::new();
+    // Cards of ties.
+    let mut wanted: Vec<Option<&Card>> = Vec::new();
+    for (place, card) in cards.iter().enumerate() {
+        let keyword = card.keyword.as_str();
+        match keyword {
+            "PART" | "INSTANCE" => in_part = true,
+            "END PART" | "END INSTANCE" => in_part = false,
+            _ => {}
+        }
+        if !is_tie(keyword) {
+            continue;
+        }
+        let name = called(card);
+        let basic = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let axes = if in_part { joining.axes } else { basic };
+        let rows = match keyword {
+            "EQUATION" => equations::of_equations(card, joining, axes, report),
+            "MPC" => equations::of_mpc(card, joining, axes, report),
+            "TIE" => onto_surface(card, joining, report),
+            "RIGID BODY" => couplings::of_rigid_body(card, joining, report),
+            "KINEMATIC COUPLING" => couplings::of_old_coupling(card, joining, report),
+            "COUPLING" => {
+                let next = cards.get(place + 1).copied();
+                couplings::of_coupling(card, next, joining, report)
             }
+            "KINEMATIC" | "DISTRIBUTING" => continue,
             _ => {
-                terms = usize::saturating_sub(terms, line.len().div_ceil(3));
-                0
+                refuse(card, joining, &mut skipped, report);
+                continue;
             }
         };
-        line.iter().skip(first).step_by(3)
-    })
+        // What spreads a load joins nothing, unless its node does; nodes beyond a tolerance are said.
+        let next = cards.get(place + 1).map_or("", |next| &next.keyword);
+        let idle = keyword == "TIE" || keyword == "COUPLING" && next == "DISTRIBUTING";
+        wanted.push((!idle).then_some(card));
+        raw.push(RawTie { name, rows });
+    }
+    turned_nodes(all, joining, &raw, report);
+    let broken = report.error_count() > 0;
+    let (ties, idle) = eliminate(raw);
+    for card in wanted.into_iter().zip(idle).filter_map(|(card, idle)| card.filter(|_| idle)) {
+        if !broken && skipped.insert(&card.keyword) {
+            let what = format!("*{} is left out: it joins no two nodes of cells", card.keyword);
+            report.warn(card.place, what, "");
+        }
+    }
+    ties
+}
+
+/// `*TIE BOND`, or `*EQUATION of line 12`.
+fn called(card: &Card) -> String {
+    let name = ["NAME", "CONSTRAINT NAME"].iter().find_map(|name| card.parameter(name)?.value);
+    match name {
+        Some(name) => format!("*{} {}", card.keyword, name.text),
+        None => format!("*{} of line {}", card.keyword, card.place.line),
+    }
+}
+
+/// Refuses a card that is not read, unless it joins no nodes of cells.
+fn refuse<'c>(
+    card: &'c Card,
+    joining: &Joining,
+    skipped: &mut BTreeSet<&'c str>,
+    report: &mut MeshReport,
+) {
+    let sets = &joining.nodes.named.sets;
+    let of_cells = |token: &Token| {
+        let own = match token.text.parse() {
+            Ok(label) => joining.nodes.named.index.get(&label).map(std::slice::from_ref),
+            Err(_) => sets.get(token.text),
+        };
+        own.unwrap_or_default().iter().any(|&node| joining.of_cells[node])
+    };
+    let keyword = card.keyword.as_str();
+    if keyword != "DISTRIBUTING COUPLING" && card.lines.iter().flatten().any(of_cells) {
+        let what = format!("*{keyword} ties nodes of cells to one another, which is not read");
+        report.error(card.place, what, REMEDY);
+    } else if skipped.insert(keyword) {
+        report.warn(
+            card.place,
+            format!("*{keyword} is left out: it joins no two nodes of cells"),
+            "",
+        );
+    }
+}
+
+/// Nodes whose axes a card turns are named by no equation.
+fn turned_nodes(cards: &[Card], joining: &Joining, raw: &[RawTie], report: &mut MeshReport) {
+    let Some((card, set)) = cards.iter().find_map(|card| {
+        let set = card.parameter("NSET")?.value?;
+        (card.keyword == "TRANSFORM").then_some((card, set))
+    }) else {
+        return;
+    };
+    let own: BTreeSet<usize> =
+        joining.nodes.named.sets.get(set.text).unwrap_or_default().iter().copied().collect();
+    let node_of = |dof: &FileDof| match *dof {
+        FileDof::Cell(dof) => dof / 3,
+        FileDof::Other(node, _) => node as usize,
+    };
+    let met = |tie: &&RawTie| tie.rows.iter().flatten().any(|(dof, _)| own.contains(&node_of(dof)));
+    if let Some(tie) = raw.iter().find(met) {
+        let what = format!(
+            "*TRANSFORM turns the axes of nodes that {} names, which is not read",
+            tie.name
+        );
+        report.error(card.place, what, "write the equations in x, y, z");
+    }
+}
+
+/// Reads `*TIE`: nodes of the first surface follow the faces of the second one.
+fn onto_surface(
+    card: &Card,
+    joining: &Joining,
+    report: &mut MeshReport,
+) -> Vec<super::super::raw::FileRow> {
+    for parameter in &card.parameters {
+        let known = [
+            "NAME",
+            "POSITION TOLERANCE",
+            "ADJUST",
+            "TYPE",
+            "NO ROTATION",
+            "NO THICKNESS",
+            "INPUT",
+            "",
+        ];
+        if !known.contains(&parameter.name.as_str()) {
+            let what = format!("{} of *TIE is not read", parameter.name);
+            report.error(parameter.place, what, REMEDY);
+        }
+    }
+    let value = |name: &str| card.parameter(name).and_then(|parameter| parameter.value);
+    let most =
+        value("POSITION TOLERANCE").and_then(|token| number(&token, "POSITION TOLERANCE", report));
+    let mut rows = Vec::new();
+    for line in &card.lines {
+        let [follower, master, ..] = line[..] else {
+            report.error(
+                line.first().copied().unwrap_or(card.place),
+                "*TIE needs two surfaces",
+                "write the \
+                surface whose nodes follow, and the one that they follow",
+            );
+            continue;
+        };
+        let followers: Vec<usize> = joining
+            .named(&follower, report)
+            .into_iter()
+            .filter(|&node| joining.of_cells[node])
+            .collect();
+        let text = master.text.trim_matches('"').to_uppercase();
+        let bare = text.rsplit_once('.').map_or(text.as_str(), |(_, name)| name);
+        let faces = joining.surfaces.get(&text).or_else(|| joining.surfaces.get(bare));
+        let Some(faces) = faces.filter(|faces| !faces.is_empty()) else {
+            if !joining.nodes.named.lost && !joining.cells.named.lost {
+                let what = format!("{} has no faces of cells that nodes could follow", master.text);
+                let help = did_you_mean(master.text, joining.surfaces.keys().map(String::as_str));
+                report.error(master, what, format!("a *SURFACE of TYPE=ELEMENT has; {help}"));
+            }
+            continue;
+        };
+        let (own, lost) = onto_faces(joining.nodes, joining.cells, (&followers, faces), most);
+        if !lost.is_empty() {
+            let labels = list(lost.iter().map(|&node| joining.nodes.named.labels[node]));
+            let what = format!(
+                "{} of {} {} farther from the faces of {} than the tolerance, and not tied: {labels}",
+                count(lost.len(), "node"),
+                follower.text,
+                if lost.len() == 1 { "is" } else { "are" },
+                master.text
+            );
+            let help = "if they are to be tied, write POSITION TOLERANCE=… on the card, in units of the file";
+            report.warn(follower, what, help);
+        }
+        rows.extend(own);
+    }
+    rows
 }

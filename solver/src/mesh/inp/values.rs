@@ -33,9 +33,13 @@ pub(super) fn label(token: &Token, of: &str, report: &mut MeshReport) -> Option<
 }
 
 /// A finite number; Fortran's D may stand for the exponent.
+pub(super) fn read_number(text: &str) -> Option<f64> {
+    text.replace(['d', 'D'], "e").parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+/// As [`read_number`]; what is none is noted.
 pub(super) fn number(token: &Token, of: &str, report: &mut MeshReport) -> Option<f64> {
-    let text = token.text.replace(['d', 'D'], "e");
-    let value: Option<f64> = text.parse().ok().filter(|value: &f64| value.is_finite());
+    let value = read_number(token.text);
     if value.is_none() {
         let what = format!("{of} must be a number, found `{}`", token.text);
         report.error(*token, what, "write it as 0.0115 or 1.15e-2");

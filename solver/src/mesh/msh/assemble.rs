@@ -55,7 +55,8 @@ pub(super) fn assemble(
     tell_left_out(left_out, report);
     into_sets(groups, &names, &mut nodes, &mut cells, report);
     let sections = vec![None; cells.list.len()];
-    RawMesh { nodes, cells, materials: Vec::new(), sections, sections_complete: refused.is_empty() }
+    let (materials, ties, sections_complete) = (Vec::new(), Vec::new(), refused.is_empty());
+    RawMesh { nodes, cells, materials, sections, sections_complete, ties }
 }
 
 /// Volumes in several groups: version 2 has their cells once for every group.

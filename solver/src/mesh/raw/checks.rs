@@ -130,6 +130,12 @@ impl RawMesh {
         nodes.named.renumber(&place);
         let cells = self.cells.list.iter_mut().flat_map(|cell| &mut cell.nodes);
         cells.for_each(|node| *node = place[*node]);
+        for tie in &mut self.ties {
+            // Nodes of cells that were refused are no nodes of cells.
+            tie.rows.retain(|row| row.iter().all(|(dof, _)| place[dof / 3] != usize::MAX));
+            let terms = tie.rows.iter_mut().flatten();
+            terms.for_each(|(dof, _)| *dof = 3 * place[*dof / 3] + *dof % 3);
+        }
     }
 
     /// Warns of a size that looks like other units.

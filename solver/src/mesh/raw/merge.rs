@@ -54,6 +54,8 @@ impl RawMesh {
         self.nodes.named.sets.map_members(|node| first[node]);
         let cells = self.cells.list.iter_mut().flat_map(|cell| &mut cell.nodes);
         cells.for_each(|node| *node = first[*node]);
+        let rows = self.ties.iter_mut().flat_map(|tie| &mut tie.rows);
+        rows.flatten().for_each(|(dof, _)| *dof = 3 * first[*dof / 3] + *dof % 3);
         self.keep_nodes(|node| first[node] == node);
     }
 

@@ -8,8 +8,11 @@ mod grid;
 mod labelled;
 mod materials;
 mod merge;
+mod onto;
 mod report;
+mod rigid;
 mod seams;
+mod ties;
 
 use std::collections::BTreeMap;
 
@@ -17,9 +20,12 @@ use whirl_specs::Element;
 
 pub(super) use self::labelled::{Labelled, Sets, did_you_mean};
 pub(super) use self::materials::RawMaterial;
+pub(super) use self::onto::{FaceOfCell, onto_faces};
 pub(super) use self::report::{LinePosition, MeshReport, count, list};
+pub(super) use self::rigid::{Direction, TiePoint, follows_mean};
+pub(super) use self::ties::{FileDof, FileRow, RawTie, eliminate};
 use super::format::{MeshUnits, ReadMesh, ReadOptions};
-use super::{Block, Cell, Material, Mesh, MeshParts};
+use super::{Block, Cell, Material, Mesh, MeshParts, Tie};
 use crate::error::InputErrors;
 
 /// Nodes in the order of the file.
@@ -74,6 +80,8 @@ pub(super) struct RawMesh {
     pub(super) sections: Vec<Option<usize>>,
     /// Whether a cell without a material has none in the file, and none was lost in an error.
     pub(super) sections_complete: bool,
+    /// What joins nodes of cells beside the cells.
+    pub(super) ties: Vec<Tie>,
 }
 
 /// What to write into a file of this format.
@@ -115,6 +123,7 @@ impl RawMesh {
             return Err(report.into_errors());
         }
         self.seams(&mut report);
+        ties::warn_of_resisting(&self.ties, &self.nodes.positions, &mut report);
         match self.build(&report.files[0]) {
             Ok(mesh) => Ok(ReadMesh { mesh, masses: Vec::new(), warnings: report.into_warnings() }),
             Err(error) => {
@@ -136,7 +145,7 @@ impl RawMesh {
 
     /// Blocks by element and material, in the order in which they first appear.
     fn build(self, path: &str) -> Result<Mesh, crate::Error> {
-        let RawMesh { nodes, cells, materials, sections, .. } = self;
+        let RawMesh { nodes, cells, materials, sections, ties, sections_complete: _ } = self;
         let mut blocks: Vec<Block> = Vec::new();
         let mut places = Vec::with_capacity(cells.list.len());
         for ((cell, &label), section) in cells.list.iter().zip(&cells.named.labels).zip(&sections) {
@@ -165,6 +174,7 @@ impl RawMesh {
             materials,
             node_sets: nodes.named.sets.into_map(|node| node),
             element_sets: cells.named.sets.into_map(|cell| places[cell]),
+            ties,
             matrices: None,
         })
     }

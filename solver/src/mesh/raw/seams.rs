@@ -6,10 +6,13 @@
 use whirl_specs::{Element, Face};
 use whirl_text::rounded;
 
+use super::super::Tie;
+use super::super::regions::connected;
 use super::super::surface::beyond;
 use super::RawMesh;
 use super::grid::{PointGrid, distance};
 use super::merge::{extent, spacing};
+use super::onto::nearest;
 use super::report::{MeshReport, list};
 
 /// Nodes are at one place where they are apart by less than this part of the shortest edge of a face beside them…
@@ -55,14 +58,16 @@ impl RawMesh {
         for face in &outer {
             self.nodes_of(face.own).for_each(|node| reach[node] = reach[node].min(face.reach));
         }
+        let pairs = self.ties.iter().flat_map(Tie::pairs);
+        let tied = connected(positions.len(), pairs);
         let nodes: Vec<usize> = (0..reach.len()).filter(|&node| reach[node].is_finite()).collect();
         self.warn_of_mixed(&mixed, report);
-        self.warn_of_pairs(&nodes, &reach, report);
+        self.warn_of_pairs(&nodes, (&reach, &tied), report);
         let mut explained = vec![false; positions.len()];
         for face in mixed.iter().flatten() {
             self.nodes_of(*face).for_each(|node| explained[node] = true);
         }
-        self.warn_of_hanging(&outer, &nodes, &explained, report);
+        self.warn_of_hanging(&outer, &nodes, (&explained, &tied), report);
     }
 
     fn face(&self, own: CellFace) -> Option<(&'static Element, &'static Face)> {
@@ -167,8 +172,13 @@ impl RawMesh {
         report.warn(self.cells.named.places[first.cell], what, help);
     }
 
-    /// Warns of nodes at one place.
-    fn warn_of_pairs(&self, nodes: &[usize], reach: &[f64], report: &mut MeshReport) {
+    /// Warns of nodes at one place, but for those that ties join.
+    fn warn_of_pairs(
+        &self,
+        nodes: &[usize],
+        (reach, tied): (&[f64], &[usize]),
+        report: &mut MeshReport,
+    ) {
         let positions = &self.nodes.positions;
         let largest = nodes.iter().map(|&node| reach[node]).fold(0.0, f64::max);
         let grid =
@@ -178,6 +188,7 @@ impl RawMesh {
             let mut first: Option<(usize, f64)> = None;
             grid.each_near(positions, (positions[node], reach[node]), |other, away| {
                 if other < node
+                    && tied[other] != tied[node]
                     && away <= reach[other]
                     && first.is_none_or(|(known, _)| other < known)
                 {
@@ -211,12 +222,12 @@ impl RawMesh {
         report.warn(self.nodes.named.places[node], format!("{what}; they are not joined"), help);
     }
 
-    /// Warns of nodes that stand on faces of cells without being nodes of them.
+    /// Warns of nodes that stand on faces of cells without being nodes of them, or tied to such.
     fn warn_of_hanging(
         &self,
         outer: &[OuterFace],
         nodes: &[usize],
-        explained: &[bool],
+        (explained, tied): (&[bool], &[usize]),
         report: &mut MeshReport,
     ) {
         let positions = &self.nodes.positions;
@@ -242,7 +253,9 @@ impl RawMesh {
                     if inside
                         && on[node].is_none()
                         && !explained[node]
-                        && own.iter().all(|&other| distance(positions[other], at) > face.reach)
+                        && own.iter().all(|&other| {
+                            tied[other] != tied[node] && distance(positions[other], at) > face.reach
+                        })
                         && self.stands_on(face, &own, at)
                     {
                         on[node] = Some(face.own.cell);
@@ -269,42 +282,11 @@ impl RawMesh {
 
     /// Whether a point is on a face, by the face's own shape functions.
     fn stands_on(&self, outer: &OuterFace, nodes: &[usize], point: [f64; 3]) -> bool {
-        const ITERATIONS: usize = 12;
         let Some((element, face)) = self.face(outer.own) else { return false };
-        let positions = &self.nodes.positions;
-        let (mut values, mut slopes) = (vec![0.0; element.nodes], vec![[0.0; 3]; element.nodes]);
-        let mut at = [if face.corners == 3 { 1.0 / 3.0 } else { 0.0 }; 2];
-        let mut away = f64::INFINITY;
-        // Gauss and Newton's way to the nearest point.
-        for _ in 0..ITERATIONS {
-            let cell_at = [0, 1, 2]
-                .map(|k| face.origin[k] + at[0] * face.along[0][k] + at[1] * face.along[1][k]);
-            (element.shape)(cell_at, &mut values, &mut slopes);
-            let (mut residual, mut by) = (point.map(|x| -x), [[0.0; 3]; 2]);
-            for (&node, &place) in nodes.iter().zip(face.nodes) {
-                let x = positions[node];
-                for (along, by) in face.along.iter().zip(&mut by) {
-                    let slope: f64 = (0..3).map(|k| slopes[place][k] * along[k]).sum();
-                    (0..3).for_each(|k| by[k] += slope * x[k]);
-                }
-                (0..3).for_each(|k| residual[k] += values[place] * x[k]);
-            }
-            away = residual.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| a[k] * b[k]).sum::<f64>();
-            let (aa, ab, bb) = (dot(by[0], by[0]), dot(by[0], by[1]), dot(by[1], by[1]));
-            let (ra, rb) = (dot(by[0], residual), dot(by[1], residual));
-            let det = aa * bb - ab * ab;
-            let step = [(bb * ra - ab * rb) / det, (aa * rb - ab * ra) / det];
-            // Written so that NaN ends it as well.
-            if !(step[0].abs().max(step[1].abs()) < 10.0) {
-                return false;
-            }
-            at = [at[0] - step[0], at[1] - step[1]];
-            if step[0].abs().max(step[1].abs()) < 1e-9 {
-                break;
-            }
-        }
-        away <= outer.reach && beyond(face, at) <= outer.reach / outer.size
+        let places: Vec<[f64; 3]> = nodes.iter().map(|&node| self.nodes.positions[node]).collect();
+        let within = |at: [f64; 2]| beyond(face, at) <= outer.reach / outer.size;
+        nearest((element, face), &places, point, |at| at)
+            .is_some_and(|own| own.away <= outer.reach && within(own.at))
     }
 
     /// Where a node is, for people.
