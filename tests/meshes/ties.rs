@@ -3,6 +3,7 @@
 mod cards;
 mod chosen;
 mod faces;
+mod reduced;
 mod rigid;
 
 use std::fmt::Write;

@@ -51,6 +51,7 @@ fn reduced(mesh: &Mesh, modes: usize, mean: bool) -> Result<CraigBampton, Reduct
         mass: &mass,
         coordinates: mesh.nodes(),
         slots: &[],
+        ties: &[],
         memory: usize::MAX,
     };
     let at = |z: f64| -> Vec<usize> {

@@ -188,8 +188,8 @@ pub(crate) fn onto_faces(
         for i in 0..3 {
             let mut row = vec![(FileDof::Cell(3 * node + i), 1.0)];
             for (&other, (by, turns)) in own.iter().zip(&carried) {
-                for k in 0..3 {
-                    let c = f64::from(i == k) * by + turns[i] * normal[k];
+                for (k, along) in normal.iter().enumerate() {
+                    let c = f64::from(i == k) * by + turns[i] * along;
                     // Shape functions of other corners vanish but for rounding.
                     if c.abs() > 1e-14 {
                         row.push((FileDof::Cell(3 * other + k), -c));

@@ -1,0 +1,138 @@
+//! Bodies with ties, reduced as machines have them: held and retained dofs and means that follow from others.
+
+use std::fmt::Write;
+
+use whirl_solver::body::{BodySpec, Rayleigh, Retained};
+use whirl_solver::constraints::Constraints;
+use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
+use whirl_solver::reduced::{BodyKind, Reduced};
+use whirl_solver::shaft::Shaft;
+use whirl_solver::support::Support;
+
+use super::{Bricks, clean, halves, pairs, tried};
+
+/// Quantities of two reductions that are made from other matrices agree to this part.
+const ROUNDING: f64 = 1e-8;
+
+fn spec(retained: Vec<Retained>, held: Vec<usize>) -> BodySpec {
+    BodySpec {
+        retained,
+        held,
+        modes: 6,
+        constraints: Constraints::default(),
+        springs: Vec::new(),
+        damping: Rayleigh::default(),
+        nodes: Vec::new(),
+        stiffening: true,
+        means: Vec::new(),
+        corrections: Vec::new(),
+        memory: usize::MAX,
+    }
+}
+
+fn tied(bricks: &Bricks) -> Mesh {
+    let mut cards = "*EQUATION\n".to_owned();
+    for (a, b) in pairs(bricks) {
+        (1..4).for_each(|k| writeln!(cards, "2\n{a}, {k}, 1., {b}, {k}, -1.").unwrap());
+    }
+    clean(&bricks.inp(["", ""], &cards), "bar.inp")
+}
+
+fn node(mesh: &Mesh, label: usize) -> usize {
+    mesh.labels().iter().position(|own| *own == label as u64).unwrap()
+}
+
+/// Mean motions of the seam's nodes, as the first half has them, and a dof of its own, retained.
+fn retained(mesh: &Mesh, seam: &[usize], corner: usize) -> Vec<Retained> {
+    let nodes: Vec<usize> = seam.iter().map(|&label| node(mesh, label)).collect();
+    let mean = NodeSetMean::new(mesh, &nodes).unwrap();
+    let corner = node(mesh, corner);
+    vec![
+        Retained::mean(&mean, MeanComponent::Displacement(0), "seam x"),
+        Retained::mean(&mean, MeanComponent::Displacement(1), "seam y"),
+        Retained::dof(3 * corner + 2, "corner z"),
+    ]
+}
+
+/// A turning bar with its seam retained and its end held has the tensors of the merged one.
+#[test]
+fn a_tied_body_is_reduced_as_the_merged_one() {
+    let bricks = halves();
+    let merged = tried(&bricks.inp(["", ""], ""), "bar.inp", Some(1e-6)).unwrap().mesh;
+    let tied = tied(&bricks);
+    let base = bricks.at(0, |at| at[2] < 1e-9);
+    let (first, second): (Vec<usize>, Vec<usize>) = pairs(&bricks).into_iter().unzip();
+    // Labels that follow from others are those of the first half; a merged mesh has these.
+    let shaft = |mesh: &Mesh, seam: &[usize], corner: usize| -> Shaft {
+        let held = base.iter().flat_map(|&own| (0..3).map(move |i| (own, i)));
+        let held = held.map(|(own, i)| 3 * node(mesh, own) + i).collect();
+        Shaft::from_mesh(mesh, &spec(retained(mesh, seam, corner), held)).unwrap()
+    };
+    let known = shaft(&merged, &first, first[4]);
+    for (seam, corner) in [(&first, first[4]), (&second, second[4])] {
+        let own = shaft(&tied, seam, corner);
+        let near = |own: f64, known: f64, scale: f64| {
+            assert!((own - known).abs() < ROUNDING * scale, "{own} {known}");
+        };
+        own.hertz.iter().zip(&known.hertz).for_each(|(own, known)| near(*own, *known, *known));
+        near(own.j0, known.j0, known.j0);
+        // Modes have either sign; squares of what they have with others have not.
+        for (own, known) in [
+            (&own.mass, &known.mass),
+            (&own.stiffness, &known.stiffness),
+            (&own.spin_inertia, &known.spin_inertia),
+            (&own.spin_net, &known.spin_net),
+        ] {
+            let scale = known.data.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+            own.data
+                .iter()
+                .zip(&known.data)
+                .for_each(|(own, known)| near(own.abs(), known.abs(), scale));
+        }
+    }
+}
+
+/// What is held follows from nothing: of a tied pair, either node may be held, or both.
+#[test]
+fn either_side_of_a_tie_may_be_held() {
+    let bricks = halves();
+    let tied = tied(&bricks);
+    let merged = tried(&bricks.inp(["", ""], ""), "bar.inp", Some(1e-6)).unwrap().mesh;
+    let (first, second): (Vec<usize>, Vec<usize>) = pairs(&bricks).into_iter().unzip();
+    let hertz = |mesh: &Mesh, labels: &[usize]| -> Vec<f64> {
+        let held = labels.iter().flat_map(|&own| (0..3).map(move |i| (own, i)));
+        let held = held.map(|(own, i)| 3 * node(mesh, own) + i).collect();
+        Support::from_mesh(mesh, &spec(Vec::new(), held)).unwrap().hertz
+    };
+    let known = hertz(&merged, &first);
+    for labels in [first.clone(), second.clone(), [first, second].concat()] {
+        for (own, known) in hertz(&tied, &labels).iter().zip(&known) {
+            assert!((own / known - 1.0).abs() < ROUNDING, "{own} {known}");
+        }
+    }
+}
+
+/// A rigid end has six motions: a seventh follows from them, and its name is said.
+#[test]
+fn a_motion_that_follows_from_ties_is_named() {
+    let bricks = halves();
+    let (first, _): (Vec<usize>, Vec<usize>) = pairs(&bricks).into_iter().unzip();
+    let set: String = first.iter().map(|label| format!("{label},\n")).collect();
+    let cards = format!("*NSET, NSET=END\n{set}*RIGID BODY, REF NODE={}, NSET=END\n", first[0]);
+    let text = bricks.inp(["", ""], &cards);
+    let mesh = tried(&text, "bar.inp", Some(1e-6)).unwrap().mesh;
+    let dof = |label: usize, i: usize, name: &str| Retained::dof(3 * node(&mesh, label) + i, name);
+    let base = bricks.at(0, |at| at[2] < 1e-9);
+    let held: Vec<usize> =
+        base.iter().flat_map(|&own| (0..3).map(move |i| 3 * (own - 1) + i)).collect();
+    let six: Vec<Retained> = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (3, 2)]
+        .map(|(place, i)| dof(first[place], i, "one of six"))
+        .into();
+    let own = |retained: Vec<Retained>| {
+        Reduced::new(BodyKind::Support, &mesh, &spec(retained, held.clone()))
+    };
+    assert!(own(six.clone()).is_ok());
+    let seventh = dof(first[5], 2, "SEVENTH z");
+    let refused = own([six, vec![seventh]].concat()).unwrap_err().to_string();
+    assert!(refused.contains("SEVENTH z follows from what else is retained or held"), "{refused}");
+}
