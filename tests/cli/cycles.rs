@@ -123,3 +123,25 @@ fn a_rotor_that_no_couple_turns_has_a_cycle_by_its_start() {
     let said = bench.whirl(&["check", "case.toml"]).stdout;
     assert!(said.contains("a cycle is 0.240000 s"), "{said}");
 }
+
+/// A target that is never reached asks for no steps and has no cycle; one of a speed that is told does.
+#[test]
+fn a_target_that_stands_for_never_asks_for_no_short_steps() {
+    let case = |speed: &str, target: &str| {
+        let text = format!(
+            "title = \"x\"\n[body.rotor]\nturns = \"free\"\n{speed}mass = \"1 kg\"\npolar_inertia = \"0.01 kg*m^2\"\n\
+             [joint.b]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\" }}\n\
+             stiffness = {{ xx = \"1e4 N/m\", yy = \"1e4 N/m\" }}\ndamping = {{ xx = \"20 N*s/m\", yy = \"20 N*s/m\" }}\n\
+             [drives.motor]\nbody = \"rotor\"\ntorque = \"0.1 N*m\"\ntarget_speed = \"{target}\"\n\
+             [march]\ntime_step = \"1e-3 s\"\nduration = \"0.2 s\"\n"
+        );
+        Workbench::new().file("case.toml", &text).whirl(&["run", "case.toml", "--no-figures"])
+    };
+    for target in ["2000 rad/s", "100000 rpm"] {
+        let never = case("", target);
+        assert_eq!(never.status, 0, "{}", never.stderr);
+        assert!(never.stdout.contains("verdict: sound"), "{}", never.stdout);
+    }
+    let told = case("initial_speed = \"2000 rad/s\"\n", "100000 rpm");
+    assert!(told.status == 2 && told.stderr.contains("23 at least"), "{}", told.stderr);
+}

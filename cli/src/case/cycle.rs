@@ -51,7 +51,7 @@ pub(super) fn of(system: &SystemDraft, run: Run) -> Option<Cycle> {
     let least = |all: &[f64]| all.iter().copied().reduce(f64::min);
     let all: Vec<f64> = loads.iter().chain(&over_angles).chain(&turns).copied().collect();
     let Some(slowest) = least(&loads) else {
-        let (time, called) = revolutions(system, run)?;
+        let (time, called) = revolutions(system, |body| top_speed(system, body, run))?;
         let fastest = turns.iter().copied().reduce(f64::max);
         // A film may whirl once in two revolutions.
         let whirl = fastest.map_or(0.0, |fastest| 0.5 * fastest);
@@ -83,7 +83,8 @@ fn common(frequencies: &[f64], slowest: f64) -> Option<f64> {
 }
 
 /// Times within which something is given that the steps must show, with what they are: the shortest period of the loads in
-/// time, of those over an angle at the fastest that it turns, and revolutions.
+/// time, of those over an angle at the fastest that it turns, and revolutions: not those of a speed at which a couple only aims,
+/// which may stand for never.
 pub(super) fn shortest(system: &SystemDraft, run: Run) -> Vec<(f64, String)> {
     let fastest = |all: Vec<f64>| all.into_iter().reduce(f64::max);
     let period =
@@ -96,7 +97,8 @@ pub(super) fn shortest(system: &SystemDraft, run: Run) -> Vec<(f64, String)> {
         let rpm = whirl_text::shown(speed * 60.0 / TAU, 6, 1e-3..1e7);
         (1.0 / frequency, format!("a period of a load over an angle at {rpm} rpm"))
     });
-    let turns = revolutions(system, run).map(|(time, called)| (time, called.to_owned()));
+    let told = |body| told_speed(system, body, run);
+    let turns = revolutions(system, told).map(|(time, called)| (time, called.to_owned()));
     [period, table, over_angle, turns].into_iter().flatten().collect()
 }
 
@@ -170,6 +172,17 @@ fn top_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
     }
 }
 
+/// The same without the speeds at which couples aim.
+fn told_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
+    match system {
+        SystemDraft::Rotor(rotor) => rotor.told_speed(run),
+        SystemDraft::Joined(joined) => {
+            joined.as_ref().map_or(0.0, |joined| joined.told_speed(body, run))
+        }
+        SystemDraft::Lumped(_) => 0.0,
+    }
+}
+
 /// The bodies that may turn.
 fn bodies(system: &SystemDraft) -> Range<usize> {
     match system {
@@ -186,12 +199,12 @@ fn turns(system: &SystemDraft, run: Run) -> Vec<f64> {
 }
 
 /// Two revolutions at the fastest speed of the run; one of an unbalance.
-fn revolutions(system: &SystemDraft, run: Run) -> Option<(f64, &'static str)> {
+fn revolutions(system: &SystemDraft, speed: impl Fn(usize) -> f64) -> Option<(f64, &'static str)> {
     if let SystemDraft::Lumped(lumped) = system {
         let unbalance = lumped.as_ref()?.unbalance?;
         return Some((TAU / unbalance.speed, "a revolution of the unbalance"));
     }
-    let fastest = bodies(system).map(|body| top_speed(system, body, run)).fold(0.0, f64::max);
+    let fastest = bodies(system).map(speed).fold(0.0, f64::max);
     (fastest > 0.0).then_some((2.0 * TAU / fastest, TWO_REVOLUTIONS))
 }
 

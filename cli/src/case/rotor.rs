@@ -90,8 +90,12 @@ impl RotorDraft {
     /// The largest speed that the case gives the shaft in a run (rad/s).
     pub(super) fn top_speed(&self, run: Run) -> f64 {
         let aims = self.drive.iter().filter(|drive| drive.acts).map(Drive::top_speed);
-        let start = self.start_speed.filter(|_| !run.goes_on).unwrap_or(0.0);
-        aims.fold(start.abs(), f64::max)
+        aims.fold(self.told_speed(run), f64::max)
+    }
+
+    /// The same without the speeds at which its drive aims, which it may never reach.
+    pub(super) fn told_speed(&self, run: Run) -> f64 {
+        self.start_speed.filter(|_| !run.goes_on).unwrap_or(0.0).abs()
     }
 
     /// The speed that the shaft has in the end, where the case gives one (rad/s).

@@ -372,7 +372,12 @@ impl JoinedMachine {
     /// The largest speed that the case gives a body in a run: of its drive, at its start, or as prescribed (rad/s).
     pub(crate) fn top_speed(&self, body: usize, run: Run) -> f64 {
         let aims = self.drives.iter().filter(|drive| drive.body == body && drive.couple.acts);
-        let given = match &self.bodies[body].turning {
+        aims.map(|drive| drive.couple.top_speed()).fold(self.told_speed(body, run), f64::max)
+    }
+
+    /// The same without the speeds at which drives aim, which it may never reach.
+    pub(super) fn told_speed(&self, body: usize, run: Run) -> f64 {
+        match &self.bodies[body].turning {
             Some(Turning::Prescribed { speed, acceleration }) => {
                 speed.abs().max((speed + acceleration * run.duration).abs())
             }
@@ -381,8 +386,7 @@ impl JoinedMachine {
             }
             Some(Turning::Table(columns)) => columns.largest_upto(run.end()),
             None => 0.0,
-        };
-        aims.map(|drive| drive.couple.top_speed()).fold(given, f64::max)
+        }
     }
 
     /// The speed that a body has in the end, where the case gives one (rad/s): that at which its drive aims, which is prescribed
