@@ -40,6 +40,7 @@ mod streams;
 mod sweep_figures;
 mod sweeps;
 mod sweeps_page;
+mod ties;
 mod told;
 mod unsound;
 mod verdicts;

@@ -3,6 +3,7 @@
 mod cards;
 mod chosen;
 mod faces;
+mod programs;
 mod reduced;
 mod rigid;
 

@@ -14,7 +14,7 @@ use super::{Bricks, clean, halves, pairs, tried};
 /// Quantities of two reductions that are made from other matrices agree to this part.
 const ROUNDING: f64 = 1e-8;
 
-fn spec(retained: Vec<Retained>, held: Vec<usize>) -> BodySpec {
+pub(crate) fn spec(retained: Vec<Retained>, held: Vec<usize>) -> BodySpec {
     BodySpec {
         retained,
         held,
