@@ -12,6 +12,9 @@ const NEAR: f64 = 0.05;
 /// A node is on a face if it is away from it by less than this part of its size.
 const ON: f64 = 1e-10;
 
+/// Edges of a box in cells of the grid beyond which all nodes are looked at.
+const WIDE: f64 = 4.0;
+
 /// A face of a cell: the cell's index, and its face.
 pub(crate) type FaceOfCell = (usize, &'static Face);
 
@@ -155,10 +158,12 @@ pub(crate) fn onto_faces(
             })
         });
         // Curved faces bulge out of the box around their nodes.
-        let margin = reach + 0.25 * sizes[place];
-        grid.each_in([ends[0].map(|x| x - margin), ends[1].map(|x| x + margin)], |node| {
+        let bulge = 0.25 * sizes[place];
+        let mut look = |node: usize| {
             let at = positions[node];
-            if (0..3).any(|k| at[k] < ends[0][k] - margin || ends[1][k] + margin < at[k]) {
+            let beside = (0..3).map(|k| (ends[0][k] - at[k]).max(at[k] - ends[1][k]));
+            let nearest = best[node].map_or(reach, |(known, _)| known.min(reach));
+            if beside.fold(0.0, f64::max) > nearest + bulge {
                 return;
             }
             let away = match own.iter().any(|&own| distance(positions[own], at) == 0.0) {
@@ -171,7 +176,16 @@ pub(crate) fn onto_faces(
             {
                 best[node] = Some((away, place));
             }
-        });
+        };
+        let margin = reach + bulge;
+        match margin < WIDE * grid_size {
+            true => {
+                let ends = [ends[0].map(|x| x - margin), ends[1].map(|x| x + margin)];
+                grid.each_in(ends, look);
+            }
+            // Nodes of a surface are fewer than the cells of so wide a box.
+            false => followers.iter().for_each(|&node| look(node)),
+        }
     }
     let (mut rows, mut lost) = (Vec::new(), Vec::new());
     for &node in followers {
