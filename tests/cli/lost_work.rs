@@ -484,3 +484,18 @@ fn progress_is_shown_without_a_terminal_unless_it_is_not_wanted() {
     let outcome = bench.whirl(&["run", "sdnd101", "--quiet"]);
     assert_eq!((outcome.status, outcome.stdout.as_str(), outcome.stderr.as_str()), (0, "", ""));
 }
+
+#[cfg(unix)]
+#[test]
+fn a_sweep_is_interrupted_while_its_points_are_read() {
+    let vary =
+        "title = \"x\"\ncase = \"case.toml\"\n[vary]\nmass.mass = \"1 kg .. 2 kg, 200000\"\n";
+    let bench = Workbench::new().file("case.toml", &case(1000, "")).file("masses.toml", vary);
+    let running = Running::start(&bench, &["sweep", "masses.toml"]);
+    std::thread::sleep(Duration::from_millis(500));
+    running.signal("TERM");
+    let (status, said) = running.end();
+    assert_eq!(status, Some(1), "{said}");
+    assert!(said.contains("interrupted while the cases of the points were read"), "{said}");
+    assert!(!bench.path("results").exists(), "{:?}", bench.listing());
+}

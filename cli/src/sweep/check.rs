@@ -44,7 +44,7 @@ const BINARY: f64 = 8.0;
 pub(crate) fn check(path: &Path, cache: Option<Cache>) -> Result<String, Failure> {
     let sweep = Sweep::of_file(path)?;
     let jobs = super::cores();
-    streams::warned(|warnings| examine(&sweep, jobs, warnings))?;
+    streams::warned(|warnings| examine(&sweep, jobs, &|| false, warnings))?;
     let mut text = String::new();
     say_points(&mut text, &sweep);
     let first = sweep.point(0);

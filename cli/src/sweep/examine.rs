@@ -48,13 +48,14 @@ impl Sweep {
 }
 
 /// Reads the case with every value of every key, and plans its meshes at one point at least. Gives on what the numbers of the
-/// sweep depend; `warnings` are added to, each once.
+/// sweep depend; `warnings` are added to, each once. `stop` ends it.
 ///
 /// # Errors
-/// Values that the case does not take, all of them; why no point can be built.
+/// Values that the case does not take, all of them; why no point can be built; an interruption.
 pub(super) fn examine(
     sweep: &Sweep,
     jobs: usize,
+    stop: &(dyn Fn() -> bool + Sync),
     warnings: &mut Vec<String>,
 ) -> Result<Identity, Failure> {
     let points = sweep.covering();
@@ -63,7 +64,8 @@ pub(super) fn examine(
     thread::scope(|scope| {
         for _ in 0..jobs.min(points.len()) {
             scope.spawn(|| {
-                while let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed)) {
+                let next = || points.get(next.fetch_add(1, Ordering::Relaxed));
+                while let Some(point) = next().filter(|_| !stop()) {
                     let mut warnings = Vec::new();
                     let read = sweep.case(point, &mut warnings);
                     let mut found = found.lock().expect("no reader panics");
@@ -72,6 +74,10 @@ pub(super) fn examine(
             });
         }
     });
+    if stop() {
+        let reason = "interrupted while the cases of the points were read; nothing was begun";
+        return Err(Failure::Unfinished { reason: reason.to_owned(), kept: None, help: None });
+    }
     let found = found.into_inner().expect("no reader panics");
     let mut inputs = found.finish(sweep, warnings)?;
     inputs.add_bodies(&buildable(sweep)?);

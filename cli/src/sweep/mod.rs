@@ -134,7 +134,12 @@ pub(crate) fn sweep(order: &Order) -> Result<(), Failure> {
     let show = ProgressMode::fitting(order.quiet);
     let sweep = asked(order)?;
     let jobs = jobs(order);
-    let identity = streams::warned(|warnings| examine(&sweep, jobs, warnings))?;
+    let interruption = Interruption::install().map_err(|error| Failure::Output {
+        path: folder(order, &sweep),
+        reason: format!("signal handlers cannot be installed: {error}"),
+    })?;
+    let stop = || interruption.asked();
+    let identity = streams::warned(|warnings| examine(&sweep, jobs, &stop, warnings))?;
     let mut results =
         streams::warned(|warnings| SweepFolder::open(&folder(order, &sweep), warnings))?;
     let kept = match order.resume {
@@ -144,10 +149,6 @@ pub(crate) fn sweep(order: &Order) -> Result<(), Failure> {
     if order.resume {
         show.note(&kept::going_on(kept.as_ref(), &results, &sweep));
     }
-    let interruption = Interruption::install().map_err(|error| Failure::Output {
-        path: results.folder().to_path_buf(),
-        reason: format!("signal handlers cannot be installed: {error}"),
-    })?;
     let cache = Cache::shared(order.cache.clone());
     let ended = workers::run(
         (&sweep, &identity),
