@@ -62,7 +62,7 @@ fn a_missing_unit_is_an_error() {
 fn a_negative_density_is_an_error() {
     refused_case(
         &case("[material.steel]\ndensity = \"-7860 kg/m^3\""),
-        &["case.toml:4:11", "`density` must be greater than zero", "\"7860 kg/m^3\""],
+        &["case.toml:4:11", "`density` must be zero or greater", "\"7860 kg/m^3\""],
     );
 }
 

@@ -466,6 +466,26 @@ fn what_has_changed_is_not_resumed_and_what_is_new_is_done() {
     assert!(text(&bench, "cut/table.csv") == text(&bench, "whole/table.csv"));
 }
 
+/// Points that go on from a run are those of the state in which it ended.
+#[test]
+fn a_sweep_from_another_state_is_not_resumed() {
+    let first = |steps: usize| format!("include = \"hu2003-5.toml\"\n[march]\nsteps = {steps}\n");
+    let from = format!("{}[start]\nfrom = \"results/first\"\n", first(10));
+    let study = "case = \"from.toml\"\n[vary]\nsprings.radial_clearance = [\"20 um\", \"40 um\"]\n";
+    let bench = bench_of(study).file("from.toml", &from);
+    let run = |bench: &Workbench| done(&bench.whirl(&["run", "first.toml", "--no-figures"]));
+    let resume = |bench: &Workbench| bench.whirl(&["sweep", "study.toml", "--resume"]);
+    let bench = bench.file("first.toml", &first(10));
+    run(&bench);
+    done(&bench.whirl(&["sweep", "study.toml"]));
+    done(&resume(&bench));
+    let bench = bench.file("first.toml", &first(11));
+    run(&bench);
+    let outcome = resume(&bench);
+    assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("state.bin"), "{}", outcome.stderr);
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_sweep_ends_cleanly_and_two_do_not_share_a_folder() {
@@ -688,6 +708,15 @@ fn points_behind_one_that_fails_say_from_where_they_go_on() {
     };
     assert_eq!(said(&found, older), [false, false, true, false], "{found}");
     assert!(outcome.stderr.contains(&format!("warning: point 2 {older}")), "{}", outcome.stderr);
+    // So does the point behind it where there is none that fails.
+    let alone = study(&[fine; 3].join(", ")).replace("\"1.1 mm\", ", "");
+    let bench = bench.file("alone.toml", &alone);
+    done(&bench.whirl(&["sweep", "alone.toml"]));
+    let alone = text(&bench, "results/alone/table.csv");
+    for name in ["X1_um.mean", "X1_um.max"] {
+        let [behind, beside] = [(&found, 2), (&alone, 1)].map(|(own, row)| column(own, name)[row]);
+        assert_eq!(behind, beside, "{name}");
+    }
     let outcome = bench.whirl(&["sweep", "first.toml"]);
     done(&outcome);
     let none = "begins as the case says, as the points before it failed";

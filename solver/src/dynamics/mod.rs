@@ -37,6 +37,7 @@ mod settled;
 mod small;
 mod spring_tangent;
 mod steady;
+mod stiffest;
 mod strides;
 mod system;
 mod turning;

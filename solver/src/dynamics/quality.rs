@@ -10,11 +10,11 @@ use super::parts::{Part, Parts, largest_sensible};
 use super::periods::FewestSteps;
 use super::ringing::Ringing;
 use super::sampled::PartSums;
+use super::stiffest::largest_eigenvalue;
 use super::system::System;
 use super::windows::Windows;
 use crate::bearing::work::{Flow, MOTIONS};
 use crate::error::Error;
-use crate::linalg::Cholesky;
 
 /// What the steps of a march were worth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -318,7 +318,9 @@ impl QualityMeter {
             energy_flowed: flow.flowed,
             local_error,
             local_error_of,
-            judged: sums.parts.is_empty() || sums.parts.iter().any(|own| own.errors.count() > 0),
+            judged: sums.steps == 0
+                || sums.parts.is_empty()
+                || sums.parts.iter().any(|own| own.errors.count() > 0),
             largest_local_error: judge(&|sums| sums.largest_error).0,
             unresolved_motion,
             unresolved_motion_of,
@@ -384,69 +386,12 @@ pub(super) fn scattered(step: u64) -> u64 {
     hash ^ (hash >> 31)
 }
 
-/// The largest eigenvalue of M⁻¹K of the unknowns at a state, K = −∂r/∂q with all its springs, by the power
-/// method; NaN where M cannot be inverted.
-fn largest_eigenvalue(system: &mut System, t: f64, state: &State) -> f64 {
-    /// The method's error falls at least as 1/iterations.
-    const ITERATIONS: usize = 100;
-    let machine = system.machine;
-    let (size, first) = (machine.size(), machine.first_unknown());
-    system.evaluate(t, state);
-    let mut stiffness = vec![0.0; size * size];
-    system.tangent(t, state, &Coefficients::at_rest(), &mut stiffness);
-    let unknowns: Vec<usize> = (first..size).collect();
-    let mass = system.mass(state).select(&unknowns, &unknowns);
-    let mut cholesky = Cholesky::new(mass.rows);
-    if cholesky.factor(&mass.data).is_err() {
-        return f64::NAN;
-    }
-    // A start with a part along every mode, the same every time.
-    let mut x: Vec<f64> =
-        (0..size).map(|i| if i < first { 0.0 } else { (1.0 + i as f64).sin() }).collect();
-    let mut value = 0.0;
-    for _ in 0..ITERATIONS {
-        let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if length == 0.0 || !length.is_finite() {
-            return value;
-        }
-        x.iter_mut().for_each(|x| *x /= length);
-        let mut next = vec![0.0; size];
-        for (column, x) in stiffness.chunks_exact(size).zip(&x) {
-            next.iter_mut().zip(column).for_each(|(sum, k)| *sum += k * x);
-        }
-        next[..first].fill(0.0);
-        cholesky.solve_in_place(&mut next[first..]);
-        value = crate::linalg::dot(&next, &x);
-        x = next;
-    }
-    value
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::small::machine;
     use super::*;
     use crate::linalg::Matrix;
-    use crate::machine::{Body, Machine, MachineParts, Rotation};
-
-    /// The small machine without springs and loads.
-    fn without_springs(rotation: Rotation) -> Machine {
-        let mut machine = machine(rotation);
-        assert!(machine.springs.count() > 0);
-        let motion = machine.motion;
-        let bodies = machine.bodies;
-        machine = Machine::new(MachineParts {
-            bodies,
-            motion,
-            clearance: &whirl_specs::CLEARANCES[0],
-            laws: Vec::new(),
-            bearings: Vec::new(),
-            loads: Vec::new(),
-        })
-        .expect("no springs");
-        assert!(machine.springs.count() == 0);
-        machine
-    }
+    use crate::machine::{Body, Rotation};
 
     #[test]
     fn the_step_that_makes_most_energy_is_kept_with_its_ends() {
@@ -485,26 +430,25 @@ mod tests {
         assert_eq!(meter.quality(&mut system, &flows, 1.0).resolving_step, None);
     }
 
-    /// Whichever coordinate of a shaft or of its support is the stiff one: they move apart from each other.
+    /// Parts of a step that was cut are judged as what the whole one resolves, parts that a march chose by themselves.
     #[test]
-    fn the_largest_eigenvalue_is_found_wherever_it_is() {
-        for rotation in [Rotation::Free, Rotation::Held] {
-            for stiff in 0..4 {
-                let mut machine = without_springs(rotation.clone());
-                let [Body::Turning { shaft, .. }, Body::Standing { support, .. }] =
-                    machine.bodies.as_mut_slice()
-                else {
-                    panic!("a shaft on a support")
-                };
-                let value = |place: usize| if place == stiff { 3e4 } else { 2e3 };
-                shaft.mass = Matrix::from_diagonal(&[2.0, 3.0]);
-                shaft.stiffness = Matrix::from_diagonal(&[2.0 * value(0), 3.0 * value(1)]);
-                (shaft.g0, shaft.y0) = (vec![0.0; 2], vec![0.0; 2]);
-                support.stiffness = vec![value(2), value(3)];
-                let state = State::new(machine.size());
-                let found = largest_eigenvalue(&mut System::new(&machine), 0.0, &state);
-                assert!((found / 3e4 - 1.0).abs() < 1e-9, "{rotation:?} {stiff}: {found}");
-            }
-        }
+    fn cut_parts_are_judged_by_the_whole_step() {
+        let machine = machine(Rotation::Held);
+        let mut system = System::new(&machine);
+        let state = |q: f64, a: f64| State { q: vec![q; 5], a: vec![a; 5], ..State::new(5) };
+        let (start, end) = (state(1e-6, 1.0), state(2e-6, 1.5));
+        let mut measured = |steps: StepLength, dt: f64| {
+            let mut meter =
+                QualityMeter::new(&mut system, Integrator::default(), steps, &start).unwrap();
+            system.evaluate(dt, &end);
+            let flows = [Flow { made: 0.0, flowed: 1.0, moved: 0.0 }; 3];
+            meter.add(&mut system, (0.0, dt), [&start, &end], (&flows, 0.0));
+            let errors: Vec<f64> = meter.sums.parts.iter().map(|own| own.largest_error).collect();
+            assert!(errors.iter().any(|error| *error > 0.0), "{errors:?}");
+            errors
+        };
+        let whole = measured(StepLength::Fixed(1e-4), 1e-4);
+        assert_eq!(measured(StepLength::Fixed(1e-4), 3e-5), whole);
+        assert_ne!(measured(StepLength::Most(1e-4), 3e-5), whole);
     }
 }

@@ -107,11 +107,23 @@ pub fn findings(
         unit: "1".to_owned(),
         remedy: automatic.map_or_else(|| shorter(step), narrower),
     };
+    let unjudged = (!quality.judged).then(|| Finding {
+        what: "parts of the machine that move in modes which steps resolve, so that a local error can be judged"
+            .to_owned(),
+        bearing: None,
+        part: None,
+        coordinate: None,
+        value: 0.0,
+        limit: 1.0,
+        unit: "parts".to_owned(),
+        remedy: automatic.map_or_else(|| shorter(resolved), narrower),
+    });
     let too_far = runaway(quality).into_iter();
     let often = halved(quality, (time_step, automatic)).into_iter();
     let too_fast = outrun(quality, time_step, automatic.is_some());
     let rings = rings(&quality.ringing, time_step, automatic);
-    too_far.chain(too_fast).chain(found.map(finding)).chain(rings).chain(often).collect()
+    let of_steps = found.map(finding).chain(unjudged);
+    too_far.chain(too_fast).chain(of_steps).chain(rings).chain(often).collect()
 }
 
 /// Whether something changes its sign from step to step.
@@ -290,7 +302,8 @@ mod tests {
     #[test]
     fn what_is_at_its_limit_is_sound() {
         assert_eq!(findings(&SOUND, &balance(ENERGY_ERROR), (1e-3, None)), []);
-        assert_eq!(findings(&Quality::default(), &EnergyBalance::default(), (1e-3, None)), []);
+        let nothing = Quality { judged: true, ..Quality::default() };
+        assert_eq!(findings(&nothing, &EnergyBalance::default(), (1e-3, None)), []);
     }
 
     #[test]
@@ -312,6 +325,14 @@ mod tests {
         }
         let unbalanced = findings(&SOUND, &balance(-0.051), (2.36e-3, None));
         assert_eq!((unbalanced.len(), &unbalanced[0].remedy), (1, &set("1.1e-3")));
+    }
+
+    #[test]
+    fn steps_that_nothing_judges_are_not_sound() {
+        let found = found(Quality { judged: false, local_error: 0.0, ..SOUND });
+        assert_eq!((found.value, found.limit, found.unit.as_str()), (0.0, 1.0, "parts"));
+        // That which resolves all modes.
+        assert!(found.remedy.contains("time_step = \"1.0e-9 s\""), "{}", found.remedy);
     }
 
     #[test]
