@@ -29,6 +29,7 @@ mod new;
 mod new_from_meshes;
 mod outputs;
 mod own_mesh;
+mod pulses;
 mod read_meshes;
 mod readme;
 mod rubs;

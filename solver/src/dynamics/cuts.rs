@@ -6,13 +6,17 @@
 //! they are.
 //!
 //! Times at which angles and speeds pass a row follow from the accelerations at the start of the part before it, and are met
-//! to O(Δt³) of that part.
+//! to O(Δt³) of that part. Where a couple is so large that they are not, a part may pass rows all the same, or be thrown back over
+//! them by what it saw of the first: it is taken in halves until it sees them.
+//!
+//! Parts of a step that is cut are those of the average acceleration, whatever the method: what generalized-α carries from part
+//! to part is the slope of the acceleration, and that of a pulse says nothing of the part behind it.
 
 use std::sync::Arc;
 
 use super::jumps::SHORTEST;
 use super::march::March;
-use super::newmark::State;
+use super::newmark::{Integrator, State};
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::loads::{Load, Onset, TimeFunction};
@@ -88,24 +92,48 @@ impl Over {
 impl Watched {
     /// Whether a step of `dt` from time `t` would miss rows.
     fn is_missed(&self, (t, dt): (f64, f64), state: &State) -> bool {
-        !self.curve.is_resolved(self.ends(self.over.motion(t, state), dt))
+        self.hides(self.way(t, dt, state))
     }
 
-    fn ends(&self, [x, rate, second]: [f64; 3], dt: f64) -> [f64; 2] {
-        [x, x + dt * (rate + 0.5 * dt * second)]
+    /// The way of x from a state with its ẋ and ẍ in `dt`.
+    fn way(&self, t: f64, dt: f64, state: &State) -> [f64; 3] {
+        let [x, rate, second] = self.over.motion(t, state);
+        way([x, rate], [x + dt * (rate + 0.5 * dt * second), rate + dt * second], dt)
+    }
+
+    /// Whether straight lines along a way miss rows.
+    fn hides(&self, [from, turn, to]: [f64; 3]) -> bool {
+        !self.curve.is_resolved([from, turn]) || turn != to && !self.curve.is_resolved([turn, to])
+    }
+
+    /// Whether what moved in `dt` from one state to another passed rows that straight lines along its way miss.
+    fn hid(&self, dt: f64, ends: [&State; 2]) -> bool {
+        let [from, to] = ends.map(|state| {
+            let [x, rate, _] = self.over.motion(0.0, state);
+            [x, rate]
+        });
+        !matches!(self.over, Over::Time) && self.hides(way(from, to, dt))
     }
 
     /// The first time after `looked` at which a row is passed by what is at `state` at time `t`, if that is before `end`.
     fn next(&self, (t, looked, end): (f64, f64, f64), state: &State) -> Option<f64> {
-        let motion = self.over.motion(t, state);
-        let [x, rate, second] = motion;
-        let rows = self.curve.between_ends(self.ends(motion, end - t));
+        let [x, rate, second] = self.over.motion(t, state);
+        let way = self.way(t, end - t, state);
+        let ends = [f64::min, f64::max].map(|of| way.into_iter().reduce(of).unwrap_or(x));
+        let rows = self.curve.between_ends(ends);
         let times = rows.map(|[row, _]| match self.over {
             Over::Time => row,
             _ => t + passage(row - x, rate, second),
         });
         times.filter(|time| *time > looked && *time < end).reduce(f64::min)
     }
+}
+
+/// Where something starts, turns back, or comes to, if it does not turn, and where it ends that has `x` and `ẋ` at both ends of
+/// `dt`.
+fn way([x, rate]: [f64; 2], [to, last]: [f64; 2], dt: f64) -> [f64; 3] {
+    let turn = if rate * last < 0.0 { x + 0.5 * rate * dt * (rate / (rate - last)) } else { to };
+    [x, turn, to]
 }
 
 /// The first time at which something has gone so far from a speed and with an acceleration; no number if it never has.
@@ -115,6 +143,12 @@ fn passage(way: f64, speed: f64, acceleration: f64) -> f64 {
 }
 
 impl March<'_> {
+    /// Whether a part of `dt` from `start`, just solved, passed rows over an angle or a speed unseen.
+    pub(super) fn hides_rows(&self, dt: f64, start: &State) -> bool {
+        dt > SHORTEST * SHORTEST * self.options.time_step
+            && self.watched.iter().any(|own| own.hid(dt, [start, &self.state]))
+    }
+
     /// Takes a step of `dt` from time `t` in which nothing jumps, in parts where it would miss rows of tables.
     pub(super) fn smooth(&mut self, (t, dt): (f64, f64), halvings: u32) -> Result<(), Error> {
         let mut is_cut = false;
@@ -125,6 +159,14 @@ impl March<'_> {
         if !is_cut {
             return self.part((t, dt), 0, halvings);
         }
+        self.begin_cut();
+        let done = self.cut((t, dt), halvings);
+        self.end_cut();
+        done
+    }
+
+    /// Takes a step of `dt` from time `t` in parts that end at the rows that it would miss.
+    fn cut(&mut self, (t, dt): (f64, f64), halvings: u32) -> Result<(), Error> {
         let (near, end) = (SHORTEST * dt, t + dt);
         let (mut begun, mut looked) = (t, t);
         while looked < end {
@@ -140,6 +182,22 @@ impl March<'_> {
             }
         }
         Ok(())
+    }
+
+    fn begin_cut(&mut self) {
+        if !self.integrator.is_direct() {
+            self.state.lag.fill(0.0);
+            self.newton.forget_factors();
+            self.integrator = Integrator::default();
+        }
+    }
+
+    /// What is kept of steps is that of the method of the march.
+    fn end_cut(&mut self) {
+        if self.integrator != self.options.integrator {
+            self.newton.forget_factors();
+            self.integrator = self.options.integrator;
+        }
     }
 }
 

@@ -195,6 +195,12 @@ impl KeptFactors {
         self.state.current.dt = 0.0;
     }
 
+    /// Has all of them computed anew, those of other step lengths, too.
+    pub(super) fn drop_all(&mut self) {
+        self.drop();
+        self.state.shelved.iter_mut().for_each(|own| own.dt = 0.0);
+    }
+
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
     pub(super) fn resume_from(
         &mut self,

@@ -17,7 +17,7 @@ use super::restart::LastState;
 use super::row::{displacements, write_row};
 use super::settled::settled_from;
 use super::steady::{SteadyRule, SteadyState, SteadyTest};
-use super::strides::{SHELVES, most_halvings};
+use super::strides::{MOST_SPLITS, SHELVES, most_halvings};
 use super::system::System;
 use crate::bearing::Worst;
 use crate::error::Error;
@@ -177,6 +177,8 @@ pub struct March<'m> {
     pub(super) jumps: Vec<f64>,
     /// Curves by which loads vary.
     pub(super) watched: Vec<Watched>,
+    /// By which the part at work is integrated.
+    pub(super) integrator: Integrator,
 }
 
 impl<'m> March<'m> {
@@ -246,8 +248,11 @@ impl<'m> March<'m> {
             newton: Newton::new(options.newton, &system, shelves),
             meters,
             system,
-            // Steps are halved, and split where loads end.
-            starts: vec![State::new(size); halvings as usize + 2 + machine.loads.len()],
+            // Steps are halved, and split where loads end or rows are hidden.
+            starts: vec![
+                State::new(size);
+                MOST_SPLITS + halvings as usize + 2 + machine.loads.len()
+            ],
             state,
             clock: Clock::default(),
             last_iterations: 0,
@@ -257,6 +262,7 @@ impl<'m> March<'m> {
             settled: settled_from(machine),
             jumps: jumps(machine),
             watched,
+            integrator: options.integrator,
             options: options.clone(),
         })
     }

@@ -187,6 +187,11 @@ impl Newton {
         self.largest_force = largest_force;
     }
 
+    /// Has factors computed anew, as steps are no longer those that they are of.
+    pub(super) fn forget_factors(&mut self) {
+        self.factors.drop_all();
+    }
+
     /// Solves for the state at `t`, the end of `step`, from the prediction in `end`.
     pub(crate) fn solve(
         &mut self,

@@ -30,7 +30,7 @@ impl March<'_> {
 
     /// Solves a step of `dt` from `start` at time `t`.
     pub(super) fn attempt(&mut self, t: f64, dt: f64, start: &State) -> StepReport {
-        let step = Coefficients::new(self.options.integrator, dt);
+        let step = Coefficients::new(self.integrator, dt);
         step.predict(start, &mut self.state);
         let State { q, v, a, .. } = &mut self.state;
         self.machine.set_given(t + dt, self.system.before, [q, v, a]);

@@ -10,6 +10,9 @@ use crate::error::Error;
 /// Lengths of parts for which factors are kept beside those in use.
 pub(super) const SHELVES: usize = 4;
 
+/// How often a part may be split, in parts of parts, that would pass rows of tables unseen: down to a millionth of it.
+pub(super) const MOST_SPLITS: usize = 20;
+
 /// How often a step may be halved.
 pub(super) fn most_halvings(options: &MarchOptions) -> u32 {
     match options.automatic {
@@ -34,8 +37,8 @@ impl March<'_> {
         Ok(())
     }
 
-    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge or is
-    /// beyond the tolerance. `depth`: of such parts in parts; `halvings`: of a step, which led to `dt`.
+    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge, is beyond
+    /// the tolerance, or passes rows of a table over an angle or a speed unseen. `depth`: of such parts in parts; `halvings`: of a step, which led to `dt`.
     pub(super) fn part(
         &mut self,
         (t, dt): (f64, f64),
@@ -49,8 +52,12 @@ impl March<'_> {
         if report.ending == Ending::Converged && self.overshoots() {
             (report, taken) = self.locate(t, dt, &start, report);
         }
-        let may_halve = halvings < most_halvings(&self.options);
+        let hides = report.ending == Ending::Converged
+            && depth < MOST_SPLITS
+            && self.hides_rows(taken, &start);
+        let may_halve = hides || halvings < most_halvings(&self.options);
         let ending = match report.ending {
+            Ending::Converged if hides => None,
             Ending::Converged => {
                 let judged = self.meters.judge(&self.system, (t, taken), [&start, &self.state]);
                 // What is no number is beyond every tolerance.
@@ -81,7 +88,7 @@ impl March<'_> {
                 self.meters.reject();
                 self.newton.forget(most_force);
                 self.state.copy_from(&start);
-                let (half, halvings) = (0.5 * dt, halvings + 1);
+                let (half, halvings) = (0.5 * dt, halvings + u32::from(!hides));
                 let first = self.part((t, half), depth + 1, halvings);
                 first.and_then(|()| self.part((t + half, half), depth + 1, halvings))
             }
