@@ -7,6 +7,9 @@ use whirl_specs::registers::{Register, Task};
 
 use crate::linalg::{LowerTriangle, beside};
 
+/// Σ cᵢ uᵢ over dofs i, as (i, cᵢ).
+pub type Row = Vec<(usize, f64)>;
+
 /// A sparse matrix of any shape, column after column (compressed).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SparseColumns {

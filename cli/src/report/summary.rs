@@ -14,7 +14,7 @@ use crate::case::{Case, MarchSettings, SupportName, System};
 use crate::fields::LargestStress;
 use crate::history::ReadHistory;
 use crate::machine::{BodyFacts, Built, Counts};
-use crate::{start, version};
+use crate::version;
 
 /// Everything that a run says of itself.
 #[derive(Debug, Serialize)]
@@ -273,7 +273,8 @@ pub(crate) struct Times {
 }
 
 impl Summary {
-    /// Sums up a march of `steps` steps and the history that it left; it may have ended early with `error`.
+    /// Sums up a march of `steps` steps and the history that it left; it may have ended early with `error`; `from`: the
+    /// folder of the run from whose end it went on, if that is not sound.
     ///
     /// # Errors
     /// The history cannot be read.
@@ -282,7 +283,7 @@ impl Summary {
         (outcome, history): (&Outcome, &dyn ReadHistory),
         (steps, converged): (usize, bool),
         time: Times,
-        error: Option<String>,
+        (error, from): (Option<String>, Option<&str>),
     ) -> io::Result<Summary> {
         let (cycle, supports) = (case.march.cycle, case.supports());
         let named = matches!(case.system, System::Joined(_));
@@ -297,7 +298,7 @@ impl Summary {
                 (&built.machine, &supports),
                 outcome,
                 (case.march.time_step, case.march.automatic),
-                ((!converged).then_some([steps, case.march.steps]), start::unsound(&case.start)),
+                ((!converged).then_some([steps, case.march.steps]), from),
             ),
             march: MarchFacts {
                 converged,

@@ -236,16 +236,21 @@ fn rigid_fit(ring: &[&BodyNode], bore_axis: [f64; 2], size: usize) -> [Vec<f64>;
     [0, 1, 2].map(|row| motions.iter().map(|motion| motion[row]).collect())
 }
 
-/// Displacement of the axis of a bore in its middle along x and y, as laws of rings see it: rows over the coordinates of
-/// its body.
+/// Displacement of the axis of a bore in its middle along x and y, as laws of rings see it, with what a turn makes of its offset:
+/// rows over the coordinates of its body.
 pub(crate) fn axis_motion(bearing: &Bearing, body: &Body) -> [Vec<f64>; 2] {
-    let [x, y, _] = match &bearing.sides.surface {
+    let [mut x, mut y, turn] = match &bearing.sides.surface {
         Some(surface) => mean_on_faces(surface, body, bearing, surface.middle),
         None => {
             let middle = bearing.bore[1].iter().map(|&node| &body.nodes()[node]);
             rigid_fit(&middle.collect::<Vec<_>>(), bearing.sides.bore_axis, body.size())
         }
     };
+    let [_, [along_x, along_y], _] = bearing.sides.offset;
+    for ((x, y), turn) in x.iter_mut().zip(&mut y).zip(&turn) {
+        *x -= along_y * turn;
+        *y += along_x * turn;
+    }
     [x, y]
 }
 

@@ -287,7 +287,7 @@ impl Placing<'_> {
             }));
         }
         angle.retain(|&(_, coefficient)| coefficient != 0.0);
-        let [mut x, mut y] = eccentricity(bearing, weights, body, &journal.flexible);
+        let [mut x, mut y] = eccentricity(bearing, weights, body.nodes(), &journal.flexible);
         let apart = (sides.apart != [0.0; 2]).then_some(Apart {
             kernels: self.kernels,
             theta: journal.rotation,
@@ -375,23 +375,18 @@ fn section_turn(bearing: &Bearing, body: &Body) -> Vec<f64> {
     }
 }
 
-/// ε(z) = Σ A_i(z) ε_i, eqs. (11) to (13), with γ ẑ×ε0 of a section that turns by γ, as rows over the journal's body, whose
-/// coordinates stand at `place`.
+/// ε(z) = Σ A_i(z) ε_i, eqs. (11) to (13), as rows over the journal's body, whose coordinates stand at `place`.
 fn eccentricity(
     bearing: &Bearing,
     weights: [f64; 3],
-    body: &Body,
+    nodes: &[BodyNode],
     place: &Range<usize>,
 ) -> [Vec<(usize, f64)>; 2] {
-    let nodes = body.nodes();
-    let [x, y] = between(&bearing.sides.run_out, weights);
-    let turn = if [x, y] == [0.0; 2] { Vec::new() } else { section_turn(bearing, body) };
-    [(0, -y), (1, x)].map(|(direction, arm)| {
+    [0, 1].map(|direction| {
         let row = (0..place.len()).map(|j| {
             let parts = bearing.journal.iter().zip(weights);
             let shape = |node: &usize| nodes[*node].shapes[(direction, j)];
-            let moved: f64 = parts.map(|(node, weight)| weight * shape(node)).sum();
-            (place.start + j, turn.get(j).map_or(moved, |turn| moved + arm * turn))
+            (place.start + j, parts.map(|(node, weight)| weight * shape(node)).sum())
         });
         row.filter(|&(_, value): &(usize, f64)| value != 0.0).collect()
     })

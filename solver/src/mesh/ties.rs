@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Mesh;
-use crate::reduction::Row;
+use crate::sparse::Row;
 
 /// A card by which dofs follow from others: equations Σ cᵢ uᵢ = 0 between dofs 3·node + component.
 #[derive(Debug, Clone, PartialEq)]

@@ -13,7 +13,7 @@ use crate::linalg::{
     symmetric_eigen, transpose_multiply,
 };
 
-use super::rigid::Row;
+use crate::sparse::Row;
 
 /// Constraints on the unknowns of a matrix, and the order in which these are eliminated.
 #[derive(Debug, Clone, Copy)]

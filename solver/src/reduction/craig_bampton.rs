@@ -11,9 +11,10 @@ use super::constrained::{ConstrainedCholesky, Constraints};
 use super::correction::corrected;
 use super::modes::{Modes, Pencil};
 use super::partition::{Interface, Partition};
-use super::rigid::{Row, free_motions, free_shapes_of_parts, pins};
+use super::rigid::{free_motions, free_shapes_of_parts, pins};
 use super::ties::Tied;
 use crate::error::{FreeMotion, ReductionError};
+use crate::sparse::Row;
 
 /// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
 #[derive(Debug, Clone, Copy)]

@@ -12,11 +12,11 @@ mod slices;
 mod sturm;
 mod ties;
 
+pub use crate::sparse::Row;
 pub use constrained::{ConstrainedCholesky, Constraints};
 pub use craig_bampton::{CraigBampton, Solid};
 pub use modes::{Modes, Pencil, hertz};
 pub use partition::Interface;
-pub use rigid::Row;
 pub(crate) use rigid::{free_motions, free_shapes};
 pub(crate) use ties::Tied;
 

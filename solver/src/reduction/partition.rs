@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::error::ReductionError;
 use crate::linalg::{LowerTriangle, Matrix};
 
-use super::rigid::Row;
+use crate::sparse::Row;
 
 /// What is left of a row after elimination counts as zero below this part of its largest coefficient.
 const ROUNDING: f64 = 1e-11;

@@ -2,6 +2,7 @@
 
 use super::craig_bampton::{Solid, lower};
 use crate::error::{FreeMotion, ReductionError};
+use crate::sparse::Row;
 
 use crate::linalg::{
     LinearAlgebraError, LowerTriangle, Matrix, multiply, symmetric_eigen, transpose_multiply,
@@ -142,9 +143,6 @@ impl RigidMotions {
         FreeMotion::Rotation { direction: unit(turn), through }
     }
 }
-
-/// Σ cᵢ uᵢ over dofs i, as (i, cᵢ).
-pub type Row = Vec<(usize, f64)>;
 
 /// The rigid motions of a body that make every one of `rows` (whose coefficients are of order 1) zero and strain nothing. Of a mesh in several
 /// parts each is checked alone, too: one that nothing holds is reported as a part, but for the largest.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use crate::linalg::{LowerTriangle, Matrix};
 use crate::sparse::SparseColumns;
 
-use super::rigid::Row;
+use crate::sparse::Row;
 
 /// What is left of an equation after elimination counts as zero below this part of its largest coefficient: a few hundred
 /// roundings.

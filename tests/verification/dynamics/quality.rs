@@ -114,7 +114,10 @@ fn what_rings_faster_than_the_step_is_not_sound() {
         let slow = TimeFunction::Sine { frequency: 0.01 / time_step, phase: 0.0 };
         mass.loads = vec![force(&mass.bodies[0].nodes()[0], [1e3, 0.0, 0.0], slow, Frame::Space)];
         let outcome = run(&Machine::new(mass).expect("a machine"), time_step, 3000, [0.0; 2]);
-        assert_eq!(verdict(&outcome, time_step), [], "{:?}", outcome.quality);
+        // It follows its load, which is found right; what the step does to it cannot be judged.
+        let found = verdict(&outcome, time_step);
+        assert!(found.len() == 1 && !outcome.quality.judged, "{found:?} {:?}", outcome.quality);
+        assert!(found[0].what.contains("so that a local error can be judged"), "{found:?}");
     }
 }
 

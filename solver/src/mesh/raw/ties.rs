@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::Tie;
 use super::super::regions::connected;
 use super::report::{LinePosition, MeshReport};
-use crate::reduction::Row;
+use crate::sparse::Row;
 
 /// What is left of a coefficient after elimination counts as zero below this part of the largest: nodes on a line are so by
 /// the digits of a file.

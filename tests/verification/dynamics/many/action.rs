@@ -151,7 +151,8 @@ fn joint(law: usize, kinds: [Kind; 2]) -> Bearing {
         name: "joint".to_owned(),
         label: None,
         sides: Sides {
-            run_out: [[3e-5, -1e-5]; 3],
+            // Of a body that does not turn the arm of a force on its journal is that to its nodes.
+            run_out: [if kinds[0].turns() { [3e-5, -1e-5] } else { [0.0; 2] }; 3],
             offset: [[-2e-5, 4e-5]; 3],
             sections: if coupling { sections } else { [None; 2] },
             torque_section: if coupling { None } else { sections[0] },
@@ -227,9 +228,8 @@ fn every_joint_leaves_no_force_and_no_moment_on_bodies_of_every_kind() {
                     turned += usize::from(a.abs() > 1e-6);
                 }
                 // Rounding: sums of a few dozen terms, each of which has a handful of factors.
-                // Sections of bodies that do not turn do so by up to 1e-6, and their offsets with them, to first order.
-                let stands = kinds.contains(&Kind::Standing);
-                let square = if axis == 3 && stands { 1e-6 } else { 0.0 };
+                // Sections of bodies that do not turn do so by up to 1e-6, and offsets of bores with them, to first order.
+                let square = if axis == 3 && !kinds[1].turns() { 1e-6 } else { 0.0 };
                 let allowed = (512.0 * f64::EPSILON + square) * (size_a + size_b) + 1e-18;
                 assert!(
                     (a + b).abs() <= allowed,

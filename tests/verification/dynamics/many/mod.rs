@@ -318,6 +318,9 @@ fn measures(
             }
         }
     }
+    // The offset of the axis turns with the bore.
+    axis_moved[0] -= turned * offset[1];
+    axis_moved[1] += turned * offset[0];
     let (sin, cos) = psi.sin_cos();
     let along = |[x, y]: [Dual64; 2]| x * cos + y * sin;
     let across = |[x, y]: [Dual64; 2]| y * cos - x * sin;
