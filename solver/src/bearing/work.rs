@@ -192,26 +192,37 @@ impl WorkAlong {
         let (start, n) = (&self.starts[place], law.springs);
         let moved_to = if self.any_spins(law) { &self.without_spin } else { &end.inputs };
         for plane in &springs.planes[law.planes.clone()] {
-            let mut flows = [Flow::default(); MOTIONS];
+            // In motions that the law takes, and in the others.
+            let [mut taken, mut others] = [Flow::default(); 2];
+            let mut made_in_all = 0.0;
             for j in plane.springs.clone() {
-                let mut made = [0.0; MOTIONS];
+                let [mut made, mut made_in_others] = [0.0; 2];
                 for (k, &force) in law.bound.forces.iter().enumerate() {
                     let row = law.bound.kind.measures[force];
                     let measure = row * n + j;
-                    let first = usize::from(row >= law.bound.kind.inputs.len());
                     let moved = moved_to[measure] - start.inputs[measure];
                     let ends = start.forces[force * n + j] + end.forces[force * n + j];
                     let [along, at_rest] =
                         [self.along[k * n + j], self.at_rest[k * n + j]].map(|mean| mean * moved);
-                    for (flow, made) in flows.iter_mut().zip(&mut made).skip(first) {
-                        *made += 0.5 * ends * moved - along;
-                        flow.flowed += along;
-                        flow.moved += if ends == 0.0 { 0.0 } else { moved.abs() };
-                    }
+                    let is_taken = row < law.bound.kind.inputs.len();
+                    let (made, flow) = match is_taken {
+                        true => (&mut made, &mut taken),
+                        false => (&mut made_in_others, &mut others),
+                    };
+                    *made += 0.5 * ends * moved - along;
+                    flow.flowed += along;
+                    flow.moved += if ends == 0.0 { 0.0 } else { moved.abs() };
                     work.add(along, at_rest);
                 }
-                flows.iter_mut().zip(made).for_each(|(flow, made)| flow.made += made.abs());
+                taken.made += f64::abs(made);
+                made_in_all += f64::abs(made + made_in_others);
             }
+            let all = Flow {
+                made: made_in_all,
+                flowed: taken.flowed + others.flowed,
+                moved: taken.moved + others.moved,
+            };
+            let flows: [Flow; MOTIONS] = [taken, all];
             let own = &mut self.flows[MOTIONS * plane.bearing..];
             own.iter_mut().zip(&flows).for_each(|(sum, flow)| sum.add(flow));
         }
