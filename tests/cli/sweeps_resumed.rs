@@ -1,0 +1,200 @@
+//! Sweeps that are killed, interrupted or damaged, and go on.
+
+use std::fs;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use crate::sweeps::{STUDY, bench, bench_of, done, mass, text};
+use crate::workbench::Workbench;
+
+/// Kills a sweep as soon as it has so many bytes in its journal.
+pub(super) fn kill_at(bench: &Workbench, bytes: u64, more: &[&str]) {
+    let mut command =
+        bench.command(&[&["sweep", "study.toml", "--out", "cut", "--quiet"], more].concat());
+    let mut child = command.stderr(Stdio::null()).stdout(Stdio::null()).spawn().expect("it runs");
+    let start = Instant::now();
+    let length = || fs::metadata(bench.path("cut/sweep.journal")).map_or(0, |file| file.len());
+    while length() < bytes && child.try_wait().expect("a child").is_none() {
+        assert!(start.elapsed() < Duration::from_secs(60), "{} of {bytes} bytes", length());
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let _ = child.kill();
+    child.wait().expect("it ends");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_killed_sweep_is_resumed_with_the_same_bytes() {
+    let bench = bench(20_000, &format!("keep = \"histories\"\n{STUDY}"));
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));
+    let length = fs::metadata(bench.path("whole/sweep.journal")).unwrap().len();
+    kill_at(&bench, 1, &[]);
+    for part in [20, 45, 70, 95] {
+        kill_at(&bench, length * part / 100, &["--resume"]);
+        // What is on disk is there once: a row for a point.
+        assert!(!bench.path("cut/table.csv").exists() || part == 95);
+    }
+    let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
+    done(&outcome);
+    assert!(outcome.stderr.contains("going on after "), "{}", outcome.stderr);
+    assert!(text(&bench, "cut/table.csv") == text(&bench, "whole/table.csv"), "other bytes");
+    let names = bench.listing_of("whole/points");
+    assert_eq!(bench.listing_of("cut/points"), names);
+    for name in names {
+        let [cut, whole] =
+            ["cut", "whole"].map(|own| bench.history_text(&format!("{own}/points/{name}")));
+        assert!(cut == whole, "point {name}");
+    }
+    // All is done: nothing is done again.
+    let before =
+        fs::metadata(bench.path("cut/points/00003/history.csv")).unwrap().modified().unwrap();
+    let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
+    done(&outcome);
+    assert!(outcome.stderr.contains("after 15 of 15 points"), "{}", outcome.stderr);
+    let after =
+        fs::metadata(bench.path("cut/points/00003/history.csv")).unwrap().modified().unwrap();
+    assert_eq!(before, after);
+}
+
+/// A journal that is torn or damaged anywhere is good up to there; one of which the beginning cannot be read is left alone.
+#[test]
+fn a_damaged_journal_is_good_up_to_the_damage() {
+    let bench = bench(100, STUDY);
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "cut"]));
+    let (table, journal) =
+        (text(&bench, "cut/table.csv"), fs::read(bench.path("cut/sweep.journal")).unwrap());
+    let length: [u8; 4] = journal[..4].try_into().unwrap();
+    let beginning = 4 + u32::from_le_bytes(length) as usize;
+    for place in [0, 3, 40, 1000, 2000, journal.len() / 2, journal.len() - 1] {
+        for torn in [true, false] {
+            let mut bytes = journal.clone();
+            match torn {
+                true => bytes.truncate(place),
+                false => bytes[place] ^= 0x40,
+            }
+            fs::write(bench.path("cut/sweep.journal"), &bytes).unwrap();
+            if !torn && place < beginning {
+                let command = ["sweep", "study.toml", "--out", "cut", "--resume", "--quiet"];
+                let outcome = bench.whirl(&command);
+                assert_eq!(outcome.status, 2, "at {place}: {}", outcome.stderr);
+                assert!(
+                    outcome.stderr.contains("damaged from its beginning"),
+                    "{}",
+                    outcome.stderr
+                );
+                assert!(fs::read(bench.path("cut/sweep.journal")).unwrap() == bytes, "at {place}");
+                assert!(text(&bench, "cut/table.csv") == table, "at {place}");
+                continue;
+            }
+            fs::remove_file(bench.path("cut/table.csv")).unwrap();
+            done(&bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume", "--quiet"]));
+            assert!(text(&bench, "cut/table.csv") == table, "at {place}");
+        }
+    }
+}
+
+#[test]
+fn what_has_changed_is_not_resumed_and_what_is_new_is_done() {
+    let law = include_str!("../../specs/laws/gap-linear-1e6.toml");
+    let study = STUDY.replace("[vary]\n", "[vary]\nstop.2.law = [\"own.toml\"]\n");
+    let bench = bench(100, &study).file("own.toml", law);
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "cut"]));
+    let table_before = text(&bench, "cut/table.csv");
+    let resume =
+        |bench: &Workbench| bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
+    let refused = |bench: &Workbench, what: &str| {
+        let outcome = resume(bench);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{}", outcome.stderr);
+        for words in ["cannot be resumed", what, "without `--resume`"] {
+            assert!(outcome.stderr.contains(words), "`{words}` is not in {}", outcome.stderr);
+        }
+        assert!(text(bench, "cut/table.csv") == table_before, "nothing is lost");
+    };
+    let bench = bench.file("mass.toml", &mass(101));
+    refused(&bench, "mass.toml");
+    let bench = bench.file("mass.toml", &mass(100)).file("own.toml", &format!("{law}\n# changed"));
+    refused(&bench, "own.toml");
+    let bench =
+        bench.file("own.toml", law).file("study.toml", &study.replace("1.5 mm, 5", "1.5 mm, 4"));
+    refused(&bench, "9 that are done are no longer asked for");
+    let bench = bench.file("study.toml", &format!("keep = \"histories\"\n{study}"));
+    refused(&bench, "`keep`");
+    // More values: the points that are there are done.
+    let more = study.replace("\"200 mm/s\"]", "\"200 mm/s\", \"2 m/s\"]");
+    let bench = bench.file("study.toml", &more);
+    let outcome = resume(&bench);
+    done(&outcome);
+    assert!(outcome.stderr.contains("15 of 20 points"), "{}", outcome.stderr);
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));
+    assert!(text(&bench, "cut/table.csv") == text(&bench, "whole/table.csv"));
+}
+
+/// Points that go on from a run are those of the state in which it ended.
+#[test]
+fn a_sweep_from_another_state_is_not_resumed() {
+    let first = |steps: usize| format!("include = \"hu2003-5.toml\"\n[march]\nsteps = {steps}\n");
+    let from = format!("{}[start]\nfrom = \"results/first\"\n", first(10));
+    let study = "case = \"from.toml\"\n[vary]\nsprings.radial_clearance = [\"20 um\", \"40 um\"]\n";
+    let bench = bench_of(study).file("from.toml", &from);
+    let run = |bench: &Workbench| done(&bench.whirl(&["run", "first.toml", "--no-figures"]));
+    let resume = |bench: &Workbench| bench.whirl(&["sweep", "study.toml", "--resume"]);
+    let bench = bench.file("first.toml", &first(10));
+    run(&bench);
+    done(&bench.whirl(&["sweep", "study.toml"]));
+    done(&resume(&bench));
+    let bench = bench.file("first.toml", &first(11));
+    run(&bench);
+    let outcome = resume(&bench);
+    assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("state.bin"), "{}", outcome.stderr);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_sweep_ends_cleanly_and_two_do_not_share_a_folder() {
+    let bench = bench(400_000, STUDY);
+    let mut command = bench.command(&["sweep", "study.toml", "--out", "cut", "--jobs", "2"]);
+    let child = command.stderr(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("it runs");
+    let start = Instant::now();
+    while !bench.path("cut/sweep.journal").exists() {
+        assert!(start.elapsed() < Duration::from_secs(60));
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
+    assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("another run is writing"), "{}", outcome.stderr);
+    let sent = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(sent.expect("kill runs").success());
+    let output = child.wait_with_output().expect("it ends");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    for words in ["interrupted", "of 15 points are kept in cut", "--resume"] {
+        assert!(said.contains(words), "`{words}` is not in: {said}");
+    }
+    let rows = text(&bench, "cut/table.csv").lines().count() - 1;
+    assert!(rows < 15, "{rows}");
+    assert!(said.contains(&format!("{rows} of 15 points")), "{said}");
+}
+
+/// A limit on the size of files stands for a disk that is full.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_keeps_what_fits_and_is_resumed() {
+    let study = "case = \"mass.toml\"\n[vary]\nstop.1.gap = \"0.5 mm .. 1.5 mm, 60\"\n";
+    let bench = bench(50, study);
+    let line = "ulimit -f 24; exec \"$0\" sweep study.toml --out cut --jobs 1";
+    let output =
+        bench.shell().args(["-c", line, env!("CARGO_BIN_EXE_whirl")]).output().expect("a shell");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    for words in ["cannot write `cut/", "of 60 points are kept in cut", "--resume"] {
+        assert!(said.contains(words), "`{words}` is not in: {said}");
+    }
+    let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
+    done(&outcome);
+    let first = outcome.stderr.split("going on after ").nth(1).expect("words").split(' ').next();
+    let first: usize = first.and_then(|own| own.parse().ok()).expect("a number");
+    assert!((5..60).contains(&first), "{}", outcome.stderr);
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));
+    assert!(text(&bench, "cut/table.csv") == text(&bench, "whole/table.csv"));
+}
