@@ -123,3 +123,46 @@ fn a_balanced_motor_is_solved_in_whole_steps() {
         assert!(march["iterations"].as_u64().expect("a count") < 4000, "{slope}: {march}");
     }
 }
+
+/// Two shafts turn with one speed in a coupling that holds nothing, one of them widened by its spin: what is left of the
+/// angle between them is rounding of both angles, and no couple can come closer to balance than that. Steps of every length.
+#[test]
+fn an_idle_coupling_is_solved_to_the_rounding_of_its_angles() {
+    let body = |name: &str, own: &str| {
+        format!("[body.{name}]\nturns = \"free\"\ninitial_speed = \"1000 rpm\"\n{own}")
+    };
+    let bushing = |name: &str, first: &str| {
+        format!(
+            "[joint.{name}]\nkind = \"bushing\"\nfirst = {first}\n\
+             damping = {{ xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }}\n"
+        )
+    };
+    let machine = [
+        "title = \"an idle coupling\"\n[material.steel]\nyoungs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\n\
+         density = \"7860 kg/m^3\"\n"
+            .to_owned(),
+        body(
+            "a",
+            "material = \"steel\"\nmodes = 12\naxial_restraint = \"JOURNAL1_MIDDLE\"\n[body.a.dimensions]\n\
+             length = \"400 mm\"\ndiameter = \"20 mm\"\nsupports = [\"50 mm\", \"200 mm\", \"350 mm\"]\n\
+             support_length = \"20 mm\"\n[body.a.sets.END]\nplane = \"400 mm\"\n",
+        ),
+        body("w", "mass = \"1 kg\"\npolar_inertia = \"2e-4 kg*m^2\"\n"),
+        "[joint.c]\nkind = \"coupling\"\nfirst = { body = \"a\", sets = \"END\" }\n\
+         second = { body = \"w\" }\nstiffness = \"500 N*m/rad\"\n"
+            .to_owned(),
+        bushing("b1", "{ body = \"a\", sets = \"JOURNAL1_MIDDLE\" }"),
+        bushing("b2", "{ body = \"a\", sets = \"JOURNAL3_MIDDLE\" }"),
+        bushing("b3", "{ body = \"w\" }"),
+    ]
+    .concat();
+    for step in [
+        "time_step = \"auto\"\noutput_step = \"1e-4 s\"",
+        "time_step = \"1e-6 s\"",
+        "time_step = \"1e-4 s\"",
+    ] {
+        let text = format!("{machine}[march]\n{step}\nduration = \"2e-3 s\"\n");
+        let summary = run(&text, "");
+        assert_eq!(summary["march"]["halved_steps"], 0, "{step}: {}", summary["march"]);
+    }
+}

@@ -8,6 +8,7 @@ mod mirrors;
 mod other;
 mod place;
 mod projected;
+mod rounding;
 mod spin;
 mod spline;
 pub(crate) mod state;
@@ -28,6 +29,7 @@ pub(crate) use bore::axis_motion;
 use law::BoundLaw;
 pub(crate) use mirrors::BlockMemory;
 use mirrors::Blocks;
+pub(crate) use rounding::SpringRounding;
 use valid::Measures;
 
 use crate::linalg::{Matrix, add_product};

@@ -62,7 +62,8 @@ impl System<'_> {
     /// row that is not.
     ///
     /// Terms are Q_v − M q̈, C q̇, K q, loads and springs; where they cancel, their products are summed, with
-    /// those of the accelerations in `predicted`, from which the state was corrected.
+    /// those of the accelerations in `predicted`, from which the state was corrected. What is left then may come from
+    /// springs that hold differences of large coordinates (`SpringRounding`).
     // A phase of its own in tables of where the time goes.
     #[inline(never)]
     pub(crate) fn row_error(
@@ -77,6 +78,7 @@ impl System<'_> {
         let mut worst = 0.0;
         let mut mass_is_known = None;
         let mut most: Option<RowBounds> = None;
+        let mut measures_are_sized = false;
         for i in first..self.residual.len() {
             let (r, bound) = (self.residual[i].abs(), self.row_bounds[i]);
             if r <= bound {
@@ -93,8 +95,12 @@ impl System<'_> {
                 }
             };
             let above = bound + most.allowed(self, state, tolerance, i);
+            let mut measured = 0.0;
             if r > above {
-                return r / above;
+                measured = self.measured_rounding(state, &mut measures_are_sized, i);
+                if r > above + measured {
+                    return r / (above + measured);
+                }
             }
             let body = self.turning_at(i);
             if let Some(own) = body.filter(|_| body != mass_is_known) {
@@ -102,8 +108,13 @@ impl System<'_> {
                 mass_is_known = body;
             }
             let (projected, products) = self.projected(state, predicted, i);
-            let bound =
-                bound + tolerance * PROJECTED * projected + ROUNDING * f64::EPSILON * products;
+            let mut bound = bound
+                + tolerance * PROJECTED * projected
+                + ROUNDING * f64::EPSILON * products
+                + measured;
+            if r > bound && measured == 0.0 {
+                bound += self.measured_rounding(state, &mut measures_are_sized, i);
+            }
             // A ratio that is no number is the worst.
             let error = if (r / bound).is_nan() { f64::INFINITY } else { r / bound };
             if error > 1.0 {
@@ -133,6 +144,17 @@ impl System<'_> {
                     tolerance * largest + missing * reach[i] + ROUNDING * f64::EPSILON * sum;
             }
         });
+    }
+
+    /// What the rounding of the measures of springs may leave in row `i`, at the state that was last evaluated.
+    fn measured_rounding(&mut self, state: &State, are_sized: &mut bool, i: usize) -> f64 {
+        if !std::mem::replace(are_sized, true) {
+            let springs = &self.machine.springs;
+            self.spring_rounding.take(springs, &self.springs, [&state.q, &state.v]);
+        }
+        let rounding = ROUNDING * f64::EPSILON * self.spring_rounding.forces[i];
+        // Of a law without slopes nothing is known.
+        if rounding.is_finite() { rounding } else { 0.0 }
     }
 
     /// Takes what all rows have in common of their products.
@@ -280,6 +302,9 @@ mod tests {
         system.evaluate(0.0, &state);
         let (projected, reach) = (projected(&system, &state), reach());
         let products = products(&mut system, &state, &predicted);
+        // What the measures of springs round to is a test of the command.
+        system.spring_rounding.take(&machine.springs, &system.springs, [&state.q, &state.v]);
+        let measured = system.spring_rounding.forces.clone();
         for (residual_tolerance, force_tolerance) in
             [(1e-2, 0.0), (0.0, 3.0), (0.0, 0.0), (1e-2, 3.0)]
         {
@@ -299,10 +324,11 @@ mod tests {
                 let missing = 0.25 * force_tolerance * reach[i];
                 let seen = residual_tolerance * largest + missing + 16.0 * f64::EPSILON * sum;
                 let forces = projected[i].iter().copied();
-                let own = residual_tolerance
+                let without = residual_tolerance
                     * (largest + 1e-3 * forces.clone().fold(0.0, f64::max))
                     + missing
                     + 16.0 * f64::EPSILON * (sum + forces.sum::<f64>() + products[i]);
+                let own = without + 16.0 * f64::EPSILON * measured[i];
                 // Within what the terms alone explain, within what all explains, and beyond it.
                 for r in [0.75 * seen, 0.999 * own, 1.001 * own, 7.0 * own] {
                     system.residual.fill(0.0);
@@ -311,7 +337,8 @@ mod tests {
                     system.turning[0].spoil();
                     let found = system.row_error(&state, &predicted, &options);
                     let name = (i, residual_tolerance, force_tolerance);
-                    let exact = if r <= seen { r / seen } else { r / own };
+                    let limits = [seen, without, own];
+                    let exact = r / limits.into_iter().find(|limit| r <= *limit).unwrap_or(own);
                     let least = if exact > 1.0 { 1.0 } else { exact * (1.0 - 1e-12) };
                     let most = exact * (1.0 + 1e-12);
                     assert!((least..=most).contains(&found), "{name:?}: {found} for {exact}");

@@ -8,7 +8,7 @@ use whirl_specs::{ContactTangent, MotionState};
 use super::newmark::{Coefficients, State};
 use super::spring_tangent::SpringTangent;
 use super::turning::TurningBody;
-use crate::bearing::SpringState;
+use crate::bearing::{SpringRounding, SpringState};
 use crate::linalg::{Matrix, dot, widely};
 use crate::loads::{Load, Position};
 use crate::machine::{Body, BodyPlace, Machine};
@@ -40,6 +40,7 @@ pub struct System<'m> {
     /// What every row may have by its own terms, and |q̈| + |predicted q̈|; see `System::row_error`.
     pub(super) row_bounds: Vec<f64>,
     pub(super) accelerations: Vec<f64>,
+    pub(super) spring_rounding: SpringRounding,
     spring_tangent: SpringTangent,
     /// Q_v − M q̈, C q̇, K q and loads of bodies that turn at another state.
     other: [Vec<f64>; 4],
@@ -75,6 +76,7 @@ impl<'m> System<'m> {
             load_factors: vec![0.0; machine.loads.len()],
             row_bounds: values(),
             accelerations: values(),
+            spring_rounding: SpringRounding::new(&machine.springs, machine.size()),
             spring_tangent: SpringTangent::new(&machine.springs),
             other: std::array::from_fn(|_| values()),
         }
