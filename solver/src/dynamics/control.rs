@@ -55,6 +55,11 @@ const ENERGY: f64 = 10.0;
 /// more than an oscillation stays near the place where its error is none.
 const CALM: f64 = 0.1;
 const CALM_PARTS: u32 = 8;
+/// Rows that are foreseen where a march begins.
+pub(super) const FORESEEN: u32 = 16;
+/// Energy that a row which is foreseen may make at a joint, as a fraction of what is in play there: beyond that it says little of
+/// where the machine goes.
+const MOST_FORESEEN: f64 = 0.1;
 
 /// What is remembered from part to part.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -68,6 +73,10 @@ pub(super) struct ControlMemory {
     /// its [`MOTIONS`] (J).
     displacements: Vec<f64>,
     energies: Vec<f64>,
+    /// Largest displacement of every part of the machine in the first rows as they were foreseen (m), and for how many of
+    /// these rows it still counts.
+    foreseen: Vec<f64>,
+    rows_ahead: u32,
     pub(super) taken: PartsTaken,
 }
 
@@ -122,6 +131,8 @@ impl StepControl {
                 begins: true,
                 displacements: displacements.to_vec(),
                 energies: vec![0.0; MOTIONS * bearings],
+                foreseen: vec![0.0; displacements.len()],
+                rows_ahead: FORESEEN,
                 taken: PartsTaken::default(),
             },
             displacements: displacements.to_vec(),
@@ -135,16 +146,44 @@ impl StepControl {
         self.memory.halvings = self.memory.halvings.max(self.least);
     }
 
+    /// Whether the first rows are still to be foreseen.
+    pub(super) fn is_new(&self) -> bool {
+        self.memory.rows_ahead == FORESEEN
+    }
+
+    /// Takes what was measured of a row that is foreseen; whether it says where the machine goes.
+    pub(super) fn foresee(&mut self, measured: &Measured) -> bool {
+        let trusted = self.energy_made(measured) <= MOST_FORESEEN;
+        if trusted {
+            raise(&mut self.memory.foreseen, measured.displacements);
+        }
+        trusted
+    }
+
+    /// Ends a row.
+    pub(super) fn end_row(&mut self) {
+        self.memory.rows_ahead = self.memory.rows_ahead.saturating_sub(1);
+    }
+
     /// What is measured of a part over what it may be: the worst of all parts of the machine and bearings.
     pub(super) fn judge(&mut self, measured: &Measured) -> f64 {
         let tolerance = self.options.tolerance;
         self.displacements.copy_from_slice(measured.displacements);
-        let so_far = &self.memory.displacements;
-        let least = SMALLEST * so_far.iter().copied().fold(0.0, larger);
-        let ratio = |value: f64, limit: f64| if value == 0.0 { 0.0 } else { value / limit };
-        let errors = measured.errors.iter().zip(so_far);
-        let errors = errors.map(|(error, own)| ratio(*error, tolerance * larger(*own, least)));
-        let mut worst = errors.fold(0.0, larger);
+        let ControlMemory { displacements, foreseen, rows_ahead, .. } = &self.memory;
+        let of = |part: usize| match rows_ahead {
+            0 => displacements[part],
+            _ => larger(displacements[part], foreseen[part]),
+        };
+        let least = SMALLEST * (0..displacements.len()).map(of).fold(0.0, larger);
+        let errors = measured.errors.iter().enumerate();
+        let errors = errors.map(|(part, error)| ratio(*error, tolerance * larger(of(part), least)));
+        let worst = errors.fold(0.0, larger);
+        larger(worst, self.energy_made(measured) / (ENERGY * tolerance))
+    }
+
+    /// The largest fraction of the energy in play that is made at any bearing.
+    fn energy_made(&mut self, measured: &Measured) -> f64 {
+        let mut worst = 0.0;
         let kinetic = measured.kinetic.iter().flat_map(|own| [own; MOTIONS]);
         let flows = measured.flows.iter().zip(kinetic).zip(&self.memory.energies);
         for (((flow, kinetic), most), kept) in flows.zip(&mut self.energies) {
@@ -152,7 +191,7 @@ impl StepControl {
             *kept = in_play;
             let allowed = larger(in_play, SMALLEST * most);
             if !(flow.made <= measured.rounding) {
-                worst = larger(worst, ratio(flow.made, ENERGY * tolerance * allowed));
+                worst = larger(worst, ratio(flow.made, allowed));
             }
         }
         worst
@@ -161,9 +200,6 @@ impl StepControl {
     /// Takes the part that was judged last, with so many halvings.
     pub(super) fn accept(&mut self, judged: f64, halvings: u32) {
         let memory = &mut self.memory;
-        let raise = |so_far: &mut [f64], own: &[f64]| {
-            so_far.iter_mut().zip(own).for_each(|(most, own)| *most = larger(*most, *own));
-        };
         raise(&mut memory.displacements, &self.displacements);
         raise(&mut memory.energies, &self.energies);
         let goes_on = judged <= CALM && memory.halvings == halvings;
@@ -193,6 +229,14 @@ impl StepControl {
             }
         }
     }
+}
+
+fn ratio(value: f64, limit: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value / limit }
+}
+
+fn raise(so_far: &mut [f64], own: &[f64]) {
+    so_far.iter_mut().zip(own).for_each(|(most, own)| *most = larger(*most, *own));
 }
 
 #[cfg(test)]

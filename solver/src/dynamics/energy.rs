@@ -126,6 +126,13 @@ impl EnergyMeter {
         self.measured = None;
     }
 
+    /// Measures the next step from a state that was just evaluated, with nothing added of how it came there.
+    pub(crate) fn turn_to(&mut self, system: &System) {
+        self.measured = None;
+        self.along.start(&system.springs);
+        self.jump(system);
+    }
+
     /// Adds a step that ends at a state just evaluated.
     pub(crate) fn add(&mut self, system: &System, start: &State, end: &State) {
         let moved = |before: &[f64], after: &[f64]| -> f64 {
@@ -181,7 +188,6 @@ impl EnergyMeter {
     /// Goes on from sums of an earlier march at a state that was just evaluated.
     pub(crate) fn resume_from(&mut self, system: &System, sums: EnergySums) {
         self.sums = sums;
-        self.along.start(&system.springs);
-        self.jump(system);
+        self.turn_to(system);
     }
 }

@@ -86,24 +86,55 @@ impl Meters {
         (t, dt): (f64, f64),
         [start, end]: [&State; 2],
     ) -> f64 {
-        let Some(control) = &mut self.control else { return 0.0 };
+        if self.control.is_none() {
+            return 0.0;
+        }
         self.quality.errors(dt, start, end, &mut self.errors);
+        let judged = self.measured(system, [start, end], StepControl::judge).unwrap_or(0.0);
+        let hides = judged <= 1.0
+            && (self.periods.excess([start, end]) > 1.0
+                || self.contacts.are_within(system, (t, dt), [start, end]));
+        if hides { f64::NAN } else { judged }
+    }
+
+    /// Has the control take what is measured between two states, of which the second was just evaluated, where there is one.
+    fn measured<T>(
+        &mut self,
+        system: &System,
+        [start, end]: [&State; 2],
+        take: impl FnOnce(&mut StepControl, &Measured) -> T,
+    ) -> Option<T> {
+        let control = self.control.as_mut()?;
         self.quality.displacements(end, &mut self.displacements);
         self.kinetic.fill(0.0);
         for state in [start, end] {
             self.quality.raise_kinetic(system.machine, state, &mut self.kinetic);
         }
-        let judged = control.judge(&Measured {
+        let measured = Measured {
             errors: &self.errors,
             displacements: &self.displacements,
             flows: self.energy.measure(system),
             kinetic: &self.kinetic,
             rounding: rounding(system, end),
-        });
-        let hides = judged <= 1.0
-            && (self.periods.excess([start, end]) > 1.0
-                || self.contacts.are_within(system, (t, dt), [start, end]));
-        if hides { f64::NAN } else { judged }
+        };
+        Some(take(control, &measured))
+    }
+
+    /// Whether the first rows are to be foreseen.
+    pub(crate) fn begins(&self) -> bool {
+        self.control.as_ref().is_some_and(StepControl::is_new)
+    }
+
+    /// Takes a row that is foreseen, and ends in a state that was just evaluated; whether the next one may be, too.
+    pub(crate) fn foresee(&mut self, system: &System, ends: [&State; 2]) -> bool {
+        let goes_on = self.measured(system, ends, StepControl::foresee) == Some(true);
+        self.energy.turn_to(system);
+        goes_on
+    }
+
+    /// Goes back to a state that was just evaluated, where nothing has been added yet.
+    pub(crate) fn turn_back(&mut self, system: &System) {
+        self.energy.turn_to(system);
     }
 
     /// Leaves out the part of a step that was judged last, or was not solved.
@@ -124,6 +155,13 @@ impl Meters {
     /// Halvings of a step that lead to its next part.
     pub(crate) fn halvings(&self) -> u32 {
         self.control.as_ref().map_or(0, |own| own.memory.halvings)
+    }
+
+    /// Ends a row of a march that chooses its steps.
+    pub(crate) fn end_row(&mut self) {
+        if let Some(control) = &mut self.control {
+            control.end_row();
+        }
     }
 
     /// Makes the next part longer where that is due; see [`StepControl::lengthen`].

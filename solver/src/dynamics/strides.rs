@@ -1,7 +1,7 @@
 //! The parts in which a step is taken: one where steps are fixed and nothing happens within them; those that the control of
 //! the step chooses; halves of what is not solved, or is beyond the tolerance.
 
-use super::control::MOST_HALVINGS;
+use super::control::{FORESEEN, MOST_HALVINGS};
 use super::march::{March, MarchOptions};
 use super::newmark::State;
 use super::newton::Ending;
@@ -24,6 +24,9 @@ pub(super) fn most_halvings(options: &MarchOptions) -> u32 {
 impl March<'_> {
     /// Takes a step of `dt` from time `t` in parts of lengths that are chosen on the way.
     pub(super) fn stride(&mut self, t: f64, dt: f64) -> Result<(), Error> {
+        if self.meters.begins() {
+            self.foresee(t, dt);
+        }
         let shortest = dt / f64::from(1_u32 << MOST_HALVINGS);
         let mut at = 0;
         while at < 1 << MOST_HALVINGS {
@@ -34,7 +37,27 @@ impl March<'_> {
             at += length;
             self.meters.lengthen(at);
         }
+        self.meters.end_row();
         Ok(())
+    }
+
+    /// Foresees the first rows from time `t` on, each in one step, for how far the machine moves in them; as far as they are solved
+    /// and make little energy. Then the march begins where it stood.
+    fn foresee(&mut self, t: f64, dt: f64) {
+        let (begun, most_force) = (self.state.clone(), self.newton.largest_force());
+        let mut start = begun.clone();
+        for row in 0..FORESEEN {
+            let report = self.attempt(t + f64::from(row) * dt, dt, &start);
+            let solved = report.ending == Ending::Converged;
+            if !solved || !self.meters.foresee(&self.system, [&start, &self.state]) {
+                break;
+            }
+            start.copy_from(&self.state);
+        }
+        self.newton.forget(most_force);
+        self.state.copy_from(&begun);
+        self.system.evaluate(t, &self.state);
+        self.meters.turn_back(&self.system);
     }
 
     /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge, is beyond
