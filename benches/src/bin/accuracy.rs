@@ -6,7 +6,7 @@
 //! solved, those done again included, and as iterations; how long the marches took stands beside it.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
 
@@ -133,7 +133,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Prints the rows of a machine.
-fn compare(whirl: &Path, bench: &Bench, folder: &PathBuf) -> Result<(), Box<dyn Error>> {
+fn compare(whirl: &Path, bench: &Bench, folder: &Path) -> Result<(), Box<dyn Error>> {
     let [longest, shortest, reference] = bench.equal;
     let equal = |steps: usize| {
         let step = format!("time_step = \"{:e} s\"", bench.row / steps as f64);
@@ -193,7 +193,7 @@ fn march(
     whirl: &Path,
     bench: &Bench,
     step: &str,
-    folder: &PathBuf,
+    folder: &Path,
 ) -> Result<Marched, Box<dyn Error>> {
     let case = folder.join("case.toml");
     let (out, head) = (folder.join("out"), bench.case);
