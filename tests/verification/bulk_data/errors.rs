@@ -26,6 +26,7 @@ const CASES: &[(&str, &str)] = &[
     ("1.*\n*                     0.", "1.*A\n*B                    0."),
     ("$HMNAME PROP                   1\"cube\" 4\n", "+A      7\n"),
     ("PARAM,POST,-1", "PARAM,WTMASS,-1."),
+    ("PARAM,POST,-1", "PARAM,WTMASS,2.\nPARAM,WTMASS,2.\nPARAM,WTMASS,3."),
     // Nodes and systems.
     (NODE_9, "GRID           9       7      2.      0.      0."),
     ("GRID,5,,0.,0.,1.\nGRID,6,,", "GRID,5,7,0.,0.,1.\nGRID,6,7,"),

@@ -186,6 +186,16 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         ),
         (
             "200e9, 0.3",
+            "200e9, 0.3\n*ELASTIC\n210e9, 0.3",
+            "cube.inp:35:1: the Young's modulus of Steel is given twice: 200000000000 and 210000000000\n  help: line 33 has the first: keep one",
+        ),
+        (
+            "7860",
+            "7860\n*DENSITY\n7800",
+            "cube.inp:37:1: the density of Steel is given twice: 7860 and 7800\n  help: line 35 has the first: keep one",
+        ),
+        (
+            "200e9, 0.3",
             "200e9, 0.49999999",
             "cube.inp:33:8: material Steel is nearly incompressible: with ν = 0.49999999 it is 5.0e7 times as stiff against change of volume as against shear\n  help: write 0.4999 or less",
         ),

@@ -40,7 +40,7 @@ pub(super) struct Bulk {
     pub(super) masses: Vec<RawMass>,
     pub(super) names: Names,
     /// What a density is multiplied by (`PARAM,WTMASS`).
-    pub(super) mass_factor: f64,
+    mass_factor: Option<(f64, LinePosition)>,
     /// Cards that are left out, with their number and the first of them.
     pub(super) left_out: BTreeMap<String, (usize, LinePosition)>,
     /// Cards that tie nodes.
@@ -66,7 +66,7 @@ pub(super) fn read(
         spiders: Vec::new(),
         masses: Vec::new(),
         names: Names::default(),
-        mass_factor: 1.0,
+        mass_factor: None,
         left_out: BTreeMap::new(),
         ties: Vec::new(),
         chosen: Chosen::default(),
@@ -163,14 +163,27 @@ impl Bulk {
         }
     }
 
+    /// What a density is multiplied by.
+    pub(super) fn mass_factor(&self) -> f64 {
+        self.mass_factor.map_or(1.0, |(factor, _)| factor)
+    }
+
     fn parameter(&mut self, card: &Card, report: &mut MeshReport) {
         if card.field(0).is_some_and(|name| name.text.eq_ignore_ascii_case("WTMASS"))
             && let Some(factor) = report.real(card, 1, "WTMASS")
         {
             let place = card.field(1).map_or(card.place, |field| field.place);
-            match factor > 0.0 {
-                true => self.mass_factor = factor,
-                false => report.error(place, format!("WTMASS is {factor}"), "it must be positive"),
+            if !(factor > 0.0 && factor.is_finite()) {
+                report.error(place, format!("WTMASS is {factor}"), "it must be positive");
+                return;
+            }
+            match self.mass_factor.replace((factor, place)) {
+                Some((first, before)) if first != factor => {
+                    let what = format!("WTMASS is given twice: {first} and {factor}");
+                    let help = format!("{} has the first: keep one", report.line(before, place));
+                    report.error(place, what, help);
+                }
+                _ => {}
             }
         }
     }

@@ -169,7 +169,7 @@ impl Interfaces {
                 std::array::from_fn(|i| (0..3).map(|k| axes[k][i] * own[k]).sum())
             };
             let offset = turned(raw.offset);
-            let factor = bulk.mass_factor;
+            let factor = bulk.mass_factor();
             let rows = raw.inertia.map(turned);
             let inertia: [[f64; 3]; 3] = std::array::from_fn(|i| {
                 std::array::from_fn(|j| {

@@ -39,7 +39,7 @@ pub(super) fn regions(bulk: &Bulk, open: bool, report: &mut MeshReport) -> Regio
         let mut own = RawMaterial::new(names[label].clone(), raw.place);
         own.broken = raw.broken;
         for (&symbol, &(value, place)) in &raw.values {
-            let factor = if symbol == "rho" { bulk.mass_factor } else { 1.0 };
+            let factor = if symbol == "rho" { bulk.mass_factor() } else { 1.0 };
             own.values.insert(symbol, (value * factor, place));
         }
         own

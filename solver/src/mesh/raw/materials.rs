@@ -62,9 +62,15 @@ impl RawMaterial {
                 report.error(at, what, "it must be positive, or 0 of a part without mass");
                 self.broken = true;
             }
-            _ => {
-                self.values.insert(symbol, (value, at));
-            }
+            _ => match self.values.insert(symbol, (value, at)) {
+                Some((first, place)) if first != value => {
+                    let what = format!("the {title} of {name} is given twice: {first} and {value}");
+                    let help = format!("{} has the first: keep one", report.line(place, at));
+                    report.error(at, what, help);
+                    self.broken = true;
+                }
+                _ => {}
+            },
         }
     }
 
