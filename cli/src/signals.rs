@@ -3,14 +3,20 @@
 use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::Builder;
+use std::time::{Duration, Instant};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::flag;
+use signal_hook::iterator::Signals;
+use signal_hook::low_level::emulate_default_handler;
 
 /// Whether the user wants the run to end.
 pub(crate) struct Interruption {
     asked: Arc<AtomicBool>,
 }
+
+/// What is sent to a process and once more to its group, as `timeout` does, is one signal.
+const AT_ONCE: Duration = Duration::from_millis(200);
 
 impl Interruption {
     /// Installs the handlers.
@@ -19,16 +25,25 @@ impl Interruption {
     /// The operating system refuses.
     pub(crate) fn install() -> io::Result<Interruption> {
         let asked = Arc::<AtomicBool>::default();
-        for signal in [SIGINT, SIGTERM] {
-            // In this order: the first signal finds the flag unset.
-            flag::register_conditional_default(signal, asked.clone())?;
-            flag::register(signal, asked.clone())?;
-        }
+        let mut signals = Signals::new([SIGINT, SIGTERM])?;
         #[cfg(unix)]
         {
             // A limit on the size of files then shows as an error of the write, not as the end of the process.
-            flag::register(signal_hook::consts::SIGXFSZ, Arc::default())?;
+            signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default())?;
         }
+        let seen = asked.clone();
+        let listen = move || {
+            let mut first: Option<Instant> = None;
+            for signal in signals.forever() {
+                if first.is_some_and(|first| first.elapsed() > AT_ONCE) {
+                    // It does not come back.
+                    let _ = emulate_default_handler(signal);
+                }
+                first.get_or_insert_with(Instant::now);
+                seen.store(true, Ordering::Relaxed);
+            }
+        };
+        Builder::new().name("signals".to_owned()).spawn(listen)?;
         Ok(Interruption { asked })
     }
 

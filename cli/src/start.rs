@@ -13,11 +13,11 @@ use whirl_solver::dynamics::{
 use crate::case::{Case, Start, System, Turning};
 use crate::errors::Failure;
 use crate::machine::Built;
-use crate::results::{STATE, SUMMARY};
+use crate::results::STATE;
 use crate::watch::Watch;
 
 /// Layout of the file.
-const LAYOUT: &str = "whirl state 7";
+const LAYOUT: &str = "whirl state 8";
 
 /// How a case is marched.
 pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {
@@ -50,11 +50,11 @@ pub(crate) fn begin<'m>(
     let machine = &built.machine;
     let initial = match &case.start {
         Start::State(folder) => {
-            let last = read(Path::new(folder.text()), out)?;
+            let (last, sound) = read(Path::new(folder.text()), out)?;
             let march = March::from_last(machine, options, &last);
             let march = march.map_err(|error| refused(folder.text(), error))?;
             watch.note(&going_on(folder.text(), &last));
-            if unsound(&case.start).is_some() {
+            if !sound {
                 watch.warn(&format!(
                     "the run in `{}`, from which this one goes on, is NOT SOUND by its own verdict",
                     folder.text()
@@ -63,7 +63,7 @@ pub(crate) fn begin<'m>(
             return Ok(march);
         }
         Start::After(state) => {
-            let last = unpack(&Key::of(&LAYOUT), state).expect("it was packed by this program");
+            let (last, _) = unpacked(state).expect("it was packed by this program");
             return March::from_last(machine, options, &last).map_err(Failure::from);
         }
         Start::Rest => rest(case, built),
@@ -90,7 +90,7 @@ pub(crate) fn described(case: &Case, built: &Built) -> Result<Option<String>, Fa
             Some(words(case, &equilibrium(&built.machine, &speeds(case), step)?))
         }
         Start::State(folder) => {
-            let last = read(Path::new(folder.text()), None)?;
+            let (last, _) = read(Path::new(folder.text()), None)?;
             last.check(&built.machine).map_err(|error| refused(folder.text(), error))?;
             if let Some(fields) = &case.fields {
                 fields.check_times([last.time(), last.time() + case.march.duration()])?;
@@ -110,12 +110,36 @@ fn refused(folder: &str, error: Error) -> Failure {
     }
 }
 
-/// The folder of the run from whose end a case starts, where the summary of that run says that it is not sound.
-pub(crate) fn unsound(start: &Start) -> Option<&str> {
-    let Start::State(folder) = start else { return None };
-    let text = fs::read_to_string(Path::new(folder.text()).join(SUMMARY)).unwrap_or_default();
-    let summary: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
-    (summary["verdict"]["sound"] == serde_json::Value::Bool(false)).then(|| folder.text())
+/// Lets a case begin with the state in which another point of its sweep ended, packed: the times of its fields are as far behind
+/// that as they were behind the start that it gives.
+pub(crate) fn go_on(case: &mut Case, state: &[u8]) {
+    let (last, _) = unpacked(state).expect("it was packed by this program");
+    let begun = match &case.start {
+        Start::State(folder) => {
+            read(Path::new(folder.text()), None).map_or(0.0, |own| own.0.time())
+        }
+        Start::Rest | Start::Equilibrium | Start::After(_) => 0.0,
+    };
+    if let Some(fields) = &mut case.fields {
+        fields.shift(last.time() - begun);
+    }
+    case.start = Start::After(state.into());
+}
+
+/// What a case goes on from, in words, where that is not sound by its own verdict.
+pub(crate) fn unsound(start: &Start) -> Option<String> {
+    let (sound, words) = match start {
+        Start::Rest | Start::Equilibrium => return None,
+        Start::State(folder) => {
+            let (_, sound) = read(Path::new(folder.text()), None).ok()?;
+            (sound, format!("the run in {}", folder.text()))
+        }
+        Start::After(state) => {
+            let (_, sound) = unpacked(state)?;
+            (sound, "the point before this one".to_owned())
+        }
+    };
+    (!sound).then_some(words)
 }
 
 fn going_on(folder: &str, last: &LastState) -> String {
@@ -196,24 +220,28 @@ fn words(case: &Case, found: &Equilibrium) -> String {
     format!("starting in equilibrium{found}")
 }
 
-/// Writes the state after the last step of a run.
+/// Writes the state after the last step of a run, with whether the run is sound.
 ///
 /// # Errors
 /// It cannot be written.
-pub(crate) fn write(path: &Path, state: &LastState) -> io::Result<()> {
-    write_whole(path, &packed(state)?)
+pub(crate) fn write(path: &Path, state: &LastState, sound: bool) -> io::Result<()> {
+    write_whole(path, &packed(state, sound)?)
 }
 
 /// The bytes of such a file.
 ///
 /// # Errors
 /// The state refuses to be serialised.
-pub(crate) fn packed(state: &LastState) -> io::Result<Vec<u8>> {
-    pack(&Key::of(&LAYOUT), state)
+pub(crate) fn packed(state: &LastState, sound: bool) -> io::Result<Vec<u8>> {
+    pack(&Key::of(&LAYOUT), &(state, sound))
 }
 
-/// The state in which the run in a folder ended; `out`: where the results of this run go.
-fn read(folder: &Path, out: Option<&Path>) -> Result<LastState, Failure> {
+fn unpacked(bytes: &[u8]) -> Option<(LastState, bool)> {
+    unpack(&Key::of(&LAYOUT), bytes)
+}
+
+/// The state in which the run in a folder ended, and whether that run is sound; `out`: where the results of this run go.
+fn read(folder: &Path, out: Option<&Path>) -> Result<(LastState, bool), Failure> {
     let missing = |reason: String| Failure::NoState { folder: folder.to_path_buf(), reason };
     if let (Ok(from), Some(Ok(to))) = (folder.canonicalize(), out.map(Path::canonicalize))
         && from == to
@@ -231,5 +259,5 @@ fn read(folder: &Path, out: Option<&Path>) -> Result<LastState, Failure> {
         _ => missing(format!("cannot read `{STATE}`: {error}")),
     })?;
     let damaged = || missing(format!("`{STATE}` is damaged, or of another version of the program"));
-    unpack(&Key::of(&LAYOUT), &bytes).ok_or_else(damaged)
+    unpacked(&bytes).ok_or_else(damaged)
 }

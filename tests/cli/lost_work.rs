@@ -155,6 +155,8 @@ fn interrupted_runs_end_cleanly_and_are_resumed() {
     for (signal, more) in [("INT", ""), ("TERM", "output_step = \"7e-5 s\"\n")] {
         let bench = Workbench::new().file("case.toml", &case(MANY * 2, more));
         let running = begin(&bench, &["run", "case.toml", "--out", "cut"]);
+        // `timeout` signals a process, and its group once more.
+        running.signal(signal);
         running.signal(signal);
         let (status, said) = running.end();
         assert_eq!(status, Some(1), "{said}");

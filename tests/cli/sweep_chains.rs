@@ -190,3 +190,48 @@ fn a_chain_that_begins_with_points_that_fail_is_resumed_behind_them() {
     assert!(text(&bench, "cut/table.csv") == found, "other bytes");
     assert_eq!(length("cut"), all + begun);
 }
+
+/// A point whose own steps are good has what those before it got wrong in its state.
+#[test]
+fn points_that_go_on_from_unsound_ones_are_not_sound() {
+    let rattler = |time_step: &str| {
+        format!(
+            "title = \"an unbalanced mass beside a stop\"\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e4 N/m\"\n\
+             damping = \"8 N*s/m\"\nunbalance = {{ eccentricity = \"0.1 mm\", speed = \"600 rpm\" }}\n\
+             [[stop]]\nside = \"above\"\ngap = \"0.3 mm\"\nlaw = \"gap-linear-1e6\"\n\
+             [march]\ntime_step = \"{time_step}\"\nduration = \"1 s\"\n"
+        )
+    };
+    let study = "case = \"rattler.toml\"\ncontinue = \"down\"\n[vary]\n\
+                 mass.unbalance.speed = [\"600 rpm\", \"1000 rpm\"]\n";
+    let verdicts = |study: &str, time_step: &str| {
+        let bench = bench_of(study).file("rattler.toml", &rattler(time_step));
+        let outcome = bench.whirl(&["sweep", "study.toml"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let found = text(&bench, "results/study/table.csv");
+        let own = |name: &str| -> Vec<String> {
+            column(&found, name).into_iter().map(str::to_owned).collect()
+        };
+        (own("verdict"), own("remark"))
+    };
+    let (alone, _) = verdicts(&study.replace("continue = \"down\"\n", ""), "8e-4 s");
+    assert_eq!(alone, ["sound", "not sound"], "600 rpm does not reach the stop");
+    let (chained, remarks) = verdicts(study, "8e-4 s");
+    assert_eq!(chained, ["not sound", "not sound"]);
+    assert!(remarks[1].contains("the point before this one"), "{remarks:?}");
+    assert_eq!(verdicts(study, "1e-5 s").0, ["sound", "sound"]);
+}
+
+/// Times of fields are those of the first point, and count from the begin of every other one.
+#[test]
+fn fields_are_written_at_the_times_of_every_point_of_a_chain() {
+    let case = "include = \"overhung-disc.toml\"\n[body.rotor]\nspeed = \"600 rpm\"\n\
+                acceleration = \"0 rpm/s\"\n[fields]\ntimes = [\"5 ms\"]\n\
+                [march]\ntime_step = \"5e-5 s\"\nduration = \"0.01 s\"\n";
+    let study = "case = \"disc.toml\"\ncontinue = \"up\"\n[vary]\n\
+                 body.rotor.unbalance.wheel.mass = \"2 g .. 4 g, 3\"\n";
+    let bench = bench_of(study).file("disc.toml", case);
+    done(&bench.whirl(&["sweep", "study.toml"]));
+    let found = text(&bench, "results/study/table.csv");
+    assert!(!column(&found, "verdict").contains(&"failed"), "{found}");
+}

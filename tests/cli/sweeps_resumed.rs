@@ -198,3 +198,59 @@ fn a_full_disk_keeps_what_fits_and_is_resumed() {
     done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));
     assert!(text(&bench, "cut/table.csv") == text(&bench, "whole/table.csv"));
 }
+
+/// A body that is not reduced has its numbers from files all the same.
+#[test]
+fn a_sweep_whose_rigid_matrices_were_changed_is_not_resumed() {
+    let corner =
+        |number: usize| [number & 1, number >> 1 & 1, number >> 2].map(|at| 2.0 * at as f64);
+    let mut dofs = "node, direction, x [cm], y [cm], z [cm]\n".to_owned();
+    // Springs from each corner to each other one leave the cube free.
+    let mut stiffness = [[0.0; 24]; 24];
+    for near in 0..8 {
+        let [x, y, z] = corner(near);
+        for (place, direction) in ["x", "y", "z"].into_iter().enumerate() {
+            dofs += &format!("{}, {direction}, {}, {}, {z}\n", near + 1, x - 1.0, y - 1.0);
+            for far in (0..8).filter(|far| *far != near) {
+                let along: [f64; 3] = std::array::from_fn(|at| corner(far)[at] - corner(near)[at]);
+                let square: f64 = along.iter().map(|own| own * own).sum();
+                for (other, own) in along.iter().enumerate() {
+                    let value = 1e8 * along[place] * own / square;
+                    stiffness[3 * near + place][3 * near + other] += value;
+                    stiffness[3 * near + place][3 * far + other] -= value;
+                }
+            }
+        }
+    }
+    let rows = stiffness.iter().enumerate();
+    let entries = rows.flat_map(|(i, row)| {
+        row.iter()
+            .take(i + 1)
+            .enumerate()
+            .map(move |(j, own)| format!("{} {} {own:e}\n", i + 1, j + 1))
+    });
+    let head = "%%MatrixMarket matrix coordinate real symmetric\n24 24";
+    let stiffness = format!("{head} 300\n{}", entries.collect::<String>());
+    let mass = |value: f64| {
+        (1..=24).fold(format!("{head} 24\n"), |text, row| text + &format!("{row} {row} {value}\n"))
+    };
+    let case = "title = \"a cube\"\n[body.cube]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nrigid = true\n\
+        matrices = { stiffness = \"K.mtx\", mass = \"M.mtx\", dofs = \"dofs.csv\" }\n\
+        [body.cube.sets.ALL]\npoint = [\"0 cm\", \"0 cm\", \"1 cm\"]\nwithin = \"5 cm\"\n\
+        [joint.mount]\nkind = \"bushing\"\nfirst = { body = \"cube\", sets = [\"ALL\"] }\n\
+        stiffness = { xx = \"1e5 N/m\", yy = \"1e5 N/m\" }\n\
+        tilting_stiffness = { xx = \"10 N*m/rad\", yy = \"10 N*m/rad\" }\n\
+        [loads.push]\nbody = \"cube\"\nsets = [\"ALL\"]\nforce = [\"1 N\", \"0 N\", \"0 N\"]\n\
+        [march]\ntime_step = \"1e-4 s\"\nsteps = 200\n";
+    let study = "case = \"cube.toml\"\n[vary]\nloads.push.start = \"1 ms .. 9 ms, 3\"\n";
+    let bench = bench_of(study)
+        .file("cube.toml", case)
+        .file("dofs.csv", &dofs)
+        .file("K.mtx", &stiffness)
+        .file("M.mtx", &mass(0.1));
+    done(&bench.whirl(&["sweep", "study.toml"]));
+    let bench = bench.file("M.mtx", &mass(0.3));
+    let outcome = bench.whirl(&["sweep", "study.toml", "--resume"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("M.mtx"), "{}", outcome.stderr);
+}

@@ -35,29 +35,42 @@ fn quiet_runs_still_say_that_they_are_not_sound() {
     assert_eq!(verdict(&bench)["sound"], true);
 }
 
-/// What is wrong with a run stays wrong in those that go on from it, however good their own steps are.
+/// What is wrong with a run stays wrong in those that go on from it, however good their own steps are: the state says so by
+/// itself.
 #[test]
 fn what_goes_on_from_an_unsound_run_is_not_sound() {
     let from = |before: &str| format!("{SHORT}\n[start]\nfrom = \"results/{before}\"\n");
-    let bench = Workbench::new()
-        .file("first.toml", SHORT)
-        .file("second.toml", &from("first"))
-        .file("third.toml", &from("second"));
-    let sound = |name: &str| {
+    let bench =
+        Workbench::new().file("second.toml", &from("first")).file("third.toml", &from("second"));
+    let run = |name: &str| {
         let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);
         let verdict = bench.summary(&format!("results/{name}"))["verdict"].clone();
-        let sound = verdict["sound"] == true;
-        let warned = outcome.stderr.contains("is NOT SOUND by its own verdict");
-        let what = verdict["findings"][0]["what"].as_str().unwrap_or_default().to_owned();
-        assert!(sound != warned && what.contains("runs before this one") == warned, "{verdict}");
-        sound
+        (verdict, outcome.stderr.contains("is NOT SOUND by its own verdict"))
     };
-    assert!(sound("first") && sound("second") && sound("third"));
-    let path = bench.path("results/first/summary.json");
-    let summary = fs::read_to_string(&path).expect("a summary");
-    fs::write(&path, summary.replace("\"sound\": true", "\"sound\": false")).expect("a file");
-    assert!(!sound("second") && !sound("third"));
+    let goes_on = |name: &str, expected: bool| {
+        let (verdict, warned) = run(name);
+        let what = verdict["findings"][0]["what"].as_str().unwrap_or_default().to_owned();
+        let inherited = what.contains("runs before this one");
+        assert!(inherited != expected && warned != expected, "{verdict}");
+        assert_eq!(verdict["sound"], expected, "{verdict}");
+    };
+    let first = |time_step: &str| {
+        let text = SHORT.replace("steps = 40", &format!("steps = 40\ntime_step = \"{time_step}\""));
+        fs::write(bench.path("first.toml"), text).expect("a file");
+        run("first").0["sound"] == true
+    };
+    assert!(first("7.4e-5 s"));
+    goes_on("second", true);
+    goes_on("third", true);
+    assert!(!first("6e-4 s"));
+    goes_on("second", false);
+    goes_on("third", false);
+    for name in ["first", "second"] {
+        fs::remove_file(bench.path(&format!("results/{name}/summary.json"))).expect("a file");
+    }
+    goes_on("third", false);
+    goes_on("second", false);
 }
 
 /// √(h/1 mm) has no value beyond the gap.
@@ -116,6 +129,16 @@ fn turning_faster_than_the_steps_show_is_refused_whatever_the_cycle_is() {
     let outcome = bench.whirl(&["check", "case.toml"]);
     assert_eq!(outcome.status, 2, "{}", outcome.stderr);
     assert!(outcome.stderr.contains("a revolution of the unbalance"), "{}", outcome.stderr);
+    // Where the program chooses the steps, rows must show it.
+    let text = case("1e-4 s", 0, "gap-linear-1e6", &unbalance.replace("62831.853", "314.159"))
+        .replace(
+            "time_step = \"1e-4 s\"\nsteps = 0",
+            "time_step = \"auto\"\noutput_step = \"5 ms\"\nduration = \"0.4 s\"",
+        );
+    let bench = bench.file("case.toml", &text);
+    let outcome = bench.whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("has 4 rows of `output_step`"), "{}", outcome.stderr);
 }
 
 /// Runs a case, and gives its verdict.

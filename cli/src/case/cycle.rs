@@ -16,6 +16,8 @@ pub(super) struct Cycle {
     pub(super) called: &'static str,
     /// Whether loads and speeds that are constant repeat after it.
     pub(super) common: bool,
+    /// Whether it is that of a speed at which a couple only aims.
+    pub(super) aimed: bool,
 }
 
 /// How long a case runs.
@@ -47,21 +49,24 @@ pub(super) fn of(system: &SystemDraft, run: Run) -> Option<Cycle> {
     let (mut loads, turns) = (frequencies(system), turns(system, run));
     loads.extend(of_tables_over_time(system));
     let over_angles = over_angles(system, run);
-    let own = |time, called| Some(Cycle { time, called, common: true });
+    let own = |time, called| Some(Cycle { time, called, common: true, aimed: false });
     let least = |all: &[f64]| all.iter().copied().reduce(f64::min);
     let all: Vec<f64> = loads.iter().chain(&over_angles).chain(&turns).copied().collect();
     let Some(slowest) = least(&loads) else {
         let (time, called) = revolutions(system, |body| top_speed(system, body, run))?;
+        let told = revolutions(system, |body| told_speed(system, body, run));
+        let aimed = told.is_none_or(|(told, _)| told > time);
         let fastest = turns.iter().copied().reduce(f64::max);
         // A film may whirl once in two revolutions.
         let whirl = fastest.map_or(0.0, |fastest| 0.5 * fastest);
         let both = common(&all, least(&over_angles).map_or(whirl, |own| own.min(whirl)));
+        let own = |time, called| Some(Cycle { time, called, common: true, aimed });
         return match both {
             _ if turns.is_empty() => own(time, called),
             Some(time) if turns.len() == 1 && time <= (1.0 + MISSED) / whirl => own(time, called),
             Some(time) if over_angles.is_empty() => own(time, "a common period of all rotations"),
             Some(time) => own(time, "a common period of rotation and loads"),
-            None => Some(Cycle { time, called, common: false }),
+            None => Some(Cycle { time, called, common: false, aimed }),
         };
     };
     let alone = (1.0 / slowest, "a period of the loads");
@@ -69,7 +74,7 @@ pub(super) fn of(system: &SystemDraft, run: Run) -> Option<Cycle> {
         Some(time) if time <= alone.0 * (1.0 + MISSED) => own(alone.0, alone.1),
         Some(time) if turns.is_empty() => own(time, "a common period of the loads"),
         Some(time) => own(time, "a common period of rotation and loads"),
-        None => Some(Cycle { time: alone.0, called: alone.1, common: false }),
+        None => Some(Cycle { time: alone.0, called: alone.1, common: false, aimed: false }),
     }
 }
 

@@ -43,6 +43,11 @@ impl Fields {
         self.times_beyond(run).map_or(Ok(()), |error| Err(error.into()))
     }
 
+    /// Counts times from `by` s later.
+    pub(crate) fn shift(&mut self, by: f64) {
+        self.times.iter_mut().for_each(|time| *time += by);
+    }
+
     /// Times that a run from one time to another (s) does not reach.
     pub(crate) fn times_beyond(&self, [begun, end]: [f64; 2]) -> Option<Diagnostic> {
         let rounding = 1e-9 * end.abs();

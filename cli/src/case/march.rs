@@ -91,7 +91,8 @@ fn read_march(march: &Table, system: &SystemDraft, goes_on: bool) -> MarchSettin
     let frequency = march.quantity("cycle_frequency");
     let run = Run { duration: time_step * steps as f64, goes_on };
     // That of a speed at which a couple only aims may be none that steps show; of others that is refused.
-    let natural = cycle::of(system, run).filter(|own| own.time >= LEAST_STEPS * time_step);
+    let natural =
+        cycle::of(system, run).filter(|own| !own.aimed || own.time >= LEAST_STEPS * time_step);
     let cycle = match frequency {
         Some(frequency) => Some((1.0 / frequency, "cycle_frequency", "a cycle")),
         None => natural.map(|own| (own.time, key, own.called)),

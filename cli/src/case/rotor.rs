@@ -86,16 +86,30 @@ impl Drive {
     }
 }
 
+impl Rotor {
+    /// The largest speed that the case gives the shaft in a run (rad/s).
+    pub(crate) fn top_speed(&self, run: Run) -> f64 {
+        top_speed(Some(&self.drive), told_speed(self.start_speed, run))
+    }
+}
+
+fn top_speed(drive: Option<&Drive>, told: f64) -> f64 {
+    drive.filter(|drive| drive.acts).map_or(told, |drive| drive.top_speed().max(told))
+}
+
+fn told_speed(start: Option<f64>, run: Run) -> f64 {
+    start.filter(|_| !run.goes_on).unwrap_or(0.0).abs()
+}
+
 impl RotorDraft {
     /// The largest speed that the case gives the shaft in a run (rad/s).
     pub(super) fn top_speed(&self, run: Run) -> f64 {
-        let aims = self.drive.iter().filter(|drive| drive.acts).map(Drive::top_speed);
-        aims.fold(self.told_speed(run), f64::max)
+        top_speed(self.drive.as_ref(), self.told_speed(run))
     }
 
     /// The same without the speeds at which its drive aims, which it may never reach.
     pub(super) fn told_speed(&self, run: Run) -> f64 {
-        self.start_speed.filter(|_| !run.goes_on).unwrap_or(0.0).abs()
+        told_speed(self.start_speed, run)
     }
 
     /// The speed that the shaft has in the end, where the case gives one (rad/s).

@@ -283,7 +283,7 @@ impl Summary {
         (outcome, history): (&Outcome, &dyn ReadHistory),
         (steps, converged): (usize, bool),
         time: Times,
-        (error, from): (Option<String>, Option<&str>),
+        (verdict, error): (VerdictFacts, Option<String>),
     ) -> io::Result<Summary> {
         let (cycle, supports) = (case.march.cycle, case.supports());
         let named = matches!(case.system, System::Joined(_));
@@ -294,12 +294,7 @@ impl Summary {
             kernels: kernels(built),
             counts: counts(built, named),
             fixed_interface_hz: built.bodies.as_ref().map(frequencies),
-            verdict: VerdictFacts::new(
-                (&built.machine, &supports),
-                outcome,
-                (case.march.time_step, case.march.automatic),
-                ((!converged).then_some([steps, case.march.steps]), from),
-            ),
+            verdict,
             march: MarchFacts {
                 converged,
                 complete: steps == case.march.steps

@@ -43,7 +43,7 @@ struct Measures {
 
 impl VerdictFacts {
     /// Of a march of steps of so many s, or of parts of them that it chose; `diverged`: the steps that were done and those asked for, where the
-    /// march ended in one that does not converge; `from`: the folder of the run from whose end it went on, if that is not sound;
+    /// march ended in one that does not converge; `from`: what it went on from, if that is not sound;
     /// `places` names the supports or stops.
     pub(crate) fn new(
         (machine, places): (&Machine, &[SupportName]),
@@ -122,15 +122,15 @@ impl FindingFacts {
         }
     }
 
-    /// What the run in `folder` got wrong stands in the state in which it ended.
-    fn inherited(folder: &str) -> Self {
+    /// What the run `before` got wrong stands in the state in which it ended.
+    fn inherited(before: &str) -> Self {
         FindingFacts {
-            what: format!("runs before this one that are not sound (in {folder})"),
+            what: format!("runs before this one that are not sound ({before})"),
             value: 1.0,
             limit: 0.0,
             unit: "runs".to_owned(),
             remedy: format!(
-                "mend the run in {folder} by what its own verdict says, and start from its new end"
+                "mend {before} by what its own verdict says, and start from its new end"
             ),
         }
     }

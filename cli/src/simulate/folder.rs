@@ -133,9 +133,9 @@ impl Store for FolderStore<'_> {
         Ok(checkpoint_error.map(|reason| format!("cannot write `{path}`: {reason}")))
     }
 
-    fn keep_last(&mut self, state: LastState) -> Option<String> {
+    fn keep_last(&mut self, state: LastState, sound: bool) -> Option<String> {
         let path = self.results.path(STATE);
-        let written = start::write(&path, &state);
+        let written = start::write(&path, &state, sound);
         written.err().map(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 

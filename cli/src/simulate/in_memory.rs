@@ -172,8 +172,8 @@ impl Store for TableStore {
         Ok(None)
     }
 
-    fn keep_last(&mut self, state: LastState) -> Option<String> {
-        let packed = start::packed(&state);
+    fn keep_last(&mut self, state: LastState, sound: bool) -> Option<String> {
+        let packed = start::packed(&state, sound);
         let failed =
             packed.as_ref().err().map(|error| format!("cannot keep the last state: {error}"));
         self.last = packed.ok();

@@ -12,6 +12,7 @@ use crate::checkpoint::Point;
 use crate::errors::Failure;
 use crate::history::{NotWritten, ReadHistory};
 use crate::machine::Built;
+use crate::report::VerdictFacts;
 use crate::start;
 
 /// Where rows go.
@@ -43,8 +44,8 @@ pub(crate) trait Store {
     /// Not all rows could be kept.
     fn finish(&mut self) -> Result<Option<String>, NotWritten>;
 
-    /// Keeps the state after the last step; why it cannot.
-    fn keep_last(&mut self, state: LastState) -> Option<String>;
+    /// Keeps the state after the last step of a run that is sound or not; why it cannot.
+    fn keep_last(&mut self, state: LastState, sound: bool) -> Option<String>;
 
     /// All rows, once the store has finished.
     ///
@@ -88,6 +89,7 @@ impl End {
 /// A march up to its end.
 pub(crate) struct Marched {
     pub(crate) outcome: Outcome,
+    pub(crate) verdict: VerdictFacts,
     /// Steps done, and the time that they take (s).
     pub(crate) step: usize,
     pub(crate) time: f64,
@@ -110,6 +112,8 @@ pub(super) fn march(
     watch: &dyn Watch,
 ) -> Result<Marched, Failure> {
     let options = start::options(case, built);
+    // What it went on from is that of its start, whatever becomes of that meanwhile.
+    let before = start::unsound(&case.start);
     let passed = from.as_ref().map_or(0.0, |point| point.wall);
     let mut march = match from {
         Some(point) => March::resume(&built.machine, &options, point.march)?,
@@ -150,12 +154,20 @@ pub(super) fn march(
         store.keep(march.checkpoint(), wall);
     }
     let state = matches!(end, End::Done).then(|| march.last_state());
+    let outcome = march.outcome();
+    let diverged = matches!(end, End::Diverged(_)).then_some([step, case.march.steps]);
+    let verdict = VerdictFacts::new(
+        (&built.machine, &case.supports()),
+        &outcome,
+        (case.march.time_step, case.march.automatic),
+        (diverged, before.as_deref()),
+    );
     let (end, warning) = match (store.finish(), end) {
         (Err(NotWritten(reason)), End::Done | End::Interrupted) => {
             (End::NotWritten(store.failing(), reason), None)
         }
         (finished, end) => (end, finished.ok().flatten()),
     };
-    let warning = warning.or_else(|| store.keep_last(state?));
-    Ok(Marched { outcome: march.outcome(), step, time, end, wall, warning })
+    let warning = warning.or_else(|| store.keep_last(state?, verdict.sound));
+    Ok(Marched { outcome, verdict, step, time, end, wall, warning })
 }

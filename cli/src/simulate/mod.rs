@@ -55,8 +55,8 @@ pub(crate) fn simulate<'a>(
     let made = store.history().and_then(|history| {
         let converged = !matches!(marched.end, End::Diverged(_));
         let run = ((&marched.outcome, history), (marched.step, converged));
-        let from = start::unsound(&case.start);
-        let mut summary = Summary::new((case, built), run.0, run.1, time, (reason.clone(), from))?;
+        let ended = (marched.verdict.clone(), reason.clone());
+        let mut summary = Summary::new((case, built), run.0, run.1, time, ended)?;
         let read = motions.as_ref().and_then(|read| read.as_ref().ok());
         summary.stresses = read.map(Motions::largest).unwrap_or_default();
         Ok(summary)

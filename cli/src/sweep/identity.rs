@@ -61,16 +61,18 @@ impl Inputs {
 
 /// Files of which a case is made beside its texts.
 fn files(case: &Case) -> Vec<PathBuf> {
-    fn mesh<D>(body: &case::Body<D>) -> Option<PathBuf> {
+    fn mesh<D>(body: &case::Body<D>) -> Vec<PathBuf> {
         match &body.mesh {
-            case::Mesh::File(file) => Some(file.path.clone()),
-            _ => None,
+            case::Mesh::File(file) => vec![file.path.clone()],
+            case::Mesh::Matrices(files) => files.request.paths(),
+            case::Mesh::Generated(_) => Vec::new(),
         }
     }
     let mut all = Vec::new();
     match &case.system {
         System::Rotor(rotor) => {
-            all.extend([mesh(&rotor.shaft.body), mesh(&rotor.support.body)].into_iter().flatten());
+            all.extend(mesh(&rotor.shaft.body));
+            all.extend(mesh(&rotor.support.body));
         }
         System::Joined(joined) => {
             for body in &joined.bodies {

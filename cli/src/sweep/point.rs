@@ -7,9 +7,9 @@ use super::points::Point;
 use super::row::Row;
 use super::trace::Trace;
 use super::{Keep, Sweep, figures};
-use crate::case::Start;
 use crate::errors::Failure;
 use crate::simulate::{Watch, summed_up};
+use crate::start;
 
 /// A point that is done.
 pub(super) struct Done {
@@ -42,7 +42,7 @@ pub(super) fn run(
     let mut warnings = Vec::new();
     let ran = sweep.case(point, &mut warnings).and_then(|mut case| {
         if let Some(state) = from {
-            case.start = Start::After(state.into());
+            start::go_on(&mut case, state);
         }
         let built = crate::build(&case, Some(cache), &mut warnings)?;
         let (run, facts) = summed_up(&case, &built, watch)?;

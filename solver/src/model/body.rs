@@ -122,10 +122,12 @@ pub struct Reduction {
 }
 
 impl BodyModel<'_> {
-    /// The key under which its reduction is kept; none if there is nothing to reduce.
+    /// The key under which a reduction of its mesh is kept; none without a mesh.
     pub(super) fn key(&self) -> Option<Key> {
         match &self.form {
-            Form::Flexible(own) => Some(Reduced::key(self.kind(), own.mesh, own.spec)),
+            Form::Flexible(own) | Form::RigidMesh(own, _) => {
+                Some(Reduced::key(self.kind(), own.mesh, own.spec))
+            }
             _ => None,
         }
     }

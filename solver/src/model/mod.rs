@@ -154,7 +154,8 @@ impl Model<'_> {
         whole.zip(&self.bodies).map(alone).collect()
     }
 
-    /// The keys under which the bodies that are reduced are kept.
+    /// Hashes of the bodies that have meshes or matrices, with all that these include: of what is reduced, the keys under which it
+    /// is kept.
     pub fn keys(&self) -> Vec<Key> {
         self.bodies.iter().filter_map(BodyModel::key).collect()
     }

@@ -66,6 +66,29 @@ pub struct Request {
     pub units: MeshUnits,
 }
 
+impl Request {
+    /// All files that it names.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        let (mut paths, others) = match &self.files {
+            Files::Market { stiffness, mass, dofs } => {
+                (vec![stiffness.clone(), mass.clone(), dofs.clone()], true)
+            }
+            // Others are names of cards in it.
+            Files::Dmig { file, nodes, .. } => (vec![file.clone(), nodes.clone()], false),
+            Files::Calculix { job, nodes } => {
+                let [dofs, stiffness, mass] = of_job(job);
+                (vec![dofs, stiffness, mass, nodes.clone()], true)
+            }
+        };
+        if others {
+            let Request { spin_inertia, spin_coupling, spin_load, stiffening, .. } = self;
+            let more = [spin_inertia, spin_coupling, spin_load, stiffening].into_iter().flatten();
+            paths.extend(more.map(|own| self.folder.join(own)));
+        }
+        paths
+    }
+}
+
 /// A body of matrices with what is to be said of it.
 #[derive(Debug, Clone)]
 pub struct ReadMatrices {
@@ -99,6 +122,15 @@ impl Request {
             Files::Calculix { job, .. } => job,
         }
     }
+}
+
+/// The files of the dofs, of K and of M that a job of CalculiX leaves.
+fn of_job(job: &Path) -> [PathBuf; 3] {
+    [".dof", ".sti", ".mas"].map(|end| {
+        let mut path = job.as_os_str().to_owned();
+        path.push(end);
+        PathBuf::from(path)
+    })
 }
 
 struct Reader<'a> {
@@ -176,12 +208,8 @@ impl Reader<'_> {
     }
 
     fn of_calculix(&mut self, request: &Request, job: &Path, nodes: &Path) -> Option<RawMatrices> {
-        let beside = |end: &str| {
-            let mut path = job.as_os_str().to_owned();
-            path.push(end);
-            PathBuf::from(path)
-        };
-        let (text, file) = self.text(&beside(".dof"));
+        let [dofs, stiffness, mass] = of_job(job);
+        let (text, file) = self.text(&dofs);
         if self.failed() {
             return None;
         }
@@ -191,9 +219,9 @@ impl Reader<'_> {
             return None;
         }
         let size = list.len();
-        let [k, m] = [("K", ".sti"), ("M", ".mas")].map(|(name, end)| {
+        let [k, m] = [("K", &stiffness), ("M", &mass)].map(|(name, path)| {
             let before = self.report.error_count();
-            let (text, file) = self.text(&beside(end));
+            let (text, file) = self.text(path);
             let right = self.report.error_count() == before;
             right.then(|| calculix::matrix(&text, (name, file), size, &mut self.report))
         });
@@ -205,7 +233,7 @@ impl Reader<'_> {
             mass: m?,
             others,
             units: request.units,
-            origin: shown(&beside(".sti")),
+            origin: shown(&stiffness),
             placed_by: shown(nodes),
         })
     }
