@@ -124,20 +124,19 @@ fn a_balanced_motor_is_solved_in_whole_steps() {
     }
 }
 
-/// Two shafts turn with one speed in a coupling that holds nothing, one of them widened by its spin: what is left of the
-/// angle between them is rounding of both angles, and no couple can come closer to balance than that. Steps of every length.
-#[test]
-fn an_idle_coupling_is_solved_to_the_rounding_of_its_angles() {
+/// Two shafts that turn with one speed in a coupling that holds nothing, one of them widened by its spin: what is left of the
+/// angle between them is rounding of both angles, and no couple can come closer to balance than that.
+fn idly_coupled(held: &str) -> String {
     let body = |name: &str, own: &str| {
         format!("[body.{name}]\nturns = \"free\"\ninitial_speed = \"1000 rpm\"\n{own}")
     };
     let bushing = |name: &str, first: &str| {
         format!(
             "[joint.{name}]\nkind = \"bushing\"\nfirst = {first}\n\
-             damping = {{ xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }}\n"
+             {held}damping = {{ xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }}\n"
         )
     };
-    let machine = [
+    [
         "title = \"an idle coupling\"\n[material.steel]\nyoungs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\n\
          density = \"7860 kg/m^3\"\n"
             .to_owned(),
@@ -155,7 +154,13 @@ fn an_idle_coupling_is_solved_to_the_rounding_of_its_angles() {
         bushing("b2", "{ body = \"a\", sets = \"JOURNAL3_MIDDLE\" }"),
         bushing("b3", "{ body = \"w\" }"),
     ]
-    .concat();
+    .concat()
+}
+
+/// Steps of every length.
+#[test]
+fn an_idle_coupling_is_solved_to_the_rounding_of_its_angles() {
+    let machine = idly_coupled("");
     for step in [
         "time_step = \"auto\"\noutput_step = \"1e-4 s\"",
         "time_step = \"1e-6 s\"",
@@ -165,4 +170,24 @@ fn an_idle_coupling_is_solved_to_the_rounding_of_its_angles() {
         let summary = run(&text, "");
         assert_eq!(summary["march"]["halved_steps"], 0, "{step}: {}", summary["march"]);
     }
+}
+
+/// The equilibrium from which steps start is found to no more than that; a body that only dampers hold has none.
+#[test]
+fn an_idle_coupling_starts_in_equilibrium_to_the_rounding_of_its_angles() {
+    const START: &str = "[start]\nkind = \"equilibrium\"\n[march]\nduration = \"2e-3 s\"\n";
+    let held = "stiffness = { xx = \"1e7 N/m\", yy = \"1e7 N/m\" }\n";
+    for step in ["time_step = \"auto\"\noutput_step = \"1e-4 s\"\n", "time_step = \"2e-6 s\"\n"] {
+        let summary = run(&format!("{}{START}{step}", idly_coupled(held)), "");
+        assert_eq!(summary["march"]["halved_steps"], 0, "{step}: {}", summary["march"]);
+    }
+    let text = format!("{}{START}time_step = \"2e-6 s\"\n", idly_coupled(""));
+    let bench = Workbench::new().file("case.toml", &text);
+    let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--no-figures"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(
+        outcome.stderr.contains("is not determined: nothing holds the w"),
+        "{}",
+        outcome.stderr
+    );
 }

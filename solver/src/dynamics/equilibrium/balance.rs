@@ -22,7 +22,7 @@ const OF_TERM: f64 = 1e-6;
 const OF_FORCE: f64 = 1e-9;
 /// Forces that are not asked for better than to a share of [`OF_FORCE`], where there are none larger (N).
 const LEAST_FORCE: f64 = 1.0;
-/// Multiples of eps · Σ |terms| that rounding may leave.
+/// Multiples of eps · Σ |terms| that rounding may leave, where terms are also those of the measures of springs.
 const ROUNDING: f64 = 32.0;
 
 /// The machine at t = 0 with the unknowns of its equilibrium.
@@ -212,6 +212,9 @@ impl<'m> Balance<'m> {
         }
         let springs = system.springs.forces.iter().fold(LEAST_FORCE, |most, f| most.max(f.abs()));
         let products = self.products();
+        let system = &mut self.system;
+        let rates = [&self.state.q[..], &self.state.v[..]];
+        system.spring_rounding.take(&machine.springs, &system.springs, rates);
         let system = &self.system;
         for (row, place) in self.places.clone().into_iter().enumerate() {
             let terms = [
@@ -234,9 +237,13 @@ impl<'m> Balance<'m> {
             self.force[row] = terms.iter().sum();
             let size = |f: fn(f64, f64) -> f64| terms.iter().map(|x| x.abs()).fold(0.0, f);
             let projected = springs * machine.springs.reach[place];
+            // Of a law without slopes nothing is known.
+            let measured = Some(system.spring_rounding.forces[place]).filter(|own| own.is_finite());
             self.bound[row] = OF_TERM * size(f64::max)
                 + OF_FORCE * projected
-                + ROUNDING * f64::EPSILON * (size(|a, b| a + b) + projected + products[row]);
+                + ROUNDING
+                    * f64::EPSILON
+                    * (size(|a, b| a + b) + projected + products[row] + measured.unwrap_or(0.0));
         }
     }
 

@@ -9,7 +9,7 @@
 use crate::dynamics::newmark::State;
 use crate::machine::Machine;
 
-use super::turning::idle_speed;
+use super::turning::{idle_speed, largest};
 
 /// An unknown of the rotations.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,7 +118,7 @@ impl Rotations {
         let mut open = Vec::new();
         for places in unknown {
             let idle = places.iter().filter_map(|&theta| idle_speed(machine, theta));
-            match idle.reduce(|most, own| if own.abs() > most.abs() { own } else { most }) {
+            match largest(idle) {
                 Some(speed) => places.iter().for_each(|&theta| state.v[theta] = speed),
                 None => open.push(places),
             }

@@ -4,10 +4,11 @@ use whirl_specs::{CLEARANCES, LAWS, MOTIONS};
 
 use super::balance::Balance;
 use super::equilibrium;
-use super::turning::TurningStart;
+use super::turning::{TurningStart, idle_speed};
 use crate::bearing::{Bearing, Sides};
 use crate::body::BodyNode;
 use crate::centre_of_mass::CentreOfMass;
+use crate::curve::Curve;
 use crate::error::Error;
 use crate::linalg::Matrix;
 use crate::loads::{Frame, Load, TimeFunction};
@@ -214,4 +215,19 @@ fn what_nothing_holds_is_an_error() {
         }
         other => panic!("{other:?}"),
     }
+}
+
+/// Two motors on one shaft, the stronger of which turns it backwards.
+#[test]
+fn of_two_idle_speeds_the_larger_in_size_counts() {
+    let mut machine = in_clearance(0.0);
+    let size = machine.places()[0].flexible.len();
+    for idle in [-3000.0, 100.0] {
+        let rows = [[idle - 10.0, 1.0], [idle + 10.0, -1.0]];
+        let curve = Curve::linear(&rows, false).expect("a curve").into();
+        let (turn, couple) = (Matrix::zeros(3, size), [0.0, 0.0, 5.0]);
+        let motor = TimeFunction::OverSpeed(curve);
+        machine.loads.push(Load::couple(0, turn, couple, motor, Frame::Space));
+    }
+    assert_eq!(idle_speed(&machine, machine.places()[0].rotation.expect("turns")), Some(-3000.0));
 }

@@ -170,5 +170,10 @@ pub(super) fn idle_speed(machine: &Machine, theta: usize) -> Option<f64> {
         TimeFunction::OverSpeed(curve) => curve.last_fall().or_else(|| curve.driven_end()),
         _ => None,
     });
-    idle.reduce(f64::max)
+    largest(idle)
+}
+
+/// The largest in size.
+pub(super) fn largest(all: impl Iterator<Item = f64>) -> Option<f64> {
+    all.reduce(|most, own| if own.abs() > most.abs() { own } else { most })
 }
