@@ -62,3 +62,38 @@ fn reactions_of_a_settled_machine_carry_its_weight() {
     // Nothing brakes it but the lag of a whirl that has settled: no couple is left.
     assert!(history.last("M_rotor_Nm").abs() < 1e-3);
 }
+
+/// A wheel with a mass beside its axis is a pendulum: its weight is all that turns it. From 120° above its lowest place it gets
+/// to ω = √(2 m g r (1 + sin 30°)/J) there, and as far up on the other side.
+#[test]
+fn a_mass_off_the_axis_swings_by_its_weight() {
+    let case = "title = \"a pendulum\"\ngravity = [\"0 m/s^2\", \"-9.81 m/s^2\", \"0 m/s^2\"]\n\
+        [body.wheel]\nturns = \"free\"\nmass = \"1 kg\"\npolar_inertia = \"1e-3 kg*m^2\"\n\
+        added.bob = { mass = \"1 kg\", radius = \"100 mm\", angle = \"30 deg\" }\n\
+        [joint.pivot]\nkind = \"bushing\"\nfirst = { body = \"wheel\" }\n\
+        stiffness = { xx = \"1e7 N/m\", yy = \"1e7 N/m\" }\ndamping = { xx = \"5e3 N*s/m\", yy = \"5e3 N*s/m\" }\n\
+        [march]\ntime_step = \"1e-4 s\"\nduration = \"2 s\"\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert_eq!(bench.summary("out")["verdict"]["sound"], true);
+    let history = bench.history("out");
+    let largest = |name: &str| {
+        let values = history.column(name).iter();
+        values.fold(0.0, |most: f64, own| most.max(own.abs()))
+    };
+    let speed = (2.0 * 9.81 * 0.1 * 1.5 / 11e-3_f64).sqrt();
+    // The pivot gives by weight and swing (5 µm of 100 mm), and takes a little of the energy.
+    assert!((largest("omega_rad_s") / speed - 1.0).abs() < 1e-3, "{}", largest("omega_rad_s"));
+    let other_side = 240_f64.to_radians();
+    assert!((largest("theta_rad") / other_side - 1.0).abs() < 1e-3, "{}", largest("theta_rad"));
+    // Without its weight nothing turns it.
+    let bench = bench.file("case.toml", &case.replace("\"-9.81 m/s^2\"", "\"0 m/s^2\""));
+    let outcome = bench.whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(
+        outcome.stderr.contains("nothing acts on the rotation of `wheel`"),
+        "{}",
+        outcome.stderr
+    );
+}

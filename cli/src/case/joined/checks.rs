@@ -6,7 +6,10 @@ use whirl_solver::bearing::MotionKind;
 use whirl_specs::Motion;
 
 use super::fit;
-use super::{Drive, Form, JoinedMachine, Joint, JointKind, NamedBody, Side, Turning};
+use super::{
+    Attached, Carried, Drive, Form, Gravity, JoinedMachine, Joint, JointKind, NamedBody, Side,
+    Turning,
+};
 use crate::case::machine;
 
 /// The motion of all bodies, which is one.
@@ -238,7 +241,8 @@ impl Checks<'_, '_> {
         let Some(Turning::Free { initial_speed }) = body.turning else { return };
         let mut loads = self.machine.loads.iter().filter(|load| load.body == place);
         let driven = self.machine.drives.iter().any(|drive| drive.body == place)
-            || loads.any(|own| own.load.turns());
+            || loads.any(|own| own.load.turns())
+            || self.is_weighed(body);
         let turned = self.goes_on || initial_speed.is_some_and(|speed| speed != 0.0);
         if !turned && !driven && !joints.iter().any(|joint| turns(joint)) {
             let message = format!("nothing acts on the rotation of `{name}`");
@@ -246,6 +250,17 @@ impl Checks<'_, '_> {
                         `turns = \"no\"`";
             self.note(&body.name.clone(), message, help);
         }
+    }
+
+    /// Whether its weight may turn a body: its centre of mass may be beside its axis.
+    fn is_weighed(&self, body: &NamedBody) -> bool {
+        let across = |gravity: &Gravity| gravity.acceleration[..2].iter().any(|own| *own != 0.0);
+        let beside = |own: &Attached| match own.what {
+            Carried::Mass { mass, place } => mass > 0.0 && place != [0.0; 2],
+            Carried::Unbalance(moment) => moment != [0.0; 2],
+            Carried::Disc { .. } => false,
+        };
+        self.machine.gravity.as_ref().is_some_and(across) && body.attached.iter().any(beside)
     }
 
     /// Notes a body that nothing holds along z.
