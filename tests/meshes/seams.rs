@@ -166,6 +166,32 @@ fn nodes_at_one_place_merge_into_the_first_of_them() {
     );
 }
 
+/// Nodes of one cell, 1.5 mm apart, and those of another one between them.
+#[test]
+fn nodes_of_a_cell_are_not_merged_by_way_of_others() {
+    let cell = |first: usize, x: [f64; 2], z: [f64; 2]| -> String {
+        let corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
+        let all = z.iter().flat_map(|z| corners.iter().map(move |own| (own, z)));
+        let line = |(place, (own, z)): (usize, (&[usize; 2], &f64))| {
+            format!("{}, {:?}, {:?}, {z:?}\n", first + place, x[own[0]], 0.1 * own[1] as f64)
+        };
+        all.enumerate().map(line).collect()
+    };
+    let text = format!(
+        "*NODE\n{}{}*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1, 2, 3, 4, 5, 6, 7, 8\n2, 9, 10, 11, 12, 13, 14, 15, 16\n\
+         *MATERIAL, NAME=S\n*ELASTIC\n200e9, 0.3\n*DENSITY\n7860.\n*SOLID SECTION, ELSET=E, MATERIAL=S\n",
+        cell(1, [0.0, 0.0015], [0.0, 0.1]),
+        cell(9, [0.00075, 0.1], [0.1, 0.2])
+    );
+    let errors = read_with(&text, Some(1e-3), MeshUnits::default()).unwrap_err();
+    assert_eq!(errors.0.len(), 1, "{errors:?}");
+    let words = "would flatten cell 1: two of its nodes are 0.0015 m apart, and nodes that lie between them join them";
+    assert!(errors.0[0].what.contains(words), "{errors:?}");
+    assert!(!errors.0[0].help.is_empty());
+    // A step to the nodes between them is longer.
+    assert!(read_with(&text, Some(0.7e-3), MeshUnits::default()).is_ok());
+}
+
 #[test]
 fn nodes_that_hang_on_faces_are_counted_and_named() {
     for across in [2, 4] {

@@ -14,15 +14,9 @@ impl RawMesh {
             // An error of its own.
             return;
         }
-        if let Some((cell, shortest)) = self.shortest_edge().filter(|(_, edge)| *edge <= within) {
-            let what = format!(
-                "`merge` joins nodes that are up to {} m apart, which would flatten cell {}: two of its nodes are {} m apart",
-                metres(within),
-                self.cells.named.labels[cell],
-                metres(shortest)
-            );
-            let help = "make it smaller than the shortest edge of the mesh";
-            report.error(self.cells.named.places[cell], what, help);
+        // What is larger than an edge would join a great many.
+        let near = |a: usize, b: usize| distance(positions[a], positions[b]) <= within;
+        if self.refuse_flattened(within, near, report) {
             return;
         }
         let all: Vec<usize> = (0..positions.len()).collect();
@@ -38,6 +32,10 @@ impl RawMesh {
             });
         }
         let first: Vec<usize> = all.iter().map(|&node| root(&mut first, node)).collect();
+        // Others may lie between two nodes of a cell that are farther apart.
+        if self.refuse_flattened(within, |a, b| first[a] == first[b], report) {
+            return;
+        }
         let merged = all.iter().filter(|&&node| first[node] != node).count();
         if merged == 0 {
             let what = format!("`merge`: no nodes are within {} m of each other", metres(within));
@@ -59,17 +57,42 @@ impl RawMesh {
         self.keep_nodes(|node| first[node] == node);
     }
 
-    /// The cell with the shortest distance between two of its nodes, and that distance (m).
-    fn shortest_edge(&self) -> Option<(usize, f64)> {
+    /// Notes the cell of which two nodes `join`, of several the one with the shortest distance between them; whether there
+    /// is one.
+    fn refuse_flattened(
+        &self,
+        within: f64,
+        join: impl Fn(usize, usize) -> bool,
+        report: &mut MeshReport,
+    ) -> bool {
         let positions = &self.nodes.positions;
         let of_cell = |nodes: &[usize]| {
             let pairs =
                 nodes.iter().enumerate().flat_map(|(k, a)| nodes[..k].iter().map(move |b| (a, b)));
-            pairs.map(|(&a, &b)| distance(positions[a], positions[b])).fold(f64::INFINITY, f64::min)
+            pairs
+                .filter(|&(&a, &b)| join(a, b))
+                .map(|(&a, &b)| distance(positions[a], positions[b]))
+                .min_by(f64::total_cmp)
         };
-        let all =
-            self.cells.list.iter().enumerate().map(|(place, cell)| (place, of_cell(&cell.nodes)));
-        all.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, edge)| edge.is_finite())
+        let cells = self.cells.list.iter().enumerate();
+        let found = cells.filter_map(|(place, cell)| Some((place, of_cell(&cell.nodes)?)));
+        let Some((cell, shortest)) = found.min_by(|a, b| a.1.total_cmp(&b.1)) else { return false };
+        let (between, help) = match shortest <= within {
+            true => ("", "make it smaller than the shortest edge of the mesh"),
+            false => (
+                ", and nodes that lie between them join them",
+                "make it smaller than the distances to the nodes between them",
+            ),
+        };
+        let what = format!(
+            "`merge` joins nodes that are up to {} m apart, which would flatten cell {}: two of its nodes are {} m \
+             apart{between}",
+            metres(within),
+            self.cells.named.labels[cell],
+            metres(shortest)
+        );
+        report.error(self.cells.named.places[cell], what, help);
+        true
     }
 }
 
