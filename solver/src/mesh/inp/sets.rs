@@ -1,5 +1,7 @@
 //! Sets of nodes and of cells, from their cards.
 
+use std::collections::HashMap;
+
 use super::super::raw::{Cells, Labelled, MeshReport, NodeTable, count, did_you_mean};
 use super::cards::{Card, Token};
 use super::others::OtherElements;
@@ -177,16 +179,20 @@ fn generate(
         report.error(*first, what, "let last − first be a multiple of the step");
         return;
     }
-    // A range may be far wider than the mesh: look at the labels, not at every number.
+    let wanted = usize::try_from((to - from) / step + 1).unwrap_or(usize::MAX);
     let fits = |label: u64| label >= from && label <= to && (label - from).is_multiple_of(step);
-    let within = |index: &std::collections::HashMap<u64, usize>| {
+    // A range may be far wider than the mesh, and a mesh far larger than a range: what is fewer is gone through.
+    let within = |index: &HashMap<u64, usize>| -> Vec<(u64, usize)> {
+        if wanted <= index.len() {
+            let labels = (0..wanted as u64).map(|k| from + k * step);
+            return labels.filter_map(|label| Some((label, *index.get(&label)?))).collect();
+        }
         let own = index.iter().filter(|(label, _)| fits(**label));
         let mut found: Vec<(u64, usize)> = own.map(|(&label, &index)| (label, index)).collect();
         found.sort_unstable();
         found
     };
     let (own, left) = (within(&named.index), within(&others.index));
-    let wanted = usize::try_from((to - from) / step + 1).unwrap_or(usize::MAX);
     members.missing = members.missing.saturating_add(wanted.saturating_sub(own.len() + left.len()));
     members.own.extend(own.into_iter().map(|(_, index)| index));
     members.others.extend(left.into_iter().map(|(_, index)| index));
