@@ -26,6 +26,8 @@ mod systems;
 mod ties;
 mod values;
 
+use std::collections::BTreeSet;
+
 pub(super) use self::dmig::{Dmig, DmigColumn, grid_points, matrices};
 pub use self::files::Load;
 pub use self::masses::AddedMass;
@@ -101,7 +103,9 @@ pub fn read(
     let materials = regions.materials;
     // A property without a material is an error by itself.
     let sections_complete = false;
-    let raw = RawMesh { nodes, cells, materials, sections, sections_complete, ties };
+    // Nodes that no cell has are not among these.
+    let named_by_ties = BTreeSet::new();
+    let raw = RawMesh { nodes, cells, materials, sections, sections_complete, ties, named_by_ties };
     let mut read = raw.finish(&REMEDIES, options, report)?;
     read.masses = interfaces.masses;
     read.masses.iter_mut().for_each(|mass| mass.convert(&options.units));

@@ -105,13 +105,13 @@ pub fn read_with(text: &str, path: &str, options: &ReadOptions) -> Result<ReadMe
     let surfaces = surfaces::read(&cards, &mut nodes, (&cells, &others), &mut report);
     let all_others = &others;
     let joining = ties::Joining::new((&nodes, &cells), all_others, &surfaces, instance::axes(&all));
-    let ties = ties::read((&all, &cards), &joining, &mut report);
+    let (ties, named_by_ties) = ties::read((&all, &cards), &joining, &mut report);
     others.into_node_sets(&mut nodes, &cells);
     let materials = read_materials(&cards, &mut report);
     let (sections, sections_complete) = assign_sections(&cards, &cells, &materials, &mut report);
     // Sets of elements that are left out have sections, too.
     cells.named.sets.drop_empty();
-    let raw = RawMesh { nodes, cells, materials, sections, sections_complete, ties };
+    let raw = RawMesh { nodes, cells, materials, sections, sections_complete, ties, named_by_ties };
     raw.finish(&REMEDIES, options, report)
 }
 

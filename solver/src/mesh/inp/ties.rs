@@ -119,12 +119,12 @@ impl<'a> Joining<'a> {
     }
 }
 
-/// Reads the ties of all cards.
+/// Reads the ties of all cards, with the labels of the nodes beside the cells that they name.
 pub(super) fn read(
     (all, cards): (&[Card], &[&Card]),
     joining: &Joining,
     report: &mut MeshReport,
-) -> Vec<Tie> {
+) -> (Vec<Tie>, BTreeSet<u64>) {
     let mut raw: Vec<RawTie> = Vec::new();
     let mut in_part = false;
     let mut skipped: BTreeSet<&str> = BTreeSet::new();
@@ -167,6 +167,12 @@ pub(super) fn read(
     }
     turned_nodes(all, joining, &raw, report);
     let broken = report.error_count() > 0;
+    let beside = |(dof, _): &(FileDof, f64)| match *dof {
+        FileDof::Cell(_) => None,
+        FileDof::Other(node, _) => Some(joining.nodes.named.labels[node as usize]),
+    };
+    let rows = raw.iter().flat_map(|tie| &tie.rows);
+    let named = rows.flatten().filter_map(beside).collect();
     let (ties, idle) = eliminate(raw);
     for card in wanted.into_iter().zip(idle).filter_map(|(card, idle)| card.filter(|_| idle)) {
         if !broken && skipped.insert(&card.keyword) {
@@ -174,7 +180,7 @@ pub(super) fn read(
             report.warn(card.place, what, "");
         }
     }
-    ties
+    (ties, named)
 }
 
 /// `*TIE BOND`, or `*EQUATION of line 12`.

@@ -56,7 +56,8 @@ pub(super) fn assemble(
     into_sets(groups, &names, &mut nodes, &mut cells, report);
     let sections = vec![None; cells.list.len()];
     let (materials, ties, sections_complete) = (Vec::new(), Vec::new(), refused.is_empty());
-    RawMesh { nodes, cells, materials, sections, sections_complete, ties }
+    let named_by_ties = BTreeSet::new();
+    RawMesh { nodes, cells, materials, sections, sections_complete, ties, named_by_ties }
 }
 
 /// Volumes in several groups: version 2 has their cells once for every group.

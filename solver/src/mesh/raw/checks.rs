@@ -104,19 +104,24 @@ impl RawMesh {
         }
     }
 
-    /// Leaves out nodes that belong to no cell, with a warning.
+    /// Leaves out nodes that belong to no cell, with a warning of those that nothing else names.
     pub(super) fn drop_unused_nodes(&mut self, report: &mut MeshReport) {
-        let nodes = &mut self.nodes;
+        let nodes = &self.nodes;
         let mut used = vec![false; nodes.positions.len()];
         self.cells.list.iter().flat_map(|cell| &cell.nodes).for_each(|&node| used[node] = true);
         let labels = &nodes.named.labels;
-        let unused: Vec<usize> = (0..labels.len()).filter(|&node| !used[node]).collect();
-        let Some(&first) = unused.first() else { return };
-        let list = list(unused.iter().map(|&node| labels[node]));
-        let what = format!("{} in no cell, left out: {list}", count(unused.len(), "node"));
-        let help = "delete them, or add the cells that they belong to";
-        report.warn(nodes.named.places[first], what, help);
-        self.keep_nodes(|node| used[node]);
+        let unused: Vec<usize> = (0..labels.len())
+            .filter(|&node| !used[node] && !self.named_by_ties.contains(&labels[node]))
+            .collect();
+        if let Some(&first) = unused.first() {
+            let list = list(unused.iter().map(|&node| labels[node]));
+            let what = format!("{} in no cell, left out: {list}", count(unused.len(), "node"));
+            let help = "delete them, or add the cells that they belong to";
+            report.warn(nodes.named.places[first], what, help);
+        }
+        if used.contains(&false) {
+            self.keep_nodes(|node| used[node]);
+        }
     }
 
     /// Leaves out all nodes but these; cells and sets count anew.

@@ -14,7 +14,7 @@ mod rigid;
 mod seams;
 mod ties;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use whirl_specs::Element;
 
@@ -82,6 +82,8 @@ pub(super) struct RawMesh {
     pub(super) sections_complete: bool,
     /// What joins nodes of cells beside the cells.
     pub(super) ties: Vec<Tie>,
+    /// Labels of nodes that cards of ties name, which need no cell.
+    pub(super) named_by_ties: BTreeSet<u64>,
 }
 
 /// What to write into a file of this format.
@@ -145,7 +147,15 @@ impl RawMesh {
 
     /// Blocks by element and material, in the order in which they first appear.
     fn build(self, path: &str) -> Result<Mesh, crate::Error> {
-        let RawMesh { nodes, cells, materials, sections, ties, sections_complete: _ } = self;
+        let RawMesh {
+            nodes,
+            cells,
+            materials,
+            sections,
+            ties,
+            sections_complete: _,
+            named_by_ties: _,
+        } = self;
         let mut blocks: Vec<Block> = Vec::new();
         let mut places = Vec::with_capacity(cells.list.len());
         for ((cell, &label), section) in cells.list.iter().zip(&cells.named.labels).zip(&sections) {
