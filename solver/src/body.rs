@@ -121,16 +121,26 @@ impl BodySpec {
     pub(crate) fn reduce(&self, mesh: &Mesh, body: &Assembled) -> Result<CraigBampton, Error> {
         let rows = self.rows();
         let solid = body.solid(mesh, self.memory);
-        solid.reduce(&self.interface(&rows), self.modes).map_err(|error| match error {
-            ReductionError::Follows { place } => {
+        let reduced = solid.reduce(&self.interface(&rows), self.modes);
+        reduced.map_err(|error| self.named(error, mesh))
+    }
+
+    /// An error of the reduction, with the names of what is retained and the labels of nodes.
+    fn named(&self, error: ReductionError, mesh: &Mesh) -> Error {
+        match error {
+            ReductionError::Follows { place, same } => {
                 let name = &self.retained[place].name;
-                let what = format!(
-                    "{name} follows from what else is retained or held: take one of them out"
-                );
+                let of = match same {
+                    Some(same) => {
+                        format!("is {} by the ties of the mesh", self.retained[same].name)
+                    }
+                    None => "follows from what else is retained or held".to_owned(),
+                };
+                let what = format!("{name} {of}: take one of them out");
                 Error::Mesh { origin: mesh.origin().to_owned(), what }
             }
             error => error.with_labels(mesh).into(),
-        })
+        }
     }
 
     /// The displacement under each of these loads in its own direction, with what is retained and held at zero (m/N, of a
@@ -143,7 +153,7 @@ impl BodySpec {
         let rows = self.rows();
         let solid = body.solid(mesh, self.memory);
         let found = solid.compliances(&self.interface(&rows), loads);
-        found.map_err(|error| error.with_labels(mesh).into())
+        found.map_err(|error| self.named(error, mesh))
     }
 
     /// The retained motions, as rows over dofs.

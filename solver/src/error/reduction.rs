@@ -49,6 +49,8 @@ pub enum ReductionError {
     Follows {
         /// Its place among the retained ones, from 0.
         place: usize,
+        /// The place of the one before that ties make the same.
+        same: Option<usize>,
     },
     /// With the retained dofs held the body can still move without being strained.
     #[error(

@@ -66,7 +66,14 @@ impl Partition {
             match row[..] {
                 [(dof, 1.0)] => match place.get_mut(dof) {
                     Some(slot @ Place::Inner(_)) => *slot = Place::Retained(index),
-                    Some(Place::Held) => return Err(ReductionError::Follows { place: index }),
+                    Some(Place::Held) => {
+                        return Err(ReductionError::Follows { place: index, same: None });
+                    }
+                    // Two dofs that a tie makes one.
+                    Some(Place::Retained(same)) if !dependent.is_empty() => {
+                        let same = Some(*same);
+                        return Err(ReductionError::Follows { place: index, same });
+                    }
                     _ => return Err(out_of_range(dof)),
                 },
                 _ => means.push(index),
@@ -92,7 +99,7 @@ impl Partition {
             let mut reduced = Solved { pivot: 0, terms: row.clone(), scale };
             solved.iter().for_each(|other| reduced.substitute(other));
             if !reduced.solve() {
-                return Err(ReductionError::Follows { place: index });
+                return Err(ReductionError::Follows { place: index, same: None });
             }
             solved.iter_mut().for_each(|other| other.substitute(&reduced));
             solved.push(reduced);

@@ -136,3 +136,37 @@ fn a_motion_that_follows_from_ties_is_named() {
     let refused = own([six, vec![seventh]].concat()).unwrap_err().to_string();
     assert!(refused.contains("SEVENTH z follows from what else is retained or held"), "{refused}");
 }
+
+/// Two dofs that ties make one: the name of either is said.
+#[test]
+fn dofs_that_a_tie_makes_one_are_not_both_retained() {
+    let bricks = halves();
+    let (a, b) = pairs(&bricks)[4];
+    let equation = (1..4).map(|k| format!("2\n{a}, {k}, 1., {b}, {k}, -1.\n"));
+    let equation = format!("*EQUATION\n{}", equation.collect::<String>());
+    let others: String =
+        pairs(&bricks).iter().filter(|own| own.0 != a).fold(String::new(), |text, (a, b)| {
+            (1..4).fold(text, |text, k| text + &format!("2\n{a}, {k}, 1., {b}, {k}, -1.\n"))
+        });
+    let base = bricks.at(0, |at| at[2] < 1e-9);
+    for cards in [
+        format!("{equation}{others}"),
+        format!("*MPC\nTIE, {a}, {b}\n*EQUATION\n{others}"),
+        // One of them is what follows.
+        format!("*MPC\nTIE, {b}, {a}\n*EQUATION\n{others}"),
+    ] {
+        let mesh = clean(&bricks.inp(["", ""], &cards), "bar.inp");
+        let held: Vec<usize> =
+            base.iter().flat_map(|&own| (0..3).map(move |i| 3 * (own - 1) + i)).collect();
+        let retained = [(a, "LEFT x"), (b, "RIGHT x")]
+            .map(|(label, name)| Retained::dof(3 * node(&mesh, label), name));
+        let both = spec(retained.to_vec(), held.clone());
+        let refused = Reduced::new(BodyKind::Support, &mesh, &both).unwrap_err().to_string();
+        let words = "RIGHT x is LEFT x by the ties of the mesh: take one of them out";
+        assert!(refused.contains(words), "{refused}");
+        for own in retained {
+            let one = spec(vec![own], held.clone());
+            assert!(Reduced::new(BodyKind::Support, &mesh, &one).is_ok());
+        }
+    }
+}
