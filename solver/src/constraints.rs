@@ -226,19 +226,22 @@ pub fn free_motions(
     free_motions_of((positions, &[]), k, constraints)
 }
 
-/// The same of a mesh, or of a body of matrices, whose dofs need not be translations of its nodes.
+/// The same of a mesh, or of a body of matrices, whose dofs need not be translations of its nodes; with the bytes that may
+/// be in use while its ties are eliminated.
 ///
 /// # Errors
-/// As [`free_motions`].
+/// As [`free_motions`]; ties that need more memory.
 pub fn free_motions_of_mesh(
     mesh: &Mesh,
     k: &SparseMatrix,
     constraints: &Constraints,
+    memory: usize,
 ) -> Result<Vec<FreeMotion>, Error> {
     match Tied::new(mesh.dof_count(), &mesh.tie_rows(), &[]) {
         Some(tied) => {
             let whole = k.lower().ok_or(ReductionError::NotSymmetric { matrix: "stiffness" })?;
-            let own = SparseMatrix::Symmetric(tied.matrix(&whole));
+            let own = tied.matrix(&whole, memory).map_err(ReductionError::from)?;
+            let own = SparseMatrix::Symmetric(own);
             free_motions_of((mesh.nodes(), mesh.slots()), &own, constraints)
         }
         None => free_motions_of((mesh.nodes(), mesh.slots()), k, constraints),

@@ -3,6 +3,7 @@
 mod cards;
 mod chosen;
 mod faces;
+mod means;
 mod programs;
 mod reduced;
 mod rigid;

@@ -122,7 +122,7 @@ impl Solid<'_> {
         tied: &Tied,
     ) -> Result<(SparseMatrix, SparseMatrix), ReductionError> {
         let own = |matrix, name| -> Result<SparseMatrix, ReductionError> {
-            Ok(SparseMatrix::Symmetric(tied.matrix(&*lower(matrix, name)?)))
+            Ok(SparseMatrix::Symmetric(tied.matrix(&*lower(matrix, name)?, self.memory)?))
         };
         Ok((own(self.stiffness, "stiffness")?, own(self.mass, "mass")?))
     }
@@ -267,7 +267,7 @@ impl Solid<'_> {
         let whole = lower(self.stiffness, "stiffness")?;
         let (whole, retained, dependent) = match tied {
             Some(tied) => (
-                Cow::Owned(tied.matrix(&whole)),
+                Cow::Owned(tied.matrix(&whole, self.memory)?),
                 interface.retained.iter().map(|row| tied.row(row)).collect(),
                 &tied.dependent[..],
             ),

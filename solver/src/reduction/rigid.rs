@@ -187,7 +187,7 @@ pub(crate) fn free_shapes(solid: &Solid, rows: &[Row]) -> Result<Matrix, Reducti
     let whole = lower(solid.stiffness, "stiffness")?;
     // What equations resist costs energy on what they leave free.
     let stiffness = match solid.tied(&[]) {
-        Some(tied) => std::borrow::Cow::Owned(tied.matrix(&whole)),
+        Some(tied) => std::borrow::Cow::Owned(tied.matrix(&whole, solid.memory)?),
         None => whole,
     };
     let motions = RigidMotions::new((solid.coordinates, solid.slots));

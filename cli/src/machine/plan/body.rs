@@ -212,7 +212,7 @@ impl BodyPlan {
             held.equation(&*retained.name, retained.terms.iter().copied());
         }
         self.spec.held.iter().for_each(|&dof| held.fix(self.held_by.text(), dof));
-        match free_motions_of_mesh(&self.mesh, &stiffness, &held)? {
+        match free_motions_of_mesh(&self.mesh, &stiffness, &held, self.spec.memory)? {
             motions if motions.is_empty() => Ok(()),
             motions => {
                 let free = ReductionError::Mechanism { motions };
