@@ -5,8 +5,6 @@
 //! tilt (J = [[0, −1], [1, 0]]). exp(αS) then turns its deflection by α and leaves all forms as they are. S has eigenvalues
 //! ±i for what moves sideways, and 0 for the rest. In coordinates that are not orthonormal it is skew in M.
 
-use std::cmp::Ordering;
-
 mod average;
 mod pairs;
 #[cfg(test)]
@@ -86,44 +84,27 @@ impl Shaft {
     /// A mass that is not positive definite, or values that are not finite.
     pub fn roundness(&self) -> Result<Roundness, LinearAlgebraError> {
         let whole = self.as_it_is()?;
+        // Modes may end between the two of a pair: the rest is round without the one that has lost its partner.
         let (Some(last), true) =
             (self.hertz.len().checked_sub(1), !whole.is_round_at(0.0) || whole.alone.is_some())
         else {
             return Ok(whole);
         };
-        // Modes may end between the two of a pair: the rest is round without the one that has lost its partner. Behind the
-        // modes there may be answers to loads.
-        let apart =
-            |place: &usize| whole.alone.map_or(0.0, |alone| (self.hertz[*place] - alone).abs());
-        let alone = (0..=last).rev().min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(last);
-        let mut best: Option<Roundness> = None;
-        for place in std::iter::once(alone).chain((alone != last).then_some(last)) {
-            let less = self.without(place).as_it_is()?;
-            let less = self.completed(less, place);
-            let worse = whole.is_round_at(0.0) && !less.is_round_at(0.0);
-            let least = best.as_ref().unwrap_or(&whole).splitting;
-            if !worse && less.splitting < least {
-                best = Some(less);
-            }
+        let mut less = self.without(last).as_it_is()?;
+        less.alone = Some(less.alone.map_or(self.hertz[last], |alone| alone.min(self.hertz[last])));
+        let worse = whole.is_round_at(0.0) && !less.is_round_at(0.0);
+        if worse || less.splitting >= whole.splitting {
+            return Ok(whole);
         }
-        Ok(best.unwrap_or(whole))
-    }
-
-    /// How round the shaft is, from how it is without one of its coordinates, which does not turn.
-    fn completed(&self, mut less: Roundness, place: usize) -> Roundness {
-        let hertz = self.hertz[place];
-        less.alone = Some(less.alone.map_or(hertz, |alone| alone.min(hertz)));
-        let old = |own: usize| match own.cmp(&place) {
-            Ordering::Less => Some(own),
-            Ordering::Equal => None,
-            Ordering::Greater => Some(own - 1),
+        let old = |place: usize| {
+            if place < last { Some(place) } else { place.checked_sub(1).filter(|_| place > last) }
         };
         let n = self.size();
         less.generator = Matrix::from_fn(n, n, |i, j| match (old(i), old(j)) {
             (Some(i), Some(j)) => less.generator[(i, j)],
             _ => 0.0,
         });
-        less
+        Ok(less)
     }
 
     /// The shaft without one of its coordinates.
@@ -148,10 +129,7 @@ impl Shaft {
             spin_inertia: square(&self.spin_inertia),
             spin_coupling: square(&self.spin_coupling),
             spin_net: square(&self.spin_net),
-            hertz: (0..self.hertz.len())
-                .filter(|own| *own != place)
-                .map(|own| self.hertz[own])
-                .collect(),
+            hertz: self.hertz[..self.hertz.len() - 1].to_vec(),
             coordinates: kept.iter().map(|&place| self.coordinates[place].clone()).collect(),
             nodes: self.nodes.iter().map(node).collect(),
             measures: self.measures.iter().map(mean).collect(),
