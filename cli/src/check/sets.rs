@@ -1,4 +1,4 @@
-//! What `whirl check` says of the node sets of a mesh.
+//! What `whirl check` says of the node sets and of the ties of a mesh.
 
 use std::fmt::Write;
 
@@ -6,14 +6,15 @@ use whirl_solver::mesh::Mesh;
 use whirl_text::rounded;
 
 use crate::errors::Failure;
-use crate::mesh_file::mm;
+use crate::mesh_file::{mm, ties};
 use crate::report::table;
 
-/// All sets with their numbers of nodes; of those with faces, and of those by place, a table of what they have.
+/// Ties by kind; all sets with their numbers of nodes; of those with faces, and of those by place, a table of what they have.
 ///
 /// # Errors
 /// Of linear algebra.
 pub(super) fn say(text: &mut String, name: &str, mesh: &Mesh) -> Result<(), Failure> {
+    ties(mesh).iter().for_each(|own| line!(text, "{name} is joined by {own}"));
     if mesh.node_sets().is_empty() {
         return Ok(());
     }

@@ -80,7 +80,7 @@ fn say(text: &mut String, mesh: &Mesh) {
             line!(text, "turned inside out at a node: {inverted} cells");
         }
     }
-    ties(text, mesh);
+    ties(mesh).iter().for_each(|own| line!(text, "joined by {own}"));
     let mut rows = Vec::new();
     for (name, nodes) in mesh.node_sets() {
         let [low, high] = bounds(nodes.iter().map(|&node| &mesh.nodes()[node]));
@@ -107,8 +107,9 @@ fn say(text: &mut String, mesh: &Mesh) {
     }
 }
 
-/// What joins nodes beside the cells: by kinds of cards, as a mesh may have hundreds of one kind.
-fn ties(text: &mut String, mesh: &Mesh) {
+/// What joins nodes beside the cells, with the sets that it joins as a whole: by kinds of cards, as a mesh may have hundreds
+/// of one kind.
+pub(crate) fn ties(mesh: &Mesh) -> Vec<String> {
     let mut kinds: BTreeMap<&str, (usize, BTreeSet<usize>, usize)> = BTreeMap::new();
     for tie in mesh.ties() {
         // Names are `RBE2 12`, `*TIE SEAM`, `*RIGID BODY of line 30`.
@@ -122,10 +123,21 @@ fn ties(text: &mut String, mesh: &Mesh) {
         own.1.extend(tie.nodes());
         own.2 += tie.rows.len();
     }
-    for (kind, (number, nodes, equations)) in kinds {
-        let nodes = nodes.len();
-        line!(text, "joined by {number} {kind}: {nodes} nodes, {equations} equations");
-    }
+    let said = |(kind, (number, nodes, equations)): (&str, (usize, BTreeSet<usize>, usize))| {
+        let whole = |own: &[usize]| !own.is_empty() && own.iter().all(|node| nodes.contains(node));
+        let sets: Vec<&str> = mesh
+            .node_sets()
+            .iter()
+            .filter(|(_, own)| whole(own))
+            .map(|(name, _)| name.as_str())
+            .collect();
+        let sets = match sets[..] {
+            [] => String::new(),
+            _ => format!(" (all of {})", sets.join(", ")),
+        };
+        format!("{number} {kind}: {} nodes{sets}, {equations} equations", nodes.len())
+    };
+    kinds.into_iter().map(said).collect()
 }
 
 /// Cylinders, and the lines by which a case names them.

@@ -14,6 +14,10 @@ use super::modes::{Modes, Pencil};
 /// A shape of which less than this part, in energy of motion, is its own follows from the others.
 const FOLLOWS: f64 = 1e-10;
 
+/// Of a load, the part that the retained means do not carry counts from here on. Below it the answer is the rounding of the
+/// solution, a shape that need not leave the means alone; and it would move the body less than that part.
+const CARRIED: f64 = 1e-6;
+
 /// The modes, and behind them the shapes by which the loads (columns over the dofs of the pencil) are answered.
 pub(super) fn corrected(
     modes: Modes,
@@ -24,8 +28,10 @@ pub(super) fn corrected(
     if loads.cols == 0 {
         return Ok(modes);
     }
-    let mut shapes = loads;
-    factor.solve_in_place(&mut shapes.data);
+    let mut shapes = answers(pencil, factor, loads);
+    if shapes.cols == 0 {
+        return Ok(modes);
+    }
     let product = |matrix: &crate::linalg::LowerTriangle, shapes: &Matrix| {
         let mut product = Matrix::zeros(shapes.rows, shapes.cols);
         matrix.multiply(&shapes.data, &mut product.data);
@@ -69,4 +75,28 @@ pub(super) fn corrected(
     vectors.cols += shapes.cols;
     vectors.data.extend(shapes.data);
     Ok(Modes { eigenvalues, vectors })
+}
+
+/// The answers to loads with the means at zero, of loads that these do not carry by themselves.
+fn answers(pencil: &Pencil, factor: &ConstrainedCholesky, loads: Matrix) -> Matrix {
+    let means = pencil.constraints.rows;
+    let mut shapes = loads.clone();
+    if means.is_empty() {
+        factor.solve_in_place(&mut shapes.data);
+        return shapes;
+    }
+    // A u = b + Cᵀλ.
+    let none = Matrix::zeros(means.len(), loads.cols);
+    let multipliers = factor.solve_with(&mut shapes.data, &none);
+    let square = |load: &[f64]| -> f64 { load.iter().map(|value| value * value).sum() };
+    let counts = |&j: &usize| {
+        let mut left = loads.col(j).to_vec();
+        for (mean, lambda) in means.iter().zip(multipliers.col(j)) {
+            mean.iter().for_each(|&(dof, c)| left[dof] += lambda * c);
+        }
+        square(&left) > CARRIED * CARRIED * square(loads.col(j))
+    };
+    let (rows, own): (Vec<usize>, Vec<usize>) =
+        ((0..shapes.rows).collect(), (0..shapes.cols).filter(counts).collect());
+    shapes.select(&rows, &own)
 }

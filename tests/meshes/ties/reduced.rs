@@ -170,3 +170,28 @@ fn dofs_that_a_tie_makes_one_are_not_both_retained() {
         }
     }
 }
+
+/// What retained means carry needs no shape of its own, whether the body has ties or not: its answer is rounding.
+#[test]
+fn a_load_on_retained_means_has_no_answer_of_its_own() {
+    let bricks = halves();
+    let merged = tried(&bricks.inp(["", ""], ""), "bar.inp", Some(1e-6)).unwrap().mesh;
+    let base = bricks.at(0, |at| at[2] < 1e-9);
+    let (first, _): (Vec<usize>, Vec<usize>) = pairs(&bricks).into_iter().unzip();
+    for mesh in [&tied(&bricks), &merged] {
+        let held = base.iter().flat_map(|&own| (0..3).map(move |i| (own, i)));
+        let held = held.map(|(own, i)| 3 * node(mesh, own) + i).collect();
+        let mut own = spec(retained(mesh, &first, first[4]), held);
+        let known = Support::from_mesh(mesh, &own).unwrap().hertz;
+        let load = |by: f64, place: usize| {
+            own.retained[place].terms.iter().map(move |&(dof, c)| (dof, by * c))
+        };
+        let carried = [load(0.3, 0).collect(), load(-7.7, 0).chain(load(1.1, 1)).collect()];
+        // Half of one of them is carried.
+        let half = load(1.0, 0).take(own.retained[0].terms.len() / 2).collect();
+        own.corrections = carried.to_vec();
+        assert_eq!(Support::from_mesh(mesh, &own).unwrap().hertz, known);
+        own.corrections.push(half);
+        assert_eq!(Support::from_mesh(mesh, &own).unwrap().hertz.len(), known.len() + 1);
+    }
+}
