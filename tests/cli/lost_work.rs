@@ -87,8 +87,16 @@ fn begin(bench: &Workbench, arguments: &[&str]) -> Running {
     running
 }
 
+/// Begins the run of `case.toml` in `cut`, and kills it in the midst.
+pub(super) fn begin_and_kill(bench: &Workbench) {
+    let mut running = begin(bench, &["run", "case.toml", "--out", "cut"]);
+    running.0.kill().expect("it is there");
+    let (status, _) = running.end();
+    assert_eq!(status, None, "ended by a signal");
+}
+
 /// Resumes the run in `cut`, and compares what it leaves with a run that was never interrupted.
-fn resumes(bench: &Workbench) {
+pub(super) fn resumes(bench: &Workbench) {
     let outcome = bench.whirl(&["run", "case.toml", "--out", "cut", "--resume"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     assert!(outcome.stderr.contains("going on after step "), "{}", outcome.stderr);
@@ -112,10 +120,7 @@ fn resumes(bench: &Workbench) {
 #[test]
 fn a_killed_run_leaves_its_history_and_is_resumed_with_the_same_bytes() {
     let bench = Workbench::new().file("case.toml", &case(MANY, ""));
-    let mut running = begin(&bench, &["run", "case.toml", "--out", "cut"]);
-    running.0.kill().expect("it is there");
-    let (status, _) = running.end();
-    assert_eq!(status, None, "ended by a signal");
+    begin_and_kill(&bench);
     let history = read(bench.path("cut/history.csv"));
     let rows = history.lines().count() - 2;
     assert!((1000..MANY).contains(&rows), "{rows}");
