@@ -27,6 +27,8 @@ mod messages;
 mod mutants;
 mod new;
 mod new_from_meshes;
+#[cfg(unix)]
+mod other_runs;
 mod outputs;
 mod own_mesh;
 mod pulses;

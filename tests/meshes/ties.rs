@@ -146,18 +146,22 @@ pub(crate) fn clean(text: &str, path: &str) -> Mesh {
     read.mesh
 }
 
-/// ω² of the lowest modes of the free body with its ties; 6 of a body in one piece are zero.
-pub(crate) fn free(mesh: &Mesh, count: usize) -> Vec<f64> {
+/// Makes something of a body with its ties, in so many bytes.
+pub(crate) fn of_body<T>(mesh: &Mesh, memory: usize, make: impl FnOnce(&Solid) -> T) -> T {
     let [stiffness, mass] = ["stiffness", "mass"].map(|form| assemble(mesh, form).unwrap());
-    let solid = Solid {
+    make(&Solid {
         stiffness: &stiffness,
         mass: &mass,
         coordinates: mesh.nodes(),
         slots: &[],
         ties: &mesh.tie_rows(),
-        memory: usize::MAX,
-    };
-    solid.free_modes(count).unwrap().eigenvalues
+        memory,
+    })
+}
+
+/// ω² of the lowest modes of the free body with its ties; 6 of a body in one piece are zero.
+pub(crate) fn free(mesh: &Mesh, count: usize) -> Vec<f64> {
+    of_body(mesh, usize::MAX, |solid| solid.free_modes(count).unwrap().eigenvalues)
 }
 
 /// The free body has six motions that cost nothing, and these are all.

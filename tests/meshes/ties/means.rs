@@ -3,14 +3,13 @@
 use std::f64::consts::TAU;
 
 use nalgebra::DMatrix;
-use whirl_solver::assembly::assemble;
 use whirl_solver::error::ReductionError;
 use whirl_solver::linalg::LinearAlgebraError;
 use whirl_solver::mesh::Mesh;
-use whirl_solver::reduction::{Interface, Solid};
+use whirl_solver::reduction::Interface;
 
 use super::rigid::{dense, fields, labels};
-use super::{Brick, Bricks, ROUNDING, clean, free, six_of};
+use super::{Brick, Bricks, ROUNDING, clean, free, of_body, six_of};
 
 /// Where the mean and the rigid part meet.
 const REFERENCE: [f64; 3] = [0.03, 0.02, 0.035];
@@ -62,18 +61,10 @@ fn held(mesh: &Mesh) -> Vec<usize> {
 
 /// ω² with one end held, found within so many bytes.
 fn within(mesh: &Mesh, memory: usize) -> Result<Vec<f64>, ReductionError> {
-    let [stiffness, mass] = ["stiffness", "mass"].map(|form| assemble(mesh, form).unwrap());
-    let solid = Solid {
-        stiffness: &stiffness,
-        mass: &mass,
-        coordinates: mesh.nodes(),
-        slots: &[],
-        ties: &mesh.tie_rows(),
-        memory,
-    };
     let held: Vec<usize> =
         held(mesh).iter().flat_map(|node| (0..3).map(move |i| 3 * node + i)).collect();
-    let reduced = solid.reduce(&Interface { held: &held, ..Interface::default() }, 8)?;
+    let interface = Interface { held: &held, ..Interface::default() };
+    let reduced = of_body(mesh, memory, |solid| solid.reduce(&interface, 8))?;
     Ok(reduced.hertz.iter().map(|hertz| (TAU * hertz).powi(2)).collect())
 }
 
