@@ -11,6 +11,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::quality::{SMALLEST, larger};
+use super::turns::TurnRange;
 use crate::bearing::work::{Flow, MOTIONS};
 
 /// A march that chooses the parts of its steps.
@@ -69,7 +70,7 @@ pub(super) struct ControlMemory {
     /// Parts in a row that were far below the tolerance, and whether all were so far.
     calm: u32,
     begins: bool,
-    /// Largest displacement of every part of the machine so far (m), and the most energy in play at every bearing, in each of
+    /// Largest displacement of every part of the machine and of turns so far (m), and the most energy in play at every bearing, in each of
     /// its [`MOTIONS`] (J).
     displacements: Vec<f64>,
     energies: Vec<f64>,
@@ -77,10 +78,17 @@ pub(super) struct ControlMemory {
     /// these rows it still counts.
     foreseen: Vec<f64>,
     rows_ahead: u32,
+    /// What turns were so far.
+    pub(super) turned: Vec<TurnRange>,
     pub(super) taken: PartsTaken,
 }
 
 impl ControlMemory {
+    /// As it is, with what turns were.
+    pub(super) fn with_turns(&self, turned: &[TurnRange]) -> Self {
+        ControlMemory { turned: turned.to_vec(), ..self.clone() }
+    }
+
     /// As it is, with nothing counted yet.
     pub(super) fn counted_anew(&self) -> Self {
         ControlMemory { taken: PartsTaken::default(), ..self.clone() }
@@ -91,6 +99,8 @@ impl ControlMemory {
 pub(super) struct StepControl {
     options: AutomaticStep,
     pub(super) memory: ControlMemory,
+    /// How many parts the machine has by which others are measured; turns are behind them.
+    parts: usize,
     /// Halvings of a step that lead to parts as long as they may be.
     least: u32,
     /// Of the part that was judged last: displacements at its end, and energies in play.
@@ -112,18 +122,20 @@ pub(super) struct Measured<'m> {
 }
 
 impl StepControl {
-    /// Of steps of `dt` s of a machine that stands at some displacements and has so many bearings. The first parts are the
+    /// Of steps of `dt` s of a machine that stands at some displacements, of so many parts and of turns, and has so many
+    /// bearings. The first parts are the
     /// shortest: over one that is far longer than what acts both errors may be none by chance.
     pub(super) fn new(
         options: AutomaticStep,
         dt: f64,
-        displacements: &[f64],
+        (displacements, parts): (&[f64], usize),
         bearings: usize,
     ) -> Self {
         let is_short = |halvings: &u32| dt <= options.longest * f64::from(1_u32 << halvings);
         let least = (0..MOST_HALVINGS).find(is_short).unwrap_or(MOST_HALVINGS);
         StepControl {
             options,
+            parts,
             least,
             memory: ControlMemory {
                 halvings: MOST_HALVINGS,
@@ -133,6 +145,7 @@ impl StepControl {
                 energies: vec![0.0; MOTIONS * bearings],
                 foreseen: vec![0.0; displacements.len()],
                 rows_ahead: FORESEEN,
+                turned: Vec::new(),
                 taken: PartsTaken::default(),
             },
             displacements: displacements.to_vec(),
@@ -142,7 +155,10 @@ impl StepControl {
 
     /// Goes on as an earlier march did.
     pub(super) fn resume_from(&mut self, memory: ControlMemory) {
+        let count = self.displacements.len();
         self.memory = memory;
+        self.memory.displacements.resize(count, 0.0);
+        self.memory.foreseen.resize(count, 0.0);
         self.memory.halvings = self.memory.halvings.max(self.least);
     }
 
@@ -174,7 +190,7 @@ impl StepControl {
             0 => displacements[part],
             _ => larger(displacements[part], foreseen[part]),
         };
-        let least = SMALLEST * (0..displacements.len()).map(of).fold(0.0, larger);
+        let least = SMALLEST * (0..self.parts).map(of).fold(0.0, larger);
         let errors = measured.errors.iter().enumerate();
         let errors = errors.map(|(part, error)| ratio(*error, tolerance * larger(of(part), least)));
         let worst = errors.fold(0.0, larger);
@@ -246,7 +262,7 @@ mod tests {
     const AUTOMATIC: AutomaticStep = AutomaticStep { tolerance: 1e-3, longest: 0.3 };
 
     fn control() -> StepControl {
-        StepControl::new(AUTOMATIC, 1.0, &[2.0, 1e-6], 1)
+        StepControl::new(AUTOMATIC, 1.0, (&[2.0, 1e-6], 2), 1)
     }
 
     fn judged(control: &mut StepControl, errors: [f64; 2], made: f64, kinetic: f64) -> f64 {
@@ -303,7 +319,7 @@ mod tests {
 
     #[test]
     fn what_is_remembered_goes_on_within_the_limits() {
-        let mut other = StepControl::new(AutomaticStep::default(), 1.0, &[0.0; 2], 1);
+        let mut other = StepControl::new(AutomaticStep::default(), 1.0, (&[0.0; 2], 2), 1);
         other.accept(0.0, 0);
         let mut control = control();
         control.resume_from(other.memory.counted_anew());

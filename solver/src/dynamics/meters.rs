@@ -21,7 +21,7 @@ pub(crate) struct Meters {
     control: Option<StepControl>,
     contacts: Contacts,
     periods: PeriodMeter,
-    /// By parts of the machine: local errors of a part of a step, and displacements at its end.
+    /// By parts of the machine, turns behind them: local errors of a part of a step, and displacements at its end.
     errors: Vec<f64>,
     displacements: Vec<f64>,
     /// Kinetic energies by bearing.
@@ -62,14 +62,16 @@ impl Meters {
         };
         let mut quality = QualityMeter::new(system, method, length, state)?;
         let bearings = system.machine.springs.bearings;
-        let mut displacements = vec![0.0; quality.parts()];
-        quality.displacements(state, &mut displacements);
+        let parts = quality.parts();
+        let mut displacements = vec![0.0; parts.iter().sum()];
+        quality.displacements((system.time, state), &mut displacements);
         Ok(Meters {
             energy: EnergyMeter::new(system, state),
             ringing: RingingMeter::new(system, &quality.parts, method.damps()),
-            errors: vec![0.0; quality.parts()],
+            errors: vec![0.0; displacements.len()],
             kinetic: vec![0.0; bearings],
-            control: automatic.map(|own| StepControl::new(own, dt, &displacements, bearings)),
+            control: automatic
+                .map(|own| StepControl::new(own, dt, (&displacements, parts[0]), bearings)),
             contacts: Contacts::new(system.machine),
             periods: PeriodMeter::new(system.machine),
             quality,
@@ -105,7 +107,7 @@ impl Meters {
         take: impl FnOnce(&mut StepControl, &Measured) -> T,
     ) -> Option<T> {
         let control = self.control.as_mut()?;
-        self.quality.displacements(end, &mut self.displacements);
+        self.quality.displacements((system.time, end), &mut self.displacements);
         self.kinetic.fill(0.0);
         for state in [start, end] {
             self.quality.raise_kinetic(system.machine, state, &mut self.kinetic);
@@ -199,7 +201,7 @@ impl Meters {
             energy: self.energy.sums.clone(),
             quality: self.quality.sums.clone(),
             ringing: self.ringing.sums.clone(),
-            control: self.control.as_ref().map(|own| own.memory.clone()),
+            control: self.control.as_ref().map(|own| own.memory.with_turns(&self.quality.turned)),
             fewest_steps: self.periods.fewest,
         }
     }
@@ -223,6 +225,9 @@ impl Meters {
     /// Chooses parts of steps as an earlier march did.
     pub(crate) fn resume_control(&mut self, memory: Option<ControlMemory>) {
         if let (Some(control), Some(memory)) = (&mut self.control, memory) {
+            if memory.turned.len() == self.quality.turned.len() {
+                self.quality.turned.clone_from(&memory.turned);
+            }
             control.resume_from(memory);
         }
     }

@@ -41,6 +41,7 @@ mod stiffest;
 mod strides;
 mod system;
 mod turning;
+mod turns;
 mod verdict;
 mod windows;
 

@@ -5,15 +5,21 @@ use super::quality::{QualityMeter, larger};
 use crate::machine::Machine;
 
 impl QualityMeter {
-    /// Largest displacements of a state, by parts (m).
-    pub(crate) fn displacements(&mut self, state: &State, out: &mut [f64]) {
+    /// Largest displacements of a state at time `t` (s), by parts, and behind them how far turns departed from uniform ones (m).
+    pub(crate) fn displacements(&mut self, (t, state): (f64, &State), out: &mut [f64]) {
         self.parts.displacement(state, &mut self.motion);
         let measured = self.parts.all.iter().map(|part| part.measure(&self.motion));
+        let turned = self.turned.iter().zip(&self.parts.turns).map(|(own, turn)| {
+            let mut own = *own;
+            own.take(turn, (t, state));
+            turn.radius * own.reach(self.steps.most())
+        });
+        let measured = measured.chain(turned);
         out.iter_mut().zip(measured).for_each(|(out, own)| *out = own);
     }
 
-    /// Local errors of a step of `dt` s in all modes, by parts (m), those of a mode over 1 + β(ωΔt)²; of a march that chooses its
-    /// steps.
+    /// Local errors of a step of `dt` s in all modes, by parts (m), those of a mode over 1 + β(ωΔt)², and of turns; of a
+    /// march that chooses its steps.
     pub(crate) fn errors(&mut self, dt: f64, start: &State, end: &State, out: &mut [f64]) {
         let factor = self.method.error_factor(dt);
         let beta = self.method.elastic_weight();
@@ -26,14 +32,18 @@ impl QualityMeter {
             .for_each(|((end, start), out)| *out = end - start);
         let weight = |square: f64| 1.0 / (1.0 + beta * square.max(0.0) * dt * dt);
         modes.weighted(modes.within(f64::NEG_INFINITY..f64::INFINITY), weight, motion, within);
+        let places = parts.all.len();
+        for (out, turn) in out[places..].iter_mut().zip(&parts.turns) {
+            *out = factor * turn.radius * turn.of(within, first).abs();
+        }
         parts.refer(within);
         let measured = parts.all.iter().map(|part| factor * part.measure(within));
         out.iter_mut().zip(measured).for_each(|(out, own)| *out = own);
     }
 
-    /// Number of parts of the machine.
-    pub(crate) fn parts(&self) -> usize {
-        self.parts.all.len()
+    /// Number of parts of the machine, and of turns.
+    pub(crate) fn parts(&self) -> [usize; 2] {
+        [self.parts.all.len(), self.parts.turns.len()]
     }
 
     /// Adds to every bearing the kinetic energy of its bodies without rotations (J) where it is more than what is there.

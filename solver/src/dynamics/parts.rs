@@ -1,12 +1,14 @@
 //! The parts of a machine, each of which is judged by itself: every body by its root mean square displacement, and every
-//! rotation that joints hold elastically.
+//! rotation that joints hold elastically. Turns that nothing holds are others (`turns`).
 
 use std::ops::Range;
 
 use super::newmark::State;
 use super::system::System;
+use super::turns::FreeTurn;
 use crate::linalg::{Matrix, dot};
 use crate::machine::{Body, Machine};
+use crate::shaft::Shaft;
 
 /// A part of a machine, and how its motion is measured (m).
 pub(super) struct Part {
@@ -77,6 +79,8 @@ impl Part {
 pub(super) struct Parts {
     first: usize,
     pub(super) all: Vec<Part>,
+    /// Turns that nothing elastic holds.
+    pub(super) turns: Vec<FreeTurn>,
     groups: Vec<Group>,
 }
 
@@ -106,11 +110,9 @@ impl Parts {
         let mut all = Vec::new();
         for (number, (body, place)) in machine.bodies.iter().zip(machine.places()).enumerate() {
             let within = place.flexible.start - first..place.flexible.end - first;
-            let known = Some(body.centre_of_mass().mass).filter(|mass| *mass > 0.0);
             let weight = match body {
                 Body::Turning { shaft, .. } => {
-                    let trace = (0..shaft.size()).map(|j| shaft.mass[(j, j)]).sum::<f64>();
-                    let mass = known.unwrap_or(trace / shaft.size().max(1) as f64);
+                    let mass = mass(body, shaft);
                     let held = place.rotation.filter(|&theta| {
                         let mut groups = groups.iter();
                         groups.any(|group| group.judges() && group.has(theta))
@@ -122,13 +124,15 @@ impl Parts {
                     }
                     Weight::Mass(shaft.mass.clone(), mass)
                 }
-                Body::Standing { .. } => Weight::Identity(known.unwrap_or(1.0)),
+                Body::Standing { .. } => Weight::Identity(known_mass(body).unwrap_or(1.0)),
             };
             if !within.is_empty() {
                 all.push(Part { body: number, place: within, weight });
             }
         }
-        Parts { first, all, groups }
+        let free = groups.iter().filter(|group| matches!(group.from, From::Mean));
+        let turns = free.filter_map(|group| FreeTurn::new(machine, &group.members)).collect();
+        Parts { first, all, turns, groups }
     }
 
     /// Writes the displacement of the unknowns in a state, angles counted as their groups have it.
@@ -218,6 +222,19 @@ fn groups(system: &System) -> Vec<Group> {
             Group { members, from }
         })
         .collect()
+}
+
+/// The mass of a body, where it is known (kg).
+fn known_mass(body: &Body) -> Option<f64> {
+    Some(body.centre_of_mass().mass).filter(|mass| *mass > 0.0)
+}
+
+/// The mass of a body that turns (kg); the mean of its coordinates' where it is not known.
+pub(super) fn mass(body: &Body, shaft: &Shaft) -> f64 {
+    known_mass(body).unwrap_or_else(|| {
+        let trace = (0..shaft.size()).map(|j| shaft.mass[(j, j)]).sum::<f64>();
+        trace / shaft.size().max(1) as f64
+    })
 }
 
 /// J0 of the body of a rotation.

@@ -12,6 +12,7 @@ use super::ringing::Ringing;
 use super::sampled::PartSums;
 use super::stiffest::largest_eigenvalue;
 use super::system::System;
+use super::turns::{TurnRange, TurnSums};
 use super::windows::Windows;
 use crate::bearing::work::{Flow, MOTIONS};
 use crate::error::Error;
@@ -30,7 +31,8 @@ pub struct Quality {
     pub energy_flowed: f64,
     /// Local error of a step that 95 % of the steps stay below, in the modes that the step resolves (ωΔt < 1), of
     /// the part of the machine where it is the largest fraction of the largest displacement of the part. A part is the
-    /// deformation and the motion of a body, in the norm of its mass matrix, or a rotation that joints hold.
+    /// deformation and the motion of a body, in the norm of its mass matrix, or a rotation: against others where joints hold
+    /// it, else by how far it departs from a uniform one.
     pub local_error: f64,
     /// The part where it is that.
     pub local_error_of: Option<MovingPart>,
@@ -97,6 +99,8 @@ const NEGLIGIBLE: f64 = 1e-3;
 pub(crate) struct QualitySums {
     pub(super) steps: u64,
     pub(super) parts: Vec<PartSums>,
+    /// By turns that nothing elastic holds.
+    pub(super) turns: Vec<TurnSums>,
     row_error: f64,
     /// By bearings.
     worst: Vec<WorstStep>,
@@ -149,6 +153,8 @@ pub(crate) struct QualityMeter {
     /// Those by which steps are judged.
     pub(super) linearised: Linearised,
     pub(super) parts: Parts,
+    /// What turns were, also in a march before this one, by which the control judges.
+    pub(super) turned: Vec<TurnRange>,
     /// A motion of the unknowns, what was before it, and what of it is in some modes.
     pub(super) motion: Vec<f64>,
     pub(super) before: Vec<f64>,
@@ -178,6 +184,7 @@ impl QualityMeter {
         let sums = QualitySums {
             steps: 0,
             parts: parts.all.iter().map(|_| PartSums::new()).collect(),
+            turns: parts.turns.iter().map(|own| TurnSums::new(own, (system.time, state))).collect(),
             row_error: 0.0,
             worst: vec![
                 WorstStep { made: 0.0, ends: [(0.0, state.clone()), (0.0, state.clone())] };
@@ -195,6 +202,11 @@ impl QualityMeter {
             undeformed,
             linearised,
             moved: vec![PartMotion::default(); parts.all.len()],
+            turned: parts
+                .turns
+                .iter()
+                .map(|own| TurnRange::new(own, (system.time, state)))
+                .collect(),
             parts,
             motion: values(),
             before: values(),
@@ -253,6 +265,12 @@ impl QualityMeter {
             self.sample(system, self.steps.of(dt), start, end);
         }
         let sums = &mut self.sums;
+        for (own, turn) in sums.turns.iter_mut().zip(&self.parts.turns) {
+            own.add(turn, (t + dt, end));
+        }
+        for (own, turn) in self.turned.iter_mut().zip(&self.parts.turns) {
+            own.take(turn, (t + dt, end));
+        }
         sums.steps += 1;
         sums.row_error = sums.row_error.max(row_error);
         for (worst, flows) in sums.worst.iter_mut().zip(flows.chunks_exact(MOTIONS)) {
@@ -289,24 +307,33 @@ impl QualityMeter {
         let parts = sums.parts.iter().zip(&self.parts.all);
         let most = parts.map(|(sums, part)| sums.reach().min(part.most())).fold(0.0, larger);
         let least = SMALLEST * most;
-        // The largest fraction of what moves, and the part where it is.
-        let judge = |of: &dyn Fn(&PartSums) -> f64| {
+        // The largest fraction of what moves, and the part where it is; turns have errors only.
+        let judge = |of: &dyn Fn(&PartSums) -> f64, of_turn: &dyn Fn(&TurnSums) -> f64| {
             let parts = sums.parts.iter().zip(&self.parts.all);
             let judged = parts.map(|(sums, part)| {
                 let (value, amplitude) = (of(sums), larger(sums.reach(), least));
+                let part = MovingPart { body: part.body, turns: part.turns() };
                 (if value == 0.0 { 0.0 } else { value / amplitude }, part)
             });
-            judged.fold((0.0, None), |worst: (f64, Option<MovingPart>), (value, part)| {
+            let turns = sums.turns.iter().zip(&self.parts.turns).map(|(sums, turn)| {
+                let way = turn.radius * sums.reach(self.steps.most());
+                let (value, way) = (turn.radius * of_turn(sums), larger(way, least));
+                let part = MovingPart { body: turn.body, turns: true };
+                (if value == 0.0 { 0.0 } else { value / way }, part)
+            });
+            let all = judged.chain(turns);
+            all.fold((0.0, None), |worst: (f64, Option<MovingPart>), (value, part)| {
                 if value <= worst.0 || worst.0.is_nan() {
                     return worst;
                 }
-                (value, Some(MovingPart { body: part.body, turns: part.turns() }))
+                (value, Some(part))
             })
         };
         // Classes round up.
         let (local_error, local_error_of) =
-            judge(&|sums| sums.errors.below(0.95).min(sums.largest_error));
-        let (unresolved_motion, unresolved_motion_of) = judge(&|sums| sums.motions.below(0.95));
+            judge(&|sums| sums.errors.below(0.95).min(sums.largest_error), &TurnSums::error);
+        let (unresolved_motion, unresolved_motion_of) =
+            judge(&|sums| sums.motions.below(0.95), &|_| 0.0);
         let bodies = sums.parts.iter().zip(&self.parts.all).filter(|(_, part)| !part.turns());
         let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
         let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
@@ -321,7 +348,7 @@ impl QualityMeter {
             judged: sums.steps == 0
                 || sums.parts.is_empty()
                 || sums.parts.iter().any(|own| own.errors.count() > 0),
-            largest_local_error: judge(&|sums| sums.largest_error).0,
+            largest_local_error: judge(&|sums| sums.largest_error, &|sums| sums.largest_error).0,
             unresolved_motion,
             unresolved_motion_of,
             largest_displacement: displacement,

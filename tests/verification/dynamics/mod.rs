@@ -18,6 +18,7 @@ mod resume;
 mod spinning;
 mod starts;
 mod torques;
+mod turns;
 mod validity;
 
 use whirl_solver::bearing::{Bearing, Sides, SpringLaw};
