@@ -327,3 +327,46 @@ fn an_equilibrium_of_a_told_rotation_is_at_its_first_speed() {
     });
     assert_eq!(told, same);
 }
+
+/// Rotors side by side: the coupling that idles between them in the first run is stiff or none in the one that goes on from it,
+/// so that their turns are others. What was remembered of steps is that of other parts, and the motion is right whatever it was.
+#[test]
+fn automatic_steps_go_on_from_a_state_with_another_coupling() {
+    let case = |stiffness: f64, more: &str| {
+        let rotor = |name: &str| {
+            format!(
+                "[body.{name}]\nturns = \"free\"\ninitial_speed = \"600 rpm\"\nmass = \"2 kg\"\n\
+                 polar_inertia = \"2e-3 kg*m^2\"\n[joint.{name}]\nkind = \"bushing\"\n\
+                 first = {{ body = \"{name}\" }}\nstiffness = {{ xx = \"1e4 N/m\", yy = \"1e4 N/m\" }}\n"
+            )
+        };
+        format!(
+            "title = \"rotors\"\n{}{}[joint.c]\nkind = \"coupling\"\nfirst = {{ body = \"a\" }}\n\
+             second = {{ body = \"b\" }}\nstiffness = \"{stiffness} N*m/rad\"\ndamping = \"1e-8 N*m*s/rad\"\n\
+             [loads.a]\nbody = \"a\"\ncouple = \"0.1 N*m\"\nstart = \"0.11 s\"\n\
+             [march]\ntime_step = \"auto\"\noutput_step = \"1 ms\"\nduration = \"0.1 s\"\n{more}",
+            rotor("a"),
+            rotor("b")
+        )
+    };
+    let (apart, coupled) = (0.0, 10.0);
+    for (first, second) in [(apart, coupled), (coupled, apart), (coupled, coupled)] {
+        let bench = Workbench::new()
+            .file("first.toml", &case(first, ""))
+            .file("second.toml", &case(second, "[start]\nfrom = \"first\"\n"));
+        for name in ["first", "second"] {
+            let outcome =
+                bench.whirl(&["run", &format!("{name}.toml"), "--no-figures", "--out", name]);
+            assert_eq!(outcome.status, 0, "{first} {second}: {}", outcome.stderr);
+            assert_eq!(bench.summary(name)["verdict"]["sound"], true, "{}", outcome.stdout);
+        }
+        // For 90 ms 50 rad/s² on one, or 25 rad/s² on both, and half of what c/2k is turned by a sin ωt, ω² = 2k/J.
+        let omega = (2.0 * second / 2e-3_f64).sqrt();
+        let swings =
+            if second == apart { 25.0 * 0.09 } else { 25.0 / omega * (0.09 * omega).sin() };
+        let exact = std::f64::consts::TAU * 10.0 + 25.0 * 0.09 + swings;
+        let found = bench.history("second").last("omega_rad_s");
+        // The period is wrong by (ωΔt)²/12 = 9e-4 in steps with (ωΔt)³/12 = 1e-4: the phase by 0.008, after 9 rad.
+        assert!((found - exact).abs() < 0.01 * 0.25, "{found} for {exact}");
+    }
+}

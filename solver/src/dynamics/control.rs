@@ -10,7 +10,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::quality::{SMALLEST, larger};
+use super::quality::{MovingPart, SMALLEST, larger};
 use super::turns::TurnRange;
 use crate::bearing::work::{Flow, MOTIONS};
 
@@ -70,8 +70,10 @@ pub(super) struct ControlMemory {
     /// Parts in a row that were far below the tolerance, and whether all were so far.
     calm: u32,
     begins: bool,
-    /// Largest displacement of every part of the machine and of turns so far (m), and the most energy in play at every bearing, in each of
-    /// its [`MOTIONS`] (J).
+    /// The parts of the machine by which others are measured; turns are behind them.
+    parts: Vec<MovingPart>,
+    /// Largest displacement of every part of the machine and of turns so far (m), and the most energy in play at every bearing,
+    /// in each of its [`MOTIONS`] (J).
     displacements: Vec<f64>,
     energies: Vec<f64>,
     /// Largest displacement of every part of the machine in the first rows as they were foreseen (m), and for how many of
@@ -99,8 +101,6 @@ impl ControlMemory {
 pub(super) struct StepControl {
     options: AutomaticStep,
     pub(super) memory: ControlMemory,
-    /// How many parts the machine has by which others are measured; turns are behind them.
-    parts: usize,
     /// Halvings of a step that lead to parts as long as they may be.
     least: u32,
     /// Of the part that was judged last: displacements at its end, and energies in play.
@@ -122,25 +122,25 @@ pub(super) struct Measured<'m> {
 }
 
 impl StepControl {
-    /// Of steps of `dt` s of a machine that stands at some displacements, of so many parts and of turns, and has so many
-    /// bearings. The first parts are the
-    /// shortest: over one that is far longer than what acts both errors may be none by chance.
+    /// Of steps of `dt` s of a machine that stands at some displacements, of its parts and of the turns behind them, and has so
+    /// many bearings. The first parts are the shortest: over one that is far longer than what acts both errors may be none by
+    /// chance.
     pub(super) fn new(
         options: AutomaticStep,
         dt: f64,
-        (displacements, parts): (&[f64], usize),
+        (displacements, parts): (&[f64], Vec<MovingPart>),
         bearings: usize,
     ) -> Self {
         let is_short = |halvings: &u32| dt <= options.longest * f64::from(1_u32 << halvings);
         let least = (0..MOST_HALVINGS).find(is_short).unwrap_or(MOST_HALVINGS);
         StepControl {
             options,
-            parts,
             least,
             memory: ControlMemory {
                 halvings: MOST_HALVINGS,
                 calm: 0,
                 begins: true,
+                parts,
                 displacements: displacements.to_vec(),
                 energies: vec![0.0; MOTIONS * bearings],
                 foreseen: vec![0.0; displacements.len()],
@@ -153,13 +153,16 @@ impl StepControl {
         }
     }
 
-    /// Goes on as an earlier march did.
-    pub(super) fn resume_from(&mut self, memory: ControlMemory) {
-        let count = self.displacements.len();
-        self.memory = memory;
-        self.memory.displacements.resize(count, 0.0);
-        self.memory.foreseen.resize(count, 0.0);
-        self.memory.halvings = self.memory.halvings.max(self.least);
+    /// Goes on as an earlier march did, if that had the same parts; whether it does.
+    pub(super) fn resume_from(&mut self, memory: ControlMemory) -> bool {
+        let own = &self.memory;
+        let counts = |of: &ControlMemory| [of.displacements.len(), of.energies.len()];
+        let fits = memory.parts == own.parts && counts(&memory) == counts(own);
+        if fits {
+            self.memory = memory;
+            self.memory.halvings = self.memory.halvings.max(self.least);
+        }
+        fits
     }
 
     /// Whether the first rows are still to be foreseen.
@@ -185,12 +188,12 @@ impl StepControl {
     pub(super) fn judge(&mut self, measured: &Measured) -> f64 {
         let tolerance = self.options.tolerance;
         self.displacements.copy_from_slice(measured.displacements);
-        let ControlMemory { displacements, foreseen, rows_ahead, .. } = &self.memory;
+        let ControlMemory { parts, displacements, foreseen, rows_ahead, .. } = &self.memory;
         let of = |part: usize| match rows_ahead {
             0 => displacements[part],
             _ => larger(displacements[part], foreseen[part]),
         };
-        let least = SMALLEST * (0..self.parts).map(of).fold(0.0, larger);
+        let least = SMALLEST * (0..parts.len()).map(of).fold(0.0, larger);
         let errors = measured.errors.iter().enumerate();
         let errors = errors.map(|(part, error)| ratio(*error, tolerance * larger(of(part), least)));
         let worst = errors.fold(0.0, larger);
@@ -261,8 +264,12 @@ mod tests {
 
     const AUTOMATIC: AutomaticStep = AutomaticStep { tolerance: 1e-3, longest: 0.3 };
 
+    fn parts(count: usize) -> Vec<MovingPart> {
+        (0..count).map(|body| MovingPart { body, turns: false }).collect()
+    }
+
     fn control() -> StepControl {
-        StepControl::new(AUTOMATIC, 1.0, (&[2.0, 1e-6], 2), 1)
+        StepControl::new(AUTOMATIC, 1.0, (&[2.0, 1e-6], parts(2)), 1)
     }
 
     fn judged(control: &mut StepControl, errors: [f64; 2], made: f64, kinetic: f64) -> f64 {
@@ -319,10 +326,21 @@ mod tests {
 
     #[test]
     fn what_is_remembered_goes_on_within_the_limits() {
-        let mut other = StepControl::new(AutomaticStep::default(), 1.0, (&[0.0; 2], 2), 1);
+        let mut other = StepControl::new(AutomaticStep::default(), 1.0, (&[0.0; 2], parts(2)), 1);
         other.accept(0.0, 0);
         let mut control = control();
-        control.resume_from(other.memory.counted_anew());
+        assert!(control.resume_from(other.memory.counted_anew()));
         assert_eq!((control.memory.halvings, control.memory.taken), (2, PartsTaken::default()));
+    }
+    /// With other parts, or as many of which some are turns, nothing is what it was.
+    #[test]
+    fn what_other_parts_did_is_not_gone_on_with() {
+        for (count, displacements) in [(2, vec![7.0; 3]), (1, vec![7.0; 2]), (3, vec![7.0; 3])] {
+            let other = StepControl::new(AUTOMATIC, 1.0, (&displacements, parts(count)), 1).memory;
+            let mut control = control();
+            let before = control.memory.clone();
+            assert!(!control.resume_from(other));
+            assert_eq!(control.memory, before);
+        }
     }
 }

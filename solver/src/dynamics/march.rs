@@ -331,6 +331,7 @@ impl<'m> March<'m> {
             Some(_) => self.stride(start, dt)?,
             None => self.leap(start, dt, 0)?,
         }
+        self.meters.end_row();
         self.tally.step += 1;
         self.tally.iterations += self.last_iterations;
         let time = self.time();

@@ -62,8 +62,8 @@ impl Meters {
         };
         let mut quality = QualityMeter::new(system, method, length, state)?;
         let bearings = system.machine.springs.bearings;
-        let parts = quality.parts();
-        let mut displacements = vec![0.0; parts.iter().sum()];
+        let (parts, turns) = quality.parts();
+        let mut displacements = vec![0.0; parts.len() + turns];
         quality.displacements((system.time, state), &mut displacements);
         Ok(Meters {
             energy: EnergyMeter::new(system, state),
@@ -71,7 +71,7 @@ impl Meters {
             errors: vec![0.0; displacements.len()],
             kinetic: vec![0.0; bearings],
             control: automatic
-                .map(|own| StepControl::new(own, dt, (&displacements, parts[0]), bearings)),
+                .map(|own| StepControl::new(own, dt, (&displacements, parts), bearings)),
             contacts: Contacts::new(system.machine),
             periods: PeriodMeter::new(system.machine),
             quality,
@@ -159,8 +159,9 @@ impl Meters {
         self.control.as_ref().map_or(0, |own| own.memory.halvings)
     }
 
-    /// Ends a row of a march that chooses its steps.
+    /// Ends a row.
     pub(crate) fn end_row(&mut self) {
+        self.quality.end_row();
         if let Some(control) = &mut self.control {
             control.end_row();
         }
@@ -225,10 +226,10 @@ impl Meters {
     /// Chooses parts of steps as an earlier march did.
     pub(crate) fn resume_control(&mut self, memory: Option<ControlMemory>) {
         if let (Some(control), Some(memory)) = (&mut self.control, memory) {
-            if memory.turned.len() == self.quality.turned.len() {
-                self.quality.turned.clone_from(&memory.turned);
+            let turned = memory.turned.clone();
+            if control.resume_from(memory) {
+                self.quality.turned = turned;
             }
-            control.resume_from(memory);
         }
     }
 

@@ -1,7 +1,8 @@
 //! What is measured of a part of a step before it is accepted, by the parts of the machine; it leaves no trace in the sums.
 
 use super::newmark::State;
-use super::quality::{QualityMeter, larger};
+use super::parts::Part;
+use super::quality::{MovingPart, QualityMeter, larger};
 use crate::machine::Machine;
 
 impl QualityMeter {
@@ -34,16 +35,16 @@ impl QualityMeter {
         modes.weighted(modes.within(f64::NEG_INFINITY..f64::INFINITY), weight, motion, within);
         let places = parts.all.len();
         for (out, turn) in out[places..].iter_mut().zip(&parts.turns) {
-            *out = factor * turn.radius * turn.of(within, first).abs();
+            *out = factor * turn.radius * turn.of(|place| within[place - first]).abs();
         }
         parts.refer(within);
         let measured = parts.all.iter().map(|part| factor * part.measure(within));
         out.iter_mut().zip(measured).for_each(|(out, own)| *out = own);
     }
 
-    /// Number of parts of the machine, and of turns.
-    pub(crate) fn parts(&self) -> [usize; 2] {
-        [self.parts.all.len(), self.parts.turns.len()]
+    /// The parts of the machine, and how many turns are behind them.
+    pub(crate) fn parts(&self) -> (Vec<MovingPart>, usize) {
+        (self.parts.all.iter().map(Part::moving).collect(), self.parts.turns.len())
     }
 
     /// Adds to every bearing the kinetic energy of its bodies without rotations (J) where it is more than what is there.

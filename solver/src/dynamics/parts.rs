@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use super::newmark::State;
+use super::quality::MovingPart;
 use super::system::System;
 use super::turns::FreeTurn;
 use crate::linalg::{Matrix, dot};
@@ -32,6 +33,10 @@ impl Part {
     /// Whether it is the rotation of its body.
     pub(super) fn turns(&self) -> bool {
         matches!(self.weight, Weight::Angle(..))
+    }
+
+    pub(super) fn moving(&self) -> MovingPart {
+        MovingPart { body: self.body, turns: self.turns() }
     }
 
     /// The most that a displacement of it says of how far the machine moves (m): one radian, as what turns further slips.

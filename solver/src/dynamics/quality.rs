@@ -68,7 +68,7 @@ pub struct Quality {
 }
 
 /// A part of a machine whose steps are judged by themselves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MovingPart {
     /// The body, by its place in the machine.
     pub body: usize,
@@ -97,7 +97,9 @@ const NEGLIGIBLE: f64 = 1e-3;
 /// What is carried from step to step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct QualitySums {
+    /// Steps, or parts of steps, and whole rows.
     pub(super) steps: u64,
+    pub(super) rows: u64,
     pub(super) parts: Vec<PartSums>,
     /// By turns that nothing elastic holds.
     pub(super) turns: Vec<TurnSums>,
@@ -153,7 +155,7 @@ pub(crate) struct QualityMeter {
     /// Those by which steps are judged.
     pub(super) linearised: Linearised,
     pub(super) parts: Parts,
-    /// What turns were, also in a march before this one, by which the control judges.
+    /// What turns were, also in a march before this one, by which the control judges where there is one.
     pub(super) turned: Vec<TurnRange>,
     /// A motion of the unknowns, what was before it, and what of it is in some modes.
     pub(super) motion: Vec<f64>,
@@ -183,8 +185,9 @@ impl QualityMeter {
         let linearised = Linearised::new(system, &parts.all, steps.most(), state)?;
         let sums = QualitySums {
             steps: 0,
+            rows: 0,
             parts: parts.all.iter().map(|_| PartSums::new()).collect(),
-            turns: parts.turns.iter().map(|own| TurnSums::new(own, (system.time, state))).collect(),
+            turns: parts.turns.iter().map(|own| TurnSums::new(own, state)).collect(),
             row_error: 0.0,
             worst: vec![
                 WorstStep { made: 0.0, ends: [(0.0, state.clone()), (0.0, state.clone())] };
@@ -205,6 +208,7 @@ impl QualityMeter {
             turned: parts
                 .turns
                 .iter()
+                .filter(|_| automatic)
                 .map(|own| TurnRange::new(own, (system.time, state)))
                 .collect(),
             parts,
@@ -254,8 +258,7 @@ impl QualityMeter {
         [start, end]: [&State; 2],
         (flows, row_error): (&[Flow], f64),
     ) {
-        let steps = self.sums.steps;
-        let sampled = steps < ALL_SAMPLED || scattered(steps).is_multiple_of(SAMPLED);
+        let sampled = is_sampled(self.sums.steps);
         if sampled {
             self.change.copy_from_slice(&self.held);
         }
@@ -264,13 +267,8 @@ impl QualityMeter {
             self.change.iter_mut().zip(&self.held).for_each(|(own, held)| *own = held - *own);
             self.sample(system, self.steps.of(dt), start, end);
         }
+        self.add_to_turns((t, dt), [start, end]);
         let sums = &mut self.sums;
-        for (own, turn) in sums.turns.iter_mut().zip(&self.parts.turns) {
-            own.add(turn, (t + dt, end));
-        }
-        for (own, turn) in self.turned.iter_mut().zip(&self.parts.turns) {
-            own.take(turn, (t + dt, end));
-        }
         sums.steps += 1;
         sums.row_error = sums.row_error.max(row_error);
         for (worst, flows) in sums.worst.iter_mut().zip(flows.chunks_exact(MOTIONS)) {
@@ -312,8 +310,7 @@ impl QualityMeter {
             let parts = sums.parts.iter().zip(&self.parts.all);
             let judged = parts.map(|(sums, part)| {
                 let (value, amplitude) = (of(sums), larger(sums.reach(), least));
-                let part = MovingPart { body: part.body, turns: part.turns() };
-                (if value == 0.0 { 0.0 } else { value / amplitude }, part)
+                (if value == 0.0 { 0.0 } else { value / amplitude }, part.moving())
             });
             let turns = sums.turns.iter().zip(&self.parts.turns).map(|(sums, turn)| {
                 let way = turn.radius * sums.reach(self.steps.most());
@@ -403,6 +400,11 @@ fn undeformed(
 /// The larger of two; what is no number is larger than any, and stays it.
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b <= a || a.is_nan() { a } else { b }
+}
+
+/// Whether a step is one of those that are measured.
+pub(super) fn is_sampled(step: u64) -> bool {
+    step < ALL_SAMPLED || scattered(step).is_multiple_of(SAMPLED)
 }
 
 /// A number for each step in which no order is to be seen (the finish of splitmix64).

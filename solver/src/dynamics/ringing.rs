@@ -47,7 +47,7 @@ pub enum RingingPart {
 }
 
 /// Second differences in a row that have to alternate: with a spectral radius of 0.9 what rings has fallen to 1.5 % then.
-const LASTS: f64 = 40.0;
+pub(super) const LASTS: f64 = 40.0;
 /// How much more velocities have to ring than what is named before them.
 const NAMED_BEFORE: f64 = 1.1;
 /// Second differences of velocities in a window.

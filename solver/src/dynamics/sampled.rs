@@ -153,9 +153,6 @@ impl QualityMeter {
             .zip(start.integrated(dt, first))
             .zip(self.motion.iter_mut())
             .for_each(|((end, start), out)| *out = end - start);
-        for (sums, turn) in self.sums.turns.iter_mut().zip(&self.parts.turns) {
-            sums.add_error(factor * turn.of(&self.motion, first).abs());
-        }
         for kind in [None, Some(Kind::Free), Some(Kind::Resolved)] {
             match kind {
                 None => self.within.copy_from_slice(&self.motion),

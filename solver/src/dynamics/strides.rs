@@ -37,7 +37,6 @@ impl March<'_> {
             at += length;
             self.meters.lengthen(at);
         }
-        self.meters.end_row();
         Ok(())
     }
 

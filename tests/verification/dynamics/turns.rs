@@ -169,3 +169,76 @@ fn a_couple_that_swings_faster_than_steps_show_is_not_sound() {
         assert_eq!(of_turn(&found).is_empty(), sound, "{frequency} Hz: {found:?}");
     }
 }
+
+/// However long, however few, and wherever the swing begins; also where it goes over the top.
+#[test]
+fn a_pendulum_is_not_sound_in_any_steps_that_are_too_long() {
+    for integrator in [Integrator::default(), Integrator::generalized_alpha(0.9)] {
+        for ratio in [0.6, 1.0, 2.0, 4.0, 10.0, 60.0, 1e3] {
+            for (angle, speed) in [(0.0, 0.1), (0.0, SPEED), (0.1, 0.0), (2.0, 0.0), (0.5, 3.0)] {
+                for steps in [24, 200, 1000] {
+                    let initial = vec![BodyStart { angle, speed, ..BodyStart::default() }];
+                    let options =
+                        MarchOptions { initial, integrator, ..strict(ratio / OMEGA, steps) };
+                    let (outcome, _, found) = run(&pendulum(), &options);
+                    let quality = outcome.quality;
+                    assert!(!found.is_empty(), "{ratio} {angle} {speed} {steps}: {quality:?}");
+                }
+            }
+        }
+    }
+}
+
+/// A motor by which the speed falls far faster than steps show: what alternates is judged as that, and where the method damps it
+/// the turn is sound.
+#[test]
+fn a_fall_of_the_speed_that_steps_do_not_resolve_is_no_local_error() {
+    for ratio in [3.0, 100.0, 1e3] {
+        let dt = 1e-3;
+        let machine = motor(ratio * INERTIA / dt);
+        for (radius, sound) in [(1.0, false), (0.9, true)] {
+            let integrator = Integrator::generalized_alpha(radius);
+            let options = MarchOptions { integrator, ..options(dt, 500, 299.5) };
+            let (outcome, state, found) = run(&machine, &options);
+            let quality = outcome.quality;
+            assert!(quality.local_error < 1e-3, "{ratio} {radius}: {quality:?}");
+            // A step of the trapezoidal rule leaves −0.2, −0.96 and nearly −1: the first dies before it counts as ringing.
+            assert_eq!(found.is_empty(), sound || ratio == 3.0, "{ratio} {radius}: {found:?}");
+            let rings = found.iter().all(|own| own.what.contains("changes its sign every step"));
+            assert!(rings, "{ratio} {radius}: {found:?}");
+            assert!(!sound || (state.v[0] - 300.0).abs() < 1e-9, "{ratio}: {}", state.v[0]);
+        }
+    }
+}
+
+/// A swing with pulses of a microsecond, each and its opposite within a step: the parts of the steps that are cut are short, and
+/// the accelerations in them say nothing of the swing.
+#[test]
+fn pulses_in_steps_that_are_cut_leave_the_local_error_of_a_swing() {
+    let dt = 0.25 / OMEGA;
+    let mut rows = vec![[0.0, 0.0]];
+    for pulse in 0..20 {
+        let at = (50.0 * f64::from(pulse) + 10.3) * dt;
+        for (after, couple) in [(0.0, 0.0), (1.0, 10.0), (2.0, 0.0), (3.0, -10.0), (4.0, 0.0)] {
+            rows.push([at + 1e-6 * after, couple]);
+        }
+    }
+    rows.push([1000.0 * dt, 0.0]);
+    let curve = Arc::new(Curve::linear(&rows, false).expect("a curve"));
+    let machine = |pulse: f64| {
+        let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
+        let couple = |size: f64, time_function: TimeFunction| {
+            let turn = Matrix::zeros(3, 2 * DISCS);
+            Load::couple(0, turn, [0.0, 0.0, size], time_function, Frame::Body)
+        };
+        let order = TimeFunction::Order { body: 0, order: 1.0, phase: 0.0 };
+        let pulses = TimeFunction::OverTime(curve.clone());
+        parts.loads = vec![couple(-INERTIA * OMEGA * OMEGA, order), couple(pulse, pulses)];
+        Machine::new(parts).expect("a machine")
+    };
+    let error = |machine: &Machine| run(machine, &options(dt, 1000, 0.1)).0.quality.local_error;
+    let [alone, pulsed] = [0.0, 1.0].map(|pulse| error(&machine(pulse)));
+    // A pulse changes the speed by 0.2 % of its range for a microsecond, and takes 2 % of the steps, which moves a quantile of
+    // cos near its top by less than that; classes are 5 % wide.
+    assert!((pulsed / alone - 1.0).abs() < 0.06, "{pulsed} for {alone}");
+}
