@@ -7,10 +7,10 @@
 //! a sin ωt it is a, of a run-up that takes the time τ to a speed half of the way that it takes. It is a radian at most,
 //! or what one step turns by: beyond that it matters to nothing how far a turn has gone.
 //!
-//! In θ̈ = −λθ̇ the acceleration changes by λ times what the speed does, and from λΔt = 2 on both change their signs in each
-//! step of the trapezoidal rule, in which the turn hardly moves: the change of the acceleration says nothing of its error there, and
-//! what rings is measured by itself. An oscillation θ̈ = −ω²θ loses speed while it is slowed down more in a quarter of its time only,
-//! so that of one in steps which are too long for it most still count.
+//! In θ̈ = −λθ̇ the acceleration changes by −λ times what the speed does, and from λΔt = 2 on both change their signs in each
+//! step of the trapezoidal rule, while the turn hardly moves: the change of the acceleration says nothing of its error there, and
+//! what rings is measured by itself. In θ̈ = −ω²θ acceleration and speed change against each other in half of the time only, so that
+//! steps which are far too long for it still count.
 
 use serde::{Deserialize, Serialize};
 
@@ -270,13 +270,13 @@ mod tests {
         }
     }
 
-    /// In steps of 1 s from a state, each by the trapezoidal rule: the share of them that resolve the turn.
+    /// In steps of 1 s from a state, each by the trapezoidal rule: the share of them that resolve the turn, and the error.
     fn resolved(
         steps: usize,
         start: [f64; 2],
         step: impl Fn([f64; 2]) -> [f64; 2],
         a: impl Fn([f64; 2]) -> f64,
-    ) -> f64 {
+    ) -> (f64, f64) {
         let (turn, mut x) = (turn(), start);
         let mut sums = TurnSums::new(&turn, &state(x[1], a(x)));
         for _ in 0..steps {
@@ -285,7 +285,7 @@ mod tests {
             sums.end_row();
             x = next;
         }
-        sums.errors.count() as f64 / steps as f64
+        (sums.errors.count() as f64 / steps as f64, sums.error())
     }
 
     #[test]
@@ -294,7 +294,18 @@ mod tests {
             let factor = (1.0 - 0.5 * lambda) / (1.0 + 0.5 * lambda);
             let step = |[x, v]: [f64; 2]| [x + 0.5 * (1.0 + factor) * v, factor * v];
             let start = [0.0, 1.0];
-            assert_eq!(resolved(20, start, step, |[_, v]| -lambda * v), share, "{lambda}");
+            let found = [42, 43].map(|steps| resolved(steps, start, step, |[_, v]| -lambda * v));
+            assert_eq!(found.map(|own| own.0), [share; 2], "{lambda}");
+            // That of the first step, which changes most, until there is ringing to be told.
+            let first = lambda * (1.0 - factor) / 12.0;
+            let errors = found.map(|own| own.1);
+            match share > 0.0 {
+                true => assert!(errors.iter().all(|own| *own > 0.0 && *own <= first), "{errors:?}"),
+                false => assert!(
+                    (errors[0] / first - 1.0).abs() < 1e-12 && errors[1] == 0.0,
+                    "{errors:?}"
+                ),
+            }
         }
     }
 
@@ -307,7 +318,7 @@ mod tests {
                 let (x, v) = (x, v / omega);
                 [x * turn.cos() + v * turn.sin(), omega * (v * turn.cos() - x * turn.sin())]
             };
-            let share = resolved(20_000, [1.0, 0.0], step, |[x, _]| -omega * omega * x);
+            let (share, _) = resolved(20_000, [1.0, 0.0], step, |[x, _]| -omega * omega * x);
             let exact = 1.0 - (0.5 * omega).atan() / PI;
             // Half of the last sweep through all phases, of which there are 25 in the longest steps.
             assert!((share - exact).abs() < 0.02, "{omega}: {share} for {exact}");

@@ -211,17 +211,21 @@ fn a_fall_of_the_speed_that_steps_do_not_resolve_is_no_local_error() {
     }
 }
 
-/// A swing with pulses of a microsecond, each and its opposite within a step: the parts of the steps that are cut are short, and
-/// the accelerations in them say nothing of the swing.
+/// A swing, and where it turns back ten trains of pulses of a microsecond, each within a step that is cut in a thousand parts:
+/// these are short and together one step, and the accelerations in them say nothing of the swing.
 #[test]
 fn pulses_in_steps_that_are_cut_leave_the_local_error_of_a_swing() {
     let dt = 0.25 / OMEGA;
+    // Half a period in steps, as the trapezoidal rule has it.
+    let half = std::f64::consts::PI / (2.0 * 0.125_f64.atan());
     let mut rows = vec![[0.0, 0.0]];
-    for pulse in 0..20 {
-        let at = (50.0 * f64::from(pulse) + 10.3) * dt;
-        for (after, couple) in [(0.0, 0.0), (1.0, 10.0), (2.0, 0.0), (3.0, -10.0), (4.0, 0.0)] {
-            rows.push([at + 1e-6 * after, couple]);
+    for train in 0..10 {
+        let at = (half * (0.5 + 8.0 * f64::from(train))).floor() + 0.3;
+        for place in 0..1000 {
+            let couple = [0.0, 500.0, 0.0, -500.0][place % 4];
+            rows.push([at * dt + 1e-6 * place as f64, couple]);
         }
+        rows.push([at * dt + 1e-3, 0.0]);
     }
     rows.push([1000.0 * dt, 0.0]);
     let curve = Arc::new(Curve::linear(&rows, false).expect("a curve"));
@@ -238,7 +242,6 @@ fn pulses_in_steps_that_are_cut_leave_the_local_error_of_a_swing() {
     };
     let error = |machine: &Machine| run(machine, &options(dt, 1000, 0.1)).0.quality.local_error;
     let [alone, pulsed] = [0.0, 1.0].map(|pulse| error(&machine(pulse)));
-    // A pulse changes the speed by 0.2 % of its range for a microsecond, and takes 2 % of the steps, which moves a quantile of
-    // cos near its top by less than that; classes are 5 % wide.
+    // Trains move the swing by 0.05 % each; classes are 5 % wide.
     assert!((pulsed / alone - 1.0).abs() < 0.06, "{pulsed} for {alone}");
 }
