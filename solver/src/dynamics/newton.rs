@@ -60,6 +60,8 @@ impl Default for NewtonOptions {
 const SOLVED: f64 = 5e-7;
 /// Worst contraction for which factors are kept.
 pub(super) const CONTRACTION: f64 = 0.2;
+/// φ of an iteration over that of the one before from which on it no longer falls: another one may not help.
+const STALLED: f64 = 0.5;
 /// Share of the decrease promised by the slope of φ that a step must bring.
 const SUFFICIENT: f64 = 1e-4;
 /// Shortest step tried.
@@ -239,7 +241,7 @@ impl Newton {
             std::mem::swap(end, &mut self.trial);
             let parts = self.correction.iter_mut().zip(&self.direction);
             parts.for_each(|(sum, part)| *sum += length * part);
-            norm = tried;
+            let last_norm = std::mem::replace(&mut norm, tried);
             self.residuals.push(norm);
             let (change, largest) = self.force_change(system);
             force_change = change;
@@ -248,7 +250,8 @@ impl Newton {
             let at_rest = change <= force_tolerance + FORCE_ROUNDING * largest;
             if length == 1.0 && at_rest {
                 let options = NewtonOptions { force_tolerance, ..self.options };
-                let row_error = system.row_error(end, &self.predicted, &options);
+                let stalls = norm > STALLED * last_norm;
+                let row_error = system.row_error([end, &self.predicted], &options, stalls);
                 if row_error <= 1.0 {
                     self.largest_force = most;
                     let (weights, memory) = (self.merit.weights(), &mut self.direction);
@@ -307,7 +310,7 @@ impl Newton {
     fn rounding_is_left(&self, system: &mut System) -> bool {
         let residual_tolerance = self.options.residual_tolerance.min(SOLVED);
         let narrow = NewtonOptions { force_tolerance: 0.0, residual_tolerance, ..self.options };
-        system.row_error(&self.trial, &self.predicted, &narrow) <= 1.0
+        system.row_error([&self.trial, &self.predicted], &narrow, true) <= 1.0
     }
 
     /// Largest change of a spring force since the start of the iteration, and the largest force (N).
