@@ -106,11 +106,32 @@ pub(crate) fn sum_of_products<L: Lane + Mul<A, Output = L>, A: Copy>(a: &[L], b:
             parts[i] = parts[i] + a[i] * b[i];
         }
     }
-    for (part, (x, y)) in parts.iter_mut().zip(last.iter().zip(rest)) {
-        *part = *part + *x * *y;
+    // Of a length that is known the partial sums stay in registers.
+    match last.len() {
+        0 => {}
+        1 => add_last::<L, A, 1>(&mut parts, last, rest),
+        2 => add_last::<L, A, 2>(&mut parts, last, rest),
+        3 => add_last::<L, A, 3>(&mut parts, last, rest),
+        4 => add_last::<L, A, 4>(&mut parts, last, rest),
+        5 => add_last::<L, A, 5>(&mut parts, last, rest),
+        6 => add_last::<L, A, 6>(&mut parts, last, rest),
+        _ => add_last::<L, A, 7>(&mut parts, last, rest),
     }
     let [a, b, c, d, e, f, g, h] = parts;
     ((a + b) + (c + d)) + ((e + f) + (g + h))
+}
+
+/// Adds the products of the last N terms to as many partial sums.
+#[inline(always)]
+fn add_last<L: Lane + Mul<A, Output = L>, A: Copy, const N: usize>(
+    parts: &mut [L; PARTS],
+    a: &[L],
+    b: &[A],
+) {
+    let (a, b) = (&a[..N], &b[..N]);
+    for i in 0..N {
+        parts[i] = parts[i] + a[i] * b[i];
+    }
 }
 
 /// [`add_columns`] of numbers.
