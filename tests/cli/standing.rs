@@ -185,3 +185,20 @@ fn check_says_what_is_not_round_and_moves_at_twice_its_speed() {
     let round = bench.whirl(&["check", "weight"]);
     assert!(round.status == 0 && !round.stdout.contains("is not round"), "{}", round.stdout);
 }
+
+/// Four modes end between the two of a pair, and answers to a load stand behind them: the partner is kept.
+#[test]
+fn answers_to_loads_leave_a_round_shaft_round() {
+    for modes in [3, 4, 6, 9, 12] {
+        let case = format!(
+            "include = \"overhung-disc.toml\"\ntitle = \"few modes\"\n[body.rotor]\nmodes = {modes}\n\
+             [body.rotor.sets.middle]\npoint = [\"0 mm\", \"0 mm\", \"180 mm\"]\nwithin = \"13 mm\"\n\
+             [loads.push]\nbody = \"rotor\"\nsets = [\"middle\"]\nforce = [\"1 N\", \"0 N\", \"0 N\"]\n\
+             frame = \"body\"\n"
+        );
+        let bench = Workbench::new().file("case.toml", &case);
+        let outcome = bench.whirl(&["check", "case.toml"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        assert!(!outcome.stdout.contains("is not round"), "{modes}: {}", outcome.stdout);
+    }
+}

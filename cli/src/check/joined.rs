@@ -30,7 +30,7 @@ pub(super) fn say(
 ) -> Result<(), Failure> {
     text.push_str(&masses(joined, plan)?);
     text.push('\n');
-    text.push_str(&sizes(plan, joined));
+    text.push_str(&sizes(plan, joined, built));
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
         if let Some(found) = fineness_of(body) {
             line!(text, "{}: {}", body.name.text(), fineness::described(&found));
@@ -327,10 +327,11 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
 }
 
 /// The table of what is reduced.
-fn sizes(plan: &JoinedPlan, joined: &JoinedMachine) -> String {
+fn sizes(plan: &JoinedPlan, joined: &JoinedMachine, built: &Built) -> String {
     let heads = ["", "elements", "nodes", "physical dofs", "retained dofs", "modes", "active"];
     let mut rows = vec![heads.map(str::to_string).to_vec()];
-    for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
+    let places = built.machine.places();
+    for ((body, own), place) in joined.bodies.iter().zip(&plan.bodies).zip(places) {
         let PlannedBody::Meshed(own) = own else { continue };
         if own.rigid {
             continue;
@@ -343,7 +344,7 @@ fn sizes(plan: &JoinedPlan, joined: &JoinedMachine) -> String {
             counts.physical_dofs,
             counts.retained_dofs,
             counts.modes,
-            own.active(),
+            place.flexible.len(),
         ];
         row.extend(numbers.iter().map(ToString::to_string));
         rows.push(row);

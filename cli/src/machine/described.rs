@@ -11,7 +11,7 @@ use whirl_solver::model::{Form, Model};
 
 use super::plan::BodyPlan;
 use super::springs::explain;
-use super::{BodyFact, BodyFacts, Built, FieldMesh, forces};
+use super::{BodyFact, BodyFacts, Built, Counts, FieldMesh, forces};
 use crate::case::{Gravity, LawSource};
 use crate::errors::Failure;
 
@@ -101,10 +101,15 @@ impl Described<'_> {
                     warnings.push(format!("cannot keep a reduced body in {folder}: {error}"));
                 }
                 cached &= reduction.cached;
+                let (counts, hertz) = (plan.counts(), own.body.hertz().to_vec());
                 facts.push(BodyFact {
                     name: own.body.name().to_owned(),
-                    counts: plan.counts(),
-                    hertz: own.body.hertz().to_vec(),
+                    // Of what was kept, answers to loads and a mode's partner among it.
+                    counts: Counts {
+                        craig_bampton_dofs: hertz.len() + counts.retained_dofs,
+                        ..counts
+                    },
+                    hertz,
                     content: reduction.content,
                 });
             }

@@ -15,6 +15,8 @@ use crate::error::ReductionError;
 pub(super) const GUARD: usize = 4;
 /// A multiple eigenvalue that reaches beyond the guard is searched for among this many times the modes.
 const WIDEST: usize = 8;
+/// Two ω² that differ by no more than this part are those of a pair.
+const PAIR: f64 = 1e-3;
 /// Dofs up to which all modes are found at once where the iteration finds no gap to count in.
 const DENSE: usize = 2_000;
 /// Searches for modes that the Sturm count says are missing, before giving up.
@@ -34,6 +36,17 @@ impl Modes {
     pub fn hertz(&self) -> Vec<f64> {
         self.eigenvalues.iter().map(|&value| hertz(value)).collect()
     }
+}
+
+/// Whether the first `count` of ascending ω² end between the two of a pair: the next one is as large, and the one before is not.
+fn ends_within_pair(eigenvalues: &[f64], count: usize) -> bool {
+    let equal = |a: usize| match eigenvalues.get(a..a + 2) {
+        Some(&[low, high]) => high - low <= PAIR * high,
+        _ => false,
+    };
+    let Some(last) = count.checked_sub(1) else { return false };
+    let before = (0..last).rev().take_while(|&place| equal(place)).count();
+    equal(last) && before.is_multiple_of(2)
 }
 
 /// The frequency (Hz) of ω² (rad²/s²); 0 for a negative value, which a rigid motion may have by rounding.
@@ -69,7 +82,19 @@ impl Pencil<'_> {
         &self,
         count: usize,
     ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
-        self.shifted_modes(count, 0.0)
+        self.shifted_modes(count, 0.0, false)
+    }
+
+    /// As [`Pencil::lowest_modes`], and one more where the last of them would lose the partner with which it is a pair, as the
+    /// bending of a round body about two axes is.
+    ///
+    /// # Errors
+    /// As [`Pencil::lowest_modes`].
+    pub(super) fn lowest_pairs(
+        &self,
+        count: usize,
+    ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
+        self.shifted_modes(count, 0.0, true)
     }
 
     /// The `count` lowest modes of a body that may move freely (K positive semidefinite), rigid motions
@@ -80,7 +105,7 @@ impl Pencil<'_> {
     pub(crate) fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
         // K is singular to ε·λ_max; the shift stands well clear of that, and as far below the first
         // elastic modes of any mesh that resolves them.
-        Ok(self.shifted_modes(count, 1e-10 * self.highest())?.0)
+        Ok(self.shifted_modes(count, 1e-10 * self.highest(), false)?.0)
     }
 
     /// The size of the largest ω² of the mesh (rad²/s²), by its diagonals; dofs without mass have none.
@@ -95,11 +120,12 @@ impl Pencil<'_> {
         16.0 * f64::EPSILON * self.highest()
     }
 
-    /// Modes by the factor of K + shift·M.
+    /// Modes by the factor of K + shift·M, and the partner of the last where it is asked for.
     fn shifted_modes(
         &self,
         count: usize,
         shift: f64,
+        in_pairs: bool,
     ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
         let n = self.mass.size;
         let available = n - self.constraints.rows.len();
@@ -120,9 +146,11 @@ impl Pencil<'_> {
         };
         // With the guard modes: a multiple eigenvalue at the end has all its vectors when it is settled.
         convention::settle(&modes.eigenvalues, self.blur(), &mut modes.vectors, self.components)?;
-        modes.eigenvalues.truncate(count);
-        modes.vectors.cols = count;
-        modes.vectors.data.truncate(n * count);
+        let kept =
+            if in_pairs && ends_within_pair(&modes.eigenvalues, count) { count + 1 } else { count };
+        modes.eigenvalues.truncate(kept);
+        modes.vectors.cols = kept;
+        modes.vectors.data.truncate(n * kept);
         Ok((modes, factor))
     }
 
@@ -350,6 +378,14 @@ fn dense(a: &LowerTriangle) -> Matrix {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_pair_is_not_left_by_half() {
+        // A single one, a pair, one that is nearly as large as the next, and four alike.
+        let all = [1.0, 2.0, 2.0001, 3.0, 3.01, 5.0, 5.0, 5.0, 5.0, 6.0];
+        let found: Vec<usize> = (0..=all.len()).filter(|&n| ends_within_pair(&all, n)).collect();
+        assert_eq!(found, [2, 6, 8]);
+    }
 
     #[test]
     fn a_missing_mode_is_counted() {
