@@ -28,13 +28,6 @@ impl Place {
     pub(super) fn of(system: &System, state: &State) -> Self {
         Place { time: system.time, state: state.clone(), released: system.released.clone() }
     }
-
-    /// Takes another place over.
-    fn move_to(&mut self, system: &System, state: &State) {
-        self.time = system.time;
-        self.state.copy_from(state);
-        self.released.copy_from_slice(&system.released);
-    }
 }
 
 /// Motions slower than ωΔt = 1e-3, more than 6000 steps a period, are as good as free.
@@ -97,37 +90,21 @@ impl Linearised {
         Ok(Linearised { slowest: slowest.collect(), modes, length })
     }
 
-    /// Linearises anew, at a state that was just evaluated.
-    ///
-    /// # Errors
-    /// A mass matrix that is not positive definite.
-    pub(super) fn renew(
-        &mut self,
-        system: &mut System,
-        parts: &[Part],
-        (place, state): (&mut Place, &State),
-    ) -> Result<(), Error> {
-        *self = Linearised::new(system, parts, self.length, state)?;
-        place.move_to(system, state);
-        Ok(())
-    }
-
-    /// Linearises where it was done before; the system is evaluated there.
+    /// Where it was done before; the system is evaluated there.
     ///
     /// # Errors
     /// A mass matrix that is not positive definite.
     pub(super) fn again(
-        &mut self,
         system: &mut System,
         parts: &[Part],
+        length: f64,
         place: &Place,
-    ) -> Result<(), Error> {
+    ) -> Result<Self, Error> {
         let released = std::mem::replace(&mut system.released, place.released.clone());
         system.evaluate(place.time, &place.state);
-        let new = Linearised::new(system, parts, self.length, &place.state);
+        let new = Linearised::new(system, parts, length, &place.state);
         system.released = released;
-        *self = new?;
-        Ok(())
+        new
     }
 
     /// Whether anything acts on a part.

@@ -244,7 +244,7 @@ impl Meters {
     }
 
     /// What the steps were worth, where forces of springs are known to `unknown` (N); the system is evaluated elsewhere for it.
-    pub(crate) fn quality(&self, system: &mut System, unknown: f64) -> Quality {
+    pub(crate) fn quality(&mut self, system: &mut System, unknown: f64) -> Quality {
         let quality = self.quality.quality(system, &self.energy.sums.flows, unknown);
         let ringing = self.ringing.ringing(&self.quality.parts);
         Quality { fewest_steps: self.periods.fewest, ringing, ..quality }

@@ -5,6 +5,7 @@ mod condensed;
 mod contacts;
 mod control;
 mod cuts;
+mod early;
 mod energy;
 mod equilibrium;
 mod extrapolation;

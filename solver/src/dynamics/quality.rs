@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::early::EarlyStep;
 use super::halvings::HalvedSteps;
 use super::linearised::{Linearised, PartMotion, Place};
 use super::modes::MachineModes;
@@ -106,8 +107,10 @@ pub(crate) struct QualitySums {
     row_error: f64,
     /// By bearings.
     worst: Vec<WorstStep>,
+    /// Steps that wait for the first linearisation.
+    pub(super) early: Vec<EarlyStep>,
     /// Where the machine was linearised last, after how many steps, and ω of its fastest mode so far (rad/s).
-    pub(super) linearised: Place,
+    pub(super) linearised: Option<Place>,
     pub(super) linearised_at: u64,
     pub(super) fastest: f64,
 }
@@ -152,8 +155,8 @@ pub(crate) struct QualityMeter {
     pub(super) steps: StepLength,
     /// The modes by which the march chooses its steps, where it does.
     pub(super) undeformed: Option<MachineModes>,
-    /// Those by which steps are judged.
-    pub(super) linearised: Linearised,
+    /// Those by which steps are judged; none before the first were.
+    pub(super) linearised: Option<Linearised>,
     pub(super) parts: Parts,
     /// What turns were, also in a march before this one, by which the control judges where there is one.
     pub(super) turned: Vec<TurnRange>,
@@ -182,7 +185,6 @@ impl QualityMeter {
     ) -> Result<Self, Error> {
         let automatic = matches!(steps, StepLength::Most(_));
         let (undeformed, parts) = undeformed(system, state, automatic)?;
-        let linearised = Linearised::new(system, &parts.all, steps.most(), state)?;
         let sums = QualitySums {
             steps: 0,
             rows: 0,
@@ -193,9 +195,10 @@ impl QualityMeter {
                 WorstStep { made: 0.0, ends: [(0.0, state.clone()), (0.0, state.clone())] };
                 system.machine.springs.bearings
             ],
-            linearised: Place::of(system, state),
+            early: Vec::new(),
+            linearised: None,
             linearised_at: 0,
-            fastest: linearised.fastest(),
+            fastest: 0.0,
         };
         let values = || vec![0.0; system.machine.active()];
         let mut meter = QualityMeter {
@@ -203,7 +206,7 @@ impl QualityMeter {
             method,
             steps,
             undeformed,
-            linearised,
+            linearised: None,
             moved: vec![PartMotion::default(); parts.all.len()],
             turned: parts
                 .turns
@@ -220,7 +223,7 @@ impl QualityMeter {
             change: values(),
         };
         meter.hold(system);
-        meter.add_displacement(state);
+        meter.add_whole_displacement(state);
         Ok(meter)
     }
 
@@ -234,9 +237,12 @@ impl QualityMeter {
         sums: QualitySums,
     ) -> Result<(), Error> {
         self.hold(system);
-        if sums.linearised != self.sums.linearised {
-            self.linearised.again(system, &self.parts.all, &sums.linearised)?;
-        }
+        self.linearised = match &sums.linearised {
+            Some(place) => {
+                Some(Linearised::again(system, &self.parts.all, self.steps.most(), place)?)
+            }
+            None => None,
+        };
         self.sums = sums;
         Ok(())
     }
@@ -265,7 +271,7 @@ impl QualityMeter {
         self.hold(system);
         if sampled {
             self.change.iter_mut().zip(&self.held).for_each(|(own, held)| *own = held - *own);
-            self.sample(system, self.steps.of(dt), start, end);
+            self.judge(system, (t + dt, self.steps.of(dt)), [start, end]);
         }
         self.add_to_turns((t, dt), [start, end]);
         let sums = &mut self.sums;
@@ -284,7 +290,13 @@ impl QualityMeter {
     }
 
     /// What the steps so far were worth; forces of springs are known to `unknown` (N).
-    pub(crate) fn quality(&self, system: &mut System, flows: &Windows, unknown: f64) -> Quality {
+    pub(crate) fn quality(
+        &mut self,
+        system: &mut System,
+        flows: &Windows,
+        unknown: f64,
+    ) -> Quality {
+        self.judge_rest(system);
         let sums = &self.sums;
         let places = 0..MOTIONS * system.machine.springs.bearings;
         let fractions = places.map(|place| {
@@ -303,13 +315,13 @@ impl QualityMeter {
         });
         let largest = eigenvalues.reduce(f64::max);
         let parts = sums.parts.iter().zip(&self.parts.all);
-        let most = parts.map(|(sums, part)| sums.reach().min(part.most())).fold(0.0, larger);
+        let most = parts.map(|(sums, part)| sums.reach.min(part.most())).fold(0.0, larger);
         let least = SMALLEST * most;
         // The largest fraction of what moves, and the part where it is; turns have errors only.
         let judge = |of: &dyn Fn(&PartSums) -> f64, of_turn: &dyn Fn(&TurnSums) -> f64| {
             let parts = sums.parts.iter().zip(&self.parts.all);
             let judged = parts.map(|(sums, part)| {
-                let (value, amplitude) = (of(sums), larger(sums.reach(), least));
+                let (value, amplitude) = (of(sums), larger(sums.reach, least));
                 (if value == 0.0 { 0.0 } else { value / amplitude }, part.moving())
             });
             let turns = sums.turns.iter().zip(&self.parts.turns).map(|(sums, turn)| {
@@ -472,6 +484,7 @@ mod tests {
             system.evaluate(dt, &end);
             let flows = [Flow { made: 0.0, flowed: 1.0, moved: 0.0 }; 3];
             meter.add(&mut system, (0.0, dt), [&start, &end], (&flows, 0.0));
+            meter.judge_rest(&mut system);
             let errors: Vec<f64> = meter.sums.parts.iter().map(|own| own.largest_error).collect();
             assert!(errors.iter().any(|error| *error > 0.0), "{errors:?}");
             errors

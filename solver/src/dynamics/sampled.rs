@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
-use super::linearised::Kind;
+use super::linearised::{Kind, Linearised, Place};
 use super::newmark::State;
 use super::parts::Part;
 use super::quality::{QualityMeter, larger, scattered};
@@ -20,9 +20,8 @@ pub(super) struct PartSums {
     /// Of the steps of which it could be judged.
     pub(super) errors: Histogram,
     pub(super) largest_error: f64,
-    /// Largest displacement in the modes in which it is judged, in those that are faster, and in all directions.
-    amplitude: f64,
-    unresolved_amplitude: f64,
+    /// Largest displacement that measures are fractions of, in modes on which something acts, and in all directions (m).
+    pub(super) reach: f64,
     pub(super) displacement: f64,
     /// Motion in a step in modes that are not resolved.
     pub(super) motions: Histogram,
@@ -37,50 +36,47 @@ impl PartSums {
             unknown: false,
             errors: Histogram::new(),
             largest_error: 0.0,
-            amplitude: 0.0,
-            unresolved_amplitude: 0.0,
+            reach: 0.0,
             displacement: 0.0,
             motions: Histogram::new(),
             kinetic: 0.0,
         }
     }
-
-    /// Largest displacement that measures are fractions of (m).
-    pub(super) fn reach(&self) -> f64 {
-        self.amplitude.hypot(self.unresolved_amplitude)
-    }
 }
 
-/// Steps from one linearisation to the next, at least. Of many unknowns it is as dear as thousands of steps, so that they are
-/// n² apart: together they take a few hundredths of the time that steps do.
+/// Steps from one linearisation to the next, at least. Of many unknowns it is as dear as hundreds of steps, so that they are
+/// n²/4 apart: together they take a few hundredths of the time that steps do.
 fn apart(unknowns: usize) -> u64 {
-    const LEAST: u64 = 64;
-    LEAST.max((unknowns as u64).pow(2))
+    const LEAST: u64 = 16;
+    LEAST.max((unknowns as u64).pow(2) / 4)
 }
 
 impl QualityMeter {
     /// Measures a step of `dt` s that ends at a state just evaluated.
     pub(super) fn sample(&mut self, system: &mut System, dt: f64, start: &State, end: &State) {
+        let Some(mut linearised) = self.linearised.take() else { return };
         self.parts.displacement(end, &mut self.motion);
         self.parts.displacement(start, &mut self.before);
         self.motion.iter_mut().zip(&self.before).for_each(|(out, before)| *out -= before);
-        self.move_parts(dt);
+        self.move_parts(&linearised, dt);
         if self.is_compared() {
-            self.compare();
+            self.compare(&linearised);
             for (sums, moved) in self.sums.parts.iter_mut().zip(&self.moved) {
-                let changed = self.linearised.changed(dt, moved, sums.displacement);
+                let changed = linearised.changed(dt, moved, sums.displacement);
                 sums.changed = changed.contains(&true);
                 let [free, _, fast] = changed;
                 sums.unknown = free || fast;
             }
         }
-        let changed = self.sums.parts.iter().any(|own| own.changed);
-        if changed && self.may_linearise() && self.linearise(system, end) {
+        let changed = self.sums.parts.iter().any(|own| own.changed) && self.may_linearise();
+        if let Some(new) = changed.then(|| self.linearise(system, end)).flatten() {
+            linearised = new;
             self.sums.parts.iter_mut().for_each(|own| (own.changed, own.unknown) = (false, false));
-            self.move_parts(dt);
+            self.move_parts(&linearised, dt);
         }
-        self.add_errors(dt, start, end);
-        self.add_displacement(end);
+        self.add_errors(&linearised, dt, start, end);
+        self.add_displacement(&linearised, end);
+        self.linearised = Some(linearised);
     }
 
     /// Whether the modes are compared with the motion of the step: of few unknowns in each that is sampled.
@@ -91,28 +87,23 @@ impl QualityMeter {
         self.motion.len() <= FEW || now_and_then || scattered(steps).is_multiple_of(256)
     }
 
-    /// Whether the last linearisation is so long ago that another one costs little; the first one after the start is due at
-    /// once.
+    /// Whether the last linearisation is so long ago that another one costs little.
     fn may_linearise(&self) -> bool {
-        let sums = &self.sums;
-        let passed = sums.steps - sums.linearised_at;
-        passed >= if sums.linearised_at == 0 { 1 } else { apart(self.motion.len()) }
+        self.sums.steps - self.sums.linearised_at >= apart(self.motion.len())
     }
 
-    /// Linearises at a state that was just evaluated; whether it could be done.
-    fn linearise(&mut self, system: &mut System, state: &State) -> bool {
-        let place = (&mut self.sums.linearised, state);
-        let done = self.linearised.renew(system, &self.parts.all, place).is_ok();
-        if done {
-            self.sums.linearised_at = self.sums.steps;
-            self.sums.fastest = larger(self.sums.fastest, self.linearised.fastest());
-        }
-        done
+    /// The machine at a state that was just evaluated; none if its mass matrix is not positive definite.
+    pub(super) fn linearise(&mut self, system: &mut System, state: &State) -> Option<Linearised> {
+        let new = Linearised::new(system, &self.parts.all, self.steps.most(), state).ok()?;
+        self.sums.linearised = Some(Place::of(system, state));
+        self.sums.linearised_at = self.sums.steps;
+        self.sums.fastest = larger(self.sums.fastest, new.fastest());
+        Some(new)
     }
 
-    /// Tells apart by kinds of modes what the parts moved by, which is in `motion`.
-    fn move_parts(&mut self, dt: f64) {
-        let QualityMeter { linearised, parts, motion, kinds, moved, .. } = self;
+    /// Tells apart by kinds of modes what the parts moved by, or are displaced by, which is in `motion`.
+    fn move_parts(&mut self, linearised: &Linearised, dt: f64) {
+        let QualityMeter { parts, motion, kinds, moved, .. } = self;
         for (place, (kind, own)) in Kind::ALL.into_iter().zip(kinds).enumerate() {
             linearised.part(kind, dt, motion, own);
             for (moved, part) in moved.iter_mut().zip(&parts.all) {
@@ -123,8 +114,8 @@ impl QualityMeter {
     }
 
     /// Compares the elastic forces of the step with those by the stiffness in the modes, along the motion in every kind of them.
-    fn compare(&mut self) {
-        let QualityMeter { linearised, parts, kinds, moved, change, within, .. } = self;
+    fn compare(&mut self, linearised: &Linearised) {
+        let QualityMeter { parts, kinds, moved, change, within, .. } = self;
         let work = |part: &Part, motion: &[f64], force: &[f64]| -> f64 {
             let own = motion[part.place.clone()].iter().zip(&force[part.place.clone()]);
             own.map(|(x, f)| x * f).sum()
@@ -146,7 +137,7 @@ impl QualityMeter {
     /// Adds the error of a step of `dt` s, and its motion in modes that are not resolved. Where the modes of a part are not those
     /// of the machine any more, and cannot be taken anew yet, its whole motion counts: as resolved or not by its own ω, that by
     /// which its acceleration changes with it. Overdamped motion is slow in fast modes; what rings in them is not resolved.
-    fn add_errors(&mut self, dt: f64, start: &State, end: &State) {
+    fn add_errors(&mut self, linearised: &Linearised, dt: f64, start: &State, end: &State) {
         let factor = self.method.error_factor(dt);
         let first = end.a.len() - self.motion.len();
         end.integrated(dt, first)
@@ -156,12 +147,12 @@ impl QualityMeter {
         for kind in [None, Some(Kind::Free), Some(Kind::Resolved)] {
             match kind {
                 None => self.within.copy_from_slice(&self.motion),
-                Some(kind) => self.linearised.part(kind, dt, &self.motion, &mut self.within),
+                Some(kind) => linearised.part(kind, dt, &self.motion, &mut self.within),
             }
             self.parts.refer(&mut self.within);
             for number in 0..self.moved.len() {
                 let unknown = self.sums.parts[number].unknown;
-                let own = match (unknown, self.linearised.is_held(number)) {
+                let own = match (unknown, linearised.is_held(number)) {
                     (true, _) => None,
                     (false, false) => Some(Kind::Free),
                     (false, true) => Some(Kind::Resolved),
@@ -179,7 +170,7 @@ impl QualityMeter {
                         let resolves = !(change * dt * dt >= all) || all == 0.0;
                         (resolves, if resolves { 0.0 } else { all })
                     }
-                    Some(_) => (self.linearised.resolves(number, dt), (fast / moved.mass).sqrt()),
+                    Some(_) => (linearised.resolves(number, dt), (fast / moved.mass).sqrt()),
                 };
                 if resolves {
                     let error = factor * change;
@@ -191,26 +182,26 @@ impl QualityMeter {
         }
     }
 
-    /// Adds the displacement of a state to the largest.
-    pub(super) fn add_displacement(&mut self, state: &State) {
+    /// Adds the displacement of a state to the largest, and to those in modes.
+    pub(super) fn add_displacement(&mut self, linearised: &Linearised, state: &State) {
+        self.add_whole_displacement(state);
         let dt = self.steps.most();
-        let QualityMeter { sums, linearised, parts, motion, within, .. } = self;
+        self.move_parts(linearised, dt);
+        for (number, (sums, moved)) in self.sums.parts.iter_mut().zip(&self.moved).enumerate() {
+            let [free, resolved, fast] = moved.squares;
+            let judged = if linearised.is_held(number) { resolved } else { free + resolved };
+            sums.reach = larger(sums.reach, ((judged + fast) / moved.mass).sqrt());
+        }
+    }
+
+    /// Adds the displacement of a state, which is left in `motion`, to the largest.
+    pub(super) fn add_whole_displacement(&mut self, state: &State) {
+        let QualityMeter { sums, parts, motion, .. } = self;
         let rates = &state.v[state.v.len() - motion.len()..];
         parts.displacement(state, motion);
         for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
             sums.displacement = larger(sums.displacement, part.measure(motion));
             sums.kinetic = larger(sums.kinetic, part.kinetic_energy(rates));
-        }
-        for kind in Kind::ALL {
-            linearised.part(kind, dt, motion, within);
-            for (number, (sums, part)) in sums.parts.iter_mut().zip(&parts.all).enumerate() {
-                let largest = match kind {
-                    Kind::Fast => &mut sums.unresolved_amplitude,
-                    Kind::Free if linearised.is_held(number) => continue,
-                    Kind::Free | Kind::Resolved => &mut sums.amplitude,
-                };
-                *largest = larger(*largest, part.measure(within));
-            }
         }
     }
 }

@@ -1,0 +1,66 @@
+//! The first steps of a march, which are kept until the machine is linearised behind them, and judged in its modes then. Most
+//! machines are others at their start than a few steps later: springs touch, films begin to carry. One linearisation for both
+//! costs half of what two do.
+
+use serde::{Deserialize, Serialize};
+
+use super::newmark::State;
+use super::quality::QualityMeter;
+use super::system::System;
+
+/// So many steps.
+const EARLY: usize = 8;
+
+/// A step that is not judged yet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct EarlyStep {
+    /// When it ended (s).
+    time: f64,
+    /// By which length it is judged (s).
+    dt: f64,
+    start: State,
+    end: State,
+    /// By how much it changed what deformations and springs hold against.
+    change: Vec<f64>,
+}
+
+impl QualityMeter {
+    /// Judges a sampled step of a length, which has just ended at time `t` (s), or keeps it until it can be judged.
+    pub(super) fn judge(
+        &mut self,
+        system: &mut System,
+        (time, dt): (f64, f64),
+        [start, end]: [&State; 2],
+    ) {
+        if self.linearised.is_some() {
+            return self.sample(system, dt, start, end);
+        }
+        let (start, end, change) = (start.clone(), end.clone(), self.change.clone());
+        self.sums.early.push(EarlyStep { time, dt, start, end, change });
+        if self.sums.early.len() >= EARLY {
+            self.judge_early(system);
+        }
+    }
+
+    /// Judges the steps that were kept, in the modes of the machine at the end of the last of them, where the system is evaluated.
+    /// Where a mass matrix is not positive definite nothing is judged.
+    pub(super) fn judge_early(&mut self, system: &mut System) {
+        let early = std::mem::take(&mut self.sums.early);
+        let Some(last) = early.last() else { return };
+        let Some(linearised) = self.linearise(system, &last.end) else { return };
+        self.add_displacement(&linearised, &early[0].start);
+        self.linearised = Some(linearised);
+        for step in &early {
+            self.change.copy_from_slice(&step.change);
+            self.sample(system, step.dt, &step.start, &step.end);
+        }
+    }
+
+    /// Judges what is left of a march that has ended.
+    pub(super) fn judge_rest(&mut self, system: &mut System) {
+        if let Some(last) = self.sums.early.last() {
+            system.evaluate(last.time, &last.end);
+            self.judge_early(system);
+        }
+    }
+}
