@@ -6,17 +6,24 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
 use whirl_codegen::document::Document;
+use whirl_codegen::spec::kind::{ByKind, Kind};
 use whirl_codegen::spec::list::{KINDS, Spec};
 use whirl_specs::{Origin, TABLES, generated};
 
 use crate::{case, text_file};
+
+/// All kinds, in the order in which people are told of them.
+pub(crate) fn kinds() -> impl Iterator<Item = Kind> {
+    let ByKind { laws, elements, forms, motions, clearances } = KINDS;
+    [laws, elements, forms, motions, clearances].into_iter()
+}
 
 /// Reads a spec file of the kind that it says.
 ///
 /// # Errors
 /// Everything wrong with it, each with its place.
 pub(crate) fn read(source: &Arc<Source>) -> Result<Spec, Diagnostics> {
-    let kinds: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
+    let kinds: Vec<&str> = self::kinds().map(|kind| kind.name).collect();
     let document = Document::parse(source);
     if document.is_toml() && !document.has_kind() {
         let message = format!("`{}` is not a spec file: it has no `kind`", source.path.display());

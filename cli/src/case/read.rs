@@ -4,7 +4,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
-use whirl_codegen::document::schema::Described;
 use whirl_codegen::document::tree::Tree;
 use whirl_codegen::document::{Document, Table};
 

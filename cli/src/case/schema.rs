@@ -5,16 +5,18 @@ use whirl_codegen::document::schema::Shape::{
     Between, Count, Either, Flag, List, Named, Number, Quantity, Registered, Table, Text, Tuple,
     Words,
 };
-use whirl_codegen::document::schema::{Described, Key, Measure, Range, Shape, key, merged, needed};
+use whirl_codegen::document::schema::{Key, Measure, Range, Shape, key, merged, needed};
 use whirl_codegen::units::Dimension;
 use whirl_specs::MOTIONS;
 
 use super::Case;
 use super::joined::schema as joined;
 
-impl Described for Case {
-    const TITLE: &'static str = "case or machine";
-    const SHAPE: &'static Shape = &Table(&[CASE]);
+impl Case {
+    /// One line that says what the file is.
+    pub(crate) const TITLE: &'static str = "case or machine";
+    /// The table of the whole file.
+    pub(crate) const SHAPE: &'static Shape = &Table(&[CASE]);
 }
 
 macro_rules! measures {

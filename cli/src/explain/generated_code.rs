@@ -27,8 +27,11 @@ pub(super) fn module(spec: &Spec) -> Result<String, Diagnostics> {
         |origin: &Origin| SpecFile { path: origin.spec.to_string(), text: origin.text.to_string() };
     let file = spec.about().file;
     let mut files = vec![own(&file.path, &file.text, "toml")];
-    files.extend(spec.tables().into_iter().map(|file| own(&file.path, &file.text, "csv")));
     match spec {
+        Spec::Law(law) => {
+            let tables = law.tables.iter().map(|table| &table.file);
+            files.extend(tables.map(|file| own(&file.path, &file.text, "csv")));
+        }
         Spec::Element(_) => files.extend(FORMS.iter().map(built_in)),
         Spec::Form(_) => {
             let shown_on = ELEMENTS.iter().filter(|element| element.origin.name == SHOWN_ON);

@@ -3,15 +3,15 @@
 
 mod json;
 
-use whirl_codegen::document::schema::{Described, Shape};
-use whirl_codegen::spec::list::KINDS;
+use whirl_codegen::document::schema::Shape;
 
 use crate::case::Case;
+use crate::spec_file;
 use crate::sweep::Sweep;
 
 /// Kinds of files: word, title, and what they may say.
 pub(crate) fn kinds() -> impl Iterator<Item = (&'static str, &'static str, &'static Shape)> {
-    let specs = KINDS.iter().map(|kind| (kind.name, kind.title, kind.shape));
+    let specs = spec_file::kinds().map(|kind| (kind.name, kind.title, kind.shape));
     specs.chain([("case", Case::TITLE, Case::SHAPE), ("sweep", Sweep::TITLE, Sweep::SHAPE)])
 }
 

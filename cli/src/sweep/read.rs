@@ -5,7 +5,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
-use whirl_codegen::document::schema::Described;
 use whirl_codegen::document::tree::{Place, Tree};
 use whirl_codegen::document::{Document, Table};
 

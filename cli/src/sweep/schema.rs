@@ -3,7 +3,7 @@
 use whirl_codegen::document::schema::Shape::{
     Count, Either, Flag, List, Named, Number, Table, Text, Words,
 };
-use whirl_codegen::document::schema::{Described, Key, Shape, key, needed};
+use whirl_codegen::document::schema::{Key, Shape, key, needed};
 
 use super::Sweep;
 
@@ -12,9 +12,11 @@ pub(super) const MOST_POINTS: usize = 1_000_000;
 /// The largest seed: TOML's whole numbers end at 2^63 − 1.
 const LARGEST_SEED: usize = i64::MAX as usize;
 
-impl Described for Sweep {
-    const TITLE: &'static str = "a sweep: a case with keys that vary";
-    const SHAPE: &'static Shape = &Table(&[SWEEP]);
+impl Sweep {
+    /// One line that says what the file is.
+    pub(crate) const TITLE: &'static str = "a sweep: a case with keys that vary";
+    /// The table of the whole file.
+    pub(crate) const SHAPE: &'static Shape = &Table(&[SWEEP]);
 }
 
 const SWEEP: &[Key] = &[

@@ -129,6 +129,20 @@ impl Diagnostics {
         self.list.iter()
     }
 
+    /// All results, or everything that is wrong.
+    pub(crate) fn all<T>(
+        results: impl IntoIterator<Item = Result<T, Diagnostics>>,
+    ) -> Result<Vec<T>, Diagnostics> {
+        let (mut fine, mut errors) = (Vec::new(), Diagnostics::new());
+        for result in results {
+            match result {
+                Ok(result) => fine.push(result),
+                Err(wrong) => errors.append(wrong),
+            }
+        }
+        errors.into_result(fine)
+    }
+
     /// `Ok(value)` if nothing is wrong, else the errors sorted by file and place, each once: a file that is
     /// read twice is reported once.
     pub fn into_result<T>(mut self, value: T) -> Result<T, Diagnostics> {

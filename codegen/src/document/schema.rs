@@ -6,14 +6,6 @@
 
 use crate::units::Dimension;
 
-/// What can be read from a file.
-pub trait Described {
-    /// One line that says what the file is.
-    const TITLE: &'static str;
-    /// The table of the whole file.
-    const SHAPE: &'static Shape;
-}
-
 /// A key of a table.
 #[derive(Debug, Clone, Copy)]
 pub struct Key {
@@ -232,11 +224,6 @@ mod tests {
 
     #[test]
     fn declarations_are_not_ambiguous() {
-        use crate::spec::{clearance, element, form, law, motion};
-        walk(law::LawSpec::SHAPE);
-        walk(element::ElementSpec::SHAPE);
-        walk(form::FormSpec::SHAPE);
-        walk(motion::MotionSpec::SHAPE);
-        walk(clearance::ClearanceSpec::SHAPE);
+        crate::spec::list::KINDS.in_order().into_iter().for_each(|kind| walk(kind.shape));
     }
 }

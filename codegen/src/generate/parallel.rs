@@ -10,10 +10,10 @@ const STACK: usize = 8 << 20;
 
 /// `work` on every item, in the order of the items; they are taken up in the order of `size`, largest first,
 /// so that none is left alone at the end.
-pub(super) fn map<T: Sync, R: Send>(
-    items: &[T],
+pub(super) fn map<'a, T: Sync, R: Send>(
+    items: &'a [T],
     size: impl Fn(&T) -> usize,
-    work: impl Fn(&T) -> R + Sync,
+    work: impl Fn(&'a T) -> R + Sync,
 ) -> Vec<R> {
     let mut order: Vec<usize> = (0..items.len()).collect();
     order.sort_by_key(|place| std::cmp::Reverse(size(&items[*place])));

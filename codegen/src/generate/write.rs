@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::Kernels;
+use super::modules::Module;
 use crate::emit::identifier;
 use crate::spec::kernel::text;
-use crate::spec::kind::Kind;
-use crate::spec::list::KINDS;
+use crate::spec::kind::{ByKind, Kind};
+use crate::spec::list::{KINDS, Specs};
 
 /// A file of Rust text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,17 +21,14 @@ pub struct GeneratedFile {
 }
 
 /// One file a kind, and `kernels.rs`, which includes them and holds the registries and the tables of laws.
-pub(super) fn write(kernels: &[Kernels]) -> Vec<GeneratedFile> {
-    let mut kinds: Vec<&Kind> = KINDS.iter().collect();
-    kinds.sort_by_key(|kind| (!kind.called, kind.folder));
+pub(super) fn write(specs: &Specs, modules: ByKind<Vec<Module>>) -> Vec<GeneratedFile> {
     let (mut files, mut registries) = (Vec::new(), TokenStream::new());
-    for kind in kinds {
-        let own: Vec<_> = kernels.iter().filter(|own| own.spec.kind().name == kind.name).collect();
-        let text = own.iter().map(|own| own.text.as_str()).collect();
+    for (kind, modules) in KINDS.in_order().iter().zip(modules.in_order()) {
+        registries.extend(registry(kind, &modules));
+        let text = modules.into_iter().map(|own| own.text).collect();
         files.push(GeneratedFile { name: format!("{}.rs", kind.registry), text });
-        registries.extend(registry(kind, &own));
     }
-    let tables = kernels.iter().flat_map(|own| own.spec.tables());
+    let tables = specs.laws.iter().flat_map(|law| &law.tables).map(|table| &table.file);
     let tables: BTreeMap<String, &str> =
         tables.map(|table| (table.path.display().to_string(), table.text.as_str())).collect();
     let tables = tables.iter().map(|(path, text)| quote!((#path, #text)));
@@ -43,7 +40,7 @@ pub(super) fn write(kernels: &[Kernels]) -> Vec<GeneratedFile> {
     files
 }
 
-fn registry(kind: &Kind, kernels: &[&Kernels]) -> TokenStream {
+fn registry(kind: &Kind, modules: &[Module]) -> TokenStream {
     let name = kind.registry;
     let (module, file) = (format_ident!("{name}"), format!("/{name}.rs"));
     let registry = format_ident!("{}", name.to_uppercase());
@@ -52,8 +49,8 @@ fn registry(kind: &Kind, kernels: &[&Kernels]) -> TokenStream {
         format!(" Kernels of the {name}, one module a spec."),
         format!(" All {name}, sorted by the path of the spec."),
     );
-    let entries = kernels.iter().map(|kernel| {
-        let name = identifier(kernel.spec.about().name);
+    let entries = modules.iter().map(|own| {
+        let name = identifier(&own.name);
         quote!(#module::#name::ENTRY)
     });
     quote! {

@@ -1,111 +1,138 @@
-//! The list of kinds of specs: reading by kind, folders, schemas, kernels and explanations follow from it.
+//! All kinds of specs.
 
 use std::sync::Arc;
 
-use super::kind::{About, Beside, Compiled, Explained, Kind, OfAnyKind, Other, SpecKind};
+use super::clearance::{self, ClearanceSpec};
+use super::element::{self, ElementSpec};
+use super::form::{self, FormSpec};
+use super::kind::{About, ByKind, Kind};
+use super::law::{self, LawSpec};
+use super::motion::{self, MotionSpec};
 use super::page::Page;
-use super::{clearance, element, form, law, motion};
+use super::read::Beside;
 use crate::diagnostic::{Diagnostics, Source};
 use crate::document::Document;
 
-macro_rules! kinds {
-    ($($(#[$about:meta])* $kind:ident($spec:ty)),* $(,)?) => {
-        /// All kinds of specs.
-        pub static KINDS: &[Kind] = &[$(Kind::of::<$spec>()),*];
+/// What each kind is.
+pub const KINDS: ByKind<Kind> = ByKind {
+    forms: form::KIND,
+    elements: element::KIND,
+    laws: law::KIND,
+    motions: motion::KIND,
+    clearances: clearance::KIND,
+};
 
-        /// A spec that was read without errors, with all that follows from it.
-        #[derive(Debug)]
-        pub enum Spec {
-            $($(#[$about])* $kind(Box<$spec>)),*
+/// How a file of each kind is read.
+const READERS: ByKind<fn(&Arc<Source>, &Beside<'_>) -> Result<Spec, Diagnostics>> = ByKind {
+    forms: |file, _| FormSpec::read(file).map(Box::new).map(Spec::Form),
+    elements: |file, _| ElementSpec::read(file).map(Box::new).map(Spec::Element),
+    laws: |file, beside| LawSpec::read_with(file, beside).map(Box::new).map(Spec::Law),
+    motions: |file, _| MotionSpec::read(file).map(Box::new).map(Spec::Motion),
+    clearances: |file, _| ClearanceSpec::read(file).map(Box::new).map(Spec::Clearance),
+};
+
+/// The specs of a project, a list a kind.
+#[derive(Debug, Default)]
+pub(crate) struct Specs {
+    pub(crate) forms: Vec<FormSpec>,
+    pub(crate) elements: Vec<ElementSpec>,
+    pub(crate) laws: Vec<LawSpec>,
+    pub(crate) motions: Vec<MotionSpec>,
+    pub(crate) clearances: Vec<ClearanceSpec>,
+}
+
+impl Specs {
+    pub(crate) fn push(&mut self, spec: Spec) {
+        match spec {
+            Spec::Form(form) => self.forms.push(*form),
+            Spec::Element(element) => self.elements.push(*element),
+            Spec::Law(law) => self.laws.push(*law),
+            Spec::Motion(motion) => self.motions.push(*motion),
+            Spec::Clearance(clearance) => self.clearances.push(*clearance),
         }
+    }
+}
 
-        impl Spec {
-            /// Reads a file of the kind that it says, which must be one of `kinds`.
-            ///
-            /// # Errors
-            /// Everything wrong with it, each with its place.
-            pub fn read(
-                file: &Arc<Source>,
-                kinds: &[&'static str],
-                beside: &Beside<'_>,
-            ) -> Result<Spec, Diagnostics> {
-                let document = Document::parse(file);
-                let kind = if document.is_toml() { document.kind(kinds) } else { None };
-                let kind = document.into_result(kind)?;
-                $(if kind == <$spec>::KIND {
-                    let spec = <$spec as SpecKind>::read_with(file, beside)?;
-                    return Ok(Spec::$kind(Box::new(spec)));
-                })*
-                unreachable!("{kind} is not in the list of kinds")
-            }
+/// A spec that was read without errors, with all that follows from it.
+#[derive(Debug)]
+pub enum Spec {
+    /// Bilinear forms.
+    Form(Box<FormSpec>),
+    /// A finite element.
+    Element(Box<ElementSpec>),
+    /// A bearing law.
+    Law(Box<LawSpec>),
+    /// The motion of a shaft.
+    Motion(Box<MotionSpec>),
+    /// The clearance of springs.
+    Clearance(Box<ClearanceSpec>),
+}
 
-            /// What kind of spec it is.
-            pub fn kind(&self) -> &'static Kind {
-                match self { $(Spec::$kind(_) => const { &Kind::of::<$spec>() }),* }
-            }
-
-            /// What it says about itself.
-            pub fn about(&self) -> About<'_> {
-                match self { $(Spec::$kind(spec) => SpecKind::about(&**spec)),* }
-            }
-
-            /// The files beside its own that it was read from.
-            pub fn tables(&self) -> Vec<&Arc<Source>> {
-                match self { $(Spec::$kind(spec) => SpecKind::tables(&**spec)),* }
-            }
-
-            /// Writes what was found about it when it was read.
-            pub fn report(&self, page: &mut Page) {
-                match self { $(Spec::$kind(spec) => Explained::report(&**spec, page)),* }
-            }
-
-            /// Writes all that it says and all that follows from it, but its code.
-            pub fn explain(&self, page: &mut Page) {
-                match self { $(Spec::$kind(spec) => Explained::explain(&**spec, page)),* }
-            }
-        }
-
-        impl Spec {
-            pub(crate) fn names(&self) -> Vec<(&'static str, &str)> {
-                match self { $(Spec::$kind(spec) => SpecKind::names(&**spec)),* }
-            }
-
-            pub(crate) fn any(&self) -> &OfAnyKind {
-                match self { $(Spec::$kind(spec) => &**spec),* }
-            }
-
-            pub(crate) fn check(&self, all: &[&OfAnyKind]) -> Result<(), Diagnostics> {
-                match self { $(Spec::$kind(spec) => SpecKind::check(&**spec, all)),* }
-            }
-
-            /// The programs are of the type that [`Spec::emit`] takes.
-            pub(crate) fn schedule(
-                &self,
-                all: &[&OfAnyKind],
-            ) -> Result<Box<OfAnyKind>, Diagnostics> {
-                Ok(match self { $(Spec::$kind(spec) => Box::new(spec.schedule(all)?)),* })
-            }
-
-            pub(crate) fn emit(&self, programs: &OfAnyKind, others: &[Other<'_>]) -> String {
-                match self {
-                    $(Spec::$kind(spec) => {
-                        spec.emit(programs.downcast_ref().expect("its programs"), others)
-                    })*
-                }
-            }
+/// The same with a spec, whatever its kind.
+macro_rules! whatever {
+    ($own:expr, $spec:ident => $of_it:expr) => {
+        match $own {
+            Spec::Form($spec) => $of_it,
+            Spec::Element($spec) => $of_it,
+            Spec::Law($spec) => $of_it,
+            Spec::Motion($spec) => $of_it,
+            Spec::Clearance($spec) => $of_it,
         }
     };
 }
 
-kinds! {
-    /// A bearing law.
-    Law(law::LawSpec),
-    /// A finite element.
-    Element(element::ElementSpec),
-    /// Bilinear forms.
-    Form(form::FormSpec),
-    /// The motion of a shaft.
-    Motion(motion::MotionSpec),
-    /// The clearance of springs.
-    Clearance(clearance::ClearanceSpec),
+impl Spec {
+    /// Reads a file of the kind that it says, which must be one of those called `kinds`.
+    ///
+    /// # Errors
+    /// Everything wrong with it, each with its place.
+    pub fn read(
+        file: &Arc<Source>,
+        kinds: &[&'static str],
+        beside: &Beside<'_>,
+    ) -> Result<Spec, Diagnostics> {
+        let document = Document::parse(file);
+        let kind = if document.is_toml() { document.kind(kinds) } else { None };
+        let kind = document.into_result(kind)?;
+        let mut readers = KINDS.in_order().into_iter().zip(READERS.in_order());
+        let (_, read) = readers.find(|(own, _)| own.name == kind).expect("a kind of the list");
+        read(file, beside)
+    }
+
+    /// What kind of spec it is.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Spec::Form(_) => KINDS.forms,
+            Spec::Element(_) => KINDS.elements,
+            Spec::Law(_) => KINDS.laws,
+            Spec::Motion(_) => KINDS.motions,
+            Spec::Clearance(_) => KINDS.clearances,
+        }
+    }
+
+    /// What it says about itself.
+    pub fn about(&self) -> About<'_> {
+        whatever!(self, spec => spec.about())
+    }
+
+    /// Names that no other spec may have, each with what it names.
+    pub(crate) fn names(&self) -> Vec<(&'static str, &str)> {
+        match self {
+            Spec::Form(form) => form.names(),
+            Spec::Element(element) => element.names(),
+            Spec::Law(_) | Spec::Motion(_) | Spec::Clearance(_) => {
+                vec![(self.kind().name, self.about().name)]
+            }
+        }
+    }
+
+    /// Writes what was found about it when it was read.
+    pub fn report(&self, page: &mut Page) {
+        whatever!(self, spec => spec.report(page));
+    }
+
+    /// Writes all that it says and all that follows from it, but its code.
+    pub fn explain(&self, page: &mut Page) {
+        whatever!(self, spec => spec.explain(page));
+    }
 }

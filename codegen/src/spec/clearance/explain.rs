@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 
 use super::{ClearanceSpec, Contact, Coordinate, Derived};
 use crate::expression::{Id, display_rounded};
-use crate::spec::kind::Explained;
 use crate::spec::page::Page;
 
-impl Explained for ClearanceSpec {
+impl ClearanceSpec {
     /// Everything about a clearance but its code.
-    fn explain(&self, page: &mut Page) {
+    pub(in crate::spec) fn explain(&self, page: &mut Page) {
         self.report(page);
         let show = |id| display_rounded(&self.graph, id);
         let h = &self.clearance;
@@ -79,7 +78,7 @@ impl Explained for ClearanceSpec {
     }
 
     /// The names of a clearance with what they measure.
-    fn report(&self, page: &mut Page) {
+    pub(in crate::spec) fn report(&self, page: &mut Page) {
         let row = |role: &str, coordinate: &Coordinate| {
             let Coordinate { name, title, unit, .. } = coordinate;
             vec![name.clone(), unit.clone(), role.to_string(), title.clone()]

@@ -48,7 +48,6 @@
 mod derive;
 mod explain;
 mod kernels;
-mod kind;
 mod kinds;
 mod read;
 mod schema;
@@ -58,10 +57,12 @@ mod tests;
 use std::sync::Arc;
 
 pub use derive::{Contact, ContactForce, ContactInput, Derived, Taken};
+pub(super) use schema::KIND;
 
 use crate::diagnostic::{Diagnostics, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::Formula;
+use crate::spec::kind::About;
 
 /// Ring coordinates: an angle and two displacements.
 pub const RING: usize = 3;
@@ -161,6 +162,12 @@ pub struct Coordinate {
 }
 
 impl ClearanceSpec {
+    /// What it says about itself.
+    pub(crate) fn about(&self) -> About<'_> {
+        let ClearanceSpec { name, title, reference, file, .. } = self;
+        About { name, title, reference, file, beside: Vec::new() }
+    }
+
     /// Reads a clearance file.
     ///
     /// # Errors

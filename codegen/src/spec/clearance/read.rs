@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::kinds::Measure;
-use super::{Apart, BORE, ClearanceSpec, Coordinate, RING, RINGS};
+use super::{Apart, BORE, ClearanceSpec, Coordinate, KIND, RING, RINGS};
 use crate::diagnostic::{Code, Diagnostics, Located, Source};
-use crate::document::schema::Described;
 use crate::document::{Document, Table, Value};
 use crate::expression::{Graph, Id};
 use crate::formula::{self, Formula, Meaning, Scope};
@@ -17,7 +16,7 @@ use crate::units::Dimension;
 const NORMAL_FORCE: &str = "Q";
 
 pub(super) fn read(file: &Arc<Source>) -> Result<ClearanceSpec, Diagnostics> {
-    read::spec(file, ClearanceSpec::SHAPE, |document, root, head| {
+    read::spec(file, KIND.shape, |document, root, head| {
         Reader::new(document).spec(file, root, head)
     })
 }

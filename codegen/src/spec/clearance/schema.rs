@@ -1,15 +1,21 @@
 //! What a clearance file may say.
 
-use super::ClearanceSpec;
 use crate::document::schema::Shape::{Formula, List, Named, Table, Text, Tuple, Words};
-use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::{HEAD, Key, Shape, key, needed};
 
-impl Described for ClearanceSpec {
-    const TITLE: &'static str = "clearance of springs";
-    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, CLEARANCE]);
-}
+/// What this kind of spec is.
+pub(in crate::spec) const KIND: Kind = Kind {
+    name: "clearance",
+    title: "clearance of springs",
+    shape: &Table(&[WORD, HEAD, CLEARANCE]),
+    folder: "motion",
+    registry: "clearances",
+    entry: "Clearance",
+    effort: 20,
+};
+use crate::spec::kind::Kind;
 
-const KIND: &[Key] = &[needed("kind", Words(&["clearance"]), "the kind of spec")];
+const WORD: &[Key] = &[needed("kind", Words(&["clearance"]), "the kind of spec")];
 
 const CLEARANCE: &[Key] = &[
     needed("spring", COORDINATES, "one angle, fixed, by which the springs of a ring differ"),

@@ -5,18 +5,17 @@ use num_traits::{ToPrimitive, Zero};
 use super::{ElementSpec, Function, ModeJacobian};
 use crate::element::Quadrature;
 use crate::expression::{Graph, Id, Node, Rational, display_rounded, normal};
-use crate::spec::kind::Explained;
 use crate::spec::page::{Page, count};
 
-impl Explained for ElementSpec {
+impl ElementSpec {
     /// Everything about an element but its code.
-    fn explain(&self, page: &mut Page) {
+    pub(in crate::spec) fn explain(&self, page: &mut Page) {
         functions(page, self);
         self.report(page);
     }
 
     /// What was proved when the element was read.
-    fn report(&self, page: &mut Page) {
+    pub(in crate::spec) fn report(&self, page: &mut Page) {
         page.heading("Shapes");
         let nodes = self.nodes.len();
         page.item(&format!(

@@ -41,7 +41,6 @@ pub(crate) mod demand;
 pub mod direct;
 mod explain;
 mod kernels;
-mod kind;
 mod prove;
 mod read;
 mod schema;
@@ -50,11 +49,13 @@ mod table;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+pub(super) use schema::KIND;
 pub use table::{Products, Table};
 
 use crate::diagnostic::{Diagnostics, Located, Source};
 use crate::element::{Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
+use crate::spec::kind::About;
 
 /// An element, ready to be emitted: see the module for the file.
 #[derive(Debug, Clone)]
@@ -157,6 +158,19 @@ pub struct Enhanced {
 }
 
 impl ElementSpec {
+    /// What it says about itself.
+    pub(crate) fn about(&self) -> About<'_> {
+        let ElementSpec { name, title, reference, file, .. } = self;
+        About { name, title, reference, file, beside: Vec::new() }
+    }
+
+    /// Its name, and the types of Abaqus and Gmsh that are read as it.
+    pub(in crate::spec) fn names(&self) -> Vec<(&'static str, &str)> {
+        let types = self.abaqus.iter().map(|name| ("Abaqus type", name.text()));
+        let gmsh = self.gmsh_name.iter().map(|name| ("Gmsh type", name.as_str()));
+        std::iter::once(("element", self.name.as_str())).chain(types).chain(gmsh).collect()
+    }
+
     /// Reads an element and proves that it is sound.
     ///
     /// # Errors

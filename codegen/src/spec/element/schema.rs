@@ -1,20 +1,26 @@
 //! What an element file may say.
 
-use super::ElementSpec;
 use super::read::rule::HIGHEST_DEGREE;
 use super::read::{MOST, MOST_COMPLETE};
 use crate::document::schema::Shape::{
     Count, Either, Flag, Formula, List, Named, Number, Table, Text, Tuple, Words,
 };
-use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::{HEAD, Key, Shape, key, needed};
 use crate::element::Cell;
+use crate::spec::kind::Kind;
 
-impl Described for ElementSpec {
-    const TITLE: &'static str = "finite element";
-    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, ELEMENT]);
-}
+/// What this kind of spec is.
+pub(in crate::spec) const KIND: Kind = Kind {
+    name: "element",
+    title: "finite element",
+    shape: &Table(&[WORD, HEAD, ELEMENT]),
+    folder: "elements",
+    registry: "elements",
+    entry: "Element",
+    effort: 1,
+};
 
-const KIND: &[Key] = &[needed("kind", Words(&["element"]), "the kind of spec")];
+const WORD: &[Key] = &[needed("kind", Words(&["element"]), "the kind of spec")];
 
 /// A number, or a formula without names.
 const EXACT: Shape = Either(&[Number, Formula]);

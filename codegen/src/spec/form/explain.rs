@@ -6,12 +6,11 @@ use num_traits::One;
 
 use super::{Form, FormSpec, Place, Structure};
 use crate::expression::{Graph, Id, Rational, display_rounded};
-use crate::spec::kind::Explained;
 use crate::spec::page::Page;
 
-impl Explained for FormSpec {
+impl FormSpec {
     /// Everything about a set of forms.
-    fn explain(&self, page: &mut Page) {
+    pub(in crate::spec) fn explain(&self, page: &mut Page) {
         page.heading("Material");
         let rows = self.material.iter().map(|property| {
             vec![property.name.clone(), property.unit.to_string(), property.title.clone()]
@@ -37,7 +36,7 @@ impl Explained for FormSpec {
     }
 
     /// The structure found in every form.
-    fn report(&self, page: &mut Page) {
+    pub(in crate::spec) fn report(&self, page: &mut Page) {
         page.heading("Structure found, for an element of n nodes");
         for form in &self.forms {
             let material: Vec<&str> =

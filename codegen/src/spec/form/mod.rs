@@ -34,7 +34,6 @@
 mod expand;
 mod explain;
 pub(super) mod kernels;
-mod kind;
 mod schema;
 mod stress;
 mod structure;
@@ -43,16 +42,18 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 pub use expand::{Bilinear, Names, Place};
+pub(crate) use kernels::FormKernels;
+pub(super) use schema::KIND;
 pub use stress::Stress;
 pub use structure::{Pattern, Structure};
 
 use num_traits::One;
 
 use crate::diagnostic::{Code, Diagnostics, Located, Source};
-use crate::document::schema::Described;
 use crate::document::{Document, Item, Table, Value};
 use crate::expression::{Graph, Id, Rational, Shape};
 use crate::formula::{Meaning, dimension, lower, parse};
+use crate::spec::kind::About;
 use crate::spec::read::{self, Head};
 use crate::units::Unit;
 use expand::expand;
@@ -147,12 +148,24 @@ impl Form {
 }
 
 impl FormSpec {
+    /// What it says about itself.
+    pub(crate) fn about(&self) -> About<'_> {
+        let FormSpec { name, title, reference, file, .. } = self;
+        About { name, title, reference, file, beside: Vec::new() }
+    }
+
+    /// The name of the set of forms, and those of the forms and stresses.
+    pub(in crate::spec) fn names(&self) -> Vec<(&'static str, &str)> {
+        let forms = self.kernels().map(|form| ("form", form.name.as_str()));
+        std::iter::once(("set of forms", self.name.as_str())).chain(forms).collect()
+    }
+
     /// Reads, expands and analyses forms.
     ///
     /// # Errors
     /// Everything wrong with the file, each with its place.
     pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
-        read::spec(file, FormSpec::SHAPE, |document, root, head| {
+        read::spec(file, KIND.shape, |document, root, head| {
             let (graph, names, meanings) = (Graph::new(), Names::default(), BTreeMap::new());
             Reader { document, graph, names, meanings }.spec(file, root, head)
         })

@@ -1,15 +1,21 @@
 //! What a file of forms may say.
 
-use super::FormSpec;
 use crate::document::schema::Shape::{Formula, Named, Number, Table, Text, Tuple, Words};
-use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::{HEAD, Key, key, needed};
 
-impl Described for FormSpec {
-    const TITLE: &'static str = "bilinear forms";
-    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, FORM]);
-}
+/// What this kind of spec is.
+pub(in crate::spec) const KIND: Kind = Kind {
+    name: "form",
+    title: "bilinear forms",
+    shape: &Table(&[WORD, HEAD, FORM]),
+    folder: "forms",
+    registry: "forms",
+    entry: "Origin",
+    effort: 1,
+};
+use crate::spec::kind::Kind;
 
-const KIND: &[Key] = &[needed("kind", Words(&["form"]), "the kind of spec")];
+const WORD: &[Key] = &[needed("kind", Words(&["form"]), "the kind of spec")];
 
 const FORM: &[Key] = &[
     needed("material", Named(&Table(&[PROPERTY])), "properties of the material"),

@@ -5,12 +5,11 @@ use num_traits::ToPrimitive;
 use super::equations::{Equation, equations};
 use super::{Condition, LawSpec, Parameter, short};
 use crate::expression::Rational;
-use crate::spec::kind::Explained;
 use crate::spec::page::Page;
 
-impl Explained for LawSpec {
+impl LawSpec {
     /// Everything about a law but its code.
-    fn explain(&self, page: &mut Page) {
+    pub(in crate::spec) fn explain(&self, page: &mut Page) {
         variables(page, self);
         given(page, self);
         valid(page, self);
@@ -19,7 +18,7 @@ impl Explained for LawSpec {
     }
 
     /// What was found about a law when it was read, and where it may be believed.
-    fn report(&self, page: &mut Page) {
+    pub(in crate::spec) fn report(&self, page: &mut Page) {
         found(page, self);
         valid(page, self);
     }

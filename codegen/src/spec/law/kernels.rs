@@ -9,24 +9,14 @@ use crate::diagnostic::Diagnostics;
 use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::schedule::Program;
 use crate::spec::kernel::{self, unscheduled, variable};
-use crate::spec::kind::{About, Compiled, OfAnyKind, Other, SpecKind};
+use crate::spec::kind::About;
 
-/// What the kernels compute: the law, and where it may be believed.
-pub(crate) struct Programs {
-    law: Program,
-    measures: Option<Program>,
-}
-
-impl Compiled for LawSpec {
-    type Programs = Programs;
-
-    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Programs, Diagnostics> {
+impl LawSpec {
+    /// The module of its kernels: the law, and where it may be believed.
+    pub(crate) fn module(&self) -> Result<String, Diagnostics> {
         let refused = |error| unscheduled(&self.file, &error);
         let measures = self.measures_program().map_err(refused)?;
-        Ok(Programs { law: self.program().map_err(refused)?, measures })
-    }
-
-    fn emit(&self, Programs { law: program, measures }: &Programs, _: &[Other<'_>]) -> String {
+        let program = &self.program().map_err(refused)?;
         let about = self.about();
         let measured = measures.as_ref().map(|program| measures_of(self, program));
         let functions = functions(self, program);
@@ -43,7 +33,7 @@ impl Compiled for LawSpec {
                 #entry
             }
         };
-        kernel::text(module)
+        Ok(kernel::text(module))
     }
 }
 

@@ -38,7 +38,6 @@ mod equations;
 mod exact;
 mod explain;
 mod kernels;
-mod kind;
 mod lint;
 mod points;
 mod poles;
@@ -60,10 +59,12 @@ pub use acts::{Acts, Quantity};
 pub use bearing::BearingValue;
 pub use describe::short;
 pub use report::{Break, LawReport, OutputReport, TableReport, Trend};
+pub(super) use schema::KIND;
 pub use table::{Extend, LawTable};
 pub use valid::Validity;
 
-use super::kind::Beside;
+use super::kind::About;
+use super::read::Beside;
 use crate::diagnostic::{Diagnostic, Diagnostics, Located, Source};
 use crate::expression::{Graph, Id};
 use crate::formula::Formula;
@@ -231,6 +232,12 @@ pub(crate) enum Condition {
 }
 
 impl LawSpec {
+    /// What it says about itself.
+    pub(crate) fn about(&self) -> About<'_> {
+        let LawSpec { name, title, reference, file, .. } = self;
+        About { name, title, reference, file, beside: self.texts().skip(1).collect() }
+    }
+
     /// Reads a law file that has no tables.
     ///
     /// # Errors

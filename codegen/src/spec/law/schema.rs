@@ -1,19 +1,25 @@
 //! What a law file may say.
 
-use super::LawSpec;
 use super::acts::{Acts, Quantity};
 use super::bearing::BearingValue;
 use crate::document::schema::Shape::{
     Count, Either, Formula, Known, List, Named, Number, Table, Text, Tuple, Words,
 };
-use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::{HEAD, Key, Shape, key, needed};
+use crate::spec::kind::Kind;
 
-impl Described for LawSpec {
-    const TITLE: &'static str = "bearing law";
-    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, LAW]);
-}
+/// What this kind of spec is.
+pub(in crate::spec) const KIND: Kind = Kind {
+    name: "law",
+    title: "bearing law",
+    shape: &Table(&[WORD, HEAD, LAW]),
+    folder: "laws",
+    registry: "laws",
+    entry: "Law",
+    effort: 1,
+};
 
-const KIND: &[Key] = &[needed("kind", Words(&["law"]), "the kind of spec")];
+const WORD: &[Key] = &[needed("kind", Words(&["law"]), "the kind of spec")];
 
 const LAW: &[Key] = &[
     needed("inputs", Known(inputs, &Table(&[VARIABLE])), "what it depends on"),

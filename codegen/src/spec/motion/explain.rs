@@ -3,12 +3,11 @@
 use super::MotionSpec;
 use super::lagrange::Blocks;
 use crate::expression::{Shape, Symmetry, display_rounded};
-use crate::spec::kind::Explained;
 use crate::spec::page::Page;
 
-impl Explained for MotionSpec {
+impl MotionSpec {
     /// Everything about a motion but its code.
-    fn explain(&self, page: &mut Page) {
+    pub(in crate::spec) fn explain(&self, page: &mut Page) {
         self.report(page);
         let show = |id| display_rounded(&self.graph, id);
         let names: Vec<&str> = self.coordinates.iter().map(|c| c.name.as_str()).collect();
@@ -54,7 +53,7 @@ impl Explained for MotionSpec {
     }
 
     /// Coordinates and tensors with their shapes, and what was proved.
-    fn report(&self, page: &mut Page) {
+    pub(in crate::spec) fn report(&self, page: &mut Page) {
         page.heading("Coordinates, with rates _dot and _ddot");
         let rows = self.coordinates.iter().map(|coordinate| {
             let shape = shape(self.graph.shape(coordinate.position), Symmetry::None);

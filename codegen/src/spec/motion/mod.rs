@@ -23,7 +23,6 @@
 mod equations;
 mod explain;
 pub mod kernels;
-mod kind;
 pub(crate) mod lagrange;
 mod schema;
 #[cfg(test)]
@@ -32,10 +31,12 @@ mod tests;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+pub(super) use schema::KIND;
+
 use crate::diagnostic::{Diagnostics, Source};
-use crate::document::schema::Described;
 use crate::document::{Document, Table};
 use crate::expression::{Graph, Id, Shape, Symmetry};
+use crate::spec::kind::About;
 use crate::spec::read::{self, Head};
 use equations::Reader;
 use lagrange::{Coordinate, Derivatives, Equations};
@@ -89,14 +90,18 @@ const TENSORS: [(&str, Shape, Symmetry); 5] = [
 ];
 
 impl MotionSpec {
+    /// What it says about itself.
+    pub(crate) fn about(&self) -> About<'_> {
+        let MotionSpec { name, title, reference, file, .. } = self;
+        About { name, title, reference, file, beside: Vec::new() }
+    }
+
     /// Reads a motion, derives its equations and proves what it declares.
     ///
     /// # Errors
     /// Everything wrong with the file, each with its place.
     pub fn read(file: &Arc<Source>) -> Result<Self, Diagnostics> {
-        read::spec(file, MotionSpec::SHAPE, |document, root, head| {
-            read_motion(document, file, root, head)
-        })
+        read::spec(file, KIND.shape, |document, root, head| read_motion(document, file, root, head))
     }
 }
 

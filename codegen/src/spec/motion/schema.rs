@@ -1,15 +1,21 @@
 //! What a motion file may say.
 
-use super::MotionSpec;
 use crate::document::schema::Shape::{Formula, Named, Table, Words};
-use crate::document::schema::{Described, HEAD, Key, Shape, key, needed};
+use crate::document::schema::{HEAD, Key, Shape, key, needed};
 
-impl Described for MotionSpec {
-    const TITLE: &'static str = "motion of a shaft";
-    const SHAPE: &'static Shape = &Table(&[KIND, HEAD, MOTION]);
-}
+/// What this kind of spec is.
+pub(in crate::spec) const KIND: Kind = Kind {
+    name: "motion",
+    title: "motion of a shaft",
+    shape: &Table(&[WORD, HEAD, MOTION]),
+    folder: "motion",
+    registry: "motions",
+    entry: "Motion",
+    effort: 1,
+};
+use crate::spec::kind::Kind;
 
-const KIND: &[Key] = &[needed("kind", Words(&["motion"]), "the kind of spec")];
+const WORD: &[Key] = &[needed("kind", Words(&["motion"]), "the kind of spec")];
 
 const MOTION: &[Key] = &[
     key("kinetic_energy", Formula, "T, from which all else is derived"),

@@ -8,60 +8,36 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use self::functions::Kernels;
-use self::program::{Sum, program};
+use self::program::program;
 use super::ClearanceSpec;
 use crate::diagnostic::{Code, Diagnostics};
 use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::expression::Id;
 use crate::schedule::{Program, Request, ScheduleError, schedule as in_stages};
 use crate::spec::kernel::{self, unscheduled};
-use crate::spec::kind::{Compiled, OfAnyKind, Other, SpecKind};
 
-/// What the kernels compute.
-pub(crate) struct Programs {
-    value: Program,
-    axial: Program,
-    apart: Program,
-    /// Where there are more measures than the clearance.
-    measures: Option<Program>,
-    /// One a kind of law, with the sums over springs that it needs.
-    kinds: Vec<(Program, Vec<Sum>)>,
-}
-
-impl Compiled for ClearanceSpec {
-    type Programs = Programs;
-
-    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Programs, Diagnostics> {
+impl ClearanceSpec {
+    /// The module of its kernels.
+    pub(crate) fn module(&self) -> Result<String, Diagnostics> {
         let refused = |error: ScheduleError| unscheduled(&self.file, &error);
-        let kinds = self.contacts.iter().map(|contact| {
-            let derived = self.derive(contact)?;
-            program(self, contact, derived).map_err(refused)
-        });
-        Ok(Programs {
-            value: flat(self, &springs_own(self), &[(&self.clearance, self.value)])
-                .map_err(refused)?,
-            axial: axial_program(self).map_err(refused)?,
-            apart: apart_program(self)?.map_err(refused)?,
-            measures: measures_program(self).transpose().map_err(refused)?,
-            kinds: kinds.collect::<Result<_, Diagnostics>>()?,
-        })
-    }
-
-    fn emit(&self, programs: &Programs, _: &[Other<'_>]) -> String {
-        let about = self.about();
+        let flat = flat(self, &springs_own(self), &[(&self.clearance, self.value)]);
         let own = [
-            value(self, &programs.value),
-            axial(self, &programs.axial),
-            apart(self, &programs.apart),
+            value(self, &flat.map_err(refused)?),
+            axial(self, &axial_program(self).map_err(refused)?),
+            apart(self, &apart_program(self)?.map_err(refused)?),
         ];
-        let measures = programs.measures.as_ref().map(|program| measures(self, program));
-        let kinds = self.contacts.iter().zip(&programs.kinds);
-        let kinds: TokenStream = kinds
-            .map(|(contact, (program, sums))| Kernels::new(self, contact, program, sums).module())
-            .collect();
+        // Where there are more measures than the clearance.
+        let measures = measures_program(self).transpose().map_err(refused)?;
+        let measures = measures.map(|program| measures_of(self, &program));
+        let kinds = self.contacts.iter().map(|contact| {
+            let (program, sums) = program(self, contact, self.derive(contact)?).map_err(refused)?;
+            Ok(Kernels::new(self, contact, &program, &sums).module())
+        });
+        let kinds = kinds.collect::<Result<TokenStream, Diagnostics>>()?;
         let kinds = quote!(#[doc = " Kinds of laws."] pub mod contacts { #kinds });
         let functions: TokenStream = own.into_iter().chain(measures).chain([kinds]).collect();
         let entries = self.contacts.iter().map(|contact| identifier(&contact.name));
+        let about = self.about();
         let origin = about.origin(&functions);
         let name = identifier(&self.name);
         let heading = documented(&format!(
@@ -70,7 +46,7 @@ impl Compiled for ClearanceSpec {
             self.clearance,
             self.formula.text.text()
         ));
-        kernel::text(quote! {
+        Ok(kernel::text(quote! {
             #heading
             pub mod #name {
                 use crate::{Clearance, Lane, Origin};
@@ -83,7 +59,7 @@ impl Compiled for ClearanceSpec {
                     contacts: &[#(contacts::#entries::ENTRY),*],
                 };
             }
-        })
+        }))
     }
 }
 
@@ -218,7 +194,7 @@ fn apart(spec: &ClearanceSpec, program: &Program) -> TokenStream {
 }
 
 /// All measures over one lane, as the formulas say them: for evaluation with dual numbers.
-fn measures(spec: &ClearanceSpec, program: &Program) -> TokenStream {
+fn measures_of(spec: &ClearanceSpec, program: &Program) -> TokenStream {
     let inputs = all_coordinates(spec);
     let arguments = inputs.iter().map(|(name, _)| identifier(name));
     let count = Literal::usize_unsuffixed(program.outputs.len());

@@ -10,56 +10,38 @@ mod stressed;
 mod table;
 mod values;
 
-use std::collections::BTreeMap;
-
 use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::kind::of_forms;
 use super::{ElementSpec, ModeJacobian};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{documented, identifier, names, number};
 use crate::rational::nearest;
 use crate::schedule::{Program, Request, ScheduleError, schedule};
-use crate::spec::form::{FormSpec, Structure};
+use crate::spec::form::{FormKernels, Structure};
 use crate::spec::kernel::{self, unscheduled, variable};
-use crate::spec::kind::{About, Compiled, OfAnyKind, Other, SpecKind};
+use crate::spec::kind::About;
 use cell::CellForm;
 use table::Tables;
 
-/// What the kernels of an element compute.
-pub(crate) struct Programs {
-    shape: Program,
-    /// Scale factors at a point, a form each.
-    points: BTreeMap<String, Program>,
-}
-
-impl Compiled for ElementSpec {
-    type Programs = Programs;
-
-    /// The shape functions, and scale factors at a point for every form of all sets, by its name.
-    fn schedule(&self, all: &[&OfAnyKind]) -> Result<Self::Programs, Diagnostics> {
-        let names = of_forms(all).flat_map(|set| &set.forms).map(|form| &form.name);
-        let programs = names.map(|name| Ok((name.clone(), point_program(self, name)?)));
-        let points: Result<_, _> = programs.collect();
-        let programs =
-            points.and_then(|points| Ok(Programs { shape: shape::program(self)?, points }));
-        programs.map_err(|error| unscheduled(&self.file, &error))
-    }
-
+impl ElementSpec {
     /// The module of the kernels of all forms on one element. Those that an element before has, too, are called there.
-    fn emit(&self, programs: &Self::Programs, others: &[Other<'_>]) -> String {
-        let forms: Vec<_> = others.iter().filter_map(Other::of::<FormSpec>).collect();
-        let before = || others.iter().filter_map(Other::of::<ElementSpec>).map(|(spec, ..)| spec);
+    pub(crate) fn module(
+        &self,
+        forms: &[FormKernels<'_>],
+        before: &[ElementSpec],
+    ) -> Result<String, Diagnostics> {
+        let refused = |error| unscheduled(&self.file, &error);
         let mut tables = Tables::new(self);
         let mut functions = TokenStream::new();
         let (mut entries, mut stresses, mut known) = (Vec::new(), Vec::new(), Vec::new());
-        for (spec, pairs, _) in &forms {
-            for (form, pairs) in spec.kernels().zip(*pairs) {
+        for FormKernels { spec, pairs, .. } in forms {
+            for (form, pairs) in spec.kernels().zip(pairs) {
+                let integrated_as = form.integrated_as();
                 let same_kernel =
-                    before().find(|other| other.integrates_as(self, form.integrated_as()));
-                let point = &programs.points[form.integrated_as()];
+                    before.iter().find(|other| other.integrates_as(self, integrated_as));
+                let point = &point_program(self, integrated_as).map_err(refused)?;
                 let cell = CellForm { element: self, spec, form, pairs, point, same_kernel };
                 let (text, flops) = cell.functions(&mut tables, &mut known);
                 functions.extend(text);
@@ -70,11 +52,11 @@ impl Compiled for ElementSpec {
             }
         }
         let read = tables.read();
-        let shape = shape::function(&programs.shape);
+        let shape = shape::function(&shape::program(self).map_err(refused)?);
         let functions = quote!(#read #functions #shape);
         // What the kernels do counts for the hash, wherever they stand.
         let works = known.iter().map(|kernel| kernel.work.as_str());
-        let beside = forms.iter().map(|(.., text)| *text).chain(works).collect();
+        let beside = forms.iter().map(|forms| forms.text.as_str()).chain(works).collect();
         let about = About { beside, ..self.about() };
         let registered = registered(self, &about, &tables.all(), [&entries, &stresses]);
         let heading = documented(&heading(self, &about));
@@ -86,14 +68,14 @@ impl Compiled for ElementSpec {
         let called = called.map(|name| format_ident!("{name}"));
         let types = (!stresses.is_empty()).then(|| format_ident!("StressKernel"));
         let types = types.iter();
-        kernel::text(quote! {
+        Ok(kernel::text(quote! {
             #heading
             pub mod #name {
                 use crate::{#(#called,)* Element, Face, FacePoint, FormKernel, Origin, #(#types,)* Structure, Variable};
                 #functions
                 #registered
             }
-        })
+        }))
     }
 }
 

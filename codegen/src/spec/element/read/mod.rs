@@ -9,9 +9,8 @@ use std::sync::Arc;
 
 use num_traits::{One, ToPrimitive};
 
-use super::{ElementSpec, Enhanced, Function, ModeJacobian, ReferenceNode, table};
+use super::{ElementSpec, Enhanced, Function, KIND, ModeJacobian, ReferenceNode, table};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
-use crate::document::schema::Described;
 use crate::document::{Document, Item, Table, Value};
 use crate::element::{Cell, Polynomial, Quadrature};
 use crate::expression::{Graph, Id, Rational};
@@ -25,7 +24,7 @@ pub(super) const MOST: usize = 64;
 pub(super) const MOST_COMPLETE: usize = 4;
 
 pub(super) fn read(file: &Arc<Source>) -> Result<ElementSpec, Diagnostics> {
-    read::spec(file, ElementSpec::SHAPE, |document, root, head| {
+    read::spec(file, KIND.shape, |document, root, head| {
         let mut graph = Graph::new();
         let coordinates = ["xi", "eta", "zeta"].map(|name| graph.scalar(name));
         Reader { document, graph, coordinates }.element(file, root, head)

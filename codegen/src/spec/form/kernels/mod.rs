@@ -11,22 +11,31 @@ use super::{Form, FormSpec, Structure};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{count, documented, identifier};
 use crate::spec::kernel::{text, unscheduled};
-use crate::spec::kind::{Compiled, OfAnyKind, Other, SpecKind};
 use block::Block;
 pub(in crate::spec) use block::{block_name, once_name};
 pub(in crate::spec) use pairs::PAIR;
 pub(crate) use pairs::Pairs;
 
-impl Compiled for FormSpec {
-    type Programs = Vec<Pairs>;
+/// What elements need of a set of forms, whose kernels they call.
+pub(crate) struct FormKernels<'a> {
+    pub(crate) spec: &'a FormSpec,
+    /// One each for [`FormSpec::kernels`].
+    pub(crate) pairs: Vec<Pairs>,
+    /// The module of the kernels.
+    pub(crate) text: String,
+}
 
-    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Vec<Pairs>, Diagnostics> {
-        let pairs = self.kernels().map(|form| Pairs::new(self, form));
-        let pairs: Result<_, _> = pairs.collect();
-        pairs.map_err(|error| unscheduled(&self.file, &error))
+impl<'a> FormKernels<'a> {
+    pub(crate) fn new(spec: &'a FormSpec) -> Result<Self, Diagnostics> {
+        let pairs = spec.kernels().map(|form| Pairs::new(spec, form));
+        let pairs: Result<Vec<_>, _> = pairs.collect();
+        let pairs = pairs.map_err(|error| unscheduled(&spec.file, &error))?;
+        Ok(FormKernels { spec, text: spec.module(&pairs), pairs })
     }
+}
 
-    fn emit(&self, pairs: &Vec<Pairs>, _: &[Other<'_>]) -> String {
+impl FormSpec {
+    fn module(&self, pairs: &[Pairs]) -> String {
         let functions: TokenStream = (self.kernels().zip(pairs))
             .filter(|(form, pairs)| !by_values(form, pairs))
             .map(|(form, pairs)| function(self, form, pairs))

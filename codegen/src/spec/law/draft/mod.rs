@@ -13,12 +13,11 @@ use crate::rational::Rational;
 use super::acts::{self, Acts, Quantity as Known};
 use super::table::{self, TableDraft};
 use super::valid::{self, ValidityDraft};
-use super::{BearingValue, Given, LawSpec};
+use super::{BearingValue, Given, KIND};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
-use crate::document::schema::Described;
 use crate::document::{Document, Table, Value};
 use crate::formula::{self, Formula};
-use crate::spec::kind::Beside;
+use crate::spec::read::Beside;
 use crate::spec::read::{self, Head};
 use crate::units::Unit;
 
@@ -89,9 +88,7 @@ pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Dia
         let message = format!("a law file is at most {LONGEST} bytes long");
         return Err(Diagnostic::new(file, Code::LIMIT, None, message).into());
     }
-    read::spec(file, LawSpec::SHAPE, |document, root, head| {
-        draft(document, file, root, head, beside)
-    })
+    read::spec(file, KIND.shape, |document, root, head| draft(document, file, root, head, beside))
 }
 
 fn draft<'d>(

@@ -7,9 +7,9 @@ use super::{Extend, LawTable, check_rows};
 use crate::diagnostic::{Code, Diagnostics, Located};
 use crate::document::{Table, Value};
 use crate::formula::{Formula, parse};
-use crate::spec::kind::Beside;
 use crate::spec::law::system::System;
 use crate::spec::read;
+use crate::spec::read::Beside;
 use crate::units::Unit;
 
 /// A table as the law file and the file of its columns give it.

@@ -24,20 +24,15 @@ use crate::diagnostic::Diagnostics;
 use crate::emit::{documented, identifier};
 use crate::expression::{Shape, Symmetry};
 use crate::spec::kernel::{text, unscheduled};
-use crate::spec::kind::{Compiled, OfAnyKind, Other, SpecKind};
 
 /// Kernels that a march calls again and again: their own loops, beside the sums that all share, are compiled
 /// for wide registers too.
 const WIDE: [&str; 2] = ["inertia_force", "tangent"];
 
-impl Compiled for MotionSpec {
-    type Programs = Vec<Planned>;
-
-    fn schedule(&self, _: &[&OfAnyKind]) -> Result<Vec<Planned>, Diagnostics> {
-        planned(self).map_err(|error| unscheduled(&self.file, &error))
-    }
-
-    fn emit(&self, planned: &Vec<Planned>, _: &[Other<'_>]) -> String {
+impl MotionSpec {
+    /// The module of its kernels.
+    pub(crate) fn module(&self) -> Result<String, Diagnostics> {
+        let planned = planned(self).map_err(|error| unscheduled(&self.file, &error))?;
         let functions: TokenStream =
             planned.iter().map(|kernel| functions::function(self, kernel)).collect();
         // Vectors of workspace: the most matrix–vector products in one kernel.
@@ -53,7 +48,7 @@ impl Compiled for MotionSpec {
         let kinetic_energy = optional(quote!(kinetic_energy::<f64>));
         let momentum = optional(quote!(momentum::<f64>));
         let wide = WIDE.map(wide_function);
-        text(quote! {
+        Ok(text(quote! {
             #heading
             pub mod #name {
                 use crate::vector;
@@ -82,7 +77,7 @@ impl Compiled for MotionSpec {
                     tangent: wide_tangent,
                 };
             }
-        })
+        }))
     }
 }
 
