@@ -8,7 +8,7 @@ use whirl_benches::hand::elements::quadratic;
 use whirl_benches::measure::{Times, peak_operations, peak_task};
 use whirl_benches::{hand, textbook};
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::tape::Tape;
 use whirl_specs::{Batch, ELEMENTS, Element, FormKernel, LAWS, Law, Registers};
 

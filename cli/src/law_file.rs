@@ -1,9 +1,9 @@
 //! A law of a spec file, evaluated without a compiler.
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics};
+use whirl_codegen::kinds::law;
+use whirl_codegen::kinds::law::{Given, LawSpec};
 use whirl_codegen::schedule::ScheduleError;
-use whirl_codegen::spec::law;
-use whirl_codegen::spec::law::{Given, LawSpec};
 use whirl_codegen::tape::Tape;
 use whirl_solver::bearing::{SpringLaw, Validity};
 use whirl_solver::cache::Key;

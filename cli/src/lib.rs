@@ -37,8 +37,8 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
-use whirl_codegen::spec::law::LawSpec;
-use whirl_codegen::spec::list::Spec;
+use whirl_codegen::kinds::law::LawSpec;
+use whirl_codegen::kinds::list::Spec;
 use whirl_solver::cache::{Cache, Key};
 use whirl_solver::machine::MachineParts;
 

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
 use whirl_codegen::document::Document;
-use whirl_codegen::spec::kind::{ByKind, Kind};
-use whirl_codegen::spec::list::{KINDS, Spec};
+use whirl_codegen::kinds::kind::{ByKind, Kind};
+use whirl_codegen::kinds::list::{KINDS, Spec};
 use whirl_specs::{Origin, TABLES, generated};
 
 use crate::{case, text_file};

@@ -7,7 +7,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::rational::nearest;
-use whirl_codegen::spec::law::{LawInput, LawOutput, LawSpec};
+use whirl_codegen::kinds::law::{LawInput, LawOutput, LawSpec};
 use whirl_codegen::tape::Tape;
 use whirl_codegen::units::Unit;
 

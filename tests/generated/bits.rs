@@ -2,8 +2,8 @@
 //! evaluation of the file's formulas to rounding.
 
 use whirl_codegen::diagnostic::Source;
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::operation::Rounded;
-use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
 use whirl_specs::{LAWS, Registers, TABLES};
 

@@ -1,8 +1,8 @@
 //! A law and an element dropped into a copy of the specs are listed and work, with no Rust changed.
 
 use whirl_codegen::diagnostic::Source;
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::operation::Function;
-use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
 
 use crate::workspace::{Workspace, text};

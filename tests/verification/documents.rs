@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::spec::law::{Acts, LawSpec};
+use whirl_codegen::kinds::law::{Acts, LawSpec};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace").to_path_buf()

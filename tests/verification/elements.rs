@@ -18,9 +18,9 @@ use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use whirl_benches::hand;
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::spec::element::ElementSpec;
-use whirl_codegen::spec::element::direct;
-use whirl_codegen::spec::form::FormSpec;
+use whirl_codegen::kinds::element::ElementSpec;
+use whirl_codegen::kinds::element::direct;
+use whirl_codegen::kinds::form::FormSpec;
 use whirl_specs::{ELEMENTS, Element, Structure};
 
 use crate::reference_kernels;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_codegen::document::Table;
-use whirl_codegen::spec::law::{Acts, Given, LawSpec, Parameter};
+use whirl_codegen::kinds::law::{Acts, Given, LawSpec, Parameter};
 use whirl_specs::{LAWS, Law, TABLES};
 
 use super::library::FileStore;

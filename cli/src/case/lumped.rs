@@ -2,8 +2,8 @@
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_codegen::kinds::law::{Acts, BearingValue, Parameter};
 use whirl_codegen::rational::{Rational, nearest};
-use whirl_codegen::spec::law::{Acts, BearingValue, Parameter};
 use whirl_codegen::units::Quantity;
 use whirl_specs::Motion;
 

@@ -3,8 +3,8 @@
 use whirl_codegen::diagnostic::{Code, Diagnostic, Located, suggest};
 use whirl_codegen::document::Table;
 use whirl_codegen::formula;
+use whirl_codegen::kinds::law::{BearingValue, Given, Parameter};
 use whirl_codegen::rational::{Rational, nearest};
-use whirl_codegen::spec::law::{BearingValue, Given, Parameter};
 use whirl_codegen::units::{Exponent, Quantity, Unit};
 
 use super::law::NamedLaw;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use whirl_codegen::diagnostic::Diagnostics;
 use whirl_codegen::generate::{SpecFile, generate};
-use whirl_codegen::spec::list::Spec;
+use whirl_codegen::kinds::list::Spec;
 use whirl_specs::{ELEMENTS, FORMS, Origin};
 
 use crate::spec_file;

@@ -1,8 +1,8 @@
 //! The code generated from a spec: where it is, and what each of its functions computes at what cost.
 
-use whirl_codegen::spec::form::FormSpec;
-use whirl_codegen::spec::list::Spec;
-use whirl_codegen::spec::page::Page;
+use whirl_codegen::kinds::form::FormSpec;
+use whirl_codegen::kinds::list::Spec;
+use whirl_codegen::kinds::page::Page;
 use whirl_specs::{Origin, generated};
 
 use super::generated_code::{self, SHOWN_ON};

@@ -1,7 +1,7 @@
 //! The matrices that an element gives to every form.
 
-use whirl_codegen::spec::element::ElementSpec;
-use whirl_codegen::spec::page::Page;
+use whirl_codegen::kinds::element::ElementSpec;
+use whirl_codegen::kinds::page::Page;
 use whirl_specs::{ELEMENTS, FormKernel, Structure};
 
 /// The matrices of the built-in kernels on this element.

@@ -9,9 +9,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Source};
-use whirl_codegen::spec::kind::About;
-use whirl_codegen::spec::list::Spec;
-use whirl_codegen::spec::page::Page;
+use whirl_codegen::kinds::kind::About;
+use whirl_codegen::kinds::list::Spec;
+use whirl_codegen::kinds::page::Page;
 use whirl_specs::{Origin, generated};
 
 use crate::arguments::ExplainArguments;

@@ -1,7 +1,7 @@
 //! A law drawn with characters.
 
-use whirl_codegen::spec::law::{LawSpec, short};
-use whirl_codegen::spec::page::Page;
+use whirl_codegen::kinds::law::{LawSpec, short};
+use whirl_codegen::kinds::page::Page;
 
 use crate::figures::{Curve, curves};
 

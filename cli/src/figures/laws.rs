@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use whirl_codegen::spec::law::{LawSpec, short};
+use whirl_codegen::kinds::law::{LawSpec, short};
 use whirl_text::rounded;
 
 use super::figure::{Figure, Line, Panel, Style};

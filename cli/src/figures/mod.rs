@@ -12,7 +12,7 @@ use std::io;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::kinds::law::LawSpec;
 
 use self::histories::Span;
 use crate::case::{Case, System};
@@ -195,7 +195,7 @@ mod tests {
 
     use resvg::tiny_skia::Pixmap;
     use whirl_codegen::diagnostic::Source;
-    use whirl_codegen::spec::law::LawSpec;
+    use whirl_codegen::kinds::law::LawSpec;
 
     use super::histories::{Span, eccentricities, reactions, rotation};
     use super::laws::laws;

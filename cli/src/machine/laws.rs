@@ -1,8 +1,8 @@
 //! The laws of the bearings, with the values that the case and the meshes give them.
 
 use whirl_codegen::diagnostic::Diagnostics;
+use whirl_codegen::kinds::law::BearingValue;
 use whirl_codegen::rational::Rational;
-use whirl_codegen::spec::law::BearingValue;
 use whirl_solver::mesh::measure::mean_radius;
 
 use super::plan::MachinePlan;

@@ -1,8 +1,9 @@
 //! Quantities: text with a unit, read to SI.
 
+use super::Table;
 use super::schema::{Measure, Range, Shape};
 use super::tree::{Content, Node};
-use super::{Code, Table};
+use crate::diagnostic::Code;
 use crate::units::Quantity;
 
 /// Bytes before the text of a string.

@@ -5,13 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::Document;
 use super::schema::{Need, Shape};
 use super::tree::{Node, Place, Tree};
 use super::wording::Wording;
-use super::{Code, Diagnostic, Document, Source};
 use whirl_text::nearest;
 
-use crate::diagnostic::{Located, suggest};
+use crate::diagnostic::{Code, Diagnostic, Located, Source, suggest};
 
 /// A table of a file. Wrong and missing values are noted, and reading goes on; the notes make the whole
 /// reading fail in the end.

@@ -224,6 +224,6 @@ mod tests {
 
     #[test]
     fn declarations_are_not_ambiguous() {
-        crate::spec::list::KINDS.in_order().into_iter().for_each(|kind| walk(kind.shape));
+        crate::kinds::list::KINDS.in_order().into_iter().for_each(|kind| walk(kind.shape));
     }
 }

@@ -3,8 +3,8 @@
 use super::schema::Shape;
 use super::tree::{Content, Node, Place, Tree};
 use super::wording::Wording;
-use super::{Code, Item, Table};
-use crate::diagnostic::Located;
+use super::{Item, Table};
+use crate::diagnostic::{Code, Located};
 
 impl<'d> Item<'d> {
     /// The element as a table called `path` in messages; another type is an error.

@@ -2,6 +2,7 @@
 
 use super::schema::needed;
 use super::*;
+use crate::diagnostic::Source;
 use crate::rational::Rational;
 
 /// Keys of the files below.

@@ -7,8 +7,8 @@ use num_traits::ToPrimitive;
 use super::schema::{Need, Shape};
 use super::tree::{Content, Node};
 use super::wording::Wording;
-use super::{Code, Document, Table};
-use crate::diagnostic::{Located, suggest};
+use super::{Document, Table};
+use crate::diagnostic::{Code, Located, suggest};
 use crate::rational::Rational;
 
 /// A value of any type, for keys that allow several.

@@ -2,11 +2,11 @@
 
 use super::parallel;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, suggest};
-use crate::spec::clearance::ClearanceSpec;
-use crate::spec::element::{ElementSpec, demand};
-use crate::spec::form::{Form, Structure};
-use crate::spec::law::{Acts, LawSpec};
-use crate::spec::list::Specs;
+use crate::kinds::clearance::ClearanceSpec;
+use crate::kinds::element::{ElementSpec, demand};
+use crate::kinds::form::{Form, Structure};
+use crate::kinds::law::{Acts, LawSpec};
+use crate::kinds::list::Specs;
 use crate::units::{Dimension, Unit};
 
 pub(super) fn check(specs: &Specs) -> Result<(), Diagnostics> {

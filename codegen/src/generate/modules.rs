@@ -2,9 +2,9 @@
 
 use super::parallel::map;
 use crate::diagnostic::Diagnostics;
-use crate::spec::form::FormKernels;
-use crate::spec::kind::{About, ByKind, Kind};
-use crate::spec::list::{KINDS, Specs};
+use crate::kinds::form::FormKernels;
+use crate::kinds::kind::{About, ByKind, Kind};
+use crate::kinds::list::{KINDS, Specs};
 
 /// The kernels of a spec.
 pub(super) struct Module {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::parallel;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::emit::identifier;
-use crate::spec::list::{KINDS, Spec, Specs};
+use crate::kinds::list::{KINDS, Spec, Specs};
 
 /// A spec file.
 #[derive(Debug, Clone)]

@@ -7,9 +7,9 @@ use quote::{format_ident, quote};
 
 use super::modules::Module;
 use crate::emit::identifier;
-use crate::spec::kernel::text;
-use crate::spec::kind::{ByKind, Kind};
-use crate::spec::list::{KINDS, Specs};
+use crate::kinds::kernel::text;
+use crate::kinds::kind::{ByKind, Kind};
+use crate::kinds::list::{KINDS, Specs};
 
 /// A file of Rust text.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,6 +1,24 @@
 //! The functions of one scalar, as a table: a row holds all that is known of one.
 
-use super::Arithmetic;
+/// What slopes of functions are made of: numbers, or the nodes of a graph.
+pub trait Arithmetic: Clone {
+    /// A number of this kind.
+    fn number(&self, value: f64) -> Self;
+    /// a + b
+    fn plus(&self, other: &Self) -> Self;
+    /// a − b
+    fn minus(&self, other: &Self) -> Self;
+    /// a·b
+    fn times(&self, other: &Self) -> Self;
+    /// a/b
+    fn over(&self, other: &Self) -> Self;
+    /// √a
+    fn root(&self) -> Self;
+    /// −1 below zero, else 1.
+    fn sign(&self) -> Self;
+    /// f(a)
+    fn through(&self, function: Function) -> Self;
+}
 
 /// What f(−x) is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,6 +7,6 @@ mod rounding;
 
 pub(crate) use bytecode::Bytecode;
 pub use bytecode::{Operand, Operation, Relation};
-pub use function::{Function, Parity};
-pub use number::{Arithmetic, Dual, Number};
+pub use function::{Arithmetic, Function, Parity};
+pub use number::{Dual, Number};
 pub use rounding::Rounded;

@@ -1,27 +1,7 @@
 //! The numbers over which a formula can be evaluated directly.
 
-use super::Function;
+use super::{Arithmetic, Function};
 use crate::rational::{Rational, nearest};
-
-/// What slopes of functions are made of: numbers, or the nodes of a graph.
-pub trait Arithmetic: Clone {
-    /// A number of this kind.
-    fn number(&self, value: f64) -> Self;
-    /// a + b
-    fn plus(&self, other: &Self) -> Self;
-    /// a − b
-    fn minus(&self, other: &Self) -> Self;
-    /// a·b
-    fn times(&self, other: &Self) -> Self;
-    /// a/b
-    fn over(&self, other: &Self) -> Self;
-    /// √a
-    fn root(&self) -> Self;
-    /// −1 below zero, else 1.
-    fn sign(&self) -> Self;
-    /// f(a)
-    fn through(&self, function: Function) -> Self;
-}
 
 impl<N: Number> Arithmetic for N {
     fn number(&self, value: f64) -> Self {

@@ -162,7 +162,7 @@ fn forgets_the_piece(graph: &mut Graph, id: Id) -> Option<Id> {
 #[test]
 fn a_rule_that_is_wrong_where_a_law_acts_is_noticed() {
     use crate::diagnostic::Source;
-    use crate::spec::law::LawSpec;
+    use crate::kinds::law::LawSpec;
     let text = "kind = \"law\"\nname = \"gap\"\ntitle = \"t\"\nsource = \"s\"\n[inputs.h]\nunit = \"mm\"\n\
                 [outputs.Q]\nunit = \"N\"\npieces = [\n\
                 { when = 'h < 0.03', value = '1e-3*(0.03 - h)' },\n{ value = '0' },\n]\n";

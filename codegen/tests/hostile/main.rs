@@ -166,7 +166,7 @@ fn what_repeats_itself_is_evaluated_once() {
 #[test]
 fn specs_of_the_repository_are_far_below_the_bounds() {
     use whirl_codegen::diagnostic::Source;
-    use whirl_codegen::spec::{element::ElementSpec, motion::MotionSpec};
+    use whirl_codegen::kinds::{element::ElementSpec, motion::MotionSpec};
     let mut most = (0, 0);
     for (path, text) in texts(&corpus::root().join("specs/elements")) {
         let element = ElementSpec::read(&Source::new(&path, text)).expect("an element");

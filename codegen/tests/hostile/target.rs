@@ -6,10 +6,10 @@ use whirl_codegen::diagnostic::{Diagnostics, Located, Source};
 use whirl_codegen::expression::{Graph, Id, Shape, Symmetry, display, normal};
 use whirl_codegen::formula::{Value, dimension, evaluate, lower, parse};
 use whirl_codegen::generate::{GeneratedFile, SpecFile, generate};
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::operation::{Dual, Rounded};
 use whirl_codegen::rational::Rational;
 use whirl_codegen::schedule::{Request, schedule};
-use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
 
 /// Errors must be fit to be shown.

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::expression::Id;
+use whirl_codegen::kinds::clearance::{ClearanceSpec, Derived, RING};
 use whirl_codegen::schedule::{Program, Request, schedule};
-use whirl_codegen::spec::clearance::{ClearanceSpec, Derived, RING};
 
 use crate::flip::{Difference, flips, run};
 use crate::random::Random;

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use whirl_codegen::diagnostic::Source;
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::operation::{Dual, Rounded};
-use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::units::Unit;
 
 use crate::flip::{Difference, flips, run};

@@ -8,9 +8,9 @@ use std::path::Path;
 use whirl_codegen::diagnostic::{Located, Source};
 use whirl_codegen::expression::{Id, Node, Shape, Symbol, Symmetry};
 use whirl_codegen::formula::{Formula, Value, evaluate, parse};
+use whirl_codegen::kinds::motion::MotionSpec;
+use whirl_codegen::kinds::motion::kernels::{Combination, Group, Planned, ResultKind, planned};
 use whirl_codegen::operation::Operand;
-use whirl_codegen::spec::motion::MotionSpec;
-use whirl_codegen::spec::motion::kernels::{Combination, Group, Planned, ResultKind, planned};
 
 use crate::flip::{self, flips_of};
 use crate::random::Random;

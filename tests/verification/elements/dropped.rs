@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::generate::{ENDINGS, SpecFile, generate};
-use whirl_codegen::spec::element::ElementSpec;
+use whirl_codegen::kinds::element::ElementSpec;
 
 use super::{direct, property};
 

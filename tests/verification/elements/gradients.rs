@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::Located;
 use whirl_codegen::formula::{Value, evaluate, parse};
+use whirl_codegen::kinds::element::{ElementSpec, Function};
 use whirl_codegen::operation::{Dual, Number};
-use whirl_codegen::spec::element::{ElementSpec, Function};
 use whirl_specs::ELEMENTS;
 
 use super::spec;

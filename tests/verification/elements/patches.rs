@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::{DMatrix, DVector};
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::element::Cell;
-use whirl_codegen::spec::element::ElementSpec;
+use whirl_codegen::kinds::element::ElementSpec;
 use whirl_specs::{ELEMENTS, Element};
 
 use super::{direct, element, generated, property, spec};

@@ -1,8 +1,8 @@
 //! Laws read with other values of their parameters than their files have.
 
 use whirl_codegen::diagnostic::Source;
+use whirl_codegen::kinds::law::{Given, LawSpec};
 use whirl_codegen::rational::Rational;
-use whirl_codegen::spec::law::{Given, LawSpec};
 use whirl_codegen::tape::Tape;
 
 /// Points in every direction.

@@ -2,7 +2,7 @@
 //! coefficient of restitution that the law was given.
 
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::tape::Tape;
 
 use super::kernel::Kernel;

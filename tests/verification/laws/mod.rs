@@ -17,7 +17,7 @@ use std::fs;
 use std::path::Path;
 
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::kinds::law::LawSpec;
 
 /// Every law file, read.
 fn laws() -> Vec<LawSpec> {

@@ -1,7 +1,7 @@
 //! Reports of the paper's laws, and damaged files.
 
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::spec::law::{LawSpec, Trend};
+use whirl_codegen::kinds::law::{LawSpec, Trend};
 
 use super::laws;
 

@@ -1,8 +1,8 @@
 //! Where a law changes its formula: everything that it compares, found in its graph.
 
 use whirl_codegen::expression::{Function, Graph, Id, Node};
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::schedule::{Request, schedule};
-use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
 
 /// The differences whose signs decide which formulas apply.

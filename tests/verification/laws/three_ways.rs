@@ -1,8 +1,8 @@
 //! The derivatives of every output of every law by every input: symbolic, by dual numbers on the file's
 //! formulas, and by central differences whose order is measured.
 
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::operation::Rounded;
-use whirl_codegen::spec::law::LawSpec;
 use whirl_codegen::tape::Tape;
 
 use super::slope::Slope;

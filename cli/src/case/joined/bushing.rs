@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Located, Source};
 use whirl_codegen::document::Table;
-use whirl_codegen::spec::law::LawSpec;
+use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::units::Quantity;
 use whirl_solver::bearing::MotionKind;
 

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_codegen::kinds::law::{Acts, BearingValue};
 use whirl_codegen::rational::nearest;
-use whirl_codegen::spec::law::{Acts, BearingValue};
 use whirl_codegen::units::Quantity;
 
 use super::fit::Room;

@@ -1,6 +1,6 @@
 //! The rings of nodes of a bore: each around the axis, in one plane, at its journal.
 
-use whirl_codegen::spec::law::Acts;
+use whirl_codegen::kinds::law::Acts;
 use whirl_solver::Error;
 use whirl_solver::mesh::measure::circle;
 

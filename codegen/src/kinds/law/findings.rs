@@ -1,0 +1,59 @@
+//! What is found about a law when it is read, and what of it is an error.
+
+use std::cell::OnceCell;
+
+use super::analysis::{Analysis, in_file};
+use super::exact;
+use super::lint;
+use super::report::{LawReport, TableReport};
+use super::scan::{self, Lined};
+use super::{LawSpec, LawTable};
+use crate::diagnostic::Diagnostics;
+
+/// Analyses a law. A jump that is not accepted, and a point in a declared range without a finite value,
+/// are errors.
+pub(super) fn report(law: &LawSpec) -> Result<LawReport, Diagnostics> {
+    let ranges = scan::ranges(law);
+    let lines = scan::lines(&ranges, scan::terms(law));
+    let mut errors = Diagnostics::new();
+    lint::tables(law, &lines, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let mut outputs = Vec::new();
+    // Names have the same values for all outputs.
+    let lined: OnceCell<Vec<Lined<'_>>> = OnceCell::new();
+    for output in &law.outputs {
+        let analysis = Analysis::new(law, output);
+        let analysed = match exact::facts(law, output, ranges[0]) {
+            Some(facts) => Ok(analysis.exactly(facts)),
+            None => analysis.over(
+                lined.get_or_init(|| lines.iter().map(|line| Lined::new(law, line)).collect()),
+            ),
+        };
+        match analysed {
+            Ok(found) => {
+                lint::output(law, output, &found, &mut errors);
+                outputs.push(found.report);
+            }
+            Err(error) => errors.push(error),
+        }
+    }
+    let named = law.inputs.iter().zip(&ranges).map(|(input, range)| {
+        let range = range.map(|end| in_file(end, &input.unit));
+        (input.name.clone(), input.unit.to_string(), range)
+    });
+    let tables = law.tables.iter().map(table_report).collect();
+    errors.into_result(LawReport { ranges: named.collect(), tables, outputs })
+}
+
+fn table_report(table: &LawTable) -> TableReport {
+    TableReport {
+        name: table.name.clone(),
+        file: table.path.clone(),
+        rows: table.knots.len(),
+        input: [table.input.text.text().to_owned(), table.input_unit.to_string()],
+        span: table.ends,
+        extend: table.extend,
+    }
+}

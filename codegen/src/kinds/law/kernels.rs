@@ -1,0 +1,188 @@
+//! Kernels of a law: its outputs with all first derivatives, over one lane and over rows of springs.
+
+use num_traits::ToPrimitive;
+use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::{Condition, LawSpec, Validity};
+use crate::diagnostic::Diagnostics;
+use crate::emit::{Numbers, documented, identifier, operand, statements};
+use crate::kinds::kernel::{self, unscheduled, variable};
+use crate::kinds::kind::About;
+use crate::schedule::Program;
+
+impl LawSpec {
+    /// The module of its kernels: the law, and where it may be believed.
+    pub(crate) fn module(&self) -> Result<String, Diagnostics> {
+        let refused = |error| unscheduled(&self.file, &error);
+        let measures = self.measures_program().map_err(refused)?;
+        let program = &self.program().map_err(refused)?;
+        let about = self.about();
+        let measured = measures.as_ref().map(|program| measures_of(self, program));
+        let functions = functions(self, program);
+        let functions = quote!(#functions #measured);
+        let entry = entry(self, &about, &functions);
+        let name = identifier(&self.name);
+        let heading = documented(&format!("{}{}", about.heading(), pieces(self)));
+        let validity = measures.is_some().then(|| quote!(Validity,));
+        let module = quote! {
+            #heading
+            pub mod #name {
+                use crate::{Lane, Law, Origin, SpringKernel, #validity Variable, each_spring};
+                #functions
+                #entry
+            }
+        };
+        Ok(kernel::text(module))
+    }
+}
+
+/// The pieces as the spec gives them.
+fn pieces(law: &LawSpec) -> String {
+    let units: Vec<String> =
+        law.inputs.iter().map(|input| format!("{} in {}", input.name, input.unit)).collect();
+    let mut text = String::new();
+    for output in &law.outputs {
+        text += &format!("\n{} in {}, {}:\n", output.name, output.unit, units.join(", "));
+        for piece in &output.pieces {
+            let condition = match &piece.when {
+                Some(Condition::Threshold { text, at, moved_from: Some(_), .. }) => {
+                    let at = at.to_f64().unwrap_or(f64::NAN);
+                    format!("where `{}`, moved to the root at {at:e} in SI", text.text())
+                }
+                Some(Condition::Threshold { text, .. }) => format!("where `{}`", text.text()),
+                Some(Condition::Formula(formula)) => format!("where `{}`", formula.text.text()),
+                None if output.pieces.len() > 1 => "elsewhere".to_string(),
+                None => "everywhere".to_string(),
+            };
+            text += &format!("* `{}` {condition}\n", piece.value.text.text());
+        }
+    }
+    text
+}
+
+fn functions(law: &LawSpec, program: &Program) -> TokenStream {
+    let inputs = law.inputs.iter().map(|input| identifier(&input.name).to_token_stream());
+    let inputs: Vec<TokenStream> = inputs.collect();
+    let from = law
+        .inputs
+        .iter()
+        .map(|input| format!("{} ({})", input.name, input.unit.dimension().si_unit()));
+    let from: Vec<String> = from.collect();
+    let from = from.join(", ");
+    let names: Vec<&str> = program.outputs.iter().map(|output| output.name.as_str()).collect();
+    let about_spring =
+        documented(&format!("{} of {from}, SI; {}.", names.join(", "), program.total_counts()));
+    let about_rows = documented(&format!(
+        "Rows of `springs` values, SI: {} from {from}. A spring reads {} bytes and writes {}.",
+        names.join(", "),
+        8 * inputs.len(),
+        8 * names.len()
+    ));
+    let (kernel, names) = (quote!(Kernel), [quote!(evaluate), quote!(outputs)]);
+    rows(program, &inputs, kernel, names, [about_spring, about_rows])
+}
+
+/// A kernel of one spring, and the function that evaluates rows of springs by it, called by the first of `names`; the
+/// second is what it writes to.
+fn rows(
+    program: &Program,
+    inputs: &[TokenStream],
+    kernel: TokenStream,
+    [function, written]: [TokenStream; 2],
+    [about_spring, about_rows]: [TokenStream; 2],
+) -> TokenStream {
+    let body = body(program);
+    let input_count = Literal::usize_unsuffixed(inputs.len());
+    let count = Literal::usize_unsuffixed(program.outputs.len());
+    quote! {
+        enum #kernel {}
+
+        impl SpringKernel<#input_count, #count> for #kernel {
+            #about_spring
+            #[inline(always)]
+            fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
+                #body
+            }
+        }
+
+        #about_rows
+        pub fn #function(springs: usize, inputs: &[f64], #written: &mut [f64]) {
+            each_spring::<#kernel, #input_count, #count>(springs, inputs, #written);
+        }
+    }
+}
+
+/// The measures of the inputs by which the law may be believed or not.
+fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
+    let used = program.used_inputs();
+    let inputs = law.inputs.iter().map(|input| match used.contains(&input.name) {
+        true => identifier(&input.name).to_token_stream(),
+        false => quote!(_),
+    });
+    let inputs: Vec<TokenStream> = inputs.collect();
+    let names: Vec<&str> = law.valid.iter().map(|own| own.name.as_str()).collect();
+    let about = documented(&format!(
+        "Rows of `springs` values, SI: where the law may be believed, by {}.",
+        names.join(", ")
+    ));
+    let (kernel, names) = (quote!(Measures), [quote!(measure), quote!(measures)]);
+    rows(program, &inputs, kernel, names, [TokenStream::new(), about])
+}
+
+/// A number that may be negative or infinite.
+fn number(value: f64) -> TokenStream {
+    let size = match value.abs() {
+        size if size.is_infinite() => quote!(f64::INFINITY),
+        size => Literal::f64_unsuffixed(size).to_token_stream(),
+    };
+    if value < 0.0 { quote!(-#size) } else { size }
+}
+
+fn validity(own: &Validity) -> TokenStream {
+    let Validity { name, title, help, unit, limits: [least, most], .. } = own;
+    let (per, unit) = (number(unit.factor().to_f64()), unit.text());
+    let (least, most) = (number(*least), number(*most));
+    quote! {
+        Validity {
+            name: #name, title: #title, help: #help,
+            unit: #unit, per_unit: #per, limits: [#least, #most],
+        }
+    }
+}
+
+/// The statements of a program of one stage, and its outputs as an array.
+fn body(program: &Program) -> TokenStream {
+    let statements = statements(program, 0, Numbers::Lanes);
+    let outputs =
+        program.outputs.iter().map(|output| operand(program, output.operand, Numbers::Lanes));
+    quote!(#(#statements)* [#(#outputs),*])
+}
+
+fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
+    let origin = about.origin(functions);
+    let inputs = law
+        .inputs
+        .iter()
+        .map(|input| variable(&input.name, &input.unit.dimension().si_unit(), &input.title));
+    let outputs = law
+        .outputs
+        .iter()
+        .map(|output| variable(&output.name, &output.unit.dimension().si_unit(), &output.title));
+    let valid = law.valid.iter().map(validity);
+    let measure = match law.valid.is_empty() {
+        true => quote!(measure: |_, _, _| {}),
+        false => quote!(measure),
+    };
+    quote! {
+        /// The entry of the registry.
+        pub const ENTRY: Law = Law {
+            origin: #origin,
+            inputs: &[#(#inputs),*],
+            outputs: &[#(#outputs),*],
+            evaluate,
+            valid: &[#(#valid),*],
+            #measure,
+        };
+    }
+}
