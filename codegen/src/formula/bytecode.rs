@@ -1,15 +1,14 @@
 //! Formulas over numbers as bytecode: what [`super::evaluate()`] computes, in the same order, with names by their
 //! places, for many evaluations.
 
-use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
 
-use super::built::Takes;
-use super::function::Builtin;
-use super::series::{Budget, whole_f64};
-use super::{Formula, PI, Side, Term, TermKind};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::operation::{Bytecode, Function, Operand, Operation};
-use crate::rational::nearest;
+use super::series::whole_f64;
+use super::walk::{Notes, Part, Target, walk};
+use super::{Formula, Side};
+use crate::diagnostic::Diagnostics;
+use crate::operation::{Bytecode, Operand, Operation};
+use crate::rational::{Rational, nearest};
 
 /// The bytecode of a formula without vectors and matrices, whose only output is its value; truth is 1 and 0.
 /// `known`: what names are, inputs or constants; the ends of a sum can name constants only.
@@ -19,205 +18,91 @@ use crate::rational::nearest;
 pub(crate) fn bytecode(
     formula: &Formula,
     known: &dyn Fn(&str) -> Option<Operand>,
-) -> Result<Bytecode, Diagnostic> {
-    let (counters, budget) = (Vec::new(), Budget::new());
-    let mut writer = Writer { formula, known, counters, budget: &budget, operations: Vec::new() };
-    writer.code(&formula.root).map_err(|error| *error)
+) -> Result<Bytecode, Diagnostics> {
+    let mut writer = Writer { known, operations: Vec::new(), constants: Vec::new() };
+    let (output, errors) = walk(formula, &mut writer);
+    errors.into_result(Bytecode { operations: writer.operations, outputs: vec![output] })
 }
 
 struct Writer<'f> {
-    formula: &'f Formula,
     known: &'f dyn Fn(&str) -> Option<Operand>,
-    /// Counters of the sums around the term, with their values.
-    counters: Vec<(&'f str, i64)>,
-    budget: &'f Budget,
     operations: Vec<Operation<Operand>>,
+    /// The values of those that depend on no input: the ends of sums are such.
+    constants: Vec<Option<f64>>,
 }
 
-impl Takes for Writer<'_> {
+impl Writer<'_> {
+    /// The value of an operand that depends on no input.
+    fn constant(&self, operand: Operand) -> Option<f64> {
+        match operand {
+            Operand::Constant(value) => Some(value),
+            Operand::Input(_) => None,
+            Operand::Value(place) => self.constants[place],
+        }
+    }
+
+    /// Parts joined from the left; one that is first and against the others comes behind `neutral`.
+    fn chain(
+        &mut self,
+        parts: impl Iterator<Item = (Side, Operand)>,
+        neutral: f64,
+        [with, against]: [fn(Operand, Operand) -> Operation<Operand>; 2],
+    ) -> Operand {
+        let all = parts.fold(None, |all, (side, part)| match (all, side) {
+            (None, Side::With) => Some(part),
+            (Some(all), Side::With) => Some(self.take(with(all, part))),
+            (all, Side::Against) => {
+                Some(self.take(against(all.unwrap_or(Operand::Constant(neutral)), part)))
+            }
+        });
+        all.unwrap_or(Operand::Constant(neutral))
+    }
+}
+
+impl Target for Writer<'_> {
     type Value = Operand;
 
+    fn number(&mut self, value: &Rational) -> Operand {
+        Operand::Constant(nearest(value))
+    }
+
+    fn named(&self, name: &str) -> Option<Operand> {
+        (self.known)(name)
+    }
+
     fn take(&mut self, operation: Operation<Operand>) -> Operand {
+        let known = operation.map(|operand| self.constant(operand));
+        let is_known = known.operands().all(|value| value.is_some());
+        self.constants.push(is_known.then(|| known.map(Option::unwrap_or_default).value()));
         self.operations.push(operation);
         Operand::Value(self.operations.len() - 1)
     }
 
-    fn turn(&mut self, quarters: i64) -> Operand {
-        Operand::Constant(quarters as f64 * FRAC_PI_2)
-    }
-}
-
-type Written = Result<Operand, Box<Diagnostic>>;
-
-impl<'f> Writer<'f> {
-    fn code(&mut self, term: &'f Term) -> Result<Bytecode, Box<Diagnostic>> {
-        let output = self.term(term)?;
-        Ok(Bytecode { operations: std::mem::take(&mut self.operations), outputs: vec![output] })
+    fn sum(&mut self, parts: &[(Side, Operand)]) -> Operand {
+        self.chain(parts.iter().copied(), 0.0, [Operation::Add, Operation::Sub])
     }
 
-    fn error(&self, term: &Term, code: Code, message: &str) -> Box<Diagnostic> {
-        Box::new(self.formula.text.error(code, term.span.clone(), message))
-    }
-
-    fn term(&mut self, term: &'f Term) -> Written {
-        let operation = match &term.kind {
-            TermKind::Number(value) => return Ok(Operand::Constant(nearest(value))),
-            TermKind::Name(name) => return self.name(term, name),
-            TermKind::Negate(inner) => Operation::Sub(Operand::Constant(0.0), self.term(inner)?),
-            TermKind::Sum(parts) => {
-                let mut sum = self.term(&parts[0].1)?;
-                for (side, part) in &parts[1..] {
-                    let part = self.term(part)?;
-                    sum = self.take(match side {
-                        Side::With => Operation::Add(sum, part),
-                        Side::Against => Operation::Sub(sum, part),
-                    });
-                }
-                return Ok(sum);
-            }
-            TermKind::Product(parts) => return self.product(term, parts),
-            TermKind::Power(base, exponent) => {
-                Operation::Power(self.term(base)?, self.term(exponent)?)
-            }
-            TermKind::Call { function, arguments, .. } => {
-                return self.call(term, function, arguments);
-            }
-            TermKind::Series { counter, ends, body, .. } => {
-                return self.series(term, counter, ends, body);
-            }
-            TermKind::Compare(first, rest) => {
-                let mut left = self.term(first)?;
-                let mut all = None;
-                for (comparison, part) in rest {
-                    let right = self.term(part)?;
-                    let (relation, low, high) = comparison.of(left, right);
-                    let holds = self.take(Operation::Compare(relation, low, high));
-                    all = Some(match all {
-                        Some(all) => self.take(Operation::And(all, holds)),
-                        None => holds,
-                    });
-                    left = right;
-                }
-                return Ok(all.unwrap_or(left));
-            }
-            TermKind::And(parts) => return self.chain(parts, Operation::And),
-            TermKind::Or(parts) => return self.chain(parts, Operation::Or),
-            TermKind::Not(inner) => Operation::Not(self.term(inner)?),
-        };
-        Ok(self.take(operation))
-    }
-
-    fn name(&self, term: &Term, name: &str) -> Written {
-        let counter = self.counters.iter().find(|(counter, _)| *counter == name);
-        match ((self.known)(name), counter) {
-            (Some(known), _) => Ok(known),
-            (None, Some((_, count))) => Ok(Operand::Constant(*count as f64)),
-            (None, None) if name == PI => Ok(Operand::Constant(std::f64::consts::PI)),
-            _ => Err(self.error(term, Code::UNKNOWN_NAME, &format!("`{name}` has no value"))),
-        }
-    }
-
-    fn chain(
+    fn product(
         &mut self,
-        parts: &'f [Term],
-        join: fn(Operand, Operand) -> Operation<Operand>,
-    ) -> Written {
-        let mut all = self.term(&parts[0])?;
-        for part in &parts[1..] {
-            let part = self.term(part)?;
-            all = self.take(join(all, part));
-        }
-        Ok(all)
-    }
-
-    fn product(&mut self, term: &Term, parts: &'f [(Side, Term)]) -> Written {
-        let mut product = None;
-        for (side, part) in parts {
-            let factor = self.term(part)?;
-            product = Some(match (product, side) {
-                (None, Side::With) => factor,
-                (Some(product), Side::With) => self.take(Operation::Mul(product, factor)),
-                (product, Side::Against) => {
-                    let above = product.unwrap_or(Operand::Constant(1.0));
-                    self.take(Operation::Div(above, factor))
-                }
-            });
-        }
-        product.ok_or_else(|| self.error(term, Code::SHAPE, "this product has no factors"))
-    }
-
-    fn call(&mut self, term: &'f Term, name: &str, arguments: &'f [Term]) -> Written {
-        let operands: Result<Vec<Operand>, _> = arguments.iter().map(|a| self.term(a)).collect();
-        let Some((builtin, _)) = Builtin::named(name) else {
-            return Err(self.error(term, Code::SHAPE, "this is no function of numbers"));
-        };
-        Ok(match (builtin, operands?.as_slice()) {
-            (Builtin::Function(function), [x]) => self.take(Operation::Function(function, *x)),
-            (Builtin::Sqrt, [x]) => self.take(Operation::Sqrt(*x)),
-            (Builtin::Sinh, [x]) => self.hyperbolic(*x, Operation::Sub),
-            (Builtin::Cosh, [x]) => self.hyperbolic(*x, Operation::Add),
-            (Builtin::Min, all @ [_, ..]) => self.best(all, |best, other| [other, best]),
-            (Builtin::Max, all @ [_, ..]) => self.best(all, |best, other| [best, other]),
-            (Builtin::Atan2, [y, x]) => self.angle(*y, *x),
-            (Builtin::Dot | Builtin::Outer | Builtin::Transpose, _) => {
-                return Err(self.error(term, Code::SHAPE, "this is no function of numbers"));
-            }
-            _ => {
-                let message = "this function has another number of arguments";
-                return Err(self.error(term, Code::SHAPE, message));
-            }
-        })
-    }
-
-    /// ½(eˣ ∓ e⁻ˣ)
-    fn hyperbolic(
-        &mut self,
-        x: Operand,
-        join: fn(Operand, Operand) -> Operation<Operand>,
+        parts: &[(Side, Part<'_, Operand>)],
+        _: bool,
+        _: &mut Notes<'_>,
     ) -> Operand {
-        let grows = self.take(Operation::Function(Function::Exp, x));
-        let falls = self.take(Operation::Div(Operand::Constant(1.0), grows));
-        let twice = self.take(join(grows, falls));
-        self.take(Operation::Mul(twice, Operand::Constant(0.5)))
+        let parts = parts.iter().map(|(side, part)| (*side, part.value));
+        self.chain(parts, 1.0, [Operation::Mul, Operation::Div])
     }
 
-    /// The sum written out.
-    fn series(
+    fn power(
         &mut self,
-        term: &'f Term,
-        counter: &'f str,
-        ends: &'f [Term; 2],
-        body: &'f Term,
-    ) -> Written {
-        let [first, last] = [&ends[0], &ends[1]].map(|end| self.whole(end));
-        let counts = self.budget.counter([first?, last?]);
-        let counts = counts.map_err(|message| self.error(term, Code::LIMIT, &message))?;
-        let mut sum = None;
-        for count in counts {
-            self.counters.push((counter, count));
-            let part = self.term(body);
-            self.counters.pop();
-            let part = part?;
-            sum = Some(match sum {
-                Some(sum) => self.take(Operation::Add(sum, part)),
-                None => part,
-            });
-        }
-        sum.ok_or_else(|| self.error(term, Code::SHAPE, "this sum has no terms"))
+        [base, exponent]: [Part<'_, Operand>; 2],
+        _: &Range<usize>,
+        _: &mut Notes<'_>,
+    ) -> Operand {
+        self.take(Operation::Power(base.value, exponent.value))
     }
 
-    /// The whole number that an end of a sum is; it names only constants and counters.
-    fn whole(&self, end: &'f Term) -> Result<Option<i64>, Box<Diagnostic>> {
-        let constant =
-            |name: &str| (self.known)(name).filter(|known| matches!(known, Operand::Constant(_)));
-        let mut writer = Writer {
-            formula: self.formula,
-            known: &constant,
-            counters: self.counters.clone(),
-            budget: self.budget,
-            operations: Vec::new(),
-        };
-        Ok(whole_f64(writer.code(end)?.value::<f64>(&[])))
+    fn whole(&self, value: Operand) -> Option<i64> {
+        self.constant(value).and_then(whole_f64)
     }
 }
 

@@ -3,16 +3,15 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::rational::Rational;
 use num_traits::{One, Signed};
 
-use super::built::Takes;
 use super::function::Builtin;
-use super::series::{self, Budget};
-use super::{Formula, LIMITS, PI, Scope, Side, Term, TermKind, check, undefined};
+use super::walk::{Notes, Part, Target, walk};
+use super::{Formula, LIMITS, Scope, Side, check, series, undefined};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::expression::{Function, Graph, Id, Node, Shape};
 use crate::operation::Operation;
+use crate::rational::Rational;
 
 /// Adds a formula to the graph, where names stand for the given nodes. A name may stand for a number, as
 /// a parameter with a value does.
@@ -28,16 +27,7 @@ pub fn lower(
     let scope: Scope = names.iter().map(|(name, id)| (name.clone(), graph.shape(*id))).collect();
     check(formula, &scope)?;
     let before = graph.exceeded();
-    let mut lowering = Lowering {
-        formula,
-        graph,
-        names,
-        counters: Vec::new(),
-        budget: Budget::new(),
-        errors: Diagnostics::new(),
-    };
-    let root = lowering.term(&formula.root);
-    let mut errors = lowering.errors;
+    let (root, mut errors) = walk(formula, &mut Lowering { graph, names });
     if graph.exceeded() && !before && errors.is_empty() {
         let message = "multiplied out, this formula has too many terms or digits to be worked with";
         let error = formula.text.error_here(Code::LIMIT, message);
@@ -48,138 +38,84 @@ pub fn lower(
     errors.into_result(root)
 }
 
-/// The f64 nearest to π, as an exact number.
-pub(crate) fn pi() -> Rational {
-    Rational::from_float(std::f64::consts::PI).expect("a finite number")
-}
-
 struct Lowering<'f> {
-    formula: &'f Formula,
     graph: &'f mut Graph,
     names: &'f BTreeMap<String, Id>,
-    /// Counters of the sums around the term, with their values.
-    counters: Vec<(&'f str, i64)>,
-    budget: Budget,
-    errors: Diagnostics,
 }
 
-impl<'f> Lowering<'f> {
-    fn error(&mut self, code: Code, span: &Range<usize>, message: impl Into<String>) {
-        self.errors.push(self.formula.text.error(code, span.clone(), message));
-    }
-
-    fn terms(&mut self, parts: &'f [Term]) -> Vec<Id> {
-        parts.iter().map(|part| self.term(part)).collect()
-    }
-
-    fn term(&mut self, term: &'f Term) -> Id {
-        match &term.kind {
-            TermKind::Number(value) => self.graph.number(value.clone()),
-            TermKind::Name(name) => match self.names.get(name) {
-                Some(id) => *id,
-                None => {
-                    let counter = self.counters.iter().find(|(counter, _)| counter == name);
-                    if let Some((_, count)) = counter {
-                        return self.graph.integer(*count);
-                    }
-                    debug_assert_eq!(name, PI, "names are checked before");
-                    self.graph.number(pi())
-                }
-            },
-            TermKind::Negate(inner) => {
-                let inner = self.term(inner);
-                self.graph.neg(inner)
-            }
-            TermKind::Sum(parts) => {
-                let parts: Vec<_> = (parts.iter())
-                    .map(|(side, part)| {
-                        let sign = match side {
-                            Side::With => Rational::one(),
-                            Side::Against => -Rational::one(),
-                        };
-                        (self.term(part), sign)
-                    })
-                    .collect();
-                self.graph.sum(&parts)
-            }
-            TermKind::Product(parts) => self.product(parts),
-            TermKind::Power(base, exponent) => self.power(term, base, exponent),
-            TermKind::Call { function, arguments, .. } => self.call(term, function, arguments),
-            TermKind::Series { counter, ends, body, .. } => self.series(term, counter, ends, body),
-            TermKind::Compare(first, rest) => {
-                let mut left = self.term(first);
-                let mut all = None;
-                for (comparison, part) in rest {
-                    let right = self.term(part);
-                    let (relation, low, high) = comparison.of(left, right);
-                    let holds = self.graph.compare(relation, low, high);
-                    all = Some(match all {
-                        Some(before) => self.graph.and(before, holds),
-                        None => holds,
-                    });
-                    left = right;
-                }
-                all.unwrap_or(left)
-            }
-            TermKind::And(parts) => self.fold(parts, Graph::and),
-            TermKind::Or(parts) => self.fold(parts, Graph::or),
-            TermKind::Not(inner) => {
-                let inner = self.term(inner);
-                self.graph.not(inner)
+impl Lowering<'_> {
+    /// Reports exponents that grew by merging, as those of powers of powers do.
+    fn bound_exponents(&self, id: Id, span: &Range<usize>, notes: &mut Notes<'_>) {
+        let limit = Rational::from(LIMITS.exponent);
+        let terms = self.graph.terms(id);
+        let [(only, _)] = terms.as_slice() else { return };
+        if let Node::Product(factors) = self.graph.node(*only) {
+            let fine = |e: &Rational| e.abs() <= limit && e.denom().bits() <= 64;
+            if !factors.iter().all(|(_, exponent)| fine(exponent)) {
+                let message = format!("the exponents grow beyond {} here", LIMITS.exponent);
+                notes.error(Code::LIMIT, span, message);
             }
         }
     }
+}
 
-    fn series(&mut self, term: &Term, counter: &'f str, ends: &'f [Term; 2], body: &'f Term) -> Id {
-        let values = [self.term(&ends[0]), self.term(&ends[1])];
-        let values = values.map(|end| self.graph.as_number(end).and_then(series::whole));
-        let counts = match self.budget.counter(values) {
-            Ok(counts) => counts,
-            Err(message) => {
-                self.error(Code::LIMIT, &term.span, message);
-                return self.graph.integer(0);
+impl Target for Lowering<'_> {
+    type Value = Id;
+
+    fn number(&mut self, value: &Rational) -> Id {
+        self.graph.number(value.clone())
+    }
+
+    fn named(&self, name: &str) -> Option<Id> {
+        self.names.get(name).copied()
+    }
+
+    fn take(&mut self, operation: Operation<Id>) -> Id {
+        let graph = &mut *self.graph;
+        match operation {
+            Operation::Add(a, b) => graph.add(a, b),
+            Operation::Sub(a, b) => graph.sub(a, b),
+            Operation::Mul(a, b) => graph.mul(a, b),
+            Operation::Div(a, b) => graph.div(a, b),
+            Operation::Neg(a) => graph.neg(a),
+            Operation::Sqrt(a) => graph.sqrt(a),
+            Operation::Function(function, a) => graph.function(function, a),
+            Operation::Power(a, b) => {
+                let logarithm = graph.function(Function::Ln, a);
+                let product = graph.mul(b, logarithm);
+                graph.function(Function::Exp, product)
             }
-        };
-        let mut parts = Vec::new();
-        for count in counts {
-            self.counters.push((counter, count));
-            let errors = self.errors.len();
-            parts.push((self.term(body), Rational::one()));
-            self.counters.pop();
-            // What is wrong for one value of the counter mostly is for the next.
-            if self.errors.len() > errors || self.graph.exceeded() {
-                break;
-            }
+            Operation::Compare(relation, a, b) => graph.compare(relation, a, b),
+            Operation::And(a, b) => graph.and(a, b),
+            Operation::Or(a, b) => graph.or(a, b),
+            Operation::Not(a) => graph.not(a),
+            Operation::Select(mask, a, b) => graph.select(mask, a, b),
         }
+    }
+
+    fn sum(&mut self, parts: &[(Side, Id)]) -> Id {
+        let parts: Vec<_> = parts.iter().map(|(side, part)| (*part, sign(*side))).collect();
         self.graph.sum(&parts)
     }
 
-    fn fold(&mut self, parts: &'f [Term], combine: fn(&mut Graph, Id, Id) -> Id) -> Id {
-        let parts = self.terms(parts);
-        parts[1..].iter().fold(parts[0], |all, part| combine(self.graph, all, *part))
-    }
-
-    fn product(&mut self, parts: &'f [(Side, Term)]) -> Id {
-        let mut factors = Vec::new();
-        let mut tensors = Vec::new();
-        let before = self.errors.len();
-        for (side, part) in parts {
-            let id = self.term(part);
+    fn product(&mut self, parts: &[(Side, Part<'_, Id>)], fine: bool, notes: &mut Notes<'_>) -> Id {
+        let (mut factors, mut tensors) = (Vec::new(), Vec::new());
+        let before = notes.count();
+        for (side, Part { value, span }) in parts {
             match side {
-                Side::Against => match undefined::division(self.graph, id) {
-                    Some(why) => self.error(Code::UNDEFINED, &part.span, why),
-                    None => factors.push((id, -Rational::one())),
+                Side::Against => match undefined::division(self.graph, *value) {
+                    Some(why) => notes.error(Code::UNDEFINED, span, why),
+                    None => factors.push((*value, sign(*side))),
                 },
-                Side::With if self.graph.shape(id) == Shape::Scalar => {
-                    factors.push((id, Rational::one()));
+                Side::With if self.graph.shape(*value) == Shape::Scalar => {
+                    factors.push((*value, sign(*side)));
                 }
-                Side::With => tensors.push(id),
+                Side::With => tensors.push(*value),
             }
         }
         let scalar = self.graph.product(&factors);
-        let fine = self.errors.len() == before;
-        if let ([(_, first), .., (_, last)], true) = (parts, fine) {
-            self.bound_exponents(scalar, &(first.span.start..last.span.end));
+        if let ([(_, first), .., (_, last)], true) = (parts, fine && notes.count() == before) {
+            self.bound_exponents(scalar, &(first.span.start..last.span.end), notes);
         }
         let Some(mut tensor) = tensors.pop() else {
             return scalar;
@@ -190,114 +126,69 @@ impl<'f> Lowering<'f> {
         self.graph.scale(scalar, tensor)
     }
 
-    fn power(&mut self, term: &'f Term, base: &'f Term, exponent: &'f Term) -> Id {
-        let (a, b) = (self.term(base), self.term(exponent));
+    fn power(
+        &mut self,
+        [base, exponent]: [Part<'_, Id>; 2],
+        span: &Range<usize>,
+        notes: &mut Notes<'_>,
+    ) -> Id {
+        let (a, b) = (base.value, exponent.value);
         let Some(constant) = self.graph.as_number(b).cloned() else {
             if self.graph.as_number(a).is_some_and(|base| !base.is_positive()) {
                 let message = "a power that varies needs a base above zero";
-                self.error(Code::UNDEFINED, &base.span, message);
+                notes.error(Code::UNDEFINED, base.span, message);
             }
-            return self.graph.take(Operation::Power(a, b));
+            return self.take(Operation::Power(a, b));
         };
         if constant.abs() > Rational::from(LIMITS.exponent) {
             let message = format!("an exponent is at most {}", LIMITS.exponent);
-            self.error(Code::LIMIT, &exponent.span, message);
+            notes.error(Code::LIMIT, exponent.span, message);
             return a;
         }
         if let Some(why) = undefined::power(self.graph, a, &constant) {
-            self.error(Code::UNDEFINED, &term.span, why);
+            notes.error(Code::UNDEFINED, span, why);
             return a;
         }
         let power = self.graph.power(a, constant);
-        self.bound_exponents(power, &term.span);
+        self.bound_exponents(power, span, notes);
         power
     }
 
-    /// Reports exponents that grew by merging, as those of powers of powers do.
-    fn bound_exponents(&mut self, id: Id, span: &Range<usize>) {
-        let limit = Rational::from(LIMITS.exponent);
-        let terms = self.graph.terms(id);
-        let [(only, _)] = terms.as_slice() else { return };
-        if let Node::Product(factors) = self.graph.node(*only) {
-            let fine = |e: &Rational| e.abs() <= limit && e.denom().bits() <= 64;
-            if !factors.iter().all(|(_, exponent)| fine(exponent)) {
-                let message = format!("the exponents grow beyond {} here", LIMITS.exponent);
-                self.error(Code::LIMIT, span, message);
-            }
+    fn tensor(&mut self, builtin: Builtin, arguments: &[Id]) -> Option<Id> {
+        match (builtin, arguments) {
+            (Builtin::Dot, [a, b]) => Some(self.graph.dot(*a, *b)),
+            (Builtin::Outer, [a, b]) => Some(self.graph.outer(*a, *b)),
+            (Builtin::Transpose, [a]) => Some(self.graph.transpose(*a)),
+            _ => None,
         }
     }
 
-    fn call(&mut self, term: &'f Term, function: &str, arguments: &'f [Term]) -> Id {
-        let Some((builtin, _)) = Builtin::named(function) else {
-            // Only what passed the check comes here.
-            self.error(Code::BAD_CALL, &term.span, format!("unknown function `{function}`"));
-            return self.graph.integer(0);
-        };
-        let ids = self.terms(arguments);
-        let a = ids[0];
-        let constant = self.graph.as_number(a).cloned();
+    fn undefined(&self, builtin: Builtin, argument: Id) -> Option<&'static str> {
         match builtin {
-            Builtin::Sqrt => {
-                if undefined::power(self.graph, a, &Rational::half()).is_some() {
-                    self.error(Code::UNDEFINED, &term.span, "the root of a negative number");
-                }
-                self.graph.sqrt(a)
+            Builtin::Sqrt => undefined::power(self.graph, argument, &Rational::half())
+                .map(|_| "the root of a negative number"),
+            Builtin::Function(Function::Ln) => {
+                let value = self.graph.as_number(argument)?;
+                (!value.is_positive()).then_some("the logarithm of a number that is not positive")
             }
-            Builtin::Function(function) => {
-                let positive = constant.is_none_or(|value| value.is_positive());
-                if function == Function::Ln && !positive {
-                    let message = "the logarithm of a number that is not positive";
-                    self.error(Code::UNDEFINED, &term.span, message);
-                }
-                self.graph.function(function, a)
-            }
-            Builtin::Sinh => self.hyperbolic(a, -Rational::one()),
-            Builtin::Cosh => self.hyperbolic(a, Rational::one()),
-            Builtin::Min => self.graph.best(&ids, |best, other| [other, best]),
-            Builtin::Max => self.graph.best(&ids, |best, other| [best, other]),
-            Builtin::Atan2 => self.graph.angle(a, ids[1]),
-            Builtin::Dot => self.graph.dot(a, ids[1]),
-            Builtin::Outer => self.graph.outer(a, ids[1]),
-            Builtin::Transpose => self.graph.transpose(a),
+            _ => None,
         }
     }
 
-    /// ½eᵃ + sign·½e⁻ᵃ
-    fn hyperbolic(&mut self, a: Id, sign: Rational) -> Id {
-        let half = Rational::new(1, 2);
-        let grows = self.graph.function(Function::Exp, a);
-        let falls = self.graph.power(grows, -Rational::one());
-        self.graph.sum(&[(grows, half.clone()), (falls, sign * half)])
+    fn whole(&self, value: Id) -> Option<i64> {
+        self.graph.as_number(value).and_then(series::whole)
+    }
+
+    fn is_full(&self) -> bool {
+        self.graph.exceeded()
     }
 }
 
-impl Takes for Graph {
-    type Value = Id;
-
-    fn take(&mut self, operation: Operation<Id>) -> Id {
-        match operation {
-            Operation::Add(a, b) => self.add(a, b),
-            Operation::Sub(a, b) => self.sub(a, b),
-            Operation::Mul(a, b) => self.mul(a, b),
-            Operation::Div(a, b) => self.div(a, b),
-            Operation::Neg(a) => self.neg(a),
-            Operation::Sqrt(a) => self.sqrt(a),
-            Operation::Function(function, a) => self.function(function, a),
-            Operation::Power(a, b) => {
-                let logarithm = self.function(Function::Ln, a);
-                let product = self.mul(b, logarithm);
-                self.function(Function::Exp, product)
-            }
-            Operation::Compare(relation, a, b) => self.compare(relation, a, b),
-            Operation::And(a, b) => self.and(a, b),
-            Operation::Or(a, b) => self.or(a, b),
-            Operation::Not(a) => self.not(a),
-            Operation::Select(mask, a, b) => self.select(mask, a, b),
-        }
-    }
-
-    fn turn(&mut self, quarters: i64) -> Id {
-        self.number(pi() * Rational::new(quarters, 2))
+/// The factor of a part of a sum, and the exponent of one of a product.
+fn sign(side: Side) -> Rational {
+    match side {
+        Side::With => Rational::one(),
+        Side::Against => -Rational::one(),
     }
 }
 
@@ -335,6 +226,7 @@ mod tests {
             ("x > 1", "1 < x"),
             ("not not x < 1", "x < 1"),
             ("sinh(x) + cosh(x)", "exp(x)"),
+            ("sinh(x)", "exp(x)/2 - exp(x)^-1/2"),
             ("sum(j, 0, 3, x^j/(1 + j))", "1 + x/2 + x^2/3 + x^3/4"),
             ("sum(j, 1, 2*n, j)", "6"),
             ("atan2(0, -1)", "pi"),

@@ -15,7 +15,6 @@
 //! Names are ASCII; Greek letters, a dot above and subscript digits stand for their ASCII spelling
 //! (θ̇ is `theta_dot`, c₀ is `c0`).
 
-mod built;
 mod bytecode;
 mod check;
 mod evaluate;
@@ -26,6 +25,7 @@ mod series;
 mod token;
 pub(crate) mod undefined;
 mod unit;
+mod walk;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -37,7 +37,6 @@ pub(crate) use bytecode::bytecode;
 pub use check::{Scope, check};
 pub use evaluate::{Value, evaluate};
 pub use lower::lower;
-pub(crate) use lower::pi;
 pub use parse::parse;
 pub(crate) use series::whole;
 pub use unit::{Meaning, dimension};
@@ -64,6 +63,11 @@ pub(crate) const LIMITS: Limits =
 
 /// Name of the number π in formulas.
 pub(crate) const PI: &str = "pi";
+
+/// The f64 nearest to π, as an exact number.
+pub(crate) fn pi() -> Rational {
+    Rational::from_float(std::f64::consts::PI).expect("a finite number")
+}
 
 /// Name of the sum over a counter.
 pub(crate) const SUM: &str = "sum";
@@ -169,32 +173,29 @@ pub(crate) enum TermKind {
 }
 
 impl Term {
+    /// The terms that it is made of, in the order of the text.
+    pub(crate) fn parts(&self) -> Vec<&Term> {
+        match &self.kind {
+            TermKind::Number(_) | TermKind::Name(_) => Vec::new(),
+            TermKind::Negate(a) | TermKind::Not(a) => vec![a],
+            TermKind::Sum(parts) | TermKind::Product(parts) => {
+                parts.iter().map(|(_, part)| part).collect()
+            }
+            TermKind::Power(a, b) => vec![a, b],
+            TermKind::Series { ends, body, .. } => ends.iter().chain([&**body]).collect(),
+            TermKind::Compare(first, rest) => {
+                std::iter::once(&**first).chain(rest.iter().map(|(_, part)| part)).collect()
+            }
+            TermKind::Call { arguments: parts, .. }
+            | TermKind::And(parts)
+            | TermKind::Or(parts) => parts.iter().collect(),
+        }
+    }
+
     /// Calls `visit` for this term and every term inside, in the order of the text.
     pub(crate) fn visit<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
         visit(self);
-        match &self.kind {
-            TermKind::Number(_) | TermKind::Name(_) => {}
-            TermKind::Negate(a) | TermKind::Not(a) => a.visit(visit),
-            TermKind::Sum(parts) | TermKind::Product(parts) => {
-                parts.iter().for_each(|(_, part)| part.visit(visit));
-            }
-            TermKind::Power(a, b) => {
-                a.visit(visit);
-                b.visit(visit);
-            }
-            TermKind::Call { arguments, .. } => arguments.iter().for_each(|a| a.visit(visit)),
-            TermKind::Series { ends, body, .. } => {
-                ends.iter().for_each(|end| end.visit(visit));
-                body.visit(visit);
-            }
-            TermKind::Compare(first, rest) => {
-                first.visit(visit);
-                rest.iter().for_each(|(_, part)| part.visit(visit));
-            }
-            TermKind::And(parts) | TermKind::Or(parts) => {
-                parts.iter().for_each(|part| part.visit(visit))
-            }
-        }
+        self.parts().into_iter().for_each(|part| part.visit(visit));
     }
 }
 

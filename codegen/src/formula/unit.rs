@@ -63,7 +63,7 @@ impl Checker<'_> {
             TermKind::Name(name) if self.counters.contains(name) => Some(Dimension::NUMBER),
             TermKind::Name(name) => self.names.get(name).map(|m| m.dimension.without_angle()),
             TermKind::Negate(inner) => self.term(inner),
-            TermKind::Sum(parts) => self.alike(parts.iter().map(|(_, part)| part), "added to"),
+            TermKind::Sum(_) => self.alike(term.parts().into_iter(), "added to"),
             TermKind::Product(parts) => {
                 let dimensions: Vec<_> = parts.iter().map(|(_, part)| self.term(part)).collect();
                 let mut product = Dimension::NUMBER;
@@ -85,19 +85,14 @@ impl Checker<'_> {
                 self.counters.pop();
                 body
             }
-            TermKind::Compare(first, rest) => {
-                let parts = std::iter::once(&**first).chain(rest.iter().map(|(_, part)| part));
-                self.alike(parts, "compared with");
+            TermKind::Compare(..) => {
+                self.alike(term.parts().into_iter(), "compared with");
                 None
             }
-            TermKind::And(parts) | TermKind::Or(parts) => {
-                parts.iter().for_each(|part| {
+            TermKind::And(_) | TermKind::Or(_) | TermKind::Not(_) => {
+                term.parts().into_iter().for_each(|part| {
                     self.term(part);
                 });
-                None
-            }
-            TermKind::Not(inner) => {
-                self.term(inner);
                 None
             }
         }
@@ -195,13 +190,7 @@ impl Checker<'_> {
                 }
                 Some(product)
             }
-            TermKind::Power(..)
-            | TermKind::Call { .. }
-            | TermKind::Series { .. }
-            | TermKind::Compare(..)
-            | TermKind::And(_)
-            | TermKind::Or(_)
-            | TermKind::Not(_) => None,
+            _ => None,
         }
     }
 

@@ -96,9 +96,6 @@ fn is_polynomial(law: &LawSpec, output: &LawOutput) -> bool {
 fn is_plain(term: &Term, law: &LawSpec) -> bool {
     let plain = |part: &Term| is_plain(part, law);
     let part = match &term.kind {
-        TermKind::Number(_) | TermKind::Name(_) => true,
-        TermKind::Negate(a) | TermKind::Not(a) => plain(a),
-        TermKind::Sum(parts) => parts.iter().all(|(_, part)| plain(part)),
         TermKind::Product(parts) => parts.iter().all(|(side, part)| match side {
             Side::With => plain(part),
             Side::Against => is_constant(part, law),
@@ -108,8 +105,7 @@ fn is_plain(term: &Term, law: &LawSpec) -> bool {
             matches!(function.as_str(), "min" | "max" | "abs") && arguments.iter().all(plain)
         }
         TermKind::Series { body, .. } => plain(body),
-        TermKind::Compare(first, rest) => plain(first) && rest.iter().all(|(_, part)| plain(part)),
-        TermKind::And(parts) | TermKind::Or(parts) => parts.iter().all(plain),
+        _ => term.parts().into_iter().all(plain),
     };
     part || is_constant(term, law)
 }

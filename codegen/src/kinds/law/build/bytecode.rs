@@ -1,14 +1,14 @@
 //! The formulas of a law as bytecode.
 
 use super::super::{LawSpec, NameCode, PieceCode};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Diagnostics;
 use crate::formula::{Formula, bytecode};
 use crate::kinds::law::Condition;
 use crate::operation::Operand;
 use crate::rational::nearest;
 
 /// Writes the formulas of a law that was lowered.
-pub(super) fn write(law: &mut LawSpec) -> Result<(), Diagnostic> {
+pub(super) fn write(law: &mut LawSpec) -> Result<(), Diagnostics> {
     let mut known: Vec<&str> = law.inputs.iter().map(|input| input.name.as_str()).collect();
     let constant = |name: &str| {
         let parameter = law.parameters.iter().find(|parameter| parameter.name == name)?;
@@ -38,7 +38,7 @@ pub(super) fn write(law: &mut LawSpec) -> Result<(), Diagnostic> {
             };
             Ok(PieceCode { when, value: code(&piece.value, &known)? })
         });
-        outputs.push(pieces.collect::<Result<Vec<_>, Diagnostic>>()?);
+        outputs.push(pieces.collect::<Result<Vec<_>, Diagnostics>>()?);
     }
     law.code = name_codes;
     law.outputs.iter_mut().zip(outputs).for_each(|(output, code)| output.code = code);

@@ -139,7 +139,7 @@ impl Scope<'_> {
             Some(Operand::Constant(nearest(&parameter.value)))
         };
         let place = |name: &str| places.iter().position(|own| *own == name).map(Operand::Input);
-        Ok(bytecode(formula, &|name| place(name).or_else(|| constant(name)))?)
+        bytecode(formula, &|name| place(name).or_else(|| constant(name)))
     }
 }
 
