@@ -1,9 +1,10 @@
 //! The map from the reference cell at the points of a rule, and what it makes of basis functions: what generated
 //! kernels of cells call as [`crate::cells`].
 
+use crate::Lane;
+use crate::lane::shared;
 use crate::matrices::Matrix;
 use crate::register::Register;
-use crate::{Lane, Shared};
 
 /// The Jacobian J = Σ x_a ⊗ ∇N_a of the map from the reference cell, by its cofactors: J⁻ᵀ = cof J / det J.
 #[derive(Debug, Clone, Copy)]
@@ -85,28 +86,26 @@ pub fn tangents<L: Lane, const N: usize>(
     rows: &[[f64; N]],
     tangents: &mut [[L; 3]],
 ) {
-    struct Tangents<'a, L> {
+    tangents_of(x, rows.as_flattened(), tangents);
+}
+
+shared! {
+    /// As [`tangents`], of any number of nodes.
+    fn tangents_of<'a, L: Lane>(
         x: &'a [[L; 3]],
         rows: &'a [f64],
         tangents: &'a mut [[L; 3]],
-    }
-    impl<L: Lane> Shared<L> for Tangents<'_, L> {
-        type Output = ();
-
-        #[inline(always)]
-        fn run(self) {
-            let nodes = self.x.len();
-            let (threes, rest) = self.tangents.as_chunks_mut::<3>();
-            let (of_threes, of_rest) = self.rows.split_at(3 * nodes * threes.len());
-            for (three, rows) in threes.iter_mut().zip(of_threes.chunks_exact(3 * nodes)) {
-                *three = sides(self.x, rows);
-            }
-            for (tangent, row) in rest.iter_mut().zip(of_rest.chunks_exact(nodes)) {
-                [*tangent] = sides(self.x, row);
-            }
+    ) {
+        let nodes = x.len();
+        let (threes, rest) = tangents.as_chunks_mut::<3>();
+        let (of_threes, of_rest) = rows.split_at(3 * nodes * threes.len());
+        for (three, rows) in threes.iter_mut().zip(of_threes.chunks_exact(3 * nodes)) {
+            *three = sides(x, rows);
+        }
+        for (tangent, row) in rest.iter_mut().zip(of_rest.chunks_exact(nodes)) {
+            [*tangent] = sides(x, row);
         }
     }
-    L::shared(Tangents { x, rows: rows.as_flattened(), tangents });
 }
 
 /// The map at the centre; `rows`: coefficients of the nodes in ∂x/∂ξ, ∂x/∂η and ∂x/∂ζ.
@@ -117,78 +116,50 @@ pub fn centre<L: Lane, const N: usize>(x: &[[L; 3]; N], rows: &[[f64; N]; 3]) ->
     Jacobian::new(columns)
 }
 
-/// Maps of gradients times r = √(w det J), that is r/det J · cof J, and r, at every point with the weight w, whose
-/// three tangents are those at `columns`. Gives the smallest det J.
-#[inline(always)]
-pub fn maps<L: Lane>(
-    tangents: &[[L; 3]],
-    columns: &[[usize; 3]],
-    weights: &[f64],
-    maps: &mut [[[L; 3]; 3]],
-    roots: &mut [L],
-) -> L {
-    struct Maps<'a, L> {
+shared! {
+    /// Maps of gradients times r = √(w det J), that is r/det J · cof J, and r, at every point with the weight w, whose
+    /// three tangents are those at `columns`. Gives the smallest det J.
+    pub fn maps<'a, L: Lane>(
         tangents: &'a [[L; 3]],
         columns: &'a [[usize; 3]],
         weights: &'a [f64],
         maps: &'a mut [[[L; 3]; 3]],
         roots: &'a mut [L],
-    }
-    impl<L: Lane> Shared<L> for Maps<'_, L> {
-        type Output = L;
-
-        #[inline(always)]
-        fn run(self) -> L {
-            let mut smallest = L::splat(f64::INFINITY);
-            let points = self.columns.iter().zip(self.weights);
-            let outputs = self.maps.iter_mut().zip(self.roots);
-            for ((map, root), ([xi, eta, zeta], weight)) in outputs.zip(points) {
-                let columns = [self.tangents[*xi], self.tangents[*eta], self.tangents[*zeta]];
-                let at = Jacobian::new(columns);
-                smallest = least(smallest, at.det);
-                *root = (at.det * *weight).sqrt();
-                *map = at.map(*root / at.det);
-            }
-            smallest
+    ) -> L {
+        let mut smallest = L::splat(f64::INFINITY);
+        let points = columns.iter().zip(weights);
+        let outputs = maps.iter_mut().zip(roots);
+        for ((map, root), ([xi, eta, zeta], weight)) in outputs.zip(points) {
+            let columns = [tangents[*xi], tangents[*eta], tangents[*zeta]];
+            let at = Jacobian::new(columns);
+            smallest = least(smallest, at.det);
+            *root = (at.det * *weight).sqrt();
+            *map = at.map(*root / at.det);
         }
+        smallest
     }
-    L::shared(Maps { tangents, columns, weights, maps, roots })
 }
 
-/// w det J · factor at every point with the weight w, whose three tangents are those at `columns`. Gives the smallest
-/// det J.
-#[inline(always)]
-pub fn determinants<L: Lane>(
-    tangents: &[[L; 3]],
-    columns: &[[usize; 3]],
-    weights: &[f64],
-    factor: L,
-    det: &mut [L],
-) -> L {
-    struct Determinants<'a, L> {
+shared! {
+    /// w det J · factor at every point with the weight w, whose three tangents are those at `columns`. Gives the smallest
+    /// det J.
+    pub fn determinants<'a, L: Lane>(
         tangents: &'a [[L; 3]],
         columns: &'a [[usize; 3]],
         weights: &'a [f64],
         factor: L,
         det: &'a mut [L],
-    }
-    impl<L: Lane> Shared<L> for Determinants<'_, L> {
-        type Output = L;
-
-        #[inline(always)]
-        fn run(self) -> L {
-            let mut smallest = L::splat(f64::INFINITY);
-            let points = self.columns.iter().zip(self.weights);
-            for (det, ([xi, eta, zeta], weight)) in self.det.iter_mut().zip(points) {
-                let columns = [self.tangents[*xi], self.tangents[*eta], self.tangents[*zeta]];
-                let at = Jacobian::new(columns);
-                smallest = least(smallest, at.det);
-                *det = at.det * *weight * self.factor;
-            }
-            smallest
+    ) -> L {
+        let mut smallest = L::splat(f64::INFINITY);
+        let points = columns.iter().zip(weights);
+        for (det, ([xi, eta, zeta], weight)) in det.iter_mut().zip(points) {
+            let columns = [tangents[*xi], tangents[*eta], tangents[*zeta]];
+            let at = Jacobian::new(columns);
+            smallest = least(smallest, at.det);
+            *det = at.det * *weight * factor;
         }
+        smallest
     }
-    L::shared(Determinants { tangents, columns, weights, factor, det })
 }
 
 /// Stores Σ_q weighted_q N_bq for the first functions b, from `entry` on, and gives their number: with many of them at once a
@@ -212,112 +183,83 @@ fn sums<L: Register, const FUNCTIONS: usize>(
     FUNCTIONS
 }
 
-/// Σ_q det_q N_a N_b for all nodes a ≤ b, row by row. values: nodes × points. `weighted` holds as many values as there
-/// are points, in between.
-#[inline(always)]
-pub fn products<L: Register>(det: &[L], values: &[f64], weighted: &mut [L], matrix: Matrix<L>) {
-    struct Products<'a, L> {
+shared! {
+    /// Σ_q det_q N_a N_b for all nodes a ≤ b, row by row. values: nodes × points. `weighted` holds as many values as there
+    /// are points, in between.
+    pub fn products<'a, L: Register>(
         det: &'a [L],
         values: &'a [f64],
         weighted: &'a mut [L],
         matrix: Matrix<'a, L>,
-    }
-    impl<L: Register> Shared<L> for Products<'_, L> {
-        type Output = ();
-
-        #[inline(always)]
-        fn run(mut self) {
-            let points = self.det.len();
-            let mut entry = 0;
-            for start in (0..self.values.len()).step_by(points) {
-                let (of_a, values) = (&self.values[start..][..points], &self.values[start..]);
-                for ((weighted, det), value) in self.weighted.iter_mut().zip(self.det).zip(of_a) {
-                    *weighted = *det * *value;
-                }
-                let mut left = values.len() / points;
-                while left > 0 {
-                    let of_b = &values[values.len() - left * points..];
-                    let done = match left {
-                        8.. => sums::<L, 8>(self.weighted, of_b, &mut self.matrix, entry),
-                        4.. => sums::<L, 4>(self.weighted, of_b, &mut self.matrix, entry),
-                        2.. => sums::<L, 2>(self.weighted, of_b, &mut self.matrix, entry),
-                        _ => sums::<L, 1>(self.weighted, of_b, &mut self.matrix, entry),
-                    };
-                    entry += done;
-                    left -= done;
-                }
+    ) {
+        let mut matrix = matrix;
+        let points = det.len();
+        let mut entry = 0;
+        for start in (0..values.len()).step_by(points) {
+            let (of_a, values) = (&values[start..][..points], &values[start..]);
+            for ((weighted, det), value) in weighted.iter_mut().zip(det).zip(of_a) {
+                *weighted = *det * *value;
+            }
+            let mut left = values.len() / points;
+            while left > 0 {
+                let of_b = &values[values.len() - left * points..];
+                let done = match left {
+                    8.. => sums::<L, 8>(weighted, of_b, &mut matrix, entry),
+                    4.. => sums::<L, 4>(weighted, of_b, &mut matrix, entry),
+                    2.. => sums::<L, 2>(weighted, of_b, &mut matrix, entry),
+                    _ => sums::<L, 1>(weighted, of_b, &mut matrix, entry),
+                };
+                entry += done;
+                left -= done;
             }
         }
     }
-    L::shared(Products { det, values, weighted, matrix });
 }
 
-/// Gradients in space of functions at points. maps: of the points. slopes: points × functions, in the reference cell.
-/// basis: functions × points.
-#[inline(always)]
-pub fn gradients<L: Lane>(maps: &[[[L; 3]; 3]], slopes: &[[f64; 3]], basis: &mut [[L; 3]]) {
-    struct Gradients<'a, L> {
+shared! {
+    /// Gradients in space of functions at points. maps: of the points. slopes: points × functions, in the reference cell.
+    /// basis: functions × points.
+    pub fn gradients<'a, L: Lane>(
         maps: &'a [[[L; 3]; 3]],
         slopes: &'a [[f64; 3]],
         basis: &'a mut [[L; 3]],
-    }
-    impl<L: Lane> Shared<L> for Gradients<'_, L> {
-        type Output = ();
-
-        #[inline(always)]
-        fn run(self) {
-            let points = self.maps.len();
-            let functions = self.basis.len() / points;
-            for (q, map) in self.maps.iter().enumerate() {
-                // In registers: what is written might be a map for all that a compiler knows.
-                let map = *map;
-                let slopes = &self.slopes[q * functions..][..functions];
-                for (function, slope) in self.basis.chunks_exact_mut(points).zip(slopes) {
-                    function[q] = gradient(&map, slope);
-                }
+    ) {
+        let points = maps.len();
+        let functions = basis.len() / points;
+        for (q, map) in maps.iter().enumerate() {
+            // In registers: what is written might be a map for all that a compiler knows.
+            let map = *map;
+            let slopes = &slopes[q * functions..][..functions];
+            for (function, slope) in basis.chunks_exact_mut(points).zip(slopes) {
+                function[q] = gradient(&map, slope);
             }
         }
     }
-    L::shared(Gradients { maps, slopes, basis })
 }
 
-/// Values and gradients in space of functions at points: as [`gradients`]. values: points × functions; roots: their
-/// factors at the points.
-#[inline(always)]
-pub fn values_and_gradients<L: Lane>(
-    maps: &[[[L; 3]; 3]],
-    slopes: &[[f64; 3]],
-    roots: &[L],
-    values: &[f64],
-    basis: &mut [[L; 4]],
-) {
-    struct Both<'a, L> {
+shared! {
+    /// Values and gradients in space of functions at points: as [`gradients`]. values: points × functions; roots: their
+    /// factors at the points.
+    pub fn values_and_gradients<'a, L: Lane>(
         maps: &'a [[[L; 3]; 3]],
         slopes: &'a [[f64; 3]],
         roots: &'a [L],
         values: &'a [f64],
         basis: &'a mut [[L; 4]],
-    }
-    impl<L: Lane> Shared<L> for Both<'_, L> {
-        type Output = ();
-
-        #[inline(always)]
-        fn run(self) {
-            let points = self.maps.len();
-            let functions = self.basis.len() / points;
-            for (q, (map, root)) in self.maps.iter().zip(self.roots).enumerate() {
-                let (map, root) = (*map, *root);
-                let slopes = &self.slopes[q * functions..][..functions];
-                let values = &self.values[q * functions..][..functions];
-                let basis = self.basis.chunks_exact_mut(points);
-                for ((function, slope), value) in basis.zip(slopes).zip(values) {
-                    let [x, y, z] = gradient(&map, slope);
-                    function[q] = [root * *value, x, y, z];
-                }
+    ) {
+        let points = maps.len();
+        let functions = basis.len() / points;
+        for (q, (map, root)) in maps.iter().zip(roots).enumerate() {
+            let (map, root) = (*map, *root);
+            let slopes = &slopes[q * functions..][..functions];
+            let values = &values[q * functions..][..functions];
+            let basis = basis.chunks_exact_mut(points);
+            for ((function, slope), value) in basis.zip(slopes).zip(values) {
+                let [x, y, z] = gradient(&map, slope);
+                function[q] = [root * *value, x, y, z];
             }
         }
     }
-    L::shared(Both { maps, slopes, roots, values, basis })
 }
 
 #[cfg(test)]

@@ -15,6 +15,38 @@ pub trait Shared<L> {
     fn run(self) -> Self::Output;
 }
 
+/// Defines a function whose work is [`Shared`]. All that it borrows has one lifetime.
+macro_rules! shared {
+    () => { () };
+    ($result:ty) => { $result };
+    (
+        $(#[$about:meta])*
+        $scope:vis fn $name:ident<$life:lifetime, $lane:ident: $bound:ident>(
+            $($argument:ident: $type:ty),* $(,)?
+        ) $(-> $result:ty)? $body:block
+    ) => {
+        $(#[$about])*
+        #[inline(always)]
+        $scope fn $name<$life, $lane: $bound>($($argument: $type),*) $(-> $result)? {
+            struct Work<$life, $lane> {
+                $($argument: $type),*
+            }
+            impl<$life, $lane: $bound> $crate::Shared<$lane> for Work<$life, $lane> {
+                type Output = shared!($($result)?);
+
+                #[inline(always)]
+                fn run(self) -> Self::Output {
+                    let Work { $($argument),* } = self;
+                    $body
+                }
+            }
+            $lane::shared(Work { $($argument),* })
+        }
+    };
+}
+
+pub(crate) use shared;
+
 /// The functions that are computed one value after the other: `$macro!` of a list of documentation, name and value.
 macro_rules! each_function {
     ($macro:ident) => {
