@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 use num_traits::{One, Signed, ToPrimitive};
 
 use crate::expression::{Function, Graph, Id, Node, Rational};
+use crate::operation::Operation;
 use rules::*;
 
 /// A rule: the node written anew, or `None` where the rule does not apply.
@@ -81,8 +82,7 @@ fn improved(
     None
 }
 
-/// Operations that the expressions need, shared ones once: additions and multiplications count 1,
-/// divisions and roots 8, functions 40, like the schedule's counts.
+/// The weights of the operations that the expressions need, shared ones once, as the schedule weighs them.
 fn cost(graph: &Graph, roots: &[Id]) -> u64 {
     let of = |id: &Id| match graph.node(*id) {
         Node::Sum(terms) => {
@@ -92,8 +92,7 @@ fn cost(graph: &Graph, roots: &[Id]) -> u64 {
         Node::Product(factors) => {
             factors.iter().map(|(_, exponent)| power_cost(exponent)).sum::<u64>() - 1
         }
-        Node::Function(Function::Abs, _) => 1,
-        Node::Function(..) => 40,
+        Node::Function(function, _) => Operation::Function(*function, ()).weight(),
         Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) | Node::Select(..) => 1,
         Node::Number(_)
         | Node::Zero(_)
@@ -114,8 +113,8 @@ fn power_cost(exponent: &Rational) -> u64 {
     let size = exponent.abs();
     let power = match size.to_u64() {
         Some(whole) if size.is_integer() => u64::from(whole.max(1).ilog2() + whole.count_ones()),
-        _ if size.is_over(2) => 9,
-        _ => 41,
+        _ if size.is_over(2) => 1 + Operation::Sqrt(()).weight(),
+        _ => 1 + Operation::Power((), ()).weight(),
     };
-    power + if exponent.is_negative() { 8 } else { 0 }
+    power + if exponent.is_negative() { Operation::Div((), ()).weight() } else { 0 }
 }

@@ -103,6 +103,16 @@ impl<T> Operation<T> {
         }
     }
 
+    /// What it costs, where the cheap ones count 1.
+    pub(crate) fn weight(&self) -> u64 {
+        match self {
+            Operation::Div(..) | Operation::Sqrt(_) => 8,
+            Operation::Function(Function::Abs, _) => 1,
+            Operation::Function(..) | Operation::Power(..) => 40,
+            _ => 1,
+        }
+    }
+
     /// Whether the value is a truth.
     pub(crate) fn is_truth(&self) -> bool {
         matches!(

@@ -16,7 +16,6 @@ use crate::operation::{Operand, Operation};
 use crate::simplify::simplify;
 
 use lower::Lowered;
-use program::cost;
 pub use program::{Counts, Instruction, Program, ProgramInput, ProgramOutput, Stage};
 pub use request::{Input, Output, Request, ScheduleError};
 pub use sum::take_out;
@@ -102,11 +101,12 @@ struct Candidate<'w> {
 impl<'w> Candidate<'w> {
     fn new(request: &Request, lowered: Lowered<'w>) -> Self {
         let order = needed_by_stage(&lowered);
-        let of_stage = |stage: usize| {
+        let of_stage = |stage: usize| -> u64 {
             let places = order.iter().filter(|place| lowered.stages[**place] == stage);
-            Counts::of(places.map(|place| lowered.operations[*place]))
+            places.map(|place| lowered.operations[*place].weight()).sum()
         };
-        let cost = cost(&request.stages, of_stage);
+        let stages = request.stages.iter().enumerate();
+        let cost = stages.map(|(place, stage)| stage.runs * of_stage(place) as f64).sum();
         Candidate { lowered, order, cost }
     }
 }

@@ -183,11 +183,6 @@ impl Program {
     }
 }
 
-/// Σ over the stages of operations × runs.
-pub(super) fn cost(stages: &[Stage], counts: impl Fn(usize) -> Counts) -> f64 {
-    (stages.iter().enumerate()).map(|(place, stage)| stage.runs * counts(place).weighted()).sum()
-}
-
 /// How many operations of each kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
@@ -229,12 +224,6 @@ impl Counts {
     /// Operations on numbers: additions, multiplications, divisions, roots and functions.
     pub(crate) fn arithmetic(&self) -> usize {
         self.add + self.mul + self.div + self.sqrt + self.function
-    }
-
-    /// One figure: cheap operations count 1, divisions and roots 8, functions 40.
-    fn weighted(&self) -> f64 {
-        let cheap = self.add + self.mul + self.compare + self.select;
-        (cheap + 8 * (self.div + self.sqrt) + 40 * self.function) as f64
     }
 }
 
