@@ -2,7 +2,7 @@
 //!
 //! Unknowns z: η_s of every turning body and x_b of every standing one, in the order of q, then what is unknown of the
 //! rotations (`rotations`). With η = η_s + η_c(θ̇), η̇ = ω̃ L η_s, η̈ = ω̃² L² η_s and x_b at rest the rows are
-//! f = Q_e + Q_s − K η_s − C η̇ (bodies that stand: K x_b), of a round body with Q_v − M q̈ of η_s, and Q_e + Q_s − J0 θ̈ in the
+//! f = Q_e + Q_s − G0 θ̈ − K η_s − C η̇ (bodies that stand: K x_b), of a round body with Q_v − M q̈ of η_s, and Q_e + Q_s − J0 θ̈ in the
 //! rows of θ. ω̃ is θ̇, or what the steps of the march make of it.
 
 mod tangent;
@@ -13,7 +13,7 @@ use crate::dynamics::newmark::State;
 use crate::dynamics::spring_tangent::SpringTangent;
 use crate::dynamics::system::{System, instant, placed};
 use crate::error::Error;
-use crate::linalg::add_product;
+use crate::linalg::{add_product, dot, multiply};
 use crate::loads::{Frame, Load, Position};
 use crate::machine::{Body, BodyPlace, Machine};
 
@@ -45,6 +45,10 @@ pub(super) struct Balance<'m> {
     /// Where the rotations begin among them.
     pub(super) flexible: usize,
     pub(super) rotations: Vec<Turn>,
+    /// Bodies that turn freely by themselves at a given speed, with θ, as their couples accelerate them.
+    accelerated: Vec<(usize, usize)>,
+    /// By body what θ̈ takes of the coordinates that do not turn against space, as twists: G0 without unbalance.
+    twisting: Vec<Vec<f64>>,
     /// Δt (s) of equal steps by the trapezoidal rule.
     step: Option<f64>,
     /// Whether unknown speeds stay as they are, their rows left out.
@@ -74,13 +78,20 @@ impl<'m> Balance<'m> {
         let mut places: Vec<usize> = (first..size).collect();
         let flexible = places.len();
         places.extend(rows);
+        let accelerated = (0..machine.bodies.len()).filter_map(|body| {
+            let theta = machine.places()[body].rotation?;
+            let is_free = machine.bodies[body].rotation()?.given(0.0, false).is_none();
+            (is_free && !places.contains(&theta)).then_some((body, theta))
+        });
+        let accelerated = accelerated.collect();
         let turning = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
             let Body::Turning { shaft, .. } = body else { return Ok(None) };
             let theta = place.rotation.expect("a body that turns");
             TurningStart::new(shaft, state.v[theta]).map(Some)
         });
         let turning: Vec<Option<TurningStart>> = turning.collect::<Result<_, Error>>()?;
-        let rows = places.len();
+        let twisted = turning.iter().map(|own| own.as_ref().map_or(Vec::new(), twisted));
+        let (rows, twisting) = (places.len(), twisted.collect());
         let mut balance = Balance {
             machine,
             system,
@@ -93,6 +104,8 @@ impl<'m> Balance<'m> {
             places,
             flexible,
             rotations: unknowns,
+            accelerated,
+            twisting,
             step,
             held: false,
             share: 1.0,
@@ -186,6 +199,7 @@ impl<'m> Balance<'m> {
         for (own, body) in self.system.turning.iter_mut().zip(numbers) {
             let place = self.machine.places()[body].flexible.clone();
             if self.turning[body].as_ref().is_none_or(|own| own.half_turn.is_none()) {
+                self.inertia[place].fill(0.0);
                 continue;
             }
             self.inertia[place.clone()].copy_from_slice(&own.inertia(&self.standing)[1..]);
@@ -199,15 +213,22 @@ impl<'m> Balance<'m> {
         let machine = self.machine;
         self.system.evaluate(0.0, &self.state);
         self.loads();
+        for &(_, theta) in &self.accelerated {
+            let couple = self.system.load[theta] + self.system.spring[theta];
+            self.state.a[theta] = couple / self.own_inertia(theta);
+        }
         self.stand();
         let system = &mut self.system;
-        for (place, (own, centrifugal)) in
-            machine.places().iter().zip(self.turning.iter().zip(&self.centrifugal))
-        {
+        let bodies = self.turning.iter().zip(&self.centrifugal).enumerate();
+        for (place, (body, (own, centrifugal))) in machine.places().iter().zip(bodies) {
             if let Some(own) = own {
                 let opposite: Vec<f64> = centrifugal[0].iter().map(|x| -x).collect();
                 let elastic = &mut system.elastic[place.flexible.clone()];
                 add_product(elastic, &own.shaft.stiffness, &opposite);
+                let theta = place.rotation.expect("a body that turns");
+                let inertia = self.inertia[place.flexible.clone()].iter_mut();
+                let rate = self.state.a[theta];
+                inertia.zip(&self.twisting[body]).for_each(|(sum, g0)| *sum -= g0 * rate);
             }
         }
         let springs = system.springs.forces.iter().fold(LEAST_FORCE, |most, f| most.max(f.abs()));
@@ -394,6 +415,13 @@ fn twisting(
         own.other.is_none() && machine.springs.may_twist(*plane) && tangent.by_angle(*plane) != 0.0
     });
     planes.map(|(_, own)| machine.monitors[own.bearing].bodies).collect()
+}
+
+/// G0 of a body in the coordinates that its quarter turn leaves at rest: g + (L²)ᵀ g, as L² is −1 where it turns.
+fn twisted(own: &TurningStart) -> Vec<f64> {
+    let (g0, quarter) = (&own.shaft.g0, &own.quarter_turn);
+    let half = multiply(quarter.view(), quarter.view());
+    (0..g0.len()).map(|i| g0[i] + dot(half.col(i), g0)).collect()
 }
 
 fn add(sum: &mut [f64], terms: &[f64]) {

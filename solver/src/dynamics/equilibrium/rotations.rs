@@ -3,8 +3,8 @@
 //! Bodies between which laws of the angle act, as torsional couplings, turn at one speed, and their angles against each other
 //! carry the couples. Of a group in which nothing has a given speed that speed is unknown, and the angle of each body but
 //! one. Where one has it, as a prescribed body or one that stands, all have it. Where bodies that turn freely begin at a
-//! given speed, at which their couples need not be in balance, the group has one acceleration, so that the couplings carry
-//! what speeds up all of them alike.
+//! given speed, at which their couples need not be in balance, the group has one acceleration, so that the couplings
+//! carry what speeds up all of them alike. One by itself has that which its couple gives it (`balance`).
 
 use crate::dynamics::newmark::State;
 use crate::machine::Machine;

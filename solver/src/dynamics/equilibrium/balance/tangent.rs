@@ -86,7 +86,12 @@ impl Balance<'_> {
                     add(&mut column, &by_position[theta * size..(theta + 1) * size]);
                 }
                 Turn::Acceleration(places) => {
-                    places.iter().for_each(|&theta| column[theta] = self.own_inertia(theta));
+                    for &theta in places {
+                        column[theta] = self.own_inertia(theta);
+                        let Some(body) = of(&theta) else { continue };
+                        let place = machine.places()[body].flexible.clone();
+                        column[place].copy_from_slice(&self.twisting[body]);
+                    }
                 }
             }
             self.gather(&column, tangent.col_mut(self.flexible + unknown));
@@ -154,8 +159,15 @@ impl Balance<'_> {
         }
     }
 
-    /// The rows of a column over q.
+    /// The rows of a column over q. The couple on a body that turns freely speeds it up, and with it what it carries.
     fn gather(&self, column: &[f64], out: &mut [f64]) {
+        let mut column = column.to_vec();
+        for &(body, theta) in &self.accelerated {
+            let Some(own) = &self.turning[body] else { continue };
+            let slope = column[theta] / own.shaft.j0;
+            let rows = column[self.machine.places()[body].flexible.clone()].iter_mut();
+            rows.zip(&self.twisting[body]).for_each(|(sum, g0)| *sum -= slope * g0);
+        }
         out.iter_mut().zip(&self.places).for_each(|(out, &place)| *out = column[place]);
     }
 }
