@@ -15,6 +15,9 @@ use crate::sparse::Row;
 /// What is left of an equation after elimination counts as zero below this part of its largest coefficient: a few hundred
 /// roundings.
 const ROUNDING: f64 = 1e-13;
+/// An equation of which less than this part is left follows from the others: files have coefficients of six digits and more. Taken
+/// by its word it would hold what the others leave free.
+const FOLLOWS: f64 = 1e-5;
 /// The first dof of an equation depends on the others unless its coefficient is smaller than this part of the largest, so
 /// that no term is larger than ten. A mean of n nodes solved for one of these would have terms of n, and the roundings of K
 /// would grow by n².
@@ -59,7 +62,10 @@ impl Tied {
                     Some((_, most)) if most.abs() >= c.abs() => best,
                     _ => Some((dof, c)),
                 });
-            let Some((mut pivot, most)) = largest else { continue };
+            let Some((mut pivot, most)) = largest.filter(|(_, most)| most.abs() > FOLLOWS * scale)
+            else {
+                continue;
+            };
             let first = equation[0].0;
             if row.get(&first).is_some_and(|c| c.abs() >= PREFERRED * most.abs()) {
                 pivot = first;
@@ -283,6 +289,21 @@ mod tests {
             vec![(2, -0.5), (1, 1.0), (3, 0.25)],
             vec![(4, 1e-3), (5, 1.0), (0, 3.0)],
         ]
+    }
+
+    /// Of a mean over six dofs, written once more with the digits of a file, nothing is left; a small coefficient counts.
+    #[test]
+    fn an_equation_that_follows_to_six_digits_adds_nothing() {
+        let mean =
+            |share: f64| [vec![(0, -1.0)], (1..7).map(|dof| (dof, share)).collect()].concat();
+        let weak = vec![(7, 1.0), (8, -1.0), (9, 1e-7)];
+        let rows = [mean(1.0 / 6.0), mean(0.166667), mean(0.1666667), weak.clone(), weak];
+        let tied = Tied::new(10, &rows, &[]).expect("equations");
+        assert_eq!(tied.dependent, [0, 7]);
+        let mut u = Matrix::from_fn(10, 1, |i, _| (1.3 * i as f64).sin());
+        u.data[9] = 1e3;
+        tied.expand(&mut u);
+        assert!((u.data[7] - (u.data[8] - 1e-4)).abs() < 1e-15, "{:?}", u.data);
     }
 
     #[test]
