@@ -60,6 +60,8 @@ impl Default for NewtonOptions {
 const SOLVED: f64 = 5e-7;
 /// Worst contraction for which factors are kept.
 pub(super) const CONTRACTION: f64 = 0.2;
+/// What is smaller has squares without digits.
+pub(super) const UNSQUARED: f64 = 1e-140;
 /// φ of an iteration over that of the one before from which on it no longer falls: another one may not help.
 const STALLED: f64 = 0.5;
 /// Share of the decrease promised by the slope of φ that a step must bring.
@@ -293,7 +295,7 @@ impl Newton {
             step.correct(&self.predicted, moved, self.first, &mut self.trial);
             system.evaluate(t, &self.trial);
             let tried = self.merit.norm(system);
-            let enough = tried <= norm * (1.0 - SUFFICIENT * length);
+            let enough = tried <= f64::max(norm * (1.0 - SUFFICIENT * length), UNSQUARED);
             if enough || !self.options.line_search || self.rounding_is_left(system) {
                 return Some((length, tried));
             }

@@ -1,7 +1,7 @@
 //! How far the rows of the equations are from solved, each compared with its own terms.
 
 use super::newmark::State;
-use super::newton::{CONTRACTION, NewtonOptions};
+use super::newton::{CONTRACTION, NewtonOptions, UNSQUARED};
 use super::system::{System, instant};
 use super::turning::TurningBody;
 use crate::linalg::{largest_and_sum, sum_of, widely};
@@ -14,6 +14,8 @@ pub(super) const PROJECTED: f64 = 1e-3;
 const MISSING: f64 = CONTRACTION / (1.0 - CONTRACTION);
 /// Multiples of eps · Σ |terms| that rounding may leave in a row.
 const ROUNDING: f64 = 16.0;
+/// What is smaller is none (N, N·m): what decays for ever ends where numbers have fewer and fewer digits.
+const NOTHING: f64 = 1e-280;
 
 /// Norms from which follows what forces and products can add to the bound of a row at most: a row beyond that is
 /// not solved, and needs none of them.
@@ -27,7 +29,10 @@ struct RowBounds {
 
 impl RowBounds {
     fn of(system: &System, state: &State, predicted: &State) -> Self {
-        let norm = |x: &[f64]| sum_of(x.len(), |i| x[i] * x[i]).sqrt();
+        let norm = |x: &[f64]| match sum_of(x.len(), |i| x[i] * x[i]).sqrt() {
+            tiny if tiny < UNSQUARED => largest_and_sum(x.len(), |i| x[i]).1,
+            norm => norm,
+        };
         let forces = &system.springs.forces;
         RowBounds {
             force: largest_and_sum(forces.len(), |j| forces[j]).0,
@@ -143,8 +148,10 @@ impl System<'_> {
                 let larger = |a: f64, b: f64| if a > b { a } else { b };
                 let largest = terms.into_iter().fold(0.0, larger);
                 let sum: f64 = terms.into_iter().sum();
-                bounds[i] =
-                    tolerance * largest + missing * reach[i] + ROUNDING * f64::EPSILON * sum;
+                bounds[i] = tolerance * largest
+                    + missing * reach[i]
+                    + ROUNDING * f64::EPSILON * sum
+                    + NOTHING;
             }
         });
     }
