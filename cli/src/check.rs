@@ -3,20 +3,15 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use whirl_solver::assembly::mass_properties;
 use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::AutomaticStep;
-use whirl_text::rounded;
 
 use crate::arguments::CheckArguments;
-use crate::case::{
-    Case, Gravity, Joint, JointKind, LawSource, Lumped, Mesh, Rotor, Side, System, Unbalance,
-};
+use crate::case::{Case, Gravity, Joint, JointKind, LawSource, Lumped, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
-use crate::machine::{self, BodyPlan, MachinePlan, Plan};
+use crate::machine;
 use crate::progress::{self, ProgressMode};
-use crate::report::table;
 use crate::{spec_file, start, streams, sweep};
 
 /// Adds a line to a text.
@@ -68,11 +63,7 @@ pub(crate) fn of_case(
     // Meshes are read once, and warned of once.
     let plan = machine::plan(case, warnings)?;
     let laws = match (&case.system, &plan) {
-        (System::Rotor(rotor), Some(Plan::Rotor(plan))) => {
-            say_rotor(&mut text, rotor, plan)?;
-            plan.laws.clone()
-        }
-        (System::Joined(joined), Some(Plan::Joined(plan))) => {
+        (System::Joined(joined), Some(plan)) => {
             plan.verify()?;
             // What a bushing or a coupling is stands beside its joint.
             let reported =
@@ -81,12 +72,12 @@ pub(crate) fn of_case(
             laws.map(|(_, law)| law.clone()).collect()
         }
         (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
-        (System::Rotor(_) | System::Joined(_), _) => Vec::new(),
+        (System::Joined(_), None) => Vec::new(),
     };
     // What only shows when the bodies are reduced and the springs placed.
     let build = || machine::build(case, plan.as_ref(), cache, warnings);
     let built = progress::during(show, case.reducing(), build)?;
-    if let (System::Joined(joined), Some(Plan::Joined(plan))) = (&case.system, &plan) {
+    if let (System::Joined(joined), Some(plan)) = (&case.system, &plan) {
         joined::say(&mut text, joined, plan, &built, case.run())?;
     }
     contacts::say_loads(&mut text, case, (plan.as_ref(), contacts), cache)?;
@@ -102,98 +93,9 @@ pub(crate) fn of_case(
     Ok(text)
 }
 
-fn say_rotor(text: &mut String, rotor: &Rotor, plan: &MachinePlan) -> Result<(), Failure> {
-    plan.verify()?;
-    text.push_str(&bodies(plan)?);
-    let both = [&plan.shaft, &plan.support].map(|body| body.counts().craig_bampton_dofs);
-    let active = 1 + plan.shaft.active() + plan.support.active();
-    line!(text, "\n{} coordinates, {active} active", 1 + both.iter().sum::<usize>());
-    let made = match &rotor.shaft.body.mesh {
-        Mesh::Generated(made) => made.dimensions.fineness(),
-        _ => None,
-    };
-    if let Some(found) = made {
-        line!(text, "shaft: {}", machine::fineness::described(&found));
-    }
-    for (name, body) in [("shaft", &plan.shaft), ("support", &plan.support)] {
-        sets::say(text, &format!("the {name}"), &body.mesh)?;
-        let materials: Vec<String> = (body.mesh.materials().iter().enumerate())
-            .map(|(place, material)| {
-                let blocks = body.mesh.blocks().iter().filter(|block| block.material == place);
-                let cells: usize = blocks.map(|block| block.len()).sum();
-                format!("{} ({cells} cells)", material.name)
-            })
-            .collect();
-        line!(text, "materials of the {name}: {}", materials.join(", "));
-    }
-    let drive = &rotor.drive;
-    match drive.acts {
-        true => line!(text, "drive: {}", drive.described()),
-        false => line!(text, "drive: none"),
-    }
-    line!(text, "motion: {}", rotor.shaft.motion.origin.title);
-    for load in &rotor.loads {
-        let sets: Vec<&str> = load.sets.iter().map(|set| set.text()).collect();
-        line!(text, "load: {}", load.described(&format!(" at {}", sets.join(", ")), None));
-    }
-    if let Some(gravity) = &rotor.gravity {
-        line!(text, "gravity: {} m/s²", listed(gravity));
-    }
-    for (k, bearing) in rotor.bearings.iter().enumerate() {
-        line!(
-            text,
-            "support {}: {} rings of {} springs, c = {} µm, law {}",
-            k + 1,
-            bearing.rings(),
-            bearing.springs,
-            rounded(1e6 * bearing.radial_clearance, 10),
-            plan.laws[k].name()
-        );
-    }
-    Ok(())
-}
-
 /// Gravity along x, y and z.
 fn listed(gravity: &Gravity) -> String {
     gravity.acceleration.map(|part| part.to_string()).join(", ")
-}
-
-/// The table of both bodies.
-fn bodies(plan: &MachinePlan) -> Result<String, Failure> {
-    let column = |name: &str, body: &BodyPlan| -> Result<Vec<String>, Failure> {
-        let counts = body.counts();
-        let mut cells = vec![name.to_string()];
-        let numbers = [
-            counts.elements,
-            counts.nodes,
-            counts.physical_dofs,
-            counts.internal_dofs,
-            counts.retained_dofs,
-            counts.modes,
-            counts.craig_bampton_dofs,
-        ];
-        cells.extend(numbers.iter().map(ToString::to_string));
-        cells.push(format!("{:.3}", mass_properties(&body.mesh)?.mass));
-        Ok(cells)
-    };
-    let heads = [
-        "",
-        "elements",
-        "nodes",
-        "physical dofs",
-        "internal dofs",
-        "retained dofs",
-        "modes",
-        "Craig–Bampton dofs",
-        "mass (kg)",
-    ];
-    let (shaft, support) = (column("shaft", &plan.shaft)?, column("support", &plan.support)?);
-    let rows: Vec<Vec<String>> = heads
-        .iter()
-        .zip(shaft.into_iter().zip(support))
-        .map(|(head, (shaft, support))| vec![(*head).to_string(), shaft, support])
-        .collect();
-    Ok(table(&rows))
 }
 
 fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {

@@ -198,7 +198,7 @@ fn closing(case: &Case, summary: &Summary, folder: &Path) -> String {
     let time = summary.time;
     let names: Vec<String> = case.supports().into_iter().map(|own| own.title).collect();
     let table = match case.system {
-        System::Rotor(_) | System::Joined(_) => supports(&names, &summary.supports),
+        System::Joined(_) => supports(&names, &summary.supports),
         System::Lumped(_) => stops(&names, &summary.supports),
     };
     let orders = match of_orders(summary.orders.as_ref()) {

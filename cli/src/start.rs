@@ -177,7 +177,6 @@ fn beyond(built: &Built, initial: &[BodyStart]) -> Vec<String> {
 /// Speeds of the bodies at t = 0 (rad/s), where the case gives them, in the order of the machine.
 fn speeds(case: &Case) -> Vec<Option<f64>> {
     match &case.system {
-        System::Rotor(rotor) => vec![rotor.start_speed],
         System::Lumped(_) => Vec::new(),
         System::Joined(joined) => {
             let given = joined.bodies.iter().map(|body| match body.turning {

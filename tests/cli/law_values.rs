@@ -167,7 +167,7 @@ fn a_bearings_own_parameters_come_first() {
         (3, "gap-linear"),
         (4, "radial-gap (k = 1 kN/mm)"),
     ] {
-        let line = said.stdout.lines().find(|line| line.starts_with(&format!("support {k}:")));
+        let line = said.stdout.lines().find(|line| line.starts_with(&format!("bearing {k}:")));
         assert!(line.is_some_and(|line| line.ends_with(&format!("law {law}"))), "{}", said.stdout);
     }
 }

@@ -117,7 +117,7 @@ fn sets_without_nodes_are_reported() {
 fn materials(bench: &Workbench, body: &str) -> String {
     let outcome = bench.whirl(&["check", "case.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    let start = format!("materials of the {body}: ");
+    let start = format!("materials of {body}: ");
     let line = outcome.stdout.lines().find_map(|line| line.strip_prefix(&start));
     line.expect("the materials are listed").to_string()
 }
@@ -256,7 +256,7 @@ fn a_new_case_works_by_its_own_comments() {
     let bench = bench.file("mine.toml", &text).file("shaft.inp", &reference("shaft"));
     let outcome = bench.whirl(&["check", "mine.toml"]);
     assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
-    assert!(outcome.stdout.contains("materials of the shaft: STEEL"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("materials of shaft: STEEL"), "{}", outcome.stdout);
 }
 
 /// A block of 1 × 1 × 2 on a bushing, as Gmsh wrote it.

@@ -110,7 +110,6 @@ pub(super) fn shortest(system: &SystemDraft, run: Run) -> Vec<(f64, String)> {
 /// Loads, each with the body that carries it.
 fn loads(system: &SystemDraft) -> Vec<(&Load, usize)> {
     match system {
-        SystemDraft::Rotor(rotor) => rotor.loads.iter().map(|load| (load, 0)).collect(),
         SystemDraft::Lumped(_) => Vec::new(),
         SystemDraft::Joined(joined) => {
             let loads = joined.iter().flat_map(|joined| &joined.loads);
@@ -160,7 +159,6 @@ fn periods_by_speed(system: &SystemDraft, speed: impl Fn(usize) -> Option<f64>) 
 /// The speed that a body has in the end (rad/s), where the case gives one.
 fn constant_speed(system: &SystemDraft, body: usize, run: Run) -> Option<f64> {
     match system {
-        SystemDraft::Rotor(rotor) => rotor.constant_speed(run),
         SystemDraft::Joined(joined) => joined.as_ref()?.constant_speed(body, run),
         SystemDraft::Lumped(_) => None,
     }
@@ -169,7 +167,6 @@ fn constant_speed(system: &SystemDraft, body: usize, run: Run) -> Option<f64> {
 /// The largest speed that the case gives a body (rad/s); 0 where it gives none.
 fn top_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
     match system {
-        SystemDraft::Rotor(rotor) => rotor.top_speed(run),
         SystemDraft::Joined(joined) => {
             joined.as_ref().map_or(0.0, |joined| joined.top_speed(body, run))
         }
@@ -180,7 +177,6 @@ fn top_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
 /// The same without the speeds at which couples aim.
 fn told_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
     match system {
-        SystemDraft::Rotor(rotor) => rotor.told_speed(run),
         SystemDraft::Joined(joined) => {
             joined.as_ref().map_or(0.0, |joined| joined.told_speed(body, run))
         }
@@ -191,7 +187,6 @@ fn told_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
 /// The bodies that may turn.
 fn bodies(system: &SystemDraft) -> Range<usize> {
     match system {
-        SystemDraft::Rotor(_) => 0..1,
         SystemDraft::Joined(joined) => 0..joined.as_ref().map_or(0, |joined| joined.bodies.len()),
         SystemDraft::Lumped(_) => 0..0,
     }

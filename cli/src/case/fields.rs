@@ -71,7 +71,6 @@ fn bodies(table: &Table, system: &SystemDraft) -> Option<Vec<usize>> {
     let wanted = table.texts("bodies");
     // Names, and whether they have a mesh.
     let known: Vec<(&str, bool)> = match system {
-        SystemDraft::Rotor(_) => vec![("shaft", true), ("support", true)],
         SystemDraft::Joined(None) => return None,
         SystemDraft::Joined(Some(joined)) => {
             // Matrices have no cells to be written.

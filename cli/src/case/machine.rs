@@ -4,10 +4,11 @@ mod bearings;
 mod bodies;
 mod drive;
 mod materials;
+mod places;
 
 use std::f64::consts::TAU;
 
-use whirl_codegen::diagnostic::{Code, suggest};
+use whirl_codegen::diagnostic::{Code, Located, suggest};
 use whirl_codegen::document::Table;
 use whirl_specs::{MOTIONS, Motion};
 
@@ -17,30 +18,48 @@ pub(super) use self::bodies::{
 };
 pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as drive};
 pub(super) use self::materials::Materials;
+use self::places::SHAFT;
+use super::joined::{Drive, Form, JoinedMachine, Load, Turning};
 use super::library::FileStore;
-use super::rotor::RotorDraft;
 use super::{gravity, loads};
 
 /// The motion derived from the kinetic energy.
 const DEFAULT_MOTION: &str = "consistent";
 
-/// `goes_on`: the shaft has the speed of another run, and not that of the start.
+/// One shaft on one support, as bodies by name; none where too much of it is missing. `goes_on`: the shaft has the speed of
+/// another run, and not that of the start.
 pub(super) fn read(
     store: FileStore,
     file: &Table,
     start_speed: Option<f64>,
     goes_on: bool,
-) -> RotorDraft {
+) -> Option<JoinedMachine> {
     let materials = Materials::read(file);
-    RotorDraft {
-        shaft: bodies::shaft(store, file, &materials),
-        support: bodies::support(store, file, &materials),
-        bearings: bearings::bearings(store, file),
-        drive: drive::drive(store, file, (!goes_on).then_some(start_speed.unwrap_or(0.0))),
-        loads: loads::read(store, file),
-        gravity: gravity::read(file),
-        start_speed,
+    let shaft = bodies::shaft(store, file, &materials);
+    let support = bodies::support(store, file, &materials);
+    let joints = bearings::joints(store, file);
+    let drive = drive::drive(store, file, (!goes_on).then_some(start_speed.unwrap_or(0.0)));
+    let loads = loads::read(store, file);
+    let gravity = gravity::read(file);
+    let ((mut shaft, motion), support, couple) = (shaft?, support?, drive?);
+    shaft.turning = Some(Turning::Free { initial_speed: start_speed });
+    if let Form::Meshed(own) = &mut shaft.form {
+        own.section = couple.section_sets();
     }
+    let place = shaft.name.clone();
+    let loads = loads.into_iter().enumerate().map(|(number, load)| {
+        let name = Located::new(load.place.source(), load.place.span(), (number + 1).to_string());
+        Load { name, body: SHAFT, z: None, load }
+    });
+    Some(JoinedMachine {
+        bodies: vec![shaft, support],
+        joints: joints?,
+        drives: vec![Drive { name: place.clone(), body: SHAFT, place, couple }],
+        loads: loads.collect(),
+        gravity,
+        motion,
+        short: true,
+    })
 }
 
 /// Beyond any machine, but far below where numbers end (rad/s): ten million revolutions per minute.

@@ -19,6 +19,7 @@ mod rotor;
 mod schema;
 mod selections;
 mod start;
+mod supports;
 mod text;
 mod units;
 
@@ -32,8 +33,8 @@ pub(crate) use cycle::{Run, TWO_REVOLUTIONS};
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
 pub(crate) use joined::{
-    Attached, Carried, Dimensions, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad,
-    MeshedBody, NamedBody, OtherLaw, Side as JointSide, Turning,
+    Attached, Carried, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad, MeshedBody,
+    NamedBody, OtherLaw, Side as JointSide, Turning,
 };
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, embedded_cases, refused};
@@ -44,13 +45,12 @@ pub(crate) use outputs::{Output, Wanted};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
 pub(crate) use read::{Draft, SystemDraft, draft, draft_of, draft_with};
-pub(crate) use rotor::RotorDraft;
 pub(crate) use rotor::{
-    Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, Rotor, Shaft,
-    StaticCorrection, Support,
+    Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, StaticCorrection,
 };
 pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;
+pub(crate) use supports::SupportName;
 pub use text::CaseText;
 pub(crate) use units::mesh_units;
 
@@ -120,70 +120,36 @@ impl Case {
 
     /// What results call the supports, in order.
     pub(crate) fn supports(&self) -> Vec<SupportName> {
-        let (word, count) = match &self.system {
-            System::Rotor(rotor) => ("Support", rotor.bearings.len()),
-            System::Lumped(lumped) => ("Stop", lumped.stops.len()),
-            System::Joined(joined) => {
-                return joined
-                    .joints
-                    .iter()
-                    .map(|own| SupportName::joint(own.name.text()))
-                    .collect();
+        match &self.system {
+            System::Lumped(lumped) => {
+                (1..=lumped.stops.len()).map(|k| SupportName::numbered("Stop", k)).collect()
             }
-        };
-        (1..=count).map(|k| SupportName::numbered(word, k)).collect()
+            System::Joined(joined) => joined.joints.iter().map(|own| own.called.clone()).collect(),
+        }
     }
 
     /// What is done to its bodies, for a progress bar.
     pub(crate) fn reducing(&self) -> &'static str {
-        match self.system {
-            System::Joined(_) => "reducing bodies",
-            _ => "reducing shaft and support",
+        match &self.system {
+            System::Joined(joined) if joined.short => "reducing shaft and support",
+            _ => "reducing bodies",
         }
     }
 
     /// Names of the bodies that turn, of a case that names bodies.
     pub(crate) fn turning(&self) -> Vec<String> {
         let System::Joined(joined) = &self.system else { return Vec::new() };
+        if joined.short {
+            return Vec::new();
+        }
         let turning = joined.bodies.iter().filter(|body| body.turning.is_some());
         turning.map(|body| body.name.text().to_string()).collect()
-    }
-}
-
-/// What results call a support, a stop or a joint.
-#[derive(Debug, Clone)]
-pub(crate) struct SupportName {
-    /// In columns, between the quantity and its unit.
-    pub(crate) label: String,
-    /// In figures and tables.
-    pub(crate) title: String,
-    /// Within a sentence.
-    pub(crate) word: String,
-}
-
-impl SupportName {
-    /// One of many that have numbers, from 1.
-    pub(crate) fn numbered(word: &str, k: usize) -> SupportName {
-        let title = format!("{word} {k}");
-        SupportName { label: k.to_string(), word: title.to_lowercase(), title }
-    }
-
-    fn joint(name: &str) -> SupportName {
-        let (label, word) = (format!("_{name}"), format!("joint {name}"));
-        SupportName { label, title: name.to_string(), word }
-    }
-
-    /// A column, such as `RX1_N` of `RX_N`, or `RX_front_N`.
-    pub(crate) fn column(&self, quantity: &str, unit: &str) -> String {
-        format!("{quantity}{}_{unit}", self.label)
     }
 }
 
 /// What is marched.
 #[derive(Debug, Clone)]
 pub(crate) enum System {
-    /// A flexible shaft in clearances on a flexible support.
-    Rotor(Box<Rotor>),
     /// One mass between stops.
     Lumped(Lumped),
     /// Bodies by name, and what joins them.
@@ -198,10 +164,6 @@ impl System {
             _ => None,
         };
         let columns: Vec<Arc<Columns>> = match self {
-            System::Rotor(rotor) => {
-                let loads = rotor.loads.iter().filter_map(of_load);
-                loads.chain(rotor.drive.table.clone()).collect()
-            }
             System::Joined(joined) => {
                 let loads = joined.loads.iter().filter_map(|own| of_load(&own.load));
                 let drives = joined.drives.iter().filter_map(|own| own.couple.table.clone());

@@ -74,10 +74,6 @@ impl Known {
         let named =
             |names: &[&str], mesh| names.iter().map(|own| (own.to_string(), mesh)).collect();
         Some(match system {
-            SystemDraft::Rotor(rotor) => Known {
-                bodies: named(&["shaft", "support"], true),
-                joints: numbered(rotor.bearings.len()),
-            },
             SystemDraft::Lumped(lumped) => Known {
                 bodies: named(&["mass"], false),
                 joints: numbered(lumped.as_ref()?.stops.len()),

@@ -11,8 +11,8 @@ use super::fields::{self, Fields};
 use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
 use super::{
-    Case, CaseText, Figures, JoinedMachine, Lumped, MarchSettings, Output, RotorDraft, System, law,
-    lumped, machine, march, outputs, reduction, start,
+    Case, CaseText, Figures, JoinedMachine, Lumped, MarchSettings, Output, System, law, lumped,
+    machine, march, outputs, reduction, start,
 };
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -43,18 +43,15 @@ pub(crate) struct Draft {
 
 /// As [`System`], as far as the case says it.
 pub(crate) enum SystemDraft {
-    /// A flexible shaft.
-    Rotor(Box<RotorDraft>),
     /// One mass, if enough of it is right.
     Lumped(Option<Lumped>),
-    /// Bodies by name, if all of them are right.
+    /// Bodies and what joins them, if enough of them is right.
     Joined(Option<Box<JoinedMachine>>),
 }
 
 impl SystemDraft {
     fn finish(self) -> Option<System> {
         match self {
-            SystemDraft::Rotor(draft) => draft.finish().map(|own| System::Rotor(Box::new(own))),
             SystemDraft::Lumped(lumped) => lumped.map(System::Lumped),
             SystemDraft::Joined(joined) => joined.map(System::Joined),
         }
@@ -203,12 +200,12 @@ fn system(store: FileStore, file: &Table, start: Option<&StartDraft>) -> SystemD
         return SystemDraft::Joined(None);
     }
     if !file.gives("mass") {
-        return SystemDraft::Rotor(Box::new(machine::read(
-            store,
-            file,
-            start.and_then(|own| own.speed),
-            goes_on,
-        )));
+        let speed = start.and_then(|own| own.speed);
+        let short = machine::read(store, file, speed, goes_on);
+        if let Some(short) = &short {
+            short.check(file, goes_on);
+        }
+        return SystemDraft::Joined(short.map(Box::new));
     }
     if file.gives("shaft") {
         file.conflict("mass", "shaft");

@@ -1,4 +1,4 @@
-//! A flexible shaft in clearances on a flexible support: the machine file's tables.
+//! What bodies, bearings and drives are made of, in every form of case.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -10,56 +10,22 @@ use whirl_solver::loads::Release;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::matrices::Request;
-use whirl_solver::mesh::shaft::SolidShaft;
-use whirl_solver::mesh::support::RingSupport;
-use whirl_specs::Motion;
 
 use super::columns::Columns;
-use super::cycle::Run;
-use super::gravity::Gravity;
+use super::joined::Dimensions;
 use super::law::NamedLaw;
-use super::loads::Load;
 use super::parameters::{BearingFacts, SetParameter};
 use super::selections::NamedSelection;
 
-/// Shaft, support, what lies between, and what drives and loads them.
-#[derive(Debug, Clone)]
-pub(crate) struct Rotor {
-    /// The rotating body.
-    pub(crate) shaft: Shaft,
-    /// The standing body.
-    pub(crate) support: Support,
-    /// Where the shaft runs in the support, in the order of the case.
-    pub(crate) bearings: Vec<Bearing>,
-    /// What turns the shaft, and ties the flexible shaft to its frame.
-    pub(crate) drive: Drive,
-    /// Forces and couples on the shaft.
-    pub(crate) loads: Vec<Load>,
-    /// Gravity, if there is any.
-    pub(crate) gravity: Option<Gravity>,
-    /// Speed at t = 0 (rad/s), if the case says it.
-    pub(crate) start_speed: Option<f64>,
-}
-
-/// A machine as far as a case says it: enough of it to find sets.
-pub(crate) struct RotorDraft {
-    /// None if there is no mesh to make or to read.
-    pub(crate) shaft: Option<Shaft>,
-    /// As the shaft.
-    pub(crate) support: Option<Support>,
-    /// The sets of each bearing, and the bearing if enough of it is right.
-    pub(crate) bearings: Vec<([Vec<Located>; 2], Option<Bearing>)>,
-    /// None if there is no table.
-    pub(crate) drive: Option<Drive>,
-    /// Forces and couples on the shaft.
-    pub(crate) loads: Vec<Load>,
-    /// Gravity, if there is any.
-    pub(crate) gravity: Option<Gravity>,
-    /// Speed at t = 0 (rad/s), if the case says it.
-    pub(crate) start_speed: Option<f64>,
-}
-
 impl Drive {
+    /// The section that it drives: a set, or two sets of one node at opposite ends of a diameter.
+    pub(super) fn section_sets(&self) -> Vec<Located> {
+        match &self.section {
+            Some(section) => vec![section.clone()],
+            None => vec![self.top.clone(), self.bottom.clone()],
+        }
+    }
+
     /// The speed at which it ends, or the fastest in its table (rad/s); 0 of a table over time.
     pub(super) fn top_speed(&self) -> f64 {
         let over_speed = |own: &&Arc<Columns>| own.measures[0] == Dimension::ANGULAR_SPEED;
@@ -86,67 +52,18 @@ impl Drive {
     }
 }
 
-impl Rotor {
-    /// The largest speed that the case gives the shaft in a run (rad/s).
-    pub(crate) fn top_speed(&self, run: Run) -> f64 {
-        top_speed(Some(&self.drive), told_speed(self.start_speed, run))
-    }
-}
-
-fn top_speed(drive: Option<&Drive>, told: f64) -> f64 {
-    drive.filter(|drive| drive.acts).map_or(told, |drive| drive.top_speed().max(told))
-}
-
-fn told_speed(start: Option<f64>, run: Run) -> f64 {
-    start.filter(|_| !run.goes_on).unwrap_or(0.0).abs()
-}
-
-impl RotorDraft {
-    /// The largest speed that the case gives the shaft in a run (rad/s).
-    pub(super) fn top_speed(&self, run: Run) -> f64 {
-        top_speed(self.drive.as_ref(), self.told_speed(run))
-    }
-
-    /// The same without the speeds at which its drive aims, which it may never reach.
-    pub(super) fn told_speed(&self, run: Run) -> f64 {
-        told_speed(self.start_speed, run)
-    }
-
-    /// The speed that the shaft has in the end, where the case gives one (rad/s).
-    pub(super) fn constant_speed(&self, run: Run) -> Option<f64> {
-        match self.drive.as_ref().filter(|drive| drive.acts) {
-            Some(drive) => drive.table.is_none().then_some(drive.target_speed),
-            None => self.start_speed.filter(|_| !run.goes_on && !self.is_turned()),
-        }
-    }
-
-    /// Whether a couple acts on the shaft beside its drive: of a load, or of the law of a bearing.
-    fn is_turned(&self) -> bool {
-        let mut bearings = self.bearings.iter().filter_map(|(_, bearing)| bearing.as_ref());
-        self.loads.iter().any(Load::turns) || bearings.any(|own| own.law.source.gives_torque())
-    }
-
-    /// The machine, if all of it is there.
-    pub(super) fn finish(self) -> Option<Rotor> {
-        let RotorDraft { shaft, support, bearings, drive, loads, gravity, start_speed } = self;
-        let bearings: Option<Vec<Bearing>> = bearings.into_iter().map(|(_, own)| own).collect();
-        let (shaft, support, bearings, drive) = (shaft?, support?, bearings?, drive?);
-        Some(Rotor { shaft, support, bearings, drive, loads, gravity, start_speed })
-    }
-}
-
 /// Where a mesh comes from.
 #[derive(Debug, Clone)]
-pub(crate) enum Mesh<D> {
+pub(crate) enum Mesh {
     /// A file of a mesh.
     File(MeshFile),
     /// Made from a few dimensions.
-    Generated(GeneratedMesh<D>),
+    Generated(Box<GeneratedMesh>),
     /// Matrices in place of one.
     Matrices(Box<MatrixFiles>),
 }
 
-impl<D> Mesh<D> {
+impl Mesh {
     /// Where the case says it.
     pub(crate) fn place(&self) -> Located {
         match self {
@@ -159,9 +76,9 @@ impl<D> Mesh<D> {
 
 /// A mesh made from dimensions, and where the case says them.
 #[derive(Debug, Clone)]
-pub(crate) struct GeneratedMesh<D> {
+pub(crate) struct GeneratedMesh {
     /// The dimensions with the material.
-    pub(crate) dimensions: D,
+    pub(crate) dimensions: Dimensions,
     /// The table of the dimensions.
     pub(crate) table: Located,
     /// The dimensions by their names in the case, such as `length`, `cells.sectors` and `loads[0]`.
@@ -192,11 +109,11 @@ pub(crate) struct MatrixFiles {
     pub(crate) all_modes: bool,
 }
 
-/// What a case says of either body.
+/// What a case says of a body with a mesh.
 #[derive(Debug, Clone)]
-pub(crate) struct Body<D> {
+pub(crate) struct Body {
     /// Mesh.
-    pub(crate) mesh: Mesh<D>,
+    pub(crate) mesh: Mesh,
     /// Material of the cells to which the mesh gives none.
     pub(crate) material: Option<Material>,
     /// Materials of parts of the mesh, in place of its own.
@@ -225,30 +142,6 @@ impl Default for StaticCorrection {
     fn default() -> Self {
         StaticCorrection { loads: true, bores: None }
     }
-}
-
-/// The rotating body.
-#[derive(Debug, Clone)]
-pub(crate) struct Shaft {
-    /// Its mesh, and how it is reduced.
-    pub(crate) body: Body<SolidShaft>,
-    /// How rotation is coupled to deformation.
-    pub(crate) motion: &'static Motion,
-    /// Whether the centrifugal stress stiffens it.
-    pub(crate) stiffening: bool,
-    /// Set of one node held along z.
-    pub(crate) axial_restraint: Located,
-}
-
-/// The standing body.
-#[derive(Debug, Clone)]
-pub(crate) struct Support {
-    /// Its mesh, and how it is reduced.
-    pub(crate) body: Body<RingSupport>,
-    /// Set of nodes held in all directions.
-    pub(crate) mounts: Located,
-    /// Springs to the ground.
-    pub(crate) ground_springs: Vec<GroundSpring>,
 }
 
 /// A material of part of a mesh.

@@ -8,7 +8,7 @@ use whirl_codegen::units::Dimension;
 use whirl_specs::Motion;
 
 use super::joined::{Drive, Turning};
-use super::{JoinedMachine, RotorDraft, SystemDraft, machine};
+use super::{JoinedMachine, SystemDraft, machine};
 
 /// How a machine begins.
 #[derive(Debug, Clone)]
@@ -76,7 +76,6 @@ fn read_start(table: &Table) -> StartDraft {
 /// Notes what does not fit the machine.
 pub(super) fn check(file: &Table, draft: &StartDraft, system: &SystemDraft) {
     match system {
-        SystemDraft::Rotor(rotor) => check_rotor(file, draft, rotor),
         SystemDraft::Joined(Some(joined)) => check_joined(file, draft, joined),
         SystemDraft::Joined(None) => {}
         SystemDraft::Lumped(_) => {
@@ -87,22 +86,8 @@ pub(super) fn check(file: &Table, draft: &StartDraft, system: &SystemDraft) {
     }
 }
 
-fn check_rotor(file: &Table, draft: &StartDraft, rotor: &RotorDraft) {
-    if !matches!(draft.start, Start::Equilibrium) {
-        return;
-    }
-    if draft.speed.is_none() {
-        let message = "an equilibrium is one at a speed";
-        let help = "add `speed = \"4500 rpm\"` to `[start]`, with the speed of the shaft";
-        file.push(draft.kind.error_here(Code::BAD_VALUE, message).help(help));
-    }
-    if let Some(shaft) = &rotor.shaft {
-        check_motion(file, draft, shaft.motion);
-    }
-}
-
 fn check_joined(file: &Table, draft: &StartDraft, joined: &JoinedMachine) {
-    if draft.speed.is_some() {
+    if draft.speed.is_some() && !joined.short {
         let turns = |own: &&super::NamedBody| matches!(own.turning, Some(Turning::Free { .. }));
         let name = joined.bodies.iter().find(turns).map_or("NAME", |own| own.name.text());
         let message = "`speed` is of the one shaft of a machine in short form";
@@ -112,7 +97,15 @@ fn check_joined(file: &Table, draft: &StartDraft, joined: &JoinedMachine) {
     if !matches!(draft.start, Start::Equilibrium) {
         return;
     }
+    if joined.short && draft.speed.is_none() {
+        let message = "an equilibrium is one at a speed";
+        let help = "add `speed = \"4500 rpm\"` to `[start]`, with the speed of the shaft";
+        file.push(draft.kind.error_here(Code::BAD_VALUE, message).help(help));
+    }
     check_motion(file, draft, joined.motion);
+    if joined.short {
+        return;
+    }
     // Of a couple over the speed the speed is found at which it is balanced.
     let over_speed = |drive: &&Drive| {
         let table = drive.couple.table.as_ref();

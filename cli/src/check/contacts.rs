@@ -9,7 +9,7 @@ use whirl_solver::reduction::Row;
 
 use crate::case::{Case, System};
 use crate::errors::Failure;
-use crate::machine::{BodyPlan, Plan, PlannedBody};
+use crate::machine::{BodyPlan, JoinedPlan, PlannedBody};
 use crate::report::table;
 
 /// A part that is lacking is named with its remedy from here on.
@@ -22,23 +22,16 @@ const CHEAP: usize = 20_000;
 type Meshed<'a> = (String, BodyKind, &'a BodyPlan);
 
 /// The bodies of a case that are reduced.
-fn reduced_bodies<'a>(case: &Case, plan: Option<&'a Plan>) -> Vec<Meshed<'a>> {
+fn reduced_bodies<'a>(case: &Case, plan: Option<&'a JoinedPlan>) -> Vec<Meshed<'a>> {
     let mut bodies: Vec<Meshed> = Vec::new();
-    match (&case.system, plan) {
-        (System::Rotor(_), Some(Plan::Rotor(plan))) => {
-            bodies.push(("shaft".to_owned(), BodyKind::Shaft, &plan.shaft));
-            bodies.push(("support".to_owned(), BodyKind::Support, &plan.support));
-        }
-        (System::Joined(joined), Some(Plan::Joined(plan))) => {
-            for (own, body) in joined.bodies.iter().zip(&plan.bodies) {
-                let turns = own.turning.is_some();
-                let kind = if turns { BodyKind::Shaft } else { BodyKind::Support };
-                if let PlannedBody::Meshed(body) = body {
-                    bodies.push((format!("body.{}", own.name.text()), kind, body));
-                }
+    if let (System::Joined(joined), Some(plan)) = (&case.system, plan) {
+        for (own, body) in joined.bodies.iter().zip(&plan.bodies) {
+            let turns = own.turning.is_some();
+            let kind = if turns { BodyKind::Shaft } else { BodyKind::Support };
+            if let PlannedBody::Meshed(body) = body {
+                bodies.push((joined.table_of(own), kind, body));
             }
         }
-        _ => {}
     }
     bodies.retain(|(_, _, body)| !body.rigid);
     bodies
@@ -62,7 +55,7 @@ fn reduced(
 pub(super) fn say_loads(
     text: &mut String,
     case: &Case,
-    (plan, wanted): (Option<&Plan>, bool),
+    (plan, wanted): (Option<&JoinedPlan>, bool),
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     for own in reduced_bodies(case, plan) {
@@ -107,7 +100,7 @@ pub(super) fn say_loads(
 pub(super) fn say(
     text: &mut String,
     case: &Case,
-    plan: Option<&Plan>,
+    plan: Option<&JoinedPlan>,
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     let mut bodies = reduced_bodies(case, plan);

@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
+use whirl_codegen::kinds::law::Acts;
 use whirl_solver::assembly::mass_properties;
 use whirl_solver::bearing::MotionKind;
-use whirl_solver::mesh::Fineness;
 use whirl_solver::mesh::measure::Circle;
+use whirl_solver::mesh::{self as solid, Fineness};
 use whirl_text::rounded;
 
 use crate::case::{
@@ -37,6 +38,7 @@ pub(super) fn say(
         }
         if let PlannedBody::Meshed(meshed) = own {
             super::sets::say(text, body.name.text(), &meshed.mesh)?;
+            materials(text, body.name.text(), &meshed.mesh);
         }
     }
     let facts = built.bodies.iter().flat_map(|facts| &facts.bodies);
@@ -63,7 +65,7 @@ pub(super) fn say(
     line!(text, "{} active coordinates", built.machine.active());
     for (place, (joint, law)) in joined.joints.iter().zip(&plan.laws).enumerate() {
         let (c, circles) = plan.clearance(place);
-        line!(text, "{}", of_joint(joint, &law.name(), c));
+        line!(text, "{}", of_joint(joint, &law.name(), c, plan.rings(place)));
         if let Some([journal, bore]) = circles {
             line!(
                 text,
@@ -86,8 +88,8 @@ pub(super) fn say(
     for drive in joined.drives.iter().filter(|drive| drive.couple.acts) {
         line!(
             text,
-            "drive {} on {}: {}",
-            drive.name.text(),
+            "drive {}on {}: {}",
+            if joined.short { String::new() } else { format!("{} ", drive.name.text()) },
             drive.place.text(),
             drive.couple.described()
         );
@@ -169,7 +171,7 @@ fn round(circle: Circle) -> String {
     format!("{} mm (out of round by {micrometres} µm)", rounded(1e3 * circle.radius, 8))
 }
 
-fn of_joint(joint: &Joint, law: &str, c: f64) -> String {
+fn of_joint(joint: &Joint, law: &str, c: f64, rings: usize) -> String {
     let (kind, [first, second]) = joint.kind.words();
     let [a, b] = joint.sides.each_ref().map(|side| side.place.text());
     let clearance = match joint.kind {
@@ -180,7 +182,16 @@ fn of_joint(joint: &Joint, law: &str, c: f64) -> String {
         _ => String::new(),
     };
     let values = match joint.kind {
-        JointKind::Bearing | JointKind::Stop => format!("{clearance}, law {law}"),
+        JointKind::Bearing | JointKind::Stop => {
+            let springs = match joint.bearing.law.source.acts() {
+                Acts::Spring if joint.angle.is_none() => {
+                    let plural = if rings == 1 { "" } else { "s" };
+                    format!(", {rings} ring{plural} of {} springs", joint.bearing.springs)
+                }
+                _ => String::new(),
+            };
+            format!("{clearance}{springs}, law {law}")
+        }
         JointKind::Bushing | JointKind::Coupling => values(joint),
     };
     format!("{kind} {}: {first} {a}, {second} {b}{values}", joint.name.text())
@@ -324,6 +335,19 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
         ]);
     }
     Ok(table(&rows))
+}
+
+/// Materials of a mesh, with the cells that have them; none of matrices.
+fn materials(text: &mut String, name: &str, mesh: &solid::Mesh) {
+    let of = |(place, material): (usize, &solid::Material)| {
+        let blocks = mesh.blocks().iter().filter(|block| block.material == place);
+        let cells: usize = blocks.map(|block| block.len()).sum();
+        format!("{} ({cells} cells)", material.name)
+    };
+    let all: Vec<String> = mesh.materials().iter().enumerate().map(of).collect();
+    if !all.is_empty() {
+        line!(text, "materials of {name}: {}", all.join(", "));
+    }
 }
 
 /// The table of what is reduced.

@@ -22,7 +22,6 @@ pub(super) fn say(text: &mut String, case: &Case, built: &Built) -> Result<(), F
         let Some(shaft) = body.shaft().filter(|_| turns) else { continue };
         let speed = match &case.system {
             System::Joined(joined) => joined.top_speed(place, case.run()),
-            System::Rotor(rotor) => rotor.top_speed(case.run()),
             System::Lumped(_) => continue,
         };
         let found = shaft.roundness().map_err(Error::from)?;

@@ -124,16 +124,13 @@ fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
     let named = &case.figures;
     let mut wanted = vec![("laws", named.law), ("reactions", named.reactions)];
     match &case.system {
-        System::Rotor(rotor) => {
+        System::Joined(joined) => {
             wanted.extend(
                 ["eccentricity-stretched", "eccentricity"].map(|stem| (stem, named.eccentricity)),
             );
-            wanted.extend(rotor.drive.acts.then_some(("rotation", named.rotation)));
-        }
-        System::Joined(joined) => {
-            wanted.extend(["eccentricity-stretched", "eccentricity"].map(|stem| (stem, None)));
             let turns = joined.bodies.iter().any(|body| body.turning.is_some());
-            wanted.extend(turns.then_some(("rotation", None)));
+            let stands = joined.short && !joined.drives.iter().any(|own| own.couple.acts);
+            wanted.extend((turns && !stands).then_some(("rotation", named.rotation)));
         }
         System::Lumped(_) => wanted.push(("displacement", None)),
     }
@@ -158,7 +155,7 @@ fn figure(
         };
     }
     let span = match &case.system {
-        System::Rotor(_) | System::Joined(_) => Span::fitting(history, case.march.cycle)?,
+        System::Joined(_) => Span::fitting(history, case.march.cycle)?,
         System::Lumped(_) => Span::All,
     };
     let titles = case.supports();

@@ -5,8 +5,7 @@ use whirl_codegen::kinds::law::BearingValue;
 use whirl_codegen::rational::Rational;
 use whirl_solver::mesh::measure::mean_radius;
 
-use super::plan::MachinePlan;
-use crate::case::{Bearing, BearingFacts, LawSource, NamedLaw, Rotor, rounded};
+use crate::case::{Bearing, BearingFacts, LawSource, NamedLaw, rounded};
 use crate::errors::Failure;
 
 /// What meshes say of a bearing.
@@ -15,32 +14,6 @@ pub(super) struct Measured {
     pub(super) bore: Vec<[f64; 2]>,
     /// z of the left and the right end of its journal, m.
     pub(super) ends: [f64; 2],
-}
-
-/// The law of every bearing of a shaft in its support.
-///
-/// # Errors
-/// As [`laws_of`].
-pub(super) fn laws(rotor: &Rotor, plan: &MachinePlan) -> Result<Vec<LawSource>, Failure> {
-    let measured = |place: usize| {
-        let nodes = plan.bores[place].iter().flatten().map(|&own| plan.support.spec.nodes[own]);
-        let [left, _, right] = plan.journals[place].map(|own| {
-            let node = plan.shaft.spec.nodes[own];
-            plan.shaft.mesh.nodes()[node][2]
-        });
-        Measured {
-            bore: nodes
-                .map(|node| {
-                    let [x, y, _] = plan.support.mesh.nodes()[node];
-                    [x, y]
-                })
-                .collect(),
-            ends: [left, right],
-        }
-    };
-    let bearings = rotor.bearings.iter().enumerate();
-    let bearings = bearings.map(|(place, bearing)| (bearing, measured(place))).collect();
-    laws_of(bearings, "the bearing, or to `[springs]` for all")
 }
 
 /// The law of every bearing. What the case does not say of a bearing is measured on the meshes: the radius of its

@@ -15,20 +15,19 @@ use super::{masses, selections};
 use crate::case::{self, MatrixFiles, MeshFile};
 use crate::errors::Failure;
 
-/// The mesh of a body, with its materials and the sets of the case; `make` makes it from dimensions. `axis` (m) is that of
+/// The mesh of a body, with its materials and the sets of the case. `axis` (m) is that of
 /// the body in space, as in files. `warnings` are added to, here and below.
 ///
 /// # Errors
 /// What is wrong with its file or its dimensions, with places.
-pub(super) fn mesh<D>(
-    (body, axis): (&case::Body<D>, [f64; 2]),
-    make: fn(&D, &[&'static Element]) -> Result<Mesh, Error>,
+pub(super) fn mesh(
+    (body, axis): (&case::Body, [f64; 2]),
     warnings: &mut Vec<String>,
 ) -> Result<Mesh, Failure> {
     let mesh = match &body.mesh {
         case::Mesh::File(file) => read(file, body.material.as_ref(), &body.regions, warnings),
         case::Mesh::Generated(generated) => {
-            let mesh = make(&generated.dimensions, &elements());
+            let mesh = generated.dimensions.mesh(&elements());
             in_regions(mesh.map_err(|error| impossible(generated, error))?, &body.regions)
         }
         case::Mesh::Matrices(files) => of_matrices(files, warnings),
@@ -59,7 +58,7 @@ fn has_mass(mesh: &Mesh, place: &Located) -> Result<(), Failure> {
 }
 
 /// Warns of materials of the case that no solid is made of; those of a file are judged where they are read.
-fn unusual_materials<D>(body: &case::Body<D>, mesh: &Mesh, warnings: &mut Vec<String>) {
+fn unusual_materials(body: &case::Body, mesh: &Mesh, warnings: &mut Vec<String>) {
     let given = body.material.iter().chain(body.regions.iter().map(|region| &region.material));
     let used = |material: &&Material| {
         let mut blocks = mesh.blocks().iter();
@@ -80,7 +79,7 @@ fn elements() -> Vec<&'static Element> {
 }
 
 /// An error about a dimension, where the case says it.
-fn impossible<D>(generated: &case::GeneratedMesh<D>, error: Error) -> Failure {
+fn impossible(generated: &case::GeneratedMesh, error: Error) -> Failure {
     let Error::Dimension { dimension, value, what, help } = &error else {
         return error.into();
     };

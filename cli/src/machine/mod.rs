@@ -10,7 +10,6 @@ mod masses;
 mod meshes;
 mod outputs;
 mod plan;
-mod rotor;
 mod selections;
 mod springs;
 
@@ -24,7 +23,7 @@ use whirl_solver::mesh::Mesh;
 
 pub(crate) use joined::{JoinedPlan, PlannedBody};
 pub(crate) use meshes::placed as placed_errors;
-pub(crate) use plan::{BodyPlan, MachinePlan, Outline};
+pub(crate) use plan::BodyPlan;
 
 use self::described::Described;
 use crate::case::{self, Case, CaseText, Draft, LawSource, System, SystemDraft};
@@ -92,27 +91,6 @@ pub(crate) struct BodyFact {
     pub(crate) content: Key,
 }
 
-/// What is to be built of a case.
-pub(crate) enum Plan {
-    /// A shaft in its support.
-    Rotor(Box<MachinePlan>),
-    /// Bodies by name.
-    Joined(Box<JoinedPlan>),
-}
-
-impl Plan {
-    /// The bodies that have meshes.
-    fn meshed(&mut self) -> Box<dyn Iterator<Item = &mut BodyPlan> + '_> {
-        match self {
-            Plan::Rotor(plan) => Box::new([&mut plan.shaft, &mut plan.support].into_iter()),
-            Plan::Joined(plan) => Box::new(plan.bodies.iter_mut().filter_map(|body| match body {
-                PlannedBody::Meshed(own) => Some(&mut **own),
-                PlannedBody::Rigid(_) => None,
-            })),
-        }
-    }
-}
-
 /// Sizes of a body, as in the paper's Table 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub(crate) struct Counts {
@@ -161,9 +139,13 @@ pub(crate) fn read_with(
     checked(case::draft_with(text, values)?, warnings)
 }
 
-fn checked(draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure> {
-    if let (false, SystemDraft::Rotor(rotor)) = (draft.errors.is_empty(), &draft.system) {
-        MachinePlan::of(&Outline::from(&**rotor), draft.errors.clone(), warnings)?;
+fn checked(mut draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    if let (false, SystemDraft::Joined(Some(machine))) = (draft.errors.is_empty(), &draft.system) {
+        match JoinedPlan::new(machine, (&[], None), warnings) {
+            Err(Failure::Input(found)) => draft.errors.append(found),
+            Err(other) => return Err(other),
+            Ok(_) => {}
+        }
     }
     Ok(draft.finish()?)
 }
@@ -172,15 +154,10 @@ fn checked(draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure> {
 ///
 /// # Errors
 /// Whatever is wrong with meshes and sets.
-pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Plan>, Failure> {
+pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<JoinedPlan>, Failure> {
     let wanted = (case.outputs.as_slice(), case.fields.as_ref());
-    let mut plan = match &case.system {
-        System::Rotor(rotor) => Plan::Rotor(Box::new(MachinePlan::new(rotor, wanted, warnings)?)),
-        System::Joined(joined) => {
-            Plan::Joined(Box::new(JoinedPlan::new(joined, wanted, warnings)?))
-        }
-        System::Lumped(_) => return Ok(None),
-    };
+    let System::Joined(machine) = &case.system else { return Ok(None) };
+    let mut plan = JoinedPlan::new(machine, wanted, warnings)?;
     if let Some(limit) = case.memory_limit {
         plan.meshed().for_each(|body| body.spec.memory = limit);
     }
@@ -193,7 +170,7 @@ pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Pla
 /// Whatever is wrong with constraints and laws.
 pub(crate) fn build(
     case: &Case,
-    plan: Option<&Plan>,
+    plan: Option<&JoinedPlan>,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
@@ -219,12 +196,11 @@ pub(crate) fn parts(case: &Case, warnings: &mut Vec<String>) -> Result<MachinePa
 }
 
 /// The case as the solver takes it, by its own [`plan`].
-fn describe<'a>(case: &'a Case, plan: Option<&'a Plan>) -> Result<Described<'a>, Failure> {
+fn describe<'a>(case: &'a Case, plan: Option<&'a JoinedPlan>) -> Result<Described<'a>, Failure> {
     let outputs = case.outputs.as_slice();
     match (&case.system, plan) {
-        (System::Rotor(own), Some(Plan::Rotor(plan))) => rotor::describe(own, outputs, plan),
-        (System::Joined(own), Some(Plan::Joined(plan))) => joined::describe(own, outputs, plan),
+        (System::Joined(own), Some(plan)) => joined::describe(own, outputs, plan),
         (System::Lumped(own), _) => lumped::describe(own, outputs),
-        (System::Rotor(_) | System::Joined(_), _) => unreachable!("a plan of another case"),
+        (System::Joined(_), None) => unreachable!("a plan of another case"),
     }
 }

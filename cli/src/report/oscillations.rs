@@ -27,7 +27,6 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
     for (place, own) in case.supports().iter().enumerate() {
         // Stops are all around one mass, and a coupling does not move.
         let shown = match &case.system {
-            System::Rotor(_) => true,
             System::Lumped(lumped) => place == 0 && lumped.unbalance.is_some(),
             System::Joined(joined) => joined.joints[place].kind != JointKind::Coupling,
         };
@@ -81,7 +80,7 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
 fn journal(case: &Case, place: usize) -> usize {
     match &case.system {
         System::Joined(joined) => joined.joints[place].sides[0].body.unwrap_or(0),
-        System::Rotor(_) | System::Lumped(_) => 0,
+        System::Lumped(_) => 0,
     }
 }
 

@@ -286,7 +286,7 @@ impl Summary {
         (verdict, error): (VerdictFacts, Option<String>),
     ) -> io::Result<Summary> {
         let (cycle, supports) = (case.march.cycle, case.supports());
-        let named = matches!(case.system, System::Joined(_));
+        let named = matches!(&case.system, System::Joined(machine) if !machine.short);
         Ok(Summary {
             case: case_facts(case, built),
             version: version::PACKAGE,

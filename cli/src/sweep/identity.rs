@@ -61,7 +61,7 @@ impl Inputs {
 
 /// Files of which a case is made beside its texts.
 fn files(case: &Case) -> Vec<PathBuf> {
-    fn mesh<D>(body: &case::Body<D>) -> Vec<PathBuf> {
+    fn mesh(body: &case::Body) -> Vec<PathBuf> {
         match &body.mesh {
             case::Mesh::File(file) => vec![file.path.clone()],
             case::Mesh::Matrices(files) => files.request.paths(),
@@ -70,10 +70,6 @@ fn files(case: &Case) -> Vec<PathBuf> {
     }
     let mut all = Vec::new();
     match &case.system {
-        System::Rotor(rotor) => {
-            all.extend(mesh(&rotor.shaft.body));
-            all.extend(mesh(&rotor.support.body));
-        }
         System::Joined(joined) => {
             for body in &joined.bodies {
                 if let Form::Meshed(own) = &body.form {

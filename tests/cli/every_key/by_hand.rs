@@ -12,7 +12,7 @@ use whirl_solver::dynamics::{
 use whirl_solver::history::History;
 use whirl_solver::loads::{Frame, Load, Release, Target, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
-use whirl_solver::mesh::Mesh;
+use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 use whirl_solver::shaft::Shaft;
 use whirl_solver::support::Support;
 use whirl_specs::{CLEARANCES, MOTIONS};
@@ -166,7 +166,19 @@ impl ByHand {
                 nodes.extend(mesh.node_set(set).expect("a set of the mesh"));
             }
         }
+        // The torque of a law turns the section of its journal, as the mean of the nodes at its middle.
+        let mut means = Vec::new();
+        for bearing in self.bearings.iter().filter(|own| self.has_torque(own)) {
+            let z = mesh.nodes()[node(mesh, &format!("JOURNAL{}_MIDDLE", bearing.k))][2];
+            let at = |node: &usize| (mesh.nodes()[*node][2] - z).abs() < 1e-6;
+            let section: Vec<usize> = (0..mesh.nodes().len()).filter(at).collect();
+            let mean = NodeSetMean::new(mesh, &section).expect("a section");
+            let name = format!("turn of journal {}", bearing.k);
+            held.retained.push(Retained::mean(&mean, MeanComponent::Rotation(2), name));
+            means.push(mean);
+        }
         let mut spec = body(mesh, 0, self, held, nodes);
+        spec.means = means;
         // The answers to each load along x and y, as it turns against the shaft.
         for load in self.loads.iter().filter(|_| self.answers_loads) {
             let sets = load.sets.iter().flat_map(|set| mesh.node_set(set).expect("a set"));
@@ -209,7 +221,12 @@ impl ByHand {
         rings.map(|(k, place)| format!("BORE{k}_{place}"))
     }
 
+    fn has_torque(&self, bearing: &BearingByHand) -> bool {
+        self.laws[bearing.law].outputs().contains(&"T")
+    }
+
     fn placed_bearings(&self, shaft: &Shaft) -> Vec<Bearing> {
+        let mut sections = 0..;
         let mut first = 0;
         let mut rings = self.bores().map(|set| {
             let count = self.support.node_set(&set).expect("a set of the mesh").len();
@@ -223,7 +240,10 @@ impl ByHand {
             placed.push(Bearing {
                 others: Vec::new(),
                 label: None,
-                sides: Sides::default(),
+                sides: Sides {
+                    torque_section: self.has_torque(own).then(|| sections.next()).flatten(),
+                    ..Sides::default()
+                },
                 name: format!("bearing {place}"),
                 journal,
                 bore: [0, 1, 2].map(|_| rings.next().expect("three rings a bearing")),

@@ -140,10 +140,12 @@ impl Checks<'_, '_> {
                 && !apart
         };
         let Some(first) = self.machine.joints[..place].iter().find(same) else { return };
+        let [own, other] = [joint, first].map(|joint| match self.machine.short {
+            true => format!("bearing {}", joint.name.text()),
+            false => format!("`{}`", joint.name.text()),
+        });
         let message = format!(
-            "`{}` stands where `{}` does, and has the same law `{}`: its forces would act twice",
-            joint.name.text(),
-            first.name.text(),
+            "{own} stands where {other} does, and has the same law `{}`: its forces would act twice",
             joint.bearing.law.name.text()
         );
         let help = "take one of them out, or correct the sets of this one";

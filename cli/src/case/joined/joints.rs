@@ -18,6 +18,7 @@ use crate::case::lumped;
 use crate::case::parameters::{self, BearingFacts, Keys, SetParameter};
 use crate::case::rotor::Bearing;
 use crate::case::schema::MOST_SPRINGS;
+use crate::case::supports::SupportName;
 
 pub(super) fn read(
     store: FileStore,
@@ -107,6 +108,7 @@ pub(super) fn read(
     let (name, sides) = (name.clone(), [journal, bore]);
     let (others, table, clearance_from_mesh) = (parts.others, parts.table, parts.from_mesh);
     Some(Joint {
+        called: SupportName::joint(name.text()),
         name,
         kind,
         sides,

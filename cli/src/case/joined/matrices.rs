@@ -7,7 +7,6 @@ use whirl_codegen::document::Table;
 use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::matrices::{Files, Request};
 
-use super::Dimensions;
 use crate::case::library::{FileStore, resolve};
 use crate::case::rotor::{Body, MatrixFiles, Mesh, StaticCorrection};
 use crate::case::selections;
@@ -25,7 +24,7 @@ const DMIG_NAMES: [&str; 2] = ["KAAX", "MAAX"];
 const KINDS: [&str; 3] = ["dmig", "calculix", "dofs"];
 
 /// Reads what a table says of a body of matrices.
-pub(super) fn read(store: FileStore, table: &Table) -> Option<Body<Dimensions>> {
+pub(super) fn read(store: FileStore, table: &Table) -> Option<Body> {
     let before = table.errors();
     for key in ["mesh", "dimensions"].into_iter().filter(|key| table.has(key)) {
         table.conflict(key, "matrices");

@@ -34,6 +34,7 @@ use super::loads;
 use super::machine::Materials;
 use super::parameters::SetParameter;
 use super::rotor::{self, Bearing, GroundSpring};
+use super::supports::SupportName;
 
 /// Keys that make a file one of named bodies.
 const NAMED: [&str; 4] = ["body", "joint", "drives", "loads"];
@@ -56,6 +57,8 @@ pub(crate) struct JoinedMachine {
     pub(crate) gravity: Option<Gravity>,
     /// How rotation and deformation are coupled, alike in all bodies that turn.
     pub(crate) motion: &'static Motion,
+    /// Whether the case says it in the short form, as one shaft on one support: by its words messages name the parts.
+    pub(crate) short: bool,
 }
 
 /// A body.
@@ -76,6 +79,18 @@ pub(crate) struct NamedBody {
 }
 
 impl NamedBody {
+    /// One with a mesh that stands on the common axis, and does not turn.
+    pub(super) fn of(name: Located, form: MeshedBody) -> NamedBody {
+        NamedBody {
+            name,
+            turning: None,
+            axis: [0.0; 2],
+            axis_given: false,
+            form: Form::Meshed(Box::new(form)),
+            attached: Vec::new(),
+        }
+    }
+
     /// Whether its bores stand about its own axis: of all that turn, and of a rigid body whose table gives one. Those of a
     /// mesh stand where their nodes are, and all others about their journals.
     pub(crate) fn bores_on_axis(&self) -> bool {
@@ -115,7 +130,7 @@ pub(crate) enum Form {
 #[derive(Debug, Clone)]
 pub(crate) struct MeshedBody {
     /// Its mesh, and how it is reduced.
-    pub(crate) body: rotor::Body<Dimensions>,
+    pub(crate) body: rotor::Body,
     /// Sets of nodes held in all directions.
     pub(crate) held: Vec<Located>,
     /// Springs to the ground.
@@ -130,6 +145,22 @@ pub(crate) struct MeshedBody {
     pub(crate) rigid: bool,
     /// Whether it may move along z, if it is rigid.
     pub(crate) moves_along_z: bool,
+}
+
+impl MeshedBody {
+    /// One that nothing holds, with what a case may leave out of the rest.
+    pub(super) fn of(body: rotor::Body) -> MeshedBody {
+        MeshedBody {
+            body,
+            held: Vec::new(),
+            ground_springs: Vec::new(),
+            axial_restraint: None,
+            section: Vec::new(),
+            stiffening: false,
+            rigid: false,
+            moves_along_z: false,
+        }
+    }
 }
 
 /// A rigid body.
@@ -189,8 +220,10 @@ impl Dimensions {
 /// with them.
 #[derive(Debug, Clone)]
 pub(crate) struct Joint {
-    /// Its name, at its table.
+    /// Its name, at its table; its number in the short form.
     pub(crate) name: Located,
+    /// What results call it.
+    pub(crate) called: SupportName,
     /// What it is.
     pub(crate) kind: JointKind,
     /// The journal, or the first side; the bore, or the second side.
@@ -364,9 +397,21 @@ impl JoinedMachine {
             loads: loads.into_iter().collect::<Option<_>>()?,
             motion: motion?,
             gravity,
+            short: false,
         };
-        checks::check(file, &machine, goes_on);
+        machine.check(file, goes_on);
         Some(machine)
+    }
+
+    /// Notes what does not fit together.
+    pub(super) fn check(&self, file: &Table, goes_on: bool) {
+        checks::check(file, self, goes_on);
+    }
+
+    /// The table of the case that describes a body, without brackets.
+    pub(crate) fn table_of(&self, body: &NamedBody) -> String {
+        let name = body.name.text();
+        if self.short { name.to_owned() } else { format!("body.{name}") }
     }
 
     /// The largest speed that the case gives a body in a run: of its drive, at its start, or as prescribed (rad/s).

@@ -7,17 +7,17 @@ use whirl_codegen::document::Table;
 use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Quantity;
 
+use super::super::joined::{Joint, JointKind, Side};
 use super::super::law::{self, NamedLaw};
 use super::super::library::FileStore;
 use super::super::parameters::{self, BearingFacts, Keys, SetParameter};
 use super::super::rotor::Bearing;
 use super::super::schema::MOST_SPRINGS;
+use super::super::supports::SupportName;
+use super::places::{SHAFT, SUPPORT};
 
 /// What the bearings share stands in `[springs]`; a `[[bearing]]` may say otherwise.
-pub(super) fn bearings(
-    store: FileStore,
-    file: &Table,
-) -> Vec<([Vec<Located>; 2], Option<Bearing>)> {
+pub(super) fn joints(store: FileStore, file: &Table) -> Option<Vec<Joint>> {
     let shared = file.optional_table("springs");
     let shared_springs = shared.as_ref().map(|table| springs(store, table)).unwrap_or_default();
     let tables = file.tables("bearing");
@@ -34,18 +34,43 @@ pub(super) fn bearings(
         let set = &shared_springs.parameters;
         parameters::check(table, law, set, KEYS, &mut BearingFacts::default());
     }
-    let one = |table: &Table| {
+    let one = |(place, table): (usize, &Table)| {
         let sets = [table.texts("journal"), table.texts("bore")];
         let stations = table.quantities("stations");
         let own = springs(store, table);
         let mut places = shared.as_ref().map(Table::places).unwrap_or_default();
         places.extend(table.places());
         let bearing = bearing(table, &sets, stations, own.or(&shared_springs), places);
-        (sets, bearing.filter(|bearing| bounded(table, bearing)))
+        let bearing = bearing.filter(|bearing| bounded(table, bearing))?;
+        Some(joint(table, place + 1, bearing))
     };
-    let bearings = tables.iter().map(one).collect();
+    let joints: Vec<Option<Joint>> = tables.iter().enumerate().map(one).collect();
     shared.into_iter().chain(tables).for_each(Table::finish);
-    bearings
+    joints.into_iter().collect()
+}
+
+/// A bearing of the shaft in the support as a joint, by its number.
+fn joint(table: &Table, number: usize, bearing: Bearing) -> Joint {
+    let side = |body: usize, name: &str, sets: &[Located]| Side {
+        body: Some(body),
+        place: table.heading().text(name),
+        sets: sets.to_vec(),
+        surface: false,
+        z: None,
+    };
+    Joint {
+        name: table.heading().text(&number.to_string()),
+        called: SupportName::numbered("Support", number),
+        kind: JointKind::Bearing,
+        sides: [side(SHAFT, "shaft", &bearing.journal), side(SUPPORT, "support", &bearing.bore)],
+        bearing,
+        others: Vec::new(),
+        table: None,
+        clearance_from_mesh: false,
+        angle: None,
+        run_out: [[0.0; 2]; 3],
+        offset: [[0.0; 2]; 3],
+    }
 }
 
 /// Notes the bearings that do not say `key`; once where none does.
@@ -113,6 +138,9 @@ fn bearing(
     places: BTreeMap<String, Located>,
 ) -> Option<Bearing> {
     let [journal, bore] = sets.clone();
+    if sets.iter().any(|own| own.len() != 3) {
+        return None;
+    }
     let exactly = |quantity: &Option<Quantity>| quantity.as_ref().map(parameters::exactly);
     let mut facts = BearingFacts {
         radial_clearance: exactly(&springs.radial_clearance),

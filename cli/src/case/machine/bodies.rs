@@ -9,47 +9,58 @@ use whirl_solver::mesh::crank::CrankThrow;
 use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::shaft::{FINE, SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
+use whirl_specs::Motion;
 
+use super::super::joined::{Dimensions, MeshedBody, NamedBody, Turning};
 use super::super::library::{FileStore, resolve};
-use super::super::rotor::{
-    Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, Shaft, StaticCorrection, Support,
-};
+use super::super::rotor::{Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, StaticCorrection};
 use super::super::selections;
 use super::super::units::mesh_units;
 use super::materials::{Materials, material_of, regions};
 use super::{default_motion, motion};
 
-/// The table `[shaft]`.
-pub(super) fn shaft(store: FileStore, file: &Table, materials: &Materials) -> Option<Shaft> {
+/// The table `[shaft]`: the body, which its drive ties to its frame, and how its rotation is coupled to deformation.
+pub(super) fn shaft(
+    store: FileStore,
+    file: &Table,
+    materials: &Materials,
+) -> Option<(NamedBody, &'static Motion)> {
     file.table("shaft")?.read(|table| read_shaft(store, table, materials))
 }
 
-fn read_shaft(store: FileStore, table: &Table, materials: &Materials) -> Option<Shaft> {
-    let body =
-        body(store, table, materials, |own, material| solid_shaft(own, material, Cells::Linear));
+fn read_shaft(
+    store: FileStore,
+    table: &Table,
+    materials: &Materials,
+) -> Option<(NamedBody, &'static Motion)> {
+    let make = |own: &Table, material| Dimensions::Shaft(solid_shaft(own, material, Cells::Linear));
+    let body = body(store, table, materials, make);
     let motion = motion(table);
     let stiffening = table.optional_boolean("stiffening").unwrap_or(true);
     let static_correction = answers_to_loads(table);
-    Some(Shaft {
-        axial_restraint: table.text_or_none("axial_restraint"),
-        motion: motion.or_else(default_motion)?,
-        stiffening,
-        body: Body { static_correction, ..body? },
-    })
+    let axial_restraint = Some(table.text_or_none("axial_restraint"));
+    let motion = motion.or_else(default_motion)?;
+    let body = Body { static_correction, ..body? };
+    let form = MeshedBody { stiffening, axial_restraint, ..MeshedBody::of(body) };
+    let turning = Some(Turning::Free { initial_speed: None });
+    Some((NamedBody { turning, ..NamedBody::of(table.heading().text("shaft"), form) }, motion))
 }
 
 /// The table `[support]`.
-pub(super) fn support(store: FileStore, file: &Table, materials: &Materials) -> Option<Support> {
+pub(super) fn support(store: FileStore, file: &Table, materials: &Materials) -> Option<NamedBody> {
     file.table("support")?.read(|table| read_support(store, table, materials))
 }
 
-fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Option<Support> {
-    let body =
-        body(store, table, materials, |own, material| ring_support(own, material, Cells::Linear));
+fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Option<NamedBody> {
+    let make =
+        |own: &Table, material| Dimensions::Support(ring_support(own, material, Cells::Linear));
+    let body = body(store, table, materials, make);
     let ground_springs = ground_springs(table);
     let static_correction = static_correction(table);
-    let mounts = table.text_or_none("mounts");
-    Some(Support { mounts, ground_springs, body: Body { static_correction, ..body? } })
+    let held = vec![table.text_or_none("mounts")];
+    let body = Body { static_correction, ..body? };
+    let form = MeshedBody { held, ground_springs, ..MeshedBody::of(body) };
+    Some(NamedBody::of(table.heading().text("support"), form))
 }
 
 /// Static answers that are kept: to loads if nothing is said, to loads on bores, too, or none.
@@ -86,12 +97,12 @@ pub(in crate::case) fn ground_springs(table: &Table) -> Vec<GroundSpring> {
 }
 
 /// What both tables may say.
-pub(in crate::case) fn body<D>(
+pub(in crate::case) fn body(
     store: FileStore,
     table: &Table,
     materials: &Materials,
-    make: impl Fn(&Table, Material) -> D,
-) -> Option<Body<D>> {
+    make: impl Fn(&Table, Material) -> Dimensions,
+) -> Option<Body> {
     let material = material_of(table, materials);
     let regions = regions(table, materials);
     let selections = selections::read(table);
@@ -108,12 +119,12 @@ pub(in crate::case) fn body<D>(
 }
 
 /// A mesh by the file named as `mesh`, or made from the table `dimensions`.
-fn mesh<D>(
+fn mesh(
     store: FileStore,
     table: &Table,
     material: Option<&Material>,
-    make: impl Fn(&Table, Material) -> D,
-) -> Option<Mesh<D>> {
+    make: impl Fn(&Table, Material) -> Dimensions,
+) -> Option<Mesh> {
     let before = table.errors();
     let dimensions = table.optional_table("dimensions");
     let (units, merge) = (units(table), merge(table));
@@ -144,11 +155,11 @@ fn mesh<D>(
             let generated = dimensions.read(|dimensions| make(dimensions, material_or_none));
             // Of dimensions that are wrong, nothing is made.
             let right = table.errors() == before && material.is_some();
-            right.then_some(Mesh::Generated(GeneratedMesh {
+            right.then_some(Mesh::Generated(Box::new(GeneratedMesh {
                 dimensions: generated,
                 table: place,
                 places,
-            }))
+            })))
         }
         (None, None) => {
             if !table.has("mesh") && !table.has("dimensions") {

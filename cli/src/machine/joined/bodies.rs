@@ -8,9 +8,7 @@ use whirl_solver::rigid::RigidBody;
 
 use super::section;
 use super::{meshed, section_of, turns};
-use crate::case::{
-    self, Acting, Dimensions, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody,
-};
+use crate::case::{self, Acting, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody};
 use crate::errors::Failure;
 use crate::machine::plan::{AXES, BodyPlan, HoldingWords};
 use crate::machine::{fineness, meshes};
@@ -51,7 +49,7 @@ pub(super) fn plan(
 ) -> Result<Vec<PlannedBody>, Failure> {
     let (mut bodies, mut errors, mut rest) = (Vec::new(), Diagnostics::new(), None);
     for body in &joined.bodies {
-        match planned(body, warnings) {
+        match planned(joined, body, warnings) {
             Ok(own) => bodies.push(own),
             Err(Failure::Input(found)) => errors.append(found),
             Err(other) => rest = rest.or(Some(other)),
@@ -61,7 +59,11 @@ pub(super) fn plan(
     rest.map_or(Ok(bodies), Err)
 }
 
-fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, Failure> {
+fn planned(
+    joined: &JoinedMachine,
+    body: &NamedBody,
+    warnings: &mut Vec<String>,
+) -> Result<PlannedBody, Failure> {
     let own = match &body.form {
         Form::Rigid(rigid) => {
             let [x, y] = if body.turning.is_some() { [0.0; 2] } else { body.axis };
@@ -84,7 +86,7 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
         }
         Form::Meshed(own) => own,
     };
-    let mesh = meshes::mesh((&own.body, body.axis), Dimensions::mesh, warnings)?;
+    let mesh = meshes::mesh((&own.body, body.axis), warnings)?;
     if let (case::Mesh::Generated(made), false) = (&own.body.mesh, own.rigid) {
         fineness::warn(body.name.text(), &made.table, made.dimensions.fineness(), warnings);
     }
@@ -106,6 +108,7 @@ fn planned(body: &NamedBody, warnings: &mut Vec<String>) -> Result<PlannedBody, 
     plan.held_to_frame = body.turning.is_some() && held_against_turning(&plan.mesh, &own.held);
     plan.mean_frame = free && own.section.is_empty() && !plan.held_to_frame;
     let springs = match body.turning {
+        _ if joined.short => return Ok(PlannedBody::Meshed(Box::new(plan))),
         None => format!(
             ", add a spring `[[body.{}.ground_spring]]`, or join it at more nodes",
             body.name.text()

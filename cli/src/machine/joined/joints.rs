@@ -19,7 +19,6 @@ use crate::machine::laws::Measured;
 use crate::machine::plan::BodyPlan;
 use crate::machine::plan::geometry::nodes_of;
 use crate::machine::plan::geometry::stations::Extent;
-use crate::machine::rotor;
 use crate::machine::springs::angles;
 
 /// Nodes around the bore of a rigid body, which move with it.
@@ -126,7 +125,7 @@ pub(super) fn place(
     let ground = joined.bodies.len();
     let [first, second] = joint.sides.each_ref().map(|side| side.body.unwrap_or(ground));
     let (z, mut bearing) = (planes(joint, bodies, errors)?, joint.bearing.clone());
-    if z[0] == z[2] && bearing.stations.is_empty() {
+    if z[0] == z[2] && bearing.stations.is_empty() && !joined.short {
         bearing.stations = vec![z[1]];
     }
     let axis = |body: usize| joined.bodies.get(body).map_or([0.0; 2], |own| own.axis);
@@ -169,7 +168,7 @@ pub(super) fn place(
     let bore = match bodies.get_mut(second) {
         Some(PlannedBody::Meshed(plan)) if joint.sides[1].surface => {
             let set = &joint.sides[1].sets[0];
-            let stations = rotor::stations(&bearing, [z[0], z[2]]);
+            let stations = stations(&bearing, [z[0], z[2]]);
             let springs = surfaces::Springs {
                 axis: sides.bore_axis,
                 stations: stations.iter().map(|s| z[0] + s * (z[2] - z[0])).collect(),
@@ -357,6 +356,16 @@ fn retain_ends(plan: &mut BodyPlan, joint: &Joint, nodes: &[usize]) {
     for node in [first, far.copied().unwrap_or(first)] {
         let name = at(&joint.name, format!("node {}", plan.mesh.labels()[node]));
         retain_in_plane(plan, &name, node);
+    }
+}
+
+/// Rings of springs by their distance from the left end over the length; `ends` are the z of the ends. A bearing
+/// in one plane has its only ring there, which the middle is.
+pub(super) fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
+    match bearing.stations.as_slice() {
+        [] => vec![0.0, 0.5, 1.0],
+        [_] if left == right => vec![0.5],
+        stations => stations.iter().map(|z| (z - left) / (right - left)).collect(),
     }
 }
 

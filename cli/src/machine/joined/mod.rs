@@ -26,9 +26,9 @@ pub(crate) use self::bodies::PlannedBody;
 use self::joints::PlannedJoint;
 use super::described::Described;
 use super::laws::laws_of;
-use super::plan::geometry;
+use super::plan::{BodyPlan, geometry};
 use super::springs::{self, Laws, angles};
-use super::{forces, outputs, rotor};
+use super::{forces, outputs};
 use crate::case::{self, Fields, JoinedMachine, LawSource, Output, Turning};
 use crate::errors::Failure;
 /// Bodies, joints, drives and loads before the reduction of what has a mesh.
@@ -125,14 +125,30 @@ impl JoinedPlan {
         let fields = fields.collect();
         errors.into_result(())?;
         let measured = joints.iter().map(|joint| (&joint.bearing, joint.measured(&bodies)));
-        let laws = laws_of(measured.collect(), "the joint")?;
+        let laws = laws_of(
+            measured.collect(),
+            if joined.short { "the bearing, or to `[springs]` for all" } else { "the joint" },
+        )?;
         Ok(JoinedPlan { bodies, attached, joints, drives, loads, outputs, fields, laws })
+    }
+
+    /// The bodies that have meshes.
+    pub(super) fn meshed(&mut self) -> impl Iterator<Item = &mut BodyPlan> {
+        self.bodies.iter_mut().filter_map(|body| match body {
+            PlannedBody::Meshed(own) => Some(&mut **own),
+            PlannedBody::Rigid(_) => None,
+        })
     }
 
     /// Radial clearance of a joint (m), and the circles of journal and bore where the meshes have both.
     pub(crate) fn clearance(&self, joint: usize) -> (f64, Option<[Circle; 2]>) {
         let own = &self.joints[joint];
         (own.bearing.radial_clearance, own.circles)
+    }
+
+    /// Rings of springs of a joint.
+    pub(crate) fn rings(&self, joint: usize) -> usize {
+        self.joints[joint].bearing.rings()
     }
 
     /// Checks for what would keep the bodies from being reduced, without reducing them.
@@ -189,13 +205,13 @@ pub(super) fn describe<'a>(
         }
         bearings.push(Bearing {
             name: format!("{} {}", joint.kind.words().0, joint.name.text()),
-            label: Some(format!("_{}", joint.name.text())),
+            label: Some(joint.called.label.clone()),
             sides: Sides { run_out: joint.run_out, ..own.sides.clone() },
             journal: own.journal,
             bore: own.bore.clone(),
             clearance: own.bearing.radial_clearance,
             journal_radius: own.bearing.journal_radius,
-            stations: rotor::stations(&own.bearing, [own.z[0], own.z[2]]),
+            stations: joints::stations(&own.bearing, [own.z[0], own.z[2]]),
             angles: joint.angle.map_or_else(|| angles(springs), |angle| vec![angle]),
             law: laws.place(law)?,
             others,

@@ -80,7 +80,7 @@ impl Default for HoldingWords {
 }
 
 impl BodyPlan {
-    pub(in crate::machine) fn new<D>(mesh: Mesh, case: &case::Body<D>, held_by: &Located) -> Self {
+    pub(in crate::machine) fn new(mesh: Mesh, case: &case::Body, held_by: &Located) -> Self {
         let spec = BodySpec {
             corrections: Vec::new(),
             retained: Vec::new(),
@@ -186,15 +186,6 @@ impl BodyPlan {
             modes: self.spec.modes,
             craig_bampton_dofs: self.spec.modes + self.spec.corrections.len() + retained,
         }
-    }
-
-    /// Coordinates left after the equations.
-    pub(crate) fn active(&self) -> usize {
-        let spec = &self.spec;
-        let follows = usize::from(self.follows.is_some());
-        spec.modes + spec.corrections.len() + spec.retained.len()
-            - spec.constraints.equations().len()
-            - follows
     }
 
     /// Notes a spring from a node to the ground.

@@ -6,14 +6,12 @@ mod place;
 mod sets;
 pub(in crate::machine) mod stations;
 
-use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::mesh::Mesh;
 
 pub(in crate::machine) use self::place::{mm, nodes_of};
 
 use self::place::single;
-use self::stations::at_one_place;
-use super::{BearingOutline, Outline};
 use crate::case::{self, Acting, Spread};
 
 /// The arm of the driving couple is at least this part of the distance of its nodes. Below it the forces
@@ -22,71 +20,6 @@ const LEAST_ARM: f64 = 0.1;
 /// The driven nodes stand in one section: along the axis they are apart by at most this part of the arm, so
 /// that the moment that tilts the section stays below this part of the torque.
 const SECTION: f64 = 0.01;
-
-/// Notes whatever does not stand where it should, of the sets that are there; those that are missing or of
-/// the wrong size have been noted.
-pub(super) fn compare(
-    shaft: Option<&Mesh>,
-    support: Option<&Mesh>,
-    outline: &Outline,
-    errors: &mut Diagnostics,
-) {
-    for (place, own) in outline.bearings.iter().enumerate() {
-        bearing::compare(place, own, shaft, support, errors);
-    }
-    twice(&outline.bearings, shaft, support, errors);
-    let Some(shaft) = shaft else { return };
-    if let Some(drive) = outline.drive {
-        driven(drive, shaft, errors);
-    }
-    outline.loads.iter().for_each(|load| loaded_twice(load, shaft, errors));
-}
-
-/// Bearings that are the same: one law, or one that is not said, at the same nodes. Two laws at one place
-/// add their forces, and so do rings of one law at different stations.
-fn twice(
-    bearings: &[BearingOutline],
-    shaft: Option<&Mesh>,
-    support: Option<&Mesh>,
-    errors: &mut Diagnostics,
-) {
-    let nodes = |mesh: Option<&Mesh>, sets: &[Located]| -> Option<Vec<Vec<usize>>> {
-        let mut rings: Vec<Vec<usize>> = Vec::with_capacity(3);
-        for set in sets {
-            let mut ring = nodes_of(mesh?, set)?.to_vec();
-            ring.sort_unstable();
-            rings.push(ring);
-        }
-        (rings.len() == 3).then_some(rings)
-    };
-    let of =
-        |own: &BearingOutline| Some((nodes(shaft, own.sets[0])?, nodes(support, own.sets[1])?));
-    for (second, own) in bearings.iter().enumerate() {
-        let (Some(whole), Some(stands)) = (own.whole, of(own)) else { continue };
-        let same = bearings[..second].iter().position(|other| {
-            other.whole.is_some_and(|other| {
-                let apart = !whole.stations.is_empty()
-                    && !other.stations.is_empty()
-                    && !whole
-                        .stations
-                        .iter()
-                        .any(|z| other.stations.iter().any(|other| at_one_place(*other, *z)));
-                other.law.source.name() == whole.law.source.name() && !apart
-            }) && of(other).as_ref() == Some(&stands)
-        });
-        if let Some(first) = same {
-            let message = format!(
-                "bearing {} stands where bearing {} does, and has the same law `{}`: its forces would act \
-                 twice",
-                second + 1,
-                first + 1,
-                whole.law.name.text()
-            );
-            let help = "take one of them out, or correct the sets of this one";
-            errors.push(whole.table.error_here(Code::BAD_VALUE, message).help(help));
-        }
-    }
-}
 
 /// Driven nodes between which a couple of forces along y has no arm, or tilts the section.
 pub(in crate::machine) fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut Diagnostics) {

@@ -67,7 +67,7 @@ impl Quantities {
                 "Displacement of the mass in the last cycle",
                 displacement(case, &mut wanted),
             ),
-            System::Rotor(_) | System::Joined(_) => add(
+            System::Joined(_) => add(
                 "eccentricity",
                 "Eccentricity of the journals in the last cycle",
                 eccentricities(case, &mut wanted),

@@ -29,11 +29,6 @@ impl Extent {
     }
 }
 
-/// Whether two rings would stand at one place.
-pub(super) fn at_one_place(a: f64, b: f64) -> bool {
-    (a - b).abs() <= ONE_PLACE
-}
-
 /// Notes stations outside their bearing, and those that another one has taken.
 pub(in crate::machine) fn check(bearing: &Bearing, extent: Extent, errors: &mut Diagnostics) {
     let stations = &bearing.stations;
