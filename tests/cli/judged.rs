@@ -191,3 +191,106 @@ fn an_idle_coupling_starts_in_equilibrium_to_the_rounding_of_its_angles() {
         outcome.stderr
     );
 }
+
+/// A disc on a soft tilting spring at 60 000 rpm, under a couple that is fixed in space: -1 N·m in its spring. In long steps it
+/// starts at another tilt, at which the discrete motion stands still.
+fn tilted(march: &str) -> String {
+    format!(
+        "title = \"a couple on a fast disc\"\n[body.p]\nturns = \"prescribed\"\nspeed = \"60000 rpm\"\nmass = \"1 kg\"\n\
+         polar_inertia = \"0.038 kg*m^2\"\ntransverse_inertia = \"0.02 kg*m^2\"\nz = \"0 mm\"\n[joint.k]\n\
+         kind = \"bushing\"\nfirst = {{ body = \"p\", z = \"0 mm\" }}\nstiffness = {{ xx = \"4e5 N/m\", yy = \"4e5 N/m\" }}\n\
+         tilting_stiffness = {{ xx = \"7888 N*m/rad\", yy = \"7888 N*m/rad\" }}\n[loads.m]\nbody = \"p\"\n\
+         couple = [\"0 N*m\", \"1 N*m\", \"0 N*m\"]\n[start]\nkind = \"equilibrium\"\n[march]\n{march}\n"
+    )
+}
+
+/// A rotor that turns ten times as fast as it whirls: on a round spring, under a force along x, it must stay on x.
+fn whirling(march: &str) -> String {
+    format!(
+        "title = \"slow whirl of a fast rotor\"\n[body.p]\nturns = \"prescribed\"\nspeed = \"60000 rpm\"\nmass = \"1 kg\"\n\
+         polar_inertia = \"1e-3 kg*m^2\"\n[joint.k]\nkind = \"bushing\"\nfirst = {{ body = \"p\" }}\n\
+         stiffness = {{ xx = \"394784 N/m\", yy = \"394784 N/m\" }}\n[loads.f]\nbody = \"p\"\nforce = \"1 N\"\n\
+         [march]\n{march}\nduration = \"0.03 s\"\n"
+    )
+}
+
+#[test]
+fn false_inertia_of_fast_rotors_is_not_sound() {
+    // Steps a revolution, and whether the result is right to a few percent.
+    for (steps, sound) in [(24, false), (72, false), (720, true)] {
+        let step = format!("time_step = \"{:e} s\"\nsteps = 500", 1e-3 / f64::from(steps));
+        let summary = run(&tilted(&step), "");
+        assert_eq!(summary["verdict"]["sound"], sound, "{steps}: {summary:#}");
+    }
+    for (steps, sound) in [(36, false), (144, true)] {
+        let step = format!("time_step = \"{:e} s\"", 1e-3 / f64::from(steps));
+        let summary = run(&whirling(&step), "");
+        assert_eq!(summary["verdict"]["sound"], sound, "{steps}");
+        // 2 Ω (ΩΔt)²/12 over ω, of the largest force.
+        let exact = 2.0 * 10.0 * (std::f64::consts::TAU / f64::from(steps)).powi(2) / 12.0;
+        let error = measure(&summary, "inertia_error");
+        assert!((0.4..1.1).contains(&(error / exact)), "{steps}: {error} for {exact}");
+    }
+}
+
+/// 300 of 1000 steps are far too long for what begins there.
+#[test]
+fn what_begins_late_is_judged() {
+    for (start, sound) in [("6.3 s", false), ("8.9 s", true)] {
+        let case = format!(
+            "title = \"late\"\n[body.p]\nturns = \"no\"\nmass = \"1 kg\"\nstiffness = {{ x = \"1e4 N/m\", y = \"1e4 N/m\" }}\n\
+             [loads.f]\nbody = \"p\"\nforce = \"1 N\"\nstart = \"{start}\"\n[march]\ntime_step = \"9 ms\"\nduration = \"9 s\"\n"
+        );
+        assert_eq!(run(&case, "")["verdict"]["sound"], sound, "{start}");
+    }
+}
+
+/// A rotor that its brake stops in proportion to its speed never stands still, and its speed leaves the range of numbers; so does
+/// the acceleration that generalized-α damps after a pulse.
+#[test]
+fn what_dies_out_for_ever_is_marched_to_the_end() {
+    let brake = "title = \"coast down\"\n[body.p]\nturns = \"free\"\ninitial_speed = \"300 rad/s\"\nmass = \"1 kg\"\n\
+                 polar_inertia = \"1e-2 kg*m^2\"\n[joint.k]\nkind = \"bushing\"\nfirst = { body = \"p\" }\n\
+                 stiffness = { xx = \"1e4 N/m\", yy = \"1e4 N/m\" }\n[drives.f]\nbody = \"p\"\ntable = \"table.csv\"\n\
+                 [march]\ntime_step = \"1 ms\"\nduration = \"80 s\"\n";
+    run(brake, "speed [rpm], couple [N*m]\n0, 0\n1000, -10\n3000, -90\n");
+    let pulse = "title = \"free flight\"\n[body.a]\nturns = \"no\"\nmass = \"1 kg\"\n[joint.c]\nkind = \"bearing\"\n\
+                 journal = { body = \"a\" }\nlaw = \"gap-linear\"\nsprings = 12\nradial_clearance = \"3 m\"\n\
+                 journal_radius = \"20 mm\"\nlength = \"20 mm\"\n[loads.f]\nbody = \"a\"\ntable = \"table.csv\"\n\
+                 [march]\ntime_step = \"1e-5 s\"\nduration = \"0.04 s\"\nintegrator = \"generalized-alpha\"\n";
+    run(pulse, "time [s], force [N]\n0, 0\n0.0010, 0\n0.00101, 1000\n0.00102, 0\n");
+}
+
+/// A pendulum on a coupling so soft that the shaft turns away under it: it swings as one by itself does.
+#[test]
+fn a_swing_on_a_soft_coupling_is_judged_as_one_without() {
+    let body = |name: &str, turns: &str, inertia: f64| {
+        format!(
+            "[body.{name}]\n{turns}\nmass = \"1 kg\"\npolar_inertia = \"{inertia} kg*m^2\"\n[joint.of_{name}]\n\
+             kind = \"bushing\"\nfirst = {{ body = \"{name}\" }}\nstiffness = {{ xx = \"1e2 N/m\", yy = \"1e2 N/m\" }}\n"
+        )
+    };
+    let pendulum = body("p", "turns = \"free\"\ninitial_speed = \"1 rad/s\"", 0.05);
+    let shaft = body("a", "turns = \"prescribed\"\nspeed = \"5 rad/s\"", 1.0);
+    let coupling = "[joint.soft]\nkind = \"coupling\"\nfirst = { body = \"a\" }\nsecond = { body = \"p\" }\n\
+                    stiffness = \"0.05 N*m/rad\"\n";
+    let load = "[loads.g]\nbody = \"p\"\ncouple = \"-9.81 N*m\"\norder = 1\n[march]\ntime_step = \"0.04 s\"\n\
+                duration = \"6 s\"\n";
+    let error = |more: &str| {
+        let case = format!("title = \"a pendulum\"\n{pendulum}{more}{load}");
+        let summary = run(&case, "");
+        assert_eq!(summary["verdict"]["sound"], false);
+        measure(&summary, "local_error")
+    };
+    let (alone, coupled) = (error(""), error(&(shaft + coupling)));
+    assert!((coupled / alone - 1.0).abs() < 0.1, "{coupled} {alone}");
+}
+
+/// A constant couple turns it, and nothing else moves: that is integrated exactly, however fast its modes are.
+#[test]
+fn a_turn_alone_is_enough_to_be_judged() {
+    let case = "title = \"a constant couple\"\n[body.p]\nturns = \"free\"\nmass = \"1 kg\"\npolar_inertia = \"1 kg*m^2\"\n\
+                [joint.b]\nkind = \"bushing\"\nfirst = { body = \"p\" }\nstiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }\n\
+                [loads.c]\nbody = \"p\"\ncouple = \"1 N*m\"\n[march]\ntime_step = \"1e-2 s\"\nduration = \"1 s\"\n";
+    assert_eq!(run(case, "")["verdict"]["sound"], true);
+}

@@ -36,6 +36,7 @@ struct Measures {
     local_error: f64,
     largest_local_error: f64,
     unresolved_motion: f64,
+    inertia_error: f64,
     ringing: f64,
     /// Of accepted steps, so that it is never above 1.
     row_error: f64,
@@ -74,6 +75,7 @@ impl VerdictFacts {
                 local_error: judged(quality.local_error),
                 largest_local_error: judged(quality.largest_local_error),
                 unresolved_motion: quality.unresolved_motion,
+                inertia_error: quality.inertia_error,
                 ringing: quality.ringing.share,
                 row_error: quality.row_error,
             },

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Histogram {
     zeros: u64,
-    counts: Vec<u32>,
+    counts: Vec<u64>,
 }
 
 impl Histogram {
@@ -21,24 +21,24 @@ impl Histogram {
         Histogram { zeros: 0, counts: vec![0; classes] }
     }
 
-    /// What is no number, or beyond all classes, counts as the largest.
     pub(super) fn add(&mut self, value: f64) {
+        self.add_times(value, 1);
+    }
+
+    /// Adds a value that stands for so many. What is no number, or beyond all classes, counts as the largest.
+    pub(super) fn add_times(&mut self, value: f64, times: u64) {
         let class = (value.log10() - Self::LEAST) * Self::CLASSES;
         let last = self.counts.len() - 1;
         match class {
-            _ if class.is_nan() || class >= last as f64 => self.add_to(last),
-            _ if class < 0.0 => self.zeros += 1,
-            _ => self.add_to(class as usize),
+            _ if class.is_nan() || class >= last as f64 => self.counts[last] += times,
+            _ if class < 0.0 => self.zeros += times,
+            _ => self.counts[class as usize] += times,
         }
-    }
-
-    fn add_to(&mut self, class: usize) {
-        self.counts[class] = self.counts[class].saturating_add(1);
     }
 
     /// How many values there are.
     pub(super) fn count(&self) -> u64 {
-        self.zeros + self.counts.iter().map(|&count| u64::from(count)).sum::<u64>()
+        self.zeros + self.counts.iter().sum::<u64>()
     }
 
     /// What a fraction of the values stays below, to 1/50 decade.
@@ -49,8 +49,7 @@ impl Histogram {
         }
         left -= self.zeros;
         for (class, count) in self.counts.iter().enumerate() {
-            let count = u64::from(*count);
-            if left <= count {
+            if left <= *count {
                 return 10.0_f64.powf((class + 1) as f64 / Self::CLASSES + Self::LEAST);
             }
             left -= count;
@@ -78,6 +77,16 @@ mod tests {
             let wide = 10.0_f64.powf(1.0 / Histogram::CLASSES);
             assert!(found >= exact && found <= exact * wide * wide, "{found} for {exact}");
         }
+    }
+
+    #[test]
+    fn a_value_counts_as_often_as_it_stands_for() {
+        let mut histogram = Histogram::new();
+        histogram.add_times(1.0, 90);
+        histogram.add_times(3.0, 10);
+        assert_eq!(histogram.count(), 100);
+        assert!((1.0..1.1).contains(&histogram.below(0.9)));
+        assert!((3.0..3.2).contains(&histogram.below(0.91)));
     }
 
     #[test]

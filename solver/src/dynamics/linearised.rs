@@ -136,6 +136,11 @@ impl Linearised {
         self.modes.part(self.range(kind, dt), x, out);
     }
 
+    /// Writes the acceleration by a force on the unknowns in the modes that a step of `dt` s resolves.
+    pub(super) fn driven(&self, dt: f64, force: &[f64], out: &mut [f64]) {
+        self.modes.driven(self.range(Kind::Resolved, dt), force, out);
+    }
+
     /// Writes K x, K the stiffness in these modes.
     pub(super) fn pull(&self, x: &[f64], out: &mut [f64]) {
         self.modes.pull(x, out);

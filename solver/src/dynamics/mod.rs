@@ -12,6 +12,7 @@ mod extrapolation;
 mod factors;
 mod halvings;
 mod histogram;
+mod in_space;
 mod jumps;
 mod kept_columns;
 mod linearised;

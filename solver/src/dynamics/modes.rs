@@ -115,6 +115,13 @@ impl MachineModes {
         add_columns(out, others.map(|k| (self.vectors.col(k), -self.amplitude(k, x))));
     }
 
+    /// Writes ΦΦᵀf, the acceleration by a force in the modes at some places.
+    pub(super) fn driven(&self, modes: Range<usize>, force: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+        let along = |mode: usize| whirl_specs::vector::dot(self.vectors.col(mode), force);
+        add_columns(out, modes.map(|k| (self.vectors.col(k), along(k))));
+    }
+
     /// That of a mode in a motion of the unknowns.
     fn amplitude(&self, mode: usize, x: &[f64]) -> f64 {
         whirl_specs::vector::dot(self.rows.col(mode), x)

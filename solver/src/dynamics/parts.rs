@@ -39,7 +39,8 @@ impl Part {
         MovingPart { body: self.body, turns: self.turns() }
     }
 
-    /// The most that a displacement of it says of how far the machine moves (m): one radian, as what turns further slips.
+    /// The most that a displacement of it says of how far it moves (m): one radian, as what turns further slips, and what it swings by
+    /// meanwhile is not less.
     pub(super) fn most(&self) -> f64 {
         match self.weight {
             Weight::Angle(radius, _) => radius,
@@ -136,7 +137,13 @@ impl Parts {
             }
         }
         let free = groups.iter().filter(|group| matches!(group.from, From::Mean));
-        let turns = free.filter_map(|group| FreeTurn::new(machine, &group.members)).collect();
+        let together = free.filter_map(|group| FreeTurn::new(machine, &group.members));
+        // What couplings tie together loosely may swing by itself while its angles run away from the rest.
+        let loose =
+            groups.iter().filter(|group| !matches!(group.from, From::Ground) && group.judges());
+        let alone = loose.flat_map(|group| &group.members);
+        let alone = alone.filter_map(|member| FreeTurn::new(machine, std::slice::from_ref(member)));
+        let turns = together.chain(alone).collect();
         Parts { first, all, turns, groups }
     }
 

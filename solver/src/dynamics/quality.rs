@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::early::EarlyStep;
 use super::halvings::HalvedSteps;
+use super::in_space::InSpace;
 use super::linearised::{Linearised, PartMotion, Place};
 use super::modes::MachineModes;
 use super::newmark::{Coefficients, Integrator, State};
@@ -46,6 +47,11 @@ pub struct Quality {
     pub unresolved_motion: f64,
     /// The part where it is that.
     pub unresolved_motion_of: Option<MovingPart>,
+    /// False inertia forces of motion that stands or is slow in space, of a body that turns, that 95 % of the steps stay below,
+    /// as a fraction of its largest elastic force.
+    pub inertia_error: f64,
+    /// The part where it is that.
+    pub inertia_error_of: Option<MovingPart>,
     /// The largest displacement of a body, root mean square over its mass (m), and the body.
     pub largest_displacement: f64,
     /// The body where it is that.
@@ -109,6 +115,8 @@ pub(crate) struct QualitySums {
     worst: Vec<WorstStep>,
     /// Steps that wait for the first linearisation.
     pub(super) early: Vec<EarlyStep>,
+    /// What steps make of inertia in frames that turn.
+    pub(super) in_space: InSpace,
     /// Where the machine was linearised last, after how many steps, and ω of its fastest mode so far (rad/s).
     pub(super) linearised: Option<Place>,
     pub(super) linearised_at: u64,
@@ -165,8 +173,11 @@ pub(crate) struct QualityMeter {
     pub(super) before: Vec<f64>,
     pub(super) within: Vec<f64>,
     /// What deformations and springs held against at the end of the last step, and by how much the step changed it.
-    held: Vec<f64>,
+    pub(super) held: Vec<f64>,
     pub(super) change: Vec<f64>,
+    /// A state with other rates, and what it changes of inertia forces.
+    pub(super) corrected: State,
+    pub(super) inertia: Vec<f64>,
     /// Of the step that was sampled last its motion by kinds of modes, and what of it is that of the parts.
     pub(super) kinds: [Vec<f64>; 3],
     pub(super) moved: Vec<PartMotion>,
@@ -196,6 +207,7 @@ impl QualityMeter {
                 system.machine.springs.bearings
             ],
             early: Vec::new(),
+            in_space: InSpace::new(state.q.len(), parts.all.len()),
             linearised: None,
             linearised_at: 0,
             fastest: 0.0,
@@ -221,6 +233,8 @@ impl QualityMeter {
             held: values(),
             kinds: std::array::from_fn(|_| values()),
             change: values(),
+            corrected: State::new(state.q.len()),
+            inertia: vec![0.0; state.q.len()],
         };
         meter.hold(system);
         meter.add_whole_displacement(state);
@@ -273,6 +287,7 @@ impl QualityMeter {
             self.change.iter_mut().zip(&self.held).for_each(|(own, held)| *own = held - *own);
             self.judge(system, (t + dt, self.steps.of(dt)), [start, end]);
         }
+        self.add_in_space(system, dt, [start, end]);
         self.add_to_turns((t, dt), [start, end]);
         let sums = &mut self.sums;
         sums.steps += 1;
@@ -321,7 +336,7 @@ impl QualityMeter {
         let judge = |of: &dyn Fn(&PartSums) -> f64, of_turn: &dyn Fn(&TurnSums) -> f64| {
             let parts = sums.parts.iter().zip(&self.parts.all);
             let judged = parts.map(|(sums, part)| {
-                let (value, amplitude) = (of(sums), larger(sums.reach, least));
+                let (value, amplitude) = (of(sums), larger(sums.reach.min(part.most()), least));
                 (if value == 0.0 { 0.0 } else { value / amplitude }, part.moving())
             });
             let turns = sums.turns.iter().zip(&self.parts.turns).map(|(sums, turn)| {
@@ -343,6 +358,14 @@ impl QualityMeter {
             judge(&|sums| sums.errors.below(0.95).min(sums.largest_error), &TurnSums::error);
         let (unresolved_motion, unresolved_motion_of) =
             judge(&|sums| sums.motions.below(0.95), &|_| 0.0);
+        let false_inertia = self.parts.all.iter().enumerate();
+        let false_inertia =
+            false_inertia.map(|(place, part)| (sums.in_space.error(place), part.moving()));
+        let (inertia_error, inertia_error_of) =
+            false_inertia.fold((0.0, None), |worst, (value, part)| match value <= worst.0 {
+                true => worst,
+                false => (value, Some(part)),
+            });
         let bodies = sums.parts.iter().zip(&self.parts.all).filter(|(_, part)| !part.turns());
         let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
         let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
@@ -356,10 +379,13 @@ impl QualityMeter {
             local_error_of,
             judged: sums.steps == 0
                 || sums.parts.is_empty()
-                || sums.parts.iter().any(|own| own.errors.count() > 0),
+                || sums.parts.iter().any(|own| own.errors.count() > 0)
+                || sums.turns.iter().any(TurnSums::is_judged),
             largest_local_error: judge(&|sums| sums.largest_error, &|sums| sums.largest_error).0,
             unresolved_motion,
             unresolved_motion_of,
+            inertia_error,
+            inertia_error_of,
             largest_displacement: displacement,
             farthest: farthest.map(|(_, part): (_, &Part)| part.body),
             sensible_displacement: largest_sensible(system.machine),
@@ -417,6 +443,11 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
 /// Whether a step is one of those that are measured.
 pub(super) fn is_sampled(step: u64) -> bool {
     step < ALL_SAMPLED || scattered(step).is_multiple_of(SAMPLED)
+}
+
+/// For how many steps one that is measured stands.
+pub(super) fn stands_for(step: u64) -> u64 {
+    if step < ALL_SAMPLED { 1 } else { SAMPLED }
 }
 
 /// A number for each step in which no order is to be seen (the finish of splitmix64).

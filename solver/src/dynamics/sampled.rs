@@ -7,7 +7,7 @@ use super::histogram::Histogram;
 use super::linearised::{Kind, Linearised, Place};
 use super::newmark::State;
 use super::parts::Part;
-use super::quality::{QualityMeter, larger, scattered};
+use super::quality::{QualityMeter, larger, scattered, stands_for};
 use super::system::System;
 
 /// What is carried of a part of the machine (m).
@@ -138,7 +138,7 @@ impl QualityMeter {
     /// of the machine any more, and cannot be taken anew yet, its whole motion counts: as resolved or not by its own ω, that by
     /// which its acceleration changes with it. Overdamped motion is slow in fast modes; what rings in them is not resolved.
     fn add_errors(&mut self, linearised: &Linearised, dt: f64, start: &State, end: &State) {
-        let factor = self.method.error_factor(dt);
+        let (factor, stands_for) = (self.method.error_factor(dt), stands_for(self.sums.steps));
         let first = end.a.len() - self.motion.len();
         end.integrated(dt, first)
             .zip(start.integrated(dt, first))
@@ -174,10 +174,10 @@ impl QualityMeter {
                 };
                 if resolves {
                     let error = factor * change;
-                    sums.errors.add(error);
+                    sums.errors.add_times(error, stands_for);
                     sums.largest_error = larger(sums.largest_error, error);
                 }
-                sums.motions.add(motion);
+                sums.motions.add_times(motion, stands_for);
             }
         }
     }

@@ -170,6 +170,22 @@ impl<'m> System<'m> {
         }
     }
 
+    /// Writes by how much Q_v − M q̈ − C q̇ of the bodies that turn differs in the second of two states.
+    pub(super) fn change_of_inertia(&mut self, states: [&State; 2], out: &mut [f64]) {
+        let [inertia, damper, elastic, _] = &mut self.other;
+        out.fill(0.0);
+        for (sign, state) in [-1.0, 1.0].into_iter().zip(states) {
+            damper.fill(0.0);
+            elastic.fill(0.0);
+            for body in &mut self.turning {
+                body.evaluate(state, [&mut *inertia, &mut *damper, &mut *elastic]);
+                for i in body.place.flexible.clone() {
+                    out[i] += sign * (inertia[i] - damper[i]);
+                }
+            }
+        }
+    }
+
     /// Writes a2 M + a1 C + K + PF − a1 P − B, eq. (46), column after column, at the state that was last
     /// evaluated.
     pub fn tangent(&mut self, t: f64, state: &State, step: &Coefficients, out: &mut [f64]) {

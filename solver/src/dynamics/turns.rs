@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use super::histogram::Histogram;
 use super::newmark::State;
 use super::parts;
-use super::quality::{QualityMeter, StepLength, is_sampled, larger};
+use super::quality::{QualityMeter, StepLength, is_sampled, larger, stands_for};
 use super::ringing::LASTS;
 use crate::machine::Machine;
 
@@ -127,20 +127,25 @@ impl TurnSums {
         }
     }
 
-    /// Ends a step that was measured.
-    pub(super) fn end_step(&mut self) {
+    /// Ends a step that was measured, and stands for so many.
+    pub(super) fn end_step(&mut self, stands_for: u64) {
         if let Some(error) = self.step.error.take() {
-            self.errors.add(error);
+            self.errors.add_times(error, stands_for);
             self.largest_error = larger(self.largest_error, error);
         }
     }
 
     /// Ends a row that was measured, and its step.
-    pub(super) fn end_row(&mut self) {
-        self.end_step();
+    pub(super) fn end_row(&mut self, stands_for: u64) {
+        self.end_step(stands_for);
         let change = std::mem::take(&mut self.step.change);
-        self.changes.add(change);
+        self.changes.add_times(change, stands_for);
         self.largest_change = larger(self.largest_change, change);
+    }
+
+    /// Whether a step resolved it.
+    pub(super) fn is_judged(&self) -> bool {
+        self.errors.count() > 0
     }
 
     /// The error that 95 % of the steps stay below; classes round up (rad). Where none resolves it, and there are too few for
@@ -213,13 +218,13 @@ impl QualityMeter {
     /// own; those of a step that was cut are one, however many there are.
     pub(super) fn add_to_turns(&mut self, (t, dt): (f64, f64), ends: [&State; 2]) {
         let factor = self.method.error_factor(dt);
-        let sampled = is_sampled(self.sums.rows);
+        let (sampled, stands_for) = (is_sampled(self.sums.rows), stands_for(self.sums.rows));
         for (own, turn) in self.sums.turns.iter_mut().zip(&self.parts.turns) {
             own.take(turn, ends[1]);
             if sampled {
                 own.measure(turn, (factor, dt), ends);
                 if matches!(self.steps, StepLength::Most(_)) {
-                    own.end_step();
+                    own.end_step(stands_for);
                 }
             }
         }
@@ -231,7 +236,8 @@ impl QualityMeter {
     /// Ends a row.
     pub(crate) fn end_row(&mut self) {
         if is_sampled(self.sums.rows) {
-            self.sums.turns.iter_mut().for_each(TurnSums::end_row);
+            let stands_for = stands_for(self.sums.rows);
+            self.sums.turns.iter_mut().for_each(|own| own.end_row(stands_for));
         }
         self.sums.rows += 1;
     }
@@ -262,7 +268,7 @@ mod tests {
                 sums.measure(&turn, (dt * dt / 12.0, *dt), [&at(t), &at(t + dt)]);
                 t += dt;
             }
-            sums.end_row();
+            sums.end_row(1);
             let exact = parts.iter().map(|dt| dt.powi(3) / 12.0).sum::<f64>();
             assert!((sums.largest_error / exact - 1.0).abs() < 1e-12, "{parts:?}");
             assert_eq!((sums.errors.count(), sums.changes.count()), (1, 1));
@@ -282,7 +288,7 @@ mod tests {
         for _ in 0..steps {
             let next = step(x);
             sums.measure(&turn, (1.0 / 12.0, 1.0), [&state(x[1], a(x)), &state(next[1], a(next))]);
-            sums.end_row();
+            sums.end_row(1);
             x = next;
         }
         (sums.errors.count() as f64 / steps as f64, sums.error())

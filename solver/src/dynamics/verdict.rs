@@ -38,6 +38,9 @@ const LOCAL_ERROR: f64 = 3.5e-3;
 /// Motion in a step in modes with ωΔt ≥ 1, as a fraction of the largest displacement of the body. A mode that rings with the
 /// fraction s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
 const UNRESOLVED_MOTION: f64 = 0.3;
+/// False inertia forces of bodies that turn, as a fraction of their largest elastic force. In motion at ω of a body that does not
+/// turn they are (ωΔt)²/6 of it: 2 % where the period is wrong by 1 %.
+const INERTIA_ERROR: f64 = 0.02;
 /// Amplitude of what alternates from step to step, as a fraction of the range of the same quantity: peaks are off by so much.
 pub(super) const RINGING: f64 = 0.02;
 /// What does not balance, as a fraction of the energy in play.
@@ -58,6 +61,11 @@ pub fn findings(
     let follow = |error: f64| {
         let factor = (LOCAL_ERROR / error).cbrt();
         time_step * if factor.is_nan() { 0.1 } else { factor.clamp(0.1, 0.5) }
+    };
+    // They fall with Δt².
+    let slower = |error: f64| {
+        let factor = (INERTIA_ERROR / error).sqrt();
+        time_step * if factor.is_nan() { 0.1 } else { factor.clamp(0.1, 0.7) }
     };
     let made = quality.resolving_step.map_or(0.1 * time_step, |step| step.min(0.5 * time_step));
     let resolved = quality.mode_step.map_or(0.1 * time_step, |step| step.min(0.5 * time_step));
@@ -83,6 +91,14 @@ pub fn findings(
             quality.unresolved_motion,
             UNRESOLVED_MOTION,
             resolved,
+        ),
+        (
+            "inertia forces that steps add to motion that stands or is slow in space, of a body that turns, and that one \
+             step in twenty exceeds, as a fraction of its largest elastic force",
+            (None, quality.inertia_error_of),
+            quality.inertia_error,
+            INERTIA_ERROR,
+            slower(quality.inertia_error),
         ),
         (
             "error of the energy balance, as a fraction of the energy in play",
@@ -272,6 +288,8 @@ mod tests {
         largest_local_error: 1.0,
         unresolved_motion: UNRESOLVED_MOTION,
         unresolved_motion_of: Some(MovingPart { body: 1, turns: false }),
+        inertia_error: INERTIA_ERROR,
+        inertia_error_of: Some(MovingPart { body: 0, turns: false }),
         largest_displacement: 1.5,
         farthest: Some(1),
         sensible_displacement: 1.5,
