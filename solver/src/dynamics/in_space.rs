@@ -16,6 +16,8 @@ use super::system::System;
 /// States that are looked at together.
 const TOGETHER: usize = 5;
 
+/// Of the steps that are sampled one after the other it is measured in one of so many.
+const EVERY: u64 = 4;
 /// Fourth differences of accelerations over second ones of smooth motion.
 const SMOOTH: f64 = 0.5;
 
@@ -89,13 +91,13 @@ impl QualityMeter {
     pub(super) fn add_in_space(&mut self, system: &mut System, dt: f64, ends: [&State; 2]) {
         let steps = self.sums.steps;
         let ahead = TOGETHER as u64 - 1;
-        let is_wanted = (0..ahead).any(|ahead| is_sampled(steps + ahead));
+        let is_wanted = (0..ahead).any(|ahead| weight(steps + ahead).is_some());
         if !is_wanted || system.turning.is_empty() || self.method != Integrator::default() {
             self.sums.in_space.filled = 0;
             return;
         }
         let follow = self.sums.in_space.keep(dt, ends);
-        let Some(linearised) = self.linearised.as_ref().filter(|_| follow && is_sampled(steps))
+        let (Some(linearised), Some(weight), true) = (&self.linearised, weight(steps), follow)
         else {
             return;
         };
@@ -111,10 +113,18 @@ impl QualityMeter {
         let InSpace { errors, forces, .. } = &mut self.sums.in_space;
         for ((part, error), force) in self.parts.all.iter().zip(errors).zip(forces) {
             if !part.turns() {
-                error.add_times(part.measure(&self.within), stands_for(steps));
+                error.add_times(part.measure(&self.within), weight);
                 *force = larger(*force, part.measure(&self.before));
             }
         }
+    }
+}
+
+/// For how many steps one stands at which it is measured; none where it is not.
+fn weight(step: u64) -> Option<u64> {
+    match stands_for(step) {
+        1 => step.is_multiple_of(EVERY).then_some(EVERY),
+        more => is_sampled(step).then_some(more),
     }
 }
 
