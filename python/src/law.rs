@@ -6,8 +6,8 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use whirl_codegen::diagnostic::Source;
-use whirl_codegen::rational::nearest;
 use whirl_codegen::kinds::law::{LawInput, LawOutput, LawSpec};
+use whirl_codegen::rational::nearest;
 use whirl_codegen::tape::Tape;
 use whirl_codegen::units::Unit;
 
