@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
 use super::newmark::{Integrator, State};
-use super::quality::{QualityMeter, is_sampled, larger, stands_for};
+use super::quality::{QualityMeter, larger};
+use super::sampling::{is_sampled, stands_for};
 use super::system::System;
 
 /// States that are looked at together.

@@ -33,6 +33,7 @@ mod ringing;
 mod row;
 mod rows;
 mod sampled;
+mod sampling;
 mod secants;
 mod settled;
 #[cfg(test)]

@@ -12,6 +12,7 @@ use super::parts::{Part, Parts, largest_sensible};
 use super::periods::FewestSteps;
 use super::ringing::Ringing;
 use super::sampled::PartSums;
+use super::sampling::is_sampled;
 use super::stiffest::largest_eigenvalue;
 use super::system::System;
 use super::turns::{TurnRange, TurnSums};
@@ -88,11 +89,6 @@ const RESOLVED: f64 = 0.3;
 /// √λ Δt of a contact that makes no more energy than it may wherever in a step it begins, for [`Quality::resolving_step`]:
 /// (ωΔt)²/4 of what it takes where that is in the middle.
 const IMPACT: f64 = 0.28;
-
-/// Displacements, errors and motions in modes are taken from the first steps and one in so many of those
-/// after, in no order that a motion could keep to.
-const SAMPLED: u64 = 32;
-const ALL_SAMPLED: u64 = 128;
 
 /// A part whose largest displacement is a smaller fraction of that of any part is measured by that fraction: what hardly
 /// moves is of no account.
@@ -438,24 +434,6 @@ fn undeformed(
 /// The larger of two; what is no number is larger than any, and stays it.
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b <= a || a.is_nan() { a } else { b }
-}
-
-/// Whether a step is one of those that are measured.
-pub(super) fn is_sampled(step: u64) -> bool {
-    step < ALL_SAMPLED || scattered(step).is_multiple_of(SAMPLED)
-}
-
-/// For how many steps one that is measured stands.
-pub(super) fn stands_for(step: u64) -> u64 {
-    if step < ALL_SAMPLED { 1 } else { SAMPLED }
-}
-
-/// A number for each step in which no order is to be seen (the finish of splitmix64).
-pub(super) fn scattered(step: u64) -> u64 {
-    let mut hash = step.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    hash ^ (hash >> 31)
 }
 
 #[cfg(test)]

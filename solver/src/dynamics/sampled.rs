@@ -7,7 +7,8 @@ use super::histogram::Histogram;
 use super::linearised::{Kind, Linearised, Place};
 use super::newmark::State;
 use super::parts::Part;
-use super::quality::{QualityMeter, larger, scattered, stands_for};
+use super::quality::{QualityMeter, larger};
+use super::sampling::{scattered, stands_for};
 use super::system::System;
 
 /// What is carried of a part of the machine (m).
