@@ -2,6 +2,7 @@
 //!
 //! A file that is not exactly what was stored under its key, down to the last bit, counts as not there.
 
+mod key;
 mod memory;
 
 use std::env;
@@ -12,17 +13,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
+use self::key::{HASH, hash};
+pub use self::key::{Key, RunningKey};
 use self::memory::{Memory, lock};
 
 /// First bytes of every file; another layout gets another number.
 const MAGIC: &[u8] = b"whirl cache 1\n";
-/// Bytes of a SHA-256.
-const HASH: usize = 32;
-
 /// How names begin and end that files have until they are whole.
 const ASIDE: [&str; 2] = [".whirl-", ".part"];
 /// A file that is not whole after this time is one of a process that was killed: none takes so long to write.
@@ -31,46 +30,6 @@ pub const ABANDONED: Duration = Duration::from_secs(24 * 60 * 60);
 /// Hash of the sources of everything that reduces bodies, dependencies and compiler included: values of another
 /// program are not trusted, whether its changes are committed or not.
 pub(crate) const PROGRAM: &str = env!("WHIRL_REDUCTION_SOURCES");
-
-/// What a stored value depends on, as a hash.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub struct Key([u8; HASH]);
-
-impl Key {
-    /// The key of everything in `dependencies`.
-    ///
-    /// # Panics
-    /// If `dependencies` refuses to be serialised, which no type of this workspace does.
-    pub fn of(dependencies: &impl Serialize) -> Key {
-        let bytes = postcard::to_allocvec(dependencies).expect("plain data can be serialised");
-        Key(hash(&bytes))
-    }
-
-    /// 64 hexadecimal digits.
-    pub fn hex(&self) -> String {
-        self.0.iter().map(|byte| format!("{byte:02x}")).collect()
-    }
-}
-
-/// The key of bytes that come one after the other.
-#[derive(Debug, Clone, Default)]
-pub struct RunningKey(Sha256);
-
-impl RunningKey {
-    /// Takes in what follows.
-    pub fn add(&mut self, bytes: &[u8]) {
-        self.0.update(bytes);
-    }
-
-    /// Of all so far.
-    pub fn key(&self) -> Key {
-        Key(self.0.clone().finalize().into())
-    }
-}
-
-fn hash(bytes: &[u8]) -> [u8; HASH] {
-    Sha256::digest(bytes).into()
-}
 
 /// Stored values: in a folder, in the memory of this process, or in both.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::Key;
+use super::key::Key;
 
 /// Packed values by their keys.
 #[derive(Debug, Default)]
