@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::Place;
+use super::place::Place;
 use crate::attached::{Disc, PointMass, Unbalance};
 use crate::bodies::{Body, Rotation};
 use crate::body::{BodyNode, BodySpec};

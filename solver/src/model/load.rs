@@ -1,6 +1,6 @@
 //! Loads before the bodies are reduced on which they act.
 
-use super::Place;
+use super::place::Place;
 use crate::bodies::Body;
 use crate::body::BodyNode;
 use crate::loads::{Frame, Load, Onset, TimeFunction};

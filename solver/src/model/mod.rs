@@ -66,6 +66,7 @@
 
 mod body;
 mod load;
+mod place;
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -78,6 +79,7 @@ pub use self::body::{
     Attachment, AttachmentKind, BodyModel, Form, MeshModel, Point, ReducedBody, Reduction,
 };
 pub use self::load::{LoadAction, LoadModel};
+pub use self::place::Place;
 use crate::bearing::{Bearing, SpringLaw};
 use crate::bodies::Body;
 use crate::cache::{Cache, Key};
@@ -85,15 +87,6 @@ use crate::error::Error;
 use crate::gravity::weights;
 use crate::machine::{Field, Machine, MachineParts};
 use crate::output::{Output, Wanted};
-
-/// Where on a body something acts.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Place {
-    /// On points of it, by their places.
-    Nodes(Vec<usize>),
-    /// On one of its mean motions, by its place.
-    Mean(usize),
-}
 
 /// A machine before its bodies are reduced.
 pub struct Model<'a> {
