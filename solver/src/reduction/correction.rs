@@ -9,7 +9,7 @@ use crate::linalg::{
 };
 
 use super::constrained::ConstrainedCholesky;
-use super::modes::{Modes, Pencil};
+use super::pencil::{Modes, Pencil};
 
 /// A shape of which less than this part, in energy of motion, is its own follows from the others.
 const FOLLOWS: f64 = 1e-10;

@@ -3,35 +3,18 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, dot, transpose_multiply};
-use crate::mesh::matrices::Slot;
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
 use super::constrained::{ConstrainedCholesky, Constraints};
 use super::correction::corrected;
-use super::modes::{Modes, Pencil};
 use super::partition::{Interface, Partition};
+use super::pencil::{Modes, Pencil};
 use super::rigid::{free_motions, free_shapes_of_parts, pins};
+use super::solid::{Solid, lower};
 use super::ties::Tied;
 use crate::error::{FreeMotion, ReductionError};
 use crate::sparse::Row;
-
-/// A body's mesh matrices. Dof 3a + i is the translation of node a along x, y, z (i = 0, 1, 2).
-#[derive(Debug, Clone, Copy)]
-pub struct Solid<'a> {
-    /// K (N/m), 3·nodes, symmetric.
-    pub stiffness: &'a SparseMatrix,
-    /// M (kg), 3·nodes, symmetric.
-    pub mass: &'a SparseMatrix,
-    /// Node coordinates (m).
-    pub coordinates: &'a [[f64; 3]],
-    /// What each dof is; empty where all are translations of the nodes.
-    pub slots: &'a [Slot],
-    /// Equations Σ cᵢ uᵢ = 0 between its dofs.
-    pub ties: &'a [Row],
-    /// Bytes that may be in use while it is reduced.
-    pub memory: usize,
-}
 
 /// A body in Craig–Bampton coordinates: amplitudes of its fixed-interface modes, then the displacements
 /// of its retained dofs. Source: Craig, Bampton, AIAA J. 6 (1968) 1313–1319.
@@ -109,22 +92,6 @@ impl Solid<'_> {
         let mut reduced = solid.reduce_free(&own, &tied.dependent, modes)?;
         tied.expand(&mut reduced.shapes);
         Ok(CraigBampton { retained: interface.retained.to_vec(), ..reduced })
-    }
-
-    /// The equations between dofs, solved; `None` of a body without.
-    pub(super) fn tied(&self, held: &[usize]) -> Option<Tied> {
-        Tied::new(self.mass.size(), self.ties, held)
-    }
-
-    /// K and M of what the equations leave free.
-    pub(super) fn tied_matrices(
-        &self,
-        tied: &Tied,
-    ) -> Result<(SparseMatrix, SparseMatrix), ReductionError> {
-        let own = |matrix, name| -> Result<SparseMatrix, ReductionError> {
-            Ok(SparseMatrix::Symmetric(tied.matrix(&*lower(matrix, name)?, self.memory)?))
-        };
-        Ok((own(self.stiffness, "stiffness")?, own(self.mass, "mass")?))
     }
 
     /// [`Solid::reduce`] of a body in which nothing but `dependent` dofs, which have no stiffness, follows from others.
@@ -379,13 +346,6 @@ impl Solid<'_> {
 fn of_order_one(row: &Row) -> Row {
     let sum: f64 = row.iter().map(|(_, c)| c.abs()).sum();
     row.iter().map(|&(dof, c)| (dof, c / sum)).collect()
-}
-
-pub(super) fn lower<'a>(
-    matrix: &'a SparseMatrix,
-    name: &'static str,
-) -> Result<Cow<'a, LowerTriangle>, ReductionError> {
-    matrix.lower().ok_or(ReductionError::NotSymmetric { matrix: name })
 }
 
 /// The row of largest motion in the first mode, if that mode costs no more than rounding.

@@ -7,17 +7,20 @@ mod craig_bampton;
 mod lanczos;
 mod modes;
 mod partition;
+mod pencil;
 mod rigid;
 mod slices;
+mod solid;
 mod sturm;
 mod ties;
 
 pub use crate::sparse::Row;
 pub use constrained::{ConstrainedCholesky, Constraints};
-pub use craig_bampton::{CraigBampton, Solid};
-pub use modes::{Modes, Pencil, hertz};
+pub use craig_bampton::CraigBampton;
 pub use partition::Interface;
+pub use pencil::{Modes, Pencil, hertz};
 pub(crate) use rigid::{free_motions, free_shapes};
+pub use solid::Solid;
 pub(crate) use ties::Tied;
 
 use crate::error::{FreeMotion, ReductionError};

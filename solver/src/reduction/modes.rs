@@ -1,3 +1,5 @@
+//! The lowest modes of a body: all at once, by iteration, or slice after slice, and none of them missing.
+
 use crate::linalg::{
     Cholesky, LinearAlgebraError, LowerTriangle, Matrix, MemoryLimit, Stage,
     generalised_symmetric_eigen, multiply, symmetric_eigen, transpose_multiply,
@@ -5,14 +7,13 @@ use crate::linalg::{
 
 use crate::sparse::SparseMatrix;
 
-use super::constrained::{ConstrainedCholesky, Constraints};
+use super::constrained::ConstrainedCholesky;
 use super::lanczos::{Lanczos, dense_limit};
+use super::pencil::{GUARD, Modes, Pencil, hertz};
 use super::slices::Slices;
 use super::{convention, lanczos, sturm};
 use crate::error::ReductionError;
 
-/// Modes found beyond those asked for, so that there is a gap to cut in after the last one.
-pub(super) const GUARD: usize = 4;
 /// A multiple eigenvalue that reaches beyond the guard is searched for among this many times the modes.
 const WIDEST: usize = 8;
 /// Two ω² that differ by no more than this part are those of a pair.
@@ -21,22 +22,6 @@ const PAIR: f64 = 1e-3;
 const DENSE: usize = 2_000;
 /// Searches for modes that the Sturm count says are missing, before giving up.
 const SEARCHES: usize = 4;
-
-/// Natural modes of a body.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Modes {
-    /// ω² (rad²/s²), ascending. Rigid motions have values near 0 of either sign.
-    pub eigenvalues: Vec<f64>,
-    /// Mode shapes as columns, xᵀMx = 1.
-    pub vectors: Matrix,
-}
-
-impl Modes {
-    /// Frequencies in Hz.
-    pub fn hertz(&self) -> Vec<f64> {
-        self.eigenvalues.iter().map(|&value| hertz(value)).collect()
-    }
-}
 
 /// Whether the first `count` of ascending ω² end between the two of a pair: the next one is as large, and the one before is not.
 fn ends_within_pair(eigenvalues: &[f64], count: usize) -> bool {
@@ -47,30 +32,6 @@ fn ends_within_pair(eigenvalues: &[f64], count: usize) -> bool {
     let Some(last) = count.checked_sub(1) else { return false };
     let before = (0..last).rev().take_while(|&place| equal(place)).count();
     equal(last) && before.is_multiple_of(2)
-}
-
-/// The frequency (Hz) of ω² (rad²/s²); 0 for a negative value, which a rigid motion may have by rounding.
-pub fn hertz(omega_squared: f64) -> f64 {
-    omega_squared.max(0.0).sqrt() / std::f64::consts::TAU
-}
-
-/// Stiffness and mass of a body with what it takes to factor them.
-#[derive(Debug, Clone, Copy)]
-pub struct Pencil<'a> {
-    /// K (N/m).
-    pub stiffness: &'a LowerTriangle,
-    /// M (kg).
-    pub mass: &'a LowerTriangle,
-    /// Order of elimination.
-    pub order: &'a [usize],
-    /// On what they leave to move.
-    pub constraints: Constraints<'a>,
-    /// Direction of each dof: 0 x, 1 y, 2 z.
-    pub components: &'a [usize],
-    /// Bytes that may be in use while its modes are found.
-    pub memory: usize,
-    /// Columns as long as the matrices that are solved for by the factor afterwards.
-    pub columns: usize,
 }
 
 impl Pencil<'_> {
@@ -106,18 +67,6 @@ impl Pencil<'_> {
         // K is singular to ε·λ_max; the shift stands well clear of that, and as far below the first
         // elastic modes of any mesh that resolves them.
         Ok(self.shifted_modes(count, 1e-10 * self.highest(), false)?.0)
-    }
-
-    /// The size of the largest ω² of the mesh (rad²/s²), by its diagonals; dofs without mass have none.
-    fn highest(&self) -> f64 {
-        let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
-        let heavy = k.iter().zip(&m).filter(|(_, m)| **m > 0.0);
-        heavy.map(|(k, m)| k / m).fold(0.0, f64::max)
-    }
-
-    /// How far rounding moves an ω² (rad²/s²): K is only known to ε of its largest entries.
-    pub(super) fn blur(&self) -> f64 {
-        16.0 * f64::EPSILON * self.highest()
     }
 
     /// Modes by the factor of K + shift·M, and the partner of the last where it is asked for.
@@ -313,35 +262,6 @@ impl Pencil<'_> {
             eigenvalues.last().zip(eigenvalues.first()).map_or(0.0, |(last, first)| last - first);
         sturm::least_gap(0.0, self.blur()) > 4.0 * span
     }
-
-    /// The error that says so, with the place of the stiffest dof in this pencil for its node.
-    pub(super) fn hidden(&self, eigenvalues: &[f64]) -> ReductionError {
-        let (k, m) = (self.stiffness.diagonal(), self.mass.diagonal());
-        let row = (0..k.len())
-            .filter(|&a| m[a] > 0.0)
-            .max_by(|&a, &b| (k[a] / m[a]).total_cmp(&(k[b] / m[b])))
-            .unwrap_or(0);
-        ReductionError::Hidden {
-            node: row as u64,
-            component: self.components[row],
-            stiffest: hertz(self.highest()),
-            modes: hertz(eigenvalues.last().copied().unwrap_or(0.0)),
-        }
-    }
-
-    /// The first safe cut after `count` modes: (modes found below, λ of the cut, modes there are below).
-    pub(super) fn count(
-        &self,
-        eigenvalues: &[f64],
-        count: usize,
-    ) -> Result<Option<(usize, f64, usize)>, LinearAlgebraError> {
-        for (below, cut) in sturm::cuts(eigenvalues, self.blur(), count) {
-            if let Some(counted) = sturm::count_below(self, cut)? {
-                return Ok(Some((below, cut, counted)));
-            }
-        }
-        Ok(None)
-    }
 }
 
 /// The θ = 1/ω² up to which ascending ones are rounding: those of motions without mass are none.
@@ -377,6 +297,7 @@ fn dense(a: &LowerTriangle) -> Matrix {
 
 #[cfg(test)]
 mod tests {
+    use super::super::constrained::Constraints;
     use super::*;
 
     #[test]

@@ -1,6 +1,6 @@
 //! Rigid motions of a body, and those that nothing stops.
 
-use super::craig_bampton::{Solid, lower};
+use super::solid::{Solid, lower};
 use crate::error::{FreeMotion, ReductionError};
 use crate::sparse::Row;
 

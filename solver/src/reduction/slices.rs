@@ -11,7 +11,7 @@ use crate::sparse::SparseMatrix;
 
 use super::constrained::ConstrainedCholesky;
 use super::lanczos::{Lanczos, dense_limit};
-use super::modes::{GUARD, Modes, Pencil, hertz};
+use super::pencil::{GUARD, Modes, Pencil, hertz};
 use super::sturm;
 
 /// Slices at most.

@@ -3,7 +3,7 @@
 use crate::linalg::LinearAlgebraError;
 
 use super::constrained::negative;
-use super::modes::Pencil;
+use super::pencil::Pencil;
 
 /// A cut is put into a gap at least this wide, relative to the eigenvalues: much wider than a multiple
 /// eigenvalue is spread by the mesh's own digits.
@@ -15,6 +15,22 @@ const SAFETY: f64 = 1e3;
 pub(super) fn count_below(pencil: &Pencil, cut: f64) -> Result<Option<usize>, LinearAlgebraError> {
     let shifted = pencil.stiffness.plus(-cut, pencil.mass);
     negative(&shifted, pencil.order, pencil.constraints, pencil.memory)
+}
+
+impl Pencil<'_> {
+    /// The first safe cut after `count` modes: (modes found below, λ of the cut, modes there are below).
+    pub(super) fn count(
+        &self,
+        eigenvalues: &[f64],
+        count: usize,
+    ) -> Result<Option<(usize, f64, usize)>, LinearAlgebraError> {
+        for (below, cut) in cuts(eigenvalues, self.blur(), count) {
+            if let Some(counted) = count_below(self, cut)? {
+                return Ok(Some((below, cut, counted)));
+            }
+        }
+        Ok(None)
+    }
 }
 
 /// Places for a cut between consecutive ascending eigenvalues: (how many are below, λ of the cut). Only
