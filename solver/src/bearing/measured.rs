@@ -4,14 +4,15 @@
 use whirl_specs::registers::{Register, Task};
 use whirl_specs::{ContactTangent, Registers};
 
+use super::bores::Bores;
+use super::mark::RING;
+use super::mirrors::BlockMemory;
+use super::plane::Plane;
+use super::springs::Springs;
 use super::state::SpringState;
-use super::{BlockMemory, Bores, Plane, Springs};
 use crate::linalg::{
     Columns, Matrix, add_columns, multiply, multiply_transpose_add, sum_of, widely,
 };
-
-/// Measures that a plane has beside those of its bore: the angle and both displacements of its journal.
-const RING: usize = 3;
 
 impl Springs {
     /// Length of u: angle, ε_x and ε_y of every plane, then the motions of the bores of body after body.
@@ -203,22 +204,6 @@ impl Task for AddLinear<'_> {
                     }
                 }
             }
-        }
-    }
-}
-
-/// Where the measures stand, and their rates, before they are moved.
-pub(super) struct Mark {
-    rings: Vec<[[f64; RING]; 2]>,
-    bores: Vec<[Vec<f64>; 2]>,
-}
-
-impl Mark {
-    pub(super) fn new(springs: &Springs) -> Self {
-        let bore = |rows: usize| [vec![0.0; rows], vec![0.0; rows]];
-        Mark {
-            rings: vec![[[0.0; RING]; 2]; springs.planes.len()],
-            bores: springs.bores.iter().map(|own| bore(own.rows.rows)).collect(),
         }
     }
 }

@@ -4,7 +4,6 @@
 //! the same kernels serve, with the rows of tilts in the place of those of displacements. What the derivative after θ of
 //! the turned tilts adds to the row of θ is the part about z of the moment, of second order.
 
-use super::Bearing;
 use crate::bodies::Body;
 use crate::linalg::Matrix;
 use whirl_specs::BoreMotion;
@@ -28,34 +27,6 @@ pub enum MotionKind {
     Tilts,
     /// Displacement along z, in place of that along x. It does not turn with its body.
     Along,
-}
-
-/// A law in a bearing: on the displacement in its planes, or on another motion.
-#[derive(Clone, Copy)]
-pub(super) struct Part<'a> {
-    /// Number of the bearing.
-    pub(super) number: usize,
-    pub(super) bearing: &'a Bearing,
-    pub(super) law: usize,
-    /// The other motion; none for the displacement.
-    pub(super) other: Option<&'a OtherMotion>,
-}
-
-impl<'a> Part<'a> {
-    /// All laws of bearings, those on displacements first in each.
-    pub(super) fn all(bearings: &'a [Bearing]) -> Vec<Part<'a>> {
-        let of = |(number, bearing): (usize, &'a Bearing)| {
-            let others = bearing.others.iter().map(move |other| Part {
-                number,
-                bearing,
-                law: other.law,
-                other: Some(other),
-            });
-            let own = Part { number, bearing, law: bearing.law, other: None };
-            std::iter::once(own).chain(others)
-        };
-        bearings.iter().enumerate().flat_map(of).collect()
-    }
 }
 
 impl OtherMotion {

@@ -5,11 +5,17 @@ use std::sync::Arc;
 
 use whirl_specs::{BoreMotion, Clearance};
 
+use super::Bearing;
+use super::apart::Apart;
 use super::bore::{Bore, at_springs, between, journal_radius};
+use super::bores::Bores;
 use super::law::{BoundLaw, SpringLaw};
-use super::other::{MotionKind, OtherMotion, Part};
+use super::other::{MotionKind, OtherMotion};
+use super::part::Part;
+use super::placed_law::PlacedLaw;
+use super::plane::Plane;
+use super::springs::Springs;
 use super::valid::Measures;
-use super::{Apart, Bearing, Bores, PlacedLaw, Plane, Springs};
 use crate::bodies::{Body, BodyPlace};
 use crate::body::BodyNode;
 use crate::error::Error;

@@ -6,7 +6,9 @@
 
 use whirl_specs::ContactTangent;
 
-use super::{Plane, SpringState, Springs, TurnedRows};
+use super::plane::Plane;
+use super::springs::Springs;
+use super::state::{SpringState, TurnedRows};
 use crate::linalg::largest_and_sum;
 
 /// Memory for what forces would change by if the terms of their measures were none, coordinate by coordinate.

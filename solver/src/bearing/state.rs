@@ -3,10 +3,14 @@
 use whirl_specs::{BoreMotion, ContactState, ContactTangent, Ring};
 
 use super::apart::Seen;
-use super::measured::Mark;
+use super::bores::Bores;
+use super::mark::Mark;
+use super::mirrors::BlockMemory;
+use super::placed_law::PlacedLaw;
+use super::plane::Plane;
 use super::spin::Spin;
+use super::springs::Springs;
 use super::valid::ValidityMonitor;
-use super::{BlockMemory, Bores, PlacedLaw, Plane, Springs};
 use crate::linalg::dot;
 
 /// All springs at one instant. Allocated once, filled at will.
@@ -465,17 +469,6 @@ impl TurnedRows {
 }
 
 impl PlacedLaw {
-    /// For every motion of the bore that the law needs its row in the law's own rows, and those of T_b.
-    pub(super) fn bore_rows(
-        &self,
-    ) -> impl Iterator<Item = (std::ops::Range<usize>, std::ops::Range<usize>)> {
-        let n = self.springs;
-        let motions = self.motions.iter().enumerate();
-        motions.filter_map(move |(motion, first)| {
-            first.map(|first| (motion * n..(motion + 1) * n, first..first + n))
-        })
-    }
-
     /// The rows of the forces that the law gives, and whether they are moments.
     pub(super) fn forces_of<'s>(
         &'s self,

@@ -4,8 +4,10 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
+use super::Bearing;
 use super::law::Validity;
-use super::{Bearing, PlacedLaw, Plane, SpringState, Springs};
+use super::placed_law::PlacedLaw;
+use super::plane::Plane;
 
 /// A measure of the law of a bearing.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,17 +40,17 @@ impl Measure {
 /// All measures of a machine, and where their laws find their inputs.
 pub(crate) struct Measures {
     pub(crate) all: Vec<Measure>,
-    observed: Vec<Observed>,
+    pub(super) observed: Vec<Observed>,
     /// Rows times springs of the law with the most.
     most: usize,
 }
 
 /// A law with measures.
-struct Observed {
+pub(super) struct Observed {
     /// Which law.
-    law: usize,
-    count: usize,
-    springs: usize,
+    pub(super) law: usize,
+    pub(super) count: usize,
+    pub(super) springs: usize,
     /// Springs of a plane among those of the law, and the first measure of its bearing.
     planes: Vec<(Range<usize>, usize)>,
 }
@@ -89,8 +91,8 @@ impl Measures {
 
 /// The worst values so far, and memory for those of an instant.
 pub(super) struct ValidityMonitor {
-    worst: Vec<Option<Worst>>,
-    values: Vec<f64>,
+    pub(super) worst: Vec<Option<Worst>>,
+    pub(super) values: Vec<f64>,
 }
 
 impl ValidityMonitor {
@@ -99,7 +101,7 @@ impl ValidityMonitor {
     }
 
     /// Takes the measures of a law at `time`, which stand in `values`.
-    fn take(&mut self, all: &[Measure], observed: &Observed, time: f64) {
+    pub(super) fn take(&mut self, all: &[Measure], observed: &Observed, time: f64) {
         for (plane, first) in &observed.planes {
             for place in 0..observed.count {
                 let row = &self.values[place * observed.springs..][plane.clone()];
@@ -141,41 +143,6 @@ fn extreme(measure: &Measure, row: &[f64]) -> f64 {
     let least = least.iter().copied().fold(f64::INFINITY, f64::min);
     let most = most.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if measure.excess(least) > measure.excess(most) { least } else { most }
-}
-
-impl Springs {
-    /// The measures by which the laws of the bearings may be believed, in the order of [`SpringState::worst`].
-    pub fn measures(&self) -> &[Measure] {
-        &self.measures.all
-    }
-}
-
-impl SpringState {
-    /// Keeps the worst value of every measure; to be called once for every step that is accepted, while the state is
-    /// that of its end at `time` (s). Costs nothing where no law has measures, and allocates nothing.
-    pub(crate) fn observe(&mut self, springs: &Springs, time: f64) {
-        let measures = &springs.measures;
-        for observed in &measures.observed {
-            let law = &springs.laws[observed.law];
-            self.gather(law, observed.law);
-            let inputs = &self.memory.inputs[..law.bound.inputs.len() * observed.springs];
-            let values = &mut self.monitor.values[..observed.count * observed.springs];
-            law.bound.law.measure(observed.springs, inputs, values, &mut self.memory.workspace);
-            self.monitor.take(&measures.all, observed, time);
-        }
-    }
-
-    /// The worst values so far, in the order of [`Springs::measures`]; none before the first step.
-    pub fn worst(&self) -> &[Option<Worst>] {
-        &self.monitor.worst
-    }
-
-    /// Goes on from worst values that were kept; those of another machine are left alone.
-    pub(crate) fn resume(&mut self, worst: &[Option<Worst>]) {
-        if worst.len() == self.monitor.worst.len() {
-            self.monitor.worst.copy_from_slice(worst);
-        }
-    }
 }
 
 #[cfg(test)]

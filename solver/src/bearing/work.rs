@@ -6,9 +6,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::placed_law::PlacedLaw;
 use super::spin::Spin;
+use super::springs::Springs;
 use super::state::{LawMemory, LawState, SpringState};
-use super::{PlacedLaw, Springs};
 
 /// Nodes in (0, 1) of Lobatto's rule of five points, exact for polynomials of degree 7, and their weights.
 const NODES: [(f64, f64); 3] = [
