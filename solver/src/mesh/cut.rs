@@ -1,7 +1,7 @@
 //! Points at which what is cut is summed: of the parts of faces within a band along z, and of the section of cells across z.
 
 use super::Mesh;
-use super::surface::SurfaceFace;
+use super::surface_face::SurfaceFace;
 
 /// A point with its part of an area.
 pub(super) struct Sample<'a> {

@@ -1,48 +1,15 @@
-//! Which format a file of a mesh has, and what all readers are given and give.
+//! Which format a file of a mesh has.
 //!
 //! A new format is a variant of [`Format`] with its arms here, and a reader that fills a raw mesh.
 
 use std::path::Path;
 
-use whirl_specs::Element;
-
-use super::bdf::AddedMass;
 use super::foreign::{Foreign, foreign};
+pub use super::reading::{ReadMesh, ReadOptions};
+use super::text::decode;
 pub use super::units::MeshUnits;
-use super::{Mesh, bdf, inp, msh};
+use super::{bdf, inp, msh};
 use crate::error::{InputError, InputErrors};
-
-/// A mesh with what was left out of the file.
-#[derive(Debug, Clone)]
-pub struct ReadMesh {
-    /// The mesh.
-    pub mesh: Mesh,
-    /// Masses that the file gives to nodes beside the cells: no part of the mesh.
-    pub masses: Vec<AddedMass>,
-    /// What was skipped or looks odd, in the order of the lines.
-    pub warnings: Vec<InputError>,
-}
-
-/// What a reader must know beside the file.
-#[derive(Debug, Clone, Copy)]
-pub struct ReadOptions<'a> {
-    /// The elements that a cell may have.
-    pub elements: &'a [&'static Element],
-    /// Whether cells without a material are no error: they get one without name and properties, for which
-    /// another is to be put.
-    pub open: bool,
-    /// Units of the file.
-    pub units: MeshUnits,
-    /// Nodes that are at most so far apart (m) become one.
-    pub merge: Option<f64>,
-}
-
-impl<'a> ReadOptions<'a> {
-    /// Every cell must have a material, and the file is in SI units.
-    pub fn new(elements: &'a [&'static Element]) -> ReadOptions<'a> {
-        ReadOptions { elements, open: false, units: MeshUnits::default(), merge: None }
-    }
-}
 
 /// Formats that are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,9 +85,9 @@ pub fn read(bytes: Vec<u8>, path: &str, options: &ReadOptions) -> Result<ReadMes
         return Err(InputErrors(vec![InputError { file, line: 0, column: 0, what, help }]));
     }
     match Format::of(&bytes, path) {
-        Format::Inp => inp::read_with(&inp::decode(bytes), path, options),
+        Format::Inp => inp::read_with(&decode(bytes), path, options),
         Format::Msh => msh::read(&bytes, path, options),
-        Format::Bdf => bdf::read(&inp::decode(bytes), path, options, &load),
+        Format::Bdf => bdf::read(&decode(bytes), path, options, &load),
     }
 }
 
@@ -136,7 +103,7 @@ fn load(path: &Path) -> std::io::Result<String> {
             std::io::ErrorKind::InvalidData,
             format!("it is {what}: {help}"),
         )),
-        None => Ok(inp::decode(bytes)),
+        None => Ok(decode(bytes)),
     }
 }
 

@@ -98,7 +98,7 @@ impl NodeSetMean {
         let own: Vec<[f64; 3]> = nodes.iter().map(|&node| positions[node]).collect();
         let mut mean = NodeSetMean::weighted(nodes, weights, &own, area)?;
         if let Some(matrices) = mesh.matrices() {
-            mean.turn_by(&matrices.turns(mesh, &mean.nodes));
+            mean.turn_by(&matrices.turns(mesh.labels(), &mean.nodes));
         }
         Ok(mean)
     }

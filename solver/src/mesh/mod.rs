@@ -4,6 +4,7 @@
 //! afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
 
 pub mod bdf;
+mod body_matrices;
 pub mod crank;
 mod cut;
 mod fineness;
@@ -17,24 +18,30 @@ mod mean;
 pub mod measure;
 pub mod msh;
 mod place;
+mod placed_nodes;
 mod quadratic;
 mod quality;
 mod raw;
+mod reading;
 mod regions;
 mod selection;
+mod set_place;
 pub mod shaft;
 pub mod support;
 mod surface;
+mod surface_face;
+mod text;
 mod ties;
 mod units;
 
 pub use fineness::Fineness;
 pub use material::{ImplausibleProperty, Material};
 pub use mean::{MeanComponent, NodeSetMean};
-pub use place::{Caught, SetPlace};
+pub use place::Caught;
 pub use quality::WorstCell;
 pub(crate) use regions::connected;
-pub use selection::{Cylinder, Selection};
+pub use selection::Cylinder;
+pub use set_place::{Selection, SetPlace};
 pub use surface::{Surface, SurfacePoint};
 pub use ties::Tie;
 
@@ -45,8 +52,9 @@ use serde::Serialize;
 use whirl_specs::Element;
 use whirl_text::nearest_in_any_case;
 
-use self::matrices::BodyMatrices;
+use self::body_matrices::{BodyMatrices, Slot};
 use crate::error::Error;
+use crate::sparse::Row;
 
 /// Farthest a coordinate may be from the origin (m): beyond it squares and products of lengths lose what is meant.
 const FARTHEST: f64 = 1e6;
@@ -220,6 +228,31 @@ impl Mesh {
         &self.parts.element_sets
     }
 
+    /// What joins dofs of nodes beside the cells.
+    pub fn ties(&self) -> &[Tie] {
+        &self.parts.ties
+    }
+
+    /// All equations of the ties.
+    pub fn tie_rows(&self) -> Vec<Row> {
+        self.ties().iter().flat_map(|tie| tie.rows.iter().cloned()).collect()
+    }
+
+    /// The matrices of a body without cells.
+    pub fn matrices(&self) -> Option<&BodyMatrices> {
+        self.parts.matrices.as_deref()
+    }
+
+    /// Number of nodes that have a place: all of them, but of a body of matrices.
+    pub fn placed(&self) -> usize {
+        self.matrices().map_or(self.nodes().len(), |own| own.placed)
+    }
+
+    /// What the dofs are; empty where all are translations.
+    pub fn slots(&self) -> &[Slot] {
+        self.matrices().map_or(&[], |own| &own.slots)
+    }
+
     /// Number of cells.
     pub fn cell_count(&self) -> usize {
         self.parts.blocks.iter().map(Block::len).sum()
@@ -275,6 +308,15 @@ impl Mesh {
             name: name.to_owned(),
             nearest: nearest_in_any_case(name, sets.keys().map(String::as_str)).map(str::to_owned),
         })
+    }
+
+    /// The node of a body of matrices that `NODE_7` names, as a set.
+    fn node_by_label(&self, name: &str) -> Option<&[usize]> {
+        let own = self.matrices()?;
+        let prefix = name.get(..5).filter(|prefix| prefix.eq_ignore_ascii_case("NODE_"))?;
+        let label: u64 = name[prefix.len()..].parse().ok()?;
+        let node = self.labels()[..own.placed].iter().position(|&known| known == label)?;
+        own.each.get(node..=node)
     }
 
     /// The only node of a set.

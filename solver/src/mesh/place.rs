@@ -1,31 +1,18 @@
 //! What a node set by its place has caught: nodes, and faces, which are cut where a band along z ends within them.
 
-use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
+use super::Mesh;
 use super::cut::Sample;
 use super::mean::NodeSetMean;
-use super::selection::{ALONG, Selection};
-use super::surface::{SurfaceFace, faces_within};
-use super::{Cylinder, Mesh};
+use super::selection::{ALONG, Cylinder};
+use super::set_place::{Selection, SetPlace, nodes_of};
+use super::surface::faces_within;
+use super::surface_face::SurfaceFace;
 use crate::error::Error;
 
 /// Ends of a band are planes of nodes as often as not: to this part of the radius.
 const MARGIN: f64 = 1e-6;
-
-/// The nodes and faces of a selection.
-#[derive(Debug, Clone)]
-pub struct SetPlace {
-    /// What was asked for.
-    pub selection: Selection,
-    /// Nodes, ascending: of the faces that are not cut; where some are, those within the band, or all of the cut faces if
-    /// none are.
-    pub nodes: Vec<usize>,
-    /// Faces that count, in part or as wholes; none of nodes near a point.
-    faces: Vec<SurfaceFace>,
-    /// From where to where along z they count, where that is within some of them (m).
-    band: Option<[f64; 2]>,
-}
 
 /// What a node set of a mesh has, for people.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,33 +33,7 @@ pub struct Caught {
     pub off_axis: Option<f64>,
 }
 
-impl Selection {
-    /// The place goes with a mesh that moves along x and y (m).
-    pub(super) fn moves(&mut self, by: [f64; 2]) {
-        match self {
-            Selection::Cylinder { centre, .. } => (0..2).for_each(|k| centre[k] += by[k]),
-            Selection::Point { at, .. } => (0..2).for_each(|k| at[k] += by[k]),
-            Selection::Plane { across, at, .. } => *at += by.get(*across).unwrap_or(&0.0),
-        }
-    }
-}
-
 impl SetPlace {
-    /// Whether some of its faces count in part only.
-    pub(super) fn is_cut(&self) -> bool {
-        self.band.is_some()
-    }
-
-    /// All nodes of its faces, ascending, those of cut ones beside the band, too.
-    pub fn face_nodes(&self) -> Vec<usize> {
-        nodes_of(&self.faces)
-    }
-
-    /// The faces, and from where to where along z they count if some are cut (m).
-    pub(super) fn faces(&self) -> (&[SurfaceFace], Option<[f64; 2]>) {
-        (&self.faces, self.band)
-    }
-
     /// Whether a face reaches out of the band, by more than coordinates are off by their digits.
     fn cuts(&self, mesh: &Mesh, face: &SurfaceFace) -> bool {
         let (Some([from, to]), Selection::Cylinder { radius, .. }) = (self.band, self.selection)
@@ -111,6 +72,11 @@ impl SetPlace {
 }
 
 impl Mesh {
+    /// The nodes of a selection, ascending: see [`Mesh::select`].
+    pub fn selected(&self, selection: &Selection) -> Vec<usize> {
+        self.select(selection).nodes
+    }
+
     /// The nodes and faces of a selection; faces count where they are on the surface of the mesh, and those of a cylinder
     /// as far as they are within its band along z. Of a body of matrices, which has no faces, the nodes count.
     pub fn select(&self, selection: &Selection) -> SetPlace {
@@ -253,10 +219,4 @@ impl Mesh {
         let away = |own: &Cylinder| (own.radius - radius).abs() + beside(&own.z);
         self.cylinders(centre).into_iter().min_by(|a, b| away(a).total_cmp(&away(b)))
     }
-}
-
-/// The nodes of faces, ascending.
-fn nodes_of(faces: &[SurfaceFace]) -> Vec<usize> {
-    let all: BTreeSet<usize> = faces.iter().flat_map(SurfaceFace::nodes).collect();
-    all.into_iter().collect()
 }

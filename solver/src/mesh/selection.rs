@@ -1,42 +1,12 @@
-//! Node sets by where they are: what a mesh file has no sets of.
+//! Cylinders that a mesh has, and its faces as they are seen from an axis.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::f64::consts::TAU;
 
-use super::surface::{SurfaceFace, faces_within};
-use super::{Mesh, MeshParts, connected};
-
-/// Nodes by their place, in the coordinates of the mesh.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Selection {
-    /// Of the faces on a cylinder about an axis parallel to z.
-    Cylinder {
-        /// x and y of the axis (m).
-        centre: [f64; 2],
-        /// m.
-        radius: f64,
-        /// How far nodes may be from it (m).
-        within: f64,
-        /// From where to where along z (m).
-        z: [f64; 2],
-    },
-    /// Near a point.
-    Point {
-        /// The point (m).
-        at: [f64; 3],
-        /// How far from it (m).
-        within: f64,
-    },
-    /// Of the faces in a plane across an axis.
-    Plane {
-        /// 0 x, 1 y, 2 z.
-        across: usize,
-        /// Where on it (m).
-        at: f64,
-        /// How far nodes may be from it (m).
-        within: f64,
-    },
-}
+use super::regions::connected;
+use super::surface::faces_within;
+use super::surface_face::SurfaceFace;
+use super::{Mesh, MeshParts};
 
 /// A cylinder that a mesh has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,11 +29,6 @@ const DIRECTIONS: (usize, f64) = (3, 1e-3);
 const SAME: f64 = 0.01;
 
 impl Mesh {
-    /// The nodes of a selection, ascending: see [`Mesh::select`].
-    pub fn selected(&self, selection: &Selection) -> Vec<usize> {
-        self.select(selection).nodes
-    }
-
     /// The mesh with another node set, in place of one of the same name.
     pub fn with_node_set(self, name: &str, nodes: Vec<usize>) -> Mesh {
         let mut parts: MeshParts = self.parts;

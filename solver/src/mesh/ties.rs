@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use super::Mesh;
 use crate::sparse::Row;
 
 /// A card by which dofs follow from others: equations Σ cᵢ uᵢ = 0 between dofs 3·node + component.
@@ -39,17 +38,5 @@ impl Tie {
             return Some(format!("{name} names a node that is not there, or has no numbers"));
         }
         None
-    }
-}
-
-impl Mesh {
-    /// What joins dofs of nodes beside the cells.
-    pub fn ties(&self) -> &[Tie] {
-        &self.parts.ties
-    }
-
-    /// All equations of the ties.
-    pub fn tie_rows(&self) -> Vec<Row> {
-        self.ties().iter().flat_map(|tie| tie.rows.iter().cloned()).collect()
     }
 }

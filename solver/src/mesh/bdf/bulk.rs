@@ -18,7 +18,7 @@ use super::properties::Properties;
 use super::sets::{self, RawSet};
 use super::spiders::{self, Spider};
 use super::systems::Systems;
-use super::ties::{self, Chosen, RawCard};
+use super::tie_card::{self, Chosen, RawCard};
 use super::values::ALIGN;
 
 /// Cards that are read besides those of elements, for hints.
@@ -206,7 +206,7 @@ impl Bulk {
             Meaning::Control => {}
             Meaning::LeftOut => note(&mut self.left_out),
             Meaning::Unknown => note(&mut self.unknown),
-            Meaning::Tie => self.ties.extend(ties::read(card, report)),
+            Meaning::Tie => self.ties.extend(tie_card::read(card, report)),
             Meaning::Refused(what, help) => {
                 let entry = self.refused.entry(card.name.to_string());
                 entry.or_insert((0, card.place, what, help)).0 += 1;

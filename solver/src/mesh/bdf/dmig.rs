@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::matrices::PlacedNodes;
+use super::super::placed_nodes::PlacedNodes;
 use super::super::raw::{LinePosition, MeshReport};
 use super::fields::{self, Card, Entry};
 use super::files::{self, Load, is_command};

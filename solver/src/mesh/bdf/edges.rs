@@ -6,8 +6,8 @@ use whirl_specs::Element;
 
 use super::super::raw::{MeshReport, count, list};
 use super::cells::{Cells, RawCell};
+use super::frame::Point;
 use super::nodes::Grids;
-use super::systems::Point;
 
 /// Puts nodes into the middle of edges that have none, for all elements that share the edge the same one.
 pub(super) fn fill(

@@ -3,11 +3,12 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::super::raw::{MeshReport, count, list};
-use super::Used;
+use super::super::reading::AddedMass;
 use super::bulk::Bulk;
-use super::masses::AddedMass;
+use super::frame::Frame;
 use super::spiders::Spider;
-use super::systems::{Frame, Frames};
+use super::systems::Frames;
+use super::used::Used;
 
 /// What other parts of a machine may be joined to, and what the nodes carry.
 pub(super) struct Interfaces {

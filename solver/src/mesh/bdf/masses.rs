@@ -1,6 +1,5 @@
 //! Masses on nodes, `CONM2`.
 
-use super::super::format::MeshUnits;
 use super::super::raw::{LinePosition, MeshReport};
 use super::fields::Card;
 
@@ -16,31 +15,6 @@ pub(super) struct RawMass {
     /// About its centre, along the system's axes.
     pub(super) inertia: [[f64; 3]; 3],
     pub(super) place: LinePosition,
-}
-
-/// A mass that a file gives to a node beside the cells.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AddedMass {
-    /// Its name, such as `CONM2_12`.
-    pub name: String,
-    /// Mass.
-    pub mass: f64,
-    /// Its centre.
-    pub at: [f64; 3],
-    /// Moments of inertia about its centre, along x, y and z.
-    pub inertia: [[f64; 3]; 3],
-    /// Sets of the nodes that carry it; none where it stands on no node of the mesh.
-    pub sets: Vec<String>,
-}
-
-impl AddedMass {
-    /// In SI units.
-    pub(super) fn convert(&mut self, units: &MeshUnits) {
-        self.mass *= units.mass;
-        self.at = self.at.map(|x| units.length(x));
-        let inertia = units.mass * units.length * units.length;
-        self.inertia.iter_mut().flatten().for_each(|value| *value *= inertia);
-    }
 }
 
 pub(super) fn read(card: &Card, report: &mut MeshReport) -> Option<RawMass> {

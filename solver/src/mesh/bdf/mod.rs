@@ -8,10 +8,12 @@
 
 mod bulk;
 mod cells;
+mod components;
 mod dmig;
 mod edges;
 mod fields;
 mod files;
+mod frame;
 mod interfaces;
 mod known;
 mod masses;
@@ -19,23 +21,23 @@ mod materials;
 mod names;
 mod nodes;
 mod numbers;
+mod positions;
 mod properties;
 mod sets;
 mod spiders;
 mod systems;
+mod tie_card;
 mod ties;
+mod used;
 mod values;
 
 use std::collections::BTreeSet;
 
 pub(super) use self::dmig::{Dmig, DmigColumn, grid_points, matrices};
 pub use self::files::Load;
-pub use self::masses::AddedMass;
-use self::ties::RawCard;
-use super::format::{ReadMesh, ReadOptions};
-use super::raw::{
-    Cells, MeshReport, NodeTable, RawCell, RawMesh, Remedies, count, in_own_order, list,
-};
+use super::raw::{Cells, MeshReport, NodeTable, RawCell, RawMesh, Remedies, in_own_order};
+pub use super::reading::AddedMass;
+use super::reading::{ReadMesh, ReadOptions};
 use crate::error::InputErrors;
 
 const REMEDIES: Remedies = Remedies {
@@ -139,47 +141,4 @@ pub(super) fn line_of_element(text: &str, label: u64) -> Option<usize> {
             && field.and_then(|field| field.trim().parse().ok()) == Some(label)
     };
     text.lines().position(begins).map(|number| number + 1)
-}
-
-/// Nodes that belong to cells.
-struct Used {
-    /// Indices of the grid points.
-    nodes: Vec<usize>,
-    /// New index of every grid point; `usize::MAX` where no cell has it.
-    place: Vec<usize>,
-    /// Labels and new indices, by label.
-    labels: Vec<(u64, usize)>,
-}
-
-impl bulk::Bulk {
-    /// Warns of nodes in no cell, unless other elements that are left out may have them.
-    fn used(&self, report: &mut MeshReport) -> Used {
-        let mut place = vec![usize::MAX; self.grids.len()];
-        let nodes = self.cells.list.iter().flat_map(|cell| &cell.nodes);
-        for node in nodes.filter_map(|&node| self.grids.place_of(node)) {
-            place[node] = 0;
-        }
-        let nodes: Vec<usize> = (0..place.len()).filter(|&node| place[node] == 0).collect();
-        let mut labels = Vec::with_capacity(nodes.len());
-        for (new, &node) in nodes.iter().enumerate() {
-            place[node] = new;
-            labels.push((self.grids.label(node), new));
-        }
-        labels.sort_unstable();
-        let mut others: Vec<u64> = self.spiders.iter().map(|spider| spider.reference).collect();
-        others.extend(self.masses.iter().map(|mass| mass.node));
-        others.extend(self.ties.iter().flat_map(RawCard::nodes));
-        others.sort_unstable();
-        let unused: Vec<usize> = (0..place.len())
-            .filter(|&node| place[node] == usize::MAX)
-            .filter(|&node| others.binary_search(&self.grids.label(node)).is_err())
-            .collect();
-        if let Some(&first) = unused.first().filter(|_| self.left_out.is_empty()) {
-            let labels = list(unused.iter().map(|&node| self.grids.label(node)));
-            let what = format!("{} in no cell, left out: {labels}", count(unused.len(), "node"));
-            let help = "delete them, or add the cells that they belong to";
-            report.warn(self.grids.at(first), what, help);
-        }
-        Used { nodes, place, labels }
-    }
 }

@@ -4,18 +4,18 @@ use std::collections::HashMap;
 
 use super::super::raw::{LinePosition, MeshReport};
 use super::fields::Card;
-use super::systems::{Frames, Point, Systems};
+use super::frame::Point;
 
 /// A grid point as written.
 #[derive(Debug, Clone)]
-struct RawGrid {
-    label: u64,
+pub(super) struct RawGrid {
+    pub(super) label: u64,
     /// Its system; `None` where the field is blank.
-    system: Option<u64>,
-    at: Point,
+    pub(super) system: Option<u64>,
+    pub(super) at: Point,
     /// The system of its components; `None` where the field is blank.
-    axes: Option<u64>,
-    place: LinePosition,
+    pub(super) axes: Option<u64>,
+    pub(super) place: LinePosition,
 }
 
 /// What `GRDSET` puts into blank fields.
@@ -29,7 +29,7 @@ struct Defaults {
 /// Grid points in the order of the file.
 #[derive(Debug, Default)]
 pub(super) struct Grids {
-    list: Vec<RawGrid>,
+    pub(super) list: Vec<RawGrid>,
     index: HashMap<u64, usize>,
     defaults: Option<Defaults>,
     /// Grid points with constraints of their own (PS).
@@ -102,7 +102,8 @@ impl Grids {
         Some((self.system(grid), grid.at))
     }
 
-    fn system(&self, grid: &RawGrid) -> u64 {
+    /// The system in which a grid point is given.
+    pub(super) fn system(&self, grid: &RawGrid) -> u64 {
         grid.system.or(self.defaults.map(|defaults| defaults.system)).unwrap_or(0)
     }
 
@@ -117,44 +118,6 @@ impl Grids {
         let mut all: Vec<(u64, usize)> = all.collect();
         all.sort_unstable();
         all
-    }
-
-    /// Where all are, in the basic system, in the order of the file.
-    pub(super) fn positions(
-        &self,
-        systems: &Systems,
-        frames: &Frames,
-        report: &mut MeshReport,
-    ) -> Vec<Point> {
-        let mut unknown: HashMap<u64, usize> = HashMap::new();
-        let mut first_of: Vec<(u64, LinePosition, u64)> = Vec::new();
-        let mut positions = Vec::with_capacity(self.list.len());
-        for grid in &self.list {
-            let system = self.system(grid);
-            match frames.get(system) {
-                Ok(Some(frame)) => positions.push(frame.position(grid.at)),
-                Ok(None) => positions.push([0.0; 3]),
-                Err(()) => {
-                    positions.push([0.0; 3]);
-                    *unknown.entry(system).or_insert_with(|| {
-                        first_of.push((system, grid.place, grid.label));
-                        0
-                    }) += 1;
-                }
-            }
-        }
-        for (system, place, label) in first_of {
-            let what = match unknown[&system] {
-                1 => format!(
-                    "node {label} is given in coordinate system {system}, which is not defined"
-                ),
-                number => format!(
-                    "{number} nodes, such as {label}, are given in coordinate system {system}, which is not defined"
-                ),
-            };
-            report.error(place, what, systems.known());
-        }
-        positions
     }
 
     /// Adds a grid point that no card gives, in the basic system: its label, which is free from `from` on.

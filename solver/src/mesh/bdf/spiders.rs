@@ -1,10 +1,10 @@
 //! Rigid and averaging spiders, `RBE2` and `RBE3`: their nodes are the interfaces of the mesh, and move as they say.
 
 use super::super::raw::{LinePosition, MeshReport};
+use super::components::{components as of_digits, components_in};
 use super::fields::Card;
 use super::numbers;
 use super::sets::Ranges;
-use super::ties::{components as of_digits, components_in};
 
 /// A spider as written.
 #[derive(Debug, Clone)]

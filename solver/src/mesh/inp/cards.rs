@@ -1,6 +1,6 @@
 //! The text of an input file as cards: a keyword line with parameters, and its lines of data.
 
-use super::include::Piece;
+use super::piece::Piece;
 
 /// A piece of a line with its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::super::raw::{Direction, FileDof, FileRow, MeshReport, did_you_mean, follows_mean};
 use super::cards::{Card, Token};
-use super::ties::{Joining, REMEDY};
+use super::joining::{Joining, REMEDY};
 use super::values::{number, required, whole};
 
 const BASIC: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

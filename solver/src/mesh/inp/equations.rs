@@ -2,7 +2,7 @@
 
 use super::super::raw::{Direction, FileRow, MeshReport, TiePoint, count};
 use super::cards::{Card, Token};
-use super::ties::{Joining, REMEDY};
+use super::joining::{Joining, REMEDY};
 use super::values::{number, whole};
 
 /// x, y and z of the nodes that a card names.

@@ -6,28 +6,12 @@ use std::rc::Rc;
 
 use super::super::foreign::{Foreign, foreign};
 use super::super::raw::{LinePosition, MeshReport};
+use super::super::text::decode;
 use super::cards::{Token, parameter, tokens};
-use super::decode;
+use super::piece::Piece;
 
 /// Files that a mesh may be made of, one file counted as often as it is included.
 const MOST_FILES: usize = 1000;
-
-/// Lines of a file that stand together.
-#[derive(Debug)]
-pub(super) struct Piece {
-    /// Index into the files of the report.
-    pub(super) file: usize,
-    /// Number of its first line.
-    pub(super) first_line: usize,
-    text: Rc<str>,
-    range: std::ops::Range<usize>,
-}
-
-impl Piece {
-    pub(super) fn text(&self) -> &str {
-        &self.text[self.range.clone()]
-    }
-}
 
 /// The lines of the last file of the report, with those of the files that it includes in their places.
 pub(super) fn pieces(text: &str, path: &str, report: &mut MeshReport) -> Vec<Piece> {

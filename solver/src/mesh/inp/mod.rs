@@ -11,9 +11,11 @@ mod couplings;
 mod equations;
 mod include;
 mod instance;
+mod joining;
 mod materials;
 mod others;
 mod parameters;
+mod piece;
 mod sets;
 mod surfaces;
 mod ties;
@@ -29,25 +31,14 @@ use self::cards::{Card, cards};
 use self::cells::{assign_sections, read_elements, read_nodes};
 use self::include::pieces;
 use self::instance::PARTS;
+use self::joining::Joining;
 use self::materials::read_materials;
-pub use super::format::ReadMesh;
-use super::format::ReadOptions;
-use super::matrices::PlacedNodes;
+use super::placed_nodes::PlacedNodes;
 use super::raw::{MeshReport, RawMesh, Remedies};
+pub use super::reading::ReadMesh;
+use super::reading::ReadOptions;
+pub use super::text::decode;
 use crate::error::InputErrors;
-
-/// The text of a file in UTF-8, without a byte order mark, or else in Latin-1, in which older programs write names and
-/// comments.
-pub fn decode(mut bytes: Vec<u8>) -> String {
-    if bytes.starts_with(b"\xef\xbb\xbf") {
-        bytes.drain(..3);
-    }
-    match String::from_utf8(bytes) {
-        Ok(text) => text,
-        // Latin-1 is the first 256 characters of Unicode.
-        Err(error) => error.into_bytes().into_iter().map(char::from).collect(),
-    }
-}
 
 /// Reads a mesh in which every cell has a material; `path` is used in messages only, `elements` are those that a
 /// cell may have.
@@ -104,7 +95,7 @@ pub fn read_with(text: &str, path: &str, options: &ReadOptions) -> Result<ReadMe
     sets::read_of_nodes(&cards, &mut nodes, Some((&cells, &others)), &mut report);
     let surfaces = surfaces::read(&cards, &mut nodes, (&cells, &others), &mut report);
     let all_others = &others;
-    let joining = ties::Joining::new((&nodes, &cells), all_others, &surfaces, instance::axes(&all));
+    let joining = Joining::new((&nodes, &cells), all_others, &surfaces, instance::axes(&all));
     let (ties, named_by_ties) = ties::read((&all, &cards), &joining, &mut report);
     others.into_node_sets(&mut nodes, &cells);
     let materials = read_materials(&cards, &mut report);

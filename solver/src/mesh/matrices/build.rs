@@ -3,12 +3,13 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use super::super::format::MeshUnits;
+use super::super::body_matrices::{BodyMatrices, Slot, Spin};
+use super::super::placed_nodes::PlacedNodes;
 use super::super::raw::{LinePosition, MeshReport, count, list};
+use super::super::units::MeshUnits;
 use super::super::{Mesh, MeshParts};
 use super::entries::{Entries, Entry, Kind};
-use super::nodes::PlacedNodes;
-use super::{BodyMatrices, Slot, Spin, checks, rigid, spin};
+use super::{checks, rigid, spin};
 use crate::error::InputErrors;
 use crate::linalg::LowerTriangle;
 use crate::sparse::{SparseColumns, SparseMatrix};

@@ -3,8 +3,8 @@
 //! A line of `.dof` is `node.direction` for each row; one of `.sti` or `.mas` is `row column value`, of one half of the
 //! matrix. Dofs that a boundary condition holds have no row.
 
+use super::super::body_matrices::Slot;
 use super::super::raw::{LinePosition, MeshReport};
-use super::Slot;
 use super::build::RawDof;
 use super::entries::{Entries, Entry, Form};
 

@@ -1,9 +1,9 @@
 //! Whether K and M can be those of a body.
 
+use super::super::body_matrices::{BodyMatrices, Slot};
 use super::super::raw::{LinePosition, MeshReport};
 use super::entries::{Entries, Entry};
 use super::rigid::RigidMass;
-use super::{BodyMatrices, Slot};
 use crate::linalg::{LinearAlgebraError, LowerTriangle, SparseCholesky};
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;

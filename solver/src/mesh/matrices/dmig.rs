@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::super::bdf::{Dmig, DmigColumn};
+use super::super::body_matrices::Slot;
 use super::super::raw::{LinePosition, MeshReport, count, list};
-use super::Slot;
 use super::build::RawDof;
 use super::entries::{Entries, Entry, Form};
 

@@ -1,6 +1,6 @@
 //! How many modes a body of matrices has.
 
-use super::BodyMatrices;
+use super::super::body_matrices::BodyMatrices;
 use crate::linalg::{Matrix, symmetric_eigen};
 
 /// Dofs up to which the rank of M is found; with more of them modes are few beside dofs.

@@ -2,13 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::format::{Format, MeshUnits};
+use super::super::format::Format;
+use super::super::placed_nodes::PlacedNodes;
 use super::super::raw::{LinePosition, MeshReport};
+use super::super::text::decode;
+use super::super::units::MeshUnits;
 use super::super::{Mesh, bdf, inp};
 use super::build::{Others, RawMatrices};
 use super::dmig::{DmigFile, Dofs};
 use super::entries::Entries;
-use super::nodes::PlacedNodes;
 use super::{calculix, market, shown, table};
 use crate::error::{InputError, InputErrors};
 
@@ -151,7 +153,7 @@ impl Reader<'_> {
         self.files += 1;
         let file = self.report.files.len() - 1;
         match (self.load)(path) {
-            Ok(bytes) => (inp::decode(bytes), file),
+            Ok(bytes) => (decode(bytes), file),
             Err(error) => {
                 let at = LinePosition { file, line: 0, column: 0 };
                 let help = "paths are relative to the case; its name is as the case has it";
@@ -245,7 +247,7 @@ impl Reader<'_> {
         [stiffness, mass]: [&str; 2],
     ) -> Option<RawMatrices> {
         let (text, index) = self.text(file);
-        let include = |path: &Path| (self.load)(path).map(inp::decode);
+        let include = |path: &Path| (self.load)(path).map(decode);
         let matrices = bdf::matrices(&text, &include, &mut self.report);
         let placed = match nodes == file {
             true => self.placed(&text, file, request.units),
@@ -327,7 +329,7 @@ impl Reader<'_> {
 
     /// The same of the text of the last file of the report.
     fn placed(&mut self, text: &str, path: &Path, units: MeshUnits) -> PlacedNodes {
-        let include = |path: &Path| (self.load)(path).map(inp::decode);
+        let include = |path: &Path| (self.load)(path).map(decode);
         let path = shown(path);
         let mut nodes = match Format::of(text.as_bytes(), &path) {
             Format::Inp => inp::placed_nodes(text, &path, &mut self.report),

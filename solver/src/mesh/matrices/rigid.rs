@@ -1,6 +1,6 @@
 //! Rigid motions of a body of matrices, and the mass that they show.
 
-use super::{BodyMatrices, Slot};
+use super::super::body_matrices::{BodyMatrices, Slot};
 use crate::linalg::{Matrix, dot, transpose_multiply};
 use crate::mesh::Mesh;
 use crate::sparse::SparseMatrix;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Slot, Spin};
+use super::super::body_matrices::{Slot, Spin};
 use crate::linalg::LowerTriangle;
 use crate::sparse::SparseMatrix;
 

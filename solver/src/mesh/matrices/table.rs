@@ -1,10 +1,10 @@
 //! Tables of dofs: a line `node, direction, x, y, z` for each row of the matrices.
 
-use super::super::format::MeshUnits;
+use super::super::body_matrices::Slot;
+use super::super::placed_nodes::PlacedNodes;
 use super::super::raw::{LinePosition, MeshReport};
-use super::Slot;
+use super::super::units::MeshUnits;
 use super::build::RawDof;
-use super::nodes::PlacedNodes;
 
 const EXAMPLE: &str = "write `node, direction, x [mm], y [mm], z [mm]`, and below it a line for each row of the matrices, such as \
      `7, x, 0, 12.5, 40`; a mode is `7, mode`";

@@ -1,7 +1,7 @@
 //! The bytes of a file of Gmsh, read one after the other: words of text, or binary numbers.
 
-use super::super::inp::decode;
 use super::super::raw::LinePosition;
+use super::super::text::decode;
 
 /// What may be the cause where numbers do not fit together.
 pub(super) const DAMAGED: &str =

@@ -15,8 +15,8 @@ mod version4;
 use self::assemble::assemble;
 use self::contents::Contents;
 use self::cursor::{Cursor, DAMAGED, Encoding, Stop};
-use super::format::{ReadMesh, ReadOptions};
 use super::raw::{MeshReport, Remedies};
+use super::reading::{ReadMesh, ReadOptions};
 use crate::error::InputErrors;
 
 const REMEDIES: Remedies = Remedies {

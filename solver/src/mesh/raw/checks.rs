@@ -5,9 +5,10 @@ use std::collections::hash_map::Entry;
 
 use whirl_text::rounded;
 
-use super::super::format::{MeshUnits, ReadOptions};
 use super::super::material::NEEDED;
-use super::merge::extent;
+use super::super::reading::ReadOptions;
+use super::super::units::MeshUnits;
+use super::grid::extent;
 use super::report::{LinePosition, MeshReport, count, list};
 use super::{RawMesh, Remedies};
 

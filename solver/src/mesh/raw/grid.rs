@@ -89,6 +89,22 @@ pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
+/// Edge of a cube of which as many as there are points fill the box around them (m).
+pub(super) fn spacing(positions: &[[f64; 3]], count: usize) -> f64 {
+    let extent = extent(positions);
+    // In a plane or on a line fewer cells hold points, and none has many.
+    extent / (count.max(1) as f64).cbrt()
+}
+
+/// The longest side of the box around points (m).
+pub(super) fn extent(positions: &[[f64; 3]]) -> f64 {
+    let axis = |i: usize| {
+        let values = || positions.iter().map(|x| x[i]);
+        values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+    };
+    (0..3).map(axis).fold(0.0, f64::max)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use whirl_text::rounded;
 
 use super::super::Material;
-use super::super::format::MeshUnits;
+use super::super::units::MeshUnits;
 use super::report::{LinePosition, MeshReport};
 
 /// A material as written.

@@ -24,7 +24,8 @@ pub(super) use self::onto::{FaceOfCell, onto_faces};
 pub(super) use self::report::{LinePosition, MeshReport, count, list};
 pub(super) use self::rigid::{Direction, TiePoint, follows_mean};
 pub(super) use self::ties::{FileDof, FileRow, RawTie, eliminate};
-use super::format::{MeshUnits, ReadMesh, ReadOptions};
+use super::reading::{ReadMesh, ReadOptions};
+use super::units::MeshUnits;
 use super::{Block, Cell, Material, Mesh, MeshParts, Tie};
 use crate::error::InputErrors;
 

@@ -2,8 +2,8 @@
 
 use whirl_specs::{Element, Face};
 
+use super::grid::spacing;
 use super::grid::{PointGrid, distance};
-use super::merge::spacing;
 use super::ties::{FileDof, FileRow};
 use super::{Cells, NodeTable};
 

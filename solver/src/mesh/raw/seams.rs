@@ -8,10 +8,9 @@ use whirl_text::rounded;
 
 use super::super::Tie;
 use super::super::regions::connected;
-use super::super::surface::beyond;
+use super::super::surface_face::beyond;
 use super::RawMesh;
-use super::grid::{PointGrid, distance};
-use super::merge::{extent, spacing};
+use super::grid::{PointGrid, distance, extent, spacing};
 use super::onto::nearest;
 use super::report::{MeshReport, list};
 

@@ -163,7 +163,7 @@ fn of_cells(row: &[(FileDof, f64)]) -> Option<Row> {
 
 /// Warns of ties that hold the body as a whole.
 pub(super) fn warn_of_resisting(ties: &[Tie], positions: &[[f64; 3]], report: &mut MeshReport) {
-    let size = super::merge::extent(positions).max(f64::MIN_POSITIVE);
+    let size = super::grid::extent(positions).max(f64::MIN_POSITIVE);
     let Some(&middle) = positions.first().filter(|_| !ties.is_empty()) else { return };
     let motion = |dof: usize, own: usize| -> f64 {
         let (node, i) = (dof / 3, dof % 3);

@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, HashMap};
 
 /// Nodes with their places and sets, whether cells have them or not.
 #[derive(Debug, Clone, Default)]
-pub(in crate::mesh) struct PlacedNodes {
+pub(super) struct PlacedNodes {
     /// Place (m) of every node by its label.
-    pub(in crate::mesh) places: HashMap<u64, [f64; 3]>,
+    pub(super) places: HashMap<u64, [f64; 3]>,
     /// Labels of the nodes of each set.
-    pub(in crate::mesh) sets: BTreeMap<String, Vec<u64>>,
+    pub(super) sets: BTreeMap<String, Vec<u64>>,
     /// Nodes whose displacements are along axes of their own, with the label of the coordinate system.
-    pub(in crate::mesh) turned: HashMap<u64, u64>,
+    pub(super) turned: HashMap<u64, u64>,
 }

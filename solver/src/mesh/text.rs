@@ -1,0 +1,14 @@
+//! The text of files.
+
+/// The text of a file in UTF-8, without a byte order mark, or else in Latin-1, in which older programs write names and
+/// comments.
+pub fn decode(mut bytes: Vec<u8>) -> String {
+    if bytes.starts_with(b"\xef\xbb\xbf") {
+        bytes.drain(..3);
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) => text,
+        // Latin-1 is the first 256 characters of Unicode.
+        Err(error) => error.into_bytes().into_iter().map(char::from).collect(),
+    }
+}
