@@ -7,7 +7,7 @@ use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::AutomaticStep;
 
 use crate::arguments::CheckArguments;
-use crate::case::{Case, Gravity, Joint, JointKind, LawSource, Lumped, Side, System, Unbalance};
+use crate::case::{Case, Joint, JointKind, LawSource, Lumped, Side, System, Unbalance};
 use crate::errors::Failure;
 use crate::explain;
 use crate::machine;
@@ -91,11 +91,6 @@ pub(crate) fn of_case(
         line!(text, "{words}");
     }
     Ok(text)
-}
-
-/// Gravity along x, y and z.
-fn listed(gravity: &Gravity) -> String {
-    gravity.acceleration.map(|part| part.to_string()).join(", ")
 }
 
 fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {

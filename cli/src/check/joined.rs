@@ -11,8 +11,8 @@ use whirl_solver::mesh::{self as solid, Fineness};
 use whirl_text::rounded;
 
 use crate::case::{
-    Attached, Carried, Form, JoinedMachine, Joint, JointKind, Mesh, NamedBody, Run, SetParameter,
-    Turning,
+    Attached, Carried, Form, Gravity, JoinedMachine, Joint, JointKind, Mesh, NamedBody, Run,
+    SetParameter, Turning,
 };
 use crate::errors::Failure;
 use crate::machine::{Built, JoinedPlan, PlannedBody, fineness};
@@ -107,10 +107,15 @@ pub(super) fn say(
         );
     }
     if let Some(gravity) = &joined.gravity {
-        line!(text, "gravity: {} m/s²", super::listed(gravity));
+        line!(text, "gravity: {} m/s²", listed(gravity));
     }
     line!(text, "motion: {}", joined.motion.origin.title);
     Ok(())
+}
+
+/// Gravity along x, y and z.
+fn listed(gravity: &Gravity) -> String {
+    gravity.acceleration.map(|part| part.to_string()).join(", ")
 }
 
 /// How fine the layers of a flexible body are that is made from dimensions.
