@@ -4,6 +4,7 @@ mod draw;
 mod figure;
 mod histories;
 mod laws;
+mod orders;
 mod spectra;
 mod stack;
 

@@ -11,6 +11,7 @@ use std::io;
 use realfft::RealFftPlanner;
 
 use super::figure::{Figure, Line, Mark, Panel, Style};
+use super::orders::ORDERS;
 use super::stack::{Stacked, stack};
 use crate::history::ReadHistory;
 use crate::report::{Oscillation, begun};
@@ -22,8 +23,6 @@ const MOST_ROWS: usize = 1 << 17;
 const PADDED: usize = 1 << 13;
 /// Amplitudes below this part of the largest are not worth an axis.
 const SMALL: f64 = 0.01;
-/// Orders that are marked, and their names.
-pub(super) const ORDERS: [(f64, &str); 3] = [(0.5, "½X"), (1.0, "1X"), (2.0, "2X")];
 /// Points of a line at most.
 const POINTS: usize = 400;
 /// Spectra of a run-up, and into how many parts of the run one reaches.

@@ -1,7 +1,7 @@
 //! Spectra one above the other: over a run-up, or over what varies.
 
 use super::figure::{Line, Panel, Style};
-use super::spectra::ORDERS;
+use super::orders::ORDERS;
 
 /// A spectrum of several that stand one above the other.
 pub(crate) struct Stacked {
