@@ -1,6 +1,7 @@
 //! A case from the mesh of a shaft and the mesh of its support: bearings stand where cylinders of both meet.
 
 mod bearings;
+mod draft;
 mod text;
 
 use std::collections::BTreeSet;
@@ -9,51 +10,9 @@ use std::path::{Component, Path, PathBuf};
 use whirl_solver::mesh::{Mesh, Selection};
 
 use self::bearings::Meeting;
+use self::draft::{Draft, Held, Part};
 use crate::errors::Failure;
-use crate::mesh_file::{Opened, body_name, bounds, open};
-
-/// A body of the case.
-struct Part {
-    opened: Opened,
-    /// As the case calls it.
-    name: String,
-    /// The mesh file, as the case names it.
-    path: String,
-}
-
-impl Part {
-    fn mesh(&self) -> &Mesh {
-        &self.opened.mesh
-    }
-
-    /// Whether some cells have no material.
-    fn lacks_material(&self) -> bool {
-        let mesh = self.mesh();
-        mesh.blocks().iter().any(|own| mesh.materials()[own.material].properties.is_empty())
-    }
-}
-
-/// How the support is held.
-enum Held {
-    /// By a node set of its mesh.
-    Set(String),
-    /// By its faces in a plane across x (0) or z (2), at this place (m).
-    Plane(usize, f64),
-}
-
-/// What a case says, before it is written.
-struct Draft {
-    shaft: Part,
-    support: Part,
-    /// x and y of the axis (m).
-    axis: [f64; 2],
-    meetings: Vec<Meeting>,
-    /// The bores in which no journal runs, with the reason.
-    left: Vec<String>,
-    held: Option<Held>,
-    /// Whether the units of the meshes are guessed.
-    units_guessed: bool,
-}
+use crate::mesh_file::{body_name, bounds, open};
 
 /// The text of a case, and what was found, guessed and left open. `folder`: where the case will stand.
 ///

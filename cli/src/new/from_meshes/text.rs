@@ -7,7 +7,7 @@ use whirl_solver::mesh::Cylinder;
 use whirl_text::rounded;
 
 use super::bearings::Meeting;
-use super::{Draft, Held, Part};
+use super::draft::{Draft, Held, Part};
 use crate::mesh_file::mm;
 
 /// Adds a line to a text.
