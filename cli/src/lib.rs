@@ -156,8 +156,7 @@ pub fn build(
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
-    let plan = machine::plan(case, warnings)?;
-    machine::build(case, plan.as_ref(), cache, warnings)
+    machine::build_planned(case, cache, warnings)
 }
 
 /// The keys under which the bodies of a case are kept: cases with the same keys share their bodies. Nothing is reduced.

@@ -84,8 +84,7 @@ fn build(
     let (own, (sender, receiver)) = (case.clone(), channel());
     let work = move || {
         let mut warnings = Vec::new();
-        let built = machine::plan(&own, &mut warnings)
-            .and_then(|plan| machine::build(&own, plan.as_ref(), cache.as_ref(), &mut warnings));
+        let built = machine::build_planned(&own, cache.as_ref(), &mut warnings);
         // Nobody waits for it any more where the run has been interrupted.
         let _ = sender.send((built, warnings));
     };

@@ -177,6 +177,19 @@ pub(crate) fn build(
     describe(case, plan)?.build(cache, warnings)
 }
 
+/// As [`build`], with a plan of its own.
+///
+/// # Errors
+/// As [`plan`] and [`build`].
+pub(crate) fn build_planned(
+    case: &Case,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<Built, Failure> {
+    let plan = plan(case, warnings)?;
+    build(case, plan.as_ref(), cache, warnings)
+}
+
 /// The keys under which the bodies of a case are kept that are reduced.
 ///
 /// # Errors

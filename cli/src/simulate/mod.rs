@@ -5,7 +5,7 @@ mod folder;
 mod in_memory;
 mod march;
 #[cfg(test)]
-mod resumed;
+mod tests;
 
 use std::io;
 use std::time::Instant;

@@ -9,11 +9,13 @@ use std::time::{Duration, Instant};
 use whirl_solver::cache::{Cache, Key};
 use whirl_text::rounded;
 
+use super::axis::Along;
 use super::column::{Column, Shown};
+use super::definition::{Keep, Sweep};
 use super::examine::examine;
 use super::level::digits;
-use super::points::{Along, Point};
-use super::{Keep, Sweep};
+use super::points::Point;
+use super::workers;
 use crate::case::Case;
 use crate::errors::Failure;
 use crate::progress::{self, ProgressMode};
@@ -43,7 +45,7 @@ const BINARY: f64 = 8.0;
 /// Whatever keeps the sweep from being run.
 pub(crate) fn check(path: &Path, cache: Option<Cache>) -> Result<String, Failure> {
     let sweep = Sweep::of_file(path)?;
-    let jobs = super::cores();
+    let jobs = workers::cores();
     streams::warned(|warnings| examine(&sweep, jobs, &|| false, warnings))?;
     let mut text = String::new();
     say_points(&mut text, &sweep);
@@ -154,7 +156,7 @@ fn say_effort(
     (case, first): (&Case, &Point),
     (cache, jobs): (Option<Cache>, usize),
 ) -> Result<(), Failure> {
-    let build = || crate::build(case, cache.as_ref(), &mut Vec::new());
+    let build = || machine::build_planned(case, cache.as_ref(), &mut Vec::new());
     let built = progress::during(ProgressMode::on_terminal(), case.reducing(), build)?;
     let trial = Trial { start: Instant::now(), steps: Cell::new(0) };
     let ran = in_memory(case, &built, &trial);

@@ -8,7 +8,7 @@ use std::thread;
 
 use whirl_codegen::diagnostic::{Diagnostic, Diagnostics};
 
-use super::Sweep;
+use super::definition::Sweep;
 use super::identity::Inputs;
 use super::points::Point;
 use crate::case::Case;

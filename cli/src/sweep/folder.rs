@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use whirl_solver::cache::{Key, pack, remove_unfinished, unpack, write_whole};
 
-use super::{figures, journal, table};
+use super::files::{CSV, FIGURES, PARQUET};
+use super::journal;
 use crate::created::CreatedFolders;
 use crate::errors::Failure;
 use crate::history;
@@ -21,7 +22,7 @@ const POINTS: &str = "points";
 const CHAINS: &str = "chains";
 
 /// Files that stay where a sweep goes on.
-const LASTING: [&str; 3] = [journal::NAME, table::CSV, table::PARQUET];
+const LASTING: [&str; 3] = [journal::NAME, CSV, PARQUET];
 
 /// A folder of results that no other sweep writes.
 #[derive(Debug)]
@@ -193,7 +194,6 @@ fn absent_is_fine(done: io::Result<()>) -> io::Result<()> {
 
 /// Every name that a sweep may give to a file in its folder.
 fn files() -> impl Iterator<Item = String> {
-    let figures =
-        figures::NAMES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
+    let figures = FIGURES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
     LASTING.map(String::from).into_iter().chain(figures)
 }

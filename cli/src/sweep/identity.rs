@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use whirl_solver::cache::{Key, instruction_set};
 
-use super::{Keep, Sweep};
+use super::definition::{Keep, Sweep};
 use crate::case::{self, Case, Form, Start, System};
 use crate::checkpoint::Identity;
 use crate::results::STATE;

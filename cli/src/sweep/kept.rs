@@ -5,7 +5,7 @@ use std::{fs, io};
 
 use whirl_solver::cache::Key;
 
-use super::Sweep;
+use super::definition::Sweep;
 use super::folder::SweepFolder;
 use super::journal::{self, Journal, Record, Records};
 use super::row::{Row, Verdict};

@@ -1,9 +1,12 @@
 //! `whirl sweep`: a case at many points, on all cores, with a row a point in a table.
 
+mod axis;
 mod check;
 mod column;
+mod definition;
 mod examine;
 mod figures;
+mod files;
 mod folder;
 mod identity;
 mod journal;
@@ -24,21 +27,17 @@ mod workers;
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use whirl_codegen::diagnostic::Source;
 use whirl_solver::cache::Cache;
 
 pub(crate) use self::check::check;
+pub use self::definition::Sweep;
 use self::examine::examine;
 use self::folder::SweepFolder;
 use self::kept::Kept;
 pub use self::points::Point;
-use self::points::{Along, Axis};
 pub(crate) use self::read::is_sweep;
-use self::vary::Varied;
 use self::workers::Ended;
-use crate::case::CaseText;
 use crate::errors::Failure;
 use crate::progress::{self, ProgressMode};
 use crate::signals::Interruption;
@@ -57,65 +56,6 @@ pub(crate) struct Order<'a> {
     pub(crate) resume: bool,
     pub(crate) quiet: bool,
     pub(crate) cache: Option<Cache>,
-}
-
-/// A case, and what varies of it.
-#[derive(Debug)]
-pub struct Sweep {
-    /// Name under which results are kept: that of the file without its ending.
-    name: String,
-    /// One line for people.
-    title: String,
-    /// The case, as far as its points have it alike.
-    base: CaseText,
-    /// Where it is said what varies.
-    source: Arc<Source>,
-    /// In the order in which they stand there.
-    keys: Vec<Varied>,
-    /// The last one varies fastest.
-    axes: Vec<Axis>,
-    /// Whether points go on from each other.
-    along: Option<Along>,
-    /// Points of a Latin hypercube, if it is one.
-    samples: Option<usize>,
-    keep: Keep,
-}
-
-/// What is kept of every point beside its row.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Keep {
-    Nothing,
-    /// History, summary and last state.
-    Histories,
-}
-
-impl Sweep {
-    /// Reads a sweep file.
-    ///
-    /// # Errors
-    /// Everything that is wrong with it, each with its place; whether the case has the keys and takes the values shows where its
-    /// points are read ([`Sweep::case`]).
-    pub fn of_file(path: &Path) -> Result<Self, Failure> {
-        read::of_file(path)
-    }
-
-    /// As [`Sweep::of_file`], of a text.
-    ///
-    /// # Errors
-    /// As [`Sweep::of_file`].
-    pub fn of_text(source: &Arc<Source>) -> Result<Self, Failure> {
-        read::of_source(source)
-    }
-
-    /// Name under which results are kept.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// One line for people; empty if it says none.
-    pub fn title(&self) -> &str {
-        &self.title
-    }
 }
 
 /// The points of a sweep file in their order, the last key varying fastest.
@@ -178,12 +118,7 @@ fn asked(order: &Order) -> Result<Sweep, Failure> {
 }
 
 fn jobs(order: &Order) -> usize {
-    order.jobs.map_or_else(cores, usize::from)
-}
-
-/// Points at a time where nothing says otherwise.
-fn cores() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
+    order.jobs.map_or_else(workers::cores, usize::from)
 }
 
 fn folder(order: &Order, sweep: &Sweep) -> PathBuf {

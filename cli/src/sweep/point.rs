@@ -2,14 +2,15 @@
 
 use whirl_solver::cache::Cache;
 
+use super::definition::{Keep, Sweep};
+use super::figures;
 use super::folder::SweepFolder;
 use super::points::Point;
 use super::row::Row;
 use super::trace::Trace;
-use super::{Keep, Sweep, figures};
 use crate::errors::Failure;
 use crate::simulate::{Watch, summed_up};
-use crate::start;
+use crate::{machine, start};
 
 /// A point that is done.
 pub(super) struct Done {
@@ -44,7 +45,7 @@ pub(super) fn run(
         if let Some(state) = from {
             start::go_on(&mut case, state);
         }
-        let built = crate::build(&case, Some(cache), &mut warnings)?;
+        let built = machine::build_planned(&case, Some(cache), &mut warnings)?;
         let (run, facts) = summed_up(&case, &built, watch)?;
         let trace = match figures::need_traces(sweep) {
             true => Trace::of(&case, &built, &run.history)

@@ -3,68 +3,10 @@
 use whirl_codegen::document::tree::{Content, Node, Tree};
 use whirl_solver::cache::Key;
 
-use super::Sweep;
+use super::axis::Axis;
+use super::definition::Sweep;
 use super::level::Level;
 use super::vary::Varied;
-
-/// Keys that vary in step, by their places among all.
-#[derive(Debug, Clone)]
-pub(super) struct Axis {
-    pub(super) keys: Vec<usize>,
-    pub(super) count: usize,
-}
-
-impl Axis {
-    pub(super) fn new(keys: Vec<usize>, count: usize) -> Self {
-        Axis { keys, count }
-    }
-}
-
-/// How points go on from each other along the last axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Along {
-    /// From the least value to the largest.
-    Up,
-    /// From the largest value to the least.
-    Down,
-    /// First up, and from there down again.
-    Both,
-}
-
-impl Along {
-    /// As a sweep file says it.
-    pub(super) fn new(word: &str) -> Self {
-        match word {
-            "down" => Along::Down,
-            "both" => Along::Both,
-            _ => Along::Up,
-        }
-    }
-
-    /// How often a value is passed.
-    pub(super) fn passes(self) -> usize {
-        if self == Along::Both { 2 } else { 1 }
-    }
-
-    /// The ways on which values are passed.
-    pub(super) fn ways(self) -> &'static [&'static str] {
-        match self {
-            Along::Up => &["up"],
-            Along::Down => &["down"],
-            Along::Both => &["up", "down"],
-        }
-    }
-
-    /// The value at a place of a chain of `count` points, and the way that goes through it.
-    fn value(self, place: usize, count: usize) -> (usize, &'static str) {
-        match self {
-            Along::Up => (place, "up"),
-            Along::Down => (count - 1 - place, "down"),
-            Along::Both if place < count / 2 => (place, "up"),
-            Along::Both => (count - 1 - place, "down"),
-        }
-    }
-}
 
 /// A point of a sweep: values of the keys that vary.
 #[derive(Debug, Clone)]

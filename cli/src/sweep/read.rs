@@ -8,17 +8,48 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, 
 use whirl_codegen::document::tree::{Place, Tree};
 use whirl_codegen::document::{Document, Table};
 
+use super::axis::{Along, Axis};
+use super::definition::{Keep, Sweep};
 use super::level::{Level, quoted};
-use super::points::{Along, Axis};
 use super::random::Random;
 use super::schema::MOST_POINTS;
 use super::vary::{self, Values, Varied};
-use super::{Keep, Sweep};
 use crate::case::{CaseText, FileStore};
 use crate::errors::Failure;
 
 /// What messages call the arguments of the command line.
 const COMMAND_LINE: &str = "--vary";
+
+impl Sweep {
+    /// Reads a sweep file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, each with its place; whether the case has the keys and takes the values shows where its
+    /// points are read ([`Sweep::case`]).
+    pub fn of_file(path: &Path) -> Result<Self, Failure> {
+        let source = FileStore::Disk.read(path).map_err(|message| {
+            Diagnostics::from(Diagnostic::new(
+                &Source::new(path, ""),
+                Code::BAD_VALUE,
+                None,
+                message,
+            ))
+        })?;
+        Self::of_text(&source)
+    }
+
+    /// As [`Sweep::of_file`], of a text.
+    ///
+    /// # Errors
+    /// As [`Sweep::of_file`].
+    pub fn of_text(source: &Arc<Source>) -> Result<Self, Failure> {
+        let (tree, errors) = Tree::parse(source);
+        errors.into_result(())?;
+        let name = source.path.file_stem().map_or("sweep".into(), |stem| stem.to_string_lossy());
+        let (sweep, errors) = assemble(source, tree, &name);
+        Ok(errors.into_result(sweep)?.expect("without errors there is a sweep"))
+    }
+}
 
 /// Whether the file called `name` is a sweep: one says what it varies.
 pub(crate) fn is_sweep(name: &str) -> bool {
@@ -29,33 +60,10 @@ pub(crate) fn is_sweep(name: &str) -> bool {
             .is_ok_and(|source| Tree::parse(&source).0.entries.contains_key("vary"))
 }
 
-/// The sweep that a file says.
-///
-/// # Errors
-/// Everything that is wrong with the file, each with its place; not whether the case has its keys and takes its values.
-pub(super) fn of_file(path: &Path) -> Result<Sweep, Failure> {
-    let source = FileStore::Disk.read(path).map_err(|message| {
-        Diagnostics::from(Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message))
-    })?;
-    of_source(&source)
-}
-
-/// As [`of_file`], of a text.
-///
-/// # Errors
-/// As [`of_file`].
-pub(super) fn of_source(source: &Arc<Source>) -> Result<Sweep, Failure> {
-    let (tree, errors) = Tree::parse(source);
-    errors.into_result(())?;
-    let name = source.path.file_stem().map_or("sweep".into(), |stem| stem.to_string_lossy());
-    let (sweep, errors) = assemble(source, tree, &name);
-    Ok(errors.into_result(sweep)?.expect("without errors there is a sweep"))
-}
-
 /// The sweep of a case by what the command line says, each as `KEY=RANGE`.
 ///
 /// # Errors
-/// As [`of_file`].
+/// As [`Sweep::of_file`].
 pub(super) fn of_arguments(case: &str, varied: &[String]) -> Result<Sweep, Failure> {
     let mut text = String::new();
     for own in varied {

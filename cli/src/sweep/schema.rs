@@ -5,7 +5,7 @@ use whirl_codegen::document::schema::Shape::{
 };
 use whirl_codegen::document::schema::{Key, Shape, key, needed};
 
-use super::Sweep;
+use super::definition::Sweep;
 
 /// Points of a sweep: more take longer than anybody waits, or are a mistake.
 pub(super) const MOST_POINTS: usize = 1_000_000;

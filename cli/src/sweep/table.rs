@@ -7,18 +7,14 @@ use std::path::Path;
 
 use whirl_solver::cache::write_aside_by;
 
-use super::Sweep;
 use super::column::{Column, Shown};
+use super::definition::Sweep;
+use super::files::{CSV, PARQUET};
 use super::folder::SweepFolder;
 use super::kept::Kept;
 use super::level::digits;
 use super::parquet::{GROUP, Parquet, Values};
 use super::row::{Row, Verdict};
-
-/// Name of the file.
-pub(super) const CSV: &str = "table.csv";
-/// The same for programs that read many rows.
-pub(super) const PARQUET: &str = "table.parquet";
 
 /// How many points came to what.
 #[derive(Debug, Default)]

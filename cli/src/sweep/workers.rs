@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use whirl_solver::cache::{Cache, Key};
 
-use super::Sweep;
+use super::definition::Sweep;
 use super::folder::SweepFolder;
 use super::journal::{self, Journal};
 use super::kept::Kept;
@@ -40,6 +40,11 @@ struct Sent {
     number: usize,
     point: Key,
     done: Done,
+}
+
+/// Points at a time where nothing says otherwise.
+pub(super) fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// Runs all points that `kept` does not have. What is done is on disk when it counts as done.

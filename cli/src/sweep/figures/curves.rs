@@ -3,7 +3,7 @@
 use super::cell::Cell;
 use super::grid::{Grid, Ruler};
 use super::quantities::{Group, Series, Topic};
-use super::{DOUBTED, style};
+use super::style::{DOUBTED, style};
 use crate::figures::{Cloud, Figure, Line, Panel, Style};
 
 /// Values up to which each is marked by a dot.

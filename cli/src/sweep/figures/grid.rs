@@ -1,8 +1,8 @@
 //! What figures of a sweep are drawn over: one or two axes with more than one value, of very many values some.
 
 use crate::figures::Cells;
-use crate::sweep::Sweep;
 use crate::sweep::column::{Column, Shown, numbers};
+use crate::sweep::definition::Sweep;
 use crate::sweep::level::digits;
 use crate::sweep::vary::Varied;
 

@@ -1,9 +1,9 @@
 //! Numbers over the values of two keys, as colours.
 
-use super::DOUBTED;
 use super::cell::Cell;
 use super::grid::Grid;
 use super::quantities::{Group, Series, Topic};
+use super::style::DOUBTED;
 use crate::figures::{Cloud, Figure, Map, Panel, Style};
 
 /// A panel for each number of a topic; of those with a least and a largest value the larger size.

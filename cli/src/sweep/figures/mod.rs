@@ -7,23 +7,18 @@ mod grid;
 mod maps;
 mod quantities;
 mod samples;
+mod style;
 mod traces;
 
 use self::cell::{Cell, cells};
 use self::grid::{Grid, MOST_OF_CURVE};
 use self::quantities::Quantities;
 use self::samples::Samples;
-use super::Sweep;
+use super::definition::Sweep;
 use super::kept::Kept;
 use super::row::Verdict;
 use crate::case::Case;
-use crate::figures::{Figure, Style, put_figure};
-
-/// Names of all figures that a sweep may draw, without their endings.
-pub(super) const NAMES: [&str; 7] =
-    ["reactions", "eccentricity", "displacement", "orders", "stresses", "bifurcation", "waterfall"];
-/// What legends call points that are not sound.
-const DOUBTED: &str = "NOT SOUND: see `remark` in the table";
+use crate::figures::{Figure, put_figure};
 
 /// Whether figures need what [`super::trace`] finds: those of sweeps over one key, up to a bound. One over a single value may get
 /// others later.
@@ -108,10 +103,4 @@ fn mark(cells: &[Cell]) -> String {
         words.push(format!("{doubted} of {} NOT SOUND", cells.len()));
     }
     if words.is_empty() { String::new() } else { format!(" [{}]", words.join(", ")) }
-}
-
-/// A style for each of two series, up and, if points are passed twice, down.
-fn style(series: usize, way: usize) -> Style {
-    let styles = [Style::First, Style::Second, Style::Third, Style::Fourth];
-    styles[(series + 2 * way) % styles.len()]
 }

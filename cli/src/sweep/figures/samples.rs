@@ -3,10 +3,11 @@
 use super::cell::Cell;
 use super::curves::mark;
 use super::quantities::{Group, Topic};
-use super::style;
+use super::style::style;
 use crate::figures::{Cloud, Figure, Panel};
-use crate::sweep::Sweep;
 use crate::sweep::column::{Column, Shown};
+use crate::sweep::definition::Sweep;
+use crate::sweep::points::Point;
 
 /// Points that are drawn, at most: the first ones, which are drawn at random as all are.
 const MOST: usize = 2000;
@@ -28,7 +29,7 @@ impl Samples {
         let mut keys = Vec::new();
         for (place, key) in sweep.keys.iter().enumerate() {
             let column = Column::of(key);
-            let value = |point: &crate::sweep::Point| match column.shown(&point.levels[place]) {
+            let value = |point: &Point| match column.shown(&point.levels[place]) {
                 Shown::Number(value) => Some(value),
                 Shown::Text(_) => None,
             };

@@ -3,7 +3,7 @@
 use super::cell::Cell;
 use super::curves::over;
 use super::grid::Grid;
-use super::style;
+use super::style::style;
 use crate::figures::{Cloud, Figure, Stacked, stack};
 use crate::sweep::row::Verdict;
 use crate::sweep::trace::Traced;

@@ -1,0 +1,9 @@
+//! Names of the files in the folder of a sweep, beside its journal.
+
+/// The table.
+pub(super) const CSV: &str = "table.csv";
+/// The same for programs that read many rows.
+pub(super) const PARQUET: &str = "table.parquet";
+/// Names of all figures that a sweep may draw, without their endings.
+pub(super) const FIGURES: [&str; 7] =
+    ["reactions", "eccentricity", "displacement", "orders", "stresses", "bifurcation", "waterfall"];
